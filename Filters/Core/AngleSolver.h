@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "AngleProblem.h"
+#include "Execution.h"
+
+namespace flattening
+{
+enum class AngleMethod
+{
+  Newton,     ///< the exact Newton method in the directions of the wire edges
+  Sequential, ///< the paper's sequential linearly constrained programming, Eq. 15
+};
+
+struct AngleSolverOptions
+{
+  AngleMethod method = AngleMethod::Newton;
+  int maximumIterations = 300;
+  /// Largest closure of a loop at the end, as a fraction of the perimeter.
+  double closureTolerance = 1e-12;
+  /// Largest entry of the gradient of the Lagrangian at the end.
+  double optimalityTolerance = 1e-10;
+};
+
+/// What one iteration did.
+struct IterationRecord
+{
+  const char* phase = "";
+  double objective = 0.0;
+  double closure = 0.0;    ///< as a fraction of the perimeter
+  double optimality = 0.0; ///< largest entry of the gradient of the Lagrangian
+  double step = 0.0;       ///< root mean square of the change of the angles
+};
+
+struct AngleSolution
+{
+  std::vector<double> theta;    ///< planar angle per node
+  std::vector<double> multiplierX; ///< per loop, lambda_x of Eq. 14
+  std::vector<double> multiplierY; ///< per loop, lambda_y of Eq. 14
+  double objective = 0.0;
+  double closure = 0.0; ///< absolute, in the unit of length
+  int iterations = 0;
+  std::vector<IterationRecord> history;
+  /// Ok, NotConverged (theta is the best found), IncompatibleKeys (ids: nodes), Cancelled.
+  Status status;
+};
+
+AngleSolution solveAngles(
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
+
+/// Exact derivative of the optimal objective by the length of each wire edge,
+/// dF* / dl = sum over both sides of lambda . (cos phi, sin phi).
+std::vector<double> lengthSensitivity(const AngleProblem& problem, const AngleSolution& solution);
+}

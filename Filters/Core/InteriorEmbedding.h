@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Execution.h"
+#include "WireNetwork.h"
+
+namespace flattening
+{
+enum class InteriorMethod
+{
+  Laplacian,         ///< Eq. 11 solved directly
+  Relaxation,        ///< the iteration of Eq. 12
+  AsRigidAsPossible, ///< as rigid as possible with the wires pinned
+};
+
+struct InteriorOptions
+{
+  InteriorMethod method = InteriorMethod::AsRigidAsPossible;
+  /// Relaxation: factor tau of Eq. 12, between 0 and 2.
+  double relaxation = 1.5;
+  /// Relaxation: stop when no vertex moves farther than this fraction of the mean wire edge.
+  double movement = 1e-5;
+  int minimumIterations = 10;
+  int maximumIterations = 100;
+  /// As rigid as possible: stop when the energy falls by less than this fraction of itself.
+  double energyTolerance = 1e-9;
+  int maximumRigidIterations = 500;
+};
+
+struct InteriorResult
+{
+  int iterations = 0; ///< the most that any wire-patch took
+  Status status;
+};
+
+/// Places the vertices inside each wire-patch; those of the wires stay. \param positions per piece
+/// vertex, in and out.
+InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
+  const InteriorOptions& options, const Execution& execution, Points2& positions);
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Types.h"
+
+namespace flattening
+{
+/// What the arrangement needs to know of a piece.
+struct ArrangementPiece
+{
+  Points2 positions;
+  /// Start and end of its grainline as indices of positions, {none, none} where there is none; the
+  /// piece is turned so that the direction from start to end points up or, where the curve runs
+  /// downwards on the surface, the caller has swapped them.
+  std::array<Index, 2> grain{ none, none };
+};
+
+/// Turns each piece upright (its grainline, else its longest extent, along y) and lays the pieces
+/// in rows beside each other, without overlap, in their order. Only rigid motions without reflection.
+/// \param spacing between bounding boxes, as a fraction of the largest extent of a piece.
+/// \return the new positions, per piece; the first piece starts at the origin.
+std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing);
+}

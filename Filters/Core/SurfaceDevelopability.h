@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "TriangleMesh.h"
+
+namespace flattening
+{
+/// E_dev of Eq. 25, in radians: how far the sum of the angles around each interior vertex is from
+/// 2 pi; 0 on the boundary, where any sum can lie flat.
+std::vector<double> surfaceDevelopability(const TriangleMesh& mesh);
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "AngleSolver.h"
+#include "ConformalMap.h"
+#include "FlatteningQuality.h"
+#include "InteriorEmbedding.h"
+#include "SurfaceCut.h"
+
+namespace flattening
+{
+enum class Scheme
+{
+  Progressive, ///< patch by patch, Algorithm 2
+  Global,      ///< all patches together, Eq. 13
+  Isometric,   ///< wires and interior together
+  Conformal,   ///< LSCM, for comparison: keeps no length
+};
+
+struct FlatteningOptions
+{
+  Scheme scheme = Scheme::Global;
+  AngleSolverOptions angles;
+  InteriorOptions interior;
+  ConformalOptions conformal; ///< pins are vertices of the surface before the cut
+  /// Treat key curves as accessory curves.
+  bool releaseKeys = false;
+  /// Lay the pieces beside each other, grainline up; otherwise each stays where its first wire edge
+  /// put it.
+  bool arrange = true;
+  /// Space between arranged pieces, as a fraction of the largest extent of a piece.
+  double spacing = 0.05;
+  /// A wire edge whose relative length error is larger breaks the promise.
+  double lengthTolerance = 1e-9;
+};
+
+/// A wire in the result: a stretch of one feature curve, or a boundary loop.
+struct Wire
+{
+  CurveType type = CurveType::Accessory;
+  Index curve = none; ///< none: boundary of the surface, or a connector
+  bool boundary = false;
+  bool connector = false;
+  Index piece = 0;
+  Indices vertices; ///< of the cut surface
+  double restLength = 0.0; ///< on the surface
+  double flatLength = 0.0;
+  double maximumEdgeError = 0.0; ///< largest relative error of one of its edges
+};
+
+struct PieceReport
+{
+  Index triangles = 0;
+  Index vertices = 0;
+  Index wirePatches = 0;
+  Index wireNodes = 0;
+  Index freeWireNodes = 0;
+  Index constraints = 0;
+  int iterations = 0;
+  double objective = 0.0;
+  double closureResidual = 0.0;
+  QualitySummary quality; ///< flipped: triangles of the cut surface
+  /// Pairs of boundary half-edges of the cut surface that cross.
+  std::vector<std::array<Index, 2>> overlaps;
+  std::vector<IterationRecord> history;
+  /// Progressive scheme: wire-patches (ids as in patchOfTriangle) in the order of warping.
+  Indices warpingOrder;
+  Status status;
+};
+
+struct CurveReport
+{
+  std::string name;
+  CurveType type = CurveType::Accessory;
+  double restLength = 0.0; ///< of all its wires; a cut curve counts once
+  double flatLength = 0.0;
+  double error = 0.0; ///< largest relative error of one of its edges
+};
+
+struct StageSeconds
+{
+  double wires = 0.0;
+  double interior = 0.0;
+  double quality = 0.0;
+  double total = 0.0;
+};
+
+struct FlatteningResult
+{
+  /// A refusal (then all else is empty), or Ok, or the worst broken promise of a piece.
+  Status status;
+  CutSurface cut;
+  Points2 positions;       ///< per vertex of the cut surface
+  Indices patchOfTriangle; ///< wire-patch, numbered through all pieces
+  std::vector<TriangleQuality> triangles;
+  std::vector<double> developability; ///< per vertex of the cut surface, Eq. 25
+  std::vector<Wire> wires;
+  std::vector<PieceReport> pieces;
+  std::vector<CurveReport> curves;
+  StageSeconds seconds;
+};
+
+/// The whole way from a surface and its feature curves to flat pieces.
+FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options, const Execution& execution);
+}
