@@ -1,0 +1,31 @@
+# Finds the VTK to build against. COMPONENTS are always named: without them VTK asks for Qt.
+set(flattening_vtk_components # what a user of the library needs as well
+  CommonCore
+  CommonDataModel
+  CommonExecutionModel
+  FiltersCore)
+set(flattening_vtk_build_components ${flattening_vtk_components})
+if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR BUILD_TESTING)
+  list(APPEND flattening_vtk_build_components
+    CommonSystem
+    FiltersGeneral
+    FiltersSources
+    IOGeometry
+    IOImage
+    IOLegacy
+    IOPLY
+    IOXML
+    InteractionStyle
+    RenderingCore
+    RenderingOpenGL2
+    TestingCore
+    TestingRendering)
+endif ()
+if (SURFACEFLATTENING_WRAP_PYTHON)
+  list(APPEND flattening_vtk_build_components
+    Python
+    WrappingPythonCore)
+endif ()
+
+find_package(VTK 9.1 REQUIRED COMPONENTS ${flattening_vtk_build_components})
+message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")

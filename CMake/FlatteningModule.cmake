@@ -1,0 +1,35 @@
+# Builds the module of vtk.module from the root of the project.
+#
+# vtk_module_build adds the folder of a module as a subdirectory of CMAKE_SOURCE_DIR. Here that folder
+# IS the source directory, and CMake refuses to enter a directory twice with the same binary directory.
+# Seen from the parent folder it is a subdirectory like any other, so the parent is what the function
+# is told. This leans on VTK's internals, and so does the test of _vtk_build_module in CMakeLists.txt:
+# nothing else in the project does.
+function (flattening_build_module)
+  set(with_tests OFF)
+  if (BUILD_TESTING)
+    set(with_tests ON)
+  endif ()
+  vtk_module_scan(
+    MODULE_FILES      "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+    PROVIDES_MODULES  modules
+    REQUEST_MODULES   SurfaceFlattening::FiltersFlattening
+    ENABLE_TESTS      "${with_tests}"
+    HIDE_MODULES_FROM_CACHE ON)
+
+  set(source_dir "${CMAKE_CURRENT_SOURCE_DIR}")
+  get_filename_component(CMAKE_SOURCE_DIR "${source_dir}" DIRECTORY)
+  vtk_module_build(
+    MODULES                     ${modules}
+    PACKAGE                     SurfaceFlattening
+    VERSION                     "${SurfaceFlattening_VERSION}"
+    SOVERSION                   "${SurfaceFlattening_VERSION_MAJOR}"
+    INSTALL_EXPORT              SurfaceFlattening
+    HEADERS_DESTINATION         "${CMAKE_INSTALL_INCLUDEDIR}/SurfaceFlattening"
+    CMAKE_DESTINATION           "${CMAKE_INSTALL_LIBDIR}/cmake/SurfaceFlattening"
+    TEST_DIRECTORY_NAME         "Testing"
+    TEST_DATA_TARGET            SurfaceFlatteningData
+    TEST_INPUT_DATA_DIRECTORY   "${source_dir}/Data"
+    TEST_OUTPUT_DATA_DIRECTORY  "${source_dir}/Data")
+  set(flattening_modules ${modules} PARENT_SCOPE)
+endfunction ()

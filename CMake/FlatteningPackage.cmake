@@ -1,0 +1,18 @@
+# The CMake package SurfaceFlattening, for the build tree and for the installed prefix.
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/SurfaceFlattening")
+configure_package_config_file(
+  "${CMAKE_CURRENT_SOURCE_DIR}/CMake/SurfaceFlatteningConfig.cmake.in"
+  "${CMAKE_BINARY_DIR}/${package_dir}/SurfaceFlatteningConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/${package_dir}/SurfaceFlatteningConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${CMAKE_BINARY_DIR}/${package_dir}/SurfaceFlatteningConfig.cmake"
+    "${CMAKE_BINARY_DIR}/${package_dir}/SurfaceFlatteningConfigVersion.cmake"
+  DESTINATION "${package_dir}"
+  COMPONENT development)

@@ -1,0 +1,11 @@
+# flattening_set_warnings(<target>...): the warnings our own code is held to.
+function (flattening_set_warnings)
+  foreach (target IN LISTS ARGN)
+    if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+      target_compile_options("${target}" PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+      if (SURFACEFLATTENING_WARNINGS_AS_ERRORS)
+        target_compile_options("${target}" PRIVATE -Werror)
+      endif ()
+    endif ()
+  endforeach ()
+endfunction ()
