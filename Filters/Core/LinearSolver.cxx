@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LinearSolver.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <Eigen/SuperLUSupport>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <type_traits>
+
+namespace flattening
+{
+/// What the methods have in common.
+struct LinearSolver::Backend
+{
+  virtual ~Backend() = default;
+  virtual void analyze(const SparseMatrix& matrix) = 0;
+  virtual bool factorize(const SparseMatrix& matrix) = 0;
+  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const = 0;
+  /// Entries of D, or nothing.
+  virtual Eigen::VectorXd diagonal() const { return {}; }
+
+  template <typename Solver>
+  struct Of;
+};
+
+template <typename Solver>
+struct LinearSolver::Backend::Of : LinearSolver::Backend
+{
+  Solver solver;
+
+  void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
+  bool factorize(const SparseMatrix& matrix) override
+  {
+    this->solver.factorize(matrix);
+    return this->solver.info() == Eigen::Success;
+  }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  {
+    return this->solver.solve(rightHandSide);
+  }
+  Eigen::VectorXd diagonal() const override
+  {
+    if constexpr (std::is_same_v<Solver, Eigen::SimplicialLDLT<SparseMatrix>>)
+    {
+      return this->solver.vectorD();
+    }
+    else if constexpr (std::is_same_v<Solver, Eigen::SimplicialLLT<SparseMatrix>>)
+    {
+      return Eigen::VectorXd::Ones(this->solver.rows());
+    }
+    else
+    {
+      return {};
+    }
+  }
+};
+
+namespace
+{
+bool allFinite(const SparseMatrix& matrix)
+{
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+  {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      if (!std::isfinite(entry.value()))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}
+
+LinearSolver::LinearSolver(LinearMethod method)
+  : Method(method)
+{
+  switch (method)
+  {
+    case LinearMethod::SuperLU:
+      this->Solver = std::make_unique<Backend::Of<Eigen::SuperLU<SparseMatrix>>>();
+      break;
+    case LinearMethod::SparseLU:
+      this->Solver = std::make_unique<Backend::Of<Eigen::SparseLU<SparseMatrix>>>();
+      break;
+    case LinearMethod::LDLT:
+      this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLDLT<SparseMatrix>>>();
+      break;
+    case LinearMethod::Cholesky:
+      this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLLT<SparseMatrix>>>();
+      break;
+  }
+}
+
+LinearSolver::~LinearSolver() = default;
+LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
+LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+
+bool LinearSolver::analyze(const SparseMatrix& matrix)
+{
+  this->Analyzed = false;
+  this->Factorized = false;
+  this->Size = matrix.rows();
+  if (matrix.rows() != matrix.cols())
+  {
+    return false;
+  }
+  if (this->Size > 0)
+  {
+    try
+    {
+      this->Solver->analyze(matrix);
+    }
+    catch (const std::bad_alloc&)
+    {
+      return false;
+    }
+  }
+  this->Analyzed = true;
+  return true;
+}
+
+bool LinearSolver::factorize(const SparseMatrix& matrix)
+{
+  this->Factorized = false;
+  if (!this->Analyzed && !this->analyze(matrix))
+  {
+    return false;
+  }
+  if (matrix.rows() != this->Size || matrix.cols() != this->Size || !allFinite(matrix))
+  {
+    return false;
+  }
+  if (this->Size > 0)
+  {
+    try
+    {
+      if (!this->Solver->factorize(matrix))
+      {
+        return false;
+      }
+    }
+    catch (const std::bad_alloc&)
+    {
+      return false;
+    }
+  }
+  this->Factorized = true;
+  return true;
+}
+
+Eigen::MatrixXd LinearSolver::solve(const Eigen::MatrixXd& rightHandSide) const
+{
+  if (!this->Factorized || rightHandSide.rows() != this->Size)
+  {
+    return {};
+  }
+  if (rightHandSide.size() == 0)
+  {
+    return rightHandSide;
+  }
+  Eigen::MatrixXd solution = this->Solver->solve(rightHandSide);
+  return solution.allFinite() ? solution : Eigen::MatrixXd();
+}
+
+Eigen::MatrixXd LinearSolver::solveRefined(
+  const SparseMatrix& matrix, const Eigen::MatrixXd& rightHandSide) const
+{
+  Eigen::MatrixXd solution = this->solve(rightHandSide);
+  if (solution.rows() == 0 || matrix.rows() != this->Size || matrix.cols() != this->Size)
+  {
+    return solution;
+  }
+  Eigen::MatrixXd residual = rightHandSide;
+  if (this->symmetric())
+  {
+    residual -= matrix.selfadjointView<Eigen::Lower>() * solution;
+  }
+  else
+  {
+    residual -= matrix * solution;
+  }
+  const Eigen::MatrixXd correction = this->solve(residual);
+  if (correction.rows() > 0)
+  {
+    solution += correction;
+  }
+  return solution;
+}
+
+Index LinearSolver::count(int sign) const
+{
+  if (!this->Factorized || !this->symmetric())
+  {
+    return none;
+  }
+  if (this->Size == 0)
+  {
+    return 0;
+  }
+  const Eigen::VectorXd diagonal = this->Solver->diagonal();
+  return static_cast<Index>(std::count_if(
+    diagonal.begin(), diagonal.end(), [sign](double d) { return (d > 0.0) - (d < 0.0) == sign; }));
+}
+}

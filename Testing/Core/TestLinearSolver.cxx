@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LinearSolver.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace flattening;
+
+namespace
+{
+/// Stiffness of a grid of springs, positive definite.
+SparseMatrix gridLaplacian(int side)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto at = [side](int i, int j) { return i * side + j; };
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      entries.emplace_back(at(i, j), at(i, j), 4.1 + 0.3 * std::sin(i + 2.0 * j));
+      if (i + 1 < side)
+      {
+        entries.emplace_back(at(i, j), at(i + 1, j), -1.0);
+        entries.emplace_back(at(i + 1, j), at(i, j), -1.0);
+      }
+      if (j + 1 < side)
+      {
+        entries.emplace_back(at(i, j), at(i, j + 1), -1.0);
+        entries.emplace_back(at(i, j + 1), at(i, j), -1.0);
+      }
+    }
+  }
+  SparseMatrix matrix(side * side, side * side);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// [H C'; C -delta I], quasi-definite: as many negative eigenvalues as rows of C.
+SparseMatrix saddlePoint(int side, int constraints, double delta, unsigned seed)
+{
+  const SparseMatrix hessian = gridLaplacian(side);
+  const Eigen::Index n = hessian.rows();
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index column = 0; column < n; ++column)
+  {
+    for (SparseMatrix::InnerIterator it(hessian, column); it; ++it)
+    {
+      entries.emplace_back(it.row(), it.col(), it.value());
+    }
+  }
+  for (int c = 0; c < constraints; ++c)
+  {
+    for (int k = 0; k < 5; ++k)
+    {
+      const auto column = static_cast<int>(random() % static_cast<unsigned>(n));
+      const double v = value(random);
+      entries.emplace_back(n + c, column, v);
+      entries.emplace_back(column, n + c, v);
+    }
+    entries.emplace_back(n + c, n + c, -delta);
+  }
+  SparseMatrix matrix(n + constraints, n + constraints);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::MatrixXd someRightHandSide(Eigen::Index rows)
+{
+  Eigen::MatrixXd rhs(rows, 2);
+  for (Eigen::Index i = 0; i < rows; ++i)
+  {
+    rhs(i, 0) = std::sin(0.7 * static_cast<double>(i));
+    rhs(i, 1) = 1.0 + 0.1 * static_cast<double>(i % 7);
+  }
+  return rhs;
+}
+}
+
+TEST(LinearSolver, AllMethodsAgreeOnAPositiveDefiniteSystem)
+{
+  const SparseMatrix matrix = gridLaplacian(20);
+  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
+  for (LinearMethod method :
+    { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
+  {
+    LinearSolver solver(method);
+    ASSERT_TRUE(solver.analyze(matrix));
+    ASSERT_TRUE(solver.factorize(matrix));
+    const Eigen::MatrixXd x = solver.solve(rhs);
+    ASSERT_EQ(x.rows(), matrix.rows());
+    EXPECT_LT((matrix * x - rhs).norm(), 1e-12 * rhs.norm()) << static_cast<int>(method);
+  }
+}
+
+TEST(LinearSolver, SuperLUAgreesWithSparseLUOnASaddlePointSystem)
+{
+  const SparseMatrix matrix = saddlePoint(12, 30, 0.0, 5);
+  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
+  LinearSolver first(LinearMethod::SuperLU);
+  LinearSolver second(LinearMethod::SparseLU);
+  ASSERT_TRUE(first.factorize(matrix));
+  ASSERT_TRUE(second.factorize(matrix));
+  const Eigen::MatrixXd x = first.solve(rhs);
+  const Eigen::MatrixXd y = second.solve(rhs);
+  EXPECT_LT((x - y).norm(), 1e-10 * y.norm());
+}
+
+TEST(LinearSolver, InertiaIsThatOfTheEigenvalues)
+{
+  const SparseMatrix matrix = saddlePoint(6, 9, 1e-9, 3);
+  LinearSolver solver(LinearMethod::LDLT);
+  ASSERT_TRUE(solver.factorize(matrix));
+  const Eigen::VectorXd values =
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(matrix)).eigenvalues();
+  EXPECT_EQ(solver.positive(), (values.array() > 0.0).count());
+  EXPECT_EQ(solver.negative(), (values.array() < 0.0).count());
+  EXPECT_EQ(solver.negative(), 9);
+  EXPECT_EQ(solver.zero(), 0);
+
+  // An indefinite first block shows as more than nine.
+  SparseMatrix indefinite = matrix;
+  indefinite.coeffRef(0, 0) = -3.0;
+  indefinite.coeffRef(20, 20) = -3.0;
+  ASSERT_TRUE(solver.factorize(indefinite));
+  EXPECT_EQ(solver.negative(), 11);
+}
+
+TEST(LinearSolver, OneAnalysisServesManyFactorizations)
+{
+  SparseMatrix matrix = gridLaplacian(15);
+  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
+  for (LinearMethod method :
+    { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
+  {
+    LinearSolver solver(method);
+    ASSERT_TRUE(solver.analyze(matrix));
+    for (double factor : { 1.0, 3.0, 0.01 })
+    {
+      const SparseMatrix scaled = factor * matrix;
+      ASSERT_TRUE(solver.factorize(scaled));
+      EXPECT_LT((scaled * solver.solve(rhs) - rhs).norm(), 1e-12 * rhs.norm());
+    }
+  }
+}
+
+TEST(LinearSolver, OneStepOfRefinementTakesTheRegularizationOut)
+{
+  const SparseMatrix exact = saddlePoint(10, 20, 0.0, 11);
+  const SparseMatrix regularized = saddlePoint(10, 20, 1e-6, 11);
+  const Eigen::MatrixXd rhs = someRightHandSide(exact.rows());
+  LinearSolver solver(LinearMethod::LDLT);
+  ASSERT_TRUE(solver.factorize(regularized));
+  const double before = (exact * solver.solve(rhs) - rhs).norm();
+  const double after = (exact * solver.solveRefined(exact, rhs) - rhs).norm();
+  EXPECT_GT(before, 1e-8);
+  EXPECT_LT(after, 1e-4 * before);
+}
+
+TEST(LinearSolver, SymmetricMethodsReadTheLowerTriangleOnly)
+{
+  const SparseMatrix matrix = gridLaplacian(8);
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
+  for (LinearMethod method : { LinearMethod::LDLT, LinearMethod::Cholesky })
+  {
+    LinearSolver solver(method);
+    ASSERT_TRUE(solver.factorize(lower));
+    EXPECT_LT((matrix * solver.solve(rhs) - rhs).norm(), 1e-12 * rhs.norm());
+    EXPECT_LT((matrix * solver.solveRefined(lower, rhs) - rhs).norm(), 1e-12 * rhs.norm());
+  }
+}
+
+TEST(LinearSolver, RefusesWhatItCannotFactor)
+{
+  SparseMatrix singular = gridLaplacian(4);
+  for (Eigen::Index k = 0; k < singular.cols(); ++k)
+  {
+    singular.coeffRef(k, 5) = 0.0;
+    singular.coeffRef(5, k) = 0.0;
+  }
+  singular.prune(0.0);
+  SparseMatrix notFinite = gridLaplacian(4);
+  notFinite.coeffRef(3, 3) = std::numeric_limits<double>::quiet_NaN();
+  SparseMatrix rectangular(4, 5);
+  for (LinearMethod method :
+    { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
+  {
+    for (const SparseMatrix* matrix : { &singular, &notFinite, &rectangular })
+    {
+      LinearSolver solver(method);
+      EXPECT_FALSE(solver.factorize(*matrix)) << static_cast<int>(method);
+      EXPECT_FALSE(solver.ok());
+      EXPECT_EQ(solver.solve(Eigen::MatrixXd::Ones(16, 1)).rows(), 0);
+      EXPECT_EQ(solver.positive(), none);
+    }
+  }
+  LinearSolver cholesky(LinearMethod::Cholesky);
+  EXPECT_FALSE(cholesky.factorize(saddlePoint(4, 2, 1e-6, 1)));
+}
+
+TEST(LinearSolver, SolvesTheEmptySystem)
+{
+  LinearSolver solver(LinearMethod::LDLT);
+  EXPECT_TRUE(solver.factorize(SparseMatrix(0, 0)));
+  EXPECT_EQ(solver.negative(), 0);
+  EXPECT_EQ(solver.solve(Eigen::MatrixXd(0, 2)).rows(), 0);
+}
