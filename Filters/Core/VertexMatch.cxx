@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VertexMatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace flattening
+{
+namespace
+{
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellHash
+{
+  std::size_t operator()(const Cell& cell) const
+  {
+    std::uint64_t hash = 0;
+    for (std::int64_t k : cell)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15ull;
+      hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+class QueryGrid
+{
+public:
+  QueryGrid(const Eigen::AlignedBox3d& bounds, double radius)
+    : Origin(bounds.min())
+    // Balls of one radius touch eight cells at most; the floor keeps cell numbers in range.
+    , Size(std::max(2.0 * radius, 1e-9 * bounds.diagonal().norm()))
+  {
+  }
+
+  void insert(Index query, const Point3& point, double radius)
+  {
+    const Cell low = this->cell(point - Point3::Constant(radius));
+    const Cell high = this->cell(point + Point3::Constant(radius));
+    for (std::int64_t i = low[0]; i <= high[0]; ++i)
+    {
+      for (std::int64_t j = low[1]; j <= high[1]; ++j)
+      {
+        for (std::int64_t k = low[2]; k <= high[2]; ++k)
+        {
+          this->Queries[{ i, j, k }].push_back(query);
+        }
+      }
+    }
+  }
+
+  const Indices* near(const Point3& point) const
+  {
+    const auto found = this->Queries.find(this->cell(point));
+    return found == this->Queries.end() ? nullptr : &found->second;
+  }
+
+private:
+  Cell cell(const Point3& point) const
+  {
+    const Point3 c = (point - this->Origin) / this->Size;
+    return { static_cast<std::int64_t>(std::floor(c.x())),
+      static_cast<std::int64_t>(std::floor(c.y())), static_cast<std::int64_t>(std::floor(c.z())) };
+  }
+
+  Point3 Origin;
+  double Size;
+  std::unordered_map<Cell, Indices, CellHash> Queries;
+};
+}
+
+Indices matchVertices(const TriangleMesh& mesh, const Points3& queries, double radius)
+{
+  Indices nearest(queries.size(), none);
+  Eigen::AlignedBox3d bounds;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (mesh.outgoing(v) != none)
+    {
+      bounds.extend(mesh.point(v));
+    }
+  }
+  if (bounds.isEmpty() || queries.empty())
+  {
+    return nearest;
+  }
+  QueryGrid grid(bounds, radius);
+  for (std::size_t i = 0; i < queries.size(); ++i)
+  {
+    if (bounds.exteriorDistance(queries[i]) <= radius)
+    {
+      grid.insert(static_cast<Index>(i), queries[i], radius);
+    }
+  }
+  std::vector<double> distance(queries.size(), std::numeric_limits<double>::infinity());
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Indices* candidates = mesh.outgoing(v) == none ? nullptr : grid.near(mesh.point(v));
+    if (!candidates)
+    {
+      continue;
+    }
+    for (Index i : *candidates)
+    {
+      const double d = (mesh.point(v) - queries[i]).norm();
+      if (d <= radius && d < distance[i])
+      {
+        distance[i] = d;
+        nearest[i] = v;
+      }
+    }
+  }
+  return nearest;
+}
+}
