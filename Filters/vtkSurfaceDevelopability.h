@@ -2,22 +2,34 @@
 /**
  * @class vtkSurfaceDevelopability
  * @brief how far each point of a surface is from being developable
+ *
+ * Adds the point array `Developability` (double, radians) to the surface: abs(2 pi - sum of the angles
+ * around the point), Eq. 25 of the WireWarping paper, which is 0 where the surface can be laid flat
+ * without stretch; 0 also at points on the boundary, where any sum can lie flat, and at points that no
+ * polygon uses. Regions of high values are where a dart or a feature curve helps.
+ *
+ * The input is vtkPolyData; polygons and strips are measured as triangulated, points with equal
+ * coordinates as one. Cells and all other data pass through. After a refusal (see
+ * vtkFlatteningAlgorithm) the output is without points and cells.
+ *
+ * @sa vtkWireWarpingFilter
  */
 #ifndef vtkSurfaceDevelopability_h
 #define vtkSurfaceDevelopability_h
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkFlatteningAlgorithm.h"
 
-class VTKFILTERSFLATTENING_EXPORT vtkSurfaceDevelopability : public vtkPolyDataAlgorithm
+class VTKFILTERSFLATTENING_EXPORT vtkSurfaceDevelopability : public vtkFlatteningAlgorithm
 {
 public:
   static vtkSurfaceDevelopability* New();
-  vtkTypeMacro(vtkSurfaceDevelopability, vtkPolyDataAlgorithm)
+  vtkTypeMacro(vtkSurfaceDevelopability, vtkFlatteningAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkSurfaceDevelopability() = default;
-  ~vtkSurfaceDevelopability() override = default;
+  vtkSurfaceDevelopability();
+  ~vtkSurfaceDevelopability() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

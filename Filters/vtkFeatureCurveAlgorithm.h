@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFeatureCurveAlgorithm
+ * @brief common base of the filters that take a surface with feature curves
+ *
+ * **Port 0**, the surface: vtkPolyData of polygons and triangle strips. Polygons and strips are
+ * triangulated, points with equal coordinates are joined, triangles that run the wrong way are turned
+ * over. Vertex cells are ignored.
+ *
+ * **Port 1**, optional and repeatable, the feature curves: the line cells of each vtkPolyData, with
+ * points on the surface. **Line cells of the surface's own vtkPolyData are feature curves as well**, so
+ * that a file, or a block of a composite data set, carries a piece with its curves. Composite data sets
+ * are iterated over port 0; a curve on port 1 belongs to every block then, so let blocks carry their own.
+ *
+ * Every polyline of three or more points is one curve. Two-point lines of one data set that agree in
+ * all of the arrays below are joined end to end first, so that the output of vtkFeatureEdges gives long
+ * curves and not one an edge.
+ *
+ * | array | on | meaning |
+ * |---|---|---|
+ * | `CurveType` | cells | integer 0 accessory, 1 key, 2 dart, 3 seam, or a string array of these names. No array: accessory |
+ * | `CurveName` | cells, string | name in messages and reports. No array, or an empty name: "curve N", N counting all curves from 0, those of the surface's own data set first |
+ * | `KeyShape` | cells, integer | shape of a key curve in the plane: 0 what its angles on the surface give, 1 a straight line. No array: 0 |
+ * | `LengthTolerance` | cells | how far lengths may go from those on the surface, as a fraction, in [0, 1). No array: 0, the curve is rigid |
+ * | `PlanarShape` | points, 2 components | planar polyline whose turning angles a key curve takes; NaN: none at this point. A curve with the shape at each of its points takes it |
+ *
+ * A value that is not in this table is refused with the id of its cell or point (INVALID_CURVE).
+ *
+ * @sa vtkFlatteningAlgorithm vtkWireWarpingFilter vtkFeatureCurveCutter vtkLeastSquaresConformalFilter
+ */
+#ifndef vtkFeatureCurveAlgorithm_h
+#define vtkFeatureCurveAlgorithm_h
+
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkFlatteningAlgorithm.h"
+
+#include <memory> // for the loaded input
+
+namespace flattening
+{
+namespace bridge
+{
+struct CurvedSurface;
+}
+}
+
+class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveAlgorithm : public vtkFlatteningAlgorithm
+{
+public:
+  vtkTypeMacro(vtkFeatureCurveAlgorithm, vtkFlatteningAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Types of feature curves, the values of the array `CurveType`.
+   */
+  enum CurveTypes
+  {
+    ACCESSORY = 0,
+    KEY = 1,
+    DART = 2,
+    SEAM = 3
+  };
+
+  ///@{
+  /**
+   * The feature curves, port 1. Each connection may hold several curves.
+   */
+  void SetCurvesConnection(vtkAlgorithmOutput* curves);
+  void AddCurvesConnection(vtkAlgorithmOutput* curves);
+  void SetCurvesData(vtkPolyData* curves);
+  ///@}
+
+  ///@{
+  /**
+   * Split triangles where a curve does not run along mesh edges; off: such a curve is refused
+   * (CURVE_NOT_ON_EDGES). Default: on.
+   */
+  vtkSetMacro(SplitTriangles, bool);
+  vtkGetMacro(SplitTriangles, bool);
+  vtkBooleanMacro(SplitTriangles, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest distance of a curve's point from the surface, as a fraction of the diagonal of the
+   * surface's bounding box. A point farther away is refused (CURVE_POINT_OFF_SURFACE).
+   * Default: 1e-5. Range: [0, 1].
+   */
+  vtkSetClampMacro(ImprintTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ImprintTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * A curve's point or crossing that is nearer to a vertex than this fraction of the mean edge length
+   * moves onto the vertex, so that no sliver arises. Default: 1e-3. Range: [0, 0.5].
+   */
+  vtkSetClampMacro(SnapTolerance, double, 0.0, 0.5);
+  vtkGetMacro(SnapTolerance, double);
+  ///@}
+
+protected:
+  vtkFeatureCurveAlgorithm();
+  ~vtkFeatureCurveAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  /**
+   * Reads surface and curves. Null after a refusal, which has been told then.
+   */
+  std::unique_ptr<flattening::bridge::CurvedSurface> LoadInput(vtkInformationVector** inputVector);
+
+  bool SplitTriangles = true;
+  double ImprintTolerance = 1e-5;
+  double SnapTolerance = 1e-3;
+
+private:
+  vtkFeatureCurveAlgorithm(const vtkFeatureCurveAlgorithm&) = delete;
+  void operator=(const vtkFeatureCurveAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFlatteningAlgorithm
+ * @brief common base of the flattening filters: what became of the last run
+ *
+ * A filter of this family either gives a result or refuses its input; it never gives a result that
+ * is silently wrong.
+ *
+ * - **Refused** (codes up to NumericalFailure): one vtkErrorMacro names the defect, the first
+ *   offending ids and the way out. The outputs have neither points nor cells. A run that was aborted
+ *   (CANCELLED) is treated so too, but without the error.
+ * - **Broken promise** (codes from NOT_CONVERGED on): the outputs are complete, and a
+ *   vtkWarningMacro says what is not as it should be.
+ *
+ * The status of the last run can be read from the filter after Update(). With composite input the
+ * filter runs once a block, and the status is that of the block that ran last; those filters that
+ * document a `RunStatus` array leave each block's own status in the field data of its output.
+ *
+ * @sa vtkFeatureCurveAlgorithm vtkWireWarpingFilter
+ */
+#ifndef vtkFlatteningAlgorithm_h
+#define vtkFlatteningAlgorithm_h
+
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for the ids
+
+#include <string> // for the message
+#include <vector> // for the ids
+
+class vtkIdTypeArray;
+
+class VTKFILTERSFLATTENING_EXPORT vtkFlatteningAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkFlatteningAlgorithm, vtkPolyDataAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What a run can end with. Up to NUMERICAL_FAILURE there is no result; later codes mark a result
+   * with a broken promise.
+   */
+  enum StatusCodes
+  {
+    OK = 0,
+    CANCELLED,
+    EMPTY_SURFACE,
+    NON_FINITE_POINT,
+    INVALID_POINT_ID,
+    DEGENERATE_TRIANGLE,
+    NON_MANIFOLD_EDGE,
+    NON_MANIFOLD_VERTEX,
+    NOT_ORIENTABLE,
+    CLOSED_SURFACE,
+    HANDLE,
+    CURVE_TOO_SHORT,
+    CURVE_POINT_OFF_SURFACE,
+    CURVE_NOT_ON_EDGES,
+    INVALID_CURVE,
+    PATCH_NOT_DISK,
+    INVALID_OPTION,
+    NUMERICAL_FAILURE,
+    NOT_CONVERGED,
+    INCOMPATIBLE_KEYS,
+    LENGTH_ERROR,
+    FLIPPED_TRIANGLES,
+    OVERLAP
+  };
+
+  ///@{
+  /**
+   * How the last run ended: one of StatusCodes, its fixed name ("NonManifoldEdge"), and the message
+   * that was given, empty where the status is OK.
+   */
+  int GetStatusCode() const { return this->StatusCode; }
+  const char* GetStatusName() const;
+  const char* GetStatusMessage() const { return this->StatusMessage.c_str(); }
+  ///@}
+
+  /**
+   * Ids of the offending elements of the last run, in the numbering of the input: cells or points of
+   * the surface (port 0), or for a curve the cells or points of the data set that holds the curve;
+   * the message says which. Empty where the status is OK or concerns no element. Never null.
+   */
+  vtkIdTypeArray* GetStatusIds() const;
+
+  /**
+   * True where the last run gave no result.
+   */
+  bool IsRefused() const;
+
+protected:
+  vtkFlatteningAlgorithm();
+  ~vtkFlatteningAlgorithm() override;
+
+  /**
+   * Keeps the status and gives the error or the warning that belongs to it. Returns whether there
+   * is a result.
+   */
+  bool Conclude(int code, const std::string& message, const std::vector<vtkIdType>& ids);
+
+private:
+  vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;
+  void operator=(const vtkFlatteningAlgorithm&) = delete;
+
+  int StatusCode = OK;
+  std::string StatusMessage;
+  vtkSmartPointer<vtkIdTypeArray> StatusIds;
+};
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFlatteningQuality
+ * @brief measure any flattening or parameterization of a surface
+ *
+ * **Port 0**, the surface in space. **Port 1**, optional, the flat surface: vtkPolyData with the same
+ * points and cells, x and y its flat positions. Without it the active texture coordinates of the surface
+ * are the flat positions; bring them to the unit of length first, since nothing is scaled. **Port 2**,
+ * optional, the edges that E_len is taken over: line cells whose points have the coordinates of points
+ * of the surface, each segment an edge of the surface. Without it those are the boundary edges.
+ *
+ * Points are taken as they are: a surface that is cut open is measured cut open. A map that turns the
+ * whole surface over (the sum of signed areas is negative) is measured as if seen from behind.
+ *
+ * **Output**: the surface's triangles, in the order of its cells, with its data and the cell arrays
+ * `HomogeneityOfDistortion`, `AspectRatio`, `AreaRatio`, `AngleError` (double), `Flipped` (unsigned
+ * char), `vtkOriginalCellIds` (id), and the field data, one row: `Triangles`, `Vertices`,
+ * `FlippedTriangles`, `Overlaps` (id), `EdgeLengthError`, `MaxEdgeLengthError`, `AngleErrorMean`,
+ * `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError` (double), `Mirrored` (id, 1 where the map turned
+ * the surface over), `OverlapEdges` (id, 4 components: the points of two boundary edges that cross, a
+ * row a pair; at most MaximumOverlaps), `RunStatus`, `RunStatusMessage` (string), `RunStatusIds` (id).
+ * Meanings: see vtkWireWarpingFilter. `vtkOriginalPointIds` (id) is added to the points, of which those
+ * that no polygon uses are dropped.
+ *
+ * @sa vtkWireWarpingFilter vtkLeastSquaresConformalFilter
+ */
+#ifndef vtkFlatteningQuality_h
+#define vtkFlatteningQuality_h
+
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkFlatteningAlgorithm.h"
+
+class VTKFILTERSFLATTENING_EXPORT vtkFlatteningQuality : public vtkFlatteningAlgorithm
+{
+public:
+  static vtkFlatteningQuality* New();
+  vtkTypeMacro(vtkFlatteningQuality, vtkFlatteningAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The flat surface, port 1.
+   */
+  void SetFlatConnection(vtkAlgorithmOutput* flat);
+  void SetFlatData(vtkPolyData* flat);
+  ///@}
+
+  ///@{
+  /**
+   * The edges whose length counts, port 2.
+   */
+  void SetEdgesConnection(vtkAlgorithmOutput* edges);
+  void SetEdgesData(vtkPolyData* edges);
+  ///@}
+
+  ///@{
+  /**
+   * Most pairs of crossing boundary edges that are looked for. Default: 1000. Range: from 0.
+   */
+  vtkSetClampMacro(MaximumOverlaps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumOverlaps, int);
+  ///@}
+
+protected:
+  vtkFlatteningQuality();
+  ~vtkFlatteningQuality() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkFlatteningQuality(const vtkFlatteningQuality&) = delete;
+  void operator=(const vtkFlatteningQuality&) = delete;
+
+  int MaximumOverlaps = 1000;
+};
+
+#endif

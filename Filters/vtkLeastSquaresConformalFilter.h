@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkLeastSquaresConformalFilter
+ * @brief flatten a surface so that its angles change least
+ *
+ * The least squares conformal map of each piece, scaled so that its perimeter is that of the surface.
+ * It keeps no length: it is the comparison of the WireWarping paper, and the usual parameterization for
+ * textures. Feature curves are optional; darts and seams among them are opened first, the others only
+ * say over which edges E_len is taken.
+ *
+ * Inputs: see vtkFeatureCurveAlgorithm. Outputs, arrays and field data: those of vtkWireWarpingFilter.
+ *
+ * The method is that of B. Levy, S. Petitjean, N. Ray, J. Maillot, "Least squares conformal maps for
+ * automatic texture atlas generation", ACM Transactions on Graphics 21(3), 2002,
+ * https://doi.org/10.1145/566654.566590.
+ *
+ * @sa vtkWireWarpingFilter vtkFlatteningQuality
+ */
+#ifndef vtkLeastSquaresConformalFilter_h
+#define vtkLeastSquaresConformalFilter_h
+
+#include "vtkFeatureCurveAlgorithm.h"
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+
+class VTKFILTERSFLATTENING_EXPORT vtkLeastSquaresConformalFilter : public vtkFeatureCurveAlgorithm
+{
+public:
+  static vtkLeastSquaresConformalFilter* New();
+  vtkTypeMacro(vtkLeastSquaresConformalFilter, vtkFeatureCurveAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The two points of the surface that are pinned; -1: the two boundary points that are farthest apart
+   * (always so in a piece that has not both). Default: -1, -1.
+   */
+  vtkSetVector2Macro(Pins, vtkIdType);
+  vtkGetVector2Macro(Pins, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Divide the two equations of each triangle by the root of its area, as Levy et al. do, so that every
+   * triangle counts by its area. Off, large triangles count more. Default: on.
+   */
+  vtkSetMacro(AreaNormalized, bool);
+  vtkGetMacro(AreaNormalized, bool);
+  vtkBooleanMacro(AreaNormalized, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Lay the pieces beside each other, see vtkWireWarpingFilter::SetArrange(). Default: on.
+   */
+  vtkSetMacro(Arrange, bool);
+  vtkGetMacro(Arrange, bool);
+  vtkBooleanMacro(Arrange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05. Range:
+   * from 0.
+   */
+  vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+protected:
+  vtkLeastSquaresConformalFilter();
+  ~vtkLeastSquaresConformalFilter() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkLeastSquaresConformalFilter(const vtkLeastSquaresConformalFilter&) = delete;
+  void operator=(const vtkLeastSquaresConformalFilter&) = delete;
+
+  vtkIdType Pins[2] = { -1, -1 };
+  bool AreaNormalized = true;
+  bool Arrange = true;
+  double Spacing = 0.05;
+};
+
+#endif

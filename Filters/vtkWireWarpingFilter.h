@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkWireWarpingFilter
+ * @brief flatten a surface with feature curves of exact length
+ *
+ * The surface's boundary and its feature curves are *wires*: in the plane each of their edges has the
+ * length that it has in space. Darts are opened and seams are cut through first; every piece that comes
+ * of it is flattened on its own and laid beside the others. Inputs: see vtkFeatureCurveAlgorithm.
+ *
+ * **Output 0, the flat pieces**: z = 0; the triangles of the input in the order of its cells (those of
+ * one polygon in a row), counter-clockwise, with the input's point data, cell data and field data.
+ *
+ * | array | on | type | meaning |
+ * |---|---|---|---|
+ * | `HomogeneityOfDistortion` | cells | double | min(a, 1/a) with a = flat area / area on the surface; 1 is ideal, 0 where flipped |
+ * | `AspectRatio` | cells | double | s / S, the singular values of the map of the triangle; 1 is ideal |
+ * | `AreaRatio` | cells | double | a, negative where flipped |
+ * | `AngleError` | cells | double | mean of abs(flat angle - angle) / angle over the corners |
+ * | `Flipped` | cells | unsigned char | 1 where the triangle is turned over or without area |
+ * | `PieceId` | cells | id | row of the field data |
+ * | `WirePatchId` | cells | id | region between wires, counted through all pieces |
+ * | `WarpingOrder` | cells | id | scheme PROGRESSIVE only: when the wire-patch was warped, from 0 in each piece |
+ * | `vtkOriginalCellIds` | cells | id | cell of the input |
+ * | `Developability` | points | double | abs(2 pi - sum of angles) on the surface in radians, 0 on the boundary |
+ * | `vtkOriginalPointIds` | points | id | point of the input; -1 for a point made by imprinting |
+ *
+ * Field data of output 0, **one row a piece**: `Triangles`, `Vertices`, `WirePatches`, `WireNodes`,
+ * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id); `Objective`,
+ * `ClosureResidual` (unit of length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
+ * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max a),
+ * `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of area)
+ * (double); `Status`, `StatusMessage` (string).
+ *
+ * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
+ * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds().
+ *
+ * **One row an iteration**: `HistoryPiece`, `HistoryPhase` (string), `HistoryObjective`,
+ * `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`, `HistoryStep` (radians).
+ *
+ * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1 is
+ * sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a row of
+ * output 1's field data. **One row a pair of boundary edges that cross**: `OverlapEdges` (id, 5
+ * components): the points of both edges, the piece. Point ids are those of output 0.
+ *
+ * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays: `CurveType`
+ * (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1), `CurveName` (string),
+ * `PieceId` (id), `Boundary` (unsigned char, 1 where the wire bounds its piece), `Connector` (unsigned
+ * char, 1 where it joins a loose loop and its length is free), `RestLength`, `FlatLength` (unit of
+ * length), `LengthError` (double; the largest relative error of one of its edges).
+ * Field data, one row a feature curve: `CurveNames` (string), `CurveTypes` (int), `CurveRestLengths`,
+ * `CurveFlatLengths`, `CurveLengthErrors` (double); both sides of a cut count once.
+ *
+ * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
+ * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit of
+ * length, so that a pattern keeps its scale).
+ *
+ * After a refusal all outputs are without points and cells, and the field data of output 0 has
+ * `RunStatus`, `RunStatusMessage` and `RunStatusIds` alone. Promises whose breach is told as a warning
+ * and in `Status`: the solver converged, key curves are compatible, no wire edge is off by more than
+ * MaximumLengthError, no triangle is flipped, no piece overlaps itself.
+ *
+ * The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening approach with
+ * length-preserved feature curves", Computer-Aided Design 40(3), 2008,
+ * https://doi.org/10.1016/j.cad.2007.11.005; equation numbers are the paper's.
+ *
+ * @sa vtkFeatureCurveCutter vtkLeastSquaresConformalFilter vtkFlatteningQuality
+ */
+#ifndef vtkWireWarpingFilter_h
+#define vtkWireWarpingFilter_h
+
+#include "vtkFeatureCurveAlgorithm.h"
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+
+class VTKFILTERSFLATTENING_EXPORT vtkWireWarpingFilter : public vtkFeatureCurveAlgorithm
+{
+public:
+  static vtkWireWarpingFilter* New();
+  vtkTypeMacro(vtkWireWarpingFilter, vtkFeatureCurveAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the wires get their shape.
+   */
+  enum Schemes
+  {
+    PROGRESSIVE = 0,
+    GLOBAL = 1,
+    ISOMETRIC = 2,
+    LEAST_SQUARES_CONFORMAL = 3
+  };
+
+  ///@{
+  /**
+   * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
+   * angles together (Eq. 13); ISOMETRIC, wires and interior together; LEAST_SQUARES_CONFORMAL, for
+   * comparison: keeps no length. Default: GLOBAL.
+   */
+  vtkSetClampMacro(Scheme, int, PROGRESSIVE, LEAST_SQUARES_CONFORMAL);
+  vtkGetMacro(Scheme, int);
+  void SetSchemeToProgressive() { this->SetScheme(PROGRESSIVE); }
+  void SetSchemeToGlobal() { this->SetScheme(GLOBAL); }
+  void SetSchemeToIsometric() { this->SetScheme(ISOMETRIC); }
+  void SetSchemeToLeastSquaresConformal() { this->SetScheme(LEAST_SQUARES_CONFORMAL); }
+  const char* GetSchemeAsString() const;
+  ///@}
+
+  /**
+   * How the angles' constrained optimization is solved.
+   */
+  enum Solvers
+  {
+    NEWTON = 0,
+    SEQUENTIAL = 1
+  };
+
+  ///@{
+  /**
+   * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the directions of
+   * the wire edges; SEQUENTIAL, the paper's sequential linearly constrained programming (Eq. 15).
+   * Default: NEWTON.
+   */
+  vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
+  vtkGetMacro(Solver, int);
+  void SetSolverToNewton() { this->SetSolver(NEWTON); }
+  void SetSolverToSequential() { this->SetSolver(SEQUENTIAL); }
+  const char* GetSolverAsString() const;
+  ///@}
+
+  /**
+   * How the points between the wires are placed.
+   */
+  enum Interiors
+  {
+    LAPLACIAN = 0,
+    RELAXATION = 1,
+    AS_RIGID_AS_POSSIBLE = 2
+  };
+
+  ///@{
+  /**
+   * How the points between the wires are placed: LAPLACIAN, Eq. 11 solved directly; RELAXATION, the
+   * paper's iteration for it (Eq. 12); AS_RIGID_AS_POSSIBLE, from there on with the wires pinned.
+   * Default: AS_RIGID_AS_POSSIBLE.
+   */
+  vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
+  vtkGetMacro(Interior, int);
+  void SetInteriorToLaplacian() { this->SetInterior(LAPLACIAN); }
+  void SetInteriorToRelaxation() { this->SetInterior(RELAXATION); }
+  void SetInteriorToAsRigidAsPossible() { this->SetInterior(AS_RIGID_AS_POSSIBLE); }
+  const char* GetInteriorAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Treat key curves as accessory curves: their length is kept, their shape is free. Default: off.
+   */
+  vtkSetMacro(ReleaseKeys, bool);
+  vtkGetMacro(ReleaseKeys, bool);
+  vtkBooleanMacro(ReleaseKeys, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Most iterations of the solver of the angles, a piece. Default: 300. Range: from 1.
+   */
+  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * The solver stops when no loop of wires misses its start by more than this fraction of the
+   * perimeter. Default: 1e-12. Range: from 0.
+   */
+  vtkSetClampMacro(ClosureTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ClosureTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The solver stops when no entry of the gradient of the Lagrangian is larger. Default: 1e-10. Range:
+   * from 0.
+   */
+  vtkSetClampMacro(OptimalityTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(OptimalityTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * RELAXATION: factor tau of Eq. 12. Default: 1.5. Range: (0, 2); a value outside is refused
+   * (INVALID_OPTION).
+   */
+  vtkSetMacro(RelaxationFactor, double);
+  vtkGetMacro(RelaxationFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * RELAXATION: stop when no point moves farther than this fraction of the mean wire edge. Default:
+   * 1e-5. Range: from 0.
+   */
+  vtkSetClampMacro(RelaxationMovement, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RelaxationMovement, double);
+  ///@}
+
+  ///@{
+  /**
+   * RELAXATION: fewest and most iterations. Default: 10 and 100. Range: from 0.
+   */
+  vtkSetClampMacro(RelaxationMinimumIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(RelaxationMinimumIterations, int);
+  vtkSetClampMacro(RelaxationMaximumIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(RelaxationMaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * AS_RIGID_AS_POSSIBLE: stop when the energy falls by less than this fraction of itself. Default:
+   * 1e-9. Range: from 0.
+   */
+  vtkSetClampMacro(RigidEnergyTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RigidEnergyTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * AS_RIGID_AS_POSSIBLE: most iterations. Default: 500. Range: from 0.
+   */
+  vtkSetClampMacro(RigidMaximumIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(RigidMaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * LEAST_SQUARES_CONFORMAL: the two points of the surface that are pinned; -1: the two boundary points
+   * that are farthest apart. Default: -1, -1.
+   */
+  vtkSetVector2Macro(ConformalPins, vtkIdType);
+  vtkGetVector2Macro(ConformalPins, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Turn the pieces upright (the first key curve, the grainline, else the longest extent, along y) and
+   * lay them beside each other without overlap. Off: each stays where its first wire edge put it.
+   * Default: on.
+   */
+  vtkSetMacro(Arrange, bool);
+  vtkGetMacro(Arrange, bool);
+  vtkBooleanMacro(Arrange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05. Range:
+   * from 0.
+   */
+  vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default: 1e-9.
+   * Range: from 0.
+   */
+  vtkSetClampMacro(MaximumLengthError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumLengthError, double);
+  ///@}
+
+protected:
+  vtkWireWarpingFilter();
+  ~vtkWireWarpingFilter() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
+  void operator=(const vtkWireWarpingFilter&) = delete;
+
+  int Scheme = GLOBAL;
+  int Solver = NEWTON;
+  int Interior = AS_RIGID_AS_POSSIBLE;
+  bool ReleaseKeys = false;
+  int MaximumIterations = 300;
+  double ClosureTolerance = 1e-12;
+  double OptimalityTolerance = 1e-10;
+  double RelaxationFactor = 1.5;
+  double RelaxationMovement = 1e-5;
+  int RelaxationMinimumIterations = 10;
+  int RelaxationMaximumIterations = 100;
+  double RigidEnergyTolerance = 1e-9;
+  int RigidMaximumIterations = 500;
+  vtkIdType ConformalPins[2] = { -1, -1 };
+  bool Arrange = true;
+  double Spacing = 0.05;
+  double MaximumLengthError = 1e-9;
+};
+
+#endif
