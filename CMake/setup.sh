@@ -39,7 +39,7 @@ install_packages()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# Configures build/ and builds the given targets (default: all).
+# Configures build/ and builds the given targets.
 build_targets()
 {
   # One set of options for both scripts, so that one reuses what the other has built.
@@ -48,7 +48,7 @@ build_targets()
     -DPython3_EXECUTABLE=/usr/bin/python3 \
     -DSURFACEFLATTENING_WARNINGS_AS_ERRORS=ON \
     --log-level=WARNING
-  cmake --build "$build" --target "${@:-all}"
+  cmake --build "$build" --target "$@"
 }
 
 # Starts an X server on a free display, exports DISPLAY, and ends the server when the script ends.

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What Documentation/architecture.md promises of the sources.
+
+Usage: CheckArchitecture.py <name of a check below>; each prints every violation and fails on any.
+"""
+
+import pathlib
+import re
+import sys
+
+from Sources import ROOT, cxx_files, read, tracked_files
+
+LINES_OF_A_LONG_FILE = 400
+SHARE_OF_LONG_FILES = 0.1
+COLUMNS = 100
+
+
+def code_lines(name):
+    """Numbered lines without comments and without the text of string literals."""
+    text = read(name)
+    text = re.sub(r"/\*.*?\*/", lambda found: "\n" * found.group().count("\n"), text, flags=re.DOTALL)
+    for number, line in enumerate(text.split("\n"), 1):
+        if not line.lstrip().startswith("#"):
+            line = re.sub(r'"(?:[^"\\]|\\.)*"', '""', line)
+        yield number, line.split("//")[0]
+
+
+def includes(name):
+    for number, line in code_lines(name):
+        found = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+        if found:
+            yield number, found.group(1) == '"', found.group(2)
+
+
+def headers_of(folder):
+    return {pathlib.PurePath(name).name for name in cxx_files(folder) if name.endswith(".h")}
+
+
+def core_includes_no_vtk():
+    """Core builds and runs without VTK."""
+    for name in cxx_files("Filters/Core/"):
+        for number, _, header in includes(name):
+            if re.match(r"(vtk|pq|pv)\w*", header):
+                yield f"{name}:{number}: includes {header}"
+
+
+def floors_are_one_way():
+    """Each folder includes only what stands below it."""
+    core = headers_of("Filters/Core/")
+    private = headers_of("Filters/Private/")
+    public = {header for header in headers_of("Filters/") if header.startswith("vtk")} - private
+    for name in cxx_files("Filters/", "Applications/", "Examples/"):
+        if name.startswith("Filters/Core/"):
+            forbidden, floor = private | public, "Core"
+        elif name.startswith("Filters/Private/"):
+            forbidden, floor = public, "the bridge"
+        elif name.startswith("Filters/"):
+            # Public headers are installed, what they include has to be as well.
+            forbidden, floor = (core | private, "a public header") if name.endswith(".h") else (set(), "")
+        else:
+            forbidden, floor = core | private, "a user of the library"
+        for number, quoted, header in includes(name):
+            if quoted and pathlib.PurePath(header).name in forbidden:
+                yield f"{name}:{number}: {floor} includes {header}"
+
+
+def core_neither_prints_nor_throws():
+    """A stage of Core answers with a Status and nothing else."""
+    pattern = re.compile(r"\bthrow\b|\bstd::c(out|err|log)\b|\b(f|v)?printf\s*\(|\babort\s*\(|\bexit\s*\(")
+    for name in cxx_files("Filters/Core/"):
+        for number, line in code_lines(name):
+            found = pattern.search(line)
+            if found:
+                yield f"{name}:{number}: {found.group().strip()}"
+
+
+def there_is_one_vtk_module():
+    """VTK searches a remote module's whole tree for vtk.module files."""
+    modules = [name for name in tracked_files() if pathlib.PurePath(name).name == "vtk.module"]
+    if modules != ["vtk.module"]:
+        yield f"expected vtk.module at the top level only, found {modules}"
+
+
+def files_are_short():
+    """Most files hold one class or unit in fewer than 400 lines; lines fit in 100 columns."""
+    files = cxx_files()
+    long_files = []
+    for name in files:
+        lines = read(name).split("\n")
+        if len(lines) > LINES_OF_A_LONG_FILE:
+            long_files.append(f"{name}: {len(lines)} lines")
+        for number, line in enumerate(lines, 1):
+            if len(line) > COLUMNS:
+                yield f"{name}:{number}: {len(line)} columns"
+    print(f"{len(files)} files, {len(long_files)} with more than {LINES_OF_A_LONG_FILE} lines")
+    print("\n".join(long_files))
+    if len(long_files) > SHARE_OF_LONG_FILES * len(files):
+        yield f"more than {SHARE_OF_LONG_FILES:.0%} of the files are long"
+
+
+def the_paper_is_mapped_to_functions():
+    """Every file and function that the table of architecture.md names exists."""
+    page = "Documentation/architecture.md"
+    if not (ROOT / page).is_file():
+        yield f"{page} is missing"
+        return
+    # The table stands between two marks; its last column holds the names in backticks.
+    found = re.search(r"<!-- paper-to-code -->(.*?)<!-- /paper-to-code -->", read(page), re.DOTALL)
+    if not found:
+        yield f"{page}: no table between <!-- paper-to-code --> and <!-- /paper-to-code -->"
+        return
+    rows = [line for line in found.group(1).split("\n") if line.startswith("|")][2:]
+    code = {}
+    for name in cxx_files("Filters/", "Applications/", "Examples/"):
+        code[name] = "\n".join(line for _, line in code_lines(name))
+    everything = "\n".join(code.values())
+    named = 0
+    for row in rows:
+        names = re.findall(r"`([^`]+)`", row.strip("| ").split("|")[-1])
+        if not names:
+            yield f"{page}: no name in the row {row}"
+        for name in names:
+            named += 1
+            if name.endswith((".h", ".cxx")):
+                if not any(pathlib.PurePath(path).name == name for path in code):
+                    yield f"{page}: no file {name}"
+            elif not re.search(r"\b" + re.escape(name.removesuffix("()").split("::")[-1]) + r"\b", everything):
+                yield f"{page}: nothing is called {name}"
+    print(f"{len(rows)} rows, {named} names")
+    if named < 20:
+        yield f"{page}: only {named} names, the table cannot cover the paper"
+
+
+CHECKS = {check.__name__: check for check in (
+    core_includes_no_vtk,
+    floors_are_one_way,
+    core_neither_prints_nor_throws,
+    there_is_one_vtk_module,
+    files_are_short,
+    the_paper_is_mapped_to_functions,
+)}
+
+if __name__ == "__main__":
+    violations = list(CHECKS[sys.argv[1]]())
+    print("\n".join(violations))
+    sys.exit(bool(violations))

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The checks of the architecture fail on a tree that breaks each rule, and name the place."""
+
+import pathlib
+import sys
+import tempfile
+
+import Sources
+
+FILES = {
+    "vtk.module": "",
+    "Examples/vtk.module": "",
+    "Filters/Core/Mesh.h": "#pragma once\n",
+    "Filters/Core/Mesh.cxx": '#include "Mesh.h"\n#include <vtkPolyData.h>\n// throw away\nvoid f() { throw 1; }\n',
+    "Filters/Private/Bridge.h": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
+    "Filters/vtkFilter.h": '#include "Bridge.h"\n',
+    "Filters/vtkFilter.cxx": '#include "Bridge.h"\n#include "Mesh.h"\n' + "int i;\n" * 500,
+    "Applications/main.cxx": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
+    "Documentation/architecture.md":
+        "<!-- paper-to-code -->\n| in the paper | in the code |\n|---|---|\n"
+        "| Eq. 1 | `f` in `Mesh.cxx` |\n| Eq. 2 | `noSuchFunction` |\n<!-- /paper-to-code -->\n",
+}
+EXPECTED = {
+    "core_includes_no_vtk": ["Filters/Core/Mesh.cxx:2"],
+    "floors_are_one_way":
+        ["Applications/main.cxx:1", "Filters/Private/Bridge.h:2", "Filters/vtkFilter.h:1"],
+    "core_neither_prints_nor_throws": ["Filters/Core/Mesh.cxx:4"],
+    "there_is_one_vtk_module": ["expected vtk.module"],
+    "files_are_short": ["more than 10%"],
+    "the_paper_is_mapped_to_functions":
+        ["Documentation/architecture.md: nothing is called noSuchFunction",
+         "Documentation/architecture.md: only 3 names"],
+}
+
+with tempfile.TemporaryDirectory() as folder:
+    for file_name, text in FILES.items():
+        path = pathlib.Path(folder, file_name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    Sources.ROOT = pathlib.Path(folder)
+    import CheckArchitecture # after ROOT is set, because it imports the name
+
+    failures = 0
+    for check_name, check in CheckArchitecture.CHECKS.items():
+        violations = list(check())
+        expected = EXPECTED[check_name]
+        if len(violations) != len(expected) or not all(
+                violation.startswith(start) for violation, start in zip(violations, expected)):
+            print(f"{check_name}: expected {expected}, got {violations}")
+            failures += 1
+sys.exit(failures)
