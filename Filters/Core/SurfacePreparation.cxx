@@ -19,11 +19,15 @@ PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
   return result;
 }
 
-/// Per point the first point with the same coordinates.
-Indices findCoincident(const Points3& points)
+/// Per point the first point with the same coordinates; the point itself where they are kept apart.
+Indices findCoincident(const Points3& points, CoincidentPoints coincident)
 {
   Indices order(points.size());
   std::iota(order.begin(), order.end(), 0);
+  if (coincident == CoincidentPoints::Keep)
+  {
+    return order;
+  }
   auto less = [&points](Index i, Index j) {
     const Point3& a = points[i];
     const Point3& b = points[j];
@@ -78,7 +82,9 @@ std::vector<Side> sortedSides(const Triangles& triangles)
     sides[h] = { std::min(a, b), std::max(a, b), static_cast<Index>(h) };
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.halfedge < b.halfedge;
+    return a.low != b.low ? a.low < b.low
+      : a.high != b.high  ? a.high < b.high
+                          : a.halfedge < b.halfedge;
   });
   return sides;
 }
@@ -133,8 +139,8 @@ Indices orient(Triangles& triangles, const std::vector<Side>& sides, Indices& re
         }
       }
     }
-    const auto turned = std::count_if(
-      component.begin(), component.end(), [&turn](Index t) { return turn[t] == 1; });
+    const auto turned =
+      std::count_if(component.begin(), component.end(), [&turn](Index t) { return turn[t] == 1; });
     const signed char minority = 2 * turned > static_cast<std::ptrdiff_t>(component.size()) ? 0 : 1;
     for (Index t : component)
     {
@@ -180,7 +186,8 @@ Indices findBowTies(const TriangleMesh& mesh)
 }
 }
 
-PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles)
+PreparedSurface prepareSurface(
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincidentPoints)
 {
   if (triangles.empty())
   {
@@ -221,7 +228,8 @@ PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles
   if (!bad.empty())
   {
     return refuse(StatusCode::NonFinitePoint,
-      "points " + listIds(bad) + " have a coordinate that is not a finite number; mend or remove them",
+      "points " + listIds(bad) +
+        " have a coordinate that is not a finite number; mend or remove them",
       bad);
   }
 
@@ -235,7 +243,7 @@ PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles
       candidateIds.push_back(p);
     }
   }
-  const Indices coincident = findCoincident(candidates);
+  const Indices coincident = findCoincident(candidates, coincidentPoints);
   result.vertexOfPoint.assign(points.size(), none);
   Points3 joined;
   for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -248,8 +256,7 @@ PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles
     }
     else
     {
-      result.vertexOfPoint[candidateIds[i]] =
-        result.vertexOfPoint[candidateIds[coincident[i]]];
+      result.vertexOfPoint[candidateIds[i]] = result.vertexOfPoint[candidateIds[coincident[i]]];
     }
   }
   Triangles cells(triangles.size());
@@ -279,17 +286,17 @@ PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles
   {
     if (sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high)
     {
-      for (std::size_t k = i; k < sides.size() && sides[k].low == sides[i].low &&
-           sides[k].high == sides[i].high;
-           ++k)
+      for (std::size_t k = i;
+           k < sides.size() && sides[k].low == sides[i].low && sides[k].high == sides[i].high; ++k)
       {
         bad.push_back(sides[k].halfedge / 3);
       }
       return refuse(StatusCode::NonManifoldEdge,
         "the edge between points " + std::to_string(result.originalPoint[sides[i].low]) + " and " +
           std::to_string(result.originalPoint[sides[i].high]) + " belongs to triangles " +
-          listIds(bad) + "; an edge can join two at most: remove doubled triangles, or give the "
-                         "sheets as surfaces of their own",
+          listIds(bad) +
+          "; an edge can join two at most: remove doubled triangles, or give the "
+          "sheets as surfaces of their own",
         bad);
     }
   }

@@ -19,6 +19,12 @@ struct PreparedSurface
   Status status;
 };
 
+enum class CoincidentPoints
+{
+  Join, ///< points with equal coordinates are one
+  Keep, ///< each point is a vertex of its own: a surface that is cut open stays so
+};
+
 /// Joins points with equal coordinates, orients triangles consistently, and checks that the result
 /// is a manifold surface of finite coordinates and of triangles with area.
 ///
@@ -26,5 +32,6 @@ struct PreparedSurface
 /// DegenerateTriangle (triangles whose height is below 1e-12 of their longest edge, or with a corner
 /// twice); NonManifoldEdge (the triangles at one edge); NonManifoldVertex (points); NotOrientable
 /// (triangles along a one-sided band). Ids are those of the input.
-PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles);
+PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles,
+  CoincidentPoints coincident = CoincidentPoints::Join);
 }
