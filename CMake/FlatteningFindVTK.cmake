@@ -29,3 +29,9 @@ endif ()
 
 find_package(VTK 9.1 REQUIRED COMPONENTS ${flattening_vtk_build_components})
 message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")
+
+if (SURFACEFLATTENING_WRAP_PYTHON)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+  set(VTK_PYTHON_VERSION 3)
+  vtk_module_python_default_destination(python_destination)
+endif ()
