@@ -34,9 +34,12 @@ struct IterationRecord
 
 struct AngleSolution
 {
-  std::vector<double> theta;    ///< planar angle per node
-  std::vector<double> multiplierX; ///< per loop, lambda_x of Eq. 14
-  std::vector<double> multiplierY; ///< per loop, lambda_y of Eq. 14
+  std::vector<double> theta;         ///< planar angle per node
+  std::vector<double> sideDirection; ///< phi per side, in the frame of its loop's multipliers
+  std::vector<double> multiplierX;   ///< per loop, lambda_x of Eq. 14
+  std::vector<double> multiplierY;   ///< per loop, lambda_y of Eq. 14
+  std::vector<double> length;        ///< per wire edge, elastic ones with their stretch
+  std::vector<double> stretch;       ///< h per stretch group
   double objective = 0.0;
   double closure = 0.0; ///< absolute, in the unit of length
   int iterations = 0;
@@ -45,10 +48,14 @@ struct AngleSolution
   Status status;
 };
 
+/// Solves Eq. 13. Sequential starts from theta = alpha as the paper does. Newton starts from the
+/// angles nearest to alpha that meet all turning and 2 pi constraints; where that fails or ends with
+/// an angle outside (0, 2 pi) or far from alpha, it also follows the problem's alternative start to the
+/// true lengths, and the better minimum is returned. Problems with stretch groups are solved by Newton.
 AngleSolution solveAngles(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
 
 /// Exact derivative of the optimal objective by the length of each wire edge,
 /// dF* / dl = sum over both sides of lambda . (cos phi, sin phi).
-std::vector<double> lengthSensitivity(const AngleProblem& problem, const AngleSolution& solution);
+std::vector<double> lengthSensitivity(const WireNetwork& network, const AngleSolution& solution);
 }

@@ -36,7 +36,10 @@ struct FeatureCurve
   /// As many points as vertices, where keyShape is Planar.
   Points2 planarShape;
 
-  bool closed() const { return this->vertices.size() > 2 && this->vertices.front() == this->vertices.back(); }
+  bool closed() const
+  {
+    return this->vertices.size() > 2 && this->vertices.front() == this->vertices.back();
+  }
 };
 
 /// A feature curve as it comes in: points in space on or near the surface.

@@ -108,8 +108,8 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
       double turn = 0.0;
       if (curve.keyShape == KeyShape::Planar)
       {
-        turn = turningAngle(
-          curve.planarShape[before], curve.planarShape[k], curve.planarShape[after]);
+        turn =
+          turningAngle(curve.planarShape[before], curve.planarShape[k], curve.planarShape[after]);
       }
       Index forward = none;
       Index backward = none;

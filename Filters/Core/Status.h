@@ -51,7 +51,10 @@ struct Status
 
   bool ok() const { return this->code == StatusCode::Ok; }
   /// True where there is no result at all.
-  bool refused() const { return this->code != StatusCode::Ok && this->code <= StatusCode::LastRefusal; }
+  bool refused() const
+  {
+    return this->code != StatusCode::Ok && this->code <= StatusCode::LastRefusal;
+  }
 };
 
 /// The first few ids as text, "3, 7, 12 and 5 more".

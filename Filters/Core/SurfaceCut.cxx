@@ -56,7 +56,8 @@ Status labelHalfedges(
       if (forward == none && backward == none)
       {
         return { StatusCode::CurveNotOnEdges,
-          curveName(curves[c], c) + " has a segment that is no edge of the mesh, between vertices " +
+          curveName(curves[c], c) +
+            " has a segment that is no edge of the mesh, between vertices " +
             std::to_string(chain[i]) + " and " + std::to_string(chain[i + 1]) +
             "; imprint the curve, or draw it along edges",
           { chain[i], chain[i + 1] } };

@@ -42,7 +42,7 @@ struct Wire
   bool boundary = false;
   bool connector = false;
   Index piece = 0;
-  Indices vertices; ///< of the cut surface
+  Indices vertices;        ///< of the cut surface
   double restLength = 0.0; ///< on the surface
   double flatLength = 0.0;
   double maximumEdgeError = 0.0; ///< largest relative error of one of its edges

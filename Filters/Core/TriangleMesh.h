@@ -41,7 +41,10 @@ public:
   Index find(Index fromVertex, Index toVertex) const;
   bool onBoundary(Index vertex) const;
 
-  double length(Index h) const { return (this->point(this->to(h)) - this->point(this->from(h))).norm(); }
+  double length(Index h) const
+  {
+    return (this->point(this->to(h)) - this->point(this->from(h))).norm();
+  }
   /// Interior angle of the triangle of h at from(h), in radians.
   double angle(Index h) const;
   double area(Index t) const;

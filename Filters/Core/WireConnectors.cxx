@@ -34,8 +34,8 @@ private:
 };
 
 /// Shortest path from the vertices marked as sources to the nearest wire vertex of another component.
-Indices shortestPath(const TriangleMesh& mesh, const std::vector<char>& onWire, Components& components,
-  Index rootComponent)
+Indices shortestPath(const TriangleMesh& mesh, const std::vector<char>& onWire,
+  Components& components, Index rootComponent)
 {
   using Entry = std::pair<double, Index>;
   const double far = std::numeric_limits<double>::infinity();

@@ -18,6 +18,6 @@ struct WireLayout
 /// what is left is spread by least squares over all edges, then minimum-norm Newton steps make the
 /// lengths exact. The result does not depend on a seed patch.
 /// \param length per wire edge.
-WireLayout layOutWires(const WireNetwork& network, const std::vector<double>& theta,
-  const std::vector<double>& length);
+WireLayout layOutWires(
+  const WireNetwork& network, const std::vector<double>& theta, const std::vector<double>& length);
 }

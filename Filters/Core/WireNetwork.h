@@ -34,9 +34,10 @@ struct WireNetwork
   Indices next;     ///< in the loop
   Indices loop;
   Indices edge;
-  Indices twin; ///< the other side of the edge; none on the outer boundary
+  Indices twin;     ///< the other side of the edge; none on the outer boundary
   Indices halfedge; ///< of the piece's mesh; none on the loop around a hole
-  std::vector<double> alpha; ///< surface angle of the node; around a hole 2 pi less the others there
+  std::vector<double>
+    alpha; ///< surface angle of the node; around a hole 2 pi less the others there
 
   std::vector<WireEdge> edges;
 
@@ -64,6 +65,8 @@ struct WireNetwork
   Index loopCount() const { return static_cast<Index>(this->patchOfLoop.size()); }
   Index endVertex(Index side) const { return this->vertex[this->next[side]]; }
   double length(Index side) const { return this->edges[this->edge[side]].length; }
+  /// The side runs from its edge's `from` to its `to`, not back.
+  bool alongEdge(Index side) const { return this->edges[this->edge[side]].side == side; }
   bool isHole(Index loopId) const { return this->patchOfLoop[loopId] == none; }
 };
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WireLayout.h"
+
+#include "AngleProblem.h"
+#include "LinearSolver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+constexpr int mostLengthSteps = 8;
+
+/// Vector from start to end of each edge.
+Points2 edgeVectors(
+  const WireNetwork& network, const std::vector<double>& theta, const std::vector<double>& length)
+{
+  const std::vector<double> psi = edgeDirections(network, theta);
+  Points2 vectors(network.edges.size());
+  for (std::size_t e = 0; e < vectors.size(); ++e)
+  {
+    vectors[e] = length[e] * Point2(std::cos(psi[e]), std::sin(psi[e]));
+  }
+  return vectors;
+}
+
+/// Host vertices placed edge by edge, breadth first (Eq. 8).
+Points2 placeAlongTree(const WireNetwork& network, const Points2& vectors)
+{
+  const std::size_t count = network.hostVertices.size();
+  Indices degree(count + 1, 0);
+  for (const WireEdge& edge : network.edges)
+  {
+    ++degree[network.hostOfVertex[edge.from] + 1];
+    ++degree[network.hostOfVertex[edge.to] + 1];
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    degree[k + 1] += degree[k];
+  }
+  Indices incident(2 * network.edges.size());
+  Indices place(degree.begin(), degree.end() - 1);
+  for (std::size_t e = 0; e < network.edges.size(); ++e)
+  {
+    incident[place[network.hostOfVertex[network.edges[e].from]]++] = static_cast<Index>(e);
+    incident[place[network.hostOfVertex[network.edges[e].to]]++] = static_cast<Index>(e);
+  }
+  Points2 positions(count, Point2::Zero());
+  std::vector<char> placed(count, 0);
+  Indices queue{ 0 };
+  placed[0] = 1;
+  for (std::size_t at = 0; at < queue.size(); ++at)
+  {
+    const Index host = queue[at];
+    for (Index k = degree[host]; k < degree[host + 1]; ++k)
+    {
+      const Index e = incident[k];
+      const Index from = network.hostOfVertex[network.edges[e].from];
+      const Index other = from == host ? network.hostOfVertex[network.edges[e].to] : from;
+      if (!placed[other])
+      {
+        placed[other] = 1;
+        positions[other] = from == host ? Point2(positions[host] + vectors[e])
+                                        : Point2(positions[host] - vectors[e]);
+        queue.push_back(other);
+      }
+    }
+  }
+  return positions;
+}
+
+double largestMiss(const WireNetwork& network, const Points2& positions, const Points2& vectors)
+{
+  double worst = 0.0;
+  for (std::size_t e = 0; e < vectors.size(); ++e)
+  {
+    const WireEdge& edge = network.edges[e];
+    const Point2 placed =
+      positions[network.hostOfVertex[edge.to]] - positions[network.hostOfVertex[edge.from]];
+    worst = std::max(worst, (placed - vectors[e]).norm());
+  }
+  return worst;
+}
+
+/// Positions whose edges come nearest to the vectors in the least squares sense; the first stays.
+void spreadMisses(const WireNetwork& network, const Points2& vectors, Points2& positions)
+{
+  const auto count = static_cast<Eigen::Index>(positions.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
+  for (std::size_t e = 0; e < vectors.size(); ++e)
+  {
+    const Index a = network.hostOfVertex[network.edges[e].from];
+    const Index b = network.hostOfVertex[network.edges[e].to];
+    entries.emplace_back(a, a, 1.0);
+    entries.emplace_back(b, b, 1.0);
+    entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
+    rhs.row(b) += vectors[e].transpose();
+    rhs.row(a) -= vectors[e].transpose();
+  }
+  entries.emplace_back(0, 0, 1.0);
+  SparseMatrix laplacian(count, count);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  LinearSolver solver(LinearMethod::Cholesky);
+  if (!solver.factorize(laplacian))
+  {
+    return;
+  }
+  const Eigen::MatrixXd x = solver.solveRefined(laplacian, rhs);
+  for (Eigen::Index k = 0; k < count && x.rows() == count; ++k)
+  {
+    positions[k] = x.row(k).transpose();
+  }
+}
+
+double largestLengthError(
+  const WireNetwork& network, const Points2& positions, const std::vector<double>& length)
+{
+  double worst = 0.0;
+  for (std::size_t e = 0; e < network.edges.size(); ++e)
+  {
+    const WireEdge& edge = network.edges[e];
+    const double placed =
+      (positions[network.hostOfVertex[edge.to]] - positions[network.hostOfVertex[edge.from]])
+        .norm();
+    worst = std::max(worst, std::abs(placed - length[e]) / length[e]);
+  }
+  return worst;
+}
+
+/// One step of Newton's method on all lengths with the least change of the positions. A small block
+/// on the normal matrix serves networks that carry a self-stress.
+bool correctLengths(
+  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
+{
+  const auto edges = static_cast<Eigen::Index>(network.edges.size());
+  const auto count = static_cast<Eigen::Index>(positions.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd residual(edges);
+  for (Eigen::Index e = 0; e < edges; ++e)
+  {
+    const Index a = network.hostOfVertex[network.edges[e].from];
+    const Index b = network.hostOfVertex[network.edges[e].to];
+    const Point2 d = positions[b] - positions[a];
+    const double l = d.norm();
+    if (!(l > 0.0))
+    {
+      return false;
+    }
+    residual[e] = length[e] - l;
+    for (int k = 0; k < 2; ++k)
+    {
+      entries.emplace_back(e, 2 * a + k, -d[k] / l);
+      entries.emplace_back(e, 2 * b + k, d[k] / l);
+    }
+  }
+  SparseMatrix J(edges, 2 * count);
+  J.setFromTriplets(entries.begin(), entries.end());
+  SparseMatrix normal = J * J.transpose();
+  SparseMatrix regular = normal;
+  for (Eigen::Index e = 0; e < edges; ++e)
+  {
+    regular.coeffRef(e, e) += 1e-10;
+  }
+  LinearSolver solver(LinearMethod::Cholesky);
+  if (!solver.factorize(regular))
+  {
+    return false;
+  }
+  const Eigen::MatrixXd y = solver.solveRefined(normal, residual);
+  if (y.rows() != edges)
+  {
+    return false;
+  }
+  const Eigen::VectorXd change = J.transpose() * y.col(0);
+  for (Eigen::Index k = 0; k < count; ++k)
+  {
+    positions[k] += change.segment<2>(2 * k);
+  }
+  return true;
+}
+}
+
+WireLayout layOutWires(
+  const WireNetwork& network, const std::vector<double>& theta, const std::vector<double>& length)
+{
+  WireLayout layout;
+  const Points2 vectors = edgeVectors(network, theta, length);
+  Points2 positions = placeAlongTree(network, vectors);
+  double size = 0.0;
+  for (double l : length)
+  {
+    size += l;
+  }
+  if (largestMiss(network, positions, vectors) > 1e-14 * size)
+  {
+    spreadMisses(network, vectors, positions);
+  }
+  double error = largestLengthError(network, positions, length);
+  for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
+  {
+    Points2 corrected = positions;
+    if (!correctLengths(network, length, corrected))
+    {
+      break;
+    }
+    const double after = largestLengthError(network, corrected, length);
+    if (!(after < error))
+    {
+      break;
+    }
+    error = after;
+    positions = std::move(corrected);
+  }
+  layout.maximumLengthError = error;
+  layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
+  for (std::size_t k = 0; k < positions.size(); ++k)
+  {
+    layout.positions[network.hostVertices[k]] = positions[k];
+  }
+  return layout;
+}
+}
