@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Options.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace wirewarp
+{
+/// What became of one surface.
+struct Flattening
+{
+  int exitCode = Done;
+  /// "Ok", a status name of vtkFlatteningAlgorithm, or "UnreadableInput".
+  std::string status = "Ok";
+  std::string message;
+  std::vector<vtkIdType> ids; ///< of the elements that the message is about
+
+  /// The outputs of vtkWireWarpingFilter; without points after a refusal.
+  vtkSmartPointer<vtkPolyData> flat;
+  vtkSmartPointer<vtkPolyData> wires;
+  vtkSmartPointer<vtkPolyData> cut;
+
+  double secondsRead = 0.0;
+  double secondsTotal = 0.0;
+
+  bool refused() const { return this->exitCode == InputRefused; }
+};
+
+/// Reads one surface with its curves and flattens it. Bad input ends in the result, not in an exception.
+Flattening flattenOne(const Options& options);
+}

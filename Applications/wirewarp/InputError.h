@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace wirewarp
+{
+/// An input that is refused. The text says what is wrong, where, and the way out.
+class InputError : public std::runtime_error
+{
+public:
+  explicit InputError(const std::string& text)
+    : std::runtime_error(text)
+  {
+  }
+  InputError(const std::string& file, const std::string& text)
+    : std::runtime_error(file + ": " + text)
+  {
+  }
+  /// \param line counted from 1
+  InputError(const std::string& file, std::size_t line, const std::string& text)
+    : std::runtime_error(file + ":" + std::to_string(line) + ": " + text)
+  {
+  }
+};
+}

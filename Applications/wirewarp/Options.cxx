@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "TextFile.h"
+
+#include <vtkVersion.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <sstream>
+
+namespace wirewarp
+{
+namespace
+{
+const char* const description =
+  "Flattens a triangulated surface so that its boundary and its feature curves keep their length.\n"
+  "Darts are opened and seams cut first; every piece is flattened on its own and laid beside the "
+  "others.";
+
+const char* const footer =
+  R"(Curve files: .vtp or .vtk with polylines on the surface (cell arrays CurveType: 0 accessory, 1 key,
+2 dart, 3 seam; CurveName), or text, one curve a line, '#' starts a comment:
+    TYPE NAME v0 v1 ...
+TYPE is accessory (length kept), key (length and shape kept), dart (cut open) or seam (cut through);
+v0 v1 ... are vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too.
+
+Units: lengths are in the unit of SURFACE, angles in radians, times in seconds.
+Coordinates are read in double precision where the file holds them (STL holds single precision).
+
+Files written to DIR: flat.vtp (pieces in the plane), wires.vtp (their wires), cut.vtp (the cut
+surface in space, point for point like flat.vtp), report.json (all measures). Earlier ones are replaced.
+
+Exit codes: 0 done; 2 bad usage; 3 input refused, no result; 4 flattened, but a promise is broken (not
+converged, a length error above --max-length-error, a flipped triangle, an overlap): files are written.
+
+Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --scheme global --output shirt)";
+
+CLI::Validator number(double least, double most, const std::string& range)
+{
+  return CLI::Validator(
+    [least, most, range](std::string& text) {
+      double value = 0.0;
+      const bool valid = parseNumber(text, value) && value >= least && value <= most;
+      return valid ? std::string() : inQuotes(text) + " is not a number in " + range;
+    },
+    "in " + range);
+}
+
+CLI::Validator wholeNumber(long long least, long long most, const std::string& range)
+{
+  return CLI::Validator(
+    [least, most, range](std::string& text) {
+      long long value = 0;
+      const bool valid = parseInteger(text, value) && value >= least && value <= most;
+      return valid ? std::string() : inQuotes(text) + " is not a whole number " + range;
+    },
+    range);
+}
+
+void addMethods(CLI::App& app, Options& options)
+{
+  const std::string group = "Method";
+  app
+    .add_option("--scheme", options.scheme,
+      "How the wires get their shape: progressive (patch by patch), global (all angles together), "
+      "isometric (wires and interior together), lscm (for comparison: keeps no length)")
+    ->check(CLI::IsMember({ "isometric", "global", "progressive", "lscm" }))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--solver", options.solver,
+      "How the angles are solved for: newton (exact), sequential (the paper's)")
+    ->check(CLI::IsMember({ "newton", "sequential" }))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--interior", options.interior,
+      "How points between wires are placed: arap (as rigid as possible), laplacian, relaxation "
+      "(the "
+      "paper's iteration)")
+    ->check(CLI::IsMember({ "arap", "laplacian", "relaxation" }))
+    ->capture_default_str()
+    ->group(group);
+  app.add_flag("--release-keys", options.releaseKeys, "Treat key curves as accessory curves")
+    ->group(group);
+  app
+    .add_option("--pins", options.pins,
+      "lscm: the two vertices that are pinned, ids counted from 0 (default: the boundary vertices "
+      "farthest apart)")
+    ->check(wholeNumber(0, std::numeric_limits<int>::max(), "from 0"))
+    ->type_name("V0 V1")
+    ->group(group);
+}
+
+void addLayout(CLI::App& app, Options& options)
+{
+  const std::string group = "Layout";
+  app
+    .add_flag("!--no-arrange", options.arrange,
+      "Leave pieces where they arise instead of turning them upright, side by side")
+    ->group(group);
+  app
+    .add_option("--spacing", options.spacing,
+      "Space between pieces as a fraction of the largest extent of a piece")
+    ->check(number(0.0, 1e6, "[0, 1e6]"))
+    ->capture_default_str()
+    ->group(group);
+}
+
+void addLimits(CLI::App& app, Options& options)
+{
+  const std::string group = "Limits";
+  const double large = std::numeric_limits<double>::max();
+  const auto addNumber = [&app, &group](const std::string& name, double& value, double least,
+                           double most, const std::string& range, const std::string& text) {
+    app.add_option(name, value, text)
+      ->check(number(least, most, range))
+      ->capture_default_str()
+      ->group(group);
+  };
+  const auto addCount = [&app, &group](
+                          const std::string& name, int& value, int least, const std::string& text) {
+    app.add_option(name, value, text)
+      ->check(wholeNumber(least, std::numeric_limits<int>::max(), "from " + std::to_string(least)))
+      ->capture_default_str()
+      ->group(group);
+  };
+  addCount(
+    "--max-iterations", options.maximumIterations, 1, "Most iterations of the solver, a piece");
+  addNumber("--closure-tolerance", options.closureTolerance, 0.0, large, "[0, inf)",
+    "The solver stops when no loop of wires is open by more than this fraction of the perimeter");
+  addNumber("--optimality-tolerance", options.optimalityTolerance, 0.0, large, "[0, inf)",
+    "The solver stops when no entry of the gradient of the Lagrangian is larger");
+  addNumber("--max-length-error", options.maximumLengthError, 0.0, large, "[0, inf)",
+    "Largest relative error of a wire edge that is no broken promise");
+  addNumber("--relaxation-factor", options.relaxationFactor, std::numeric_limits<double>::min(),
+    std::nextafter(2.0, 0.0), "(0, 2)", "relaxation: factor tau of the iteration");
+  addNumber("--relaxation-movement", options.relaxationMovement, 0.0, large, "[0, inf)",
+    "relaxation: stop when no point moves farther, as a fraction of the mean wire edge");
+  addCount("--relaxation-min-iterations", options.relaxationMinimumIterations, 0,
+    "relaxation: fewest iterations");
+  addCount("--relaxation-max-iterations", options.relaxationMaximumIterations, 0,
+    "relaxation: most iterations");
+  addNumber("--rigid-tolerance", options.rigidTolerance, 0.0, large, "[0, inf)",
+    "arap: stop when the energy falls by less than this fraction of itself");
+  addCount("--rigid-iterations", options.rigidMaximumIterations, 0, "arap: most iterations");
+  app
+    .add_flag("!--no-split", options.split,
+      "Refuse curves that do not run along mesh edges instead of splitting triangles")
+    ->group(group);
+  addNumber("--imprint-tolerance", options.imprintTolerance, 0.0, 1.0, "[0, 1]",
+    "Greatest distance of a curve from the surface as a fraction of the surface's diagonal");
+  addNumber("--snap-tolerance", options.snapTolerance, 0.0, 0.5, "[0, 0.5]",
+    "A curve point nearer to a vertex than this fraction of the mean edge moves onto it");
+}
+
+void addOutput(CLI::App& app, Options& options)
+{
+  const std::string group = "Output";
+  app
+    .add_option("-o,--output", options.output,
+      "Folder for the files, made if need be (default: <name of SURFACE>_flat in the current "
+      "folder)")
+    ->type_name("DIR")
+    ->group(group);
+  app
+    .add_option("-t,--threads", options.threads,
+      "Threads; 0: as many as there are cores. Results do not depend on it")
+    ->check(wholeNumber(0, 1024, "from 0 to 1024"))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_flag("--list-curves", options.listCurves, "Print the length of each feature curve as well")
+    ->group(group);
+  app.add_flag("-q,--quiet", options.quiet, "Print errors and broken promises only")->group(group);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string outputFolder(const Options& options)
+{
+  if (!options.output.empty())
+  {
+    return options.output;
+  }
+  return std::filesystem::path(options.surface).stem().string() + "_flat";
+}
+
+//------------------------------------------------------------------------------
+std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
+{
+  Options options;
+  CLI::App app(description, "wirewarp");
+  app.footer(footer);
+  app.get_formatter()->column_width(34);
+  std::ostringstream version;
+  version << "wirewarp " << WIREWARP_VERSION << " (VTK " << vtkVersion::GetVTKVersion() << ')';
+  app.set_version_flag("--version", version.str(), "Print the version and exit");
+  app
+    .add_option(
+      "SURFACE", options.surface, "The surface: .vtp .vtk .obj .ply .stl, of polygons or triangles")
+    ->required()
+    ->type_name("");
+  app.add_option("CURVES", options.curves, "Files of feature curves: .vtp .vtk, or text")
+    ->type_name("");
+  addMethods(app, options);
+  addLayout(app, options);
+  addLimits(app, options);
+  addOutput(app, options);
+
+  exitCode = Done;
+  try
+  {
+    app.parse(argc, argv);
+    if (app.count("--output") > 0 && options.output.empty())
+    {
+      throw CLI::ValidationError("--output", "the folder has no name");
+    }
+    if (options.surface.empty())
+    {
+      throw CLI::ValidationError("SURFACE", "the file has no name");
+    }
+    if (options.pins[0] >= 0 && options.pins[0] == options.pins[1])
+    {
+      throw CLI::ValidationError("--pins", "the two vertices must differ");
+    }
+  }
+  catch (const CLI::Success& request) // --help, --version
+  {
+    app.exit(request, std::cout, std::cerr);
+    return std::nullopt;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    std::cerr << "wirewarp: error: " << error.what() << "\nTry 'wirewarp --help'.\n";
+    exitCode = BadUsage;
+    return std::nullopt;
+  }
+  return options;
+}
+}

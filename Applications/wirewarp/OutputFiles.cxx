@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutputFiles.h"
+
+#include "InputError.h"
+#include "VtkMessages.h"
+
+#include <vtkXMLPolyDataWriter.h>
+
+#include <fstream>
+#include <random>
+#include <system_error>
+
+namespace wirewarp
+{
+namespace
+{
+const char* const wayOut = "; name another folder with --output";
+}
+
+//------------------------------------------------------------------------------
+OutputFiles::OutputFiles(const std::string& folder)
+  : Folder(folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(this->Folder, error);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(this->Folder, ignored))
+  {
+    const std::string reason = error ? error.message() : "a file of this name is in the way";
+    throw InputError(folder, "cannot make the output folder (" + reason + ")" + wayOut);
+  }
+  const std::filesystem::path probe = this->addEntry("probe");
+  std::ofstream(probe).put('\n');
+  const bool writable = std::filesystem::file_size(probe, error) == 1;
+  std::filesystem::remove(probe, error);
+  this->Entries.clear();
+  if (!writable)
+  {
+    throw InputError(folder, std::string("cannot write to the output folder") + wayOut);
+  }
+}
+
+OutputFiles::~OutputFiles()
+{
+  std::error_code ignored;
+  for (const Entry& entry : this->Entries)
+  {
+    std::filesystem::remove(entry.aside, ignored);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::filesystem::path OutputFiles::addEntry(const std::string& name)
+{
+  std::random_device random; // two runs may write to one folder
+  const std::string aside = "." + name + "." + std::to_string(random()) + ".part";
+  this->Entries.push_back({ this->Folder / aside, this->Folder / name });
+  return this->Entries.back().aside;
+}
+
+//------------------------------------------------------------------------------
+void OutputFiles::add(const std::string& name, vtkPolyData* data)
+{
+  const VtkMessages messages;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(this->addEntry(name).c_str());
+  writer->SetInputData(data);
+  if (writer->Write() != 1 || !messages.errors().empty())
+  {
+    const std::string reason = messages.firstError();
+    throw InputError((this->Folder / name).string(),
+      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + wayOut);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OutputFiles::add(const std::string& name, const std::string& text)
+{
+  std::ofstream file(this->addEntry(name), std::ios::binary);
+  file << text;
+  file.close();
+  if (!file)
+  {
+    throw InputError((this->Folder / name).string(), std::string("cannot be written") + wayOut);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OutputFiles::publish()
+{
+  for (const Entry& entry : this->Entries)
+  {
+    std::error_code error;
+    std::filesystem::rename(entry.aside, entry.final, error);
+    if (error)
+    {
+      throw InputError(
+        entry.final.string(), "cannot be written (" + error.message() + ")" + wayOut);
+    }
+  }
+  this->Entries.clear();
+}
+
+//------------------------------------------------------------------------------
+void OutputFiles::discard(const std::string& name) const
+{
+  std::error_code ignored;
+  std::filesystem::remove(this->Folder / name, ignored);
+}
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wirewarp
+{
+/// Files of one folder that appear all together or not at all: each is written aside, and publish()
+/// renames them. What was not published is removed again.
+class OutputFiles
+{
+public:
+  /// Makes the folder. Throws InputError where it cannot be made or written to.
+  explicit OutputFiles(const std::string& folder);
+  ~OutputFiles();
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+
+  /// Throw InputError where the file cannot be written.
+  void add(const std::string& name, vtkPolyData* data);
+  void add(const std::string& name, const std::string& text);
+  void publish();
+  /// Removes an earlier result of this name.
+  void discard(const std::string& name) const;
+
+private:
+  struct Entry
+  {
+    std::filesystem::path aside;
+    std::filesystem::path final;
+  };
+  std::filesystem::path addEntry(const std::string& name);
+
+  std::filesystem::path Folder;
+  std::vector<Entry> Entries;
+};
+}

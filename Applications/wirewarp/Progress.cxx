@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace wirewarp
+{
+namespace
+{
+constexpr std::chrono::milliseconds terminalPeriod(200);
+constexpr std::chrono::seconds logPeriod(10);
+}
+
+//------------------------------------------------------------------------------
+Progress::Progress(vtkAlgorithm* filter, bool quiet)
+  : Filter(filter)
+  , Terminal(isatty(STDERR_FILENO) == 1)
+  , Next(Clock::now() + (this->Terminal ? std::chrono::seconds(1) : logPeriod))
+{
+  if (!quiet)
+  {
+    this->Observer = filter->AddObserver(vtkCommand::ProgressEvent, this, &Progress::show);
+  }
+}
+
+Progress::~Progress()
+{
+  this->Filter->RemoveObserver(this->Observer);
+  if (this->Shown && this->Terminal)
+  {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Progress::show()
+{
+  const Clock::time_point now = Clock::now();
+  if (now < this->Next)
+  {
+    return;
+  }
+  this->Next =
+    now + (this->Terminal ? Clock::duration(terminalPeriod) : Clock::duration(logPeriod));
+  this->Shown = true;
+  const double percent = 100.0 * std::clamp(this->Filter->GetProgress(), 0.0, 1.0);
+  const char* const phase = this->Filter->GetProgressText();
+  std::fprintf(
+    stderr, this->Terminal ? "\r\033[K%3.0f %% %s" : "%3.0f %% %s\n", percent, phase ? phase : "");
+  std::fflush(stderr);
+}
+}

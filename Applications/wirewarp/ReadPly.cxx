@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReadPly.h"
+
+#include "InputError.h"
+#include "PlyHeader.h"
+#include "TextFile.h"
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+namespace wirewarp
+{
+namespace
+{
+std::size_t sizeOf(PlyScalar type)
+{
+  switch (type)
+  {
+    case PlyScalar::Int8:
+    case PlyScalar::UInt8:
+      return 1;
+    case PlyScalar::Int16:
+    case PlyScalar::UInt16:
+      return 2;
+    case PlyScalar::Int32:
+    case PlyScalar::UInt32:
+    case PlyScalar::Float32:
+      return 4;
+    case PlyScalar::Float64:
+      break;
+  }
+  return 8;
+}
+
+template <typename T>
+double decode(const char* bytes, bool swap)
+{
+  std::array<char, sizeof(T)> copy{};
+  std::copy_n(bytes, sizeof(T), copy.begin());
+  if (swap)
+  {
+    std::reverse(copy.begin(), copy.end());
+  }
+  T value{};
+  std::memcpy(&value, copy.data(), sizeof(T));
+  return static_cast<double>(value);
+}
+
+bool hostIsLittleEndian()
+{
+  const std::uint16_t one = 1;
+  char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+//------------------------------------------------------------------------------
+/// The numbers after the header, one after the other.
+class ValueReader
+{
+public:
+  ValueReader(std::string_view data, PlyEncoding encoding)
+    : Data(data)
+    , Text(encoding == PlyEncoding::Ascii)
+    , Swap((encoding == PlyEncoding::LittleEndian) != hostIsLittleEndian())
+  {
+  }
+
+  /// False where the data ends or holds no number.
+  bool next(PlyScalar type, double& value)
+  {
+    if (this->Text)
+    {
+      return parseNumber(this->nextWord(), value);
+    }
+    if (this->Data.size() < sizeOf(type))
+    {
+      return false;
+    }
+    value = this->decodeFront(type);
+    this->Data.remove_prefix(sizeOf(type));
+    return true;
+  }
+
+private:
+  std::string_view nextWord()
+  {
+    const std::string_view blanks(" \t\r\n\v\f");
+    const std::size_t begin = std::min(this->Data.find_first_not_of(blanks), this->Data.size());
+    this->Data.remove_prefix(begin);
+    const std::size_t end = std::min(this->Data.find_first_of(blanks), this->Data.size());
+    const std::string_view word = this->Data.substr(0, end);
+    this->Data.remove_prefix(end);
+    return word;
+  }
+
+  double decodeFront(PlyScalar type) const
+  {
+    const char* const bytes = this->Data.data();
+    switch (type)
+    {
+      case PlyScalar::Int8:
+        return decode<std::int8_t>(bytes, false);
+      case PlyScalar::UInt8:
+        return decode<std::uint8_t>(bytes, false);
+      case PlyScalar::Int16:
+        return decode<std::int16_t>(bytes, this->Swap);
+      case PlyScalar::UInt16:
+        return decode<std::uint16_t>(bytes, this->Swap);
+      case PlyScalar::Int32:
+        return decode<std::int32_t>(bytes, this->Swap);
+      case PlyScalar::UInt32:
+        return decode<std::uint32_t>(bytes, this->Swap);
+      case PlyScalar::Float32:
+        return decode<float>(bytes, this->Swap);
+      case PlyScalar::Float64:
+        break;
+    }
+    return decode<double>(bytes, this->Swap);
+  }
+
+  std::string_view Data;
+  bool Text;
+  bool Swap;
+};
+
+//------------------------------------------------------------------------------
+/// One element's values: scalars by property, and the list of each property that is one.
+class ElementReader
+{
+public:
+  ElementReader(const std::string& path, ValueReader& values)
+    : Path(path)
+    , Values(values)
+  {
+  }
+
+  void read(const PlyElement& element, long long index)
+  {
+    this->Scalars.assign(element.properties.size(), 0.0);
+    this->Lists.resize(element.properties.size());
+    for (std::size_t p = 0; p < element.properties.size(); ++p)
+    {
+      const PlyProperty& property = element.properties[p];
+      if (!property.list)
+      {
+        this->Scalars[p] = this->value(property.type, element, index);
+        continue;
+      }
+      const double count = this->value(property.countType, element, index);
+      if (!(count >= 0.0) || count != std::floor(count))
+      {
+        throw InputError(this->Path,
+          "element " + element.name + " " + std::to_string(index) +
+            " has a list of invalid length");
+      }
+      this->Lists[p].clear();
+      for (double k = 0.0; k < count; k += 1.0)
+      {
+        this->Lists[p].push_back(this->value(property.type, element, index));
+      }
+    }
+  }
+  double scalar(std::size_t property) const { return this->Scalars[property]; }
+  const std::vector<double>& list(std::size_t property) const { return this->Lists[property]; }
+
+private:
+  double value(PlyScalar type, const PlyElement& element, long long index)
+  {
+    double number = 0.0;
+    if (!this->Values.next(type, number))
+    {
+      throw InputError(this->Path,
+        "ends or is damaged at element " + element.name + " " + std::to_string(index) + " of " +
+          std::to_string(element.count) + "; write the file again");
+    }
+    return number;
+  }
+
+  std::string Path;
+  ValueReader& Values;
+  std::vector<double> Scalars;
+  std::vector<std::vector<double>> Lists;
+};
+
+std::size_t findProperty(const std::string& path, const PlyElement& element, const char* name,
+  bool list, const char* otherName = nullptr)
+{
+  for (std::size_t p = 0; p < element.properties.size(); ++p)
+  {
+    const PlyProperty& property = element.properties[p];
+    if (property.list == list &&
+      (property.name == name || (otherName && property.name == otherName)))
+    {
+      return p;
+    }
+  }
+  throw InputError(path, "element " + element.name + " has no property '" + name + "'");
+}
+
+void readVertices(
+  const std::string& path, const PlyElement& element, ElementReader& reader, vtkPoints* points)
+{
+  const std::array<std::size_t, 3> place{ findProperty(path, element, "x", false),
+    findProperty(path, element, "y", false), findProperty(path, element, "z", false) };
+  for (long long k = 0; k < element.count; ++k)
+  {
+    reader.read(element, k);
+    points->InsertNextPoint(
+      reader.scalar(place[0]), reader.scalar(place[1]), reader.scalar(place[2]));
+  }
+}
+
+void readFaces(
+  const std::string& path, const PlyElement& element, ElementReader& reader, vtkCellArray* polygons)
+{
+  const std::size_t place = findProperty(path, element, "vertex_indices", true, "vertex_index");
+  std::vector<vtkIdType> ids;
+  for (long long k = 0; k < element.count; ++k)
+  {
+    reader.read(element, k);
+    ids.clear();
+    for (const double id : reader.list(place))
+    {
+      const bool valid = id >= 0.0 && id < 4e9 && id == std::floor(id);
+      ids.push_back(valid ? static_cast<vtkIdType>(id) : -1);
+    }
+    if (ids.size() < 3)
+    {
+      throw InputError(path,
+        "face " + std::to_string(k) + " has " + std::to_string(ids.size()) +
+          " vertices; remove it or give it three");
+    }
+    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+}
+
+void checkIds(const std::string& path, vtkCellArray* polygons, vtkIdType pointCount)
+{
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  {
+    polygons->GetCellAtId(cell, size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= pointCount)
+      {
+        throw InputError(path,
+          "face " + std::to_string(cell) + " names vertex " + std::to_string(ids[k]) + " of " +
+            std::to_string(pointCount) + "; ids count from 0");
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
+{
+  const std::string bytes = readWholeFile(path);
+  const PlyHeader header = parsePlyHeader(path, bytes);
+  ValueReader values(std::string_view(bytes).substr(header.size), header.encoding);
+  ElementReader reader(path, values);
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polygons;
+  for (const PlyElement& element : header.elements)
+  {
+    if (element.name == "vertex")
+    {
+      readVertices(path, element, reader, points);
+    }
+    else if (element.name == "face")
+    {
+      readFaces(path, element, reader, polygons);
+    }
+    else if (!element.properties.empty())
+    {
+      for (long long k = 0; k < element.count; ++k)
+      {
+        reader.read(element, k);
+      }
+    }
+  }
+  checkIds(path, polygons, points->GetNumberOfPoints());
+
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(polygons);
+  return surface;
+}
+}

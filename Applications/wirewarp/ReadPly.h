@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace wirewarp
+{
+/// Reads PLY, ASCII and binary of both byte orders: x, y, z of the element `vertex` and the list
+/// `vertex_indices` (or `vertex_index`) of the element `face`; everything else is passed over.
+/// Coordinates keep the file's precision, `double` too. Throws InputError.
+vtkSmartPointer<vtkPolyData> readPly(const std::string& path);
+}

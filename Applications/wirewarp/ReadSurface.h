@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace wirewarp
+{
+/// Reads a surface by its extension: .vtp .vtk .obj .ply .stl. Throws InputError.
+vtkSmartPointer<vtkPolyData> readSurface(const std::string& path);
+
+/// Reads polydata from .vtp or .vtk, coordinates in the type that the file has. Throws InputError.
+vtkSmartPointer<vtkPolyData> readPolyData(const std::string& path);
+}

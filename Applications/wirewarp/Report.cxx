@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include "FieldRows.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace wirewarp
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json pieceReports(const FieldRows& field)
+{
+  Json pieces = Json::array();
+  for (vtkIdType piece = 0; piece < field.count("Triangles"); ++piece)
+  {
+    pieces.push_back({ { "piece", piece }, { "triangles", field.integer("Triangles", piece) },
+      { "vertices", field.integer("Vertices", piece) },
+      { "wire_patches", field.integer("WirePatches", piece) },
+      { "wire_nodes", field.integer("WireNodes", piece) },
+      { "free_wire_nodes", field.integer("FreeWireNodes", piece) },
+      { "constraints", field.integer("Constraints", piece) },
+      { "iterations", field.integer("Iterations", piece) },
+      { "objective", field.number("Objective", piece) },
+      { "closure_residual", field.number("ClosureResidual", piece) },
+      { "E_len", field.number("EdgeLengthError", piece) },
+      { "E_len_max", field.number("MaxEdgeLengthError", piece) },
+      { "E_ang", field.number("AngleErrorMean", piece) },
+      { "E_h", field.number("GlobalHomogeneity", piece) },
+      { "E_r", field.number("GlobalAspectRatio", piece) },
+      { "E_area", field.number("AreaError", piece) },
+      { "flipped", field.integer("FlippedTriangles", piece) },
+      { "overlaps", field.integer("Overlaps", piece) }, { "status", field.text("Status", piece) },
+      { "message", field.text("StatusMessage", piece) }, { "history", Json::array() } });
+  }
+  for (vtkIdType row = 0; row < field.count("HistoryPiece"); ++row)
+  {
+    const auto piece = static_cast<std::size_t>(field.integer("HistoryPiece", row));
+    if (piece < pieces.size())
+    {
+      pieces[piece]["history"].push_back({ { "phase", field.text("HistoryPhase", row) },
+        { "objective", field.number("HistoryObjective", row) },
+        { "closure", field.number("HistoryClosure", row) },
+        { "optimality", field.number("HistoryOptimality", row) },
+        { "step", field.number("HistoryStep", row) } });
+    }
+  }
+  return pieces;
+}
+
+Json curveReports(const FieldRows& field)
+{
+  Json curves = Json::array();
+  for (vtkIdType curve = 0; curve < field.count("CurveNames"); ++curve)
+  {
+    curves.push_back({ { "name", field.text("CurveNames", curve) },
+      { "type", curveTypeName(field.integer("CurveTypes", curve)) },
+      { "length_3d", field.number("CurveRestLengths", curve) },
+      { "length_2d", field.number("CurveFlatLengths", curve) },
+      { "error", field.number("CurveLengthErrors", curve) } });
+  }
+  return curves;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string curveTypeName(long long type)
+{
+  static constexpr std::array<const char*, 4> names{ "accessory", "key", "dart", "seam" };
+  return type >= 0 && type < 4 ? names[static_cast<std::size_t>(type)] : "unknown";
+}
+
+//------------------------------------------------------------------------------
+std::string makeReport(const Options& options, const Flattening& result)
+{
+  const FieldRows flat(result.flat);
+  const FieldRows wires(result.wires);
+  const Json report = { { "surface", options.surface }, { "curve_files", options.curves },
+    { "scheme", options.scheme }, { "solver", options.solver }, { "interior", options.interior },
+    { "release_keys", options.releaseKeys }, { "version", WIREWARP_VERSION },
+    { "exit_code", result.exitCode }, { "status", result.status }, { "message", result.message },
+    { "ids", result.ids }, { "pieces", pieceReports(flat) }, { "curves", curveReports(wires) },
+    { "seconds",
+      { { "read", result.secondsRead }, { "wires", flat.number("SecondsWires", 0) },
+        { "interior", flat.number("SecondsInterior", 0) },
+        { "quality", flat.number("SecondsQuality", 0) }, { "total", result.secondsTotal } } } };
+  // File names may hold any bytes; those that are no UTF-8 become replacement characters.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+}

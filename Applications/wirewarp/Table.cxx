@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Table.h"
+
+#include "FieldRows.h"
+#include "Report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+namespace wirewarp
+{
+namespace
+{
+using Row = std::vector<std::string>;
+
+template <typename Value>
+std::string format(const char* pattern, Value value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), pattern, value);
+  return text;
+}
+
+/// Columns side by side, all but the last to the right, the last (and `left` first ones) to the left.
+std::string layOut(const std::vector<Row>& rows, std::size_t left)
+{
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const Row& row : rows)
+  {
+    for (std::size_t c = 0; c < row.size(); ++c)
+    {
+      width[c] = std::max(width[c], row[c].size());
+    }
+  }
+  std::string text;
+  for (const Row& row : rows)
+  {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c)
+    {
+      const std::string blanks(width[c] - row[c].size(), ' ');
+      const bool toTheLeft = c < left || c + 1 == row.size();
+      line += (c ? "  " : "") + (toTheLeft ? row[c] + blanks : blanks + row[c]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string pieceTable(const Flattening& result)
+{
+  const FieldRows field(result.flat);
+  const vtkIdType pieces = field.count("Triangles");
+  const std::string optimized = format("%.3f", field.number("SecondsWires", 0));
+  const std::string all = format("%.3f", field.number("SecondsTotal", 0));
+  std::vector<Row> rows{ { "piece", "triangles", "wire-patches", "E_len x1e3", "E_len max",
+    "E_ang x1e3", "E_h", "E_r", "E_area", "flips", "overlaps", "iterations", "T_opt [s]",
+    "T_all [s]", "status" } };
+  for (vtkIdType piece = 0; piece < pieces; ++piece)
+  {
+    rows.push_back({ std::to_string(piece), std::to_string(field.integer("Triangles", piece)),
+      std::to_string(field.integer("WirePatches", piece)),
+      format("%.2f", 1e3 * field.number("EdgeLengthError", piece)),
+      format("%.1e", field.number("MaxEdgeLengthError", piece)),
+      format("%.1f", 1e3 * field.number("AngleErrorMean", piece)),
+      format("%.3f", field.number("GlobalHomogeneity", piece)),
+      format("%.3f", field.number("GlobalAspectRatio", piece)),
+      format("%.4f", field.number("AreaError", piece)),
+      std::to_string(field.integer("FlippedTriangles", piece)),
+      std::to_string(field.integer("Overlaps", piece)),
+      std::to_string(field.integer("Iterations", piece)), pieces == 1 ? optimized : "-",
+      pieces == 1 ? all : "-", field.text("Status", piece) });
+  }
+  if (pieces != 1)
+  {
+    Row total(rows.front().size());
+    total.front() = "all";
+    total[total.size() - 3] = optimized;
+    total[total.size() - 2] = all;
+    total.back() = result.status;
+    rows.push_back(total);
+  }
+  return layOut(rows, 1);
+}
+
+//------------------------------------------------------------------------------
+std::string curveTable(const Flattening& result)
+{
+  const FieldRows field(result.wires);
+  std::vector<Row> rows{ { "curve", "length", "flat length", "largest error", "type" } };
+  for (vtkIdType curve = 0; curve < field.count("CurveNames"); ++curve)
+  {
+    rows.push_back(
+      { field.text("CurveNames", curve), format("%.10g", field.number("CurveRestLengths", curve)),
+        format("%.10g", field.number("CurveFlatLengths", curve)),
+        format("%.1e", field.number("CurveLengthErrors", curve)),
+        curveTypeName(field.integer("CurveTypes", curve)) });
+  }
+  return layOut(rows, 1);
+}
+
+//------------------------------------------------------------------------------
+std::string brokenPromises(const Flattening& result)
+{
+  const FieldRows field(result.flat);
+  std::string text;
+  for (vtkIdType piece = 0; piece < field.count("Status"); ++piece)
+  {
+    if (field.text("Status", piece) != "Ok")
+    {
+      text += "wirewarp: broken promise: piece " + std::to_string(piece) + ": " +
+        field.text("StatusMessage", piece) + '\n';
+    }
+  }
+  return text.empty() ? "wirewarp: broken promise: " + result.message + '\n' : text;
+}
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening.h"
+
+#include <string>
+
+namespace wirewarp
+{
+/// A row a piece with the columns of the paper's Table 1 and what else a user must know.
+std::string pieceTable(const Flattening& result);
+
+/// A row a feature curve: its length on the surface and in the plane.
+std::string curveTable(const Flattening& result);
+
+/// Broken promises, a line a piece.
+std::string brokenPromises(const Flattening& result);
+}

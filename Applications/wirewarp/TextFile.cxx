@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TextFile.h"
+
+#include "InputError.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace wirewarp
+{
+namespace
+{
+bool isBlank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+}
+
+//------------------------------------------------------------------------------
+std::string readWholeFile(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+  {
+    throw InputError(path, "no such file; check the name and the folder it is in");
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    throw InputError(path, "this is a folder; name a file in it");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    throw InputError(path,
+      "cannot be opened (" + std::generic_category().message(errno) + "); check its permissions");
+  }
+  std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (file.bad())
+  {
+    throw InputError(path, "cannot be read to its end; check the disk and try again");
+  }
+  if (bytes.empty())
+  {
+    throw InputError(path, "the file is empty; write it again");
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+std::string lowerCaseExtension(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+//------------------------------------------------------------------------------
+bool LineReader::nextPhysical(std::string_view& line)
+{
+  if (this->Rest.empty())
+  {
+    return false;
+  }
+  const std::size_t end = std::min(this->Rest.find('\n'), this->Rest.size());
+  line = this->Rest.substr(0, end);
+  this->Rest.remove_prefix(std::min(end + 1, this->Rest.size()));
+  if (!line.empty() && line.back() == '\r')
+  {
+    line.remove_suffix(1);
+  }
+  ++this->Lines;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool LineReader::next(std::string& line)
+{
+  std::string_view part;
+  if (!this->nextPhysical(part))
+  {
+    return false;
+  }
+  this->Number = this->Lines;
+  line.assign(part);
+  while (!line.empty() && line.back() == '\\')
+  {
+    line.back() = ' ';
+    if (!this->nextPhysical(part))
+    {
+      break;
+    }
+    line.append(part);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string_view takeWord(std::string_view& text)
+{
+  std::size_t begin = 0;
+  while (begin < text.size() && isBlank(text[begin]))
+  {
+    ++begin;
+  }
+  std::size_t end = begin;
+  while (end < text.size() && !isBlank(text[end]))
+  {
+    ++end;
+  }
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+//------------------------------------------------------------------------------
+bool parseNumber(std::string_view word, double& value)
+{
+  if (word.size() > 1 && word.front() == '+')
+  {
+    word.remove_prefix(1);
+  }
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+//------------------------------------------------------------------------------
+bool parseInteger(std::string_view word, long long& value)
+{
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+//------------------------------------------------------------------------------
+std::string inQuotes(std::string_view word)
+{
+  const std::size_t most = 40;
+  std::string text(word.substr(0, most));
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return "'" + text + (word.size() > most ? "..." : "") + "'";
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace wirewarp
+{
+/// The bytes of a file. Throws InputError where it is missing, a folder, empty or cannot be read.
+std::string readWholeFile(const std::string& path);
+
+/// Lower-case extension with its dot, ".vtp"; empty where there is none.
+std::string lowerCaseExtension(const std::string& path);
+
+/// Walks the lines of a text and counts them. A backslash at the end of a line joins it to the next.
+class LineReader
+{
+public:
+  explicit LineReader(std::string_view text)
+    : Rest(text)
+  {
+  }
+  /// False at the end. The line has no line break and no carriage return.
+  bool next(std::string& line);
+  /// Where the last line started, counted from 1.
+  std::size_t number() const { return this->Number; }
+
+private:
+  bool nextPhysical(std::string_view& line);
+
+  std::string_view Rest;
+  std::size_t Number = 0;
+  std::size_t Lines = 0;
+};
+
+/// Takes the next word, divided by blanks, off the front of a text; empty at its end.
+std::string_view takeWord(std::string_view& text);
+
+/// Reads a whole word as a number, whatever the locale; false where it is none.
+bool parseNumber(std::string_view word, double& value);
+bool parseInteger(std::string_view word, long long& value);
+
+/// A word as it may stand in a message: quoted, shortened, without control characters.
+std::string inQuotes(std::string_view word);
+}

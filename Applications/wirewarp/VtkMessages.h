@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkObject.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace wirewarp
+{
+/// Takes the errors and warnings of all VTK objects while it lives, instead of VTK's own window,
+/// which would print them with file, line and address.
+class VtkMessages
+{
+public:
+  VtkMessages();
+  ~VtkMessages();
+  VtkMessages(const VtkMessages&) = delete;
+  VtkMessages& operator=(const VtkMessages&) = delete;
+
+  const std::vector<std::string>& errors() const { return this->Errors; }
+  const std::vector<std::string>& warnings() const { return this->Warnings; }
+  /// The first error without VTK's prefix; empty where there is none.
+  std::string firstError() const { return this->Errors.empty() ? "" : this->Errors.front(); }
+
+private:
+  class Window;
+  void add(std::vector<std::string>& list, const char* text);
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+  std::mutex Mutex; ///< VTK objects may speak from any thread
+};
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening.h"
+#include "InputError.h"
+#include "Options.h"
+#include "OutputFiles.h"
+#include "Report.h"
+#include "Table.h"
+
+#include <vtkSMPTools.h>
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <system_error>
+
+namespace
+{
+using namespace wirewarp;
+
+void writeResult(const Options& options, const Flattening& result, OutputFiles& files)
+{
+  files.add("flat.vtp", result.flat);
+  files.add("wires.vtp", result.wires);
+  files.add("cut.vtp", result.cut);
+  files.add("report.json", makeReport(options, result));
+  files.publish();
+}
+
+/// Says so in report.json, and leaves no earlier result beside it.
+void writeRefusal(const Options& options, const Flattening& result, OutputFiles& files)
+{
+  files.add("report.json", makeReport(options, result));
+  for (const char* name : { "flat.vtp", "wires.vtp", "cut.vtp" })
+  {
+    files.discard(name);
+  }
+  files.publish();
+}
+
+int run(const Options& options)
+{
+  if (options.threads > 0)
+  {
+    vtkSMPTools::Initialize(options.threads);
+  }
+  const std::string folder = outputFolder(options);
+  std::error_code ignored;
+  std::optional<OutputFiles> files; // a default folder is not made for a refusal alone
+  if (!options.output.empty() || std::filesystem::is_directory(folder, ignored))
+  {
+    files.emplace(folder);
+  }
+
+  const Flattening result = flattenOne(options);
+  if (result.refused())
+  {
+    std::cerr << "wirewarp: error: " << result.message << '\n';
+    if (files)
+    {
+      writeRefusal(options, result, *files);
+    }
+    return result.exitCode;
+  }
+
+  if (!files)
+  {
+    files.emplace(folder);
+  }
+  writeResult(options, result, *files);
+  if (!options.quiet)
+  {
+    std::cout << pieceTable(result);
+    if (options.listCurves)
+    {
+      std::cout << '\n' << curveTable(result);
+    }
+    std::cout << "\nflat.vtp, wires.vtp, cut.vtp and report.json written to " << folder << '\n';
+  }
+  if (result.exitCode == PromiseBroken)
+  {
+    std::cout.flush();
+    std::cerr << brokenPromises(result);
+  }
+  return result.exitCode;
+}
+}
+
+int main(int argc, char** argv)
+{
+  int exitCode = Done;
+  try
+  {
+    if (const std::optional<Options> options = parseCommandLine(argc, argv, exitCode))
+    {
+      exitCode = run(*options);
+    }
+  }
+  catch (const InputError& error)
+  {
+    std::cerr << "wirewarp: error: " << error.what() << '\n';
+    exitCode = InputRefused;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "wirewarp: error: " << error.what()
+              << "; if memory ran out, try a smaller surface\n";
+    exitCode = InputRefused;
+  }
+  return exitCode;
+}
