@@ -8,6 +8,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import developables
 import pants
 import quarter_sphere
+import shirt
+import wetsuit
 from output import writePiece
 
 
@@ -20,6 +22,11 @@ PIECES = {
     "cylinder": unrolled("cylinder"),
     "cone": unrolled("cone"),
     "tangent_developable": unrolled("tangent_developable"),
+    "shirt_front": shirt.front,
+    "shirt_back": shirt.back,
+    "shirt_shoulder": shirt.shoulder,
+    "wetsuit_upper_front": wetsuit.upperFront,
+    "wetsuit_upper_back": wetsuit.upperBack,
     "pants_front": pants.front,
     "pants_back": pants.back,
 }
