@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceFlattening.h"
+
+#include "BoundaryOverlap.h"
+#include "PieceArrangement.h"
+#include "PieceFlattening.h"
+#include "Stopwatch.h"
+#include "SurfaceDevelopability.h"
+#include "WireReport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+constexpr std::size_t mostOverlaps = 1000;
+
+/// Half-edges of the piece's wires whose length is promised, one an edge.
+Indices rigidHalfedges(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
+{
+  Indices edges;
+  for (const WireEdge& edge : network.edges)
+  {
+    const bool elastic = edge.curve != none && curves[edge.curve].tolerance > 0.0;
+    if (!edge.connector && !elastic)
+    {
+      edges.push_back(network.halfedge[edge.side]);
+    }
+  }
+  return edges;
+}
+
+/// Indices in a piece of the two ends of its grainline: the longest wire of its first key curve.
+std::array<Index, 2> findGrain(
+  const std::vector<Wire>& wires, Index pieceId, const Indices& localVertex)
+{
+  const Wire* grain = nullptr;
+  for (const Wire& wire : wires)
+  {
+    if (wire.piece == pieceId && wire.curve != none && wire.type == CurveType::Key &&
+      (!grain || (wire.curve == grain->curve && wire.vertices.size() > grain->vertices.size())))
+    {
+      grain = &wire;
+    }
+  }
+  if (!grain || grain->vertices.front() == grain->vertices.back())
+  {
+    return { none, none };
+  }
+  return { localVertex[grain->vertices.front()], localVertex[grain->vertices.back()] };
+}
+
+/// The whole way, stage by stage.
+class Flattening
+{
+public:
+  Flattening(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+    const FlatteningOptions& options, const Execution& execution)
+    : Mesh(mesh)
+    , Curves(curves)
+    , Options(options)
+    , Run(execution)
+  {
+  }
+
+  FlatteningResult run()
+  {
+    Stopwatch watch;
+    this->Run.report(0.0, "Cutting darts and seams");
+    this->Result.cut = cutSurface(this->Mesh, this->Curves);
+    if (!this->Result.cut.status.ok())
+    {
+      return refusal(std::move(this->Result.cut.status));
+    }
+    this->Pieces = extractPieces(this->Result.cut);
+    if (!this->flattenPieces())
+    {
+      return refusal(std::move(this->Result.status));
+    }
+    this->placePieces();
+    Stopwatch qualityWatch;
+    this->Run.report(0.9, "Measuring quality");
+    this->measure();
+    this->Result.seconds.quality = qualityWatch.seconds();
+    this->Result.seconds.total = watch.seconds();
+    this->Run.report(1.0, "Done");
+    return std::move(this->Result);
+  }
+
+private:
+  static FlatteningResult refusal(Status status)
+  {
+    FlatteningResult result;
+    result.status = std::move(status);
+    return result;
+  }
+
+  bool flattenPieces()
+  {
+    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    {
+      this->Run.report(
+        0.05 + 0.8 * static_cast<double>(p) / static_cast<double>(this->Pieces.size()),
+        "Flattening pieces");
+      if (this->Run.cancelled())
+      {
+        this->Result.status = { StatusCode::Cancelled, "cancelled", {} };
+        return false;
+      }
+      this->Flat.push_back(
+        flattenPiece(this->Pieces[p], this->Result.cut, this->Curves, this->Options, this->Run));
+      if (this->Flat.back().report.status.refused())
+      {
+        this->Result.status = this->Flat.back().report.status;
+        return false;
+      }
+      this->Result.seconds.wires += this->Flat.back().secondsWires;
+      this->Result.seconds.interior += this->Flat.back().secondsInterior;
+    }
+    return true;
+  }
+
+  void placePieces()
+  {
+    const CutSurface& cut = this->Result.cut;
+    this->Result.wires = traceWires(this->Mesh, cut, this->Curves);
+    std::vector<Points2> placed;
+    if (this->Options.arrange)
+    {
+      std::vector<ArrangementPiece> arrangement(this->Pieces.size());
+      Indices local(cut.mesh.vertexCount(), none);
+      for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+      {
+        for (std::size_t k = 0; k < this->Pieces[p].vertices.size(); ++k)
+        {
+          local[this->Pieces[p].vertices[k]] = static_cast<Index>(k);
+        }
+        arrangement[p].positions = std::move(this->Flat[p].positions);
+        arrangement[p].grain = findGrain(this->Result.wires, static_cast<Index>(p), local);
+      }
+      placed = arrangePieces(arrangement, this->Options.spacing);
+    }
+    else
+    {
+      for (FlatPiece& flat : this->Flat)
+      {
+        placed.push_back(std::move(flat.positions));
+      }
+    }
+    this->Result.positions.assign(cut.mesh.vertexCount(), Point2::Zero());
+    this->Result.patchOfTriangle.assign(cut.mesh.triangleCount(), none);
+    Index firstPatch = 0;
+    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    {
+      const Piece& piece = this->Pieces[p];
+      for (std::size_t k = 0; k < piece.vertices.size(); ++k)
+      {
+        this->Result.positions[piece.vertices[k]] = placed[p][k];
+      }
+      for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+      {
+        this->Result.patchOfTriangle[piece.triangles[t]] =
+          firstPatch + this->Flat[p].network.patchOfTriangle[t];
+      }
+      for (Index& patch : this->Flat[p].report.warpingOrder)
+      {
+        patch += firstPatch;
+      }
+      firstPatch += this->Flat[p].network.patchCount;
+      const std::vector<Wire> connectors =
+        traceConnectors(this->Flat[p].network, piece, static_cast<Index>(p));
+      this->Result.wires.insert(this->Result.wires.end(), connectors.begin(), connectors.end());
+    }
+  }
+
+  void measure()
+  {
+    const CutSurface& cut = this->Result.cut;
+    this->Result.triangles.resize(cut.mesh.triangleCount());
+    this->Result.developability = surfaceDevelopability(cut.mesh);
+    for (Wire& wire : this->Result.wires)
+    {
+      measureWire(cut, this->Result.positions, wire);
+    }
+    this->Result.curves = summarizeCurves(this->Mesh, this->Curves, this->Result.wires);
+    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    {
+      this->measurePiece(p);
+    }
+    for (const auto& pair : findBoundaryOverlaps(cut.mesh, this->Result.positions, mostOverlaps))
+    {
+      const Index p = cut.pieceOfTriangle[pair[0] / 3];
+      this->Flat[p].report.overlaps.push_back(pair);
+    }
+    for (FlatPiece& flat : this->Flat)
+    {
+      this->judge(flat.report);
+      // A piece that did not converge says more than one whose triangles overlap.
+      const StatusCode code = flat.report.status.code;
+      if (code != StatusCode::Ok && (this->Result.status.ok() || code < this->Result.status.code))
+      {
+        this->Result.status = flat.report.status;
+      }
+      this->Result.pieces.push_back(std::move(flat.report));
+    }
+  }
+
+  void measurePiece(std::size_t p)
+  {
+    const Piece& piece = this->Pieces[p];
+    Points2 positions;
+    for (Index v : piece.vertices)
+    {
+      positions.push_back(this->Result.positions[v]);
+    }
+    const Indices edges = rigidHalfedges(this->Flat[p].network, this->Curves);
+    FlatteningQuality quality = measureFlattening(piece.mesh, positions, edges, this->Run);
+    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    {
+      this->Result.triangles[piece.triangles[t]] = quality.triangles[t];
+    }
+    for (Index& t : quality.summary.flipped)
+    {
+      t = piece.triangles[t];
+    }
+    this->Flat[p].report.quality = std::move(quality.summary);
+  }
+
+  /// Adds the first broken promise to a report that has none yet.
+  void judge(PieceReport& report) const
+  {
+    if (!report.status.ok())
+    {
+      return;
+    }
+    const QualitySummary& quality = report.quality;
+    if (this->Options.scheme != Scheme::Conformal &&
+      !(quality.maximumEdgeLengthError <= this->Options.lengthTolerance))
+    {
+      report.status = { StatusCode::LengthError,
+        "a wire edge misses its length by the fraction " +
+          std::to_string(quality.maximumEdgeLengthError) + "; release a feature curve",
+        {} };
+    }
+    else if (!quality.flipped.empty())
+    {
+      report.status = { StatusCode::FlippedTriangles,
+        std::to_string(quality.flipped.size()) + " triangle(s) are flipped: " +
+          listIds(quality.flipped) + "; add darts or release curves there",
+        quality.flipped };
+    }
+    else if (!report.overlaps.empty())
+    {
+      Indices triangles;
+      for (const auto& pair : report.overlaps)
+      {
+        triangles.push_back(pair[0] / 3);
+        triangles.push_back(pair[1] / 3);
+      }
+      report.status = { StatusCode::Overlap,
+        "the piece overlaps itself at triangles " + listIds(triangles) +
+          "; cut it by a seam or add a dart",
+        triangles };
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const std::vector<FeatureCurve>& Curves;
+  const FlatteningOptions& Options;
+  const Execution& Run;
+  std::vector<Piece> Pieces;
+  std::vector<FlatPiece> Flat;
+  FlatteningResult Result;
+};
+}
+
+FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options, const Execution& execution)
+{
+  if (options.scheme == Scheme::Isometric)
+  {
+    FlatteningResult result;
+    result.status = { StatusCode::InvalidOption, "the isometric scheme is not in this version",
+      {} };
+    return result;
+  }
+  return Flattening(mesh, curves, options, execution).run();
+}
+}
