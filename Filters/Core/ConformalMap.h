@@ -7,7 +7,7 @@ namespace flattening
 {
 struct ConformalOptions
 {
-  /// The two vertices that are pinned; none: the two boundary vertices that are farthest apart.
+  /// The two vertices that are pinned; none: the two boundary vertices that are farthest apart in space.
   std::array<Index, 2> pins{ none, none };
   /// Divide each triangle's rows by the root of its area, as Levy et al. do. Off, large triangles
   /// count more.

@@ -10,10 +10,10 @@ namespace flattening
 /// singular values.
 struct TriangleQuality
 {
-  double areaRatio = 0.0;   ///< a = A2D / A3D, signed
-  double homogeneity = 0.0; ///< min(a, 1 / a); 0 where a <= 0
-  double aspectRatio = 0.0; ///< s / S
-  double angleError = 0.0;  ///< mean of |angle2D - angle3D| / angle3D over its corners
+  double areaRatio = 0.0;    ///< a = A2D / A3D, signed
+  double homogeneity = 0.0;  ///< min(a, 1 / a); 0 where a <= 0
+  double aspectRatio = 0.0;  ///< s / S, negative where flipped
+  double angleError = 0.0;   ///< mean of |angle2D - angle3D| / angle3D over its corners
   double smallStretch = 0.0; ///< s, negative where flipped
   double largeStretch = 0.0; ///< S
 };
@@ -24,10 +24,10 @@ struct QualitySummary
   double edgeLengthError = 0.0;        ///< E_len, Eq. 26, over the given edges
   double maximumEdgeLengthError = 0.0; ///< largest |l - l0| / l0
   double angleError = 0.0;             ///< E_ang, Eq. 27
-  double globalHomogeneity = 0.0;      ///< E_h = min a / max a, negative where a triangle is flipped
-  double globalAspectRatio = 0.0;      ///< E_r = min s / max S
-  double areaError = 0.0;              ///< E_area = sum |A2D - A3D| / sum A3D
-  Indices flipped;                     ///< triangles with a <= 0
+  double globalHomogeneity = 0.0; ///< E_h = min a / max a, not positive where a triangle is flipped
+  double globalAspectRatio = 0.0; ///< E_r = min s / max S
+  double areaError = 0.0;         ///< E_area = sum |A2D - A3D| / sum A3D
+  Indices flipped;                ///< triangles with a <= 0
 };
 
 struct FlatteningQuality
@@ -36,13 +36,9 @@ struct FlatteningQuality
   QualitySummary summary;
 };
 
-/// Measures any flattening of a mesh. \param edges half-edges whose length counts for E_len.
+/// Measures any flattening of a mesh. Areas are signed as the positions are given: a map that mirrors
+/// the whole surface counts as flipped everywhere, so mirror its positions first. A triangle without
+/// area in space has areaRatio 0. \param edges half-edges whose length counts for E_len.
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
   const Indices& edges, const Execution& execution);
-
-/// Pairs of boundary half-edges of one or several pieces that cross or touch each other in the plane
-/// though they share no vertex, each pair once; exact for the given coordinates (orientation signs
-/// are computed with adaptive precision). At most `most` pairs are listed.
-std::vector<std::array<Index, 2>> findBoundaryOverlaps(
-  const TriangleMesh& mesh, const Points2& positions, std::size_t most);
 }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlatteningQuality.h"
+
+#include "TriangleFrame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+double cornerAngle(const Point2& apex, const Point2& a, const Point2& b)
+{
+  const Point2 u = a - apex;
+  const Point2 v = b - apex;
+  return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u.dot(v));
+}
+
+TriangleQuality measureTriangle(const TriangleMesh& mesh, const Points2& positions, Index t)
+{
+  const Triangle& corner = mesh.triangle(t);
+  const TriangleFrame frame(mesh.point(corner[0]), mesh.point(corner[1]), mesh.point(corner[2]));
+  std::array<Complex, 3> image;
+  for (int k = 0; k < 3; ++k)
+  {
+    image[k] = Complex(positions[corner[k]].x(), positions[corner[k]].y());
+  }
+
+  TriangleQuality quality;
+  quality.largeStretch = std::abs(frame.alpha(image)) + std::abs(frame.beta(image));
+  if (frame.area > 0.0 && quality.largeStretch > 0.0)
+  {
+    quality.areaRatio =
+      0.5 * (std::conj(image[1] - image[0]) * (image[2] - image[0])).imag() / frame.area;
+    // |alpha| - |beta| would lose all digits of a collapsed triangle.
+    quality.smallStretch = quality.areaRatio / quality.largeStretch;
+    quality.aspectRatio = quality.smallStretch / quality.largeStretch;
+  }
+  if (quality.areaRatio > 0.0)
+  {
+    quality.homogeneity = quality.areaRatio < 1.0 ? quality.areaRatio : 1.0 / quality.areaRatio;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const double angle = mesh.angle(3 * t + k);
+    const double flat = cornerAngle(
+      positions[corner[k]], positions[corner[(k + 1) % 3]], positions[corner[(k + 2) % 3]]);
+    quality.angleError += angle > 0.0 ? std::abs(flat - angle) / angle / 3.0 : 0.0;
+  }
+  return quality;
+}
+
+void summarizeTriangles(
+  const TriangleMesh& mesh, const std::vector<TriangleQuality>& triangles, QualitySummary& summary)
+{
+  double smallestArea = std::numeric_limits<double>::max();
+  double largestArea = std::numeric_limits<double>::lowest();
+  double smallestStretch = std::numeric_limits<double>::max();
+  double largestStretch = 0.0;
+  double area = 0.0;
+  double change = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const TriangleQuality& q = triangles[t];
+    smallestArea = std::min(smallestArea, q.areaRatio);
+    largestArea = std::max(largestArea, q.areaRatio);
+    smallestStretch = std::min(smallestStretch, q.smallStretch);
+    largestStretch = std::max(largestStretch, q.largeStretch);
+    const double a = mesh.area(t);
+    area += a;
+    change += a * std::abs(q.areaRatio - 1.0);
+    summary.angleError += q.angleError;
+    if (!(q.areaRatio > 0.0))
+    {
+      summary.flipped.push_back(t);
+    }
+  }
+  summary.angleError /= static_cast<double>(std::max<Index>(mesh.triangleCount(), 1));
+  if (area > 0.0)
+  {
+    summary.areaError = change / area;
+  }
+  if (largestStretch > 0.0)
+  {
+    // Where all triangles are turned over there is no positive ratio to divide by.
+    const double scale = largestArea > 0.0 ? largestArea : std::abs(smallestArea);
+    summary.globalHomogeneity = scale > 0.0 ? smallestArea / scale : 0.0;
+    summary.globalAspectRatio = smallestStretch / largestStretch;
+  }
+}
+}
+
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
+  const Indices& edges, const Execution& execution)
+{
+  FlatteningQuality quality;
+  quality.triangles.resize(mesh.triangleCount());
+  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      quality.triangles[t] = measureTriangle(mesh, positions, t);
+    }
+  });
+  // Sums in the order of the triangles do not depend on the threads.
+  summarizeTriangles(mesh, quality.triangles, quality.summary);
+  for (Index h : edges)
+  {
+    const double length = mesh.length(h);
+    const double flat = (positions[mesh.to(h)] - positions[mesh.from(h)]).norm();
+    const double error = length > 0.0 ? std::abs(flat - length) / length : 0.0;
+    quality.summary.edgeLengthError += error;
+    quality.summary.maximumEdgeLengthError =
+      std::max(quality.summary.maximumEdgeLengthError, error);
+  }
+  quality.summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
+  return quality;
+}
+}

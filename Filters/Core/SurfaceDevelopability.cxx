@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceDevelopability.h"
+
+#include <cmath>
+
+namespace flattening
+{
+std::vector<double> surfaceDevelopability(const TriangleMesh& mesh)
+{
+  std::vector<double> sum(mesh.vertexCount(), 0.0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    sum[mesh.from(h)] += mesh.angle(h);
+  }
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const bool inside = mesh.outgoing(v) != none && !mesh.onBoundary(v);
+    sum[v] = inside ? std::abs(sum[v] - 2.0 * pi) : 0.0;
+  }
+  return sum;
+}
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "SurfaceCut.h"
+#include "TriangleMesh.h"
+
+#include <cmath>
+#include <functional>
+
+/// Surfaces made in code, for the tests of Core.
+namespace testmeshes
+{
+using namespace flattening;
+
+/// A mesh with feature curves and, where the surface is developable, its unrolling.
+struct Surface
+{
+  TriangleMesh mesh;
+  std::vector<FeatureCurve> curves;
+  Points2 unrolled;
+};
+
+inline FeatureCurve accessory(const std::string& name, Indices vertices)
+{
+  FeatureCurve curve;
+  curve.name = name;
+  curve.vertices = std::move(vertices);
+  return curve;
+}
+
+/// (columns + 1) x (rows + 1) vertices, vertex (i, j) = j (columns + 1) + i, whose places come from
+/// two functions of (i, j); the diagonals alternate.
+inline Surface patch(Index columns, Index rows, const std::function<Point3(double, double)>& place,
+  const std::function<Point2(double, double)>& unroll = {})
+{
+  Points3 points;
+  Surface surface;
+  for (Index j = 0; j <= rows; ++j)
+  {
+    for (Index i = 0; i <= columns; ++i)
+    {
+      points.push_back(place(i, j));
+      if (unroll)
+      {
+        surface.unrolled.push_back(unroll(i, j));
+      }
+    }
+  }
+  Triangles triangles;
+  for (Index j = 0; j < rows; ++j)
+  {
+    for (Index i = 0; i < columns; ++i)
+    {
+      const Index a = j * (columns + 1) + i;
+      const Index b = a + 1;
+      const Index c = b + columns + 1;
+      const Index d = a + columns + 1;
+      if ((i + j) % 2 == 0)
+      {
+        triangles.push_back({ a, b, c });
+        triangles.push_back({ a, c, d });
+      }
+      else
+      {
+        triangles.push_back({ a, b, d });
+        triangles.push_back({ b, c, d });
+      }
+    }
+  }
+  surface.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  return surface;
+}
+
+/// A flat rectangle in a slanted plane of space, with uneven triangles.
+inline Surface flatPatch(Index columns, Index rows)
+{
+  const auto flat = [](double i, double j) {
+    return Point2(i + 0.2 * std::sin(2.0 * i + j), j + 0.2 * std::sin(i - 3.0 * j));
+  };
+  const Point3 u = Point3(2.0, 1.0, 2.0) / 3.0;
+  const Point3 v = Point3(-1.0, -2.0, 2.0) / 3.0;
+  return patch(
+    columns, rows,
+    [&](double i, double j) -> Point3 {
+      return flat(i, j).x() * u + flat(i, j).y() * v + Point3(3.0, -2.0, 1.0);
+    },
+    flat);
+}
+
+/// A doubly curved patch like the shell of a cushion; `height` 0 is flat.
+inline Surface cushion(Index columns, Index rows, double height)
+{
+  return patch(columns, rows, [=](double i, double j) {
+    const double x = i / columns;
+    const double y = j / columns;
+    const double top = std::sin(pi * x) * std::sin(pi * y * columns / rows);
+    return Point3(x, y, height * top);
+  });
+}
+
+/// A sector of a polyhedral cone with its apex left out: planar strips between its rulings, whose
+/// unrolling is exact.
+inline Surface cone(Index columns, Index rows)
+{
+  const double inner = 0.4;
+  const double outer = 1.5;
+  const double half = 0.45;          // angle between axis and ruling
+  const double turn = 2.4 / columns; // around the axis, from one ruling to the next
+  // angle in space between neighbouring rulings
+  const double sinHalf = std::sin(half) * std::sin(0.5 * turn);
+  const double angle = 2.0 * std::asin(sinHalf);
+  const auto radius = [=](double j) { return inner + (outer - inner) * j / rows; };
+  return patch(
+    columns, rows,
+    [=](double i, double j) {
+      // against the unrolling's sense, so that the patch is seen from outside
+      return Point3(radius(j) * std::sin(half) * std::cos(-turn * i),
+        radius(j) * std::sin(half) * std::sin(-turn * i), radius(j) * std::cos(half));
+    },
+    [=](double i, double j) {
+      return Point2(radius(j) * std::cos(-angle * i), radius(j) * std::sin(-angle * i));
+    });
+}
+
+/// A part of a polyhedral cylinder, strips of unequal width between its rulings, unrolled exactly.
+inline Surface cylinder(Index columns, Index rows)
+{
+  std::vector<double> turn(columns + 1);
+  std::vector<double> along(columns + 1, 0.0);
+  for (Index i = 0; i <= columns; ++i)
+  {
+    turn[i] = 3.0 * i / columns + 0.3 / columns * std::sin(1.7 * i);
+    along[i] = i == 0 ? 0.0 : along[i - 1] + 2.0 * std::sin(0.5 * (turn[i] - turn[i - 1]));
+  }
+  const auto height = [=](double i, double j) {
+    return 2.0 * j / rows + 0.1 * std::sin(0.9 * i) * j * (rows - j) / (rows * rows);
+  };
+  return patch(
+    columns, rows,
+    [=](double i, double j) {
+      const double angle = turn[static_cast<std::size_t>(i)];
+      return Point3(std::cos(angle), std::sin(angle), height(i, j));
+    },
+    [=](double i, double j) { return Point2(along[static_cast<std::size_t>(i)], height(i, j)); });
+}
+
+/// The paper's quarter-sphere (Fig. 11): a lune of the unit sphere, 90 degrees wide, of 4 x 8 steps, 37
+/// vertices and 56 triangles, with the arc half-way between the poles as the only feature curve.
+inline Surface quarterSphere()
+{
+  Points3 points{ Point3(0.0, 0.0, -1.0) };
+  const auto at = [](Index i, Index j) -> Index {
+    return j == 0 ? 0 : j == 8 ? 36 : 1 + (j - 1) * 5 + i;
+  };
+  for (Index j = 1; j < 8; ++j)
+  {
+    for (Index i = 0; i <= 4; ++i)
+    {
+      const double longitude = i * pi / 8.0;
+      const double latitude = -pi / 2.0 + j * pi / 8.0;
+      points.push_back(Point3(std::cos(latitude) * std::cos(longitude),
+        std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
+    }
+  }
+  points.push_back(Point3(0.0, 0.0, 1.0));
+  Triangles triangles;
+  for (Index j = 0; j < 8; ++j)
+  {
+    for (Index i = 0; i < 4; ++i)
+    {
+      if (j < 7)
+      {
+        triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
+      }
+      if (j > 0)
+      {
+        triangles.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
+      }
+    }
+  }
+  Surface surface;
+  surface.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  surface.curves.push_back(accessory("arc", { at(0, 4), at(1, 4), at(2, 4), at(3, 4), at(4, 4) }));
+  return surface;
+}
+
+/// The surface after its cuts, as a single piece.
+inline Piece onlyPiece(const Surface& surface)
+{
+  return extractPieces(cutSurface(surface.mesh, surface.curves)).front();
+}
+
+/// Vertices i = 0 .. columns of row j of a patch(), as a curve across it.
+inline FeatureCurve rowCurve(Index columns, Index j)
+{
+  Indices vertices;
+  for (Index i = 0; i <= columns; ++i)
+  {
+    vertices.push_back(j * (columns + 1) + i);
+  }
+  return accessory("row" + std::to_string(j), std::move(vertices));
+}
+
+inline FeatureCurve columnCurve(Index columns, Index rows, Index i)
+{
+  Indices vertices;
+  for (Index j = 0; j <= rows; ++j)
+  {
+    vertices.push_back(j * (columns + 1) + i);
+  }
+  return accessory("column" + std::to_string(i), std::move(vertices));
+}
+}
