@@ -74,6 +74,10 @@ KeyRelease releaseKeys(const WireNetwork& network, const Piece& piece, const Cut
   KeyRelease result;
   result.solution = failed;
   result.status = failed.status;
+  if (failed.status.code == StatusCode::IncompatibleKeys)
+  {
+    result.status.ids = keys;
+  }
   for (std::size_t size = 1; size <= keys.size(); ++size)
   {
     if (size > largestSearchedSet)

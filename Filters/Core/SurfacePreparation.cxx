@@ -184,6 +184,12 @@ Indices findBowTies(const TriangleMesh& mesh)
   }
   return bowTies;
 }
+
+/// Hardly any two triangles share a point, so that they hang together by coordinates only.
+bool isSoup(std::size_t usedPoints, std::size_t triangles)
+{
+  return triangles > 1 && usedPoints >= 2 * triangles;
+}
 }
 
 PreparedSurface prepareSurface(
@@ -242,6 +248,11 @@ PreparedSurface prepareSurface(
       candidates.push_back(points[p]);
       candidateIds.push_back(p);
     }
+  }
+  if (coincidentPoints == CoincidentPoints::Automatic)
+  {
+    coincidentPoints = isSoup(candidates.size(), triangles.size()) ? CoincidentPoints::Join
+                                                                   : CoincidentPoints::Keep;
   }
   const Indices coincident = findCoincident(candidates, coincidentPoints);
   result.vertexOfPoint.assign(points.size(), none);

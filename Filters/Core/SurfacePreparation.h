@@ -21,11 +21,14 @@ struct PreparedSurface
 
 enum class CoincidentPoints
 {
+  /// Joined where the triangles are separate, each or two by two with points of their own (as STL has
+  /// them); else kept, because the edges of a surface may meet in space without being sewn.
+  Automatic,
   Join, ///< points with equal coordinates are one
   Keep, ///< each point is a vertex of its own: a surface that is cut open stays so
 };
 
-/// Joins points with equal coordinates, orients triangles consistently, and checks that the result
+/// Joins coincident points as asked, orients triangles consistently, and checks that the result
 /// is a manifold surface of finite coordinates and of triangles with area.
 ///
 /// Errors (ids): EmptySurface; InvalidPointId (triangles); NonFinitePoint (points);
@@ -33,5 +36,5 @@ enum class CoincidentPoints
 /// twice); NonManifoldEdge (the triangles at one edge); NonManifoldVertex (points); NotOrientable
 /// (triangles along a one-sided band). Ids are those of the input.
 PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles,
-  CoincidentPoints coincident = CoincidentPoints::Join);
+  CoincidentPoints coincident = CoincidentPoints::Automatic);
 }
