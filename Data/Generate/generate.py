@@ -9,6 +9,7 @@ import developables
 import pants
 import quarter_sphere
 import shirt
+import shoe
 import wetsuit
 from output import writePiece
 
@@ -27,6 +28,9 @@ PIECES = {
     "shirt_shoulder": shirt.shoulder,
     "wetsuit_upper_front": wetsuit.upperFront,
     "wetsuit_upper_back": wetsuit.upperBack,
+    "wetsuit_pants_front": wetsuit.pantsFront,
+    "wetsuit_pants_back": wetsuit.pantsBack,
+    "shoe_upper": shoe.make,
     "pants_front": pants.front,
     "pants_back": pants.back,
 }

@@ -215,7 +215,8 @@ def boundaryLoop(chains):
 def mirrored(mesh, centre):
     """Add the mirror image in x; `centre` lists the vertices on the plane x = 0.
 
-    Curves that touch the plane run through it; the others come as _left (x > 0) and _right.
+    Curves that meet the inside of the centre line run through it; the others come as _left (x > 0)
+    and _right.
     """
     points = mesh.points.copy()
     points[centre, 0] = 0.0
@@ -224,14 +225,17 @@ def mirrored(mesh, centre):
     image = np.arange(len(points))
     image[~onPlane] = len(points) + np.arange((~onPlane).sum())
     other = points[~onPlane] * [-1.0, 1.0, 1.0]
+    onBorder = np.zeros(len(points), bool)
+    onBorder[[centre[0], centre[-1]]] = True
+    through = onPlane & ~onBorder
     curves = []
     for c in mesh.curves:
         reflected = [int(image[v]) for v in c.vertices]
         if all(onPlane[c.vertices]):
             curves.append(c)
-        elif onPlane[c.vertices[0]]:
+        elif through[c.vertices[0]]:
             curves.append(NamedCurve(c.name, c.kind, reflected[:0:-1] + list(c.vertices)))
-        elif onPlane[c.vertices[-1]]:
+        elif through[c.vertices[-1]]:
             curves.append(NamedCurve(c.name, c.kind, list(c.vertices) + reflected[-2::-1]))
         else:
             curves.append(NamedCurve(c.name + "_left", c.kind, c.vertices))

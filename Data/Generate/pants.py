@@ -1,4 +1,5 @@
-"""Left leg panels of a pair of pants. Unit cm; y up from the ankle, z to the front, x to the left.
+"""Left leg panels of a pair of pants, and the leg surface that the wetsuit uses too. Unit cm; y up
+from the ankle, z to the front, x to the left.
 
 A horizontal section of a panel is a half ellipse round the leg below the crotch and a quarter of
 the hip's ellipse above; in between the one turns into the other, fastest at the inner edge, which
@@ -17,37 +18,42 @@ WAIST, HIP, CROTCH, MIDTHIGH, KNEE, MIDCALF, HEM = 98.0, 82.0, 73.0, 58.0, 44.0,
 
 @dataclass(frozen=True)
 class Leg:
-    """Sections by height. leg: y, centre z, half width, half depth; gap: y, inner edge's x;
-    hip: y, centre z, half width, half depth."""
+    """Sections by height and what shapes them.
+
+    leg    rows of y, centre z, half width, half depth of the leg
+    hip    rows of y, centre z, half width, half depth of the hip
+    gap    distance of the inner edge from the plane x = 0 at the ankle
+    bulges rows of u, y, height, width in u, width in y: swellings outwards
+    fork   height over the crotch in which the section turns into the hip's
+    side   +1 front, -1 back
+    """
 
     leg: tuple
-    gap: tuple
     hip: tuple
-    bulge: tuple  # u, y, height, width in u, width in y
-    fork: float  # height over the crotch in which the section turns into the hip's
-    side: float = 1.0  # +1 front, -1 back
+    gap: float
+    bulges: tuple
+    fork: float
+    side: float
 
 
-BODY_LEG = (
-    # y, centre z, half width, half depth
-    (0.0, -3.0, 7.6, 8.2),
-    (24.0, -2.6, 8.6, 9.0),
-    (44.0, -0.6, 9.6, 9.6),
-    (58.0, 0.2, 11.2, 11.4),
-    (73.0, -0.5, 12.6, 13.2),
-    (98.0, -0.5, 12.8, 13.4),
+LEG_SECTIONS = (
+    (0.0, -3.0, 6.8, 7.4),
+    (24.0, -2.6, 7.6, 8.1),
+    (44.0, -0.6, 8.6, 8.8),
+    (58.0, 0.2, 9.8, 10.2),
+    (73.0, -0.5, 10.9, 11.6),
+    (98.0, -0.5, 11.1, 11.8),
 )
-GAP = ((0.0, 3.2), (24.0, 2.2), (44.0, 1.3), (58.0, 0.6), (73.0, 0.0), (98.0, 0.0))
 HIP_SECTIONS = (
-    (66.0, -0.8, 23.5, 13.0),
-    (74.0, -0.8, 23.4, 13.0),
-    (82.0, -0.8, 22.2, 12.8),
-    (90.0, -0.4, 19.8, 11.8),
-    (98.0, 0.0, 17.6, 10.6),
-    (104.0, 0.0, 16.8, 10.2),
+    (66.0, -0.6, 20.8, 12.7),
+    (74.0, -0.6, 20.7, 12.7),
+    (82.0, -0.6, 19.8, 12.5),
+    (90.0, -0.3, 17.8, 11.6),
+    (98.0, 0.0, 15.8, 10.6),
+    (104.0, 0.0, 15.0, 10.2),
 )
-FRONT = Leg(BODY_LEG, GAP, HIP_SECTIONS, (0.30, 91.0, 1.0, 0.30, 6.0), fork=11.0)
-BACK = Leg(BODY_LEG, GAP, HIP_SECTIONS, (0.42, 82.0, 3.4, 0.26, 6.5), fork=13.0, side=-1.0)
+FRONT = Leg(LEG_SECTIONS, HIP_SECTIONS, 3.0, ((0.30, 91.0, 1.0, 0.30, 6.0),), fork=11.0, side=1.0)
+BACK = Leg(LEG_SECTIONS, HIP_SECTIONS, 3.0, ((0.42, 82.0, 3.2, 0.26, 6.5),), fork=13.0, side=-1.0)
 
 
 def smoothRamp(x, width):
@@ -61,8 +67,6 @@ class LegSurface:
         columns = lambda rows: np.array(rows).T
         y, z, a, b = columns(leg.leg)
         self.legZ, self.legA, self.legB = (naturalSpline(y, v) for v in (z, a, b))
-        y, x = columns(leg.gap)
-        self.gap = naturalSpline(y, x)
         y, z, a, b = columns(leg.hip)
         self.hipZ, self.hipA, self.hipB = (naturalSpline(y, v) for v in (z, a, b))
 
@@ -77,7 +81,7 @@ class LegSurface:
         u, y = q[:, 0], q[:, 1]
         psi = np.pi * (u - 0.5)
         a = self.legA(y)
-        legX = self.gap(y) + a + a * np.sin(psi)
+        legX = self.leg.gap * np.maximum(1 - y / CROTCH, 0.0) ** 2 + a + a * np.sin(psi)
         legZ = self.legZ(y) + self.leg.side * self.legB(y) * np.cos(psi)
         # The quarter ellipse runs faster at its flat end: ease the angle to even the speed.
         ratio = self.hipB(y) / self.hipA(y)
@@ -88,9 +92,10 @@ class LegSurface:
         w = self.weight(u, y)
         x = (1 - w) * legX + w * hipX
         z = (1 - w) * legZ + w * hipZ
-        u0, y0, height, su, sy = self.leg.bulge
-        swell = height * np.exp(-0.5 * (((u - u0) / su) ** 2 + ((y - y0) / sy) ** 2))
-        return np.column_stack([x, y, z + self.leg.side * swell])
+        for u0, y0, height, widthU, widthY in self.leg.bulges:
+            swell = height * np.exp(-0.5 * (((u - u0) / widthU) ** 2 + ((y - y0) / widthY) ** 2))
+            z = z + self.leg.side * swell
+        return np.column_stack([x, y, z])
 
     def width(self, y):
         """Length of the section, by chords."""
@@ -102,24 +107,31 @@ class LegSurface:
         return out
 
 
-def panel(leg, triangles, darts):
-    """darts: (name, u at the waist, length)."""
+GIRTHS = (("hip", HIP), ("crotch", CROTCH), ("midthigh", MIDTHIGH), ("knee", KNEE), ("midcalf", MIDCALF))
+
+
+def panel(leg, triangles, darts, centre=None):
+    """darts: (name, (u, y) on the boundary, (u, y) of the tip). The edge over the crotch becomes
+    the accessory curve `centre` where such a name is given."""
     surface = LegSurface(leg)
     heights = np.linspace(HEM - 5, WAIST + 5, 60)
     width = naturalSpline(heights, surface.width(heights))
-    mirror = leg.side  # keeps the chart counter-clockwise seen from outside
 
     def chart(q):
-        return np.column_stack([mirror * (q[:, 0] - 0.5) * width(q[:, 1]), q[:, 1]])
+        # The sign keeps the chart counter-clockwise seen from outside.
+        return np.column_stack([leg.side * (q[:, 0] - 0.5) * width(q[:, 1]), q[:, 1]])
 
-    corners = [(0, HEM), (1, HEM), (1, WAIST), (0, WAIST), (0, CROTCH)]
+    corners = [(0, HEM), (1, HEM), (1, WAIST), (0, WAIST), (0, CROTCH), (0, HEM)]
+    names = [None, None, None, centre, None]
     if leg.side < 0:
-        corners = corners[::-1]
-    outline = [Curve("outline", None, line(a, b)) for a, b in zip(corners, corners[1:] + corners[:1])]
-    girths = [("hip", HIP), ("crotch", CROTCH), ("midthigh", MIDTHIGH), ("knee", KNEE), ("midcalf", MIDCALF)]
+        corners, names = corners[::-1], names[::-1]
+    outline = [
+        Curve(name or "outline", ACCESSORY if name else None, line(a, b))
+        for name, a, b in zip(names, corners, corners[1:])
+    ]
     curves = [Curve("grainline", KEY, line((0.5, HEM), (0.5, WAIST)))]
-    curves += [Curve(name, ACCESSORY, line((0, y), (1, y))) for name, y in girths]
-    curves += [Curve(name, DART, line((u, WAIST), (u, WAIST - depth))) for name, u, depth in darts]
+    curves += [Curve(name, ACCESSORY, line((0, y), (1, y))) for name, y in GIRTHS]
+    curves += [Curve(name, DART, line(foot, tip)) for name, foot, tip in darts]
     return Panel(surface, outline, curves, triangles, chart)
 
 
@@ -143,8 +155,12 @@ def finish(panelToBuild):
 
 
 def front():
-    return finish(panel(FRONT, 1729, [("waist_dart", 0.68, 10.0)]))
+    return finish(panel(FRONT, 1729, [("waist_dart", (0.68, WAIST), (0.68, WAIST - 10.0))]))
 
 
 def back():
-    return finish(panel(BACK, 1729, [("waist_dart_inner", 0.28, 12.0), ("waist_dart_outer", 0.70, 11.0)]))
+    darts = [
+        ("waist_dart_inner", (0.28, WAIST), (0.29, WAIST - 12.0)),
+        ("waist_dart_outer", (0.70, WAIST), (0.69, WAIST - 11.0)),
+    ]
+    return finish(panel(BACK, 1729, darts))

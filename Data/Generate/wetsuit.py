@@ -1,6 +1,7 @@
 """A tight wetsuit: upper body and pants, each a front and a back across both sides. Unit cm."""
 import numpy as np
 
+import pants
 from curves import ACCESSORY, DART, KEY, Curve, bezier, line
 from panel import Panel
 from shirt import armhole
@@ -76,3 +77,53 @@ def upperBack():
         Curve("waist_dart", DART, line((7.0, waist), (7.6, t(16.5)))),
     ]
     return buildMirrored(Panel(torso, outline, curves, 928 // 2), "centre_back"), {}
+
+
+LEG_SECTIONS = (
+    # y, centre z, half width, half depth
+    (0.0, -3.6, 4.4, 5.0),
+    (10.0, -3.8, 4.9, 5.7),
+    (24.0, -3.4, 6.3, 7.0),
+    (44.0, -0.8, 6.7, 7.3),
+    (58.0, 0.0, 8.5, 9.0),
+    (73.0, -0.4, 9.9, 10.6),
+    (98.0, -0.4, 10.2, 10.8),
+)
+# The waist is the upper body's.
+HIP_FRONT = (
+    (66.0, 0.0, 19.0, 10.8),
+    (74.0, 0.0, 18.9, 10.8),
+    (82.0, 0.0, 17.8, 10.9),
+    (90.0, 0.0, 15.6, 10.5),
+    (98.0, 0.0, 13.6, 9.6),
+    (104.0, 0.0, 13.6, 9.6),
+)
+HIP_BACK = (
+    (66.0, 0.0, 19.0, 11.4),
+    (74.0, 0.0, 18.9, 11.4),
+    (82.0, 0.0, 17.8, 11.0),
+    (90.0, 0.0, 15.6, 9.6),
+    (98.0, 0.0, 13.6, 8.4),
+    (104.0, 0.0, 13.6, 8.6),
+)
+LEGS_FRONT = pants.Leg(
+    LEG_SECTIONS, HIP_FRONT, 4.0, ((0.25, 90.0, 0.8, 0.3, 6.0), (0.5, 45.0, 0.6, 0.2, 4.0)), 10.0, 1.0
+)
+LEGS_BACK = pants.Leg(
+    LEG_SECTIONS, HIP_BACK, 4.0, ((0.42, 81.0, 3.4, 0.26, 6.0), (0.5, 28.0, 1.0, 0.3, 7.0)), 12.0, -1.0
+)
+
+
+def pantsFront():
+    waist = pants.WAIST
+    darts = [("waist_dart", (0.66, waist), (0.68, waist - 9.0))]
+    return buildMirrored(pants.panel(LEGS_FRONT, 1730 // 2, darts, "centre_front"), "centre_front"), {}
+
+
+def pantsBack():
+    waist, knee = pants.WAIST, pants.KNEE
+    darts = [
+        ("waist_dart", (0.30, waist), (0.32, waist - 11.5)),
+        ("knee_dart", (1.0, knee + 5.0), (0.72, knee + 4.0)),
+    ]
+    return buildMirrored(pants.panel(LEGS_BACK, 1730 // 2, darts, "centre_back"), "centre_back"), {}
