@@ -6,7 +6,7 @@
 namespace flattening
 {
 /// Pairs of boundary half-edges at which a flattened surface covers a part of the plane twice, each pair
-/// once and in ascending order; at most `most` of them. A flattening without flipped triangles is free
+/// once and in ascending order; at most `most` of them. One piece without flipped triangles is free
 /// of overlap exactly where there is none.
 ///
 /// Banks that merely touch are no overlap: a cut in a developable surface lies flat with both banks
