@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadSurface.h"
 
+#include "CheckLegacy.h"
 #include "InputError.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
@@ -12,22 +13,35 @@
 #include <vtkSTLReader.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace wirewarp
 {
 namespace
 {
-/// Runs one of VTK's readers; any error that it reports is a refusal.
+/// VTK's legacy reader calls it a warning when data end too early.
+bool isFailure(const std::string& warning)
+{
+  return warning.find("Error reading") != std::string::npos;
+}
+
+/// Runs one of VTK's readers; any failure that it reports is a refusal.
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> runReader(const std::string& path, Reader* reader)
 {
   const VtkMessages messages;
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (!messages.errors().empty() || reader->GetErrorCode() != 0)
+  std::string reason = messages.firstError();
+  const auto warning =
+    std::find_if(messages.warnings().begin(), messages.warnings().end(), isFailure);
+  if (reason.empty() && warning != messages.warnings().end())
   {
-    const std::string reason = messages.firstError();
+    reason = *warning;
+  }
+  if (!reason.empty() || reader->GetErrorCode() != 0)
+  {
     throw InputError(path,
       "is damaged, truncated or of another format" + (reason.empty() ? "" : " (" + reason + ")") +
         "; write the file again");
@@ -42,6 +56,10 @@ void checkCells(const std::string& path, vtkPolyData* data)
   for (vtkCellArray* cells :
     { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
   {
+    if (cells && !cells->IsValid())
+    {
+      throw InputError(path, "has damaged cells; write the file again");
+    }
     for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
     {
       vtkIdType size = 0;
@@ -58,20 +76,6 @@ void checkCells(const std::string& path, vtkPolyData* data)
       }
     }
   }
-}
-
-vtkSmartPointer<vtkPolyData> readLegacy(const std::string& path)
-{
-  vtkNew<vtkPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  {
-    const VtkMessages messages;
-    if (!reader->IsFilePolyData())
-    {
-      throw InputError(path, "holds no polydata; save the surface or the curves as vtkPolyData");
-    }
-  }
-  return runReader(path, reader.Get());
 }
 
 /// A binary STL says how many triangles it has, but VTK's reader is content with fewer.
@@ -105,7 +109,7 @@ void checkStlSize(const std::string& path)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> readPolyData(const std::string& path)
 {
-  readWholeFile(path); // one message for what is missing, a folder, empty or closed to us
+  const std::string bytes = readWholeFile(path);
   vtkSmartPointer<vtkPolyData> data;
   if (lowerCaseExtension(path) == ".vtp")
   {
@@ -114,7 +118,9 @@ vtkSmartPointer<vtkPolyData> readPolyData(const std::string& path)
   }
   else
   {
-    data = readLegacy(path);
+    checkLegacyPolyData(path, bytes);
+    vtkNew<vtkPolyDataReader> reader;
+    data = runReader(path, reader.Get());
   }
   checkCells(path, data);
   return data;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkMessages.h"
 
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -55,6 +56,8 @@ vtkStandardNewMacro(VtkMessages::Window);
 //------------------------------------------------------------------------------
 VtkMessages::VtkMessages()
 {
+  this->Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Window> window;
   window->Owner = this;
   vtkOutputWindow::SetInstance(window);
@@ -63,6 +66,7 @@ VtkMessages::VtkMessages()
 VtkMessages::~VtkMessages()
 {
   vtkOutputWindow::SetInstance(nullptr);
+  vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(this->Verbosity));
 }
 
 void VtkMessages::add(std::vector<std::string>& list, const char* text)

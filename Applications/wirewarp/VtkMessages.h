@@ -30,6 +30,7 @@ private:
 
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
-  std::mutex Mutex; ///< VTK objects may speak from any thread
+  int Verbosity = 0; ///< of VTK's log before
+  std::mutex Mutex;  ///< VTK objects may speak from any thread
 };
 }
