@@ -81,6 +81,17 @@ def there_is_one_vtk_module():
         yield f"expected vtk.module at the top level only, found {modules}"
 
 
+def every_source_is_built():
+    """A source or test that no CMakeLists.txt names would never be compiled or run."""
+    lists = "\n".join(read(name) for name in tracked_files()
+                      if pathlib.PurePath(name).name == "CMakeLists.txt")
+    named = set(re.findall(r"[\w.]+", lists))
+    for name in cxx_files("Filters/", "Examples/", "Testing/"):
+        path = pathlib.PurePath(name)
+        if path.suffix == ".cxx" and not {path.name, path.stem} & named:
+            yield f"{name}: in no CMakeLists.txt"
+
+
 def files_are_short():
     """Most files hold one class or unit in fewer than 400 lines; lines fit in 100 columns."""
     files = cxx_files()
@@ -136,6 +147,7 @@ CHECKS = {check.__name__: check for check in (
     floors_are_one_way,
     core_neither_prints_nor_throws,
     there_is_one_vtk_module,
+    every_source_is_built,
     files_are_short,
     the_paper_is_mapped_to_functions,
 )}

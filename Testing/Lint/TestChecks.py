@@ -8,6 +8,7 @@ import tempfile
 import Sources
 
 FILES = {
+    "Filters/CMakeLists.txt": "set(classes\n  vtkFilter)\nset(private_sources)\n",
     "vtk.module": "",
     "Examples/vtk.module": "",
     "Filters/Core/Mesh.h": "#pragma once\n",
@@ -26,6 +27,7 @@ EXPECTED = {
         ["Applications/main.cxx:1", "Filters/Private/Bridge.h:2", "Filters/vtkFilter.h:1"],
     "core_neither_prints_nor_throws": ["Filters/Core/Mesh.cxx:4"],
     "there_is_one_vtk_module": ["expected vtk.module"],
+    "every_source_is_built": ["Filters/Core/Mesh.cxx: in no"],
     "files_are_short": ["more than 10%"],
     "the_paper_is_mapped_to_functions":
         ["Documentation/architecture.md: nothing is called noSuchFunction",
