@@ -22,9 +22,9 @@ struct InteriorOptions
   double movement = 1e-5;
   int minimumIterations = 10;
   int maximumIterations = 100;
-  /// As rigid as possible: stop when the energy falls by less than this fraction of itself.
+  /// As rigid as possible: stop when a Newton step lowers the energy by less than this fraction.
   double energyTolerance = 1e-9;
-  int maximumRigidIterations = 500;
+  int maximumRigidIterations = 200;
 };
 
 struct InteriorResult
@@ -33,8 +33,11 @@ struct InteriorResult
   Status status;
 };
 
-/// Places the vertices inside each wire-patch; those of the wires stay. \param positions per piece
-/// vertex, in and out.
+/// Places the vertices inside each wire-patch; those of the wires stay. Wire-patches are independent
+/// and run in parallel. \param positions per piece vertex, in and out.
+///
+/// Errors: InvalidOption; Cancelled (positions as they came in); NumericalFailure and NotConverged (ids:
+/// wire-patches).
 InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   const InteriorOptions& options, const Execution& execution, Points2& positions);
 }

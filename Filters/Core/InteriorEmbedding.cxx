@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InteriorEmbedding.h"
+
+#include "InteriorPatch.h"
+#include "RigidEmbedding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace flattening
+{
+namespace
+{
+enum class Outcome
+{
+  Done,
+  NotConverged,
+  Failed,
+};
+
+/// Neighbours of the interior vertices with the weights of Eq. 11, in flat arrays.
+struct Neighbours
+{
+  Indices begin;
+  Indices vertex;
+  std::vector<double> weight;
+};
+
+Neighbours collectNeighbours(const InteriorPatch& patch, const std::vector<EdgeWeights>& weights)
+{
+  // All edges at an interior vertex have two triangles here: one sees the edge leave the vertex,
+  // the other arrive, so those that leave are all, once.
+  Neighbours result;
+  result.begin.assign(patch.freeCount + 1, 0);
+  for (const Triangle& c : patch.triangles)
+  {
+    for (Index v : c)
+    {
+      if (v < patch.freeCount)
+      {
+        ++result.begin[v + 1];
+      }
+    }
+  }
+  for (Index v = 0; v < patch.freeCount; ++v)
+  {
+    result.begin[v + 1] += result.begin[v];
+  }
+  Indices place(result.begin.begin(), result.begin.end() - 1);
+  result.vertex.resize(result.begin.back());
+  result.weight.resize(result.begin.back());
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index v = patch.triangles[t][k];
+      if (v < patch.freeCount)
+      {
+        const Index at = place[v]++;
+        result.vertex[at] = patch.triangles[t][(k + 1) % 3];
+        result.weight[at] = 2.0 * weights[t][(k + 2) % 3];
+      }
+    }
+  }
+  return result;
+}
+
+/// Works on one wire-patch. Patches share nothing, so that they can run on any thread.
+class PatchEmbedding
+{
+public:
+  PatchEmbedding(const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions)
+    : Patch(patch)
+    , Mesh(mesh)
+    , Local(static_cast<Eigen::Index>(patch.vertices.size()), 2)
+  {
+    for (std::size_t i = 0; i < patch.vertices.size(); ++i)
+    {
+      this->Local.row(static_cast<Eigen::Index>(i)) = positions[patch.vertices[i]].transpose();
+    }
+  }
+
+  /// Eq. 11 as a linear system, one factorization for x and y.
+  void solveLaplacian(bool keepSymbolic)
+  {
+    const std::vector<EdgeWeights> weights = inverseLengthWeights(this->Patch, this->Mesh);
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(this->Patch.freeCount, 2);
+    for (std::size_t t = 0; t < weights.size(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Index a = this->Patch.triangles[t][(k + 1) % 3];
+        const Index b = this->Patch.triangles[t][(k + 2) % 3];
+        if (a < this->Patch.freeCount && b >= this->Patch.freeCount)
+        {
+          pull.row(a) += weights[t][k] * this->Local.row(b);
+        }
+        if (b < this->Patch.freeCount && a >= this->Patch.freeCount)
+        {
+          pull.row(b) += weights[t][k] * this->Local.row(a);
+        }
+      }
+    }
+    auto matrix = std::make_unique<PatchMatrix>(this->Patch);
+    LinearSolver solver(LinearMethod::Cholesky);
+    const bool factored = solver.factorize(matrix->assemble(weights));
+    const Eigen::MatrixXd solution = solver.solve(pull);
+    if (!factored || solution.rows() != this->Patch.freeCount)
+    {
+      this->Result = Outcome::Failed;
+      return;
+    }
+    this->Local.topRows(this->Patch.freeCount) = solution;
+    if (keepSymbolic)
+    {
+      this->Matrix = std::move(matrix);
+      this->Solver = std::make_unique<LinearSolver>(std::move(solver));
+    }
+  }
+
+  /// Eq. 12, in place and in the order of the vertices.
+  void relax(const InteriorOptions& options, double smallest)
+  {
+    const Neighbours near =
+      collectNeighbours(this->Patch, inverseLengthWeights(this->Patch, this->Mesh));
+    this->Local.topRows(this->Patch.freeCount).rowwise() = this->Patch.center.transpose();
+    while (this->Iterations < options.maximumIterations)
+    {
+      ++this->Iterations;
+      double most = 0.0;
+      for (Index v = 0; v < this->Patch.freeCount; ++v)
+      {
+        Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+        double total = 0.0;
+        for (Index i = near.begin[v]; i < near.begin[v + 1]; ++i)
+        {
+          sum += near.weight[i] * this->Local.row(near.vertex[i]);
+          total += near.weight[i];
+        }
+        const Eigen::RowVector2d move = options.relaxation * (sum / total - this->Local.row(v));
+        this->Local.row(v) += move;
+        most = std::max(most, move.norm());
+      }
+      if (this->Iterations >= options.minimumIterations && most < smallest)
+      {
+        break;
+      }
+    }
+  }
+
+  void startRigid()
+  {
+    if (this->Result == Outcome::Failed)
+    {
+      return;
+    }
+    this->Rigid = std::make_unique<RigidEmbedding>(this->Patch, this->Mesh, this->Local);
+    if (this->Rigid->prepare(*this->Matrix, std::move(*this->Solver)))
+    {
+      this->Running = true;
+    }
+    else
+    {
+      this->Result = Outcome::NotConverged;
+    }
+    this->Matrix.reset();
+  }
+
+  void iterateRigid(const InteriorOptions& options)
+  {
+    if (!this->Running)
+    {
+      return;
+    }
+    ++this->Iterations;
+    const RigidEmbedding::State state = this->Rigid->iterate(options.energyTolerance);
+    const bool exhausted = this->Iterations >= options.maximumRigidIterations;
+    if (state != RigidEmbedding::State::Running || exhausted)
+    {
+      this->Running = false;
+      if (state != RigidEmbedding::State::Converged)
+      {
+        this->Result = Outcome::NotConverged;
+      }
+      this->Local = this->Rigid->positions();
+      this->Rigid.reset();
+    }
+  }
+
+  void writeBack(Points2& positions) const
+  {
+    for (Index i = 0; i < this->Patch.freeCount; ++i)
+    {
+      positions[this->Patch.vertices[i]] = this->Local.row(i).transpose();
+    }
+  }
+
+  Index patch() const { return this->Patch.patch; }
+  Outcome outcome() const { return this->Result; }
+  bool running() const { return this->Running; }
+  int iterations() const { return this->Iterations; }
+
+private:
+  const InteriorPatch& Patch;
+  const TriangleMesh& Mesh;
+  Eigen::MatrixXd Local;
+  std::unique_ptr<PatchMatrix> Matrix;
+  std::unique_ptr<LinearSolver> Solver;
+  std::unique_ptr<RigidEmbedding> Rigid;
+  Outcome Result = Outcome::Done;
+  bool Running = false;
+  int Iterations = 0;
+};
+
+Status checkOptions(const InteriorOptions& options)
+{
+  const auto invalid = [](const char* message) {
+    return Status{ StatusCode::InvalidOption, message, {} };
+  };
+  if (options.method == InteriorMethod::Relaxation)
+  {
+    if (!(options.relaxation > 0.0 && options.relaxation < 2.0))
+    {
+      return invalid("the relaxation factor must lie between 0 and 2, both excluded");
+    }
+    if (options.minimumIterations < 0 || options.maximumIterations < 1 ||
+      options.minimumIterations > options.maximumIterations || !(options.movement >= 0.0))
+    {
+      return invalid("the relaxation needs 0 <= minimum <= maximum iterations, 1 <= maximum, and a "
+                     "movement that is not negative");
+    }
+  }
+  if (options.method == InteriorMethod::AsRigidAsPossible &&
+    (options.maximumRigidIterations < 1 || !(options.energyTolerance >= 0.0)))
+  {
+    return invalid("as-rigid-as-possible needs at least one iteration and an energy tolerance that "
+                   "is not negative");
+  }
+  return {};
+}
+
+double meanWireEdge(const WireNetwork& network)
+{
+  double sum = 0.0;
+  for (const WireEdge& edge : network.edges)
+  {
+    sum += edge.length;
+  }
+  return network.edges.empty() ? 0.0 : sum / static_cast<double>(network.edges.size());
+}
+
+void summarize(const std::vector<PatchEmbedding>& patches, InteriorResult& result)
+{
+  Indices failed;
+  Indices unconverged;
+  for (const PatchEmbedding& patch : patches)
+  {
+    result.iterations = std::max(result.iterations, patch.iterations());
+    if (patch.outcome() == Outcome::Failed)
+    {
+      failed.push_back(patch.patch());
+    }
+    else if (patch.outcome() == Outcome::NotConverged)
+    {
+      unconverged.push_back(patch.patch());
+    }
+  }
+  if (!failed.empty())
+  {
+    result.status = { StatusCode::NumericalFailure,
+      "the inside of wire-patch " + listIds(failed) +
+        " could not be placed; look for triangles of extremely different size there",
+      failed };
+  }
+  else if (!unconverged.empty())
+  {
+    result.status = { StatusCode::NotConverged,
+      "the inside of wire-patch " + listIds(unconverged) +
+        " is not yet as rigid as possible; allow more iterations or mend slivers there",
+      unconverged };
+  }
+}
+}
+
+InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
+  const InteriorOptions& options, const Execution& execution, Points2& positions)
+{
+  InteriorResult result;
+  result.status = checkOptions(options);
+  if (!result.status.ok())
+  {
+    return result;
+  }
+  const std::vector<InteriorPatch> interiors = collectInteriorPatches(piece, network, positions);
+  std::vector<PatchEmbedding> patches;
+  patches.reserve(interiors.size());
+  for (const InteriorPatch& interior : interiors)
+  {
+    patches.emplace_back(interior, piece.mesh, positions);
+  }
+  const bool rigid = options.method == InteriorMethod::AsRigidAsPossible;
+  const double smallest = options.movement * meanWireEdge(network);
+  const auto eachPatch = [&](const auto& work) {
+    execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
+      for (Index i = begin; i < end; ++i)
+      {
+        work(patches[i]);
+      }
+    });
+    return !execution.cancelled();
+  };
+
+  bool going = eachPatch([&](PatchEmbedding& patch) {
+    if (options.method == InteriorMethod::Relaxation)
+    {
+      patch.relax(options, smallest);
+    }
+    else
+    {
+      patch.solveLaplacian(rigid);
+    }
+  });
+  if (rigid)
+  {
+    going = going && eachPatch([](PatchEmbedding& patch) { patch.startRigid(); });
+    const auto running = [](const PatchEmbedding& patch) { return patch.running(); };
+    while (going && std::any_of(patches.begin(), patches.end(), running))
+    {
+      going = eachPatch([&](PatchEmbedding& patch) { patch.iterateRigid(options); });
+    }
+  }
+  if (!going)
+  {
+    result.status = { StatusCode::Cancelled, "cancelled while placing the interior", {} };
+    return result;
+  }
+  for (const PatchEmbedding& patch : patches)
+  {
+    patch.writeBack(positions);
+  }
+  summarize(patches, result);
+  return result;
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "LinearSolver.h"
+#include "TriangleFrame.h"
+#include "WireNetwork.h"
+
+namespace flattening
+{
+/// The part of a wire-patch that its interior vertices take part in, in ids of its own: the first
+/// freeCount vertices are interior, the others stand on wires.
+struct InteriorPatch
+{
+  Index patch = none;
+  Index freeCount = 0;
+  Indices vertices;    ///< piece vertex of each, the interior ones in ascending order
+  Triangles triangles; ///< those with an interior corner
+  Point2 center;       ///< mean of the wire vertices of the whole wire-patch
+};
+
+/// The wire-patches that have interior vertices. \param positions where the wire vertices are.
+std::vector<InteriorPatch> collectInteriorPatches(
+  const Piece& piece, const WireNetwork& network, const Points2& positions);
+
+/// Weight of the edge opposite to each corner.
+using EdgeWeights = std::array<double, 3>;
+
+/// Matrices sum_edges w (e_i - e_j)(e_i - e_j)^T over the interior vertices of one patch, the weight of
+/// an edge being the sum of those that its triangles give it. All have one sparsity pattern.
+class PatchMatrix
+{
+public:
+  explicit PatchMatrix(const InteriorPatch& patch);
+
+  /// The lower triangle.
+  const SparseMatrix& assemble(const std::vector<EdgeWeights>& weights);
+
+private:
+  const InteriorPatch* Patch;
+  SparseMatrix Matrix;
+  /// Places in Matrix.valuePtr(): of the edge opposite to each corner, none at a wire vertex.
+  Triangles EdgePlace;
+};
+
+/// Weights of Eq. 11, 1 / |v_i v_j|, half of it from each triangle at the edge.
+std::vector<EdgeWeights> inverseLengthWeights(const InteriorPatch& patch, const TriangleMesh& mesh);
+}
