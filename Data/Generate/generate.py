@@ -10,6 +10,7 @@ import pants
 import quarter_sphere
 import shirt
 import shoe
+import tshirt
 import wetsuit
 from output import writePiece
 
@@ -30,9 +31,10 @@ PIECES = {
     "wetsuit_upper_back": wetsuit.upperBack,
     "wetsuit_pants_front": wetsuit.pantsFront,
     "wetsuit_pants_back": wetsuit.pantsBack,
-    "shoe_upper": shoe.make,
     "pants_front": pants.front,
     "pants_back": pants.back,
+    "shoe_upper": shoe.make,
+    "tshirt": tshirt.make,
 }
 
 

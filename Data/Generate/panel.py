@@ -16,14 +16,16 @@ class Panel:
     outline    curves that close a counter-clockwise loop; those of kind None are plain boundary,
                others are also feature curves (the centre line of a mirrored half)
     curves     feature curves inside; they may overshoot the outline
-    triangles  how many triangles the panel gets, exactly
+    triangles  how many triangles the panel gets, exactly; None to derive it from
+    spacing    the edge length, where panels that are sewn together must share one
     chart      parameters -> plane, nearly isometric to the surface; the parameters by default
     """
 
     surface: Callable
     outline: list
     curves: list
-    triangles: int
+    triangles: int = None
+    spacing: float = None
     chart: Callable = field(default=lambda q: q)
 
 
@@ -142,7 +144,9 @@ def build(panel):
     surface, chart = panel.surface, panel.chart
     rough = np.vstack([chart(c.q)[:-1] for c in panel.outline])
     _, area = candidates(panel, rough, 40000)
-    spacing = np.sqrt(4 * area / (np.sqrt(3) * panel.triangles))
+    # An equilateral triangle of edge h covers h^2 sqrt(3) / 4.
+    wanted = panel.triangles or int(round(4 * area / (np.sqrt(3) * panel.spacing**2)))
+    spacing = panel.spacing or np.sqrt(4 * area / (np.sqrt(3) * wanted))
     everything = panel.outline + panel.curves
     arrangement, polygon = arrange(everything, len(panel.outline), chart, spacing)
 
@@ -153,7 +157,11 @@ def build(panel):
             raise ValueError(f"arc of {everything[arc.curve].name} is shorter than half an edge")
     onBoundary = [i for i, a in enumerate(arcs) if a.curve < len(panel.outline)]
     boundaryCount = sum(len(sampled[i][0]) - 1 for i in onBoundary)
-    if (panel.triangles - boundaryCount) % 2:
+    # A disk has 2 interior + boundary - 2 triangles.
+    odd = (wanted - boundaryCount) % 2
+    if odd and panel.triangles is None:
+        wanted += 1
+    elif odd:
         longest = max(onBoundary, key=lambda i: round(sampled[i][1], 6))
         sampled[longest] = sampleArc(arcs[longest].q, surface, spacing, 1)
         boundaryCount += 1
@@ -168,11 +176,11 @@ def build(panel):
         chains.append([index[arc.start], *range(first, first + len(points) - 2), index[arc.end]])
     fixed = {(min(e), max(e)) for c in chains for e in zip(c, c[1:])}
     fixedCount = len(q)
-    interior = (panel.triangles + 2 - boundaryCount) // 2 - (fixedCount - boundaryCount)
+    interior = (wanted + 2 - boundaryCount) // 2 - (fixedCount - boundaryCount)
     if interior < 0:
         raise ValueError("more curve points than the triangles allow")
 
-    trial, _ = candidates(panel, polygon, 16 * panel.triangles)
+    trial, _ = candidates(panel, polygon, 16 * wanted)
     wires = np.vstack([surface(sampleArc(a.q, surface, spacing / 4)[0]) for a in arcs])
     clear = nearestDistance(surface(trial), wires) > 0.6 * spacing
     q = np.vstack([np.array(q), trial[clear]])
@@ -196,8 +204,8 @@ def build(panel):
         mine = [(a, c) for a, c in zip(arcs, chains) if a.curve == i]
         if mine and curve.kind is not None:
             named += parts(curve, mine, stops)
-    if len(t) != panel.triangles:
-        raise ValueError(f"{len(t)} triangles in place of {panel.triangles}")
+    if len(t) != wanted:
+        raise ValueError(f"{len(t)} triangles in place of {wanted}")
     return Mesh(surface(q), t, named), q
 
 
@@ -242,3 +250,38 @@ def mirrored(mesh, centre):
             curves.append(NamedCurve(c.name + "_right", c.kind, reflected))
     triangles = np.vstack([mesh.triangles, image[mesh.triangles][:, ::-1]])
     return Mesh(np.vstack([points, other]), triangles, curves)
+
+
+def sewn(meshes, tolerance):
+    """Join meshes at boundary points closer than the tolerance; the first mesh's points win."""
+    points, index = [], []
+    curves, triangles = [], []
+    for mesh in meshes:
+        border = boundaryVertices(mesh.triangles)
+        known = np.array(points).reshape(-1, 3)
+        ids = np.arange(len(points), len(points) + len(mesh.points))
+        fresh = np.ones(len(mesh.points), bool)
+        for v in border if len(known) else ():
+            distance = np.linalg.norm(known - mesh.points[v], axis=1)
+            nearest = int(np.argmin(distance))
+            if distance[nearest] < tolerance:
+                ids[v], fresh[v] = nearest, False
+        # Two edges of the same mesh may be sewn to each other (a sleeve).
+        for k, v in enumerate(border):
+            for u in border[:k]:
+                if fresh[u] and fresh[v] and np.linalg.norm(mesh.points[u] - mesh.points[v]) < tolerance:
+                    ids[v], fresh[v] = ids[u], False
+        renumber = {int(i): len(points) + k for k, i in enumerate(ids[fresh])}
+        ids = np.array([renumber.get(int(i), int(i)) if i >= len(known) else int(i) for i in ids])
+        points += list(mesh.points[fresh])
+        triangles.append(ids[mesh.triangles])
+        for c in mesh.curves:
+            vertices = [int(ids[v]) for v in c.vertices]
+            if not any(set(vertices) == set(other.vertices) for other in curves):
+                curves.append(NamedCurve(c.name, c.kind, vertices))
+    return Mesh(np.array(points), np.vstack(triangles), curves)
+
+
+def boundaryVertices(t):
+    edges = {(int(f[k]), int(f[(k + 1) % 3])) for f in t for k in range(3)}
+    return sorted({v for e in edges if e[::-1] not in edges for v in e})

@@ -132,7 +132,7 @@ def panel(leg, triangles, darts, centre=None):
     curves = [Curve("grainline", KEY, line((0.5, HEM), (0.5, WAIST)))]
     curves += [Curve(name, ACCESSORY, line((0, y), (1, y))) for name, y in GIRTHS]
     curves += [Curve(name, DART, line(foot, tip)) for name, foot, tip in darts]
-    return Panel(surface, outline, curves, triangles, chart)
+    return Panel(surface, outline, curves, triangles, chart=chart)
 
 
 def curveSets(mesh, q):

@@ -76,7 +76,7 @@ def make():
     ]
     across = lambda name, v: Curve(name, ACCESSORY, line((v, 0), (v, quarter), 400))
     curves = [across("toe_cap", 0.17), across("ball_girth", 0.30), across("waist", 0.52), across("counter", 0.80)]
-    mesh = buildMirrored(Panel(last, outline, curves, TRIANGLES // 2, last.chart), "front_centre")
+    mesh = buildMirrored(Panel(last, outline, curves, TRIANGLES // 2, chart=last.chart), "front_centre")
     z = mesh.points[:, 2].copy()
     mesh.points[:, 0] += BEND * z * z
     mesh.points[:, 1] += ROCKER * (z - 3.0) ** 2

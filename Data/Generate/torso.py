@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from curves import Curve, bezier, line, naturalSpline
-from panel import Mesh, build, mirrored
+from curves import line, naturalSpline
+from panel import build, mirrored
 
 
 @dataclass(frozen=True)
@@ -42,12 +42,14 @@ class Torso:
     def __init__(self, shape):
         self.shape = shape
         y, front, back, a, side = np.array(shape.rows).T
-        yy = np.concatenate([y, y[-2::-1]])
-        centre = np.concatenate([front, back[-2::-1]])
-        t = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(yy), np.diff(centre)))])
-        t -= t[len(y) - 1]
+        # Front and back share one t for a height, so that their side seams are the same curve.
+        step = 0.5 * (np.hypot(np.diff(y), np.diff(front)) + np.hypot(np.diff(y), np.diff(back)))
+        t = np.concatenate([[0.0], np.cumsum(step)]) - step.sum()
+        t = np.concatenate([t, -t[-2::-1]])
         wrap = lambda v: np.concatenate([v, v[-2::-1]])
-        self.y, self.centre = naturalSpline(t, yy), naturalSpline(t, centre)
+        self.y, self.centre = naturalSpline(t, wrap(y)), naturalSpline(
+            t, np.concatenate([front, back[-2::-1]])
+        )
         self.a, self.side = naturalSpline(t, wrap(a)), naturalSpline(t, wrap(side))
         self.table = np.linspace(t[0], t[-1], 4001)
         self.heights = self.y(self.table)
@@ -80,7 +82,10 @@ class Torso:
         phi = s / a
         for _ in range(30):
             speed = np.sqrt((a * np.cos(phi)) ** 2 + (b * np.sin(phi)) ** 2)
-            phi = phi + np.clip((s - self.arc(phi, a, b)) / np.maximum(speed, 0.3 * a), -0.3, 0.3)
+            step = np.clip((s - self.arc(phi, a, b)) / np.maximum(speed, 0.3 * a), -0.3, 0.3)
+            phi = phi + step
+            if np.abs(step).max() < 1e-14:
+                break
         x = a * np.sin(phi)
         z = self.side(t) + depth * np.cos(phi)
         y = self.y(t) - self.shape.drop * x * x / (np.abs(x) + 6) * np.exp(-((t / self.shape.reach) ** 2))
@@ -88,7 +93,7 @@ class Torso:
             t0 = self.front(bulge.y) if bulge.depth > 0 else self.back(bulge.y)
             for sign in (1.0, -1.0):
                 d2 = ((s - sign * bulge.s) / bulge.widthS) ** 2 + ((t - t0) / bulge.widthT) ** 2
-                swell = bulge.depth * np.exp(-0.5 * d2)
+                swell = bulge.depth * np.exp(-0.5 * d2) * np.cos(phi)  # nothing at the side
                 z = z + swell
                 x = x + 0.35 * sign * np.abs(swell)
         return np.column_stack([x, y, z])
