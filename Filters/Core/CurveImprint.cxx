@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveImprint.h"
 
+#include "SurfaceSplit.h"
+#include "SurfaceTrace.h"
 #include "VertexMatch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <optional>
+#include <sstream>
 
 namespace flattening
 {
@@ -19,11 +25,18 @@ Index pointId(const Polyline& polyline, std::size_t i)
   return i < polyline.pointIds.size() ? polyline.pointIds[i] : static_cast<Index>(i);
 }
 
-ImprintedSurface refuse(StatusCode code, std::string message, Indices ids)
+ImprintedSurface refuse(Status status)
 {
   ImprintedSurface result;
-  result.status = { code, std::move(message), std::move(ids) };
+  result.status = std::move(status);
   return result;
+}
+
+std::string text(double value)
+{
+  std::ostringstream stream;
+  stream << std::setprecision(4) << value;
+  return stream.str();
 }
 
 double diagonal(const TriangleMesh& mesh)
@@ -44,7 +57,9 @@ Status checkPolyline(const Polyline& polyline, std::size_t id)
   Indices bad;
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
-    if (!polyline.points[i].allFinite())
+    // Eigen's allFinite() raises a floating-point exception.
+    const Point3& p = polyline.points[i];
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
     {
       bad.push_back(pointId(polyline, i));
     }
@@ -86,93 +101,379 @@ ImprintedSurface keepMesh(const TriangleMesh& mesh)
   return result;
 }
 
-FeatureCurve startCurve(const Polyline& polyline)
+/// The way of a polyline over the surface, one stretch per segment: the vertices from the point
+/// before to the point.
+struct Route
+{
+  Index start = none;
+  std::size_t firstPoint = 0;
+  std::vector<Indices> stretches;
+  std::vector<std::size_t> points; ///< the point at the end of each stretch
+};
+
+/// Puts the stretches together and gives each vertex its planar point.
+FeatureCurve assemble(const TriangleMesh& mesh, const Polyline& polyline, const Route& route)
 {
   FeatureCurve curve;
   curve.name = polyline.name;
   curve.type = polyline.type;
   curve.keyShape = polyline.keyShape;
   curve.tolerance = polyline.tolerance;
+  if (route.start == none)
+  {
+    return curve;
+  }
+  curve.vertices.push_back(route.start);
+  const bool planar = polyline.keyShape == KeyShape::Planar;
+  if (planar)
+  {
+    curve.planarShape.push_back(polyline.planarShape[route.firstPoint]);
+  }
+  std::size_t before = route.firstPoint;
+  for (std::size_t s = 0; s < route.stretches.size(); ++s)
+  {
+    const Indices& stretch = route.stretches[s];
+    if (stretch.size() < 2)
+    {
+      continue;
+    }
+    double whole = 0.0;
+    for (std::size_t i = 1; i < stretch.size(); ++i)
+    {
+      whole += (mesh.point(stretch[i]) - mesh.point(stretch[i - 1])).norm();
+    }
+    double done = 0.0;
+    for (std::size_t i = 1; i < stretch.size(); ++i)
+    {
+      done += (mesh.point(stretch[i]) - mesh.point(stretch[i - 1])).norm();
+      curve.vertices.push_back(stretch[i]);
+      if (planar)
+      {
+        const double f = i + 1 == stretch.size() ? 1.0 : done / whole;
+        curve.planarShape.push_back(
+          (1.0 - f) * polyline.planarShape[before] + f * polyline.planarShape[route.points[s]]);
+      }
+    }
+    before = route.points[s];
+  }
   return curve;
 }
-}
 
-ImprintedSurface imprintCurves(
-  const TriangleMesh& mesh, const std::vector<Polyline>& polylines, const ImprintOptions& options)
+/// Imprints a list of polylines; the first status that is not Ok ends it.
+class Imprinter
 {
-  Points3 queries;
-  for (std::size_t c = 0; c < polylines.size(); ++c)
+public:
+  Imprinter(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
+    const ImprintOptions& options, const Execution& execution)
+    : Mesh(mesh)
+    , Polylines(polylines)
+    , Options(options)
+    , Execute(execution)
+    , Reach(options.tolerance * diagonal(mesh))
+    , AtVertex(mesh, std::max(0.01, options.snap))
   {
-    Status status = checkPolyline(polylines[c], c);
-    if (!status.ok())
-    {
-      return refuse(status.code, std::move(status.message), std::move(status.ids));
-    }
-    queries.insert(queries.end(), polylines[c].points.begin(), polylines[c].points.end());
   }
-  const Indices nearest = matchVertices(mesh, queries, options.tolerance * diagonal(mesh));
 
-  ImprintedSurface result = keepMesh(mesh);
-  std::size_t first = 0;
-  for (std::size_t c = 0; c < polylines.size(); ++c)
+  ImprintedSurface run()
   {
-    const Polyline& polyline = polylines[c];
-    FeatureCurve curve = startCurve(polyline);
+    Points3 queries;
+    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+    {
+      Status status = checkPolyline(this->Polylines[c], c);
+      if (!status.ok())
+      {
+        return refuse(std::move(status));
+      }
+      this->First.push_back(queries.size());
+      queries.insert(
+        queries.end(), this->Polylines[c].points.begin(), this->Polylines[c].points.end());
+    }
+    this->Vertices = matchVertices(this->Mesh, queries, this->Reach);
+    this->keepNearVertices(queries);
+    std::vector<Route> routes(this->Polylines.size());
+    std::vector<char> alongEdges(this->Polylines.size(), 0);
+    bool all = true;
+    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+    {
+      Status status = this->followEdges(c, routes[c]);
+      alongEdges[c] = status.ok() ? 1 : 0;
+      all = all && status.ok();
+      if (!status.ok() && !this->Options.split)
+      {
+        return refuse(std::move(status));
+      }
+    }
+    if (all)
+    {
+      ImprintedSurface result = keepMesh(this->Mesh);
+      return this->collect(std::move(result), routes);
+    }
+    return this->split(routes, alongEdges);
+  }
+
+private:
+  /// The tolerance says how far from the surface a point may be. Where triangles can be split, it
+  /// must not drag points along the surface to vertices that are not meant.
+  void keepNearVertices(const Points3& queries)
+  {
+    for (std::size_t i = 0; i < queries.size() && this->Options.split; ++i)
+    {
+      Index& vertex = this->Vertices[i];
+      if (vertex != none &&
+        (this->Mesh.point(vertex) - queries[i]).norm() > this->AtVertex.ofVertex(vertex))
+      {
+        vertex = none;
+      }
+    }
+  }
+
+  /// A polyline whose points are vertices joined by edges, the case that changes nothing.
+  Status followEdges(std::size_t c, Route& route)
+  {
+    const Polyline& polyline = this->Polylines[c];
     Indices off;
-    Indices notEdges;
-    std::size_t previous = 0;
     for (std::size_t i = 0; i < polyline.points.size(); ++i)
     {
-      const Index vertex = nearest[first + i];
+      const Index vertex = this->Vertices[this->First[c] + i];
       if (vertex == none)
       {
         off.push_back(pointId(polyline, i));
         continue;
       }
-      if (!curve.vertices.empty())
+      if (route.start == none)
       {
-        const Index last = curve.vertices.back();
-        if (last == vertex)
-        {
-          continue;
-        }
-        if (mesh.find(last, vertex) == none && mesh.find(vertex, last) == none)
-        {
-          notEdges.push_back(pointId(polyline, previous));
-          notEdges.push_back(pointId(polyline, i));
-        }
+        route.start = vertex;
+        route.firstPoint = i;
+        continue;
       }
-      previous = i;
-      curve.vertices.push_back(vertex);
-      if (polyline.keyShape == KeyShape::Planar)
+      const Index last = route.stretches.empty() ? route.start : route.stretches.back().back();
+      const std::size_t before = route.points.empty() ? route.firstPoint : route.points.back();
+      if (last == vertex)
       {
-        curve.planarShape.push_back(polyline.planarShape[i]);
+        continue;
       }
+      if (off.empty() && this->Mesh.find(last, vertex) == none &&
+        this->Mesh.find(vertex, last) == none)
+      {
+        const Indices ids{ pointId(polyline, before), pointId(polyline, i) };
+        return { StatusCode::CurveNotOnEdges,
+          curveName(polyline, c) + ": between points " + std::to_string(ids[0]) + " and " +
+            std::to_string(ids[1]) +
+            " the curve is no edge of the mesh; allow triangles to be split, or draw it along "
+            "edges",
+          ids };
+      }
+      route.stretches.push_back({ last, vertex });
+      route.points.push_back(i);
     }
-    if (!off.empty())
-    {
-      return refuse(StatusCode::CurvePointOffSurface,
-        curveName(polyline, c) + ": points " + listIds(off) +
-          " lie on no vertex of the surface; project them onto it, or raise the tolerance",
-        off);
-    }
-    if (!notEdges.empty())
-    {
-      return refuse(StatusCode::CurveNotOnEdges,
-        curveName(polyline, c) + ": between points " + std::to_string(notEdges[0]) + " and " +
-          std::to_string(notEdges[1]) +
-          " the curve is no edge of the mesh; allow triangles to be split, or draw it along edges",
-        notEdges);
-    }
-    if (curve.vertices.size() < 2)
-    {
-      return refuse(StatusCode::CurveTooShort,
-        curveName(polyline, c) + " has fewer than two different points; remove it or draw it again",
-        { static_cast<Index>(c) });
-    }
-    result.curves.push_back(std::move(curve));
-    first += polyline.points.size();
+    return off.empty() ? Status() : this->notAtVertices(c, off);
   }
-  return result;
+
+  Status notAtVertices(std::size_t c, const Indices& points)
+  {
+    // Where the points lie matters for the message only.
+    if (!this->Options.split)
+    {
+      std::vector<ClosestPoint> closest;
+      Status status = this->locate(c, closest);
+      if (!status.ok())
+      {
+        return status;
+      }
+    }
+    return { StatusCode::CurveNotOnEdges,
+      curveName(this->Polylines[c], c) + ": points " + listIds(points) +
+        " are not at vertices of the mesh; allow triangles to be split, or draw it along edges",
+      points };
+  }
+
+  Status locate(std::size_t c, std::vector<ClosestPoint>& closest)
+  {
+    if (!this->Locator)
+    {
+      this->Locator.emplace(this->Mesh);
+    }
+    const Polyline& polyline = this->Polylines[c];
+    Indices off;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < polyline.points.size(); ++i)
+    {
+      closest.push_back(this->Locator->closest(polyline.points[i]));
+      if (closest.back().triangle == none || closest.back().distance > this->Reach)
+      {
+        off.push_back(pointId(polyline, i));
+        farthest = std::max(farthest, closest.back().distance);
+      }
+    }
+    if (off.empty())
+    {
+      return {};
+    }
+    return { StatusCode::CurvePointOffSurface,
+      curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + text(farthest) +
+        " off the surface, more than the tolerance of " + text(this->Reach) +
+        "; project them onto the surface, or raise the tolerance",
+      off };
+  }
+
+  ImprintedSurface split(const std::vector<Route>& edgeRoutes, const std::vector<char>& alongEdges)
+  {
+    std::vector<std::vector<ClosestPoint>> located(this->Polylines.size());
+    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+    {
+      Status status = alongEdges[c] ? Status() : this->locate(c, located[c]);
+      if (!status.ok())
+      {
+        return refuse(std::move(status));
+      }
+    }
+    SnapDistance snap(this->Mesh, this->Options.snap);
+    Indices failed;
+    // Only triangles nearly without area need more than one round.
+    for (int round = 0; round < 12; ++round)
+    {
+      std::vector<Route> routes = edgeRoutes;
+      std::vector<SurfacePath> paths;
+      for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+      {
+        Status status = alongEdges[c] ? this->addEdgePaths(edgeRoutes[c], paths)
+                                      : this->trace(c, located[c], snap, routes[c], paths);
+        if (!status.ok())
+        {
+          return refuse(std::move(status));
+        }
+      }
+      SplitSurface surface = splitSurface(this->Mesh, snap, paths);
+      failed = std::move(surface.failed);
+      if (failed.empty())
+      {
+        this->fillRoutes(surface, routes);
+        ImprintedSurface result;
+        result.mesh = std::move(surface.mesh);
+        result.vertexSource = std::move(surface.vertexSource);
+        result.originalTriangle = std::move(surface.originalTriangle);
+        return this->collect(std::move(result), routes);
+      }
+      for (Index t : failed)
+      {
+        snap.enlarge(t);
+      }
+    }
+    return refuse({ StatusCode::NumericalFailure,
+      "triangles " + listIds(failed) +
+        " are too thin to be split along the curves; remesh them, or raise the snap distance",
+      failed });
+  }
+
+  Status addEdgePaths(const Route& route, std::vector<SurfacePath>& paths) const
+  {
+    for (const Indices& edge : route.stretches)
+    {
+      Index h = this->Mesh.find(edge[0], edge[1]);
+      h = h != none ? h : this->Mesh.find(edge[1], edge[0]);
+      paths.push_back({ { vertexPoint(this->Mesh, edge[0]), vertexPoint(this->Mesh, edge[1]) },
+        { h / 3 }, true });
+    }
+    return {};
+  }
+
+  /// One path per segment of the polyline, in the order of Route::points.
+  Status trace(std::size_t c, const std::vector<ClosestPoint>& located, const SnapDistance& snap,
+    Route& route, std::vector<SurfacePath>& paths) const
+  {
+    const Polyline& polyline = this->Polylines[c];
+    route = Route();
+    SurfacePoint last;
+    for (std::size_t i = 0; i < located.size(); ++i)
+    {
+      if (this->Execute.cancelled())
+      {
+        return { StatusCode::Cancelled, "cancelled", {} };
+      }
+      const Index vertex = this->Vertices[this->First[c] + i];
+      const SurfacePoint here =
+        vertex != none ? vertexPoint(this->Mesh, vertex) : snapToMesh(this->Mesh, snap, located[i]);
+      const bool same = i > 0 && here.carrier == last.carrier && here.id == last.id &&
+        (here.carrier == Carrier::Vertex || here.weights == last.weights);
+      if (i > 0 && !same)
+      {
+        SurfacePath path = traceSegment(this->Mesh, snap, last, here);
+        if (!path.arrived)
+        {
+          const Point3& at = path.points.back().position;
+          const Indices ids{ pointId(polyline, i - 1), pointId(polyline, i) };
+          return { StatusCode::CurveLeavesSurface,
+            curveName(polyline, c) + ": between points " + std::to_string(ids[0]) + " and " +
+              std::to_string(ids[1]) + " the curve leaves the surface at (" + text(at.x()) + ", " +
+              text(at.y()) + ", " + text(at.z()) +
+              "); add points between them that follow the surface",
+            ids };
+        }
+        paths.push_back(std::move(path));
+        route.points.push_back(i);
+      }
+      last = here;
+    }
+    return {};
+  }
+
+  void fillRoutes(const SplitSurface& surface, std::vector<Route>& routes) const
+  {
+    std::size_t next = 0;
+    for (Route& route : routes)
+    {
+      route.stretches.clear();
+      for (std::size_t i = 0; i < route.points.size(); ++i)
+      {
+        route.stretches.push_back(surface.chains[next++]);
+      }
+      route.start = route.stretches.empty() ? none : route.stretches[0][0];
+    }
+  }
+
+  ImprintedSurface collect(ImprintedSurface result, const std::vector<Route>& routes) const
+  {
+    for (std::size_t c = 0; c < routes.size(); ++c)
+    {
+      FeatureCurve curve = assemble(result.mesh, this->Polylines[c], routes[c]);
+      if (curve.vertices.size() < 2)
+      {
+        return refuse({ StatusCode::CurveTooShort,
+          curveName(this->Polylines[c], c) +
+            " has fewer than two different points; remove it or draw it again",
+          { static_cast<Index>(c) } });
+      }
+      result.curves.push_back(std::move(curve));
+    }
+    return result;
+  }
+
+  const TriangleMesh& Mesh;
+  const std::vector<Polyline>& Polylines;
+  const ImprintOptions& Options;
+  const Execution& Execute;
+  double Reach;          ///< greatest distance of a point from the surface
+  SnapDistance AtVertex; ///< greatest distance of a point from the vertex that it is
+  std::vector<std::size_t> First;
+  Indices Vertices; ///< per point of all polylines
+  std::optional<SurfaceLocator> Locator;
+};
+}
+
+ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
+  const ImprintOptions& options, const Execution& execution)
+{
+  if (!(options.tolerance >= 0.0 && options.tolerance <= 1.0))
+  {
+    return refuse({ StatusCode::InvalidOption,
+      "the imprint tolerance is " + text(options.tolerance) + "; give a fraction from 0 to 1",
+      {} });
+  }
+  if (!(options.snap >= 1e-9 && options.snap <= 0.25))
+  {
+    return refuse({ StatusCode::InvalidOption,
+      "the snap distance is " + text(options.snap) + "; give a fraction from 1e-9 to 0.25", {} });
+  }
+  return Imprinter(mesh, polylines, options, execution).run();
 }
 }

@@ -35,6 +35,8 @@ const char* statusName(StatusCode code)
       return "CurveTooShort";
     case StatusCode::CurvePointOffSurface:
       return "CurvePointOffSurface";
+    case StatusCode::CurveLeavesSurface:
+      return "CurveLeavesSurface";
     case StatusCode::CurveNotOnEdges:
       return "CurveNotOnEdges";
     case StatusCode::InvalidCurve:

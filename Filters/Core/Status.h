@@ -25,6 +25,7 @@ enum class StatusCode
   Handle,
   CurveTooShort,
   CurvePointOffSurface,
+  CurveLeavesSurface,
   CurveNotOnEdges,
   InvalidCurve,
   PatchNotDisk,

@@ -5,6 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
 using namespace flattening;
 
 namespace
@@ -42,6 +49,125 @@ Polyline polyline(Points3 points)
     result.pointIds.push_back(static_cast<Index>(100 + i));
   }
   return result;
+}
+
+double length(const TriangleMesh& mesh, const Indices& chain)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < chain.size(); ++i)
+  {
+    sum += (mesh.point(chain[i]) - mesh.point(chain[i - 1])).norm();
+  }
+  return sum;
+}
+
+/// A surface z = f over the points of a grid, or any other map of them.
+template <typename Map>
+TriangleMesh mapped(const TriangleMesh& mesh, Map map)
+{
+  Points3 points = mesh.points();
+  for (Point3& p : points)
+  {
+    p = map(p);
+  }
+  PreparedSurface surface = prepareSurface(points, mesh.triangles());
+  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
+  return surface.mesh;
+}
+
+/// What holds for every imprint: the same surface, as a valid mesh, with each curve on its edges.
+void expectSameSurface(const TriangleMesh& before, const ImprintedSurface& after)
+{
+  ASSERT_TRUE(after.status.ok()) << after.status.message;
+  const TriangleMesh& mesh = after.mesh;
+  const PreparedSurface valid = prepareSurface(mesh.points(), mesh.triangles());
+  ASSERT_TRUE(valid.status.ok()) << valid.status.message;
+  EXPECT_TRUE(valid.reversedTriangles.empty());
+  EXPECT_EQ(valid.mesh.vertexCount(), mesh.vertexCount());
+  EXPECT_EQ(eulerCharacteristic(mesh), eulerCharacteristic(before));
+  EXPECT_EQ(mesh.boundaryLoops().size(), before.boundaryLoops().size());
+
+  ASSERT_EQ(after.originalTriangle.size(), mesh.triangles().size());
+  std::vector<double> area(before.triangleCount(), 0.0);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Index whole = after.originalTriangle[t];
+    ASSERT_TRUE(whole >= 0 && whole < before.triangleCount());
+    area[whole] += mesh.area(t);
+  }
+  for (Index t = 0; t < before.triangleCount(); ++t)
+  {
+    // Rounding of a triangle's own coordinates is all that may change its area.
+    double longest = 0.0;
+    double size = 0.0;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      longest = std::max(longest, before.length(h));
+      size = std::max(size, before.point(before.from(h)).norm());
+    }
+    EXPECT_NEAR(area[t], before.area(t), 1e-12 * before.area(t) + 1e-14 * longest * size);
+  }
+
+  ASSERT_EQ(after.vertexSource.size(), mesh.points().size());
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const VertexSource& source = after.vertexSource[v];
+    Point3 mean = Point3::Zero();
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_GE(source.weights[k], -1e-15);
+      sum += source.weights[k];
+      mean += source.weights[k] * before.point(source.vertices[k]);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_LE((mean - mesh.point(v)).norm(), 1e-15 * (1.0 + mean.norm()));
+    if (v < before.vertexCount())
+    {
+      EXPECT_EQ(mesh.point(v), before.point(v));
+    }
+  }
+
+  for (const FeatureCurve& curve : after.curves)
+  {
+    ASSERT_GE(curve.vertices.size(), 2u);
+    for (std::size_t i = 1; i < curve.vertices.size(); ++i)
+    {
+      const Index a = curve.vertices[i - 1];
+      const Index b = curve.vertices[i];
+      EXPECT_TRUE(mesh.find(a, b) != none || mesh.find(b, a) != none);
+    }
+  }
+}
+
+double smallestAngle(const TriangleMesh& mesh)
+{
+  double least = pi;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    least = std::min(least, mesh.angle(h));
+  }
+  return least;
+}
+
+/// Half a cylinder of radius one and height two, n by n.
+TriangleMesh halfCylinder(Index n)
+{
+  return mapped(grid(n), [n](const Point3& p) {
+    const double angle = pi * p.x() / n;
+    return Point3(std::cos(angle), std::sin(angle), 2.0 * p.y() / n);
+  });
+}
+
+/// A closed tube bent to a ring: a torus of radii two and one half.
+TriangleMesh torus(Index n)
+{
+  return mapped(grid(n), [n](const Point3& p) {
+    const double u = 2.0 * pi * (static_cast<Index>(p.x()) % n) / n;
+    const double v = 2.0 * pi * (static_cast<Index>(p.y()) % n) / n;
+    const double r = 2.0 + 0.5 * std::cos(v);
+    return Point3(r * std::cos(u), r * std::sin(u), 0.5 * std::sin(v));
+  });
 }
 }
 
@@ -90,4 +216,414 @@ TEST(CurveImprint, ACurveWithoutTwoDifferentPointsIsRefusedWithItsId)
   const auto result = imprintCurves(grid(4), { good, bad }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurveTooShort);
   EXPECT_EQ(result.status.ids, (Indices{ 1 }));
+}
+
+TEST(CurveImprint, AStraightLineAcrossAFlatMeshStaysStraightAndKeepsItsLength)
+{
+  const TriangleMesh mesh = grid(10);
+  const Point3 a(0.31, 0.17, 0);
+  const Point3 b(9.64, 7.83, 0);
+  const auto result = imprintCurves(mesh, { polyline({ a, b }) }, {});
+  expectSameSurface(mesh, result);
+  const Indices& chain = result.curves[0].vertices;
+  // It crosses 9 lines x = i, 7 lines y = j and the diagonal x - y = 1.
+  EXPECT_EQ(chain.size(), 19u);
+  EXPECT_NEAR(length(result.mesh, chain), (b - a).norm(), 1e-14 * (b - a).norm());
+  const Point3 way = (b - a).normalized();
+  for (Index v : chain)
+  {
+    EXPECT_LE(way.cross(result.mesh.point(v) - a).norm(), 1e-14);
+  }
+}
+
+TEST(CurveImprint, CrossingsLieOnTheEdgesTheyCross)
+{
+  const TriangleMesh mesh = grid(6);
+  const auto result =
+    imprintCurves(mesh, { polyline({ Point3(0.1, 0.23, 0), Point3(5.7, 3.9, 0) }) }, {});
+  ASSERT_TRUE(result.status.ok());
+  // Grid lines and diagonals x - y = k: every vertex but the two ends lies on one of them.
+  const Indices& chain = result.curves[0].vertices;
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+  {
+    const Point3& p = result.mesh.point(chain[i]);
+    const double d = p.x() - p.y();
+    const double off = std::min({ std::abs(p.x() - std::round(p.x())),
+      std::abs(p.y() - std::round(p.y())), std::abs(d - std::round(d)) });
+    EXPECT_LE(off, 2e-15);
+  }
+}
+
+TEST(CurveImprint, AHelixSegmentOnACylinderIsNoLongerThanItsEllipseAndNoShorterThanItsGeodesic)
+{
+  const TriangleMesh mesh = halfCylinder(200);
+  // Both ends are on the mesh's edges, one on a ruling each.
+  const Point3 a(std::cos(0.25 * pi), std::sin(0.25 * pi), 0.503);
+  const Point3 b(std::cos(0.5 * pi), std::sin(0.5 * pi), 1.307);
+  const auto result = imprintCurves(mesh, { polyline({ a, b }) }, {});
+  expectSameSurface(mesh, result);
+  const double found = length(result.mesh, result.curves[0].vertices);
+  const double geodesic = std::hypot(0.25 * pi, 0.804);
+  // The plane through a and b that holds the mean normal cuts the cylinder in an ellipse.
+  const Point3 normal = (b - a).cross(Point3(a.x() + b.x(), a.y() + b.y(), 0.0));
+  double ellipse = 0.0;
+  Point3 last = a;
+  for (int i = 1; i <= 100000; ++i)
+  {
+    const double angle = 0.25 * pi + 0.25 * pi * i / 100000;
+    Point3 p(std::cos(angle), std::sin(angle), 0.0);
+    p.z() = a.z() - normal.head<2>().dot((p - a).head<2>()) / normal.z();
+    ellipse += (p - last).norm();
+    last = p;
+  }
+  EXPECT_LT(geodesic, ellipse);
+  EXPECT_NEAR(found, ellipse, 2e-5 * ellipse); // chords of 0.9 degrees are 1e-5 shorter than arcs
+}
+
+TEST(CurveImprint, ALineAlongARulingOrAcrossACylinderHasTheLengthOfTheSection)
+{
+  const Index n = 36;
+  const TriangleMesh mesh = halfCylinder(n);
+  const double half = 0.5 * pi / n;
+  // Along the middle of a strip of flat quadrilaterals, and along a circle between two rows.
+  const Point3 foot = std::cos(half) * Point3(std::cos(15 * half), std::sin(15 * half), 0.0);
+  const auto ruling =
+    imprintCurves(mesh, { polyline({ foot + Point3(0, 0, 0.01), foot + Point3(0, 0, 1.99) }) }, {});
+  expectSameSurface(mesh, ruling);
+  EXPECT_NEAR(length(ruling.mesh, ruling.curves[0].vertices), 1.98, 1e-13);
+  Points3 arc;
+  for (Index i = 2; i <= n - 2; i += 4)
+  {
+    arc.push_back(Point3(std::cos(pi * i / n), std::sin(pi * i / n), 1.02));
+  }
+  const auto circle = imprintCurves(mesh, { polyline(arc) }, {});
+  expectSameSurface(mesh, circle);
+  EXPECT_NEAR(length(circle.mesh, circle.curves[0].vertices),
+    2.0 * std::sin(half) * 4 * (arc.size() - 1), 1e-13);
+}
+
+TEST(CurveImprint, CrossingCurvesShareOneVertex)
+{
+  const TriangleMesh mesh = grid(8);
+  const Polyline one = polyline({ Point3(0.3, 0.2, 0), Point3(7.6, 7.1, 0) });
+  const Polyline two = polyline({ Point3(0.4, 7.3, 0), Point3(7.7, 0.35, 0) });
+  const auto result = imprintCurves(mesh, { one, two }, {});
+  expectSameSurface(mesh, result);
+  Indices shared;
+  for (Index v : result.curves[0].vertices)
+  {
+    const Indices& other = result.curves[1].vertices;
+    if (std::find(other.begin(), other.end(), v) != other.end())
+    {
+      shared.push_back(v);
+    }
+  }
+  ASSERT_EQ(shared.size(), 1u);
+  // Intersection of the two lines.
+  const Point2 u(7.3, 6.9);
+  const Point2 w(7.3, -6.95);
+  const Point2 d(0.1, 7.1);
+  const double s = (d.x() * w.y() - d.y() * w.x()) / (u.x() * w.y() - u.y() * w.x());
+  EXPECT_LE((result.mesh.point(shared[0]).head<2>() - (Point2(0.3, 0.2) + s * u)).norm(), 1e-13);
+  EXPECT_NEAR(length(result.mesh, result.curves[0].vertices), u.norm(), 1e-13);
+  EXPECT_NEAR(length(result.mesh, result.curves[1].vertices), w.norm(), 1e-13);
+}
+
+TEST(CurveImprint, CurvesThatCrossInsideOneTriangleShareAVertexThere)
+{
+  const TriangleMesh mesh = grid(1);
+  const Polyline one = polyline({ Point3(0.5, 0.1, 0), Point3(0.9, 0.5, 0) });
+  const Polyline two = polyline({ Point3(0.5, 0.3, 0), Point3(0.9, 0.2, 0) });
+  const auto result = imprintCurves(mesh, { one, two }, {});
+  expectSameSurface(mesh, result);
+  EXPECT_EQ(result.curves[0].vertices.size(), 3u);
+  EXPECT_EQ(result.curves[1].vertices.size(), 3u);
+  EXPECT_EQ(result.curves[0].vertices[1], result.curves[1].vertices[1]);
+}
+
+TEST(CurveImprint, ACurveHasVerticesOnlyAtItsPointsAndWhereItCrossesEdges)
+{
+  // Points of a second curve inside the same triangles must not add vertices to the first.
+  const TriangleMesh mesh = grid(2);
+  const Polyline one = polyline({ Point3(0.3, 0.1, 0), Point3(1.9, 0.15, 0) });
+  Points3 cloud;
+  for (int i = 0; i < 20; ++i)
+  {
+    cloud.push_back(Point3(0.5 + 0.02 * i, 0.3 + 0.1 * (i % 2), 0));
+  }
+  const auto result = imprintCurves(mesh, { polyline(cloud), one }, {});
+  expectSameSurface(mesh, result);
+  // Crossed: the ruling x = 1 and the diagonal of the second square.
+  EXPECT_EQ(result.curves[1].vertices.size(), 4u);
+}
+
+TEST(CurveImprint, ACurveThroughVerticesAndAlongEdgesUsesThemAndSplitsNothing)
+{
+  const TriangleMesh mesh = grid(8);
+  // A diagonal of the mesh and a grid line, each given by its ends only.
+  const auto result = imprintCurves(mesh,
+    { polyline({ Point3(1, 1, 0), Point3(7, 7, 0), Point3(7, 0, 0) }),
+      polyline({ Point3(0, 0, 0), Point3(8, 0, 0) }) },
+    {});
+  expectSameSurface(mesh, result);
+  EXPECT_EQ(result.mesh.triangles(), mesh.triangles());
+  EXPECT_EQ(result.curves[0].vertices.size(), 14u);
+  EXPECT_EQ(result.curves[1].vertices, (Indices{ 0, 1, 2, 3, 4, 5, 6, 7, 8 }));
+}
+
+TEST(CurveImprint, ACurveMayEndInATriangleOrStayInside)
+{
+  const TriangleMesh mesh = grid(3);
+  const auto result = imprintCurves(
+    mesh, { polyline({ Point3(1.5, 1.2, 0), Point3(1.8, 1.3, 0), Point3(1.7, 1.1, 0) }) }, {});
+  expectSameSurface(mesh, result);
+  EXPECT_EQ(result.curves[0].vertices.size(), 3u);
+  EXPECT_EQ(result.mesh.vertexCount(), mesh.vertexCount() + 3);
+}
+
+TEST(CurveImprint, AClosedCurveStaysClosed)
+{
+  const TriangleMesh mesh = grid(10);
+  Points3 circle;
+  for (int i = 0; i <= 40; ++i)
+  {
+    const double angle = 2.0 * pi * (i % 40) / 40;
+    circle.push_back(Point3(5.0 + 3.3 * std::cos(angle), 5.0 + 3.3 * std::sin(angle), 0));
+  }
+  const auto result = imprintCurves(mesh, { polyline(circle) }, {});
+  expectSameSurface(mesh, result);
+  const FeatureCurve& curve = result.curves[0];
+  EXPECT_TRUE(curve.closed());
+  EXPECT_NEAR(length(result.mesh, curve.vertices), 40 * 2 * 3.3 * std::sin(pi / 40), 1e-6);
+  const std::set<Index> different(curve.vertices.begin(), curve.vertices.end());
+  EXPECT_EQ(different.size() + 1, curve.vertices.size());
+}
+
+TEST(CurveImprint, PointsNearVerticesAndEdgesMoveOntoThemSoThatNoSliverArises)
+{
+  const TriangleMesh mesh = grid(6);
+  ImprintOptions options;
+  options.snap = 0.02;
+  // It passes (1, 1) .. (5, 5) at less than 0.02 and runs beside the line y = 0 at 0.01.
+  const auto result = imprintCurves(mesh,
+    { polyline({ Point3(0.4, 0.41, 0), Point3(5.6, 5.62, 0) }),
+      polyline({ Point3(0.5, 0.01, 0), Point3(5.5, 0.01, 0) }) },
+    options);
+  expectSameSurface(mesh, result);
+  for (Index v : result.curves[1].vertices)
+  {
+    EXPECT_EQ(result.mesh.point(v).y(), 0.0);
+  }
+  EXPECT_GT(smallestAngle(result.mesh), 0.02);
+}
+
+TEST(CurveImprint, ASegmentThatLeavesTheSurfaceIsRefusedWithItsPoints)
+{
+  // A horseshoe: the grid without the middle of its lower half.
+  const TriangleMesh whole = grid(6);
+  Triangles kept;
+  for (const Triangle& t : whole.triangles())
+  {
+    const Point3 c = (whole.point(t[0]) + whole.point(t[1]) + whole.point(t[2])) / 3.0;
+    if (c.x() < 2 || c.x() > 4 || c.y() > 3)
+    {
+      kept.push_back(t);
+    }
+  }
+  const TriangleMesh mesh = prepareSurface(whole.points(), kept).mesh;
+  const Polyline bad = polyline({ Point3(0.2, 0.3, 0), Point3(1.1, 1.4, 0), Point3(5.1, 1.6, 0) });
+  const auto result = imprintCurves(mesh, { bad }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(result.status.ids, (Indices{ 101, 102 }));
+  EXPECT_NE(result.status.message.find("(2, "), std::string::npos) << result.status.message;
+  EXPECT_EQ(result.mesh.triangleCount(), 0);
+}
+
+TEST(CurveImprint, APointOffTheSurfaceIsRefusedWithItsDistance)
+{
+  const auto result =
+    imprintCurves(grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0.25) }) }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurvePointOffSurface);
+  EXPECT_EQ(result.status.ids, (Indices{ 101 }));
+  EXPECT_NE(result.status.message.find("0.25"), std::string::npos) << result.status.message;
+  ImprintOptions wide;
+  wide.tolerance = 0.1;
+  const auto projected =
+    imprintCurves(grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0.25) }) }, wide);
+  ASSERT_TRUE(projected.status.ok()) << projected.status.message;
+  const Point3 end = projected.mesh.point(projected.curves[0].vertices.back());
+  EXPECT_LE((end - Point3(1.2, 1.1, 0)).norm(), 1e-15);
+}
+
+TEST(CurveImprint, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused)
+{
+  const Polyline line = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
+  ImprintOptions options;
+  options.snap = 0.5;
+  EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
+  options = {};
+  options.tolerance = -1.0;
+  EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
+  Polyline key = line;
+  key.keyShape = KeyShape::Planar;
+  key.planarShape = { Point2(0, 0) };
+  EXPECT_EQ(imprintCurves(grid(2), { key }, {}).status.code, StatusCode::InvalidCurve);
+  Polyline infinite = line;
+  infinite.points[1].y() = std::numeric_limits<double>::infinity();
+  const auto result = imprintCurves(grid(2), { infinite }, {});
+  EXPECT_EQ(result.status.code, StatusCode::NonFinitePoint);
+  EXPECT_EQ(result.status.ids, (Indices{ 101 }));
+}
+
+TEST(CurveImprint, ThePlanarShapeOfAKeyCurveIsInterpolatedAlongItsLength)
+{
+  const TriangleMesh mesh = grid(4);
+  Polyline key = polyline({ Point3(0.5, 0.2, 0), Point3(3.5, 0.2, 0), Point3(3.5, 3.3, 0) });
+  key.type = CurveType::Key;
+  key.keyShape = KeyShape::Planar;
+  for (const Point3& p : key.points)
+  {
+    key.planarShape.push_back(Point2(-p.y(), p.x()));
+  }
+  const auto result = imprintCurves(mesh, { key }, {});
+  expectSameSurface(mesh, result);
+  const FeatureCurve& curve = result.curves[0];
+  ASSERT_EQ(curve.planarShape.size(), curve.vertices.size());
+  for (std::size_t i = 0; i < curve.vertices.size(); ++i)
+  {
+    const Point3& p = result.mesh.point(curve.vertices[i]);
+    EXPECT_LE((curve.planarShape[i] - Point2(-p.y(), p.x())).norm(), 1e-14);
+  }
+}
+
+TEST(CurveImprint, UnitsOfLengthAndPlaceDoNotMatter)
+{
+  const Polyline line = polyline({ Point3(0.31, 0.17, 0), Point3(4.6, 3.8, 0), Point3(2, 0.7, 0) });
+  const auto reference = imprintCurves(grid(5), { line }, {});
+  for (double scale : { 1e-9, 1e9 })
+  {
+    const TriangleMesh mesh =
+      mapped(grid(5), [scale](const Point3& p) { return Point3(scale * p); });
+    Polyline scaled = line;
+    for (Point3& p : scaled.points)
+    {
+      p *= scale;
+    }
+    const auto result = imprintCurves(mesh, { scaled }, {});
+    expectSameSurface(mesh, result);
+    EXPECT_EQ(result.curves[0].vertices, reference.curves[0].vertices);
+    EXPECT_EQ(result.mesh.triangles(), reference.mesh.triangles());
+  }
+}
+
+TEST(CurveImprint, AMillionTrianglesWithCurvesOnTheirEdgesTakeLessThanTwoSeconds)
+{
+  const Index n = 700;
+  const TriangleMesh mesh = grid(n);
+  Points3 points;
+  for (Index i = 0; i <= n; ++i)
+  {
+    points.push_back(Point3(i, n / 2, 0));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto result = imprintCurves(mesh, { polyline(points) }, {});
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  ASSERT_TRUE(result.status.ok());
+  EXPECT_EQ(result.mesh.triangles(), mesh.triangles());
+  EXPECT_LT(seconds.count(), 2.0);
+}
+
+namespace
+{
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// A point of the surface: a vertex, one on an edge, one inside, or one very near to the others.
+Point3 randomPoint(const TriangleMesh& mesh, Random& random)
+{
+  const Index t = static_cast<Index>(random() % mesh.triangleCount());
+  double u = uniform(random, 0.0, 1.0);
+  double v = uniform(random, 0.0, 1.0);
+  if (u + v > 1.0)
+  {
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  switch (random() % 6)
+  {
+    case 0:
+      u = v = 0.0;
+      break;
+    case 1:
+      u = 0.0;
+      break;
+    case 2:
+      u *= 3e-3;
+      break;
+    case 3:
+      u *= 2e-3;
+      v *= 2e-3;
+      break;
+    default:
+      break;
+  }
+  const Triangle& c = mesh.triangle(t);
+  return (1.0 - u - v) * mesh.point(c[0]) + u * mesh.point(c[1]) + v * mesh.point(c[2]);
+}
+
+TriangleMesh randomSurface(Random& random)
+{
+  const Index n = 2 + static_cast<Index>(random() % 9);
+  const TriangleMesh flat = mapped(grid(n), [&random, n](const Point3& p) {
+    const bool inner = p.x() > 0 && p.x() < n && p.y() > 0 && p.y() < n;
+    const double d = inner ? 0.3 : 0.0;
+    return Point3((p.x() + uniform(random, -d, d)) / n, (p.y() + uniform(random, -d, d)) / n, 0.0);
+  });
+  const double a = uniform(random, 0.0, 0.3);
+  const double f = uniform(random, 0.5, 6.0);
+  // Some are squeezed until their triangles are needles.
+  const double squeeze = random() % 4 == 0 ? std::pow(10.0, uniform(random, -9.0, 0.0)) : 1.0;
+  return mapped(flat, [a, f, squeeze](const Point3& p) {
+    return Point3(p.x(), squeeze * p.y(), a * std::sin(f * p.x()) * std::cos(f * squeeze * p.y()));
+  });
+}
+}
+
+TEST(CurveImprint, NoRandomCurvesOnRandomSurfacesBreakTheMesh)
+{
+  Random random(20080301);
+  int done = 0;
+  const int cases = 600;
+  for (int k = 0; k < cases && !HasFailure(); ++k)
+  {
+    SCOPED_TRACE("case " + std::to_string(k));
+    const TriangleMesh mesh = k % 10 == 9 ? torus(9 + k % 7) : randomSurface(random);
+    std::vector<Polyline> curves(1 + random() % 5);
+    for (Polyline& curve : curves)
+    {
+      const std::size_t count = 2 + random() % 6;
+      while (curve.points.size() < count)
+      {
+        curve.points.push_back(randomPoint(mesh, random));
+      }
+    }
+    ImprintOptions options;
+    options.snap = std::pow(10.0, uniform(random, -4.0, -0.8));
+    const auto result = imprintCurves(mesh, curves, options);
+    if (result.status.code == StatusCode::CurveLeavesSurface ||
+      result.status.code == StatusCode::CurveTooShort)
+    {
+      continue;
+    }
+    ++done;
+    expectSameSurface(mesh, result);
+    const auto again = imprintCurves(mesh, curves, options);
+    EXPECT_EQ(again.mesh.triangles(), result.mesh.triangles());
+  }
+  EXPECT_GT(done, cases / 2);
+  RecordProperty("done", done);
 }
