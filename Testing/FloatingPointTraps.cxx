@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Linked into the tests of numbers: from the start of the program an invalid operation, a division by
-// zero or an overflow ends it with SIGFPE, so that a NaN is caught where it is born.
+// Linked into the tests of numbers: from the start of the program an invalid operation, a division
+// by zero or an overflow ends it with SIGFPE, so that a NaN is caught where it is born.
 #include <cfenv>
 
 namespace

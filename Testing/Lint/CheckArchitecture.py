@@ -12,7 +12,6 @@ from Sources import ROOT, cxx_files, read, tracked_files
 
 LINES_OF_A_LONG_FILE = 400
 SHARE_OF_LONG_FILES = 0.1
-COLUMNS = 100
 
 
 def code_lines(name):
@@ -93,16 +92,13 @@ def every_source_is_built():
 
 
 def files_are_short():
-    """Most files hold one class or unit in fewer than 400 lines; lines fit in 100 columns."""
+    """Most files hold one class or unit in fewer than 400 lines."""
     files = cxx_files()
     long_files = []
     for name in files:
         lines = read(name).split("\n")
         if len(lines) > LINES_OF_A_LONG_FILE:
             long_files.append(f"{name}: {len(lines)} lines")
-        for number, line in enumerate(lines, 1):
-            if len(line) > COLUMNS:
-                yield f"{name}:{number}: {len(line)} columns"
     print(f"{len(files)} files, {len(long_files)} with more than {LINES_OF_A_LONG_FILE} lines")
     print("\n".join(long_files))
     if len(long_files) > SHARE_OF_LONG_FILES * len(files):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The apex of a pyramid with base corners (+-1, +-1, 0) and height 1: its four angles are acos(1/3).
+// The apex of a pyramid with base corners (+-1, +-1, 0) and height 1: its four angles are
+// acos(1/3).
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
