@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PieceArrangement.h"
+
+#include "Orientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+/// Differences below this fraction are rounding and must not decide anything.
+constexpr double rounding = 1e-9;
+/// A sheet wider than high reads well on a screen.
+constexpr double sheetAspect = 1.6;
+
+using Box = Eigen::AlignedBox2d;
+
+Box boundingBox(const Points2& points)
+{
+  Box box;
+  for (const Point2& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
+/// Convex hull, anti-clockwise, as indices (Andrew's monotone chain).
+Indices convexHull(const Points2& points)
+{
+  Indices order(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    order[i] = static_cast<Index>(i);
+  }
+  std::sort(order.begin(), order.end(), [&points](Index a, Index b) {
+    const Point2& p = points[a];
+    const Point2& q = points[b];
+    return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a < b;
+  });
+  Indices hull;
+  const auto extend = [&](std::size_t keep, Index i) {
+    while (hull.size() > keep &&
+      orientation(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
+    {
+      hull.pop_back();
+    }
+    hull.push_back(i);
+  };
+  for (Index i : order)
+  {
+    extend(1, i);
+  }
+  const std::size_t lower = hull.size();
+  for (auto i = order.rbegin() + (order.empty() ? 0 : 1); i != order.rend(); ++i)
+  {
+    extend(lower, *i);
+  }
+  if (hull.size() > 1)
+  {
+    hull.pop_back();
+  }
+  return hull;
+}
+
+/// Direction of the long side of the smallest rectangle around the points. One of its sides lies on the
+/// convex hull; of equal ones that at the smallest vertex counts.
+Point2 longDirection(const Points2& points)
+{
+  const Indices hull = convexHull(points);
+  double smallest = std::numeric_limits<double>::max();
+  Index chosen = none;
+  Point2 direction(0.0, 1.0);
+  for (std::size_t k = 0; k < hull.size(); ++k)
+  {
+    const Index first = hull[k];
+    Point2 along = points[hull[(k + 1) % hull.size()]] - points[first];
+    const double length = along.norm();
+    if (!(length > 0.0))
+    {
+      continue;
+    }
+    along /= length;
+    const Point2 across(-along.y(), along.x());
+    Box box;
+    for (Index i : hull)
+    {
+      const Point2 d = points[i] - points[first];
+      box.extend(Point2(d.dot(along), d.dot(across)));
+    }
+    const Point2 sides = box.sizes();
+    const double area = sides.x() * sides.y();
+    const bool less = area < smallest * (1.0 - rounding);
+    const bool equal = !less && area <= smallest * (1.0 + rounding);
+    if (less || (equal && first < chosen))
+    {
+      smallest = std::min(smallest, area);
+      chosen = first;
+      direction = sides.x() >= sides.y() * (1.0 - rounding) ? along : across;
+    }
+  }
+  return direction;
+}
+
+/// The piece turned so that a direction points up.
+Points2 turned(const Points2& points, const Point2& up)
+{
+  const Point2 y = up.normalized();
+  const Point2 x(y.y(), -y.x());
+  // Around the first point, so that a piece far from the origin keeps its digits.
+  Points2 result;
+  result.reserve(points.size());
+  for (const Point2& p : points)
+  {
+    const Point2 d = p - points.front();
+    result.emplace_back(d.dot(x), d.dot(y));
+  }
+  return result;
+}
+
+Points2 upright(const ArrangementPiece& piece)
+{
+  if (piece.positions.empty())
+  {
+    return {};
+  }
+  if (piece.grain[0] != none && piece.grain[1] != none)
+  {
+    const Point2 grain = piece.positions[piece.grain[1]] - piece.positions[piece.grain[0]];
+    if (grain.squaredNorm() > 0.0)
+    {
+      return turned(piece.positions, grain);
+    }
+  }
+  Points2 result = turned(piece.positions, longDirection(piece.positions));
+  // Of the two ways up, the one with the first vertex off the middle below it.
+  const Box box = boundingBox(result);
+  const double middle = box.center().y();
+  const double tie = 1e-6 * box.diagonal().norm();
+  const auto first = std::find_if(
+    result.begin(), result.end(), [&](const Point2& p) { return std::abs(p.y() - middle) > tie; });
+  if (first != result.end() && first->y() > middle)
+  {
+    for (Point2& p : result)
+    {
+      p = -p;
+    }
+  }
+  return result;
+}
+}
+
+std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing)
+{
+  std::vector<Points2> placed;
+  std::vector<Box> boxes;
+  double largest = 0.0;
+  double widest = 0.0;
+  for (const ArrangementPiece& piece : pieces)
+  {
+    placed.push_back(upright(piece));
+    boxes.push_back(boundingBox(placed.back()));
+    if (!placed.back().empty())
+    {
+      largest = std::max(largest, boxes.back().sizes().maxCoeff());
+      widest = std::max(widest, boxes.back().sizes().x());
+    }
+  }
+  const double gap = spacing * largest;
+  double area = 0.0;
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    if (!placed[i].empty())
+    {
+      area += (boxes[i].sizes().x() + gap) * (boxes[i].sizes().y() + gap);
+    }
+  }
+  const double width = std::max(widest, sheetAspect * std::sqrt(area)) * (1.0 + rounding);
+
+  Point2 corner = Point2::Zero();
+  double rowHeight = 0.0;
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    if (placed[i].empty())
+    {
+      continue;
+    }
+    const Point2 size = boxes[i].sizes();
+    if (corner.x() > 0.0 && corner.x() + size.x() > width)
+    {
+      corner = Point2(0.0, corner.y() + rowHeight + gap);
+      rowHeight = 0.0;
+    }
+    const Point2 shift = corner - boxes[i].min();
+    for (Point2& p : placed[i])
+    {
+      p += shift;
+    }
+    corner.x() += size.x() + gap;
+    rowHeight = std::max(rowHeight, size.y());
+  }
+  return placed;
+}
+}
