@@ -1,4 +1,4 @@
-"""The upper of a slip-on shoe: one piece round a last, joined at the heel. Unit cm; z to the toe.
+"""The upper of a slip-on shoe: one piece round a last, open at the heel seam. Unit cm; z to the toe.
 
 A section runs from the ridge, a point (0, z) high over the sole, down to the feather edge (the
 sole's outline) as a quarter of an ellipse; sections fan out round toe and heel. Parameters: v along
@@ -29,6 +29,7 @@ RIDGE = (
     (-14.0, 11.6), (-9.0, 11.4), (-4.0, 10.6), (0.0, 9.0), (4.0, 6.7), (7.0, 5.4), (10.2, 4.8), (14.0, 4.6)
 )
 THROAT, TOP_AT_HEEL = 0.43, 0.92  # v of the throat on the ridge, w of the topline at the heel
+HEEL = 0.99  # v of the heel seam: the two sides stay half a centimetre apart
 BEND, ROCKER = 0.006, 0.006  # inward bend of the last and curvature of its sole, 1/cm
 TRIANGLES = 1500
 
@@ -70,9 +71,9 @@ def make():
     centre = np.vstack([line((THROAT, 0), (0, 0), 400), line((0, 0), (0, quarter), 400)[1:]])
     outline = [
         Curve("front_centre", KEY, centre),
-        Curve("feather", None, line((0, quarter), (1, quarter), 600)),
-        Curve("heel", None, line((1, quarter), (1, TOP_AT_HEEL))),
-        Curve("topline", None, bezier((1, TOP_AT_HEEL), (0.84, 1.18), (THROAT + 0.02, 0.9), (THROAT, 0))),
+        Curve("feather", None, line((0, quarter), (HEEL, quarter), 600)),
+        Curve("heel", None, line((HEEL, quarter), (HEEL, TOP_AT_HEEL))),
+        Curve("topline", None, bezier((HEEL, TOP_AT_HEEL), (0.84, 1.18), (THROAT + 0.02, 0.9), (THROAT, 0))),
     ]
     across = lambda name, v: Curve(name, ACCESSORY, line((v, 0), (v, quarter), 400))
     curves = [across("toe_cap", 0.17), across("ball_girth", 0.30), across("waist", 0.52), across("counter", 0.80)]
