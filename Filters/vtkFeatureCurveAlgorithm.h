@@ -4,17 +4,18 @@
  * @brief common base of the filters that take a surface with feature curves
  *
  * **Port 0**, the surface: vtkPolyData of polygons and triangle strips. Polygons and strips are
- * triangulated, points with equal coordinates are joined, triangles that run the wrong way are turned
- * over. Vertex cells are ignored.
+ * triangulated, points with equal coordinates are joined, triangles that run the wrong way are
+ * turned over. Vertex cells are ignored.
  *
  * **Port 1**, optional and repeatable, the feature curves: the line cells of each vtkPolyData, with
- * points on the surface. **Line cells of the surface's own vtkPolyData are feature curves as well**, so
- * that a file, or a block of a composite data set, carries a piece with its curves. Composite data sets
- * are iterated over port 0; a curve on port 1 belongs to every block then, so let blocks carry their own.
+ * points on the surface. **Line cells of the surface's own vtkPolyData are feature curves as
+ * well**, so that a file, or a block of a composite data set, carries a piece with its curves.
+ * Composite data sets are iterated over port 0; a curve on port 1 belongs to every block then, so
+ * let blocks carry their own.
  *
- * Every polyline of three or more points is one curve. Two-point lines of one data set that agree in
- * all of the arrays below are joined end to end first, so that the output of vtkFeatureEdges gives long
- * curves and not one an edge.
+ * Every polyline of three or more points is one curve. Two-point lines of one data set that agree
+ * in all of the arrays below are joined end to end first, so that the output of vtkFeatureEdges
+ * gives long curves and not one an edge.
  *
  * | array | on | meaning |
  * |---|---|---|
@@ -42,6 +43,7 @@ namespace bridge
 {
 struct CurvedSurface;
 }
+struct FlatteningOptions;
 }
 
 class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveAlgorithm : public vtkFlatteningAlgorithm
@@ -92,8 +94,8 @@ public:
 
   ///@{
   /**
-   * A curve's point or crossing that is nearer to a vertex than this fraction of the mean edge length
-   * moves onto the vertex, so that no sliver arises. Default: 1e-3. Range: [0, 0.5].
+   * A curve's point or crossing that is nearer to a vertex than this fraction of the mean edge
+   * length moves onto the vertex, so that no sliver arises. Default: 1e-3. Range: [0, 0.5].
    */
   vtkSetClampMacro(SnapTolerance, double, 0.0, 0.5);
   vtkGetMacro(SnapTolerance, double);
@@ -109,6 +111,13 @@ protected:
    * Reads surface and curves. Null after a refusal, which has been told then.
    */
   std::unique_ptr<flattening::bridge::CurvedSurface> LoadInput(vtkInformationVector** inputVector);
+
+  /**
+   * Flattens surface and curves into the three outputs that vtkWireWarpingFilter documents.
+   * @param pins two points of the surface, or -1, for the conformal map
+   */
+  void Flatten(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    flattening::FlatteningOptions options, const vtkIdType pins[2]);
 
   bool SplitTriangles = true;
   double ImprintTolerance = 1e-5;

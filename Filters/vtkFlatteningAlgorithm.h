@@ -7,8 +7,8 @@
  * is silently wrong.
  *
  * - **Refused** (codes up to NumericalFailure): one vtkErrorMacro names the defect, the first
- *   offending ids and the way out. The outputs have neither points nor cells. A run that was aborted
- *   (CANCELLED) is treated so too, but without the error.
+ *   offending ids and the way out. The outputs have neither points nor cells. A run that was
+ * aborted (CANCELLED) is treated so too, but without the error.
  * - **Broken promise** (codes from NOT_CONVERGED on): the outputs are complete, and a
  *   vtkWarningMacro says what is not as it should be.
  *
@@ -26,9 +26,16 @@
 #include "vtkSmartPointer.h" // for the ids
 
 #include <string> // for the message
-#include <vector> // for the ids
 
 class vtkIdTypeArray;
+
+namespace flattening
+{
+namespace bridge
+{
+struct Outcome;
+}
+}
 
 class VTKFILTERSFLATTENING_EXPORT vtkFlatteningAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -55,6 +62,7 @@ public:
     HANDLE,
     CURVE_TOO_SHORT,
     CURVE_POINT_OFF_SURFACE,
+    CURVE_LEAVES_SURFACE,
     CURVE_NOT_ON_EDGES,
     INVALID_CURVE,
     PATCH_NOT_DISK,
@@ -78,9 +86,9 @@ public:
   ///@}
 
   /**
-   * Ids of the offending elements of the last run, in the numbering of the input: cells or points of
-   * the surface (port 0), or for a curve the cells or points of the data set that holds the curve;
-   * the message says which. Empty where the status is OK or concerns no element. Never null.
+   * Ids of the offending elements of the last run, in the numbering of the input: cells or points
+   * of the surface (port 0), or for a curve the cells or points of the data set that holds the
+   * curve; the message says which. Empty where the status is OK or concerns no element. Never null.
    */
   vtkIdTypeArray* GetStatusIds() const;
 
@@ -94,10 +102,20 @@ protected:
   ~vtkFlatteningAlgorithm() override;
 
   /**
+   * Empties the outputs and forgets the status of the last run.
+   */
+  void Begin(vtkInformationVector* outputVector);
+
+  /**
    * Keeps the status and gives the error or the warning that belongs to it. Returns whether there
    * is a result.
    */
-  bool Conclude(int code, const std::string& message, const std::vector<vtkIdType>& ids);
+  bool Conclude(const flattening::bridge::Outcome& outcome);
+
+  /**
+   * Adds the field data `RunStatus`, `RunStatusMessage` and `RunStatusIds`.
+   */
+  void WriteRunStatus(vtkPolyData* output) const;
 
 private:
   vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;

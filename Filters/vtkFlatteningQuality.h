@@ -3,24 +3,25 @@
  * @class vtkFlatteningQuality
  * @brief measure any flattening or parameterization of a surface
  *
- * **Port 0**, the surface in space. **Port 1**, optional, the flat surface: vtkPolyData with the same
- * points and cells, x and y its flat positions. Without it the active texture coordinates of the surface
- * are the flat positions; bring them to the unit of length first, since nothing is scaled. **Port 2**,
- * optional, the edges that E_len is taken over: line cells whose points have the coordinates of points
- * of the surface, each segment an edge of the surface. Without it those are the boundary edges.
+ * **Port 0**, the surface in space. **Port 1**, optional, the flat surface: vtkPolyData with the
+ * same points and cells, x and y its flat positions. Without it the active texture coordinates of
+ * the surface are the flat positions; bring them to the unit of length first, since nothing is
+ * scaled. **Port 2**, optional, the edges that E_len is taken over: line cells whose points have
+ * exactly the coordinates of points of the surface (or all of them those of the flat surface); both
+ * sides of a cut count. Without it those are the boundary edges.
  *
- * Points are taken as they are: a surface that is cut open is measured cut open. A map that turns the
- * whole surface over (the sum of signed areas is negative) is measured as if seen from behind.
+ * Points are taken as they are: a surface that is cut open is measured cut open. A map that turns
+ * the whole surface over (the sum of signed areas is negative) is measured as if seen from behind.
  *
- * **Output**: the surface's triangles, in the order of its cells, with its data and the cell arrays
- * `HomogeneityOfDistortion`, `AspectRatio`, `AreaRatio`, `AngleError` (double), `Flipped` (unsigned
- * char), `vtkOriginalCellIds` (id), and the field data, one row: `Triangles`, `Vertices`,
- * `FlippedTriangles`, `Overlaps` (id), `EdgeLengthError`, `MaxEdgeLengthError`, `AngleErrorMean`,
- * `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError` (double), `Mirrored` (id, 1 where the map turned
- * the surface over), `OverlapEdges` (id, 4 components: the points of two boundary edges that cross, a
- * row a pair; at most MaximumOverlaps), `RunStatus`, `RunStatusMessage` (string), `RunStatusIds` (id).
- * Meanings: see vtkWireWarpingFilter. `vtkOriginalPointIds` (id) is added to the points, of which those
- * that no polygon uses are dropped.
+ * **Output**: the triangles of the surface over its points, in the order of its cells, with its
+ * data and the cell arrays `HomogeneityOfDistortion`, `AspectRatio`, `AreaRatio`, `AngleError`
+ * (double), `Flipped` (unsigned char), `vtkOriginalCellIds` (id). Field data, one row: `Triangles`,
+ * `Vertices`, `FlippedTriangles`, `Overlaps` (id), `EdgeLengthError`, `MaxEdgeLengthError`,
+ * `AngleErrorMean`, `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError` (double), `Mirrored` (id,
+ * 1 where the map turned the surface over), `RunStatus`, `RunStatusMessage` (string);
+ * `RunStatusIds` (id); `OverlapEdges` (id, 4 components: the points of two boundary edges that
+ * cross, a row a pair; at most MaximumOverlaps). Meanings: see vtkWireWarpingFilter. Flips and
+ * overlaps are a result here, not a broken promise.
  *
  * @sa vtkWireWarpingFilter vtkLeastSquaresConformalFilter
  */

@@ -3,15 +3,16 @@
  * @class vtkLeastSquaresConformalFilter
  * @brief flatten a surface so that its angles change least
  *
- * The least squares conformal map of each piece, scaled so that its perimeter is that of the surface.
- * It keeps no length: it is the comparison of the WireWarping paper, and the usual parameterization for
- * textures. Feature curves are optional; darts and seams among them are opened first, the others only
- * say over which edges E_len is taken.
+ * The least squares conformal map of each piece, scaled so that its perimeter is that of the
+ * surface. It keeps no length: it is the comparison of the WireWarping paper, and the usual
+ * parameterization for textures. Feature curves are optional; darts and seams among them are opened
+ * first, the others only say over which edges E_len is taken.
  *
- * Inputs: see vtkFeatureCurveAlgorithm. Outputs, arrays and field data: those of vtkWireWarpingFilter.
+ * Inputs: see vtkFeatureCurveAlgorithm. Outputs, arrays and field data: those of
+ * vtkWireWarpingFilter.
  *
- * The method is that of B. Levy, S. Petitjean, N. Ray, J. Maillot, "Least squares conformal maps for
- * automatic texture atlas generation", ACM Transactions on Graphics 21(3), 2002,
+ * The method is that of B. Levy, S. Petitjean, N. Ray, J. Maillot, "Least squares conformal maps
+ * for automatic texture atlas generation", ACM Transactions on Graphics 21(3), 2002,
  * https://doi.org/10.1145/566654.566590.
  *
  * @sa vtkWireWarpingFilter vtkFlatteningQuality
@@ -31,8 +32,8 @@ public:
 
   ///@{
   /**
-   * The two points of the surface that are pinned; -1: the two boundary points that are farthest apart
-   * (always so in a piece that has not both). Default: -1, -1.
+   * The two points of the surface that are pinned; -1: the two boundary points that are farthest
+   * apart (always so in a piece that has not both). Default: -1, -1.
    */
   vtkSetVector2Macro(Pins, vtkIdType);
   vtkGetVector2Macro(Pins, vtkIdType);
@@ -40,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Divide the two equations of each triangle by the root of its area, as Levy et al. do, so that every
-   * triangle counts by its area. Off, large triangles count more. Default: on.
+   * Divide the two equations of each triangle by the root of its area, as Levy et al. do, so that
+   * every triangle counts by its area. Off, large triangles count more. Default: on.
    */
   vtkSetMacro(AreaNormalized, bool);
   vtkGetMacro(AreaNormalized, bool);
@@ -59,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05. Range:
-   * from 0.
+   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05.
+   * Range: from 0.
    */
   vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Spacing, double);

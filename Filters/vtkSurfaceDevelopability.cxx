@@ -1,19 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceDevelopability.h"
 
-#include "Status.h"
+#include "FieldArrays.h"
+#include "SurfaceDevelopability.h"
+#include "SurfaceInput.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkSurfaceDevelopability);
 
 //------------------------------------------------------------------------------
+vtkSurfaceDevelopability::vtkSurfaceDevelopability() = default;
+
+//------------------------------------------------------------------------------
+vtkSurfaceDevelopability::~vtkSurfaceDevelopability() = default;
+
+//------------------------------------------------------------------------------
 int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData::GetData(outputVector)->ShallowCopy(vtkPolyData::GetData(inputVector[0]));
+  this->Begin(outputVector);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const flattening::bridge::LoadedSurface surface =
+    flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Join);
+  if (!this->Conclude(surface.outcome))
+  {
+    return 1;
+  }
+  const std::vector<double> developability =
+    flattening::surfaceDevelopability(surface.prepared.mesh);
+  output->ShallowCopy(input);
+  const flattening::Indices& vertexOfPoint = surface.prepared.vertexOfPoint;
+  flattening::bridge::addRows<vtkDoubleArray>(
+    output->GetPointData(), "Developability", vertexOfPoint.size(), [&](std::size_t point) {
+      const flattening::Index vertex = vertexOfPoint[point];
+      return vertex == flattening::none ? 0.0 : developability[vertex];
+    });
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceDevelopability::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
 }

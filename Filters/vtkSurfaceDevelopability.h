@@ -3,10 +3,10 @@
  * @class vtkSurfaceDevelopability
  * @brief how far each point of a surface is from being developable
  *
- * Adds the point array `Developability` (double, radians) to the surface: abs(2 pi - sum of the angles
- * around the point), Eq. 25 of the WireWarping paper, which is 0 where the surface can be laid flat
- * without stretch; 0 also at points on the boundary, where any sum can lie flat, and at points that no
- * polygon uses. Regions of high values are where a dart or a feature curve helps.
+ * Adds the point array `Developability` (double, radians) to the surface: abs(2 pi - sum of the
+ * angles around the point), Eq. 25 of the WireWarping paper, which is 0 where the surface can be
+ * laid flat without stretch; 0 also at points on the boundary, where any sum can lie flat, and at
+ * points that no polygon uses. Regions of high values are where a dart or a feature curve helps.
  *
  * The input is vtkPolyData; polygons and strips are measured as triangulated, points with equal
  * coordinates as one. Cells and all other data pass through. After a refusal (see

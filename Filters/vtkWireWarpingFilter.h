@@ -3,17 +3,19 @@
  * @class vtkWireWarpingFilter
  * @brief flatten a surface with feature curves of exact length
  *
- * The surface's boundary and its feature curves are *wires*: in the plane each of their edges has the
- * length that it has in space. Darts are opened and seams are cut through first; every piece that comes
- * of it is flattened on its own and laid beside the others. Inputs: see vtkFeatureCurveAlgorithm.
+ * The surface's boundary and its feature curves are *wires*: in the plane each of their edges has
+ * the length that it has in space. Darts are opened and seams are cut through first; every piece
+ * that comes of it is flattened on its own and laid beside the others. Inputs: see
+ * vtkFeatureCurveAlgorithm.
  *
- * **Output 0, the flat pieces**: z = 0; the triangles of the input in the order of its cells (those of
- * one polygon in a row), counter-clockwise, with the input's point data, cell data and field data.
+ * **Output 0, the flat pieces**: z = 0; the triangles of the input in the order of its cells (those
+ * of one polygon in a row), counter-clockwise, with the input's point data, cell data and field
+ * data.
  *
  * | array | on | type | meaning |
  * |---|---|---|---|
  * | `HomogeneityOfDistortion` | cells | double | min(a, 1/a) with a = flat area / area on the surface; 1 is ideal, 0 where flipped |
- * | `AspectRatio` | cells | double | s / S, the singular values of the map of the triangle; 1 is ideal |
+ * | `AspectRatio` | cells | double | s / S, the singular values of the map of the triangle; 1 is ideal, negative where flipped |
  * | `AreaRatio` | cells | double | a, negative where flipped |
  * | `AngleError` | cells | double | mean of abs(flat angle - angle) / angle over the corners |
  * | `Flipped` | cells | unsigned char | 1 where the triangle is turned over or without area |
@@ -27,9 +29,9 @@
  * Field data of output 0, **one row a piece**: `Triangles`, `Vertices`, `WirePatches`, `WireNodes`,
  * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id); `Objective`,
  * `ClosureResidual` (unit of length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
- * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max a),
- * `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of area)
- * (double); `Status`, `StatusMessage` (string).
+ * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max
+ * a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of
+ * area) (double); `Status`, `StatusMessage` (string).
  *
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
  * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds().
@@ -37,27 +39,28 @@
  * **One row an iteration**: `HistoryPiece`, `HistoryPhase` (string), `HistoryObjective`,
  * `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`, `HistoryStep` (radians).
  *
- * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1 is
- * sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a row of
- * output 1's field data. **One row a pair of boundary edges that cross**: `OverlapEdges` (id, 5
- * components): the points of both edges, the piece. Point ids are those of output 0.
+ * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
+ * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a
+ * row of output 1's field data. **One row a pair of boundary edges that cross**: `OverlapEdges`
+ * (id, 5 components): the points of both edges, the piece. Point ids are those of output 0.
  *
- * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays: `CurveType`
- * (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1), `CurveName` (string),
- * `PieceId` (id), `Boundary` (unsigned char, 1 where the wire bounds its piece), `Connector` (unsigned
- * char, 1 where it joins a loose loop and its length is free), `RestLength`, `FlatLength` (unit of
- * length), `LengthError` (double; the largest relative error of one of its edges).
- * Field data, one row a feature curve: `CurveNames` (string), `CurveTypes` (int), `CurveRestLengths`,
- * `CurveFlatLengths`, `CurveLengthErrors` (double); both sides of a cut count once.
+ * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays:
+ * `CurveType` (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1),
+ * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the wire bounds its
+ * piece), `Connector` (unsigned char, 1 where it joins a loose loop and its length is free),
+ * `RestLength`, `FlatLength` (unit of length), `LengthError` (double; the largest relative error of
+ * one of its edges). Field data, one row a feature curve: `CurveNames` (string), `CurveTypes`
+ * (int), `CurveRestLengths`, `CurveFlatLengths`, `CurveLengthErrors` (double); both sides of a cut
+ * count once.
  *
  * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
- * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit of
- * length, so that a pattern keeps its scale).
+ * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit
+ * of length, so that a pattern keeps its scale).
  *
  * After a refusal all outputs are without points and cells, and the field data of output 0 has
- * `RunStatus`, `RunStatusMessage` and `RunStatusIds` alone. Promises whose breach is told as a warning
- * and in `Status`: the solver converged, key curves are compatible, no wire edge is off by more than
- * MaximumLengthError, no triangle is flipped, no piece overlaps itself.
+ * `RunStatus`, `RunStatusMessage` and `RunStatusIds` alone. Promises whose breach is told as a
+ * warning and in `Status`: the solver converged, key curves are compatible, no wire edge is off by
+ * more than MaximumLengthError, no triangle is flipped, no piece overlaps itself.
  *
  * The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening approach with
  * length-preserved feature curves", Computer-Aided Design 40(3), 2008,
@@ -115,9 +118,9 @@ public:
 
   ///@{
   /**
-   * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the directions of
-   * the wire edges; SEQUENTIAL, the paper's sequential linearly constrained programming (Eq. 15).
-   * Default: NEWTON.
+   * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the
+   * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
+   * programming (Eq. 15). Default: NEWTON.
    */
   vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
   vtkGetMacro(Solver, int);
@@ -178,8 +181,8 @@ public:
 
   ///@{
   /**
-   * The solver stops when no entry of the gradient of the Lagrangian is larger. Default: 1e-10. Range:
-   * from 0.
+   * The solver stops when no entry of the gradient of the Lagrangian is larger. Default: 1e-10.
+   * Range: from 0.
    */
   vtkSetClampMacro(OptimalityTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OptimalityTolerance, double);
@@ -232,8 +235,8 @@ public:
 
   ///@{
   /**
-   * LEAST_SQUARES_CONFORMAL: the two points of the surface that are pinned; -1: the two boundary points
-   * that are farthest apart. Default: -1, -1.
+   * LEAST_SQUARES_CONFORMAL: the two points of the surface that are pinned; -1: the two boundary
+   * points that are farthest apart. Default: -1, -1.
    */
   vtkSetVector2Macro(ConformalPins, vtkIdType);
   vtkGetVector2Macro(ConformalPins, vtkIdType);
@@ -241,9 +244,9 @@ public:
 
   ///@{
   /**
-   * Turn the pieces upright (the first key curve, the grainline, else the longest extent, along y) and
-   * lay them beside each other without overlap. Off: each stays where its first wire edge put it.
-   * Default: on.
+   * Turn the pieces upright (the first key curve, the grainline, else the longest extent, along y)
+   * and lay them beside each other without overlap. Off: each stays where its first wire edge put
+   * it. Default: on.
    */
   vtkSetMacro(Arrange, bool);
   vtkGetMacro(Arrange, bool);
@@ -252,8 +255,8 @@ public:
 
   ///@{
   /**
-   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05. Range:
-   * from 0.
+   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05.
+   * Range: from 0.
    */
   vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Spacing, double);
@@ -261,8 +264,8 @@ public:
 
   ///@{
   /**
-   * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default: 1e-9.
-   * Range: from 0.
+   * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default:
+   * 1e-9. Range: from 0.
    */
   vtkSetClampMacro(MaximumLengthError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumLengthError, double);

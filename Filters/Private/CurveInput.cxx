@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveInput.h"
+
+#include "CellVisit.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkStripper.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+/// What the arrays say of a line cell.
+struct Attributes
+{
+  CurveType type = CurveType::Accessory;
+  std::string name;
+  KeyShape keyShape = KeyShape::Surface;
+  double tolerance = 0.0;
+
+  bool operator<(const Attributes& other) const
+  {
+    return std::tie(this->type, this->name, this->keyShape, this->tolerance) <
+      std::tie(other.type, other.name, other.keyShape, other.tolerance);
+  }
+};
+
+struct Chain
+{
+  vtkIdType cell = -1; ///< the first one
+  Attributes attributes;
+  std::vector<vtkIdType> points;
+};
+
+/// Reads the line cells of one data set.
+class LineReader
+{
+public:
+  LineReader(vtkPolyData* data, CurveInput& curves)
+    : Data(data)
+    , Curves(curves)
+    , FirstLine(data->GetNumberOfVerts())
+  {
+  }
+
+  bool read() { return this->checkArrays() && this->collectChains() && this->appendPolylines(); }
+
+private:
+  bool refuse(StatusCode code, const std::string& message, std::vector<vtkIdType> ids)
+  {
+    this->Curves.outcome = { code, message, std::move(ids) };
+    return false;
+  }
+
+  bool refuseCell(vtkIdType cell, const std::string& what)
+  {
+    return this->refuse(StatusCode::InvalidCurve,
+      "cell " + std::to_string(cell) + " of the curves " + what, { cell });
+  }
+
+  bool checkArrays()
+  {
+    vtkCellData* cells = this->Data->GetCellData();
+    this->Type = cells->GetAbstractArray("CurveType");
+    this->Name = cells->GetAbstractArray("CurveName");
+    this->Shape = cells->GetAbstractArray("KeyShape");
+    this->Tolerance = cells->GetAbstractArray("LengthTolerance");
+    this->Planar = this->Data->GetPointData()->GetAbstractArray("PlanarShape");
+    for (vtkAbstractArray* array : { this->Type, this->Name, this->Shape, this->Tolerance })
+    {
+      if (!this->hasShape(array, 1, this->Data->GetNumberOfCells(), "cell"))
+      {
+        return false;
+      }
+    }
+    return this->hasShape(this->Planar, 2, this->Data->GetNumberOfPoints(), "point");
+  }
+
+  bool hasShape(vtkAbstractArray* array, int components, vtkIdType tuples, const char* what)
+  {
+    if (!array ||
+      (array->GetNumberOfComponents() == components && array->GetNumberOfTuples() >= tuples))
+    {
+      return true;
+    }
+    return this->refuse(StatusCode::InvalidCurve,
+      std::string("the array ") + array->GetName() + " of the curves must have " +
+        std::to_string(components) + (components == 1 ? " component" : " components") +
+        " and a value for each " + what,
+      {});
+  }
+
+  bool readType(vtkIdType cell, CurveType& type)
+  {
+    if (!this->Type)
+    {
+      return true;
+    }
+    const vtkVariant value = this->Type->GetVariantValue(cell);
+    for (const CurveType candidate :
+      { CurveType::Accessory, CurveType::Key, CurveType::Dart, CurveType::Seam })
+    {
+      const bool equal = value.IsNumeric() ? value.ToDouble() == static_cast<int>(candidate)
+                                           : value.ToString() == curveTypeName(candidate);
+      if (equal)
+      {
+        type = candidate;
+        return true;
+      }
+    }
+    return this->refuseCell(cell,
+      "has the CurveType \"" + value.ToString() +
+        "\"; give 0 (accessory), 1 (key), 2 (dart), 3 (seam) or one of these names");
+  }
+
+  bool readAttributes(vtkIdType cell, Attributes& attributes)
+  {
+    if (!this->readType(cell, attributes.type))
+    {
+      return false;
+    }
+    if (this->Name)
+    {
+      attributes.name = this->Name->GetVariantValue(cell).ToString();
+    }
+    if (this->Shape)
+    {
+      const double shape = this->Shape->GetVariantValue(cell).ToDouble();
+      if (shape != 0.0 && shape != 1.0)
+      {
+        return this->refuseCell(
+          cell, "has a KeyShape that is neither 0 (as on the surface) nor 1 (straight)");
+      }
+      attributes.keyShape = shape == 1.0 ? KeyShape::Straight : KeyShape::Surface;
+    }
+    if (this->Tolerance)
+    {
+      attributes.tolerance = this->Tolerance->GetVariantValue(cell).ToDouble();
+      if (!(attributes.tolerance >= 0.0 && attributes.tolerance < 1.0))
+      {
+        return this->refuseCell(
+          cell, "has a LengthTolerance outside [0, 1); give a fraction of the length");
+      }
+    }
+    return true;
+  }
+
+  /// Polylines as they are; two-point lines that agree in their attributes joined end to end.
+  bool collectChains()
+  {
+    if (this->Data->GetNumberOfPoints() > std::numeric_limits<Index>::max())
+    {
+      return this->refuse(
+        StatusCode::InvalidOption, "the curves have too many points; divide their data set", {});
+    }
+    bool sound = true;
+    std::map<Attributes, std::vector<Chain>> segments;
+    forEachCell(this->Data->GetLines(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
+      const vtkIdType cell = this->FirstLine + k;
+      Chain chain;
+      chain.cell = cell;
+      chain.points.assign(ids, ids + count);
+      sound = sound && this->checkPoints(chain) && this->readAttributes(cell, chain.attributes);
+      if (sound && count == 2 && ids[0] != ids[1])
+      {
+        segments[chain.attributes].push_back(std::move(chain));
+      }
+      else if (sound)
+      {
+        this->Chains.push_back(std::move(chain));
+      }
+    });
+    for (const auto& group : segments)
+    {
+      this->joinSegments(group.second);
+    }
+    std::stable_sort(this->Chains.begin(), this->Chains.end(),
+      [](const Chain& a, const Chain& b) { return a.cell < b.cell; });
+    return sound;
+  }
+
+  bool checkPoints(const Chain& chain)
+  {
+    const vtkIdType count = this->Data->GetNumberOfPoints();
+    const bool known = std::all_of(chain.points.begin(), chain.points.end(),
+      [count](vtkIdType p) { return p >= 0 && p < count; });
+    return known ||
+      this->refuse(StatusCode::InvalidPointId,
+        "cell " + std::to_string(chain.cell) + " of the curves uses a point id outside 0.." +
+          std::to_string(count - 1) + "; write the file again",
+        { chain.cell });
+  }
+
+  void joinSegments(const std::vector<Chain>& segments)
+  {
+    std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> cellOfSegment;
+    vtkNew<vtkCellArray> lines;
+    for (const Chain& segment : segments)
+    {
+      lines->InsertNextCell(2, segment.points.data());
+      cellOfSegment.insert({ std::minmax(segment.points[0], segment.points[1]), segment.cell });
+    }
+    vtkNew<vtkPolyData> group;
+    group->SetPoints(this->Data->GetPoints());
+    group->SetLines(lines);
+    vtkNew<vtkStripper> stripper;
+    stripper->SetInputData(group);
+    stripper->JoinContiguousSegmentsOn();
+    stripper->Update();
+    forEachCell(
+      stripper->GetOutput()->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
+        Chain chain;
+        chain.cell = std::numeric_limits<vtkIdType>::max();
+        chain.attributes = segments.front().attributes;
+        chain.points.assign(ids, ids + count);
+        for (vtkIdType i = 1; i < count; ++i)
+        {
+          chain.cell = std::min(chain.cell, cellOfSegment.at(std::minmax(ids[i - 1], ids[i])));
+        }
+        this->Chains.push_back(std::move(chain));
+      });
+  }
+
+  bool appendPolylines()
+  {
+    for (const Chain& chain : this->Chains)
+    {
+      Polyline polyline;
+      polyline.name = chain.attributes.name.empty()
+        ? "curve " + std::to_string(this->Curves.polylines.size())
+        : chain.attributes.name;
+      polyline.type = chain.attributes.type;
+      polyline.keyShape = chain.attributes.keyShape;
+      polyline.tolerance = chain.attributes.tolerance;
+      for (const vtkIdType p : chain.points)
+      {
+        Point3 point;
+        this->Data->GetPoint(p, point.data());
+        polyline.points.push_back(point);
+        polyline.pointIds.push_back(static_cast<Index>(p));
+      }
+      if (!this->readPlanarShape(polyline))
+      {
+        return false;
+      }
+      this->Curves.polylines.push_back(std::move(polyline));
+      this->Curves.cellOfPolyline.push_back(chain.cell);
+    }
+    return true;
+  }
+
+  bool readPlanarShape(Polyline& polyline)
+  {
+    auto* planar = vtkDataArray::SafeDownCast(this->Planar);
+    if (!planar || polyline.type != CurveType::Key || polyline.keyShape == KeyShape::Straight)
+    {
+      return true;
+    }
+    std::vector<vtkIdType> without;
+    for (const Index p : polyline.pointIds)
+    {
+      const Point2 point(planar->GetComponent(p, 0), planar->GetComponent(p, 1));
+      if (point.allFinite())
+      {
+        polyline.planarShape.push_back(point);
+      }
+      else
+      {
+        without.push_back(p);
+      }
+    }
+    if (!without.empty() && !polyline.planarShape.empty())
+    {
+      return this->refuse(StatusCode::InvalidCurve,
+        "the curve \"" + polyline.name + "\" has a PlanarShape at some of its points, but not at " +
+          listIds(Indices(without.begin(), without.end())) + "; give it at all of them, or at none",
+        without);
+    }
+    if (without.empty())
+    {
+      polyline.keyShape = KeyShape::Planar;
+    }
+    return true;
+  }
+
+  vtkPolyData* Data;
+  CurveInput& Curves;
+  vtkIdType FirstLine;
+  std::vector<Chain> Chains;
+  vtkAbstractArray* Type = nullptr;
+  vtkAbstractArray* Name = nullptr;
+  vtkAbstractArray* Shape = nullptr;
+  vtkAbstractArray* Tolerance = nullptr;
+  vtkAbstractArray* Planar = nullptr;
+};
+}
+
+bool readCurves(vtkPolyData* data, CurveInput& curves)
+{
+  return data->GetNumberOfLines() == 0 || LineReader(data, curves).read();
+}
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FeatureCurve.h"
+#include "Outcome.h"
+
+class vtkPolyData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// Feature curves of one or several data sets; the arrays are those of vtkFeatureCurveAlgorithm.
+struct CurveInput
+{
+  std::vector<Polyline> polylines;       ///< pointIds: of the data set that holds the curve
+  std::vector<vtkIdType> cellOfPolyline; ///< its first cell there
+  Outcome outcome;
+};
+
+/// Adds the line cells of a data set. \return whether all of them are sound
+bool readCurves(vtkPolyData* data, CurveInput& curves);
+}
+}

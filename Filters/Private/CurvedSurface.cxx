@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurvedSurface.h"
+
+#include "vtkPolyData.h"
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+Outcome outcomeOfImprint(
+  const Status& status, const CurveInput& curves, const SurfaceTriangles& input)
+{
+  if (status.code == StatusCode::NumericalFailure)
+  {
+    return outcomeOf(status, "cells", input.cellOfTriangle);
+  }
+  const bool ofCurves =
+    status.code == StatusCode::CurveTooShort || status.code == StatusCode::InvalidCurve;
+  return ofCurves ? outcomeOf(status, "cells", curves.cellOfPolyline) : outcomeOf(status);
+}
+
+/// Of the cut; what comes after it tells triangles or curves.
+bool concernsVertices(StatusCode code)
+{
+  switch (code)
+  {
+    case StatusCode::CurveNotOnEdges:
+    case StatusCode::CurveTooShort:
+    case StatusCode::InvalidPointId:
+      return true;
+    default:
+      return false;
+  }
+}
+}
+
+vtkIdType CurvedSurface::cellOf(Index triangle) const
+{
+  return this->surface.input.cellOfTriangle[this->imprinted.originalTriangle[triangle]];
+}
+
+vtkIdType CurvedSurface::pointOf(Index vertex) const
+{
+  const VertexSource& source = this->imprinted.vertexSource[vertex];
+  return source.weights[0] == 1.0 ? this->surface.prepared.originalPoint[source.vertices[0]] : -1;
+}
+
+Index CurvedSurface::vertexOf(vtkIdType point) const
+{
+  const Indices& vertexOfPoint = this->surface.prepared.vertexOfPoint;
+  const bool known = point >= 0 && point < static_cast<vtkIdType>(vertexOfPoint.size());
+  return known ? vertexOfPoint[point] : none;
+}
+
+Outcome CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const
+{
+  pins = { this->vertexOf(points[0]), this->vertexOf(points[1]) };
+  const bool automatic = points[0] < 0 && points[1] < 0;
+  if (automatic || (pins[0] != none && pins[1] != none && pins[0] != pins[1]))
+  {
+    return {};
+  }
+  return { StatusCode::InvalidOption,
+    "the pins " + std::to_string(points[0]) + " and " + std::to_string(points[1]) +
+      " are not two different points of the surface's triangles; name two, or -1 for both",
+    { points[0], points[1] } };
+}
+
+Outcome CurvedSurface::outcomeOfStage(const Status& status) const
+{
+  if (status.ids.empty())
+  {
+    return outcomeOf(status);
+  }
+  if (status.code == StatusCode::IncompatibleKeys)
+  {
+    return outcomeOf(status, "cells of the curves", this->curves.cellOfPolyline);
+  }
+  std::vector<vtkIdType> inputId;
+  if (concernsVertices(status.code))
+  {
+    for (Index v = 0; v < this->imprinted.mesh.vertexCount(); ++v)
+    {
+      inputId.push_back(this->pointOf(v));
+    }
+    return outcomeOf(status, "points", inputId);
+  }
+  for (Index t = 0; t < this->imprinted.mesh.triangleCount(); ++t)
+  {
+    inputId.push_back(this->cellOf(t));
+  }
+  return outcomeOf(status, "cells", inputId);
+}
+
+CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
+  const ImprintOptions& options, const Execution& execution)
+{
+  CurvedSurface result;
+  result.data = surface;
+  result.surface = loadSurface(surface, CoincidentPoints::Automatic);
+  result.outcome = result.surface.outcome;
+  if (!result.outcome.ok())
+  {
+    return result;
+  }
+  bool sound = readCurves(surface, result.curves);
+  for (vtkPolyData* data : curves)
+  {
+    sound = sound && readCurves(data, result.curves);
+  }
+  if (!sound)
+  {
+    result.outcome = result.curves.outcome;
+    return result;
+  }
+  result.imprinted =
+    imprintCurves(result.surface.prepared.mesh, result.curves.polylines, options, execution);
+  result.outcome = outcomeOfImprint(result.imprinted.status, result.curves, result.surface.input);
+  return result;
+}
+}
+}

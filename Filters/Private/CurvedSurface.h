@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurveImprint.h"
+#include "CurveInput.h"
+#include "SurfaceCut.h"
+#include "SurfaceInput.h"
+
+#include "vtkSmartPointer.h"
+
+namespace flattening
+{
+namespace bridge
+{
+/// A surface with its feature curves imprinted, and the way back from Core's ids to the input's:
+///
+///     vertex of the cut surface -> CutSurface::originalVertex -> vertex of imprinted.mesh
+///       -> imprinted.vertexSource -> vertex of surface.prepared.mesh -> originalPoint -> point of the input
+///     triangle of the cut surface = triangle of imprinted.mesh
+///       -> imprinted.originalTriangle -> triangle of the input -> cellOfTriangle -> cell of the input
+///
+/// The ids of a stage's Status are: those of the input in readTriangles() and readCurves();
+/// triangles and points of the input in prepareSurface(); points of the curve's data set, curves,
+/// or triangles of the input (NumericalFailure) in imprintCurves(); vertices of imprinted.mesh in
+/// cutSurface(); curves (IncompatibleKeys) or triangles after it.
+struct CurvedSurface
+{
+  vtkSmartPointer<vtkPolyData> data;
+  LoadedSurface surface;
+  CurveInput curves;
+  ImprintedSurface imprinted;
+  Outcome outcome;
+
+  /// Cell of the input that a triangle of the imprinted (or cut) surface is a part of.
+  vtkIdType cellOf(Index triangle) const;
+  /// Point of the input that a vertex of the imprinted surface is; -1 where imprinting made it.
+  vtkIdType pointOf(Index vertex) const;
+  /// Vertex of the imprinted surface that a point of the input became; none where no triangle uses
+  /// it.
+  Index vertexOf(vtkIdType point) const;
+  /// The vertices of two points of the input; none for -1. Refuses points that no triangle uses,
+  /// one pin alone, and twice the same.
+  Outcome pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const;
+  /// The outcome of a stage after imprinting.
+  Outcome outcomeOfStage(const Status& status) const;
+};
+
+CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
+  const ImprintOptions& options, const Execution& execution);
+}
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlatteningOutput.h"
+
+#include "SurfaceOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+void writePieces(
+  const CurvedSurface& source, const std::vector<PieceReport>& pieces, vtkFieldData* field)
+{
+  const std::size_t rows = pieces.size();
+  auto addIds = [&](const char* name, auto PieceReport::*member) {
+    addRows<vtkIdTypeArray>(
+      field, name, rows, [&](std::size_t row) { return vtkIdType{ pieces[row].*member }; });
+  };
+  addIds("Triangles", &PieceReport::triangles);
+  addIds("Vertices", &PieceReport::vertices);
+  addIds("WirePatches", &PieceReport::wirePatches);
+  addIds("WireNodes", &PieceReport::wireNodes);
+  addIds("FreeWireNodes", &PieceReport::freeWireNodes);
+  addIds("Constraints", &PieceReport::constraints);
+  addIds("Iterations", &PieceReport::iterations);
+  addRows<vtkIdTypeArray>(field, "Overlaps", rows,
+    [&](std::size_t row) { return static_cast<vtkIdType>(pieces[row].overlaps.size()); });
+  addRows<vtkDoubleArray>(
+    field, "Objective", rows, [&](std::size_t row) { return pieces[row].objective; });
+  addRows<vtkDoubleArray>(
+    field, "ClosureResidual", rows, [&](std::size_t row) { return pieces[row].closureResidual; });
+  std::vector<QualitySummary> summaries;
+  for (const PieceReport& piece : pieces)
+  {
+    summaries.push_back(piece.quality);
+  }
+  writeSummaries(summaries, field);
+  addRows<vtkStringArray>(
+    field, "Status", rows, [&](std::size_t row) { return statusName(pieces[row].status.code); });
+  addRows<vtkStringArray>(field, "StatusMessage", rows,
+    [&](std::size_t row) { return source.outcomeOfStage(pieces[row].status).message; });
+}
+
+void writeHistory(const std::vector<PieceReport>& pieces, vtkFieldData* field)
+{
+  std::vector<vtkIdType> pieceOfRow;
+  std::vector<IterationRecord> records;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    records.insert(records.end(), pieces[p].history.begin(), pieces[p].history.end());
+    pieceOfRow.resize(records.size(), static_cast<vtkIdType>(p));
+  }
+  const std::size_t rows = records.size();
+  addRows<vtkIdTypeArray>(
+    field, "HistoryPiece", rows, [&](std::size_t row) { return pieceOfRow[row]; });
+  addRows<vtkStringArray>(
+    field, "HistoryPhase", rows, [&](std::size_t row) { return records[row].phase; });
+  addRows<vtkDoubleArray>(
+    field, "HistoryObjective", rows, [&](std::size_t row) { return records[row].objective; });
+  addRows<vtkDoubleArray>(
+    field, "HistoryClosure", rows, [&](std::size_t row) { return records[row].closure; });
+  addRows<vtkDoubleArray>(
+    field, "HistoryOptimality", rows, [&](std::size_t row) { return records[row].optimality; });
+  addRows<vtkDoubleArray>(
+    field, "HistoryStep", rows, [&](std::size_t row) { return records[row].step; });
+}
+
+void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
+{
+  vtkNew<vtkIdTypeArray> edges;
+  edges->SetName("OverlapEdges");
+  edges->SetNumberOfComponents(5);
+  const TriangleMesh& mesh = result.cut.mesh;
+  for (std::size_t p = 0; p < result.pieces.size(); ++p)
+  {
+    for (const std::array<Index, 2>& pair : result.pieces[p].overlaps)
+    {
+      const vtkIdType row[5] = { mesh.from(pair[0]), mesh.to(pair[0]), mesh.from(pair[1]),
+        mesh.to(pair[1]), static_cast<vtkIdType>(p) };
+      edges->InsertNextTypedTuple(row);
+    }
+  }
+  field->AddArray(edges);
+}
+
+void writeSeconds(const StageSeconds& seconds, vtkFieldData* field)
+{
+  auto add = [field](const char* name, double value) {
+    addRows<vtkDoubleArray>(field, name, 1, [value](std::size_t) { return value; });
+  };
+  add("SecondsWires", seconds.wires);
+  add("SecondsInterior", seconds.interior);
+  add("SecondsQuality", seconds.quality);
+  add("SecondsTotal", seconds.total);
+}
+
+/// Per wire-patch its place in the order in which its piece was warped.
+Indices placesInOrder(const FlatteningResult& result)
+{
+  Indices place;
+  for (const PieceReport& piece : result.pieces)
+  {
+    for (std::size_t i = 0; i < piece.warpingOrder.size(); ++i)
+    {
+      const std::size_t patch = static_cast<std::size_t>(piece.warpingOrder[i]);
+      place.resize(std::max(place.size(), patch + 1), none);
+      place[patch] = static_cast<Index>(i);
+    }
+  }
+  return place;
+}
+
+void writePatches(const FlatteningResult& result, vtkCellData* cells)
+{
+  const Indices& patches = result.patchOfTriangle;
+  addRows<vtkIdTypeArray>(
+    cells, "WirePatchId", patches.size(), [&](std::size_t t) { return patches[t]; });
+  const Indices place = placesInOrder(result);
+  if (!place.empty())
+  {
+    addRows<vtkIdTypeArray>(cells, "WarpingOrder", patches.size(), [&](std::size_t t) {
+      const std::size_t patch = static_cast<std::size_t>(patches[t]);
+      return patch < place.size() ? place[patch] : none;
+    });
+  }
+}
+
+void writeCurves(const std::vector<CurveReport>& curves, vtkFieldData* field)
+{
+  const std::size_t rows = curves.size();
+  addRows<vtkStringArray>(
+    field, "CurveNames", rows, [&](std::size_t row) { return curves[row].name; });
+  addRows<vtkIntArray>(
+    field, "CurveTypes", rows, [&](std::size_t row) { return static_cast<int>(curves[row].type); });
+  addRows<vtkDoubleArray>(
+    field, "CurveRestLengths", rows, [&](std::size_t row) { return curves[row].restLength; });
+  addRows<vtkDoubleArray>(
+    field, "CurveFlatLengths", rows, [&](std::size_t row) { return curves[row].flatLength; });
+  addRows<vtkDoubleArray>(
+    field, "CurveLengthErrors", rows, [&](std::size_t row) { return curves[row].error; });
+}
+
+void writeFlatLengths(const std::vector<Wire>& wires, vtkCellData* cells)
+{
+  addRows<vtkUnsignedCharArray>(cells, "Connector", wires.size(),
+    [&](std::size_t w) { return static_cast<unsigned char>(wires[w].connector); });
+  addRows<vtkDoubleArray>(
+    cells, "FlatLength", wires.size(), [&](std::size_t w) { return wires[w].flatLength; });
+  addRows<vtkDoubleArray>(
+    cells, "LengthError", wires.size(), [&](std::size_t w) { return wires[w].maximumEdgeError; });
+}
+
+/// The flat positions as active texture coordinates; those of the input stay among the point data.
+void writeTextureCoordinates(const Points2& positions, vtkPointData* points)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetName("FlatPositions");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    coordinates->SetTypedTuple(static_cast<vtkIdType>(v), positions[v].data());
+  }
+  points->AddArray(coordinates);
+  points->SetActiveTCoords(coordinates->GetName());
+}
+}
+
+void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>& curves,
+  vtkPolyData* surface, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> lines;
+  for (const Wire& wire : wires)
+  {
+    lines->InsertNextCell(static_cast<int>(wire.vertices.size()));
+    for (const Index v : wire.vertices)
+    {
+      lines->InsertCellPoint(v);
+    }
+  }
+  output->SetPoints(surface->GetPoints());
+  output->SetLines(lines);
+  output->GetPointData()->ShallowCopy(surface->GetPointData());
+
+  vtkCellData* cells = output->GetCellData();
+  const std::size_t count = wires.size();
+  addRows<vtkIntArray>(cells, "CurveType", count,
+    [&](std::size_t w) { return wires[w].curve == none ? -1 : static_cast<int>(wires[w].type); });
+  addRows<vtkIdTypeArray>(cells, "CurveId", count, [&](std::size_t w) { return wires[w].curve; });
+  addRows<vtkStringArray>(cells, "CurveName", count, [&](std::size_t w) {
+    return wires[w].curve != none ? curves[wires[w].curve].name
+      : wires[w].connector        ? std::string("connector")
+                                  : std::string("boundary");
+  });
+  addRows<vtkIdTypeArray>(cells, "PieceId", count, [&](std::size_t w) { return wires[w].piece; });
+  addRows<vtkUnsignedCharArray>(cells, "Boundary", count,
+    [&](std::size_t w) { return static_cast<unsigned char>(wires[w].boundary); });
+  addRows<vtkDoubleArray>(
+    cells, "RestLength", count, [&](std::size_t w) { return wires[w].restLength; });
+}
+
+void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
+  vtkPolyData* wires, vtkPolyData* cut)
+{
+  writeCutSurface(source, result.cut, makePoints(result.positions), flat);
+  writeTriangleQuality(result.triangles, flat);
+  writePatches(result, flat->GetCellData());
+  addRows<vtkDoubleArray>(flat->GetPointData(), "Developability", result.developability.size(),
+    [&](std::size_t v) { return result.developability[v]; });
+
+  // In space the same data over the original points.
+  cut->SetPoints(makePoints(result.cut.mesh.points()));
+  cut->SetPolys(flat->GetPolys());
+  cut->GetPointData()->ShallowCopy(flat->GetPointData());
+  cut->GetCellData()->ShallowCopy(flat->GetCellData());
+  writeTextureCoordinates(result.positions, cut->GetPointData());
+
+  writeWires(result.wires, source.imprinted.curves, flat, wires);
+  writeFlatLengths(result.wires, wires->GetCellData());
+  writeCurves(result.curves, wires->GetFieldData());
+
+  vtkFieldData* field = flat->GetFieldData();
+  writePieces(source, result.pieces, field);
+  writeHistory(result.pieces, field);
+  writeSeamPairs(result.cut, flat);
+  writeOverlapEdges(result, field);
+  writeSeconds(result.seconds, field);
+}
+}
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurvedSurface.h"
+#include "SurfaceFlattening.h"
+
+namespace flattening
+{
+namespace bridge
+{
+/// Writes a flattening as the three outputs that vtkWireWarpingFilter documents.
+void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
+  vtkPolyData* wires, vtkPolyData* cut);
+
+/// Writes wires as polylines over the points and point data of `surface`, with the cell arrays
+/// `CurveType`, `CurveId`, `CurveName`, `PieceId`, `Boundary` and `RestLength`.
+void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>& curves,
+  vtkPolyData* surface, vtkPolyData* output);
+}
+}

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QualityInput.h"
+
+#include "CellVisit.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <map>
+#include <set>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+using Coordinates = std::array<double, 3>;
+
+Outcome readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface& result)
+{
+  vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
+  if (flat &&
+    (flat->GetNumberOfPoints() != surface->GetNumberOfPoints() ||
+      flat->GetNumberOfPolys() != surface->GetNumberOfPolys() ||
+      flat->GetNumberOfStrips() != surface->GetNumberOfStrips()))
+  {
+    return { StatusCode::InvalidOption,
+      "the flat surface has not as many points and cells as the surface; give the same surface, "
+      "flat",
+      {} };
+  }
+  if (!flat &&
+    (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
+      coordinates->GetNumberOfTuples() < surface->GetNumberOfPoints()))
+  {
+    return { StatusCode::InvalidOption,
+      "there are no flat positions; give the flat surface on port 1, or texture coordinates", {} };
+  }
+  Outcome outcome;
+  for (const Index p : result.surface.prepared.originalPoint)
+  {
+    Coordinates position{};
+    if (flat)
+    {
+      flat->GetPoint(p, position.data());
+    }
+    else
+    {
+      position = { coordinates->GetComponent(p, 0), coordinates->GetComponent(p, 1), 0.0 };
+    }
+    result.positions.emplace_back(position[0], position[1]);
+    if (!result.positions.back().allFinite())
+    {
+      outcome.ids.push_back(p);
+    }
+  }
+  if (!outcome.ids.empty())
+  {
+    outcome.code = StatusCode::NonFinitePoint;
+    outcome.message = "the flat positions of points " +
+      listIds(Indices(outcome.ids.begin(), outcome.ids.end())) +
+      " are not finite numbers; mend them";
+  }
+  return outcome;
+}
+
+void turnFaceUp(MappedSurface& result)
+{
+  double twiceArea = 0.0;
+  for (const Triangle& t : result.surface.prepared.mesh.triangles())
+  {
+    const Point2 u = result.positions[t[1]] - result.positions[t[0]];
+    const Point2 v = result.positions[t[2]] - result.positions[t[0]];
+    twiceArea += u.x() * v.y() - u.y() * v.x();
+  }
+  result.mirrored = twiceArea < 0.0;
+  if (result.mirrored)
+  {
+    for (Point2& position : result.positions)
+    {
+      position.x() = -position.x();
+    }
+  }
+}
+
+/// Finds the half-edges that run between points with the coordinates of a data set's lines.
+class EdgeFinder
+{
+public:
+  /// \param coordinates per vertex of the mesh
+  EdgeFinder(const TriangleMesh& mesh, const std::vector<Coordinates>& coordinates)
+    : Mesh(mesh)
+  {
+    std::map<Coordinates, Index>& first = this->FirstVertex;
+    for (std::size_t v = 0; v < coordinates.size(); ++v)
+    {
+      const auto found = first.insert({ coordinates[v], static_cast<Index>(v) }).first;
+      this->Place.push_back(found->second);
+    }
+  }
+
+  Outcome find(vtkPolyData* lines, Indices& edges) const
+  {
+    using Pair = std::pair<Index, Index>;
+    std::map<Pair, std::pair<vtkIdType, vtkIdType>> wanted; // with the points that ask for it
+    Outcome outcome;
+    forEachCell(lines->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
+      Index last = none;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const Index place = this->placeOf(lines, ids[i]);
+        if (place == none)
+        {
+          outcome.ids.push_back(ids[i]);
+        }
+        else if (last != none && place != last)
+        {
+          wanted.insert({ std::minmax(last, place), { ids[i - 1], ids[i] } });
+        }
+        last = place;
+      }
+    });
+    if (!outcome.ids.empty())
+    {
+      outcome.code = StatusCode::CurvePointOffSurface;
+      outcome.message = "points " + listIds(Indices(outcome.ids.begin(), outcome.ids.end())) +
+        " of the edges are no points of the surface; take the edges from the surface itself";
+      return outcome;
+    }
+    std::set<Pair> met;
+    for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
+    {
+      const Pair pair = std::minmax(this->Place[this->Mesh.from(h)], this->Place[this->Mesh.to(h)]);
+      if (this->Mesh.twin(h) < h && wanted.count(pair) != 0)
+      {
+        edges.push_back(h);
+        met.insert(pair);
+      }
+    }
+    for (const auto& entry : wanted)
+    {
+      if (met.count(entry.first) == 0)
+      {
+        return { StatusCode::CurveNotOnEdges,
+          "there is no edge of the surface between points " + std::to_string(entry.second.first) +
+            " and " + std::to_string(entry.second.second) +
+            " of the edges; take the edges from the surface itself",
+          { entry.second.first, entry.second.second } };
+      }
+    }
+    return {};
+  }
+
+private:
+  Index placeOf(vtkPolyData* lines, vtkIdType point) const
+  {
+    Coordinates coordinates{};
+    if (point < 0 || point >= lines->GetNumberOfPoints())
+    {
+      return none;
+    }
+    lines->GetPoint(point, coordinates.data());
+    for (const double x : coordinates)
+    {
+      if (!std::isfinite(x))
+      {
+        return none; // it would break the order of the map
+      }
+    }
+    const auto found = this->FirstVertex.find(coordinates);
+    return found == this->FirstVertex.end() ? none : found->second;
+  }
+
+  const TriangleMesh& Mesh;
+  std::map<Coordinates, Index> FirstVertex;
+  Indices Place; ///< per vertex the first one with its coordinates
+};
+
+Outcome findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
+{
+  const TriangleMesh& mesh = result.surface.prepared.mesh;
+  if (!edges)
+  {
+    for (const Indices& loop : mesh.boundaryLoops())
+    {
+      result.edges.insert(result.edges.end(), loop.begin(), loop.end());
+    }
+    return {};
+  }
+  std::vector<Coordinates> inSpace;
+  for (const Point3& p : mesh.points())
+  {
+    inSpace.push_back({ p.x(), p.y(), p.z() });
+  }
+  const Outcome outcome = EdgeFinder(mesh, inSpace).find(edges, result.edges);
+  if (outcome.ok() || !flat)
+  {
+    return outcome;
+  }
+  std::vector<Coordinates> inPlane;
+  for (const Index p : result.surface.prepared.originalPoint)
+  {
+    inPlane.emplace_back();
+    flat->GetPoint(p, inPlane.back().data());
+  }
+  result.edges.clear();
+  return EdgeFinder(mesh, inPlane).find(edges, result.edges).ok() ? Outcome() : outcome;
+}
+}
+
+MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges)
+{
+  MappedSurface result;
+  result.surface = loadSurface(surface, CoincidentPoints::Keep);
+  result.outcome = result.surface.outcome;
+  if (result.outcome.ok())
+  {
+    result.outcome = readFlatPositions(surface, flat, result);
+  }
+  if (result.outcome.ok())
+  {
+    turnFaceUp(result);
+    result.outcome = findEdges(flat, edges, result);
+  }
+  return result;
+}
+}
+}

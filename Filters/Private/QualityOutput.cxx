@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QualityOutput.h"
+
+#include "BoundaryOverlap.h"
+#include "SurfaceOutput.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+void writeOverlapEdges(
+  const MappedSurface& map, const std::vector<std::array<Index, 2>>& overlaps, vtkFieldData* field)
+{
+  const TriangleMesh& mesh = map.surface.prepared.mesh;
+  const Indices& pointOf = map.surface.prepared.originalPoint;
+  vtkNew<vtkIdTypeArray> edges;
+  edges->SetName("OverlapEdges");
+  edges->SetNumberOfComponents(4);
+  for (const std::array<Index, 2>& pair : overlaps)
+  {
+    const vtkIdType row[4] = { pointOf[mesh.from(pair[0])], pointOf[mesh.to(pair[0])],
+      pointOf[mesh.from(pair[1])], pointOf[mesh.to(pair[1])] };
+    edges->InsertNextTypedTuple(row);
+  }
+  field->AddArray(edges);
+}
+}
+
+void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostOverlaps,
+  const Execution& execution, vtkPolyData* output)
+{
+  const TriangleMesh& mesh = map.surface.prepared.mesh;
+  const FlatteningQuality quality = measureFlattening(mesh, map.positions, map.edges, execution);
+  const std::vector<std::array<Index, 2>> overlaps =
+    findBoundaryOverlaps(mesh, map.positions, mostOverlaps);
+
+  output->SetPoints(input->GetPoints());
+  output->SetPolys(makeTriangles(map.surface.input.triangles));
+  output->GetPointData()->ShallowCopy(input->GetPointData());
+  copyCellData(input, map.surface.input.cellOfTriangle, output);
+  writeTriangleQuality(quality.triangles, output);
+
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(input->GetFieldData());
+  auto addCount = [field](const char* name, vtkIdType count) {
+    addRows<vtkIdTypeArray>(field, name, 1, [count](std::size_t) { return count; });
+  };
+  addCount("Triangles", mesh.triangleCount());
+  addCount("Vertices", mesh.vertexCount());
+  addCount("Overlaps", static_cast<vtkIdType>(overlaps.size()));
+  addCount("Mirrored", map.mirrored ? 1 : 0);
+  writeSummaries({ quality.summary }, field);
+  writeOverlapEdges(map, overlaps, field);
+}
+}
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Execution.h"
+#include "QualityInput.h"
+
+namespace flattening
+{
+namespace bridge
+{
+/// Measures a mapped surface and writes what vtkFlatteningQuality documents.
+void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostOverlaps,
+  const Execution& execution, vtkPolyData* output);
+}
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceInput.h"
+
+#include "CellVisit.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+/// Half-edges are counted with an Index.
+constexpr vtkIdType mostTriangles = std::numeric_limits<Index>::max() / 3;
+
+/// An id that does not fit stays out of range, for prepareSurface() to refuse.
+Index pointIndex(vtkIdType id)
+{
+  return id >= 0 && id <= std::numeric_limits<Index>::max() ? static_cast<Index>(id) : none;
+}
+
+void appendTriangle(SurfaceTriangles& result, vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+{
+  result.triangles.push_back({ pointIndex(a), pointIndex(b), pointIndex(c) });
+  result.cellOfTriangle.push_back(cell);
+}
+
+/// True where every point of every cell exists and is finite, so that geometry can be computed.
+bool isSound(const SurfaceTriangles& result, vtkCellArray* cells)
+{
+  bool sound = true;
+  const vtkIdType pointCount = static_cast<vtkIdType>(result.points.size());
+  forEachCell(cells, [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
+    sound = sound && std::all_of(ids, ids + count, [&](vtkIdType id) {
+      return id >= 0 && id < pointCount && result.points[id].allFinite();
+    });
+  });
+  return sound;
+}
+
+void triangulate(SurfaceTriangles& result, vtkPolyData* surface, vtkIdType firstCell)
+{
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(surface->GetPoints());
+  polygons->SetPolys(surface->GetPolys());
+  polygons->SetStrips(surface->GetStrips());
+  vtkNew<vtkIdTypeArray> cellIds;
+  cellIds->SetName("cell");
+  for (vtkIdType k = 0; k < polygons->GetNumberOfCells(); ++k)
+  {
+    cellIds->InsertNextValue(firstCell + k);
+  }
+  polygons->GetCellData()->AddArray(cellIds);
+
+  vtkNew<vtkTriangleFilter> triangulation;
+  triangulation->PassVertsOff();
+  triangulation->PassLinesOff();
+  triangulation->SetInputData(polygons);
+  triangulation->Update();
+  vtkPolyData* triangles = triangulation->GetOutput();
+  auto* origin = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray("cell"));
+  forEachCell(triangles->GetPolys(), [&](vtkIdType k, vtkIdType, const vtkIdType* ids) {
+    appendTriangle(result, origin->GetValue(k), ids[0], ids[1], ids[2]);
+  });
+
+  Indices lost;
+  std::vector<vtkIdType> lostCells;
+  std::size_t t = 0;
+  for (vtkIdType cell = firstCell; cell < firstCell + polygons->GetNumberOfCells(); ++cell)
+  {
+    if (t == result.cellOfTriangle.size() || result.cellOfTriangle[t] != cell)
+    {
+      lost.push_back(static_cast<Index>(cell));
+      lostCells.push_back(cell);
+    }
+    while (t < result.cellOfTriangle.size() && result.cellOfTriangle[t] == cell)
+    {
+      ++t;
+    }
+  }
+  if (!lost.empty())
+  {
+    result.outcome = { StatusCode::DegenerateTriangle,
+      "cells " + listIds(lost) +
+        " are polygons without area, which cannot be triangulated; remove or remesh them",
+      lostCells };
+  }
+}
+}
+
+SurfaceTriangles readTriangles(vtkPolyData* surface)
+{
+  SurfaceTriangles result;
+  vtkCellArray* polygons = surface->GetPolys();
+  vtkCellArray* strips = surface->GetStrips();
+  const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  const vtkIdType corners =
+    polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();
+  if (corners > mostTriangles || surface->GetNumberOfPoints() > mostTriangles)
+  {
+    result.outcome = { StatusCode::InvalidOption,
+      "the surface has more than " + std::to_string(mostTriangles) +
+        " points or corners; divide it",
+      {} };
+    return result;
+  }
+
+  result.points.resize(surface->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+  {
+    surface->GetPoint(p, result.points[p].data());
+  }
+  result.triangles.reserve(corners / 3);
+  result.cellOfTriangle.reserve(corners / 3);
+
+  const bool trianglesOnly = strips->GetNumberOfCells() == 0 &&
+    (polygons->GetNumberOfCells() == 0 || polygons->IsHomogeneous() == 3);
+  if (!trianglesOnly && isSound(result, polygons) && isSound(result, strips))
+  {
+    triangulate(result, surface, firstCell);
+    return result;
+  }
+  // Triangles as they are; or fans, which keep the unsound points for prepareSurface() to refuse.
+  forEachCell(polygons, [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      appendTriangle(result, firstCell + k, ids[0], ids[i - 1], ids[i]);
+    }
+  });
+  const vtkIdType firstStrip = firstCell + polygons->GetNumberOfCells();
+  forEachCell(strips, [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      appendTriangle(result, firstStrip + k, ids[i - 2], ids[i - 1], ids[i]);
+    }
+  });
+  return result;
+}
+
+LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident)
+{
+  LoadedSurface result;
+  result.input = readTriangles(surface);
+  result.outcome = result.input.outcome;
+  if (!result.outcome.ok())
+  {
+    return result;
+  }
+  result.prepared = prepareSurface(result.input.points, result.input.triangles, coincident);
+  const Status& status = result.prepared.status;
+  const bool ofPoints =
+    status.code == StatusCode::NonFinitePoint || status.code == StatusCode::NonManifoldVertex;
+  result.outcome =
+    ofPoints ? outcomeOf(status) : outcomeOf(status, "cells", result.input.cellOfTriangle);
+  return result;
+}
+}
+}

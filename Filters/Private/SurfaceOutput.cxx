@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+template <class Points>
+vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetDataTypeToDouble();
+  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto& p = points[i];
+    double z = 0.0;
+    if constexpr (Points::value_type::RowsAtCompileTime == 3)
+    {
+      z = p[2];
+    }
+    result->SetPoint(static_cast<vtkIdType>(i), p[0], p[1], z);
+  }
+  return result;
+}
+
+void copyPointData(const CurvedSurface& source, const CutSurface& cut, vtkPolyData* output)
+{
+  vtkPointData* from = source.data->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  const Index count = cut.mesh.vertexCount();
+  to->CopyGlobalIdsOff(); // a copy of a point would have the id of another
+  to->InterpolateAllocate(from, count);
+  vtkNew<vtkIdList> sourcePoints;
+  double weights[3];
+  for (Index v = 0; v < count; ++v)
+  {
+    const Index vertex = cut.originalVertex[v];
+    const vtkIdType point = source.pointOf(vertex);
+    if (point >= 0)
+    {
+      to->CopyData(from, point, v);
+      continue;
+    }
+    const VertexSource& mean = source.imprinted.vertexSource[vertex];
+    sourcePoints->Reset();
+    for (int k = 0; k < 3; ++k)
+    {
+      if (mean.vertices[k] != none && mean.weights[k] != 0.0)
+      {
+        weights[sourcePoints->GetNumberOfIds()] = mean.weights[k];
+        sourcePoints->InsertNextId(source.surface.prepared.originalPoint[mean.vertices[k]]);
+      }
+    }
+    to->InterpolatePoint(from, v, sourcePoints, weights);
+  }
+}
+}
+
+vtkSmartPointer<vtkPoints> makePoints(const Points3& points)
+{
+  return makeDoublePoints(points);
+}
+
+vtkSmartPointer<vtkPoints> makePoints(const Points2& points)
+{
+  return makeDoublePoints(points);
+}
+
+vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->AllocateExact(
+    static_cast<vtkIdType>(triangles.size()), 3 * static_cast<vtkIdType>(triangles.size()));
+  for (const Triangle& t : triangles)
+  {
+    result->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  return result;
+}
+
+void copyCellData(
+  vtkPolyData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output)
+{
+  vtkCellData* cells = output->GetCellData();
+  cells->CopyGlobalIdsOff(); // a triangle can be one of several of its cell
+  cells->CopyAllocate(input->GetCellData(), static_cast<vtkIdType>(cellOfTriangle.size()));
+  for (std::size_t t = 0; t < cellOfTriangle.size(); ++t)
+  {
+    cells->CopyData(input->GetCellData(), cellOfTriangle[t], static_cast<vtkIdType>(t));
+  }
+  addRows<vtkIdTypeArray>(cells, "vtkOriginalCellIds", cellOfTriangle.size(),
+    [&](std::size_t t) { return cellOfTriangle[t]; });
+}
+
+void writeCutSurface(
+  const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output)
+{
+  output->SetPoints(points);
+  output->SetPolys(makeTriangles(cut.mesh.triangles()));
+  copyPointData(source, cut, output);
+  std::vector<vtkIdType> cellOfTriangle;
+  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  {
+    cellOfTriangle.push_back(source.cellOf(t));
+  }
+  copyCellData(source.data, cellOfTriangle, output);
+  output->GetFieldData()->PassData(source.data->GetFieldData());
+  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", cut.originalVertex.size(),
+    [&](std::size_t v) { return source.pointOf(cut.originalVertex[v]); });
+  addRows<vtkIdTypeArray>(output->GetCellData(), "PieceId", cut.pieceOfTriangle.size(),
+    [&](std::size_t t) { return cut.pieceOfTriangle[t]; });
+}
+
+void writeSeamPairs(const CutSurface& cut, vtkPolyData* output)
+{
+  vtkNew<vtkIdTypeArray> pairs;
+  pairs->SetName("SeamPairs");
+  pairs->SetNumberOfComponents(5);
+  pairs->SetNumberOfTuples(static_cast<vtkIdType>(cut.seamPairs.size()));
+  for (std::size_t i = 0; i < cut.seamPairs.size(); ++i)
+  {
+    const SeamPair& pair = cut.seamPairs[i];
+    // The second half-edge runs against the first.
+    const vtkIdType row[5] = { cut.mesh.from(pair.first), cut.mesh.to(pair.first),
+      cut.mesh.to(pair.second), cut.mesh.from(pair.second), pair.curve };
+    pairs->SetTypedTuple(static_cast<vtkIdType>(i), row);
+  }
+  output->GetFieldData()->AddArray(pairs);
+}
+
+void writeTriangleQuality(const std::vector<TriangleQuality>& quality, vtkPolyData* output)
+{
+  vtkCellData* cells = output->GetCellData();
+  const std::size_t count = quality.size();
+  addRows<vtkDoubleArray>(
+    cells, "HomogeneityOfDistortion", count, [&](std::size_t t) { return quality[t].homogeneity; });
+  addRows<vtkDoubleArray>(
+    cells, "AspectRatio", count, [&](std::size_t t) { return quality[t].aspectRatio; });
+  addRows<vtkDoubleArray>(
+    cells, "AreaRatio", count, [&](std::size_t t) { return quality[t].areaRatio; });
+  addRows<vtkDoubleArray>(
+    cells, "AngleError", count, [&](std::size_t t) { return quality[t].angleError; });
+  addRows<vtkUnsignedCharArray>(cells, "Flipped", count,
+    [&](std::size_t t) { return static_cast<unsigned char>(quality[t].areaRatio <= 0.0); });
+}
+
+void writeSummaries(const std::vector<QualitySummary>& summaries, vtkFieldData* field)
+{
+  auto add = [&](const char* name, double QualitySummary::*member) {
+    addRows<vtkDoubleArray>(
+      field, name, summaries.size(), [&](std::size_t row) { return summaries[row].*member; });
+  };
+  add("EdgeLengthError", &QualitySummary::edgeLengthError);
+  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
+  add("AngleErrorMean", &QualitySummary::angleError);
+  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
+  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
+  add("AreaError", &QualitySummary::areaError);
+  addRows<vtkIdTypeArray>(field, "FlippedTriangles", summaries.size(),
+    [&](std::size_t row) { return static_cast<vtkIdType>(summaries[row].flipped.size()); });
+}
+}
+}

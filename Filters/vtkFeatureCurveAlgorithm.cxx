@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFeatureCurveAlgorithm.h"
+
+#include "CurvedSurface.h"
+#include "FilterExecution.h"
+#include "FlatteningOutput.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveAlgorithm::~vtkFeatureCurveAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::SetCurvesConnection(vtkAlgorithmOutput* curves)
+{
+  this->SetInputConnection(1, curves);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::AddCurvesConnection(vtkAlgorithmOutput* curves)
+{
+  this->AddInputConnection(1, curves);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::SetCurvesData(vtkPolyData* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::LoadInput(
+  vtkInformationVector** inputVector)
+{
+  std::vector<vtkPolyData*> curves;
+  for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkPolyData* data = vtkPolyData::GetData(inputVector[1], i))
+    {
+      curves.push_back(data);
+    }
+  }
+  flattening::ImprintOptions options;
+  options.split = this->SplitTriangles;
+  options.tolerance = this->ImprintTolerance;
+  options.snap = this->SnapTolerance;
+  auto source = std::make_unique<flattening::bridge::CurvedSurface>(
+    flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves, options,
+      flattening::bridge::executionOf(this)));
+  if (!this->Conclude(source->outcome))
+  {
+    return nullptr;
+  }
+  return source;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, flattening::FlatteningOptions options,
+  const vtkIdType pins[2])
+{
+  this->Begin(outputVector);
+  vtkPolyData* flat = vtkPolyData::GetData(outputVector, 0);
+  const auto source = this->LoadInput(inputVector);
+  if (source && this->Conclude(source->pinVertices(pins, options.conformal.pins)))
+  {
+    const flattening::FlatteningResult result = flattening::flattenSurface(source->imprinted.mesh,
+      source->imprinted.curves, options, flattening::bridge::executionOf(this));
+    if (this->Conclude(source->outcomeOfStage(result.status)))
+    {
+      flattening::bridge::writeFlattening(*source, result, flat,
+        vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
+    }
+  }
+  this->WriteRunStatus(flat);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SplitTriangles: " << (this->SplitTriangles ? "On" : "Off") << "\n";
+  os << indent << "ImprintTolerance: " << this->ImprintTolerance << "\n";
+  os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
+}

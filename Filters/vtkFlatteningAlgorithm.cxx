@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFlatteningAlgorithm.h"
+
+#include "FieldArrays.h"
+#include "Outcome.h"
+#include "Status.h"
+
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+using flattening::StatusCode;
+
+// The public codes are Core's.
+constexpr bool same(int publicCode, StatusCode code)
+{
+  return publicCode == static_cast<int>(code);
+}
+static_assert(same(vtkFlatteningAlgorithm::OK, StatusCode::Ok), "");
+static_assert(same(vtkFlatteningAlgorithm::CANCELLED, StatusCode::Cancelled), "");
+static_assert(same(vtkFlatteningAlgorithm::EMPTY_SURFACE, StatusCode::EmptySurface), "");
+static_assert(same(vtkFlatteningAlgorithm::NON_FINITE_POINT, StatusCode::NonFinitePoint), "");
+static_assert(same(vtkFlatteningAlgorithm::INVALID_POINT_ID, StatusCode::InvalidPointId), "");
+static_assert(
+  same(vtkFlatteningAlgorithm::DEGENERATE_TRIANGLE, StatusCode::DegenerateTriangle), "");
+static_assert(same(vtkFlatteningAlgorithm::NON_MANIFOLD_EDGE, StatusCode::NonManifoldEdge), "");
+static_assert(same(vtkFlatteningAlgorithm::NON_MANIFOLD_VERTEX, StatusCode::NonManifoldVertex), "");
+static_assert(same(vtkFlatteningAlgorithm::NOT_ORIENTABLE, StatusCode::NotOrientable), "");
+static_assert(same(vtkFlatteningAlgorithm::CLOSED_SURFACE, StatusCode::ClosedSurface), "");
+static_assert(same(vtkFlatteningAlgorithm::HANDLE, StatusCode::Handle), "");
+static_assert(same(vtkFlatteningAlgorithm::CURVE_TOO_SHORT, StatusCode::CurveTooShort), "");
+static_assert(
+  same(vtkFlatteningAlgorithm::CURVE_POINT_OFF_SURFACE, StatusCode::CurvePointOffSurface), "");
+static_assert(
+  same(vtkFlatteningAlgorithm::CURVE_LEAVES_SURFACE, StatusCode::CurveLeavesSurface), "");
+static_assert(same(vtkFlatteningAlgorithm::CURVE_NOT_ON_EDGES, StatusCode::CurveNotOnEdges), "");
+static_assert(same(vtkFlatteningAlgorithm::INVALID_CURVE, StatusCode::InvalidCurve), "");
+static_assert(same(vtkFlatteningAlgorithm::PATCH_NOT_DISK, StatusCode::PatchNotDisk), "");
+static_assert(same(vtkFlatteningAlgorithm::INVALID_OPTION, StatusCode::InvalidOption), "");
+static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::NumericalFailure), "");
+static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::LastRefusal), "");
+static_assert(same(vtkFlatteningAlgorithm::NOT_CONVERGED, StatusCode::NotConverged), "");
+static_assert(same(vtkFlatteningAlgorithm::INCOMPATIBLE_KEYS, StatusCode::IncompatibleKeys), "");
+static_assert(same(vtkFlatteningAlgorithm::LENGTH_ERROR, StatusCode::LengthError), "");
+static_assert(same(vtkFlatteningAlgorithm::FLIPPED_TRIANGLES, StatusCode::FlippedTriangles), "");
+static_assert(same(vtkFlatteningAlgorithm::OVERLAP, StatusCode::Overlap), "");
+}
+
+//------------------------------------------------------------------------------
+vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
+  : StatusIds(vtkSmartPointer<vtkIdTypeArray>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFlatteningAlgorithm::~vtkFlatteningAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkFlatteningAlgorithm::GetStatusName() const
+{
+  return flattening::statusName(static_cast<flattening::StatusCode>(this->StatusCode));
+}
+
+//------------------------------------------------------------------------------
+vtkIdTypeArray* vtkFlatteningAlgorithm::GetStatusIds() const
+{
+  return this->StatusIds;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlatteningAlgorithm::IsRefused() const
+{
+  return this->StatusCode != OK && this->StatusCode <= NUMERICAL_FAILURE;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::Begin(vtkInformationVector* outputVector)
+{
+  this->StatusCode = OK;
+  this->StatusMessage.clear();
+  // A new array: the caller may have kept the one of the last run.
+  this->StatusIds = vtkSmartPointer<vtkIdTypeArray>::New();
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkPolyData::GetData(outputVector, port)->Initialize();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlatteningAlgorithm::Conclude(const flattening::bridge::Outcome& outcome)
+{
+  this->StatusCode = static_cast<int>(outcome.code);
+  this->StatusMessage = outcome.message;
+  this->StatusIds = vtkSmartPointer<vtkIdTypeArray>::New();
+  for (const vtkIdType id : outcome.ids)
+  {
+    this->StatusIds->InsertNextValue(id);
+  }
+  if (this->IsRefused())
+  {
+    if (this->StatusCode != CANCELLED)
+    {
+      vtkErrorMacro(<< this->GetStatusName() << ": " << this->StatusMessage);
+    }
+    return false;
+  }
+  if (this->StatusCode != OK)
+  {
+    vtkWarningMacro(<< this->GetStatusName() << ": " << this->StatusMessage);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
+{
+  vtkFieldData* field = output->GetFieldData();
+  flattening::bridge::addStrings(field, "RunStatus", { this->GetStatusName() });
+  flattening::bridge::addStrings(field, "RunStatusMessage", { this->StatusMessage });
+  vtkNew<vtkIdTypeArray> ids;
+  ids->DeepCopy(this->StatusIds);
+  ids->SetName("RunStatusIds");
+  field->AddArray(ids);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Status: " << this->GetStatusName() << "\n";
+  os << indent << "StatusMessage: " << this->StatusMessage << "\n";
+  os << indent << "StatusIds: " << this->StatusIds->GetNumberOfValues() << " ids\n";
+}

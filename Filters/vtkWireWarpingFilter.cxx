@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWireWarpingFilter.h"
+
+#include "SurfaceFlattening.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkWireWarpingFilter);
+
+//------------------------------------------------------------------------------
+vtkWireWarpingFilter::vtkWireWarpingFilter()
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkWireWarpingFilter::~vtkWireWarpingFilter() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetSchemeAsString() const
+{
+  static const char* const names[] = { "Progressive", "Global", "Isometric",
+    "LeastSquaresConformal" };
+  return names[this->Scheme];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetSolverAsString() const
+{
+  static const char* const names[] = { "Newton", "Sequential" };
+  return names[this->Solver];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetInteriorAsString() const
+{
+  static const char* const names[] = { "Laplacian", "Relaxation", "AsRigidAsPossible" };
+  return names[this->Interior];
+}
+
+//------------------------------------------------------------------------------
+int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  static_assert(static_cast<int>(flattening::Scheme::Progressive) == PROGRESSIVE, "");
+  static_assert(static_cast<int>(flattening::Scheme::Conformal) == LEAST_SQUARES_CONFORMAL, "");
+  static_assert(static_cast<int>(flattening::AngleMethod::Sequential) == SEQUENTIAL, "");
+  static_assert(
+    static_cast<int>(flattening::InteriorMethod::AsRigidAsPossible) == AS_RIGID_AS_POSSIBLE, "");
+
+  flattening::FlatteningOptions options;
+  options.scheme = static_cast<flattening::Scheme>(this->Scheme);
+  options.angles.method = static_cast<flattening::AngleMethod>(this->Solver);
+  options.angles.maximumIterations = this->MaximumIterations;
+  options.angles.closureTolerance = this->ClosureTolerance;
+  options.angles.optimalityTolerance = this->OptimalityTolerance;
+  options.interior.method = static_cast<flattening::InteriorMethod>(this->Interior);
+  options.interior.relaxation = this->RelaxationFactor;
+  options.interior.movement = this->RelaxationMovement;
+  options.interior.minimumIterations = this->RelaxationMinimumIterations;
+  options.interior.maximumIterations = this->RelaxationMaximumIterations;
+  options.interior.energyTolerance = this->RigidEnergyTolerance;
+  options.interior.maximumRigidIterations = this->RigidMaximumIterations;
+  options.releaseKeys = this->ReleaseKeys;
+  options.arrange = this->Arrange;
+  options.spacing = this->Spacing;
+  options.lengthTolerance = this->MaximumLengthError;
+  this->Flatten(inputVector, outputVector, options, this->ConformalPins);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->GetSchemeAsString() << "\n";
+  os << indent << "Solver: " << this->GetSolverAsString() << "\n";
+  os << indent << "Interior: " << this->GetInteriorAsString() << "\n";
+  os << indent << "ReleaseKeys: " << (this->ReleaseKeys ? "On" : "Off") << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "ClosureTolerance: " << this->ClosureTolerance << "\n";
+  os << indent << "OptimalityTolerance: " << this->OptimalityTolerance << "\n";
+  os << indent << "RelaxationFactor: " << this->RelaxationFactor << "\n";
+  os << indent << "RelaxationMovement: " << this->RelaxationMovement << "\n";
+  os << indent << "RelaxationMinimumIterations: " << this->RelaxationMinimumIterations << "\n";
+  os << indent << "RelaxationMaximumIterations: " << this->RelaxationMaximumIterations << "\n";
+  os << indent << "RigidEnergyTolerance: " << this->RigidEnergyTolerance << "\n";
+  os << indent << "RigidMaximumIterations: " << this->RigidMaximumIterations << "\n";
+  os << indent << "ConformalPins: " << this->ConformalPins[0] << " " << this->ConformalPins[1]
+     << "\n";
+  os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "MaximumLengthError: " << this->MaximumLengthError << "\n";
+}
