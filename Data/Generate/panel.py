@@ -4,7 +4,7 @@ from typing import Callable
 
 import numpy as np
 
-from curves import ACCESSORY, DART, SEAM, arrange, insidePolygon
+from curves import DART, SEAM, arrange, insidePolygon
 from triangulation import delaunay, relax
 
 
