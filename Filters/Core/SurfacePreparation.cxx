@@ -19,6 +19,12 @@ PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
   return result;
 }
 
+/// Unlike Eigen's allFinite() it computes nothing, so that it raises no floating-point exception.
+bool isFinite(const Point3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
 /// Per point the first point with the same coordinates; the point itself where they are kept apart.
 Indices findCoincident(const Points3& points, CoincidentPoints coincident)
 {
@@ -226,7 +232,7 @@ PreparedSurface prepareSurface(
   }
   for (Index p = 0; p < pointCount; ++p)
   {
-    if (used[p] && !points[p].allFinite())
+    if (used[p] && !isFinite(points[p]))
     {
       bad.push_back(p);
     }
@@ -251,8 +257,8 @@ PreparedSurface prepareSurface(
   }
   if (coincidentPoints == CoincidentPoints::Automatic)
   {
-    coincidentPoints = isSoup(candidates.size(), triangles.size()) ? CoincidentPoints::Join
-                                                                   : CoincidentPoints::Keep;
+    coincidentPoints =
+      isSoup(candidates.size(), triangles.size()) ? CoincidentPoints::Join : CoincidentPoints::Keep;
   }
   const Indices coincident = findCoincident(candidates, coincidentPoints);
   result.vertexOfPoint.assign(points.size(), none);
