@@ -30,6 +30,7 @@ public:
     {
       return std::move(this->Network);
     }
+    this->putOuterLoopFirst();
     this->markWires();
     this->findPatches();
     for (Index patch = 0; patch < this->Network.patchCount; ++patch)
@@ -69,6 +70,38 @@ private:
       return false;
     }
     return true;
+  }
+
+  /// The outer boundary turns by about 2 pi around the surface, holes by about -2 pi, however long
+  /// their banks are; of equals, as on a tube, it is the longest.
+  void putOuterLoopFirst()
+  {
+    std::size_t outer = 0;
+    double most = this->turning(this->BoundaryLoops.front());
+    for (std::size_t k = 1; k < this->BoundaryLoops.size(); ++k)
+    {
+      const double turn = this->turning(this->BoundaryLoops[k]);
+      if (turn > most + 1e-6)
+      {
+        outer = k;
+        most = turn;
+      }
+    }
+    std::swap(this->BoundaryLoops.front(), this->BoundaryLoops[outer]);
+  }
+
+  double turning(const Indices& loop) const
+  {
+    double sum = 0.0;
+    for (Index first : loop)
+    {
+      sum += pi;
+      for (Index h = first; h != none; h = this->Mesh.counterClockwise(h))
+      {
+        sum -= this->Mesh.angle(h);
+      }
+    }
+    return sum;
   }
 
   void markWires()
@@ -150,7 +183,8 @@ private:
     }
   }
 
-  /// Walks with the patch on the left; the angle of a node is what the walk sweeps over at its vertex.
+  /// Walks with the patch on the left; the angle of a node is what the walk sweeps over at its
+  /// vertex.
   void addPatchLoop(Index patch)
   {
     this->beginLoop(patch);
