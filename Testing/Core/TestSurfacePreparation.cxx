@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePreparation.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+void expectRefusal(const PreparedSurface& prepared, StatusCode code, const Indices& ids)
+{
+  EXPECT_STREQ(statusName(prepared.status.code), statusName(code)) << prepared.status.message;
+  EXPECT_TRUE(prepared.status.refused());
+  EXPECT_EQ(prepared.status.ids, ids);
+  EXPECT_FALSE(prepared.status.message.empty());
+  EXPECT_EQ(prepared.mesh.triangleCount(), 0) << "a refused surface has no mesh";
+}
+
+const Points3 squarePoints{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) };
+const Triangles squareTriangles{ { 0, 1, 2 }, { 0, 2, 3 } };
+}
+
+TEST(SurfacePreparation, KeepsASoundMeshAsItIs)
+{
+  const TriangleMesh mesh = cushion(4, 3, 0.2).mesh;
+  const PreparedSurface prepared = prepareSurface(mesh.points(), mesh.triangles());
+  ASSERT_TRUE(prepared.status.ok()) << prepared.status.message;
+  EXPECT_EQ(prepared.mesh.points(), mesh.points());
+  EXPECT_EQ(prepared.mesh.triangles(), mesh.triangles());
+  EXPECT_TRUE(prepared.reversedTriangles.empty());
+}
+
+TEST(SurfacePreparation, RefusesASurfaceWithoutTriangles)
+{
+  expectRefusal(prepareSurface({}, {}), StatusCode::EmptySurface, {});
+  expectRefusal(prepareSurface(squarePoints, {}), StatusCode::EmptySurface, {});
+}
+
+TEST(SurfacePreparation, NamesTrianglesWithPointIdsThatDoNotExist)
+{
+  expectRefusal(prepareSurface(squarePoints, { { 0, 1, 2 }, { 0, 2, 4 }, { -1, 2, 3 } }),
+    StatusCode::InvalidPointId, { 1, 2 });
+}
+
+TEST(SurfacePreparation, NamesPointsThatAreNoNumbers)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL })
+  {
+    Points3 points = squarePoints;
+    points[2].y() = bad;
+    expectRefusal(prepareSurface(points, squareTriangles), StatusCode::NonFinitePoint, { 2 });
+  }
+}
+
+TEST(SurfacePreparation, LeavesOutPointsThatNoTriangleUsesWhateverTheyHold)
+{
+  Points3 points{ Point3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0) };
+  points.insert(points.end(), squarePoints.begin(), squarePoints.end());
+  points.emplace_back(7.0, 7.0, 7.0);
+  const PreparedSurface prepared = prepareSurface(points, { { 1, 2, 3 }, { 1, 3, 4 } });
+  ASSERT_TRUE(prepared.status.ok()) << prepared.status.message;
+  EXPECT_EQ(prepared.mesh.vertexCount(), 4);
+  EXPECT_EQ(prepared.originalPoint, (Indices{ 1, 2, 3, 4 }));
+  EXPECT_EQ(prepared.vertexOfPoint, (Indices{ none, 0, 1, 2, 3, none }));
+}
+
+TEST(SurfacePreparation, NamesTrianglesWithoutArea)
+{
+  // Three in a line, and a corner twice.
+  Points3 points = squarePoints;
+  points.emplace_back(0.5, 0.0, 0.0);
+  expectRefusal(prepareSurface(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 1 } }),
+    StatusCode::DegenerateTriangle, { 2 });
+  expectRefusal(prepareSurface(squarePoints, { { 0, 1, 2 }, { 0, 2, 2 } }),
+    StatusCode::DegenerateTriangle, { 1 });
+}
+
+TEST(SurfacePreparation, JudgesTheShapeOfTrianglesNotTheirSize)
+{
+  for (const double scale : { 1e-100, 1e-9, 1e9, 1e100 })
+  {
+    Points3 points = squarePoints;
+    for (Point3& p : points)
+    {
+      p *= scale;
+    }
+    EXPECT_TRUE(prepareSurface(points, squareTriangles).status.ok()) << scale;
+    points.emplace_back(0.5 * scale, 1e-14 * scale, 0.0);
+    expectRefusal(prepareSurface(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 1 } }),
+      StatusCode::DegenerateTriangle, { 2 });
+  }
+}
+
+TEST(SurfacePreparation, NamesAllTrianglesAtAnEdgeOfThree)
+{
+  Points3 points = squarePoints;
+  points.emplace_back(0.5, 0.5, 1.0);
+  const PreparedSurface prepared =
+    prepareSurface(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 2, 4 } });
+  expectRefusal(prepared, StatusCode::NonManifoldEdge, { 0, 1, 2 });
+  EXPECT_NE(prepared.status.message.find("points 0 and 2"), std::string::npos);
+}
+
+TEST(SurfacePreparation, NamesThePointWhereTwoPartsTouch)
+{
+  const Points3 points{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(-1, 0, 0),
+    Point3(-1, -1, 0) };
+  expectRefusal(
+    prepareSurface(points, { { 0, 1, 2 }, { 0, 3, 4 } }), StatusCode::NonManifoldVertex, { 0 });
+}
+
+TEST(SurfacePreparation, TurnsTheMinorityOfTrianglesOver)
+{
+  const TriangleMesh mesh = cushion(4, 4, 0.3).mesh;
+  Triangles triangles = mesh.triangles();
+  for (const Index t : { 3, 10, 11, 30 })
+  {
+    std::swap(triangles[t][0], triangles[t][1]);
+  }
+  const PreparedSurface prepared = prepareSurface(mesh.points(), triangles);
+  ASSERT_TRUE(prepared.status.ok()) << prepared.status.message;
+  EXPECT_EQ(prepared.reversedTriangles, (Indices{ 3, 10, 11, 30 }));
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& a = mesh.triangle(t);
+    const Triangle& b = prepared.mesh.triangle(t);
+    const Point3 n = areaVector(mesh.point(a[0]), mesh.point(a[1]), mesh.point(a[2]));
+    EXPECT_GT(n.dot(areaVector(mesh.point(b[0]), mesh.point(b[1]), mesh.point(b[2]))), 0.0);
+  }
+}
+
+TEST(SurfacePreparation, RefusesAMoebiusBand)
+{
+  const Index count = 8;
+  Points3 points;
+  Triangles triangles;
+  for (Index i = 0; i < count; ++i)
+  {
+    const double u = 2.0 * pi * i / count;
+    for (const double w : { -0.3, 0.3 })
+    {
+      const double radius = 1.0 + w * std::cos(0.5 * u);
+      points.emplace_back(radius * std::cos(u), radius * std::sin(u), w * std::sin(0.5 * u));
+    }
+  }
+  for (Index i = 0; i < count; ++i)
+  {
+    const bool last = i + 1 == count;
+    const Index a = 2 * i;
+    const Index b = a + 1;
+    const Index c = last ? 1 : a + 2;
+    const Index d = last ? 0 : a + 3;
+    triangles.push_back({ a, b, d });
+    triangles.push_back({ a, d, c });
+  }
+  const PreparedSurface prepared = prepareSurface(points, triangles);
+  EXPECT_STREQ(statusName(prepared.status.code), "NotOrientable");
+  ASSERT_EQ(prepared.status.ids.size(), 2U);
+  // The two triangles named are neighbours.
+  const Triangle& a = triangles[prepared.status.ids[0]];
+  const Triangle& b = triangles[prepared.status.ids[1]];
+  EXPECT_EQ(std::count_if(a.begin(), a.end(),
+              [&b](Index v) { return std::find(b.begin(), b.end(), v) != b.end(); }),
+    2);
+}
+
+TEST(SurfacePreparation, JoinsATriangleSoup)
+{
+  const TriangleMesh mesh = cushion(3, 3, 0.3).mesh;
+  Points3 points;
+  Triangles triangles;
+  for (const Triangle& t : mesh.triangles())
+  {
+    const auto first = static_cast<Index>(points.size());
+    for (const Index v : t)
+    {
+      points.push_back(mesh.point(v));
+    }
+    triangles.push_back({ first, first + 1, first + 2 });
+  }
+  const PreparedSurface prepared = prepareSurface(points, triangles);
+  ASSERT_TRUE(prepared.status.ok()) << prepared.status.message;
+  EXPECT_EQ(prepared.mesh.vertexCount(), mesh.vertexCount());
+  EXPECT_EQ(eulerCharacteristic(prepared.mesh), 1);
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    EXPECT_EQ(prepared.mesh.point(prepared.vertexOfPoint[p]), points[p]);
+  }
+}
+
+TEST(SurfacePreparation, KeepsBanksThatMeetInSpaceApart)
+{
+  // A dart that is open in the mesh and closed in space.
+  Surface surface = cushion(4, 4, 0.3);
+  FeatureCurve dart = accessory("dart", { 2, 7, 12 });
+  dart.type = CurveType::Dart;
+  const TriangleMesh open = cutSurface(surface.mesh, { dart }).mesh;
+  const PreparedSurface kept = prepareSurface(open.points(), open.triangles());
+  ASSERT_TRUE(kept.status.ok()) << kept.status.message;
+  EXPECT_EQ(kept.mesh.vertexCount(), surface.mesh.vertexCount() + 2);
+  const PreparedSurface joined =
+    prepareSurface(open.points(), open.triangles(), CoincidentPoints::Join);
+  ASSERT_TRUE(joined.status.ok()) << joined.status.message;
+  EXPECT_EQ(joined.mesh.vertexCount(), surface.mesh.vertexCount());
+}

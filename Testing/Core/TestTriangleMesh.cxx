@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// A band of quads around a circle of `count` corners, two boundary loops.
+TriangleMesh ring(Index count, double inner, double outer)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index i = 0; i < count; ++i)
+  {
+    const Point3 direction(std::cos(2.0 * pi * i / count), std::sin(2.0 * pi * i / count), 0.0);
+    points.emplace_back(inner * direction);
+    points.emplace_back(outer * direction);
+  }
+  for (Index i = 0; i < count; ++i)
+  {
+    const Index a = 2 * i;
+    const Index b = 2 * ((i + 1) % count);
+    triangles.push_back({ a, a + 1, b + 1 });
+    triangles.push_back({ a, b + 1, b });
+  }
+  return { std::move(points), std::move(triangles) };
+}
+}
+
+TEST(TriangleMesh, TwinsRunBackAlongTheSameEdge)
+{
+  const TriangleMesh mesh = cushion(5, 4, 0.3).mesh;
+  Index boundary = 0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    const Index twin = mesh.twin(h);
+    if (twin == none)
+    {
+      ++boundary;
+      continue;
+    }
+    EXPECT_EQ(mesh.twin(twin), h);
+    EXPECT_EQ(mesh.from(twin), mesh.to(h));
+    EXPECT_EQ(mesh.to(twin), mesh.from(h));
+  }
+  EXPECT_EQ(boundary, 2 * (5 + 4));
+}
+
+TEST(TriangleMesh, AFanHoldsEveryTriangleOfItsVertexOnce)
+{
+  const TriangleMesh mesh = cushion(4, 4, 0.3).mesh;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    std::set<Index> expected;
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+    {
+      if (mesh.from(h) == v)
+      {
+        expected.insert(h);
+      }
+    }
+    std::set<Index> visited;
+    const Index first = mesh.outgoing(v);
+    for (Index h = first; h != none && visited.insert(h).second;)
+    {
+      h = mesh.counterClockwise(h);
+    }
+    EXPECT_EQ(visited, expected) << "vertex " << v;
+  }
+}
+
+TEST(TriangleMesh, FindsAnEdgeOnlyInTheDirectionThatItHas)
+{
+  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0) }, { { 0, 1, 2 } });
+  EXPECT_EQ(mesh.find(0, 1), 0);
+  EXPECT_EQ(mesh.find(2, 0), 2);
+  EXPECT_EQ(mesh.find(1, 0), none);
+  EXPECT_EQ(mesh.find(0, 0), none);
+}
+
+TEST(TriangleMesh, AnglesOfATriangleSumToPiAndMatchTheCosineRule)
+{
+  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(3, 0, 0), Point3(0, 0, 4) }, { { 0, 1, 2 } });
+  EXPECT_NEAR(mesh.angle(0), pi / 2.0, 1e-15);
+  EXPECT_NEAR(mesh.angle(1), std::acos(3.0 / 5.0), 1e-15);
+  EXPECT_NEAR(mesh.angle(0) + mesh.angle(1) + mesh.angle(2), pi, 1e-15);
+  EXPECT_DOUBLE_EQ(mesh.area(0), 6.0);
+  EXPECT_DOUBLE_EQ(mesh.length(1), 5.0);
+}
+
+TEST(TriangleMesh, AnglesSatisfyGaussBonnetOnACurvedDisk)
+{
+  // Sum of the curvatures at interior vertices and of the turning of the boundary: 2 pi chi.
+  const TriangleMesh mesh = cushion(7, 6, 0.8).mesh;
+  double total = 0.0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    total += mesh.onBoundary(v) ? pi : 2.0 * pi;
+  }
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    total -= mesh.angle(h);
+  }
+  EXPECT_EQ(eulerCharacteristic(mesh), 1);
+  EXPECT_NEAR(total, 2.0 * pi, 1e-11);
+}
+
+TEST(TriangleMesh, BoundaryLoopsAreClosedChainsWithTheLongestFirst)
+{
+  const TriangleMesh mesh = ring(9, 1.0, 2.0);
+  const std::vector<Indices> loops = mesh.boundaryLoops();
+  ASSERT_EQ(loops.size(), 2U);
+  for (const Indices& loop : loops)
+  {
+    ASSERT_EQ(loop.size(), 9U);
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      EXPECT_EQ(mesh.twin(loop[k]), none);
+      EXPECT_EQ(mesh.to(loop[k]), mesh.from(loop[(k + 1) % loop.size()]));
+    }
+  }
+  EXPECT_EQ(mesh.from(loops.front().front()) % 2, 1) << "the outer circle has the odd vertices";
+  EXPECT_EQ(eulerCharacteristic(mesh), 0);
+}
+
+TEST(TriangleMesh, EulerCharacteristicCountsOnlyVerticesThatTrianglesUse)
+{
+  const TriangleMesh tetrahedron(
+    { Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(0, 0, 1), Point3(9, 9, 9) },
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+  EXPECT_EQ(eulerCharacteristic(tetrahedron), 2);
+  EXPECT_TRUE(tetrahedron.boundaryLoops().empty());
+  EXPECT_FALSE(tetrahedron.onBoundary(0));
+  EXPECT_EQ(tetrahedron.outgoing(4), none);
+}
