@@ -111,8 +111,8 @@ GIRTHS = (("hip", HIP), ("crotch", CROTCH), ("midthigh", MIDTHIGH), ("knee", KNE
 
 
 def panel(leg, triangles, darts, centre=None):
-    """darts: (name, (u, y) on the boundary, (u, y) of the tip). The edge over the crotch becomes
-    the accessory curve `centre` where such a name is given."""
+    """darts: (name, (u, y) on the boundary, (u, y) of the tip). Where a name `centre` is given, the
+    edge over the crotch becomes the key curve of that name, and the leg's grainline accessory."""
     surface = LegSurface(leg)
     heights = np.linspace(HEM - 5, WAIST + 5, 60)
     width = naturalSpline(heights, surface.width(heights))
@@ -126,10 +126,10 @@ def panel(leg, triangles, darts, centre=None):
     if leg.side < 0:
         corners, names = corners[::-1], names[::-1]
     outline = [
-        Curve(name or "outline", ACCESSORY if name else None, line(a, b))
+        Curve(name or "outline", KEY if name else None, line(a, b))
         for name, a, b in zip(names, corners, corners[1:])
     ]
-    curves = [Curve("grainline", KEY, line((0.5, HEM), (0.5, WAIST)))]
+    curves = [Curve("grainline", ACCESSORY if centre else KEY, line((0.5, HEM), (0.5, WAIST)))]
     curves += [Curve(name, ACCESSORY, line((0, y), (1, y))) for name, y in GIRTHS]
     curves += [Curve(name, DART, line(foot, tip)) for name, foot, tip in darts]
     return Panel(surface, outline, curves, triangles, chart=chart)
