@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import json
+import os
+
+import command
+
+
+class Refusals(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.points, self.triangles = command.sheet()
+        self.write("good.obj", command.obj(self.points, self.triangles))
+
+    def refuse(self, *arguments, says=(), status=None):
+        """Exit 3, one message in plain words, and a report that tells it."""
+        run = self.run_command(*arguments, "--output", "out")
+        self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+        self.assertEqual(run.stdout, "")
+        lines = command.error_lines(run)
+        self.assertEqual(len(lines), 1, lines)
+        self.assertTrue(lines[0].startswith("wirewarp: error: "), lines)
+        for word in says:
+            self.assertIn(word, lines[0])
+        self.assertEqual(os.listdir(self.path("out")), ["report.json"])
+        report = self.report("out")
+        self.assertEqual(report["exit_code"], 3)
+        self.assertEqual((report["pieces"], report["curves"]), ([], []))
+        self.assertEqual(lines[0], "wirewarp: error: " + report["message"])
+        if status:
+            self.assertEqual(report["status"], status)
+        return report
+
+    def refuse_surface(self, points, triangles, status, *says):
+        self.write("bad.obj", command.obj(points, triangles))
+        return self.refuse("bad.obj", says=("bad.obj", *says), status=status)
+
+    def refuse_curves(self, text, *says):
+        self.write("curves.txt", text)
+        return self.refuse("good.obj", "curves.txt", says=("curves.txt", *says))
+
+    # Files
+
+    def test_missing_surface(self):
+        self.refuse("absent.obj", says=("absent.obj", "no such file"), status="UnreadableInput")
+
+    def test_missing_curves(self):
+        self.refuse("good.obj", "absent.txt", says=("absent.txt", "no such file"))
+
+    def test_folder_in_place_of_a_file(self):
+        os.mkdir(self.path("folder.vtp"))
+        self.refuse("folder.vtp", says=("folder.vtp", "folder"))
+
+    def test_empty_file_of_every_kind(self):
+        for name in ("a.obj", "a.vtk", "a.vtp", "a.ply", "a.stl"):
+            with self.subTest(name):
+                self.refuse(self.write(name, ""), says=(name, "empty"))
+
+    def test_unknown_extension_tells_the_known_ones(self):
+        self.refuse(self.write("a.step", "x"), says=("a.step", ".vtp", ".obj", ".stl"))
+        self.refuse(self.write("plain", "x"), says=("plain", ".vtp"))
+
+    def test_a_file_of_another_kind_than_its_name_says(self):
+        text = command.obj(self.points, self.triangles)
+        for name in ("a.vtk", "a.vtp", "a.ply", "a.stl"):
+            with self.subTest(name):
+                self.refuse(self.write(name, text), says=(name,))
+        self.refuse(self.write("a.obj", b"\0\1\2\3" * 100), says=("a.obj",))
+
+    def test_a_grid_is_no_polydata(self):
+        text = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 double\n"
+        self.refuse(self.write("grid.vtk", text), says=("grid.vtk", "polydata"))
+
+    def test_every_truncation_is_refused(self):
+        files = {
+            "a.vtk": command.legacy(self.points, self.triangles).encode(),
+            "a.vtp": command.xml_polydata(self.points, self.triangles).encode(),
+            "ascii.ply": command.ply(self.points, self.triangles, "").encode(),
+            "binary.ply": command.ply(self.points, self.triangles, "<"),
+            "a.stl": command.stl(self.points, self.triangles),
+        }
+        for name, content in files.items():
+            for part in (0.03, 0.2, 0.5, 0.8, 0.97):
+                with self.subTest(name=name, part=part):
+                    self.write(name, content[: int(part * len(content))])
+                    self.refuse(name, says=(name,))
+
+    def test_obj_tells_the_line_of_a_defect(self):
+        for text, line, says in (
+            ("v 0 0 0\nv 1 0\n", 2, "three coordinates"),
+            ("v 0 0 0\nv 1 x 0\n", 2, "'x'"),
+            ("v 0 0 0\nv 1 0 0\n\nf 1 2\n", 4, "three vertices"),
+            ("v 0 0 0\nv 1 0 0\nf 1 2 9\n", 3, "9 is out of range"),
+            ("v 0 0 0\nv 1 0 0\nf 1 2 0\n", 3, "0 is out of range"),
+            ("v 0 0 0\nv 1 0 0\nf 1 2 -3\n", 3, "-3 is out of range"),
+            ("v 0 0 0\nv 1 0 0\nf 1 2 a/1\n", 3, "'a/1'"),
+        ):
+            with self.subTest(text):
+                self.refuse(self.write("bad.obj", text), says=("bad.obj:%d:" % line, says))
+
+    def test_cell_ids_out_of_range_are_refused_in_every_format(self):
+        triangles = [*self.triangles, (0, 1, 999)]
+        for name, content in (
+            ("a.vtk", command.legacy(self.points, triangles)),
+            ("a.vtp", command.xml_polydata(self.points, triangles)),
+            ("a.ply", command.ply(self.points, triangles, "<")),
+        ):
+            with self.subTest(name):
+                self.refuse(self.write(name, content), says=(name, "999"))
+
+    # Surfaces
+
+    def test_no_triangle(self):
+        self.refuse_surface(self.points, [], "EmptySurface")
+
+    def test_coordinates_that_are_no_numbers(self):
+        for value in (float("nan"), float("inf")):
+            points = [*self.points]
+            points[7] = (value, 0.0, 0.0)
+            report = self.refuse_surface(points, self.triangles, "NonFinitePoint", "7")
+            self.assertEqual(report["ids"], [7])
+
+    def test_zero_area(self):
+        points = [*self.points]
+        points.append(tuple((a + b) / 2 for a, b in zip(points[0], points[1])))
+        triangles = [*self.triangles, (1, 0, len(self.points))]
+        report = self.refuse_surface(points, triangles, "DegenerateTriangle", str(len(self.triangles)))
+        self.assertEqual(report["ids"], [len(self.triangles)])
+
+    def test_three_triangles_at_an_edge(self):
+        points = [*self.points, (9.0, 9.0, 9.0)]
+        diagonal = (self.triangles[8][0], self.triangles[8][2])  # shared with triangle 9
+        self.refuse_surface(
+            points, [*self.triangles, (*diagonal, len(self.points))], "NonManifoldEdge"
+        )
+
+    def test_bow_tie(self):
+        points = [*self.points, (5.0, 0.0, 0.0), (5.0, 1.0, 0.0)]
+        count = len(self.points)
+        self.refuse_surface(points, [*self.triangles, (0, count, count + 1)], "NonManifoldVertex")
+
+    def test_moebius_band(self):
+        points, triangles = command.moebius_band()
+        self.refuse_surface(points, triangles, "NotOrientable")
+
+    def test_closed_surface(self):
+        points = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
+        triangles = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+        self.refuse_surface(points, triangles, "ClosedSurface")
+
+    def test_handle(self):
+        points, triangles = command.torus()
+        self.refuse_surface(points, triangles[1:], "Handle")
+
+    # Curves
+
+    def test_curve_text_tells_file_line_and_way_out(self):
+        self.refuse_curves("accessory a 0 1\nbogus b 1 2\n", ":2:", "'bogus'", "accessory, key, dart")
+        self.refuse_curves("key\n", ":1:", "no name")
+        self.refuse_curves("# c\n\nkey k 0 25\n", ":3:", "25", "out of range", "'k'")
+        self.refuse_curves("key k -1 0\n", ":1:", "-1", "out of range")
+        self.refuse_curves("key k 0 1.5\n", ":1:", "'1.5'")
+        self.refuse_curves("key k 0 1 2x\n", ":1:", "'2x'")
+        self.refuse_curves("key k 0\n", ":1:", "'k'", "two vertices")
+        self.refuse_curves("key k 0 1\ndart k 2 7\n", ":2:", "second curve", "'k'")
+
+    def test_names_differ_over_all_text_files(self):
+        self.write("one.txt", "key k 0 1\n")
+        self.write("two.txt", "key k 5 6\n")
+        self.refuse("good.obj", "one.txt", "two.txt", says=("two.txt:1:", "'k'"))
+
+    def test_curves_file_without_polyline(self):
+        self.write("curves.vtk", command.legacy(self.points))
+        self.refuse("good.obj", "curves.vtk", says=("curves.vtk", "no polyline"))
+
+    def test_curve_point_off_the_surface(self):
+        points = [*self.points]
+        points[12] = (3.0, 3.0, 3.0)
+        self.write("curves.vtk", command.legacy_curves(points, [(0, "loose", [11, 12, 13])]))
+        report = self.refuse("good.obj", "curves.vtk", says=("loose", "12"))
+        self.assertEqual(report["status"], "CurvePointOffSurface")
+
+    def test_curve_of_unknown_type(self):
+        self.write("curves.vtk", command.legacy_curves(self.points, [(7, "odd", [11, 12, 13])]))
+        self.refuse("good.obj", "curves.vtk", says=("7",), status="InvalidCurve")
+
+    def test_curve_edge_that_is_no_mesh_edge_where_splitting_is_off(self):
+        self.write("curves.txt", "accessory far 5 12\n")
+        self.refuse(
+            "good.obj", "curves.txt", "--no-split", says=("far",), status="CurveNotOnEdges"
+        )
+
+    # Output
+
+    def test_a_file_in_the_way_of_the_output_folder(self):
+        self.write("out", "precious")
+        for folder in ("out", "out/below"):
+            run = self.run_command("good.obj", "--output", folder)
+            self.assertEqual(run.returncode, 3)
+            self.assertIn("output folder", command.error_lines(run)[0])
+        with open(self.path("out"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), "precious")
+
+    def test_a_result_that_cannot_be_put_in_place_leaves_no_part_behind(self):
+        os.makedirs(self.path("out/flat.vtp/inner"))
+        run = self.run_command("good.obj", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("flat.vtp", command.error_lines(run)[0])
+        self.assertEqual(os.listdir(self.path("out")), ["flat.vtp"])
+
+    def test_an_earlier_result_does_not_outlive_a_refusal(self):
+        self.flatten("good.obj")
+        self.assertIn("flat.vtp", os.listdir(self.path("out")))
+        self.refuse("absent.obj")
+
+    def test_a_default_folder_is_not_made_for_a_refusal(self):
+        self.assertEqual(self.run_command("absent.obj").returncode, 3)
+        self.assertEqual(os.listdir(self.folder), ["good.obj"])
+
+    def test_quiet_still_tells_the_error(self):
+        run = self.run_command("absent.obj", "--quiet")
+        self.assertEqual(run.returncode, 3)
+        self.assertEqual(len(command.error_lines(run)), 1)
+
+    def test_names_of_any_bytes_keep_the_report_readable(self):
+        run = self.run_command(b"caf\xe9.obj", "--output", "out", "--quiet", errors="replace")
+        self.assertEqual(run.returncode, 3)
+        with open(self.path("out/report.json"), encoding="utf-8") as file:
+            self.assertTrue(json.load(file)["message"])
+
+
+if __name__ == "__main__":
+    command.main()

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import math
+import os
+
+import command
+
+PIECE_KEYS = """piece triangles vertices wire_patches wire_nodes free_wire_nodes constraints iterations
+objective closure_residual E_len E_len_max E_ang E_h E_r E_area flipped overlaps status""".split()
+
+
+class Results(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.points, self.triangles, self.arc = command.quarter_sphere()
+        self.write("lune.obj", command.obj(self.points, self.triangles))
+        self.write("arc.txt", "accessory arc " + " ".join(map(str, self.arc)) + "\n")
+
+    def test_report_holds_what_the_contract_lists(self):
+        report = self.flatten("lune.obj", "arc.txt")
+        for key in ("surface", "scheme", "solver", "interior", "status", "pieces", "curves"):
+            self.assertIn(key, report)
+        self.assertEqual(report["surface"], "lune.obj")
+        self.assertEqual(report["status"], "Ok")
+        self.assertEqual(
+            sorted(report["seconds"]), ["interior", "quality", "read", "total", "wires"]
+        )
+        self.assertTrue(all(value >= 0 for value in report["seconds"].values()))
+        piece = report["pieces"][0]
+        for key in PIECE_KEYS:
+            self.assertIn(key, piece)
+            if key != "status":
+                self.assertTrue(math.isfinite(piece[key]), key)
+        # Euler: the outer boundary of 20 edges, the arc of 4 with two sides.
+        self.assertEqual((piece["triangles"], piece["vertices"]), (56, 37))
+        self.assertEqual((piece["wire_patches"], piece["wire_nodes"]), (2, 24))
+        self.assertEqual(piece["free_wire_nodes"], 24)
+        self.assertEqual(sorted(report["curves"][0]), ["error", "length_2d", "length_3d", "name", "type"])
+
+    def test_quarter_sphere_has_the_row_of_the_papers_table(self):
+        for scheme, angle, homogeneity in (("progressive", 159.1, 0.394), ("global", 148.8, 0.404)):
+            with self.subTest(scheme):
+                piece = self.flatten(
+                    "lune.obj", "arc.txt", "--scheme", scheme, "--interior", "laplacian"
+                )["pieces"][0]
+                self.assertLessEqual(piece["E_len_max"], 1e-10)
+                self.assertEqual(round(1e3 * piece["E_ang"], 1), angle)
+                self.assertEqual(round(piece["E_h"], 3), homogeneity)
+                run = self.run_command(
+                    "lune.obj", "arc.txt", "--scheme", scheme, "--interior", "laplacian"
+                )
+                row = run.stdout.splitlines()[1].split()
+                for cell in ("56", "2", "0.00", str(angle), "%.3f" % homogeneity, "Ok"):
+                    self.assertIn(cell, row)
+
+    def test_both_solvers_find_the_same_optimum(self):
+        objective = [
+            self.flatten("lune.obj", "arc.txt", "--solver", solver)["pieces"][0]["objective"]
+            for solver in ("newton", "sequential")
+        ]
+        self.assertAlmostEqual(objective[0], objective[1], delta=1e-9)
+        self.assertAlmostEqual(objective[0], 0.197157, delta=1e-6)
+
+    def test_curve_length_is_that_of_the_polyline(self):
+        curve = self.flatten("lune.obj", "arc.txt")["curves"][0]
+        chord = 8 * math.sin(math.pi / 16)
+        self.assertAlmostEqual(curve["length_3d"], chord, delta=1e-14)
+        self.assertAlmostEqual(curve["length_2d"], chord, delta=1e-10)
+        self.assertLessEqual(curve["error"], 1e-10)
+
+    def test_files_lie_in_the_folder_and_belong_together(self):
+        self.flatten("lune.obj", "arc.txt")
+        self.assertEqual(
+            sorted(os.listdir(self.path("out"))), ["cut.vtp", "flat.vtp", "report.json", "wires.vtp"]
+        )
+        flat = self.array("out/flat.vtp", "Points")
+        cut = self.array("out/cut.vtp", "Points")
+        self.assertEqual(len(flat), len(cut))
+        self.assertEqual(set(flat[2::3]), {0.0})
+        # The boundary edge from a pole keeps its length in the files, too.
+        ids = self.array("out/flat.vtp", "vtkOriginalPointIds")
+        a, b = ids.index(0), ids.index(1)
+        length = math.dist(flat[3 * a : 3 * a + 3], flat[3 * b : 3 * b + 3])
+        self.assertAlmostEqual(length, 2 * math.sin(math.pi / 16), delta=1e-12)
+        self.assertEqual(len(self.array("out/wires.vtp", "CurveType")), 2)
+
+    def test_default_folder_takes_the_name_of_the_surface(self):
+        os.mkdir(self.path("sub"))
+        os.replace(self.path("lune.obj"), self.path("sub/lune.obj"))
+        run = self.run_command("sub/lune.obj")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("lune_flat", run.stdout)
+        self.assertIn("flat.vtp", os.listdir(self.path("lune_flat")))
+
+    def test_names_with_blanks_and_deep_new_folders(self):
+        os.replace(self.path("lune.obj"), self.path("a lune.obj"))
+        os.replace(self.path("arc.txt"), self.path("an arc.txt"))
+        run = self.run_command("a lune.obj", "an arc.txt", "--output", "new folder/in it")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(self.report("new folder/in it")["surface"], "a lune.obj")
+
+    def test_table_has_a_row_a_piece_and_the_papers_columns(self):
+        points, triangles = command.sheet()
+        self.write("sheet.obj", command.obj(points, triangles))
+        self.write("seam.txt", "seam s 2 7 12 17 22\n")
+        run = self.run_command("sheet.obj", "seam.txt", "--list-curves")
+        lines = run.stdout.splitlines()
+        for column in ("E_len x1e3", "E_ang x1e3", "E_h", "E_r", "flips", "T_opt", "T_all", "status"):
+            self.assertIn(column, lines[0])
+        self.assertEqual([line.split()[0] for line in lines[1:4]], ["0", "1", "all"])
+        self.assertEqual([line.split()[1] for line in lines[1:3]], ["16", "16"])
+        curve = next(line for line in lines if line.startswith("s "))
+        self.assertEqual(curve.split()[1:3], ["1", "1"])
+
+    def test_quiet_says_nothing(self):
+        run = self.run_command("lune.obj", "--quiet")
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
+
+    def test_results_do_not_depend_on_threads(self):
+        seen = []
+        for threads in ("1", "2", "7"):
+            report = self.flatten("lune.obj", "arc.txt", "--threads", threads)
+            seen.append((report["pieces"], self.array("out/flat.vtp", "Points")))
+        self.assertEqual(seen[0], seen[1])
+        self.assertEqual(seen[0], seen[2])
+
+    def test_broken_promise_is_exit_4_with_everything_written_and_marked(self):
+        run = self.run_command(
+            "lune.obj", "arc.txt", "--solver", "sequential", "--max-iterations", "1", "--output", "out"
+        )
+        self.assertEqual(run.returncode, 4, run.stderr)
+        self.assertIn("NotConverged", run.stdout)
+        self.assertIn("broken promise: piece 0", command.error_lines(run)[0])
+        report = self.report("out")
+        self.assertEqual(report["exit_code"], 4)
+        self.assertEqual(report["pieces"][0]["status"], "NotConverged")
+        self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
+
+    def test_length_error_of_the_comparison_method_is_told(self):
+        report = self.flatten("lune.obj", "arc.txt", "--scheme", "lscm", code=4)
+        self.assertEqual(report["pieces"][0]["status"], "LengthError")
+        self.assertGreater(report["pieces"][0]["E_len_max"], 1e-3)
+
+    def test_released_keys_are_free(self):
+        self.write("key.txt", "key arc " + " ".join(map(str, self.arc)) + "\n")
+        kept = self.flatten("lune.obj", "key.txt")["pieces"][0]
+        released = self.flatten("lune.obj", "key.txt", "--release-keys")["pieces"][0]
+        self.assertLess(kept["free_wire_nodes"], released["free_wire_nodes"])
+        self.assertEqual(released["free_wire_nodes"], 24)
+        self.assertLessEqual(released["objective"], kept["objective"] + 1e-9)
+
+    def test_a_developable_comes_out_flat_without_distortion(self):
+        points, triangles = command.sheet()
+        self.write("sheet.obj", command.obj(points, triangles))
+        piece = self.flatten("sheet.obj")["pieces"][0]
+        for key in ("E_len_max", "E_ang", "E_area"):
+            self.assertLessEqual(piece[key], 1e-10, key)
+        self.assertAlmostEqual(piece["E_h"], 1.0, delta=1e-10)
+
+
+if __name__ == "__main__":
+    command.main()

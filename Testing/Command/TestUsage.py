@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import os
+import re
+
+import command
+
+
+class Usage(command.CommandTest):
+    def assert_usage_error(self, *arguments):
+        run = self.run_command(*arguments)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertEqual(run.stdout, "")
+        lines = command.error_lines(run)
+        self.assertTrue(lines[0].startswith("wirewarp: error: "), lines)
+        self.assertIn("--help", lines[-1])
+        return lines[0]
+
+    def test_no_argument_is_bad_usage_and_names_what_is_missing(self):
+        self.assertIn("SURFACE", self.assert_usage_error())
+
+    def test_unknown_option_is_named(self):
+        self.assertIn("--sheme", self.assert_usage_error("a.obj", "--sheme", "global"))
+
+    def test_unknown_words_of_an_option_are_named(self):
+        for option in ("--scheme", "--solver", "--interior"):
+            with self.subTest(option):
+                self.assertIn("nonsense", self.assert_usage_error("a.obj", option, "nonsense"))
+
+    def test_numbers_out_of_their_range_are_refused(self):
+        for option, value in (
+            ("--max-iterations", "0"),
+            ("--max-iterations", "1.5"),
+            ("--max-iterations", "99999999999999999999"),
+            ("--threads", "-1"),
+            ("--threads", "100000"),
+            ("--spacing", "nan"),
+            ("--spacing", "-0.1"),
+            ("--spacing", "wide"),
+            ("--closure-tolerance", "inf"),
+            ("--relaxation-factor", "2"),
+            ("--relaxation-factor", "0"),
+            ("--imprint-tolerance", "1.5"),
+        ):
+            with self.subTest(option=option, value=value):
+                self.assertIn(option, self.assert_usage_error("a.obj", option, value))
+
+    def test_option_without_its_value_is_bad_usage(self):
+        self.assert_usage_error("a.obj", "--output")
+
+    def test_nameless_files_are_bad_usage(self):
+        self.assert_usage_error("")
+        self.assert_usage_error("a.obj", "--output", "")
+
+    def test_equal_pins_are_bad_usage(self):
+        self.assertIn("--pins", self.assert_usage_error("a.obj", "--pins", "3", "3"))
+
+    def test_bad_usage_writes_nothing(self):
+        points, triangles, _ = command.quarter_sphere()
+        self.write("a.obj", command.obj(points, triangles))
+        self.assert_usage_error("a.obj", "--output", "out", "--scheme", "nonsense")
+        self.assertEqual(os.listdir(self.folder), ["a.obj"])
+
+    def test_help_tells_inputs_units_defaults_exit_codes_and_an_example(self):
+        run = self.run_command("--help")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        for word in (".vtp", ".obj", ".stl", "TYPE NAME v0 v1", "accessory", "seam"):
+            self.assertIn(word, run.stdout)
+        for word in ("Units:", "report.json", "Exit codes: 0", "Example:", "300", "0.05"):
+            self.assertIn(word, run.stdout)
+
+    def test_version_is_a_version(self):
+        run = self.run_command("--version")
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stdout, r"^wirewarp \d+\.\d+\.\d+ \(VTK \d+\.\d+")
+
+    def test_help_lists_every_option_once(self):
+        names = re.findall(r"^ +(?:-\w,)?(--[\w-]+)", self.run_command("--help").stdout, re.M)
+        self.assertEqual(len(names), len(set(names)))
+        self.assertGreater(len(names), 15)
+
+
+if __name__ == "__main__":
+    command.main()

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the command share: running it, surfaces to feed it, reading what it writes."""
+
+import base64
+import json
+import math
+import os
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from xml.etree import ElementTree
+import zlib
+
+EXECUTABLE = os.environ["WIREWARP"]
+DATA = os.environ["WIREWARP_DATA"]
+
+
+class CommandTest(unittest.TestCase):
+    """Each test runs in a folder of its own."""
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory(prefix="wirewarp test ")
+        self.folder = self._folder.name
+        self.addCleanup(self._folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
+        return name
+
+    def run_command(self, *arguments, **options):
+        """Runs wirewarp in the test's folder."""
+        return subprocess.run(
+            [EXECUTABLE, *arguments],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+            **options,
+        )
+
+    def flatten(self, *arguments, code=0):
+        """Runs wirewarp into the folder `out` and gives its report."""
+        run = self.run_command(*arguments, "--output", "out")
+        self.assertEqual(run.returncode, code, run.stderr)
+        return self.report("out")
+
+    def report(self, folder):
+        with open(os.path.join(self.folder, folder, "report.json"), encoding="utf-8") as file:
+            return json.load(file, parse_constant=refuse_constant)
+
+    def array(self, file, name):
+        return read_array(self.path(file), name)
+
+
+def refuse_constant(name):
+    raise AssertionError("a number in report.json is " + name)
+
+
+def main():
+    """Runs the tests of the calling file; a skipped test would hide a missing fact."""
+    unittest.main(argv=[sys.argv[0]], verbosity=2)
+
+
+# Surfaces ---------------------------------------------------------------------------------------
+
+
+def quarter_sphere():
+    """The paper's quarter-sphere (Fig. 11): points, triangles, and the arc half-way between the poles."""
+
+    def point(longitude, latitude):
+        a, b = math.pi / 8 * longitude, math.pi / 8 * latitude
+        return (math.sin(b) * math.cos(a), math.sin(b) * math.sin(a), math.cos(b))
+
+    points = [point(0, 0)] + [point(i, j) for j in range(1, 8) for i in range(5)] + [point(0, 8)]
+
+    def vertex(i, j):
+        return 0 if j == 0 else 36 if j == 8 else 1 + 5 * (j - 1) + i
+
+    triangles = []
+    for i in range(4):
+        for j in range(8):
+            if j < 7:
+                triangles.append((vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)))
+            if j > 0:
+                triangles.append((vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)))
+    return points, triangles, [vertex(i, 4) for i in range(5)]
+
+
+def sheet(columns=4, rows=4):
+    """A sheet of squares over a cylinder of radius 1, split into triangles."""
+    points = [
+        (math.cos(0.3 * i), math.sin(0.3 * i), 0.25 * j)
+        for j in range(rows + 1)
+        for i in range(columns + 1)
+    ]
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b = a + columns + 1
+            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
+    return points, triangles
+
+
+def moebius_band(count=12):
+    """A band of two rows with half a twist, one-sided."""
+    points = []
+    for k in range(count):
+        a = 2 * math.pi * k / count
+        for t in (-0.3, 0.3):
+            r = 1 + t * math.cos(a / 2)
+            points.append((r * math.cos(a), r * math.sin(a), t * math.sin(a / 2)))
+    triangles = []
+    for k in range(count):
+        a, b = 2 * k, 2 * k + 1
+        c, d = (a + 2, b + 2) if k + 1 < count else (1, 0)
+        triangles += [(a, c, d), (a, d, b)]
+    return points, triangles
+
+
+def torus(count=6):
+    """A closed surface with one handle."""
+
+    def point(i, j):
+        a, b = 2 * math.pi * i / count, 2 * math.pi * j / count
+        r = 3 + math.cos(b)
+        return (r * math.cos(a), r * math.sin(a), math.sin(b))
+
+    def vertex(i, j):
+        return count * (i % count) + j % count
+
+    points = [point(i, j) for i in range(count) for j in range(count)]
+    triangles = []
+    for i in range(count):
+        for j in range(count):
+            a, b, c, d = vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)
+            triangles += [(a, b, c), (a, c, d)]
+    return points, triangles
+
+
+def obj(points, triangles):
+    lines = ["v %r %r %r" % tuple(point) for point in points]
+    lines += ["f " + " ".join(str(v + 1) for v in triangle) for triangle in triangles]
+    return "\n".join(lines) + "\n"
+
+
+def legacy(points, polygons=(), polylines=(), cell_data=""):
+    """Legacy polydata, ASCII, double."""
+    text = "# vtk DataFile Version 3.0\ntest\nASCII\nDATASET POLYDATA\n"
+    text += "POINTS %d double\n" % len(points)
+    text += "".join("%r %r %r\n" % tuple(point) for point in points)
+    for keyword, cells in (("LINES", polylines), ("POLYGONS", polygons)):
+        if cells:
+            text += "%s %d %d\n" % (keyword, len(cells), sum(len(cell) + 1 for cell in cells))
+            text += "".join(" ".join(map(str, [len(cell), *cell])) + "\n" for cell in cells)
+    return text + cell_data
+
+
+def legacy_curves(points, curves):
+    """Curves as (type, name, vertices) in legacy polydata."""
+    data = "CELL_DATA %d\nFIELD FieldData 2\nCurveType 1 %d int\n" % (len(curves), len(curves))
+    data += " ".join(str(curve[0]) for curve in curves) + "\n"
+    data += "CurveName 1 %d string\n" % len(curves)
+    data += "".join(curve[1] + "\n" for curve in curves)
+    return legacy(points, polylines=[curve[2] for curve in curves], cell_data=data)
+
+
+def xml_polydata(points, triangles):
+    """XML polydata, ASCII, double."""
+    count = len(triangles)
+    return (
+        '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>'
+        '<Piece NumberOfPoints="%d" NumberOfPolys="%d">' % (len(points), count)
+        + '<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">'
+        + " ".join("%r %r %r" % tuple(point) for point in points)
+        + '</DataArray></Points><Polys><DataArray type="Int64" Name="connectivity" format="ascii">'
+        + " ".join("%d %d %d" % tuple(triangle) for triangle in triangles)
+        + '</DataArray><DataArray type="Int64" Name="offsets" format="ascii">'
+        + " ".join(str(3 * k + 3) for k in range(count))
+        + "</DataArray></Polys></Piece></PolyData></VTKFile>\n"
+    )
+
+
+def ply(points, triangles, order):
+    """PLY with doubles; `order` is '<', '>' or '' for ASCII."""
+    name = {"<": "binary_little_endian", ">": "binary_big_endian", "": "ascii"}[order]
+    head = (
+        "ply\nformat %s 1.0\nelement vertex %d\n" % (name, len(points))
+        + "property double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+        + "element face %d\nproperty list uchar int vertex_indices\nend_header\n" % len(triangles)
+    )
+    if not order:
+        lines = ["%r %r %r 7" % tuple(point) for point in points]
+        lines += ["3 %d %d %d" % tuple(triangle) for triangle in triangles]
+        return head + "\n".join(lines) + "\n"
+    data = b"".join(struct.pack(order + "dddB", *point, 7) for point in points)
+    data += b"".join(struct.pack(order + "Biii", 3, *triangle) for triangle in triangles)
+    return head.encode() + data
+
+
+def stl(points, triangles):
+    """Binary STL, single precision."""
+    data = b"binary".ljust(80) + struct.pack("<I", len(triangles))
+    for triangle in triangles:
+        corners = [x for vertex in triangle for x in points[vertex]]
+        data += struct.pack("<12fH", 0.0, 0.0, 0.0, *corners, 0)
+    return data
+
+
+# Results ----------------------------------------------------------------------------------------
+
+FORMATS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": "B", "Int8": "b"}
+
+
+def read_array(path, name):
+    """Values of an array of an XML polydata file that VTK wrote (appended, base64, zlib)."""
+    root = xml_root(path)
+    for array in root.iter("DataArray"):
+        if array.get("Name") == name:
+            data = root.find("AppendedData").text.strip()[1:]
+            size = {"UInt32": 4, "UInt64": 8}[root.get("header_type", "UInt32")]
+            values = decode(data[int(array.get("offset")) :], size)
+            kind = FORMATS[array.get("type")]
+            return list(struct.unpack("<%d%s" % (len(values) // struct.calcsize(kind), kind), values))
+    raise KeyError(name)
+
+
+def xml_root(path):
+    return ElementTree.parse(path).getroot()
+
+
+def decode(text, size):
+    """Blocks behind a header of (blocks, block size, size of the last, compressed sizes ...)."""
+
+    def header(count):
+        length = 4 * -(-count * size // 3)
+        values = base64.b64decode(text[:length])[: count * size]
+        return length, struct.unpack("<%d%s" % (count, "IQ"[size // 8]), values)
+
+    blocks = header(3)[1][0]
+    if blocks == 0:
+        return b""
+    length, numbers = header(3 + blocks)
+    packed = 4 * -(-sum(numbers[3:]) // 3)
+    data = base64.b64decode(text[length : length + packed])
+    values = b""
+    for block in numbers[3:]:
+        values += zlib.decompress(data[:block])
+        data = data[block:]
+    return values
+
+
+def error_lines(run):
+    """What the command complained of; every line of stderr must be its own."""
+    lines = run.stderr.splitlines()
+    foreign = [line for line in lines if not re.match(r"wirewarp: |Try 'wirewarp", line)]
+    if foreign:
+        raise AssertionError("stderr holds lines of others: %r" % foreign)
+    return lines
