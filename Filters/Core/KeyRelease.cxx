@@ -63,17 +63,18 @@ KeyRelease releaseKeys(const WireNetwork& network, const Piece& piece, const Cut
   const std::function<AngleSolution(const NodeLocks&)>& solve)
 {
   const Indices keys = keyCurves(network, curves);
-  auto solveWithout = [&](const Indices& released) {
+  auto locksWithout = [&](const Indices& released) {
     std::vector<FeatureCurve> changed = curves;
     for (Index c : released)
     {
       changed[c].type = CurveType::Accessory;
     }
-    return solve(lockKeyCurves(network, piece, cut, changed));
+    return lockKeyCurves(network, piece, cut, changed);
   };
   KeyRelease result;
   result.solution = failed;
   result.status = failed.status;
+  result.locks = locksWithout({});
   if (failed.status.code == StatusCode::IncompatibleKeys)
   {
     result.status.ids = keys;
@@ -86,7 +87,7 @@ KeyRelease releaseKeys(const WireNetwork& network, const Piece& piece, const Cut
     }
     for (const Indices& set : subsets(keys, size))
     {
-      AngleSolution solution = solveWithout(set);
+      AngleSolution solution = solve(locksWithout(set));
       if (solution.status.code == StatusCode::Cancelled)
       {
         result.solution = std::move(solution);
@@ -102,6 +103,7 @@ KeyRelease releaseKeys(const WireNetwork& network, const Piece& piece, const Cut
     }
     if (!result.released.empty())
     {
+      result.locks = locksWithout(result.released);
       result.status = { StatusCode::IncompatibleKeys,
         "the key curves " + quotedNames(curves, keys) +
           " cannot keep their planar shapes together; release " +

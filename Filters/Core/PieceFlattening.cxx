@@ -13,8 +13,8 @@ namespace flattening
 {
 namespace
 {
-/// How far a connector may go from its length on the surface, and what elastic lengths cost: little,
-/// so that the angles decide.
+/// How far a connector may go from its length on the surface, and what elastic lengths cost:
+/// little, so that the angles decide.
 constexpr double connectorTolerance = 0.9;
 constexpr double stretchWeight = 1e-2;
 
@@ -76,49 +76,56 @@ AngleStart conformalStart(const Piece& piece, const WireNetwork& network)
   return start;
 }
 
-/// Host vertices of the status's nodes, as vertices of the cut surface.
-void nodesToVertices(const WireNetwork& network, const Piece& piece, Status& status)
+/// The wires' problem as it was solved in the end, and its solution.
+struct WireSolution
 {
-  for (Index& id : status.ids)
+  AngleProblem problem;
+  AngleSolution angles;
+};
+
+AngleSolution solveProgressively(AngleProblem problem, const FlatteningOptions& options,
+  const Execution& execution, PieceReport& report)
+{
+  AngleSolution elastic;
+  if (!problem.groups.empty())
   {
-    id = piece.vertices[network.vertex[id]];
+    // Lengths that may change are chosen for the piece as a whole, then warped patch by patch.
+    elastic = solveAngles(problem, options.angles, execution);
+    if (!elastic.status.ok())
+    {
+      return elastic;
+    }
+    problem.length = elastic.length;
+    problem.groups.clear();
+    problem.stretchGroup.assign(problem.stretchGroup.size(), none);
   }
-  status.ids.erase(std::unique(status.ids.begin(), status.ids.end()), status.ids.end());
+  ProgressiveSolution progressive = warpProgressively(problem, options.angles, execution);
+  report.warpingOrder.clear();
+  for (Index loop : progressive.warpingOrder)
+  {
+    report.warpingOrder.push_back(problem.network->patchOfLoop[loop]);
+  }
+  progressive.angles.stretch = elastic.stretch;
+  return progressive.angles;
 }
 
-void solveWires(const Piece& piece, const CutSurface& cut, const std::vector<FeatureCurve>& curves,
-  const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
+WireSolution solveWires(const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
+  const Execution& execution, FlatPiece& result)
 {
   const WireNetwork& network = result.network;
   PieceReport& report = result.report;
-  auto solve = [&](const NodeLocks& locks) {
-    AngleProblem problem = makeAngleProblem(network, locks);
+  auto pose = [&](NodeLocks locks) {
+    AngleProblem problem = makeAngleProblem(network, std::move(locks));
     addStretchGroups(network, curves, problem);
-    problem.alternativeStart = [&] { return conformalStart(piece, network); };
-    if (options.scheme != Scheme::Progressive)
-    {
-      return solveAngles(problem, options.angles, execution);
-    }
-    AngleSolution elastic;
-    if (!problem.groups.empty())
-    {
-      // Lengths that may change are chosen for the piece as a whole, then warped patch by patch.
-      elastic = solveAngles(problem, options.angles, execution);
-      if (!elastic.status.ok())
-      {
-        return elastic;
-      }
-      problem.length = elastic.length;
-      problem.groups.clear();
-      problem.stretchGroup.assign(problem.stretchGroup.size(), none);
-    }
-    ProgressiveSolution progressive = warpProgressively(problem, options.angles, execution);
-    for (Index loop : progressive.warpingOrder)
-    {
-      report.warpingOrder.push_back(network.patchOfLoop[loop]);
-    }
-    progressive.angles.stretch = elastic.stretch;
-    return progressive.angles;
+    problem.alternativeStart = [&piece, &network] { return conformalStart(piece, network); };
+    return problem;
+  };
+  auto solve = [&](const NodeLocks& locks) {
+    AngleProblem problem = pose(locks);
+    return options.scheme == Scheme::Progressive
+      ? solveProgressively(std::move(problem), options, execution, report)
+      : solveAngles(problem, options.angles, execution);
   };
 
   NodeLocks locks = lockKeyCurves(network, piece, cut, curves);
@@ -127,34 +134,57 @@ void solveWires(const Piece& piece, const CutSurface& cut, const std::vector<Fea
     std::fill(locks.locked.begin(), locks.locked.end(), 0);
     locks.lockedCount = 0;
   }
-  const AngleConstraints constraints(makeAngleProblem(network, locks));
+  WireSolution wires{ pose(locks), solve(locks) };
+  const AngleConstraints constraints(wires.problem);
   report.freeWireNodes = constraints.freeCount();
   report.constraints = constraints.rowCount();
-
-  AngleSolution solution = solve(locks);
-  if (!solution.status.ok() && locks.lockedCount > 0 &&
-    solution.status.code != StatusCode::Cancelled)
+  if (!wires.angles.status.ok() && locks.lockedCount > 0 &&
+    wires.angles.status.code != StatusCode::Cancelled)
   {
-    report.warpingOrder.clear();
-    KeyRelease release = releaseKeys(network, piece, cut, curves, solution, solve);
-    solution = std::move(release.solution);
+    KeyRelease release = releaseKeys(network, piece, cut, curves, wires.angles, solve);
+    wires.problem = pose(std::move(release.locks));
+    wires.angles = std::move(release.solution);
     report.status = std::move(release.status);
   }
   if (report.status.ok())
   {
-    report.status = solution.status;
-    nodesToVertices(network, piece, report.status);
+    report.status = wires.angles.status;
+  }
+  report.iterations = wires.angles.iterations;
+  report.objective = wires.angles.objective;
+  report.closureResidual = wires.angles.closure;
+  report.history = wires.angles.history;
+  return wires;
+}
+
+/// The isometric scheme from where the global scheme and the pinned interior have put the piece.
+void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
+  const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
+{
+  IsometricSolution solution = warpIsometrically(
+    piece, wires.problem, result.positions, wires.angles.stretch, options.isometric, execution);
+  PieceReport& report = result.report;
+  for (const IsometricIteration& iteration : solution.history)
+  {
+    IterationRecord record;
+    record.phase = iteration.exact ? "isometric" : "isometric, convex";
+    record.objective = iteration.energy;
+    record.closure = iteration.constraint;
+    record.optimality = iteration.optimality;
+    record.step = iteration.step;
+    report.history.push_back(record);
   }
   report.iterations = solution.iterations;
-  report.objective = solution.objective;
-  report.closureResidual = solution.closure;
-  report.history = std::move(solution.history);
-  if (report.status.refused())
+  report.sheetEnergy = solution.sheetEnergy;
+  report.angleEnergy = solution.angleEnergy;
+  if (!solution.status.ok() && (report.status.ok() || solution.status.refused()))
   {
-    return;
+    report.status = solution.status;
   }
-  WireLayout layout = layOutWires(network, solution.theta, solution.length);
-  result.positions = std::move(layout.positions);
+  if (!solution.status.refused())
+  {
+    result.positions = std::move(solution.positions);
+  }
 }
 
 void mapPieceConformally(
@@ -202,7 +232,12 @@ FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
     result.secondsInterior = watch.restart();
     return result;
   }
-  solveWires(piece, cut, curves, options, execution, result);
+  const WireSolution wires = solveWires(piece, cut, curves, options, execution, result);
+  if (!report.status.refused())
+  {
+    result.positions =
+      layOutWires(result.network, wires.angles.theta, wires.angles.length).positions;
+  }
   result.secondsWires = watch.restart();
   if (report.status.refused())
   {
@@ -210,9 +245,13 @@ FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   }
   const InteriorResult interior =
     embedInterior(piece, result.network, options.interior, execution, result.positions);
-  if (!interior.status.ok())
+  if (!interior.status.ok() && (report.status.ok() || interior.status.refused()))
   {
     report.status = interior.status;
+  }
+  if (options.scheme == Scheme::Isometric && !report.status.refused())
+  {
+    warpPieceIsometrically(piece, wires, options, execution, result);
   }
   result.secondsInterior = watch.restart();
   return result;

@@ -279,13 +279,6 @@ private:
 FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution)
 {
-  if (options.scheme == Scheme::Isometric)
-  {
-    FlatteningResult result;
-    result.status = { StatusCode::InvalidOption, "the isometric scheme is not in this version",
-      {} };
-    return result;
-  }
   return Flattening(mesh, curves, options, execution).run();
 }
 }

@@ -5,6 +5,7 @@
 #include "ConformalMap.h"
 #include "FlatteningQuality.h"
 #include "InteriorEmbedding.h"
+#include "IsometricWarping.h"
 #include "SurfaceCut.h"
 
 namespace flattening
@@ -22,6 +23,7 @@ struct FlatteningOptions
   Scheme scheme = Scheme::Global;
   AngleSolverOptions angles;
   InteriorOptions interior;
+  IsometricOptions isometric;
   ConformalOptions conformal; ///< pins are vertices of the surface before the cut
   /// Treat key curves as accessory curves.
   bool releaseKeys = false;
@@ -59,6 +61,10 @@ struct PieceReport
   int iterations = 0;
   double objective = 0.0;
   double closureResidual = 0.0;
+  /// Isometric scheme: its energy's two terms, sheet and wire angles, in units of the mean triangle
+  /// area.
+  double sheetEnergy = 0.0;
+  double angleEnergy = 0.0;
   QualitySummary quality; ///< flipped: triangles of the cut surface
   /// Pairs of boundary half-edges of the cut surface that cross.
   std::vector<std::array<Index, 2>> overlaps;

@@ -181,6 +181,29 @@ bool correctLengths(
   }
   return true;
 }
+
+/// \param positions per host vertex. \return the largest relative error that is left.
+double makeLengthsExact(
+  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
+{
+  double error = largestLengthError(network, positions, length);
+  for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
+  {
+    Points2 corrected = positions;
+    if (!correctLengths(network, length, corrected))
+    {
+      break;
+    }
+    const double after = largestLengthError(network, corrected, length);
+    if (!(after < error))
+    {
+      break;
+    }
+    error = after;
+    positions = std::move(corrected);
+  }
+  return error;
+}
 }
 
 WireLayout layOutWires(
@@ -198,22 +221,7 @@ WireLayout layOutWires(
   {
     spreadMisses(network, vectors, positions);
   }
-  double error = largestLengthError(network, positions, length);
-  for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
-  {
-    Points2 corrected = positions;
-    if (!correctLengths(network, length, corrected))
-    {
-      break;
-    }
-    const double after = largestLengthError(network, corrected, length);
-    if (!(after < error))
-    {
-      break;
-    }
-    error = after;
-    positions = std::move(corrected);
-  }
+  const double error = makeLengthsExact(network, length, positions);
   layout.maximumLengthError = error;
   layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
   for (std::size_t k = 0; k < positions.size(); ++k)
@@ -221,5 +229,21 @@ WireLayout layOutWires(
     layout.positions[network.hostVertices[k]] = positions[k];
   }
   return layout;
+}
+
+double correctWireLengths(
+  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
+{
+  Points2 hosts(network.hostVertices.size());
+  for (std::size_t k = 0; k < hosts.size(); ++k)
+  {
+    hosts[k] = positions[network.hostVertices[k]];
+  }
+  const double error = makeLengthsExact(network, length, hosts);
+  for (std::size_t k = 0; k < hosts.size(); ++k)
+  {
+    positions[network.hostVertices[k]] = hosts[k];
+  }
+  return error;
 }
 }

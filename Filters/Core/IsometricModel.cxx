@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsometricModel.h"
+
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Complex product as real vectors.
+Eigen::Vector2d times(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return { a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x() };
+}
+Eigen::Vector2d conjugate(const Eigen::Vector2d& a)
+{
+  return { a.x(), -a.y() };
+}
+Eigen::Matrix2d multiplication(const Eigen::Vector2d& a)
+{
+  Eigen::Matrix2d m;
+  m << a.x(), -a.y(), a.y(), a.x();
+  return m;
+}
+
+/// Gradient and Hessian of the direction angle of a vector.
+Eigen::Vector2d angleGradient(const Eigen::Vector2d& d)
+{
+  return Eigen::Vector2d(-d.y(), d.x()) / d.squaredNorm();
+}
+Eigen::Matrix2d angleHessian(const Eigen::Vector2d& d)
+{
+  const double r2 = d.squaredNorm();
+  const double a = 2.0 * d.x() * d.y() / (r2 * r2);
+  const double b = (d.y() * d.y() - d.x() * d.x()) / (r2 * r2);
+  Eigen::Matrix2d h;
+  h << a, b, b, -a;
+  return h;
+}
+
+Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
+{
+  return x.segment<2>(2 * v);
+}
+}
+
+IsometricModel::IsometricModel(
+  const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy, double angleWeight)
+  : Problem(problem)
+  , Cells(piece.mesh.triangles())
+  , Energy(energy)
+  , AngleWeight(angleWeight)
+  , CoordinateCount(2 * piece.mesh.vertexCount())
+  , Assembler(0)
+{
+  const TriangleMesh& mesh = piece.mesh;
+  double sum = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    this->Area.push_back(mesh.area(t));
+    sum += this->Area.back();
+  }
+  const double mean = sum / mesh.triangleCount();
+  this->Unit = std::sqrt(mean);
+  this->Coefficients.resize(this->Area.size());
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    // Corners in the triangle's own plane; the gradient of corner k's hat function is the opposite
+    // edge turned by a quarter over twice the area.
+    const Triangle& c = mesh.triangle(t);
+    const Point3 u = (mesh.point(c[1]) - mesh.point(c[0])) / this->Unit;
+    const Point3 v = (mesh.point(c[2]) - mesh.point(c[0])) / this->Unit;
+    const double base = u.norm();
+    const Eigen::Vector2d corner[3] = { { 0.0, 0.0 }, { base, 0.0 },
+      { u.dot(v) / base, u.cross(v).norm() / base } };
+    const double twiceArea = base * corner[2].y();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector2d opposite = corner[(k + 2) % 3] - corner[(k + 1) % 3];
+      const Eigen::Vector2d gradient = Eigen::Vector2d(-opposite.y(), opposite.x()) / twiceArea;
+      this->Coefficients[t][k] = conjugate(gradient);
+    }
+    this->Area[t] /= mean;
+  }
+  const WireNetwork& net = *problem.network;
+  for (Index e = 0; e < net.edgeCount(); ++e)
+  {
+    if (!net.edges[e].connector)
+    {
+      this->LengthEdges.push_back(e);
+      this->Length.push_back(problem.length[e] / this->Unit);
+    }
+  }
+  this->addNodes();
+  this->declareEntries();
+}
+
+void IsometricModel::addNodes()
+{
+  const WireNetwork& net = *this->Problem.network;
+  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+  {
+    // Where all nodes of an interior vertex are locked, the last follows from the others.
+    Index lockedHere = 0;
+    const Index count = net.vertexNodeBegin[host + 1] - net.vertexNodeBegin[host];
+    for (Index k = net.vertexNodeBegin[host]; k < net.vertexNodeBegin[host + 1]; ++k)
+    {
+      const Index i = net.vertexNodes[k];
+      const Index in = net.edge[net.previous[i]];
+      const Index out = net.edge[i];
+      if (in == out || net.edges[in].connector || net.edges[out].connector)
+      {
+        continue;
+      }
+      Node node{ net.vertex[net.previous[i]], net.vertex[i], net.endVertex(i),
+        this->Problem.target[i], this->Problem.weight[i] * this->AngleWeight };
+      if (this->Problem.locks.locked[i])
+      {
+        ++lockedHere;
+        if (!net.interior[host] || lockedHere < count)
+        {
+          node.target = this->Problem.locks.angle[i];
+          this->LockedNodes.push_back(node);
+        }
+      }
+      else if (node.weight > 0.0)
+      {
+        this->Nodes.push_back(node);
+      }
+    }
+  }
+}
+
+void IsometricModel::declareEntries()
+{
+  const Index n = this->unknownCount();
+  this->Assembler = SymmetricAssembler(n + this->constraintCount());
+  auto declareBlock = [this](const Index* unknown, int size) {
+    for (int a = 0; a < size; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        this->Assembler.declare(unknown[a], unknown[b]);
+      }
+    }
+  };
+  Index next = 0;
+  this->TriangleEntries = next;
+  for (const Triangle& c : this->Cells)
+  {
+    const Index unknown[6] = { 2 * c[0], 2 * c[0] + 1, 2 * c[1], 2 * c[1] + 1, 2 * c[2],
+      2 * c[2] + 1 };
+    declareBlock(unknown, 6);
+    next += 21;
+  }
+  auto nodeUnknowns = [](const Node& node) {
+    return std::array<Index, 6>{ 2 * node.before, 2 * node.before + 1, 2 * node.at, 2 * node.at + 1,
+      2 * node.after, 2 * node.after + 1 };
+  };
+  this->NodeEntries = next;
+  for (const Node& node : this->Nodes)
+  {
+    declareBlock(nodeUnknowns(node).data(), 6);
+    next += 21;
+  }
+  const WireNetwork& net = *this->Problem.network;
+  this->LengthEntries = next;
+  for (std::size_t c = 0; c < this->LengthEdges.size(); ++c)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[c]];
+    const Index unknown[4] = { 2 * edge.from, 2 * edge.from + 1, 2 * edge.to, 2 * edge.to + 1 };
+    const Index row = n + static_cast<Index>(c);
+    declareBlock(unknown, 4);
+    for (Index u : unknown)
+    {
+      this->Assembler.declare(row, u);
+    }
+    const Index group = this->Problem.stretchGroup[this->LengthEdges[c]];
+    this->Assembler.declare(row, group == none ? row : this->CoordinateCount + group);
+    next += 15;
+  }
+  this->LockedEntries = next;
+  for (std::size_t c = 0; c < this->LockedNodes.size(); ++c)
+  {
+    const auto unknown = nodeUnknowns(this->LockedNodes[c]);
+    declareBlock(unknown.data(), 6);
+    for (Index u : unknown)
+    {
+      this->Assembler.declare(n + this->lengthCount() + static_cast<Index>(c), u);
+    }
+    next += 27;
+  }
+  this->GroupEntries = next;
+  next += this->groupCount();
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    this->Assembler.declare(this->CoordinateCount + g, this->CoordinateCount + g);
+  }
+  this->DiagonalEntries = next;
+  for (Index k = 0; k < n + this->constraintCount(); ++k)
+  {
+    this->Assembler.declare(k, k);
+  }
+  this->Assembler.finish();
+  this->TriangleValues.resize(this->Cells.size());
+  this->TriangleGradients.resize(this->Cells.size());
+  this->LengthRows.resize(this->LengthEdges.size());
+  this->LockedRows.resize(this->LockedNodes.size());
+}
+
+Eigen::VectorXd IsometricModel::unknowns(
+  const Points2& positions, const std::vector<double>& stretch) const
+{
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(this->unknownCount());
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    x.segment<2>(2 * static_cast<Eigen::Index>(v)) = positions[v] / this->Unit;
+  }
+  for (std::size_t g = 0; g < stretch.size(); ++g)
+  {
+    x[this->CoordinateCount + static_cast<Eigen::Index>(g)] = stretch[g];
+  }
+  return x;
+}
+
+Points2 IsometricModel::positions(const Eigen::VectorXd& x) const
+{
+  Points2 result(this->CoordinateCount / 2);
+  for (std::size_t v = 0; v < result.size(); ++v)
+  {
+    result[v] = this->Unit * pointOf(x, static_cast<Index>(v));
+  }
+  return result;
+}
+
+std::vector<double> IsometricModel::stretches(const Eigen::VectorXd& x) const
+{
+  return { x.data() + this->CoordinateCount, x.data() + this->unknownCount() };
+}
+
+Eigen::Vector4d IsometricModel::mapParts(Index t, const Eigen::VectorXd& x) const
+{
+  Eigen::Vector2d q = Eigen::Vector2d::Zero();
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    const Eigen::Vector2d at = pointOf(x, this->Cells[t][k]);
+    q += times(this->Coefficients[t][k], at);
+    p += times(conjugate(this->Coefficients[t][k]), at);
+  }
+  Eigen::Vector4d parts;
+  parts << q, p;
+  return parts;
+}
+
+/// The interior angle to the left of the path before - at - after, on the branch next to its
+/// target.
+double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) const
+{
+  const Eigen::Vector2d in = pointOf(x, node.at) - pointOf(x, node.before);
+  const Eigen::Vector2d out = pointOf(x, node.after) - pointOf(x, node.at);
+  const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+  const double angle = pi - turn;
+  return angle + 2.0 * pi * std::round((node.target - angle) / (2.0 * pi));
+}
+
+IsometricModel::NodeGeometry IsometricModel::nodeGeometry(
+  const Node& node, const Eigen::VectorXd& x, bool second) const
+{
+  // theta = pi + phi_in - phi_out (Eq. 3)
+  const Eigen::Vector2d in = pointOf(x, node.at) - pointOf(x, node.before);
+  const Eigen::Vector2d out = pointOf(x, node.after) - pointOf(x, node.at);
+  const Eigen::Vector2d gIn = angleGradient(in);
+  const Eigen::Vector2d gOut = angleGradient(out);
+  NodeGeometry geometry;
+  geometry.angle = this->nodeAngle(node, x);
+  geometry.gradient << -gIn, gIn + gOut, -gOut;
+  geometry.hessian.setZero();
+  if (second)
+  {
+    const Eigen::Matrix2d hIn = angleHessian(in);
+    const Eigen::Matrix2d hOut = angleHessian(out);
+    geometry.hessian.block<2, 2>(0, 0) = hIn;
+    geometry.hessian.block<2, 2>(2, 0) = -hIn;
+    geometry.hessian.block<2, 2>(0, 2) = -hIn;
+    geometry.hessian.block<2, 2>(2, 2) = hIn - hOut;
+    geometry.hessian.block<2, 2>(4, 2) = hOut;
+    geometry.hessian.block<2, 2>(2, 4) = hOut;
+    geometry.hessian.block<2, 2>(4, 4) = -hOut;
+  }
+  return geometry;
+}
+
+IsometricModel::Terms IsometricModel::objective(
+  const Eigen::VectorXd& x, const Execution& execution) const
+{
+  // Summed in the triangles' order, whatever the threads.
+  std::vector<double> density(this->Cells.size());
+  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      density[t] = this->Area[t] * sheetEnergyDensity(this->Energy, this->mapParts(t, x));
+    }
+  });
+  Terms terms;
+  for (double d : density)
+  {
+    terms.sheet += d;
+  }
+  for (const Node& node : this->Nodes)
+  {
+    const double d = this->nodeAngle(node, x) - node.target;
+    terms.angles += node.weight * d * d;
+  }
+  terms.total = terms.sheet + terms.angles;
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    const double h = x[this->CoordinateCount + g];
+    terms.total += 0.5 * this->Problem.groups[g].weight * h * h;
+  }
+  return terms;
+}
+
+Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem.network;
+  Eigen::VectorXd c(this->constraintCount());
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
+    const double stretch = group == none ? 1.0 : 1.0 + x[this->CoordinateCount + group];
+    c[k] = (pointOf(x, edge.to) - pointOf(x, edge.from)).norm() - stretch * this->Length[k];
+  }
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    c[this->lengthCount() + static_cast<Index>(k)] =
+      this->nodeAngle(this->LockedNodes[k], x) - this->LockedNodes[k].target;
+  }
+  return c;
+}
+
+void IsometricModel::addTriangles(const Eigen::VectorXd& x, Curvature curvature,
+  Eigen::VectorXd& gradient, const Execution& execution)
+{
+  const bool convex = curvature == Curvature::Convex;
+  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      const SheetEnergyValue value =
+        evaluateSheetEnergy(this->Energy, this->mapParts(t, x), convex);
+      // d(q, p) / d(corner positions)
+      Eigen::Matrix<double, 4, 6> derivative;
+      for (int k = 0; k < 3; ++k)
+      {
+        derivative.block<2, 2>(0, 2 * k) = multiplication(this->Coefficients[t][k]);
+        derivative.block<2, 2>(2, 2 * k) = multiplication(conjugate(this->Coefficients[t][k]));
+      }
+      this->TriangleGradients[t] = this->Area[t] * (derivative.transpose() * value.gradient);
+      const Eigen::Matrix<double, 4, 6> half = this->Area[t] * (value.hessian * derivative);
+      std::array<double, 21>& entries = this->TriangleValues[t];
+      int next = 0;
+      for (int a = 0; a < 6; ++a)
+      {
+        for (int b = 0; b <= a; ++b)
+        {
+          entries[next++] = derivative.col(a).dot(half.col(b));
+        }
+      }
+    }
+  });
+  Index entry = this->TriangleEntries;
+  for (std::size_t t = 0; t < this->Cells.size(); ++t)
+  {
+    for (double value : this->TriangleValues[t])
+    {
+      this->Assembler.add(entry++, value);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      gradient.segment<2>(2 * this->Cells[t][k]) += this->TriangleGradients[t].segment<2>(2 * k);
+    }
+  }
+}
+
+IsometricModel::Linearization IsometricModel::linearize(const Eigen::VectorXd& x,
+  const Eigen::VectorXd& multipliers, Curvature curvature, double delta, const Execution& execution)
+{
+  const WireNetwork& net = *this->Problem.network;
+  const bool exact = curvature == Curvature::Exact;
+  this->Assembler.clear();
+  Linearization result;
+  result.gradient = Eigen::VectorXd::Zero(this->unknownCount());
+  result.constraints = this->constraints(x);
+  this->addTriangles(x, curvature, result.gradient, execution);
+
+  auto addBlock = [this](Index& entry, const auto& block) {
+    for (Eigen::Index a = 0; a < block.rows(); ++a)
+    {
+      for (Eigen::Index b = 0; b <= a; ++b)
+      {
+        this->Assembler.add(entry++, block(a, b));
+      }
+    }
+  };
+  Index entry = this->NodeEntries;
+  for (const Node& node : this->Nodes)
+  {
+    const NodeGeometry geometry = this->nodeGeometry(node, x, exact);
+    const double d = geometry.angle - node.target;
+    const Eigen::Matrix<double, 6, 1> g = 2.0 * node.weight * d * geometry.gradient;
+    result.gradient.segment<2>(2 * node.before) += g.segment<2>(0);
+    result.gradient.segment<2>(2 * node.at) += g.segment<2>(2);
+    result.gradient.segment<2>(2 * node.after) += g.segment<2>(4);
+    Eigen::Matrix<double, 6, 6> H =
+      2.0 * node.weight * (geometry.gradient * geometry.gradient.transpose());
+    H += 2.0 * node.weight * d * geometry.hessian;
+    addBlock(entry, H);
+  }
+  entry = this->LengthEntries;
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    const Eigen::Vector2d d = pointOf(x, edge.to) - pointOf(x, edge.from);
+    const double length = d.norm();
+    const Eigen::Vector2d along = d / length;
+    const double lambda = exact ? multipliers[k] : std::max(0.0, multipliers[k]);
+    const Eigen::Matrix2d bend =
+      lambda / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
+    Eigen::Matrix4d H;
+    H << bend, -bend, -bend, bend;
+    addBlock(entry, H);
+    const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
+    Eigen::Matrix<double, 5, 1>& row = this->LengthRows[k];
+    row << -along, along, group == none ? 0.0 : -this->Length[k];
+    for (double value : row)
+    {
+      this->Assembler.add(entry++, value);
+    }
+  }
+  entry = this->LockedEntries;
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    const Node& node = this->LockedNodes[k];
+    const NodeGeometry geometry = this->nodeGeometry(node, x, exact);
+    const double lambda = multipliers[this->lengthCount() + static_cast<Index>(k)];
+    addBlock(entry, Eigen::Matrix<double, 6, 6>(lambda * geometry.hessian));
+    this->LockedRows[k] = geometry.gradient;
+    for (double value : geometry.gradient)
+    {
+      this->Assembler.add(entry++, value);
+    }
+  }
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    const double weight = this->Problem.groups[g].weight;
+    result.gradient[this->CoordinateCount + g] += weight * x[this->CoordinateCount + g];
+    this->Assembler.add(this->GroupEntries + g, weight);
+  }
+  for (Index k = 0; k < this->constraintCount(); ++k)
+  {
+    this->Assembler.add(this->DiagonalEntries + this->unknownCount() + k, -delta);
+  }
+  return result;
+}
+
+void IsometricModel::shift(double tau)
+{
+  for (Index k = 0; k < this->CoordinateCount; ++k)
+  {
+    this->Assembler.add(this->DiagonalEntries + k, tau);
+  }
+}
+
+void IsometricModel::hold(Index group)
+{
+  this->Assembler.add(this->GroupEntries + group, 1e12);
+}
+
+Eigen::VectorXd IsometricModel::transposedJacobianTimes(const Eigen::VectorXd& multipliers) const
+{
+  const WireNetwork& net = *this->Problem.network;
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(this->unknownCount());
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
+    result.segment<2>(2 * edge.from) += multipliers[k] * this->LengthRows[k].segment<2>(0);
+    result.segment<2>(2 * edge.to) += multipliers[k] * this->LengthRows[k].segment<2>(2);
+    if (group != none)
+    {
+      result[this->CoordinateCount + group] += multipliers[k] * this->LengthRows[k][4];
+    }
+  }
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    const Node& node = this->LockedNodes[k];
+    const double lambda = multipliers[this->lengthCount() + static_cast<Index>(k)];
+    result.segment<2>(2 * node.before) += lambda * this->LockedRows[k].segment<2>(0);
+    result.segment<2>(2 * node.at) += lambda * this->LockedRows[k].segment<2>(2);
+    result.segment<2>(2 * node.after) += lambda * this->LockedRows[k].segment<2>(4);
+  }
+  return result;
+}
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SheetEnergy.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+/// The rotation of a collapsed triangle is undefined; below this |q| it is taken as it comes.
+constexpr double smallest = 1e-12;
+
+SheetEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, bool convex)
+{
+  const Eigen::Vector2d q = parts.head<2>();
+  const Eigen::Vector2d p = parts.tail<2>();
+  const double length = std::max(q.norm(), smallest);
+  const Eigen::Vector2d along =
+    q.norm() > smallest ? Eigen::Vector2d(q / length) : Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const double stiffArea = 1.0 + bias;
+  const double stiffAngle = 1.0 - bias;
+
+  SheetEnergyValue result;
+  result.value =
+    0.5 * stiffArea * (length - 2.0) * (length - 2.0) + 0.5 * stiffAngle * p.squaredNorm();
+  result.gradient.head<2>() = stiffArea * (length - 2.0) * along;
+  result.gradient.tail<2>() = stiffAngle * p;
+  // Turning a compressed triangle is the one direction of negative curvature.
+  double turning = 1.0 - 2.0 / length;
+  turning = convex ? std::max(0.0, turning) : std::max(-1e3, turning);
+  result.hessian.setZero();
+  result.hessian.topLeftCorner<2, 2>() =
+    stiffArea * (along * along.transpose() + turning * (across * across.transpose()));
+  result.hessian.bottomRightCorner<2, 2>() = stiffAngle * Eigen::Matrix2d::Identity();
+  return result;
+}
+
+SheetEnergyValue evaluateDirichlet(const Eigen::Vector4d& parts, bool convex)
+{
+  const double u = parts.head<2>().squaredNorm();
+  const double v = parts.tail<2>().squaredNorm();
+  const double norm = 0.5 * (u + v); // |J|^2
+  const double det = 0.25 * (u - v); // |J^-1|^2 = |J|^2 / det^2
+  SheetEnergyValue result;
+  if (!(det > 0.0))
+  {
+    result.value = std::numeric_limits<double>::infinity();
+    result.gradient.setZero();
+    result.hessian.setIdentity();
+    return result;
+  }
+  const double inverse = 1.0 / det;
+  const double inverse2 = inverse * inverse;
+  result.value = norm * (1.0 + inverse2) - 4.0;
+  const double byNorm = 1.0 + inverse2;
+  const double byDet = -2.0 * norm * inverse2 * inverse;
+  const double byNormDet = -2.0 * inverse2 * inverse;
+  const double byDet2 = 6.0 * norm * inverse2 * inverse2;
+  const Eigen::Vector4d gradNorm = parts;
+  Eigen::Vector4d gradDet = 0.5 * parts;
+  gradDet.tail<2>() *= -1.0;
+  result.gradient = byNorm * gradNorm + byDet * gradDet;
+  Eigen::Vector4d hessDet(0.5, 0.5, -0.5, -0.5);
+  result.hessian = byNorm * Eigen::Matrix4d::Identity();
+  result.hessian += byDet * Eigen::Matrix4d(hessDet.asDiagonal());
+  result.hessian += byNormDet * (gradNorm * gradDet.transpose() + gradDet * gradNorm.transpose());
+  result.hessian += byDet2 * gradDet * gradDet.transpose();
+  if (convex)
+  {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(result.hessian);
+    result.hessian = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+      eigen.eigenvectors().transpose();
+  }
+  return result;
+}
+}
+
+SheetEnergyValue evaluateSheetEnergy(
+  const SheetEnergy& energy, const Eigen::Vector4d& parts, bool convex)
+{
+  return energy.kind == SheetEnergyKind::SymmetricDirichlet
+    ? evaluateDirichlet(parts, convex)
+    : evaluateRigid(energy.bias, parts, convex);
+}
+
+double sheetEnergyDensity(const SheetEnergy& energy, const Eigen::Vector4d& parts)
+{
+  const double u = parts.head<2>().squaredNorm();
+  const double v = parts.tail<2>().squaredNorm();
+  if (energy.kind == SheetEnergyKind::SymmetricDirichlet)
+  {
+    const double det = 0.25 * (u - v);
+    return det > 0.0 ? 0.5 * (u + v) * (1.0 + 1.0 / (det * det)) - 4.0
+                     : std::numeric_limits<double>::infinity();
+  }
+  const double excess = std::sqrt(u) - 2.0;
+  return 0.5 * (1.0 + energy.bias) * excess * excess + 0.5 * (1.0 - energy.bias) * v;
+}
+}
