@@ -91,6 +91,17 @@ IsometricModel::IsometricModel(
       this->Length.push_back(problem.length[e] / this->Unit);
     }
   }
+  double farthest = -1.0;
+  this->FixedVertices[0] = net.vertex.front();
+  for (Index v : net.hostVertices)
+  {
+    const double d = (mesh.point(v) - mesh.point(this->FixedVertices[0])).squaredNorm();
+    if (d > farthest)
+    {
+      farthest = d;
+      this->FixedVertices[1] = v;
+    }
+  }
   this->addNodes();
   this->declareEntries();
 }
@@ -201,6 +212,11 @@ void IsometricModel::declareEntries()
   {
     this->Assembler.declare(k, k);
   }
+  next += n + this->constraintCount();
+  this->MotionEntries = next;
+  const Index far = this->FixedVertices[1];
+  const Index across[2] = { 2 * far, 2 * far + 1 };
+  declareBlock(across, 2);
   this->Assembler.finish();
   this->TriangleValues.resize(this->Cells.size());
   this->TriangleGradients.resize(this->Cells.size());
@@ -470,6 +486,18 @@ void IsometricModel::shift(double tau)
   {
     this->Assembler.add(this->DiagonalEntries + k, tau);
   }
+}
+
+void IsometricModel::fixMotion(const Eigen::VectorXd& x)
+{
+  const Index near = this->FixedVertices[0];
+  const Eigen::Vector2d d = pointOf(x, this->FixedVertices[1]) - pointOf(x, near);
+  const Eigen::Vector2d across = Eigen::Vector2d(-d.y(), d.x()).normalized();
+  this->Assembler.add(this->DiagonalEntries + 2 * near, 1.0);
+  this->Assembler.add(this->DiagonalEntries + 2 * near + 1, 1.0);
+  this->Assembler.add(this->MotionEntries, across.x() * across.x());
+  this->Assembler.add(this->MotionEntries + 1, across.x() * across.y());
+  this->Assembler.add(this->MotionEntries + 2, across.y() * across.y());
 }
 
 void IsometricModel::hold(Index group)

@@ -64,6 +64,9 @@ public:
     Curvature curvature, double delta, const Execution& execution);
   /// Adds to the diagonal of H for all coordinates, after linearize().
   void shift(double tau);
+  /// Takes out the rigid motions, after linearize(): holds one vertex, and another one across the
+  /// line from the first. Both energy and constraints are invariant, so this chooses among equals.
+  void fixMotion(const Eigen::VectorXd& x);
   /// Keeps a stretch that sits on its bound where it is, after linearize().
   void hold(Index group);
   const Eigen::SparseMatrix<double>& kkt() const { return this->Assembler.matrix(); }
@@ -114,6 +117,8 @@ private:
   Index LockedEntries = 0;
   Index GroupEntries = 0;
   Index DiagonalEntries = 0;
+  Index MotionEntries = 0;
+  std::array<Index, 2> FixedVertices{ 0, 1 };
   std::vector<std::array<double, 21>> TriangleValues;
   std::vector<Eigen::Matrix<double, 6, 1>> TriangleGradients;
   std::vector<Eigen::Matrix<double, 5, 1>> LengthRows;

@@ -55,7 +55,8 @@ public:
       solution.history.push_back(
         { this->Terms.total, violation, optimality, moved, this->UsedExact });
       solution.iterations = iteration;
-      const double scale = std::sqrt(std::max(this->Terms.total, 1e-12));
+      // A developable piece has no energy; the floor is what rounding leaves of the gradient.
+      const double scale = std::max(std::sqrt(this->Terms.total), 1e-2);
       const bool stationary = optimality <= this->Options.tolerance * scale ||
         this->promise() <= this->Options.tolerance * this->Options.tolerance * this->Terms.total;
       if (violation <= constraintTolerance && stationary && !this->releaseHeld())
@@ -134,6 +135,7 @@ private:
   {
     this->Point =
       this->Model.linearize(this->X, this->Multipliers, curvature, regularization, this->Run);
+    this->Model.fixMotion(this->X);
     this->Model.shift(tau);
     for (std::size_t k = 0; k < this->Held.size(); ++k)
     {
@@ -148,10 +150,9 @@ private:
   /// Solves the KKT system at X with a Hessian that is convex on the constraints' tangent space.
   bool solve(bool exact)
   {
-    const double base = 1e-9; // fixes the rigid motions
-    this->UsedExact = exact && this->factorize(IsometricModel::Curvature::Exact, base);
+    this->UsedExact = exact && this->factorize(IsometricModel::Curvature::Exact, 0.0);
     bool factored = this->UsedExact;
-    for (double tau = base; !factored && tau < 1e6; tau = std::max(1e-4, 10.0 * tau))
+    for (double tau = 0.0; !factored && tau < 1e6; tau = std::max(1e-4, 10.0 * tau))
     {
       factored = this->factorize(IsometricModel::Curvature::Convex, tau);
     }
