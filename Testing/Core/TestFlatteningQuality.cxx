@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlatteningQuality.h"
+
+#include "TestMeshes.h"
+
+#include <Eigen/SVD>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+Points2 mapped(const Points2& points, const Eigen::Matrix2d& matrix)
+{
+  Points2 result;
+  for (const Point2& p : points)
+  {
+    result.push_back(matrix * p + Point2(5.0, -3.0));
+  }
+  return result;
+}
+
+Indices allHalfedges(const TriangleMesh& mesh)
+{
+  Indices edges;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    edges.push_back(h);
+  }
+  return edges;
+}
+
+/// A map that stretches, bends and shears.
+Points2 bent(const Points2& points)
+{
+  Points2 result;
+  for (const Point2& p : points)
+  {
+    result.emplace_back(
+      1.2 * p.x() + 0.3 * std::sin(p.y()), 0.7 * p.y() + 0.2 * std::cos(1.3 * p.x()));
+  }
+  return result;
+}
+}
+
+TEST(FlatteningQuality, AnExactUnrollingHasNoError)
+{
+  for (const Surface& surface : { flatPatch(6, 5), cone(8, 5), cylinder(7, 4) })
+  {
+    const auto quality =
+      measureFlattening(surface.mesh, surface.unrolled, allHalfedges(surface.mesh), {});
+    EXPECT_LT(quality.summary.maximumEdgeLengthError, 1e-14);
+    EXPECT_LT(quality.summary.angleError, 1e-13);
+    EXPECT_LT(quality.summary.areaError, 1e-13);
+    EXPECT_NEAR(quality.summary.globalHomogeneity, 1.0, 1e-13);
+    EXPECT_NEAR(quality.summary.globalAspectRatio, 1.0, 1e-13);
+    EXPECT_TRUE(quality.summary.flipped.empty());
+  }
+}
+
+TEST(FlatteningQuality, OneLinearMapGivesItsSingularValuesEverywhere)
+{
+  const Surface surface = flatPatch(6, 5);
+  Eigen::Matrix2d matrix;
+  matrix << 1.7, 0.4, -0.3, 0.8;
+  const Eigen::Vector2d singular = Eigen::JacobiSVD<Eigen::Matrix2d>(matrix).singularValues();
+  const auto quality = measureFlattening(surface.mesh, mapped(surface.unrolled, matrix), {}, {});
+  for (const TriangleQuality& q : quality.triangles)
+  {
+    EXPECT_NEAR(q.largeStretch, singular[0], 1e-13);
+    EXPECT_NEAR(q.smallStretch, singular[1], 1e-13);
+    EXPECT_NEAR(q.areaRatio, matrix.determinant(), 1e-13);
+    EXPECT_NEAR(q.homogeneity, 1.0 / matrix.determinant(), 1e-13);
+    EXPECT_NEAR(q.aspectRatio, singular[1] / singular[0], 1e-13);
+  }
+  EXPECT_NEAR(quality.summary.globalAspectRatio, singular[1] / singular[0], 1e-13);
+  EXPECT_NEAR(quality.summary.globalHomogeneity, 1.0, 1e-13);
+  EXPECT_NEAR(quality.summary.areaError, matrix.determinant() - 1.0, 1e-13);
+}
+
+TEST(FlatteningQuality, SingularValuesAgreeWithASingularValueDecompositionOfEachTriangle)
+{
+  const Surface surface = cone(7, 5);
+  const Points2 positions = bent(surface.unrolled);
+  const auto quality = measureFlattening(surface.mesh, positions, {}, {});
+  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = surface.mesh.triangle(t);
+    Eigen::Matrix2d before;
+    Eigen::Matrix2d after;
+    before << surface.unrolled[c[1]] - surface.unrolled[c[0]],
+      surface.unrolled[c[2]] - surface.unrolled[c[0]];
+    after << positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]];
+    const Eigen::Matrix2d jacobian = after * before.inverse();
+    const Eigen::Vector2d singular = Eigen::JacobiSVD<Eigen::Matrix2d>(jacobian).singularValues();
+    EXPECT_NEAR(quality.triangles[t].largeStretch, singular[0], 1e-12);
+    EXPECT_NEAR(quality.triangles[t].smallStretch, singular[1], 1e-12);
+  }
+}
+
+TEST(FlatteningQuality, AScaledCopyErrsByTheScaleInLengthAndNotInAngle)
+{
+  const Surface surface = cylinder(6, 4);
+  const auto quality = measureFlattening(surface.mesh,
+    mapped(surface.unrolled, 1.25 * Eigen::Matrix2d::Identity()), allHalfedges(surface.mesh), {});
+  EXPECT_NEAR(quality.summary.edgeLengthError, 0.25, 1e-13);
+  EXPECT_NEAR(quality.summary.maximumEdgeLengthError, 0.25, 1e-13);
+  EXPECT_LT(quality.summary.angleError, 1e-13);
+  EXPECT_NEAR(quality.summary.areaError, 1.25 * 1.25 - 1.0, 1e-13);
+}
+
+TEST(FlatteningQuality, TheAngleErrorOfAStretchedRightTriangleIsThatOfItsAngles)
+{
+  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0) }, { { 0, 1, 2 } });
+  const auto quality = measureFlattening(
+    mesh, { Point2(0, 0), Point2(1, 0), Point2(0, std::sqrt(3.0)) }, { 0, 2 }, {});
+  // 90, 45, 45 degrees become 90, 60, 30.
+  EXPECT_NEAR(quality.summary.angleError, (0.0 + 1.0 / 3.0 + 1.0 / 3.0) / 3.0, 1e-14);
+  EXPECT_NEAR(quality.summary.edgeLengthError, 0.5 * (std::sqrt(3.0) - 1.0), 1e-14);
+  EXPECT_NEAR(quality.triangles[0].areaRatio, std::sqrt(3.0), 1e-14);
+}
+
+TEST(FlatteningQuality, AFlippedTriangleIsListedAndMakesHomogeneityNegative)
+{
+  const Surface surface = flatPatch(4, 4);
+  Points2 positions = surface.unrolled;
+  const Index vertex = 2 * 5 + 2;
+  positions[vertex] += Point2(1.6, 0.1);
+  const auto quality = measureFlattening(surface.mesh, positions, {}, {});
+  ASSERT_FALSE(quality.summary.flipped.empty());
+  for (Index t : quality.summary.flipped)
+  {
+    const Triangle& c = surface.mesh.triangle(t);
+    EXPECT_TRUE(c[0] == vertex || c[1] == vertex || c[2] == vertex);
+    EXPECT_LT(quality.triangles[t].smallStretch, 0.0);
+    EXPECT_LT(quality.triangles[t].aspectRatio, 0.0);
+    EXPECT_EQ(quality.triangles[t].homogeneity, 0.0);
+  }
+  EXPECT_LT(quality.summary.globalHomogeneity, 0.0);
+}
+
+TEST(FlatteningQuality, AMirroredMapIsFlippedEverywhere)
+{
+  const Surface surface = cone(5, 4);
+  const auto quality = measureFlattening(
+    surface.mesh, mapped(surface.unrolled, Eigen::Vector2d(-1.0, 1.0).asDiagonal()), {}, {});
+  EXPECT_EQ(quality.summary.flipped.size(), surface.mesh.triangles().size());
+  EXPECT_NEAR(quality.summary.globalHomogeneity, -1.0, 1e-13);
+  EXPECT_NEAR(quality.summary.areaError, 2.0, 1e-13);
+}
+
+TEST(FlatteningQuality, ATriangleCollapsedInThePlaneGivesZeroAndNoNaN)
+{
+  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0) }, { { 0, 1, 2 } });
+  for (const Points2& positions :
+    { Points2(3, Point2(2.0, 1.0)), Points2{ Point2(0, 0), Point2(1, 1), Point2(2, 2) } })
+  {
+    const auto quality = measureFlattening(mesh, positions, { 0, 1, 2 }, {});
+    EXPECT_EQ(quality.triangles[0].areaRatio, 0.0);
+    EXPECT_EQ(quality.triangles[0].homogeneity, 0.0);
+    EXPECT_EQ(quality.summary.globalHomogeneity, 0.0);
+    EXPECT_EQ(quality.summary.flipped, Indices{ 0 });
+    EXPECT_TRUE(std::isfinite(quality.summary.angleError));
+  }
+}
+
+TEST(FlatteningQuality, DoesNotDependOnTheThreads)
+{
+  const Surface surface = cone(12, 9);
+  const Points2 positions = bent(surface.unrolled);
+  Execution threads;
+  threads.parallel = [](Index count, const std::function<void(Index, Index)>& body) {
+    std::vector<std::thread> workers;
+    for (Index k = 0; k < 4; ++k)
+    {
+      workers.emplace_back([=, &body] { body(count * k / 4, count * (k + 1) / 4); });
+    }
+    for (std::thread& worker : workers)
+    {
+      worker.join();
+    }
+  };
+  const Indices edges = allHalfedges(surface.mesh);
+  const auto one = measureFlattening(surface.mesh, positions, edges, {});
+  const auto four = measureFlattening(surface.mesh, positions, edges, threads);
+  EXPECT_EQ(one.summary.angleError, four.summary.angleError);
+  EXPECT_EQ(one.summary.edgeLengthError, four.summary.edgeLengthError);
+  EXPECT_EQ(one.summary.areaError, four.summary.areaError);
+  EXPECT_EQ(one.summary.globalHomogeneity, four.summary.globalHomogeneity);
+}
