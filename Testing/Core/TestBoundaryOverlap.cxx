@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundaryOverlap.h"
+
+#include "Orientation.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+using Pairs = std::vector<std::array<Index, 2>>;
+
+/// A strip laid along an arc of the plane of the given angle: past 2 pi its ends lie on each other.
+Points2 arc(Index columns, double angle, double rise = 0.0)
+{
+  Points2 positions;
+  for (Index j = 0; j <= 2; ++j)
+  {
+    for (Index i = 0; i <= columns; ++i)
+    {
+      const double turn = -angle * i / columns;
+      const double radius = 1.0 + 0.1 * j + rise * i / columns;
+      positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
+    }
+  }
+  return positions;
+}
+
+/// All pairs of boundary edges that share no vertex and have a point in common.
+Pairs allPairs(const TriangleMesh& mesh, const Points2& positions)
+{
+  Indices boundary;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      boundary.push_back(h);
+    }
+  }
+  Pairs pairs;
+  for (Index g : boundary)
+  {
+    for (Index h : boundary)
+    {
+      const Index a = mesh.from(g);
+      const Index b = mesh.to(g);
+      const Index c = mesh.from(h);
+      const Index d = mesh.to(h);
+      if (g < h && a != c && a != d && b != c && b != d &&
+        segmentsMeet(positions[a], positions[b], positions[c], positions[d]))
+      {
+        pairs.push_back({ g, h });
+      }
+    }
+  }
+  return pairs;
+}
+
+/// A square with a cut from the middle of its lower side to its centre.
+struct Slit
+{
+  WiredSurface wired;
+  Points2 positions;
+
+  Slit()
+    : wired(cutSquare())
+    , positions(wired.piece.mesh.vertexCount())
+  {
+    for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+    {
+      positions[v] = wired.piece.mesh.point(v).head<2>();
+    }
+  }
+
+  static Surface cutSquare()
+  {
+    Surface square = patch(6, 6, [](double i, double j) { return Point3(i, j, 0.0); });
+    square.curves.push_back(curveOf(CurveType::Dart, "cut", { 3, 10, 17, 24 }));
+    return square;
+  }
+
+  /// Moves the right bank to the right, all but the tip.
+  Points2 opened(double width) const
+  {
+    const TriangleMesh& mesh = wired.piece.mesh;
+    Points2 moved = positions;
+    for (Index t = 0; t < mesh.triangleCount(); ++t)
+    {
+      const Triangle& c = mesh.triangle(t);
+      const double middle = (positions[c[0]].x() + positions[c[1]].x() + positions[c[2]].x()) / 3.0;
+      for (Index v : c)
+      {
+        if (middle > 3.0 && positions[v].x() == 3.0 && positions[v].y() < 3.0)
+        {
+          moved[v].x() = 3.0 + width;
+        }
+      }
+    }
+    return moved;
+  }
+};
+}
+
+TEST(BoundaryOverlap, AStripBentPastAFullTurnOverlapsAndOneBeforeItDoesNot)
+{
+  const Surface strip = cone(40, 2);
+  EXPECT_TRUE(findBoundaryOverlaps(strip.mesh, arc(40, 6.2), 1000).empty());
+  const Pairs pairs = findBoundaryOverlaps(strip.mesh, arc(40, 6.6), 1000);
+  EXPECT_FALSE(pairs.empty());
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end());
+  for (const auto& pair : pairs)
+  {
+    EXPECT_EQ(strip.mesh.twin(pair[0]), none);
+    EXPECT_EQ(strip.mesh.twin(pair[1]), none);
+  }
+  // Risen by more than its width, the strip is a spiral and free again.
+  EXPECT_TRUE(findBoundaryOverlaps(strip.mesh, arc(40, 6.6, 0.3), 1000).empty());
+}
+
+TEST(BoundaryOverlap, ListsNoMoreThanAskedFor)
+{
+  const Surface strip = cone(40, 2);
+  const Points2 twice = arc(40, 12.0);
+  ASSERT_GT(findBoundaryOverlaps(strip.mesh, twice, 1000).size(), 5u);
+  EXPECT_EQ(findBoundaryOverlaps(strip.mesh, twice, 5).size(), 5u);
+  EXPECT_TRUE(findBoundaryOverlaps(strip.mesh, twice, 0).empty());
+}
+
+TEST(BoundaryOverlap, ABowTieCrossesItself)
+{
+  // Four corners of a square in the order of a figure of eight.
+  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) },
+    { { 0, 1, 2 }, { 0, 2, 3 } });
+  const Points2 bowTie{ Point2(0, 0), Point2(1, 1), Point2(1, 0), Point2(0, 1) };
+  EXPECT_EQ(findBoundaryOverlaps(mesh, bowTie, 10).size(), 1u);
+}
+
+TEST(BoundaryOverlap, FindsTheSamePairsAsComparingAll)
+{
+  const Surface strip = cone(60, 2);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (int k = 0; k < 20; ++k)
+  {
+    Points2 positions = arc(60, 5.0 + 0.3 * k);
+    for (Point2& p : positions)
+    {
+      p += 0.05 * Point2(place(random), place(random));
+    }
+    EXPECT_EQ(
+      findBoundaryOverlaps(strip.mesh, positions, 1000000, 0.0), allPairs(strip.mesh, positions));
+  }
+}
+
+TEST(BoundaryOverlap, BanksThatTouchAreNoOverlap)
+{
+  const Slit slit;
+  ASSERT_EQ(slit.wired.piece.mesh.vertexCount(), 49 + 3);
+  const TriangleMesh& mesh = slit.wired.piece.mesh;
+  ASSERT_FALSE(allPairs(mesh, slit.positions).empty()) << "the banks do touch";
+  EXPECT_TRUE(findBoundaryOverlaps(mesh, slit.positions, 100).empty());
+  // also not where rounding turned and bent them through each other
+  for (double angle : { 0.3, 1.0, 2.0 })
+  {
+    Points2 turned;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> noise(-1e-13, 1e-13);
+    for (const Point2& p : slit.positions)
+    {
+      turned.push_back(
+        Eigen::Rotation2Dd(angle) * p + Point2(100.0 + noise(random), -30.0 + noise(random)));
+    }
+    EXPECT_TRUE(findBoundaryOverlaps(mesh, turned, 100).empty());
+  }
+}
+
+TEST(BoundaryOverlap, BanksThatPassEachOtherAreAnOverlap)
+{
+  const Slit slit;
+  const TriangleMesh& mesh = slit.wired.piece.mesh;
+  EXPECT_TRUE(findBoundaryOverlaps(mesh, slit.opened(0.2), 100).empty());
+  EXPECT_FALSE(findBoundaryOverlaps(mesh, slit.opened(-0.2), 100).empty());
+  EXPECT_FALSE(findBoundaryOverlaps(mesh, slit.opened(-1e-6), 100).empty());
+}
+
+TEST(BoundaryOverlap, PiecesSideBySideAreFreeAndOnTopOfEachOtherAreNot)
+{
+  const Surface one = flatPatch(4, 3);
+  Points3 points = one.mesh.points();
+  Triangles triangles = one.mesh.triangles();
+  for (const Triangle& c : one.mesh.triangles())
+  {
+    triangles.push_back({ c[0] + 20, c[1] + 20, c[2] + 20 });
+  }
+  points.insert(points.end(), one.mesh.points().begin(), one.mesh.points().end());
+  const TriangleMesh two(points, triangles);
+  const auto besides = [&](const Point2& shift) {
+    Points2 positions;
+    for (Index v = 0; v < 40; ++v)
+    {
+      positions.push_back(Point2(v % 20 % 5, v % 20 / 5) + (v < 20 ? Point2(0, 0) : shift));
+    }
+    return findBoundaryOverlaps(two, positions, 1000);
+  };
+  EXPECT_TRUE(besides(Point2(5, 0)).empty());
+  EXPECT_TRUE(besides(Point2(4, 0)).empty()) << "edge to edge";
+  EXPECT_TRUE(besides(Point2(4, 3)).empty()) << "corner to corner";
+  EXPECT_TRUE(besides(Point2(4, 0.5)).empty()) << "vertices on edges";
+  EXPECT_FALSE(besides(Point2(3.9, 0)).empty());
+  EXPECT_FALSE(besides(Point2(0, 0)).empty());
+  EXPECT_FALSE(besides(Point2(2, 1)).empty()) << "boundaries that cross in vertices only";
+}
+
+TEST(BoundaryOverlap, DoesNotDependOnScale)
+{
+  const Surface strip = cone(40, 2);
+  const Pairs reference = findBoundaryOverlaps(strip.mesh, arc(40, 6.6), 1000);
+  for (double scale : { std::ldexp(1.0, -30), std::ldexp(1.0, 30) })
+  {
+    Points2 positions = arc(40, 6.6);
+    for (Point2& p : positions)
+    {
+      p *= scale;
+    }
+    EXPECT_EQ(findBoundaryOverlaps(strip.mesh, positions, 1000), reference);
+  }
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PieceArrangement.h"
+
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+using Box = Eigen::AlignedBox2d;
+
+Box boundsOf(const Points2& points)
+{
+  Box box;
+  for (const Point2& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
+Points2 moved(const Points2& points, double angle, const Point2& shift)
+{
+  Points2 result;
+  for (const Point2& p : points)
+  {
+    result.push_back(Eigen::Rotation2Dd(angle) * p + shift);
+  }
+  return result;
+}
+
+/// Pieces of different sizes and shapes, some with a grain.
+std::vector<ArrangementPiece> severalPieces()
+{
+  std::vector<ArrangementPiece> pieces;
+  for (Index k = 0; k < 7; ++k)
+  {
+    ArrangementPiece piece;
+    const Surface surface = k % 2 == 0 ? cone(6 + k, 4) : flatPatch(3 + k, 2);
+    piece.positions = moved(surface.unrolled, 0.7 * k, Point2(3.0 * k, -2.0));
+    if (k % 3 != 0)
+    {
+      piece.grain = { 1, static_cast<Index>(piece.positions.size()) - 2 };
+    }
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+}
+
+TEST(PieceArrangement, MovesPiecesRigidlyAndKeepsThemApart)
+{
+  const auto pieces = severalPieces();
+  const auto placed = arrangePieces(pieces, 0.05);
+  ASSERT_EQ(placed.size(), pieces.size());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    EXPECT_LT(rigidDistance(pieces[k].positions, placed[k]), 1e-13);
+    largest = std::max(largest, boundsOf(placed[k]).sizes().maxCoeff());
+  }
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    for (std::size_t other = 0; other < k; ++other)
+    {
+      const double gap = boundsOf(placed[k]).exteriorDistance(boundsOf(placed[other]));
+      EXPECT_GE(gap, 0.05 * largest * (1.0 - 1e-9)) << k << ' ' << other;
+    }
+  }
+}
+
+TEST(PieceArrangement, TurnsTheGrainUp)
+{
+  const auto pieces = severalPieces();
+  const auto placed = arrangePieces(pieces, 0.05);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    if (pieces[k].grain[0] != none)
+    {
+      const Point2 grain = placed[k][pieces[k].grain[1]] - placed[k][pieces[k].grain[0]];
+      EXPECT_NEAR(grain.x(), 0.0, 1e-13);
+      EXPECT_GT(grain.y(), 0.0);
+    }
+  }
+}
+
+TEST(PieceArrangement, WithoutGrainTheLongSideOfTheSmallestRectangleIsUpright)
+{
+  const Points2 rectangle{ Point2(0, 0), Point2(7, 0), Point2(7, 2), Point2(0, 2) };
+  for (double angle : { 0.0, 0.4, 1.3, 3.0 })
+  {
+    const auto placed = arrangePieces({ { moved(rectangle, angle, Point2(8, 9)), {} } }, 0.0);
+    const Box box = boundsOf(placed[0]);
+    EXPECT_NEAR(box.sizes().x(), 2.0, 1e-13);
+    EXPECT_NEAR(box.sizes().y(), 7.0, 1e-13);
+    EXPECT_NEAR(box.min().norm(), 0.0, 1e-13);
+    EXPECT_LT(placed[0][0].y(), 1.0) << "the first vertex is below";
+  }
+}
+
+TEST(PieceArrangement, DoesNotDependOnWhereThePiecesWere)
+{
+  const auto pieces = severalPieces();
+  const auto reference = arrangePieces(pieces, 0.05);
+  auto elsewhere = pieces;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    elsewhere[k].positions =
+      moved(pieces[k].positions, 0.3 + static_cast<double>(k), Point2(-2.0, 5.0));
+  }
+  const auto placed = arrangePieces(elsewhere, 0.05);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    for (std::size_t i = 0; i < placed[k].size(); ++i)
+    {
+      EXPECT_LT((placed[k][i] - reference[k][i]).norm(), 1e-12) << k << ' ' << i;
+    }
+  }
+}
+
+TEST(PieceArrangement, FillsRowsRatherThanOneLine)
+{
+  const Points2 square{ Point2(0, 0), Point2(1, 0), Point2(1, 1), Point2(0, 1) };
+  const std::vector<ArrangementPiece> pieces(60, { square, {} });
+  Box sheet;
+  for (const Points2& piece : arrangePieces(pieces, 0.1))
+  {
+    sheet.extend(boundsOf(piece));
+  }
+  EXPECT_LT(sheet.sizes().x(), 3.0 * sheet.sizes().y());
+  EXPECT_LT(sheet.sizes().y(), 3.0 * sheet.sizes().x());
+}
+
+TEST(PieceArrangement, CopesWithNothingWithPointsAndWithAGrainOfNoLength)
+{
+  EXPECT_TRUE(arrangePieces({}, 0.05).empty());
+  const Points2 points(4, Point2(1.0, 2.0));
+  const auto placed = arrangePieces({ { {}, {} }, { points, { 0, 2 } }, { points, {} } }, 0.05);
+  ASSERT_EQ(placed.size(), 3u);
+  EXPECT_TRUE(placed[0].empty());
+  EXPECT_EQ(placed[1][3], Point2(0.0, 0.0));
+}
