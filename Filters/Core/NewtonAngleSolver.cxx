@@ -51,7 +51,7 @@ public:
         this->State.converged = true;
         break;
       }
-      if (iteration == options.maximumIterations || !std::isfinite(record.objective))
+      if (iteration >= options.maximumIterations || !std::isfinite(record.objective))
       {
         break;
       }
@@ -113,6 +113,7 @@ private:
     return released;
   }
 
+  /// Held stretches are taken out by zeros, so that the pattern stays the one that was analyzed.
   SparseMatrix kktMatrix(double tau) const
   {
     const SparseMatrix H = this->Form.hessian(this->State.x, this->State.multipliers);
@@ -127,17 +128,11 @@ private:
       entries.emplace_back(c, c, held(c) ? 1.0 : tau);
       for (SparseMatrix::InnerIterator it(H, c); it; ++it)
       {
-        if (!held(it.row()) && !held(c))
-        {
-          entries.emplace_back(it.row(), c, it.value());
-        }
+        entries.emplace_back(it.row(), c, held(it.row()) || held(c) ? 0.0 : it.value());
       }
       for (SparseMatrix::InnerIterator it(this->Jacobian, c); it; ++it)
       {
-        if (!held(c))
-        {
-          entries.emplace_back(this->Unknowns + it.row(), c, it.value());
-        }
+        entries.emplace_back(this->Unknowns + it.row(), c, held(c) ? 0.0 : it.value());
       }
     }
     for (Eigen::Index r = 0; r < this->Constraints; ++r)
@@ -173,7 +168,8 @@ private:
     return x;
   }
 
-  /// Factors the KKT matrix with a tau that makes the model convex on the constraints' tangent space.
+  /// Factors the KKT matrix with a tau that makes the model convex on the constraints' tangent
+  /// space.
   bool factorize()
   {
     double tau = 0.0;

@@ -155,7 +155,7 @@ AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& opt
       converged = true;
       break;
     }
-    if (iteration == options.maximumIterations || !std::isfinite(record.objective))
+    if (iteration >= options.maximumIterations || !std::isfinite(record.objective))
     {
       break;
     }
