@@ -220,19 +220,22 @@ Status checkOptions(const InteriorOptions& options)
   };
   if (options.method == InteriorMethod::Relaxation)
   {
-    if (!(options.relaxation > 0.0 && options.relaxation < 2.0))
+    if (!std::isfinite(options.relaxation) || options.relaxation <= 0.0 ||
+      options.relaxation >= 2.0)
     {
       return invalid("the relaxation factor must lie between 0 and 2, both excluded");
     }
     if (options.minimumIterations < 0 || options.maximumIterations < 1 ||
-      options.minimumIterations > options.maximumIterations || !(options.movement >= 0.0))
+      options.minimumIterations > options.maximumIterations || !std::isfinite(options.movement) ||
+      options.movement < 0.0)
     {
       return invalid("the relaxation needs 0 <= minimum <= maximum iterations, 1 <= maximum, and a "
                      "movement that is not negative");
     }
   }
   if (options.method == InteriorMethod::AsRigidAsPossible &&
-    (options.maximumRigidIterations < 1 || !(options.energyTolerance >= 0.0)))
+    (options.maximumRigidIterations < 1 || !std::isfinite(options.energyTolerance) ||
+      options.energyTolerance < 0.0))
   {
     return invalid("as-rigid-as-possible needs at least one iteration and an energy tolerance that "
                    "is not negative");

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InteriorEmbedding.h"
+
+#include "FlatteningQuality.h"
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <thread>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr InteriorMethod allMethods[] = { InteriorMethod::Laplacian, InteriorMethod::Relaxation,
+  InteriorMethod::AsRigidAsPossible };
+
+InteriorOptions with(InteriorMethod method)
+{
+  InteriorOptions options;
+  options.method = method;
+  return options;
+}
+
+/// A cushion with wires across it, in several patches.
+Surface wiredCushion(double height = 0.4)
+{
+  Surface surface = cushion(12, 9, height);
+  surface.curves = { rowCurve(12, 4), columnCurve(12, 9, 5) };
+  return surface;
+}
+
+/// Wire vertices from a map of the surface to the plane; the rest at zero, as layOutWires leaves
+/// it.
+Points2 pinnedBy(const WiredSurface& wired, const std::function<Point2(const Point3&)>& map)
+{
+  Points2 positions(wired.piece.mesh.vertexCount(), Point2::Zero());
+  for (Index v : wired.network.hostVertices)
+  {
+    positions[v] = map(wired.piece.mesh.point(v));
+  }
+  return positions;
+}
+
+Point2 shadow(const Point3& p)
+{
+  return { 1.05 * p.x() + 0.1 * p.y() * p.y(), p.y() + 0.1 * p.x() };
+}
+
+double largestDistance(const Points2& a, const Points2& b)
+{
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    most = std::max(most, (a[i] - b[i]).norm());
+  }
+  return most;
+}
+
+Execution withThreads(Index count)
+{
+  Execution execution;
+  execution.parallel = [count](Index total, const std::function<void(Index, Index)>& body) {
+    std::vector<std::thread> workers;
+    for (Index k = 0; k < count; ++k)
+    {
+      workers.emplace_back([=, &body] { body(total * k / count, total * (k + 1) / count); });
+    }
+    for (std::thread& worker : workers)
+    {
+      worker.join();
+    }
+  };
+  return execution;
+}
+}
+
+TEST(InteriorEmbedding, LaplacianPutsEachVertexAtTheMeanOfEquation11)
+{
+  const WiredSurface wired(wiredCushion());
+  const TriangleMesh& mesh = wired.piece.mesh;
+  ASSERT_EQ(wired.network.patchCount, 4);
+  Points2 positions = pinnedBy(wired, shadow);
+  ASSERT_TRUE(
+    embedInterior(wired.piece, wired.network, with(InteriorMethod::Laplacian), {}, positions)
+      .status.ok());
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (wired.network.hostOfVertex[v] != none)
+    {
+      continue;
+    }
+    Point2 sum = Point2::Zero();
+    double weight = 0.0;
+    Index h = mesh.outgoing(v);
+    do
+    {
+      sum += positions[mesh.to(h)] / mesh.length(h);
+      weight += 1.0 / mesh.length(h);
+      h = mesh.counterClockwise(h);
+    } while (h != mesh.outgoing(v));
+    EXPECT_LT((sum / weight - positions[v]).norm(), 1e-14);
+  }
+}
+
+TEST(InteriorEmbedding, RelaxationConvergesToTheDirectSolution)
+{
+  const WiredSurface wired(wiredCushion());
+  Points2 direct = pinnedBy(wired, shadow);
+  embedInterior(wired.piece, wired.network, with(InteriorMethod::Laplacian), {}, direct);
+  for (double factor : { 0.7, 1.0, 1.5, 1.9 })
+  {
+    Points2 relaxed = pinnedBy(wired, shadow);
+    InteriorOptions options = with(InteriorMethod::Relaxation);
+    options.relaxation = factor;
+    options.movement = 1e-15;
+    options.maximumIterations = 3000;
+    ASSERT_TRUE(embedInterior(wired.piece, wired.network, options, {}, relaxed).status.ok());
+    EXPECT_LT(largestDistance(relaxed, direct), 1e-12) << factor;
+  }
+}
+
+TEST(InteriorEmbedding, RelaxationStaysWithinItsIterationLimits)
+{
+  const WiredSurface wired(wiredCushion());
+  Points2 positions = pinnedBy(wired, shadow);
+  InteriorOptions options = with(InteriorMethod::Relaxation);
+  options.movement = 0.0;
+  EXPECT_EQ(embedInterior(wired.piece, wired.network, options, {}, positions).iterations, 100);
+  options.movement = 1e9;
+  EXPECT_EQ(embedInterior(wired.piece, wired.network, options, {}, positions).iterations, 10);
+}
+
+TEST(InteriorEmbedding, AsRigidAsPossibleUnrollsDevelopablesExactly)
+{
+  for (Surface surface : { flatPatch(12, 9), cone(12, 9), cylinder(12, 9) })
+  {
+    surface.curves = { rowCurve(12, 4), columnCurve(12, 9, 5) };
+    const WiredSurface wired(surface);
+    Points2 exact(wired.piece.mesh.vertexCount());
+    Points2 positions(wired.piece.mesh.vertexCount(), Point2::Zero());
+    for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+    {
+      exact[v] = surface.unrolled[wired.original(v)];
+      if (wired.network.hostOfVertex[v] != none)
+      {
+        positions[v] = exact[v];
+      }
+    }
+    const auto result = embedInterior(
+      wired.piece, wired.network, with(InteriorMethod::AsRigidAsPossible), {}, positions);
+    ASSERT_TRUE(result.status.ok());
+    EXPECT_LT(largestDistance(positions, exact), 1e-11);
+  }
+}
+
+TEST(InteriorEmbedding, AsRigidAsPossibleReachesTheKnownQuarterSphere)
+{
+  const Surface surface = quarterSphere();
+  FlatteningOptions options;
+  options.scheme = Scheme::Global;
+  for (InteriorMethod method : allMethods)
+  {
+    options.interior = with(method);
+    const auto result = flattenSurface(surface.mesh, surface.curves, options, {});
+    ASSERT_EQ(result.pieces.size(), 1u) << result.status.message;
+    const QualitySummary& quality = result.pieces[0].quality;
+    if (method == InteriorMethod::AsRigidAsPossible)
+    {
+      EXPECT_NEAR(quality.angleError, 0.0779, 0.00005);
+      EXPECT_NEAR(quality.globalHomogeneity, 0.786, 0.0005);
+    }
+    else
+    {
+      // Table 1
+      EXPECT_NEAR(quality.angleError, 0.1488, 0.00005);
+      EXPECT_NEAR(quality.globalHomogeneity, 0.404, 0.0005);
+    }
+  }
+}
+
+TEST(InteriorEmbedding, WiresStayWhereTheyAre)
+{
+  const WiredSurface wired(wiredCushion());
+  const Points2 before = pinnedBy(wired, shadow);
+  for (InteriorMethod method : allMethods)
+  {
+    Points2 positions = before;
+    embedInterior(wired.piece, wired.network, with(method), {}, positions);
+    for (Index v : wired.network.hostVertices)
+    {
+      EXPECT_EQ(positions[v], before[v]);
+    }
+  }
+}
+
+TEST(InteriorEmbedding, IsBitwiseTheSameForAnyNumberOfThreads)
+{
+  const WiredSurface wired(wiredCushion());
+  for (InteriorMethod method : allMethods)
+  {
+    Points2 reference = pinnedBy(wired, shadow);
+    const auto alone = embedInterior(wired.piece, wired.network, with(method), {}, reference);
+    for (Index count : { 2, 3, 8 })
+    {
+      Points2 positions = pinnedBy(wired, shadow);
+      const auto result =
+        embedInterior(wired.piece, wired.network, with(method), withThreads(count), positions);
+      EXPECT_EQ(positions, reference);
+      EXPECT_EQ(result.iterations, alone.iterations);
+    }
+  }
+}
+
+TEST(InteriorEmbedding, ScalesAndTurnsWithTheSurfaceAndItsWires)
+{
+  const Surface surface = wiredCushion();
+  const WiredSurface wired(surface);
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.9, Point3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  for (InteriorMethod method : allMethods)
+  {
+    Points2 reference = pinnedBy(wired, shadow);
+    embedInterior(wired.piece, wired.network, with(method), {}, reference);
+    for (double scale : { 1e-9, 1.0, 1e9 })
+    {
+      Points3 points;
+      for (const Point3& p : surface.mesh.points())
+      {
+        points.push_back(scale * (turn * p + Point3(1.0, 2.0, -3.0)));
+      }
+      const WiredSurface other(TriangleMesh(points, surface.mesh.triangles()), surface.curves);
+      const auto moved = [&](const Point2& p) -> Point2 {
+        return scale * (Eigen::Rotation2Dd(2.1) * p + Point2(-4.0, 0.5));
+      };
+      Points2 positions(reference.size(), Point2::Zero());
+      for (Index v : other.network.hostVertices)
+      {
+        positions[v] = moved(reference[v]);
+      }
+      const auto result = embedInterior(other.piece, other.network, with(method), {}, positions);
+      EXPECT_TRUE(result.status.ok());
+      for (std::size_t v = 0; v < positions.size(); ++v)
+      {
+        EXPECT_LT((positions[v] - moved(reference[v])).norm() / scale, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(InteriorEmbedding, DoesNotDependOnTheNumberingOfVerticesAndTriangles)
+{
+  const Surface surface = wiredCushion();
+  const WiredSurface wired(surface);
+  const Index n = surface.mesh.vertexCount();
+  // i -> (37 i + 11) mod n is a permutation, n = 130 being prime to 37
+  const auto renumbered = [n](Index v) { return (37 * v + 11) % n; };
+  Points3 points(n);
+  for (Index v = 0; v < n; ++v)
+  {
+    points[renumbered(v)] = surface.mesh.point(v);
+  }
+  Triangles triangles;
+  for (auto c = surface.mesh.triangles().rbegin(); c != surface.mesh.triangles().rend(); ++c)
+  {
+    triangles.push_back({ renumbered((*c)[1]), renumbered((*c)[2]), renumbered((*c)[0]) });
+  }
+  std::vector<FeatureCurve> curves = surface.curves;
+  for (FeatureCurve& curve : curves)
+  {
+    for (Index& v : curve.vertices)
+    {
+      v = renumbered(v);
+    }
+  }
+  const WiredSurface other(TriangleMesh(points, triangles), curves);
+  for (InteriorMethod method : { InteriorMethod::Laplacian, InteriorMethod::AsRigidAsPossible })
+  {
+    Points2 reference = pinnedBy(wired, shadow);
+    embedInterior(wired.piece, wired.network, with(method), {}, reference);
+    Points2 positions = pinnedBy(other, shadow);
+    embedInterior(other.piece, other.network, with(method), {}, positions);
+    Points2 byOriginal(n);
+    for (Index v = 0; v < n; ++v)
+    {
+      byOriginal[other.original(v)] = positions[v];
+    }
+    for (Index v = 0; v < n; ++v)
+    {
+      EXPECT_LT((byOriginal[renumbered(wired.original(v))] - reference[v]).norm(), 1e-10);
+    }
+  }
+}
+
+TEST(InteriorEmbedding, StaysFiniteOnCollapsedMirroredAndTornWires)
+{
+  const std::function<Point2(const Point3&)> maps[] = {
+    [](const Point3&) { return Point2(0.3, 0.4); },
+    [](const Point3& p) { return Point2(-p.x(), p.y()); },
+    [](const Point3& p) { return Point2(p.x(), 0.0); },
+    [](const Point3& p) { return Point2(1e6 * p.x(), 1e-6 * p.y()); },
+    [](const Point3& p) { return Point2(std::sin(40.0 * p.x()), std::cos(70.0 * p.y())); },
+  };
+  const WiredSurface wired(wiredCushion());
+  for (InteriorMethod method : allMethods)
+  {
+    for (const auto& map : maps)
+    {
+      Points2 positions = pinnedBy(wired, map);
+      const auto result = embedInterior(wired.piece, wired.network, with(method), {}, positions);
+      EXPECT_FALSE(result.status.refused());
+      for (const Point2& p : positions)
+      {
+        EXPECT_TRUE(p.allFinite());
+      }
+    }
+  }
+}
+
+TEST(InteriorEmbedding, SliversDoNotSpoilTheirNeighbours)
+{
+  // An inner row of vertices moved to within a hair of the next one.
+  for (double hair : { 1e-3, 1e-6, 1e-9, 1e-11 })
+  {
+    const auto place = [hair](double i, double j) { return Point2(i, j == 3.0 ? 4.0 - hair : j); };
+    const Surface surface = patch(
+      8, 7, [&](double i, double j) { return Point3(place(i, j).x(), place(i, j).y(), 0.0); },
+      place);
+    const WiredSurface wired(surface);
+    Points2 positions = pinnedBy(wired, [](const Point3& p) { return Point2(p.x(), p.y()); });
+    const auto result = embedInterior(
+      wired.piece, wired.network, with(InteriorMethod::AsRigidAsPossible), {}, positions);
+    EXPECT_FALSE(result.status.refused());
+    for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+    {
+      EXPECT_LT((positions[v] - wired.piece.mesh.point(v).head<2>()).norm(), 1e-5) << hair;
+    }
+  }
+}
+
+TEST(InteriorEmbedding, EndsWhenCancelledAndLeavesThePositionsAlone)
+{
+  const WiredSurface wired(wiredCushion());
+  const Points2 before = pinnedBy(wired, shadow);
+  for (InteriorMethod method : allMethods)
+  {
+    Execution execution;
+    execution.cancel = [] { return true; };
+    Points2 positions = before;
+    const auto result =
+      embedInterior(wired.piece, wired.network, with(method), execution, positions);
+    EXPECT_EQ(result.status.code, StatusCode::Cancelled);
+    EXPECT_EQ(positions, before);
+  }
+}
+
+TEST(InteriorEmbedding, RefusesOptionsOutOfRange)
+{
+  const WiredSurface wired(wiredCushion());
+  const auto code = [&](const InteriorOptions& options) {
+    Points2 positions = pinnedBy(wired, shadow);
+    return embedInterior(wired.piece, wired.network, options, {}, positions).status.code;
+  };
+  for (double factor : { 0.0, 2.0, -1.0, std::nan("") })
+  {
+    InteriorOptions options = with(InteriorMethod::Relaxation);
+    options.relaxation = factor;
+    EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  }
+  InteriorOptions options = with(InteriorMethod::Relaxation);
+  options.minimumIterations = 200;
+  EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  options = with(InteriorMethod::AsRigidAsPossible);
+  options.maximumRigidIterations = 0;
+  EXPECT_EQ(code(options), StatusCode::InvalidOption);
+}
+
+TEST(InteriorEmbedding, SaysWhenTooFewIterationsWereAllowed)
+{
+  const WiredSurface wired(wiredCushion(2.0));
+  InteriorOptions options = with(InteriorMethod::AsRigidAsPossible);
+  options.maximumRigidIterations = 1;
+  Points2 positions = pinnedBy(wired, shadow);
+  const auto result = embedInterior(wired.piece, wired.network, options, {}, positions);
+  EXPECT_EQ(result.status.code, StatusCode::NotConverged);
+  EXPECT_FALSE(result.status.ids.empty());
+}
+
+TEST(InteriorEmbedding, APieceWithoutInteriorVerticesIsLeftAsItIs)
+{
+  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(3, 0, 0), Point3(0, 4, 0) }, { { 0, 1, 2 } });
+  const WiredSurface wired(mesh, {});
+  const Points2 before{ Point2(0, 0), Point2(3, 0), Point2(0, 4) };
+  for (InteriorMethod method : allMethods)
+  {
+    Points2 positions = before;
+    const auto result = embedInterior(wired.piece, wired.network, with(method), {}, positions);
+    EXPECT_TRUE(result.status.ok());
+    EXPECT_EQ(result.iterations, 0);
+    EXPECT_EQ(positions, before);
+  }
+}

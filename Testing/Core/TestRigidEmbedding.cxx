@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RigidEmbedding.h"
+
+#include "WiredSurface.h"
+
+#include <Eigen/SVD>
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// One patch, the boundary of a cushion, and positions that stretch and shear it.
+struct Problem
+{
+  WiredSurface wired;
+  InteriorPatch patch;
+  Eigen::MatrixXd positions;
+
+  explicit Problem(double noise, double height = 0.5)
+    : wired(cushion(7, 6, height))
+  {
+    Points2 flat;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> place(-noise, noise);
+    for (const Point3& p : this->wired.piece.mesh.points())
+    {
+      flat.emplace_back(1.1 * p.x() + 0.2 * p.y() + place(random), 0.8 * p.y() + place(random));
+    }
+    this->patch = collectInteriorPatches(this->wired.piece, this->wired.network, flat).front();
+    this->positions.resize(static_cast<Eigen::Index>(this->patch.vertices.size()), 2);
+    for (std::size_t i = 0; i < this->patch.vertices.size(); ++i)
+    {
+      this->positions.row(static_cast<Eigen::Index>(i)) = flat[this->patch.vertices[i]].transpose();
+    }
+  }
+
+  const TriangleMesh& mesh() const { return this->wired.piece.mesh; }
+  RigidEmbedding embedding() const { return { this->patch, this->mesh(), this->positions }; }
+};
+
+/// 1/2 sum A |J - R|^2 with R from a singular value decomposition of J.
+double energyByDecomposition(const Problem& problem)
+{
+  double sum = 0.0;
+  for (const Triangle& c : problem.patch.triangles)
+  {
+    const Point3& a = problem.mesh().point(problem.patch.vertices[c[0]]);
+    const Point3 u = problem.mesh().point(problem.patch.vertices[c[1]]) - a;
+    const Point3 v = problem.mesh().point(problem.patch.vertices[c[2]]) - a;
+    const Point3 x = u.normalized();
+    const Point3 y = u.cross(v).cross(u).normalized();
+    Eigen::Matrix2d rest;
+    rest << u.dot(x), v.dot(x), u.dot(y), v.dot(y);
+    Eigen::Matrix2d flat;
+    flat.col(0) = (problem.positions.row(c[1]) - problem.positions.row(c[0])).transpose();
+    flat.col(1) = (problem.positions.row(c[2]) - problem.positions.row(c[0])).transpose();
+    const Eigen::Matrix2d jacobian = flat * rest.inverse();
+    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(
+      jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Matrix2d flip = Eigen::Matrix2d::Identity();
+    flip(1, 1) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+    const Eigen::Matrix2d rotation = svd.matrixU() * flip * svd.matrixV().transpose();
+    sum += 0.25 * std::abs(rest.determinant()) * (jacobian - rotation).squaredNorm();
+  }
+  return sum;
+}
+}
+
+TEST(RigidEmbedding, ItsEnergyIsTheDistanceToTheNearestRotationsAlsoWhereTrianglesAreFlipped)
+{
+  for (double noise : { 0.0, 0.05, 0.3 })
+  {
+    const Problem problem(noise);
+    EXPECT_NEAR(
+      problem.embedding().energy(problem.positions) / energyByDecomposition(problem), 1.0, 1e-13);
+  }
+}
+
+TEST(RigidEmbedding, GradientAgreesWithFiniteDifferencesOfTheEnergy)
+{
+  const Problem problem(0.03);
+  const RigidEmbedding embedding = problem.embedding();
+  const Eigen::MatrixXd gradient = embedding.gradient(problem.positions);
+  const double step = 1e-6;
+  for (Index v = 0; v < problem.patch.freeCount; ++v)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      Eigen::MatrixXd above = problem.positions;
+      Eigen::MatrixXd below = problem.positions;
+      above(v, axis) += step;
+      below(v, axis) -= step;
+      const double difference = (embedding.energy(above) - embedding.energy(below)) / (2.0 * step);
+      EXPECT_NEAR(gradient(v, axis), difference, 1e-8 * gradient.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+TEST(RigidEmbedding, CurvatureAgreesWithFiniteDifferencesOfTheGradient)
+{
+  const Problem problem(0.03);
+  const RigidEmbedding embedding = problem.embedding();
+  const double step = 1e-6;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (int k = 0; k < 5; ++k)
+  {
+    const Eigen::MatrixXd direction =
+      Eigen::MatrixXd::NullaryExpr(problem.patch.freeCount, 2, [&] { return place(random); });
+    Eigen::MatrixXd above = problem.positions;
+    Eigen::MatrixXd below = problem.positions;
+    above.topRows(problem.patch.freeCount) += step * direction;
+    below.topRows(problem.patch.freeCount) -= step * direction;
+    const Eigen::MatrixXd difference =
+      (embedding.gradient(above) - embedding.gradient(below)) / (2.0 * step);
+    const Eigen::MatrixXd curvature = embedding.curvature(problem.positions, direction);
+    EXPECT_LT((curvature - difference).norm(), 1e-7 * curvature.norm());
+  }
+}
+
+TEST(RigidEmbedding, DescendsToAStationaryPointInFewSteps)
+{
+  for (double noise : { 0.0, 0.05, 0.3 })
+  {
+    const Problem problem(noise);
+    RigidEmbedding embedding = problem.embedding();
+    PatchMatrix matrix(problem.patch);
+    ASSERT_TRUE(embedding.prepare(matrix, LinearSolver(LinearMethod::Cholesky)));
+    double energy = embedding.energy(problem.positions);
+    const double first = embedding.gradient(problem.positions).norm();
+    int steps = 0;
+    RigidEmbedding::State state = RigidEmbedding::State::Running;
+    while (state == RigidEmbedding::State::Running && steps < 100)
+    {
+      state = embedding.iterate(1e-12);
+      ++steps;
+      EXPECT_LE(embedding.energy(embedding.positions()), energy);
+      energy = embedding.energy(embedding.positions());
+    }
+    EXPECT_EQ(state, RigidEmbedding::State::Converged);
+    EXPECT_LE(steps, 30);
+    EXPECT_LT(embedding.gradient(embedding.positions()).norm(), 1e-6 * first) << noise;
+    EXPECT_EQ(embedding.positions().bottomRows(5), problem.positions.bottomRows(5));
+  }
+}
+
+TEST(RigidEmbedding, EndsWhereTheLocalGlobalMethodEnds)
+{
+  // The classic iteration, with dense matrices and to its bitter end.
+  const Problem problem(0.0);
+  const Index free = problem.patch.freeCount;
+  PatchMatrix matrix(problem.patch);
+  RigidEmbedding embedding = problem.embedding();
+  ASSERT_TRUE(embedding.prepare(matrix, LinearSolver(LinearMethod::Cholesky)));
+  for (int k = 0; k < 50 && embedding.iterate(0.0) == RigidEmbedding::State::Running; ++k)
+  {
+  }
+  Eigen::MatrixXd positions = problem.positions;
+  const Eigen::LLT<Eigen::MatrixXd> global([&] {
+    // Curvature where every triangle is stretched without bound, so that turning costs nothing
+    // less: the matrix of the global step.
+    Eigen::MatrixXd stiffness(2 * free, 2 * free);
+    for (Index column = 0; column < 2 * free; ++column)
+    {
+      Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(free, 2);
+      unit(column % free, column / free) = 1.0;
+      const Eigen::MatrixXd response = embedding.curvature(1e12 * problem.positions, unit);
+      stiffness.col(column) << response.col(0), response.col(1);
+    }
+    return stiffness;
+  }());
+  for (int k = 0; k < 2000; ++k)
+  {
+    const Eigen::MatrixXd gradient = embedding.gradient(positions);
+    Eigen::VectorXd stacked(2 * free);
+    stacked << gradient.col(0), gradient.col(1);
+    const Eigen::VectorXd step = global.solve(stacked);
+    positions.topRows(free).col(0) -= step.head(free);
+    positions.topRows(free).col(1) -= step.tail(free);
+  }
+  EXPECT_LT((positions - embedding.positions()).cwiseAbs().maxCoeff(), 1e-9);
+}
