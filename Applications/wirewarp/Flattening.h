@@ -31,6 +31,7 @@ struct Flattening
   bool refused() const { return this->exitCode == InputRefused; }
 };
 
-/// Reads one surface with its curves and flattens it. Bad input ends in the result, not in an exception.
+/// Reads one surface with its curves and flattens it. Bad input ends in the result, not in an
+/// exception.
 Flattening flattenOne(const Options& options);
 }

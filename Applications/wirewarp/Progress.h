@@ -8,8 +8,8 @@
 
 namespace wirewarp
 {
-/// Shows on stderr, while it lives, how far a filter has come: on a terminal as one line that renews
-/// itself, else as a line every ten seconds. Short runs show nothing.
+/// Shows on stderr, while it lives, how far a filter has come: on a terminal as one line that
+/// renews itself, else as a line every ten seconds. Short runs show nothing.
 class Progress
 {
 public:

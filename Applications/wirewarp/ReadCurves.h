@@ -9,13 +9,13 @@
 
 namespace wirewarp
 {
-/// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and `CurveName`),
-/// or else from text, one curve a line:
+/// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and
+/// `CurveName`), or else from text, one curve a line:
 ///
 ///     TYPE NAME v0 v1 ...      # TYPE is accessory, key, dart or seam
 ///
-/// with 0-based vertex ids of the surface's file. Text curves come back as polylines on the surface's
-/// points. \param names of the text curves so far: names must differ. Throws InputError.
+/// with 0-based vertex ids of the surface's file. Text curves come back as polylines on the
+/// surface's points. \param names of the text curves so far: names must differ. Throws InputError.
 vtkSmartPointer<vtkPolyData> readCurves(
   const std::string& path, vtkPolyData* surface, std::set<std::string>& names);
 }

@@ -22,7 +22,7 @@ std::string format(const char* pattern, Value value)
   return text;
 }
 
-/// Columns side by side, all but the last to the right, the last (and `left` first ones) to the left.
+/// Columns side by side: the first `left` ones and the last to the left, the others to the right.
 std::string layOut(const std::vector<Row>& rows, std::size_t left)
 {
   std::vector<std::size_t> width(rows.front().size(), 0);

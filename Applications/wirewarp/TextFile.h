@@ -13,7 +13,8 @@ std::string readWholeFile(const std::string& path);
 /// Lower-case extension with its dot, ".vtp"; empty where there is none.
 std::string lowerCaseExtension(const std::string& path);
 
-/// Walks the lines of a text and counts them. A backslash at the end of a line joins it to the next.
+/// Walks the lines of a text and counts them. A backslash at the end of a line joins it to the
+/// next.
 class LineReader
 {
 public:

@@ -49,7 +49,7 @@ public:
   VtkMessages* Owner = nullptr;
 
 private:
-  void note(const char* text) { this->Owner->add(this->Owner->Warnings, text); }
+  void note(const char* text) const { this->Owner->add(this->Owner->Warnings, text); }
 };
 vtkStandardNewMacro(VtkMessages::Window);
 

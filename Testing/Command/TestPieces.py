@@ -18,7 +18,7 @@ def curve_sets():
 class Pieces(command.CommandTest):
     """The promise of the method, on all pieces that come with the project."""
 
-    def check(self, *options):
+    def check(self, *options, unsolved=()):
         sets = curve_sets()
         self.assertGreaterEqual(len(sets), 6, "Data/ is not there")
         for surface, curves in sets:
@@ -28,7 +28,10 @@ class Pieces(command.CommandTest):
                 report = self.report("out")
                 for piece in report["pieces"]:
                     self.assertLessEqual(piece["E_len_max"], 1e-10, piece["message"])
-                    self.assertIn(piece["status"], ("Ok", "IncompatibleKeys", "FlippedTriangles", "Overlap"))
+                    if os.path.basename(curves) in unsolved:
+                        self.assertEqual(piece["status"], "NotConverged")
+                    else:
+                        self.assertNotIn(piece["status"], ("NotConverged", "LengthError"))
                 for curve in report["curves"]:
                     self.assertLessEqual(curve["error"], 1e-10, curve["name"])
 
@@ -36,7 +39,11 @@ class Pieces(command.CommandTest):
         self.check("--scheme", "global")
 
     def test_global_scheme_keeps_every_length_with_the_papers_solver_and_interior(self):
-        self.check("--scheme", "global", "--solver", "sequential", "--interior", "laplacian")
+        # On the paper's Fig. 14, two wires that cross on the quarter-sphere, its iteration never ends.
+        self.check(
+            "--scheme", "global", "--solver", "sequential", "--interior", "laplacian",
+            unsolved=("quarter_sphere_curves_two.vtp",),
+        )
 
     def test_progressive_scheme_keeps_every_length(self):
         self.check("--scheme", "progressive")

@@ -135,10 +135,10 @@ class Results(command.CommandTest):
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")
         self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
 
-    def test_length_error_of_the_comparison_method_is_told(self):
-        report = self.flatten("lune.obj", "arc.txt", "--scheme", "lscm", code=4)
-        self.assertEqual(report["pieces"][0]["status"], "LengthError")
-        self.assertGreater(report["pieces"][0]["E_len_max"], 1e-3)
+    def test_comparison_method_shows_the_length_error_that_it_announces(self):
+        piece = self.flatten("lune.obj", "arc.txt", "--scheme", "lscm")["pieces"][0]
+        self.assertEqual(piece["status"], "Ok")
+        self.assertGreater(piece["E_len"], 0.05)
 
     def test_released_keys_are_free(self):
         self.write("key.txt", "key arc " + " ".join(map(str, self.arc)) + "\n")
