@@ -7,22 +7,6 @@ namespace flattening
 {
 namespace
 {
-/// Complex product as real vectors.
-Eigen::Vector2d times(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return { a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x() };
-}
-Eigen::Vector2d conjugate(const Eigen::Vector2d& a)
-{
-  return { a.x(), -a.y() };
-}
-Eigen::Matrix2d multiplication(const Eigen::Vector2d& a)
-{
-  Eigen::Matrix2d m;
-  m << a.x(), -a.y(), a.y(), a.x();
-  return m;
-}
-
 /// Gradient and Hessian of the direction angle of a vector.
 Eigen::Vector2d angleGradient(const Eigen::Vector2d& d)
 {
@@ -57,30 +41,15 @@ IsometricModel::IsometricModel(
   double sum = 0.0;
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    this->Area.push_back(mesh.area(t));
-    sum += this->Area.back();
+    sum += mesh.area(t);
   }
   const double mean = sum / mesh.triangleCount();
   this->Unit = std::sqrt(mean);
-  this->Coefficients.resize(this->Area.size());
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    // Corners in the triangle's own plane; the gradient of corner k's hat function is the opposite
-    // edge turned by a quarter over twice the area.
     const Triangle& c = mesh.triangle(t);
-    const Point3 u = (mesh.point(c[1]) - mesh.point(c[0])) / this->Unit;
-    const Point3 v = (mesh.point(c[2]) - mesh.point(c[0])) / this->Unit;
-    const double base = u.norm();
-    const Eigen::Vector2d corner[3] = { { 0.0, 0.0 }, { base, 0.0 },
-      { u.dot(v) / base, u.cross(v).norm() / base } };
-    const double twiceArea = base * corner[2].y();
-    for (int k = 0; k < 3; ++k)
-    {
-      const Eigen::Vector2d opposite = corner[(k + 2) % 3] - corner[(k + 1) % 3];
-      const Eigen::Vector2d gradient = Eigen::Vector2d(-opposite.y(), opposite.x()) / twiceArea;
-      this->Coefficients[t][k] = conjugate(gradient);
-    }
-    this->Area[t] /= mean;
+    this->Frames.emplace_back(
+      mesh.point(c[0]) / this->Unit, mesh.point(c[1]) / this->Unit, mesh.point(c[2]) / this->Unit);
   }
   const WireNetwork& net = *problem.network;
   for (Index e = 0; e < net.edgeCount(); ++e)
@@ -256,17 +225,12 @@ std::vector<double> IsometricModel::stretches(const Eigen::VectorXd& x) const
 
 Eigen::Vector4d IsometricModel::mapParts(Index t, const Eigen::VectorXd& x) const
 {
-  Eigen::Vector2d q = Eigen::Vector2d::Zero();
-  Eigen::Vector2d p = Eigen::Vector2d::Zero();
+  Eigen::Matrix<double, 6, 1> corners;
   for (int k = 0; k < 3; ++k)
   {
-    const Eigen::Vector2d at = pointOf(x, this->Cells[t][k]);
-    q += times(this->Coefficients[t][k], at);
-    p += times(conjugate(this->Coefficients[t][k]), at);
+    corners.segment<2>(2 * k) = pointOf(x, this->Cells[t][k]);
   }
-  Eigen::Vector4d parts;
-  parts << q, p;
-  return parts;
+  return mapPartsDerivative(this->Frames[t]) * corners;
 }
 
 /// The interior angle to the left of the path before - at - after, on the branch next to its
@@ -315,7 +279,7 @@ IsometricModel::Terms IsometricModel::objective(
   execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
     for (Index t = begin; t < end; ++t)
     {
-      density[t] = this->Area[t] * sheetEnergyDensity(this->Energy, this->mapParts(t, x));
+      density[t] = this->Frames[t].area * sheetEnergyDensity(this->Energy, this->mapParts(t, x));
     }
   });
   Terms terms;
@@ -365,15 +329,9 @@ void IsometricModel::addTriangles(const Eigen::VectorXd& x, Curvature curvature,
     {
       const SheetEnergyValue value =
         evaluateSheetEnergy(this->Energy, this->mapParts(t, x), convex);
-      // d(q, p) / d(corner positions)
-      Eigen::Matrix<double, 4, 6> derivative;
-      for (int k = 0; k < 3; ++k)
-      {
-        derivative.block<2, 2>(0, 2 * k) = multiplication(this->Coefficients[t][k]);
-        derivative.block<2, 2>(2, 2 * k) = multiplication(conjugate(this->Coefficients[t][k]));
-      }
-      this->TriangleGradients[t] = this->Area[t] * (derivative.transpose() * value.gradient);
-      const Eigen::Matrix<double, 4, 6> half = this->Area[t] * (value.hessian * derivative);
+      const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
+      this->TriangleGradients[t] = this->Frames[t].area * (derivative.transpose() * value.gradient);
+      const Eigen::Matrix<double, 4, 6> half = this->Frames[t].area * (value.hessian * derivative);
       std::array<double, 21>& entries = this->TriangleValues[t];
       int next = 0;
       for (int a = 0; a < 6; ++a)

@@ -103,11 +103,9 @@ private:
   double AngleWeight;
   double Unit = 1.0;
   Index CoordinateCount = 0;
-  std::vector<double> Area; ///< of each triangle over the mean
-  /// Per corner the complex coefficient of its position in q; its conjugate is that in p.
-  std::vector<std::array<Eigen::Vector2d, 3>> Coefficients;
-  std::vector<Node> Nodes;       ///< with a term in the objective
-  std::vector<Node> LockedNodes; ///< with a constraint
+  std::vector<TriangleFrame> Frames; ///< in units, so that their mean area is 1
+  std::vector<Node> Nodes;           ///< with a term in the objective
+  std::vector<Node> LockedNodes;     ///< with a constraint
   Indices LengthEdges;
   std::vector<double> Length; ///< per length constraint, in units
   SymmetricAssembler Assembler;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceFlattening.h"
 
+#include "FoldoverFree.h"
 #include "KeyRelease.h"
 #include "ProgressiveWarping.h"
 #include "Stopwatch.h"
@@ -157,6 +158,18 @@ WireSolution solveWires(const Piece& piece, const CutSurface& cut,
   return wires;
 }
 
+Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
+{
+  Index count = 0;
+  for (const Triangle& c : mesh.triangles())
+  {
+    const Point2 u = positions[c[1]] - positions[c[0]];
+    const Point2 v = positions[c[2]] - positions[c[0]];
+    count += u.x() * v.y() - u.y() * v.x() > 0.0 ? 0 : 1;
+  }
+  return count;
+}
+
 /// The isometric scheme from where the global scheme and the pinned interior have put the piece.
 void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
   const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
@@ -248,6 +261,15 @@ FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   if (!interior.status.ok() && (report.status.ok() || interior.status.refused()))
   {
     report.status = interior.status;
+  }
+  if (options.interior.method == InteriorMethod::AsRigidAsPossible && !report.status.refused())
+  {
+    const UntanglingResult untangled =
+      untangleInterior(piece, result.network, execution, result.positions);
+    if (!untangled.status.ok())
+    {
+      report.status = untangled.status;
+    }
   }
   if (options.scheme == Scheme::Isometric && !report.status.refused())
   {

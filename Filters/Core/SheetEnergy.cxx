@@ -44,32 +44,55 @@ SheetEnergyValue evaluateDirichlet(const Eigen::Vector4d& parts, bool convex)
 {
   const double u = parts.head<2>().squaredNorm();
   const double v = parts.tail<2>().squaredNorm();
-  const double norm = 0.5 * (u + v); // |J|^2
+  const double norm = 0.5 * (u + v);
   const double det = 0.25 * (u - v); // |J^-1|^2 = |J|^2 / det^2
-  SheetEnergyValue result;
   if (!(det > 0.0))
   {
-    result.value = std::numeric_limits<double>::infinity();
-    result.gradient.setZero();
-    result.hessian.setIdentity();
-    return result;
+    SheetEnergyValue collapsed;
+    collapsed.value = std::numeric_limits<double>::infinity();
+    collapsed.gradient.setZero();
+    collapsed.hessian.setIdentity();
+    return collapsed;
   }
   const double inverse = 1.0 / det;
   const double inverse2 = inverse * inverse;
-  result.value = norm * (1.0 + inverse2) - 4.0;
-  const double byNorm = 1.0 + inverse2;
-  const double byDet = -2.0 * norm * inverse2 * inverse;
-  const double byNormDet = -2.0 * inverse2 * inverse;
-  const double byDet2 = 6.0 * norm * inverse2 * inverse2;
-  const Eigen::Vector4d gradNorm = parts;
+  NormDetDensity density;
+  density.value = norm * (1.0 + inverse2) - 4.0;
+  density.byNorm = 1.0 + inverse2;
+  density.byDet = -2.0 * norm * inverse2 * inverse;
+  density.byNormDet = -2.0 * inverse2 * inverse;
+  density.byDet2 = 6.0 * norm * inverse2 * inverse2;
+  return expandNormDet(density, parts, convex);
+}
+}
+
+Eigen::Matrix<double, 4, 6> mapPartsDerivative(const TriangleFrame& frame)
+{
+  // q = 2 alpha and p = 2 beta: multiplication by 2 conj(gradient) and by 2 gradient.
+  Eigen::Matrix<double, 4, 6> derivative;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double x = 2.0 * frame.gradient[k].real();
+    const double y = 2.0 * frame.gradient[k].imag();
+    derivative.block<2, 2>(0, 2 * k) << x, y, -y, x;
+    derivative.block<2, 2>(2, 2 * k) << x, -y, y, x;
+  }
+  return derivative;
+}
+
+SheetEnergyValue expandNormDet(
+  const NormDetDensity& density, const Eigen::Vector4d& parts, bool convex)
+{
+  SheetEnergyValue result;
+  result.value = density.value;
   Eigen::Vector4d gradDet = 0.5 * parts;
   gradDet.tail<2>() *= -1.0;
-  result.gradient = byNorm * gradNorm + byDet * gradDet;
-  Eigen::Vector4d hessDet(0.5, 0.5, -0.5, -0.5);
-  result.hessian = byNorm * Eigen::Matrix4d::Identity();
-  result.hessian += byDet * Eigen::Matrix4d(hessDet.asDiagonal());
-  result.hessian += byNormDet * (gradNorm * gradDet.transpose() + gradDet * gradNorm.transpose());
-  result.hessian += byDet2 * gradDet * gradDet.transpose();
+  result.gradient = density.byNorm * parts + density.byDet * gradDet;
+  const Eigen::Vector4d hessDet(0.5, 0.5, -0.5, -0.5);
+  result.hessian = density.byNorm * Eigen::Matrix4d::Identity();
+  result.hessian += density.byDet * Eigen::Matrix4d(hessDet.asDiagonal());
+  result.hessian += density.byNormDet * (parts * gradDet.transpose() + gradDet * parts.transpose());
+  result.hessian += density.byDet2 * gradDet * gradDet.transpose();
   if (convex)
   {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(result.hessian);
@@ -77,7 +100,6 @@ SheetEnergyValue evaluateDirichlet(const Eigen::Vector4d& parts, bool convex)
       eigen.eigenvectors().transpose();
   }
   return result;
-}
 }
 
 SheetEnergyValue evaluateSheetEnergy(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Types.h"
+#include "TriangleFrame.h"
 
 namespace flattening
 {
@@ -37,6 +37,24 @@ struct SheetEnergyValue
   Eigen::Vector4d gradient;
   Eigen::Matrix4d hessian;
 };
+
+/// Derivative of a triangle's map parts (q, p) by the planar positions of its three corners.
+Eigen::Matrix<double, 4, 6> mapPartsDerivative(const TriangleFrame& frame);
+
+/// Partial derivatives of a density that depends on |J|^2 and det J only.
+struct NormDetDensity
+{
+  double value = 0.0;
+  double byNorm = 0.0;
+  double byDet = 0.0;
+  double byNormDet = 0.0;
+  double byDet2 = 0.0;
+};
+
+/// Such a density by the parts of the map; |J|^2 = (|q|^2 + |p|^2) / 2, det J = (|q|^2 - |p|^2)
+/// / 4.
+SheetEnergyValue expandNormDet(
+  const NormDetDensity& density, const Eigen::Vector4d& parts, bool convex);
 
 /// \param convex replace the Hessian by the nearest positive semidefinite one.
 SheetEnergyValue evaluateSheetEnergy(
