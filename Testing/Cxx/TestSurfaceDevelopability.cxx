@@ -145,7 +145,8 @@ int TestSurfaceDevelopability(int, char*[])
     });
   };
   auto unit = cap(1.0);
-  values = measure(unit)->GetPointData()->GetArray("Developability");
+  auto measured = measure(unit);
+  values = measured->GetPointData()->GetArray("Developability");
   double total = 0.0;
   double turning = 0.0;
   bool boundaryIsZero = true;
@@ -164,7 +165,8 @@ int TestSurfaceDevelopability(int, char*[])
     "the values of a spherical cap and the turning of its boundary add up to 2 pi");
 
   auto large = cap(1e6);
-  vtkDataArray* others = measure(large)->GetPointData()->GetArray("Developability");
+  auto measuredLarge = measure(large);
+  vtkDataArray* others = measuredLarge->GetPointData()->GetArray("Developability");
   double difference = 0.0;
   for (vtkIdType id = 0; id < unit->GetNumberOfPoints(); ++id)
   {
