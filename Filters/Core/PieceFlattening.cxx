@@ -174,8 +174,24 @@ Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
 void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
   const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
 {
-  IsometricSolution solution = warpIsometrically(
-    piece, wires.problem, result.positions, wires.angles.stretch, options.isometric, execution);
+  auto warp = [&](const IsometricOptions& isometric) {
+    return warpIsometrically(
+      piece, wires.problem, result.positions, wires.angles.stretch, isometric, execution);
+  };
+  IsometricSolution solution = warp(options.isometric);
+  if (!solution.status.refused() &&
+    countFlipped(piece.mesh, solution.positions) > countFlipped(piece.mesh, result.positions))
+  {
+    // From a start without flips the energy with a barrier keeps it so.
+    IsometricOptions barrier = options.isometric;
+    barrier.energy.kind = SheetEnergyKind::SymmetricDirichlet;
+    IsometricSolution second = warp(barrier);
+    if (second.status.refused() ||
+      countFlipped(piece.mesh, second.positions) < countFlipped(piece.mesh, solution.positions))
+    {
+      solution = std::move(second);
+    }
+  }
   PieceReport& report = result.report;
   for (const IsometricIteration& iteration : solution.history)
   {
