@@ -9,41 +9,106 @@ namespace flattening
 {
 namespace
 {
-/// A loop of a network as a network of its own, whose nodes are in the same order.
-WireNetwork singleLoop(const WireNetwork& network, Index loop)
+/// A loop of a network as a network of its own, whose nodes are in the same order. A wire with the
+/// loop on both sides stays one wire; a vertex is interior where all angles around it are the
+/// loop's.
+class SingleLoop
 {
-  const Index begin = network.loopBegin[loop];
-  const Index count = network.loopBegin[loop + 1] - begin;
-  WireNetwork single;
-  for (Index k = 0; k < count; ++k)
+public:
+  SingleLoop(const WireNetwork& network, Index loop)
+    : Whole(network)
+    , Loop(loop)
+    , Begin(network.loopBegin[loop])
+    , Count(network.loopBegin[loop + 1] - Begin)
   {
-    const Index side = begin + k;
-    single.vertex.push_back(k);
-    single.previous.push_back(k == 0 ? count - 1 : k - 1);
-    single.next.push_back(k + 1 == count ? 0 : k + 1);
-    single.loop.push_back(0);
-    single.edge.push_back(k);
-    single.twin.push_back(none);
-    single.halfedge.push_back(network.halfedge[side]);
-    single.alpha.push_back(network.alpha[side]);
-    WireEdge edge;
-    edge.from = k;
-    edge.to = single.next.back();
-    edge.side = k;
-    edge.length = network.length(side);
-    single.edges.push_back(edge);
-    single.hostVertices.push_back(k);
-    single.vertexNodes.push_back(k);
-    single.vertexNodeBegin.push_back(k);
-    single.hostOfVertex.push_back(k);
   }
-  single.interior.assign(count, 0);
-  single.vertexNodeBegin.push_back(count);
-  single.loopBegin = { 0, count };
-  single.patchOfLoop = { network.patchOfLoop[loop] };
-  single.patchCount = 1;
-  return single;
-}
+
+  WireNetwork build()
+  {
+    this->collectHosts();
+    WireNetwork& single = this->Single;
+    for (Index k = 0; k < this->Count; ++k)
+    {
+      const Index side = this->Begin + k;
+      single.previous.push_back(k == 0 ? this->Count - 1 : k - 1);
+      single.next.push_back(k + 1 == this->Count ? 0 : k + 1);
+      single.loop.push_back(0);
+      single.halfedge.push_back(this->Whole.halfedge[side]);
+      single.alpha.push_back(this->Whole.alpha[side]);
+      this->addSide(k);
+    }
+    single.loopBegin = { 0, this->Count };
+    single.patchOfLoop = { this->Whole.patchOfLoop[this->Loop] };
+    single.patchCount = 1;
+    return std::move(single);
+  }
+
+private:
+  /// Vertices are numbered as hosts, in the order of the whole network.
+  void collectHosts()
+  {
+    WireNetwork& single = this->Single;
+    single.vertex.assign(this->Count, none);
+    Indices hosts;
+    for (Index k = 0; k < this->Count; ++k)
+    {
+      hosts.push_back(this->Whole.hostOfVertex[this->Whole.vertex[this->Begin + k]]);
+    }
+    std::sort(hosts.begin(), hosts.end());
+    hosts.erase(std::unique(hosts.begin(), hosts.end()), hosts.end());
+    for (Index host : hosts)
+    {
+      const auto id = static_cast<Index>(single.hostVertices.size());
+      bool enclosed = this->Whole.interior[host] != 0;
+      single.vertexNodeBegin.push_back(static_cast<Index>(single.vertexNodes.size()));
+      for (Index n = this->Whole.vertexNodeBegin[host]; n < this->Whole.vertexNodeBegin[host + 1];
+           ++n)
+      {
+        const Index node = this->Whole.vertexNodes[n];
+        if (this->Whole.loop[node] == this->Loop)
+        {
+          single.vertexNodes.push_back(node - this->Begin);
+          single.vertex[node - this->Begin] = id;
+        }
+        else
+        {
+          enclosed = false;
+        }
+      }
+      single.hostVertices.push_back(id);
+      single.hostOfVertex.push_back(id);
+      single.interior.push_back(enclosed ? 1 : 0);
+    }
+    single.vertexNodeBegin.push_back(this->Count);
+  }
+
+  void addSide(Index k)
+  {
+    WireNetwork& single = this->Single;
+    const Index twin = this->Whole.twin[this->Begin + k];
+    const bool bothSides = twin != none && this->Whole.loop[twin] == this->Loop;
+    single.twin.push_back(bothSides ? twin - this->Begin : none);
+    if (bothSides && twin - this->Begin < k)
+    {
+      single.edge.push_back(single.edge[twin - this->Begin]);
+      single.edges[single.edge.back()].otherSide = k;
+      return;
+    }
+    WireEdge edge;
+    edge.from = single.vertex[k];
+    edge.to = single.vertex[single.next[k]];
+    edge.side = k;
+    edge.length = this->Whole.length(this->Begin + k);
+    single.edge.push_back(single.edgeCount());
+    single.edges.push_back(edge);
+  }
+
+  const WireNetwork& Whole;
+  Index Loop;
+  Index Begin;
+  Index Count;
+  WireNetwork Single;
+};
 
 /// A wire-patch in the heap of Algorithm 2, keyed by its shape-evidence factor (Eq. 10).
 struct HeapEntry
@@ -114,7 +179,7 @@ private:
 
   bool warp(Index loop)
   {
-    const WireNetwork single = singleLoop(this->Net, loop);
+    const WireNetwork single = SingleLoop(this->Net, loop).build();
     const Index begin = this->Net.loopBegin[loop];
     NodeLocks locks;
     locks.locked.assign(
@@ -125,7 +190,7 @@ private:
     for (Index k = 0; k < single.nodeCount(); ++k)
     {
       problem.target[k] = this->Problem.target[begin + k];
-      problem.length[k] = this->Problem.length[this->Net.edge[begin + k]];
+      problem.length[single.edge[k]] = this->Problem.length[this->Net.edge[begin + k]];
     }
     const AngleSolution solution = solveAngles(problem, this->Options, this->Run);
     if (solution.status.code == StatusCode::Cancelled)
