@@ -137,12 +137,10 @@ TEST(WireNetwork, ADanglingWireHasBothItsSidesInOnePatchAndAWholeTurnAtItsTip)
   EXPECT_EQ(wired.network.patchCount, 1);
   EXPECT_EQ(wired.network.nodeCount(), 20 + 4);
   EXPECT_EQ(connectorCount(wired.network), 0);
-  const Index tip = wired.network.hostOfVertex[at(5, 2, 2)];
-  ASSERT_NE(tip, none);
-  const Index first = wired.network.vertexNodeBegin[tip];
-  ASSERT_EQ(wired.network.vertexNodeBegin[tip + 1] - first, 1);
-  EXPECT_NEAR(wired.network.alpha[wired.network.vertexNodes[first]], 2.0 * pi, 1e-13);
-  EXPECT_TRUE(wired.network.interior[tip]);
+  const Indices tip = wired.nodes(at(5, 2, 2));
+  ASSERT_EQ(tip.size(), 1U);
+  EXPECT_NEAR(wired.network.alpha[tip.front()], 2.0 * pi, 1e-13);
+  EXPECT_TRUE(wired.network.interior[wired.network.hostOfVertex[wired.vertex(at(5, 2, 2))]]);
 }
 
 TEST(WireNetwork, AFloatingWireIsJoinedByTheShortestConnector)

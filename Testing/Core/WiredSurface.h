@@ -42,6 +42,23 @@ struct WiredSurface
     options.method = method;
     return solveAngles(this->problem(), options, {});
   }
+  /// The piece's first copy of a vertex of the surface before the cut.
+  Index vertex(Index originalVertex) const
+  {
+    Index v = 0;
+    while (this->original(v) != originalVertex)
+    {
+      ++v;
+    }
+    return v;
+  }
+  /// The nodes at the first copy of a vertex of the surface before the cut.
+  Indices nodes(Index originalVertex) const
+  {
+    const Index host = this->network.hostOfVertex[this->vertex(originalVertex)];
+    return { this->network.vertexNodes.begin() + this->network.vertexNodeBegin[host],
+      this->network.vertexNodes.begin() + this->network.vertexNodeBegin[host + 1] };
+  }
   /// The vertex of the surface before the cut.
   Index original(Index pieceVertex) const
   {

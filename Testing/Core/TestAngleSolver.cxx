@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AngleSolver.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+AngleSolution solve(const AngleProblem& problem, AngleMethod method)
+{
+  AngleSolverOptions options;
+  options.method = method;
+  return solveAngles(problem, options, {});
+}
+
+/// Optimality without the solvers' own multipliers: the part of the objective's gradient that no
+/// combination of the constraints' gradients explains.
+double unexplainedGradient(const AngleProblem& problem, const std::vector<double>& theta)
+{
+  const AngleConstraints constraints(problem);
+  Eigen::VectorXd gradient(constraints.freeCount());
+  for (Index k = 0; k < constraints.freeCount(); ++k)
+  {
+    const Index node = constraints.freeNodes()[k];
+    gradient[k] = problem.weight[node] * (theta[node] - problem.target[node]);
+  }
+  const Eigen::MatrixXd A = Eigen::MatrixXd(constraints.jacobian(theta)).transpose();
+  const Eigen::VectorXd multipliers = A.completeOrthogonalDecomposition().solve(gradient);
+  return (gradient - A * multipliers).cwiseAbs().maxCoeff();
+}
+
+double worstConstraint(const AngleProblem& problem, const std::vector<double>& theta)
+{
+  return AngleConstraints(problem).residual(theta).cwiseAbs().maxCoeff();
+}
+
+/// Moderately curved surfaces with every kind of wire.
+std::vector<Surface> curvedSurfaces()
+{
+  std::vector<Surface> surfaces;
+  Surface crossing = cushion(8, 6, 0.15);
+  crossing.curves = { rowCurve(8, 2), rowCurve(8, 4), columnCurve(8, 6, 3) };
+  surfaces.push_back(crossing);
+  Surface key = crossing;
+  key.curves[1].type = CurveType::Key;
+  surfaces.push_back(key);
+  Surface straight = key;
+  straight.curves[1].keyShape = KeyShape::Straight;
+  surfaces.push_back(straight);
+  Surface dart = cushion(8, 6, 0.15);
+  dart.curves = { curveOf(CurveType::Dart, "dart", { 4, 13, 22 }), rowCurve(8, 4),
+    accessory("to the dart", { 9, 10, 11, 12, 13 }) };
+  surfaces.push_back(dart);
+  Surface dangling = cushion(8, 6, 0.15);
+  dangling.curves = { accessory("dangling", { 4, 13, 22, 31 }) };
+  surfaces.push_back(dangling);
+  surfaces.push_back(quarterSphere());
+  return surfaces;
+}
+}
+
+TEST(AngleSolver, TheQuarterSphereHasThePapersOptimum)
+{
+  const WiredSurface wired(quarterSphere());
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    const AngleSolution solution = wired.solve(method);
+    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
+    EXPECT_NEAR(solution.objective, 0.197157, 5e-7);
+    EXPECT_LT(solution.closure, 1e-12 * perimeter(wired.problem()));
+  }
+}
+
+TEST(AngleSolver, NewtonAndSequentialAgree)
+{
+  for (const Surface& surface : curvedSurfaces())
+  {
+    const WiredSurface wired(surface);
+    const AngleSolution newton = wired.solve(AngleMethod::Newton);
+    const AngleSolution sequential = wired.solve(AngleMethod::Sequential);
+    ASSERT_TRUE(newton.status.ok()) << newton.status.message;
+    ASSERT_TRUE(sequential.status.ok()) << sequential.status.message;
+    EXPECT_LT(largestDifference(newton.theta, sequential.theta), 1e-9);
+    EXPECT_NEAR(newton.objective, sequential.objective, 1e-12 + 1e-10 * newton.objective);
+  }
+}
+
+TEST(AngleSolver, SolutionsMeetTheConstraintsAndAreStationary)
+{
+  for (const Surface& surface : curvedSurfaces())
+  {
+    const WiredSurface wired(surface);
+    const AngleProblem problem = wired.problem();
+    for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+    {
+      const AngleSolution solution = solve(problem, method);
+      EXPECT_LT(worstConstraint(problem, solution.theta), 1e-11);
+      EXPECT_LT(unexplainedGradient(problem, solution.theta), 1e-9);
+      EXPECT_NEAR(solution.objective, angleObjective(problem, solution.theta), 1e-15);
+    }
+  }
+}
+
+TEST(AngleSolver, NewtonConvergesQuadraticallyInAFewSteps)
+{
+  for (const Surface& surface : curvedSurfaces())
+  {
+    const AngleSolution solution = WiredSurface(surface).solve();
+    EXPECT_LE(solution.iterations, 8);
+    EXPECT_GT(solution.iterations, 0);
+    EXPECT_GE(static_cast<int>(solution.history.size()), solution.iterations);
+    EXPECT_LT(solution.history.back().optimality, 1e-10);
+  }
+}
+
+TEST(AngleSolver, DevelopablesKeepAllTheirAngles)
+{
+  Surface tube = cylinder(9, 5);
+  tube.curves = { rowCurve(9, 2), columnCurve(9, 5, 4), accessory("dangling", { 7, 17 }) };
+  Surface horn = cone(9, 6);
+  horn.curves = { columnCurve(9, 6, 3), curveOf(CurveType::Key, "key", rowCurve(9, 3).vertices),
+    curveOf(CurveType::Dart, "eye", { 15, 25, 35 }) };
+  for (const Surface& surface : { tube, horn })
+  {
+    const WiredSurface wired(surface);
+    for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+    {
+      const AngleSolution solution = wired.solve(method);
+      ASSERT_TRUE(solution.status.ok()) << solution.status.message;
+      EXPECT_LT(solution.objective, 1e-20);
+      EXPECT_LT(largestDifference(solution.theta, wired.network.alpha), 1e-10);
+    }
+  }
+}
+
+TEST(AngleSolver, EveryLoopClosesAroundAHole)
+{
+  // A dart with open banks leaves a hole; its loop has no patch but must close as well.
+  Surface surface = cushion(8, 8, 0.5);
+  surface.curves = { curveOf(CurveType::Dart, "eye", { 31, 40, 49 }), rowCurve(8, 4) };
+  const WiredSurface wired(surface);
+  ASSERT_TRUE(wired.network.isHole(wired.network.loopCount() - 1));
+  const AngleProblem problem = wired.problem();
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    const AngleSolution solution = solve(problem, method);
+    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
+    EXPECT_GT(solution.objective, 1e-6);
+    EXPECT_LT(worstConstraint(problem, solution.theta), 1e-11);
+    EXPECT_LT(unexplainedGradient(problem, solution.theta), 1e-9);
+  }
+}
+
+TEST(AngleSolver, TheTipOfADanglingWireTurnsWholly)
+{
+  Surface surface = cushion(8, 8, 0.5);
+  surface.curves = { accessory("dangling", { 4, 13, 22, 31 }) };
+  const WiredSurface wired(surface);
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    const AngleSolution solution = wired.solve(method);
+    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
+    ASSERT_EQ(wired.nodes(31).size(), 1U);
+    EXPECT_NEAR(solution.theta[wired.nodes(31).front()], 2.0 * pi, 1e-12);
+  }
+}
+
+TEST(AngleSolver, LockedAnglesStayAsTheyAre)
+{
+  Surface surface = cushion(8, 6, 0.15);
+  surface.curves = { curveOf(CurveType::Key, "key", rowCurve(8, 4).vertices), rowCurve(8, 2) };
+  const WiredSurface wired(surface);
+  const NodeLocks locks = wired.locks();
+  ASSERT_GT(locks.lockedCount, 0);
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    const AngleSolution solution = wired.solve(method);
+    for (Index i = 0; i < wired.network.nodeCount(); ++i)
+    {
+      if (locks.locked[i])
+      {
+        EXPECT_DOUBLE_EQ(solution.theta[i], locks.angle[i]);
+      }
+    }
+  }
+}
+
+TEST(AngleSolver, ALockedOptimumCostsNoLessThanAFreeOne)
+{
+  Surface surface = cushion(8, 6, 0.15);
+  surface.curves = { rowCurve(8, 4), rowCurve(8, 2) };
+  const WiredSurface loose(surface);
+  surface.curves[0].type = CurveType::Key;
+  const WiredSurface keyed(surface);
+  const AngleSolution locked = keyed.solve();
+  EXPECT_GT(angleObjective(loose.problem(), locked.theta), loose.solve().objective);
+}
+
+TEST(AngleSolver, SensitivityIsTheDerivativeOfTheOptimumByEachLength)
+{
+  for (const Surface& surface : curvedSurfaces())
+  {
+    const WiredSurface wired(surface);
+    AngleProblem problem = wired.problem();
+    for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+    {
+      const std::vector<double> sensitivity =
+        lengthSensitivity(wired.network, solve(problem, method));
+      const double scale = *std::max_element(sensitivity.begin(), sensitivity.end());
+      ASSERT_GT(scale, 0.0);
+      for (Index e = 0; e < wired.network.edgeCount(); e += 5)
+      {
+        const double length = problem.length[e];
+        const double step = 1e-4 * length;
+        problem.length[e] = length + step;
+        const double longer = solve(problem, AngleMethod::Newton).objective;
+        problem.length[e] = length - step;
+        const double shorter = solve(problem, AngleMethod::Newton).objective;
+        problem.length[e] = length;
+        EXPECT_NEAR(sensitivity[e], (longer - shorter) / (2.0 * step), 1e-5 * scale)
+          << "edge " << e;
+      }
+    }
+  }
+}
+
+TEST(AngleSolver, AnglesDoNotDependOnTheUnitOfLength)
+{
+  const WiredSurface wired(curvedSurfaces().front());
+  AngleProblem problem = wired.problem();
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    const AngleSolution unit = solve(problem, method);
+    for (const double scale : { 1e-6, 1e6 })
+    {
+      AngleProblem scaled = problem;
+      for (double& length : scaled.length)
+      {
+        length *= scale;
+      }
+      const AngleSolution solution = solve(scaled, method);
+      ASSERT_TRUE(solution.status.ok());
+      EXPECT_LT(largestDifference(solution.theta, unit.theta), 1e-11);
+    }
+  }
+}
+
+TEST(AngleSolver, AnElasticCurveStaysInItsBandAndLowersTheObjective)
+{
+  const WiredSurface wired(quarterSphere());
+  const double rigid = wired.solve().objective;
+  double previous = rigid;
+  for (const double tolerance : { 0.01, 0.05, 0.2 })
+  {
+    AngleProblem problem = wired.problem();
+    problem.groups = { { tolerance, 1e-6 } };
+    for (Index e = 0; e < wired.network.edgeCount(); ++e)
+    {
+      problem.stretchGroup[e] = wired.network.edges[e].curve == 0 ? 0 : none;
+    }
+    const AngleSolution solution = solve(problem, AngleMethod::Newton);
+    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
+    ASSERT_EQ(solution.stretch.size(), 1U);
+    EXPECT_LE(std::abs(solution.stretch[0]), tolerance);
+    EXPECT_LT(solution.objective, previous);
+    previous = solution.objective;
+    for (Index e = 0; e < wired.network.edgeCount(); ++e)
+    {
+      const double expected =
+        problem.length[e] * (problem.stretchGroup[e] == none ? 1.0 : 1.0 + solution.stretch[0]);
+      EXPECT_DOUBLE_EQ(solution.length[e], expected);
+    }
+    EXPECT_LT(
+      closureResidual(wired.network, solution.theta, solution.length), 1e-12 * perimeter(problem));
+  }
+}
+
+TEST(AngleSolver, AWideBandFindsTheLengthWhoseSensitivityIsItsCost)
+{
+  // Free to choose, the stretch h ends where dF/dh + w h = 0; sensitivity is dF/dl.
+  const WiredSurface wired(quarterSphere());
+  AngleProblem problem = wired.problem();
+  const double weight = 0.5;
+  problem.groups = { { 0.5, weight } };
+  for (Index e = 0; e < wired.network.edgeCount(); ++e)
+  {
+    problem.stretchGroup[e] = wired.network.edges[e].curve == 0 ? 0 : none;
+  }
+  const AngleSolution elastic = solve(problem, AngleMethod::Newton);
+  ASSERT_LT(std::abs(elastic.stretch[0]), 0.5);
+  ASSERT_GT(std::abs(elastic.stretch[0]), 1e-3);
+  AngleProblem rigid = wired.problem();
+  rigid.length = elastic.length;
+  const AngleSolution again = solve(rigid, AngleMethod::Newton);
+  EXPECT_LT(largestDifference(again.theta, elastic.theta), 1e-9);
+  const std::vector<double> sensitivity = lengthSensitivity(wired.network, again);
+  double slope = weight * elastic.stretch[0];
+  for (Index e = 0; e < wired.network.edgeCount(); ++e)
+  {
+    slope += problem.stretchGroup[e] == 0 ? sensitivity[e] * problem.length[e] : 0.0;
+  }
+  EXPECT_NEAR(slope, 0.0, 1e-9);
+}
+
+TEST(AngleSolver, SaysWhenItRanOutOfIterations)
+{
+  const WiredSurface wired(quarterSphere());
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    for (const int most : { 0, 2 })
+    {
+      AngleSolverOptions options;
+      options.method = method;
+      options.maximumIterations = most;
+      const AngleSolution solution = solveAngles(wired.problem(), options, {});
+      EXPECT_STREQ(statusName(solution.status.code), "NotConverged");
+      EXPECT_FALSE(solution.status.refused());
+      EXPECT_EQ(solution.iterations, most);
+      EXPECT_EQ(solution.theta.size(), 24U);
+    }
+  }
+}
+
+TEST(AngleSolver, StopsWhenItIsToldTo)
+{
+  const WiredSurface wired(quarterSphere());
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    for (const int after : { 0, 2 })
+    {
+      AngleSolverOptions options;
+      options.method = method;
+      Execution execution;
+      int asked = 0;
+      execution.cancel = [&asked, after] { return asked++ >= after; };
+      const AngleSolution solution = solveAngles(wired.problem(), options, execution);
+      EXPECT_STREQ(statusName(solution.status.code), "Cancelled");
+      EXPECT_TRUE(solution.status.refused());
+      EXPECT_EQ(asked, after + 1) << "nothing is asked after a yes";
+    }
+  }
+}
+
+TEST(AngleSolver, NamesTheNodesWhereKeysContradictEachOther)
+{
+  Surface surface = cushion(6, 6, 0.6);
+  surface.curves = { curveOf(CurveType::Key, "ring", { 16, 17, 18, 25, 32, 31, 30, 23, 16 }) };
+  const WiredSurface wired(surface);
+  const AngleSolution solution = wired.solve();
+  EXPECT_STREQ(statusName(solution.status.code), "IncompatibleKeys");
+  EXPECT_FALSE(solution.status.ids.empty());
+}

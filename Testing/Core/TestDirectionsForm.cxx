@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectionsForm.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+Eigen::VectorXd randomVector(Eigen::Index size, double scale)
+{
+  std::mt19937 random(11);
+  Eigen::VectorXd x(size);
+  for (double& value : x)
+  {
+    value = scale * (random() / 2147483648.0 - 1.0);
+  }
+  return x;
+}
+
+/// Several patches, a key curve, a hole joined by connectors, a dangling wire; two elastic groups.
+struct Everything
+{
+  WiredSurface wired;
+  AngleProblem problem;
+
+  Everything()
+    : wired(surface())
+    , problem(wired.problem())
+  {
+    problem.groups = { { 0.1, 0.02 }, { 0.9, 0.05 } };
+    for (Index e = 0; e < wired.network.edgeCount(); ++e)
+    {
+      const WireEdge& edge = wired.network.edges[e];
+      problem.stretchGroup[e] = edge.connector ? 1 : edge.curve == 1 ? 0 : none;
+    }
+  }
+
+  static Surface surface()
+  {
+    Surface surface = cushion(8, 8, 0.5);
+    surface.curves = { curveOf(CurveType::Key, "key", rowCurve(8, 6).vertices),
+      columnCurve(8, 8, 2), accessory("dangling", { 7, 16 }),
+      curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) };
+    return surface;
+  }
+
+  /// A point near the surface's angles, with some stretch.
+  Eigen::VectorXd point(const DirectionsForm& form) const
+  {
+    return form.unknowns(form.projectedAngles()) + randomVector(form.unknownCount(), 0.1);
+  }
+};
+}
+
+TEST(DirectionsForm, EveryPointMeetsTheTurningAndWholeTurnConstraints)
+{
+  Surface surface = cushion(8, 8, 0.5);
+  surface.curves = { rowCurve(8, 6), columnCurve(8, 8, 2), accessory("dangling", { 7, 16 }),
+    curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) };
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  const DirectionsForm form(problem);
+  const AngleConstraints constraints(problem);
+  const Eigen::VectorXd x = randomVector(form.unknownCount(), 2.0);
+  const Eigen::VectorXd residual = constraints.residual(form.angles(x));
+  for (Index loop = 0; loop < wired.network.loopCount(); ++loop)
+  {
+    EXPECT_NEAR(residual[3 * loop], 0.0, 1e-12);
+  }
+  for (Index row = 3 * wired.network.loopCount(); row < constraints.rowCount(); ++row)
+  {
+    EXPECT_NEAR(residual[row], 0.0, 1e-12);
+  }
+}
+
+TEST(DirectionsForm, UnknownsAndAnglesAreInverseToEachOther)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  const Eigen::VectorXd x = all.point(form);
+  const Eigen::VectorXd back = form.unknowns(form.angles(x));
+  EXPECT_LT((back - x).head(form.rotationCount()).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(DirectionsForm, ProjectedAnglesAreTheNearestThatMeetTheLinearConstraints)
+{
+  const WiredSurface wired(quarterSphere());
+  const AngleProblem problem = wired.problem();
+  const DirectionsForm form(problem);
+  const std::vector<double>& projected = form.projectedAngles();
+  // The gradient of the distance vanishes over all angles that the form can make.
+  const Eigen::VectorXd x = form.unknowns(projected);
+  EXPECT_LT(largestDifference(form.angles(x), projected), 1e-12);
+  EXPECT_LT(form.gradient(x).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(DirectionsForm, ClosureAgreesWithTheAnglesForm)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  const Eigen::VectorXd x = all.point(form);
+  const Eigen::VectorXd closure = form.closure(x);
+  double worst = 0.0;
+  for (Index loop = 0; loop < all.wired.network.loopCount(); ++loop)
+  {
+    worst = std::max(worst, closure.segment<2>(2 * loop).norm());
+  }
+  EXPECT_NEAR(worst * form.unit(),
+    closureResidual(all.wired.network, form.angles(x), form.lengths(x)), 1e-12);
+}
+
+TEST(DirectionsForm, LockedAnglesKeepTheirValues)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  ASSERT_TRUE(form.contradictions().empty());
+  const std::vector<double> theta = form.angles(all.point(form));
+  for (std::size_t i = 0; i < theta.size(); ++i)
+  {
+    if (all.problem.locks.locked[i])
+    {
+      EXPECT_DOUBLE_EQ(theta[i], all.problem.locks.angle[i]);
+    }
+  }
+  const AngleConstraints constraints(all.problem);
+  const Eigen::VectorXd residual = constraints.residual(theta);
+  for (Index loop = 0; loop < all.wired.network.loopCount(); ++loop)
+  {
+    EXPECT_NEAR(residual[3 * loop], 0.0, 1e-11);
+  }
+}
+
+TEST(DirectionsForm, TheGradientIsTheDerivativeOfTheObjective)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  const Eigen::VectorXd x = all.point(form);
+  const Eigen::VectorXd gradient = form.gradient(x);
+  const double step = 1e-5;
+  for (Index k = 0; k < form.unknownCount(); ++k)
+  {
+    const Eigen::VectorXd e = step * Eigen::VectorXd::Unit(form.unknownCount(), k);
+    const double difference = (form.objective(x + e) - form.objective(x - e)) / (2.0 * step);
+    EXPECT_NEAR(gradient[k], difference, 1e-8) << "unknown " << k;
+  }
+}
+
+TEST(DirectionsForm, TheJacobianIsTheDerivativeOfTheClosure)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  const Eigen::VectorXd x = all.point(form);
+  const Eigen::MatrixXd jacobian(form.jacobian(x));
+  const double step = 1e-5;
+  for (Index k = 0; k < form.unknownCount(); ++k)
+  {
+    const Eigen::VectorXd e = step * Eigen::VectorXd::Unit(form.unknownCount(), k);
+    const Eigen::VectorXd difference = (form.closure(x + e) - form.closure(x - e)) / (2.0 * step);
+    EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "unknown " << k;
+  }
+}
+
+TEST(DirectionsForm, TheHessianIsTheDerivativeOfTheLagrangiansGradient)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  const Eigen::VectorXd x = all.point(form);
+  const Eigen::VectorXd multipliers = randomVector(form.constraintCount(), 1.0);
+  const Eigen::MatrixXd lower(form.hessian(x, multipliers));
+  const Eigen::MatrixXd hessian(lower.selfadjointView<Eigen::Lower>());
+  const auto slope = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return form.gradient(at) + form.jacobian(at).transpose() * multipliers;
+  };
+  const double step = 1e-5;
+  for (Index k = 0; k < form.unknownCount(); ++k)
+  {
+    const Eigen::VectorXd e = step * Eigen::VectorXd::Unit(form.unknownCount(), k);
+    const Eigen::VectorXd difference = (slope(x + e) - slope(x - e)) / (2.0 * step);
+    EXPECT_LT((hessian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "unknown " << k;
+  }
+}
+
+TEST(DirectionsForm, KeysThatEncloseACurvedRegionContradictEachOther)
+{
+  // Equation 1 gives the angles inside a closed key; they make a polygon only where the region is
+  // flat.
+  const Indices ring{ 16, 17, 18, 25, 32, 31, 30, 23, 16 };
+  Surface flat = flatPatch(6, 6);
+  flat.curves = { curveOf(CurveType::Key, "ring", ring) };
+  const WiredSurface onFlat(flat);
+  EXPECT_TRUE(DirectionsForm(onFlat.problem()).contradictions().empty());
+  Surface curved = cushion(6, 6, 0.6);
+  curved.curves = flat.curves;
+  const WiredSurface onCurved(curved);
+  const AngleProblem problem = onCurved.problem();
+  const Indices contradictions = DirectionsForm(problem).contradictions();
+  ASSERT_FALSE(contradictions.empty());
+  for (const Index node : contradictions)
+  {
+    EXPECT_TRUE(problem.locks.locked[node]);
+  }
+}
