@@ -23,7 +23,8 @@ const char* const description =
 
 const char* const footer =
   R"(Curve files: .vtp or .vtk with polylines on the surface (cell arrays CurveType: 0 accessory, 1 key,
-2 dart, 3 seam; CurveName), or text, one curve a line, '#' starts a comment:
+2 dart, 3 seam; CurveName; for more see vtkFeatureCurveAlgorithm), or text, one curve a line, '#' starts
+a comment:
     TYPE NAME v0 v1 ...
 TYPE is accessory (length kept), key (length and shape kept), dart (cut open) or seam (cut through);
 v0 v1 ... are vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too.
@@ -100,7 +101,8 @@ void addLayout(CLI::App& app, Options& options)
 {
   const std::string group = "Layout";
   app
-    .add_flag("!--no-arrange", options.arrange,
+    .add_flag_callback(
+      "--no-arrange", [&options]() { options.arrange = false; },
       "Leave pieces where they arise instead of turning them upright, side by side")
     ->group(group);
   app
@@ -149,7 +151,8 @@ void addLimits(CLI::App& app, Options& options)
     "arap: stop when the energy falls by less than this fraction of itself");
   addCount("--rigid-iterations", options.rigidMaximumIterations, 0, "arap: most iterations");
   app
-    .add_flag("!--no-split", options.split,
+    .add_flag_callback(
+      "--no-split", [&options]() { options.split = false; },
       "Refuse curves that do not run along mesh edges instead of splitting triangles")
     ->group(group);
   addNumber("--imprint-tolerance", options.imprintTolerance, 0.0, 1.0, "[0, 1]",
