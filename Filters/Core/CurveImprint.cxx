@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveImprint.h"
 
+#include "CurveRoute.h"
 #include "SurfaceSplit.h"
 #include "SurfaceTrace.h"
 #include "VertexMatch.h"
@@ -15,16 +16,6 @@ namespace flattening
 {
 namespace
 {
-std::string curveName(const Polyline& polyline, std::size_t id)
-{
-  return polyline.name.empty() ? "curve " + std::to_string(id) : "curve \"" + polyline.name + "\"";
-}
-
-Index pointId(const Polyline& polyline, std::size_t i)
-{
-  return i < polyline.pointIds.size() ? polyline.pointIds[i] : static_cast<Index>(i);
-}
-
 ImprintedSurface refuse(Status status)
 {
   ImprintedSurface result;
@@ -52,37 +43,6 @@ double diagonal(const TriangleMesh& mesh)
   return bounds.isEmpty() ? 0.0 : bounds.diagonal().norm();
 }
 
-Status checkPolyline(const Polyline& polyline, std::size_t id)
-{
-  Indices bad;
-  for (std::size_t i = 0; i < polyline.points.size(); ++i)
-  {
-    // Eigen's allFinite() raises a floating-point exception.
-    const Point3& p = polyline.points[i];
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-    {
-      bad.push_back(pointId(polyline, i));
-    }
-  }
-  if (!bad.empty())
-  {
-    return { StatusCode::NonFinitePoint,
-      curveName(polyline, id) + ": points " + listIds(bad) +
-        " have a coordinate that is not a finite number; mend or remove them",
-      bad };
-  }
-  if (polyline.keyShape == KeyShape::Planar &&
-    polyline.planarShape.size() != polyline.points.size())
-  {
-    return { StatusCode::InvalidCurve,
-      curveName(polyline, id) + " has " + std::to_string(polyline.points.size()) +
-        " points, its planar shape " + std::to_string(polyline.planarShape.size()) +
-        "; give one planar point for each point",
-      { static_cast<Index>(id) } };
-  }
-  return {};
-}
-
 /// Identity: the mesh as it is.
 ImprintedSurface keepMesh(const TriangleMesh& mesh)
 {
@@ -99,64 +59,6 @@ ImprintedSurface keepMesh(const TriangleMesh& mesh)
     result.originalTriangle[t] = t;
   }
   return result;
-}
-
-/// The way of a polyline over the surface, one stretch per segment: the vertices from the point
-/// before to the point.
-struct Route
-{
-  Index start = none;
-  std::size_t firstPoint = 0;
-  std::vector<Indices> stretches;
-  std::vector<std::size_t> points; ///< the point at the end of each stretch
-};
-
-/// Puts the stretches together and gives each vertex its planar point.
-FeatureCurve assemble(const TriangleMesh& mesh, const Polyline& polyline, const Route& route)
-{
-  FeatureCurve curve;
-  curve.name = polyline.name;
-  curve.type = polyline.type;
-  curve.keyShape = polyline.keyShape;
-  curve.tolerance = polyline.tolerance;
-  if (route.start == none)
-  {
-    return curve;
-  }
-  curve.vertices.push_back(route.start);
-  const bool planar = polyline.keyShape == KeyShape::Planar;
-  if (planar)
-  {
-    curve.planarShape.push_back(polyline.planarShape[route.firstPoint]);
-  }
-  std::size_t before = route.firstPoint;
-  for (std::size_t s = 0; s < route.stretches.size(); ++s)
-  {
-    const Indices& stretch = route.stretches[s];
-    if (stretch.size() < 2)
-    {
-      continue;
-    }
-    double whole = 0.0;
-    for (std::size_t i = 1; i < stretch.size(); ++i)
-    {
-      whole += (mesh.point(stretch[i]) - mesh.point(stretch[i - 1])).norm();
-    }
-    double done = 0.0;
-    for (std::size_t i = 1; i < stretch.size(); ++i)
-    {
-      done += (mesh.point(stretch[i]) - mesh.point(stretch[i - 1])).norm();
-      curve.vertices.push_back(stretch[i]);
-      if (planar)
-      {
-        const double f = i + 1 == stretch.size() ? 1.0 : done / whole;
-        curve.planarShape.push_back(
-          (1.0 - f) * polyline.planarShape[before] + f * polyline.planarShape[route.points[s]]);
-      }
-    }
-    before = route.points[s];
-  }
-  return curve;
 }
 
 /// Imprints a list of polylines; the first status that is not Ok ends it.
@@ -327,7 +229,8 @@ private:
         return refuse(std::move(status));
       }
     }
-    SnapDistance snap(this->Mesh, this->Options.snap);
+    // Rounding alone asks for some distance.
+    SnapDistance snap(this->Mesh, std::max(1e-9, this->Options.snap));
     Indices failed;
     // Only triangles nearly without area need more than one round.
     for (int round = 0; round < 12; ++round)
@@ -381,7 +284,6 @@ private:
   Status trace(std::size_t c, const std::vector<ClosestPoint>& located, const SnapDistance& snap,
     Route& route, std::vector<SurfacePath>& paths) const
   {
-    const Polyline& polyline = this->Polylines[c];
     route = Route();
     SurfacePoint last;
     for (std::size_t i = 0; i < located.size(); ++i)
@@ -400,14 +302,7 @@ private:
         SurfacePath path = traceSegment(this->Mesh, snap, last, here);
         if (!path.arrived)
         {
-          const Point3& at = path.points.back().position;
-          const Indices ids{ pointId(polyline, i - 1), pointId(polyline, i) };
-          return { StatusCode::CurveLeavesSurface,
-            curveName(polyline, c) + ": between points " + std::to_string(ids[0]) + " and " +
-              std::to_string(ids[1]) + " the curve leaves the surface at (" + text(at.x()) + ", " +
-              text(at.y()) + ", " + text(at.z()) +
-              "); add points between them that follow the surface",
-            ids };
+          return this->strayed(c, i, path);
         }
         paths.push_back(std::move(path));
         route.points.push_back(i);
@@ -415,6 +310,21 @@ private:
       last = here;
     }
     return {};
+  }
+
+  /// The segment that ends at point i cannot be followed.
+  Status strayed(std::size_t c, std::size_t i, const SurfacePath& path) const
+  {
+    const Polyline& polyline = this->Polylines[c];
+    const Indices ids{ pointId(polyline, i - 1), pointId(polyline, i) };
+    const Point3& at = path.points.back().position;
+    const std::string between = curveName(polyline, c) + ": between points " +
+      std::to_string(ids[0]) + " and " + std::to_string(ids[1]);
+    const std::string place = " (" + text(at.x()) + ", " + text(at.y()) + ", " + text(at.z()) + ")";
+    const char* defect = path.atBoundary ? " the curve leaves the surface at"
+                                         : " the curve cannot be followed over the surface from";
+    return { StatusCode::CurveLeavesSurface,
+      between + defect + place + "; add points between them that follow the surface", ids };
   }
 
   void fillRoutes(const SplitSurface& surface, std::vector<Route>& routes) const
@@ -435,7 +345,7 @@ private:
   {
     for (std::size_t c = 0; c < routes.size(); ++c)
     {
-      FeatureCurve curve = assemble(result.mesh, this->Polylines[c], routes[c]);
+      FeatureCurve curve = assembleCurve(result.mesh, this->Polylines[c], routes[c]);
       if (curve.vertices.size() < 2)
       {
         return refuse({ StatusCode::CurveTooShort,
@@ -469,10 +379,10 @@ ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyl
       "the imprint tolerance is " + text(options.tolerance) + "; give a fraction from 0 to 1",
       {} });
   }
-  if (!(options.snap >= 1e-9 && options.snap <= 0.25))
+  if (!(options.snap >= 0.0 && options.snap <= 0.5))
   {
     return refuse({ StatusCode::InvalidOption,
-      "the snap distance is " + text(options.snap) + "; give a fraction from 1e-9 to 0.25", {} });
+      "the snap distance is " + text(options.snap) + "; give a fraction from 0 to 0.5", {} });
   }
   return Imprinter(mesh, polylines, options, execution).run();
 }

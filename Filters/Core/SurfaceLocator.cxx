@@ -88,32 +88,37 @@ SurfaceLocator::SurfaceLocator(const TriangleMesh& mesh)
 Index SurfaceLocator::build(Index begin, Index end, const Points3& centers)
 {
   const Index id = static_cast<Index>(this->Nodes.size());
-  Node node;
-  node.begin = begin;
-  node.end = end;
-  Eigen::AlignedBox3d spread;
+  this->Nodes.emplace_back();
+  this->Nodes[id].begin = begin;
+  this->Nodes[id].end = end;
+  Eigen::AlignedBox3d box;
+  if (end - begin <= leafSize)
+  {
+    for (Index i = begin; i < end; ++i)
+    {
+      for (Index v : this->Mesh.triangle(this->Order[i]))
+      {
+        box.extend(this->Mesh.point(v));
+      }
+    }
+    this->Nodes[id].box = box;
+    return id;
+  }
   for (Index i = begin; i < end; ++i)
   {
-    for (Index v : this->Mesh.triangle(this->Order[i]))
-    {
-      node.box.extend(this->Mesh.point(v));
-    }
-    spread.extend(centers[this->Order[i]]);
+    box.extend(centers[this->Order[i]]);
   }
-  this->Nodes.push_back(node);
-  if (end - begin > leafSize)
-  {
-    Eigen::Index axis = 0;
-    spread.sizes().maxCoeff(&axis);
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(this->Order.begin() + begin, this->Order.begin() + middle,
-      this->Order.begin() + end, [&centers, axis](Index s, Index t) {
-        return centers[s][axis] != centers[t][axis] ? centers[s][axis] < centers[t][axis] : s < t;
-      });
-    this->build(begin, middle, centers);
-    const Index right = this->build(middle, end, centers);
-    this->Nodes[id].right = right;
-  }
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const Index middle = begin + (end - begin) / 2;
+  std::nth_element(this->Order.begin() + begin, this->Order.begin() + middle,
+    this->Order.begin() + end, [&centers, axis](Index s, Index t) {
+      return centers[s][axis] != centers[t][axis] ? centers[s][axis] < centers[t][axis] : s < t;
+    });
+  const Index left = this->build(begin, middle, centers);
+  const Index right = this->build(middle, end, centers);
+  this->Nodes[id].box = this->Nodes[left].box.merged(this->Nodes[right].box);
+  this->Nodes[id].right = right;
   return id;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceSplit.h"
 
+#include "EdgeNodes.h"
 #include "FaceTriangulation.h"
 
 #include <algorithm>
@@ -22,12 +23,6 @@ struct FaceTask
   Indices nodeOfVertex; ///< per vertex of the triangulation
   std::unordered_map<Index, Index> vertexOfNode;
   std::optional<FaceTriangulation> triangulation;
-};
-
-struct NodeOnEdge
-{
-  double fraction;
-  Index node;
 };
 
 /// One stretch of a path: along an edge of the mesh before, or through one of its triangles.
@@ -148,46 +143,19 @@ private:
       this->Tasks[this->taskOf(point.id)].points.push_back(id);
       return id;
     }
-    std::vector<NodeOnEdge>& nodes = this->OnEdge[point.id];
-    const double fraction = point.weights[1];
-    const auto after = std::lower_bound(nodes.begin(), nodes.end(), fraction,
-      [](const NodeOnEdge& n, double f) { return n.fraction < f; });
     const double near = this->Snap.ofEdge(point.id) / this->Mesh.length(point.id);
-    const bool hasAfter = after != nodes.end() && after->fraction - fraction <= near;
-    const bool hasBefore = after != nodes.begin() && fraction - (after - 1)->fraction <= near;
-    if (hasAfter && !(hasBefore && fraction - (after - 1)->fraction < after->fraction - fraction))
+    const Index known = this->OnEdge.nearest(point.id, point.weights[1], near);
+    if (known != none)
     {
-      return after->node;
-    }
-    if (hasBefore)
-    {
-      return (after - 1)->node;
+      return known;
     }
     const Index id = this->addNode(point);
-    nodes.insert(after, { fraction, id });
+    this->OnEdge.insert(point.id, point.weights[1], id);
     for (Index t : trianglesAround(this->Mesh, point))
     {
       this->taskOf(t);
     }
     return id;
-  }
-
-  /// Nodes inside an edge, from one end of the half-edge to the other.
-  std::vector<NodeOnEdge> nodesAlong(Index h) const
-  {
-    const Index low = edgeOf(this->Mesh, h);
-    const auto found = this->OnEdge.find(low);
-    std::vector<NodeOnEdge> nodes =
-      found == this->OnEdge.end() ? std::vector<NodeOnEdge>() : found->second;
-    if (low != h)
-    {
-      std::reverse(nodes.begin(), nodes.end());
-      for (NodeOnEdge& node : nodes)
-      {
-        node.fraction = 1.0 - node.fraction;
-      }
-    }
-    return nodes;
   }
 
   bool triangulate(FaceTask& task)
@@ -204,7 +172,7 @@ private:
     }
     for (int k = 0; k < 3; ++k)
     {
-      for (const NodeOnEdge& node : this->nodesAlong(3 * t + k))
+      for (const NodeOnEdge& node : this->OnEdge.along(this->Mesh, 3 * t + k))
       {
         local[node.node] = triangulation.addSidePoint(k, node.fraction);
         task.nodeOfVertex.push_back(node.node);
@@ -381,7 +349,7 @@ private:
     const double from = this->fractionAlong(low, stretch.from);
     const double to = this->fractionAlong(low, stretch.to);
     nodes.push_back(stretch.from);
-    std::vector<NodeOnEdge> between = this->nodesAlong(low);
+    std::vector<NodeOnEdge> between = this->OnEdge.along(this->Mesh, low);
     if (from > to)
     {
       std::reverse(between.begin(), between.end());
@@ -411,7 +379,7 @@ private:
   std::vector<SurfacePoint> Nodes; ///< those after the vertices
   Indices Alias;                   ///< the node that a node became one with
   Indices VertexOfNode;
-  std::unordered_map<Index, std::vector<NodeOnEdge>> OnEdge;
+  EdgeNodes OnEdge;
   std::map<std::tuple<Carrier, Index, std::array<double, 3>>, Index> Known;
   std::unordered_map<Index, Index> TaskOfTriangle;
   std::vector<FaceTask> Tasks;

@@ -77,8 +77,8 @@ private:
     return false;
   }
 
-  /// The vertex of the edge that the section passes within the snap distance, if any; none that lies
-  /// behind, so that the path never turns back.
+  /// The vertex of the edge that the section passes within the snap distance, if any; none that
+  /// lies behind, so that the path never turns back.
   Index vertexNear(Index h) const
   {
     const Point3& last = this->Path.points.back().position;
@@ -130,6 +130,7 @@ private:
       }
       if (h == none)
       {
+        this->Path.atBoundary = this->onBoundary(here);
         return false;
       }
       const Index low = edgeOf(this->Mesh, h);
@@ -138,6 +139,7 @@ private:
       const Index entry = this->Mesh.twin(h);
       if (entry == none)
       {
+        this->Path.atBoundary = true;
         return false;
       }
       triangle = entry / 3;
@@ -147,6 +149,20 @@ private:
       }
       const Index next = TriangleMesh::next(entry);
       exit.halfedge = this->crossesForward(next) ? next : TriangleMesh::next(next);
+    }
+    return false;
+  }
+
+  bool onBoundary(const SurfacePoint& point) const
+  {
+    switch (point.carrier)
+    {
+      case Carrier::Vertex:
+        return this->Mesh.onBoundary(point.id);
+      case Carrier::Edge:
+        return this->Mesh.twin(point.id) == none;
+      case Carrier::Face:
+        break;
     }
     return false;
   }

@@ -11,8 +11,9 @@ struct SurfacePath
   std::vector<SurfacePoint> points;
   /// triangles[i] holds points[i] and points[i + 1].
   Indices triangles;
-  /// False where the path ended at a boundary, or lost its way; points.back() tells where.
   bool arrived = false;
+  /// It did not arrive, because it met the boundary at points.back().
+  bool atBoundary = false;
 };
 
 /// Lays a straight segment onto the surface: the section of the surface with the plane through both

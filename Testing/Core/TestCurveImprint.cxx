@@ -459,7 +459,7 @@ TEST(CurveImprint, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused
 {
   const Polyline line = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
   ImprintOptions options;
-  options.snap = 0.5;
+  options.snap = 0.6;
   EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
   options = {};
   options.tolerance = -1.0;
@@ -516,7 +516,7 @@ TEST(CurveImprint, UnitsOfLengthAndPlaceDoNotMatter)
   }
 }
 
-TEST(CurveImprint, AMillionTrianglesWithCurvesOnTheirEdgesTakeLessThanTwoSeconds)
+TEST(CurveImprint, CurvesOnTheEdgesOfAMillionTrianglesCostLittleMoreThanToBuildTheMesh)
 {
   const Index n = 700;
   const TriangleMesh mesh = grid(n);
@@ -525,12 +525,26 @@ TEST(CurveImprint, AMillionTrianglesWithCurvesOnTheirEdgesTakeLessThanTwoSeconds
   {
     points.push_back(Point3(i, n / 2, 0));
   }
-  const auto start = std::chrono::steady_clock::now();
-  const auto result = imprintCurves(mesh, { polyline(points) }, {});
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  ASSERT_TRUE(result.status.ok());
-  EXPECT_EQ(result.mesh.triangles(), mesh.triangles());
-  EXPECT_LT(seconds.count(), 2.0);
+  auto seconds = [](const std::chrono::steady_clock::time_point& start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  // The best of three, for other programs run beside this one.
+  double build = std::numeric_limits<double>::infinity();
+  double imprint = build;
+  for (int run = 0; run < 3; ++run)
+  {
+    auto start = std::chrono::steady_clock::now();
+    const TriangleMesh copy(mesh.points(), mesh.triangles());
+    build = std::min(build, seconds(start));
+    start = std::chrono::steady_clock::now();
+    const auto result = imprintCurves(mesh, { polyline(points) }, {});
+    imprint = std::min(imprint, seconds(start));
+    ASSERT_TRUE(result.status.ok());
+    EXPECT_EQ(result.mesh.triangles(), mesh.triangles());
+  }
+  RecordProperty("build", std::to_string(build));
+  RecordProperty("imprint", std::to_string(imprint));
+  EXPECT_LT(imprint, 2.0 * build);
 }
 
 namespace
