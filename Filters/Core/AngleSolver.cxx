@@ -13,28 +13,6 @@ namespace
 {
 /// Steps of the homotopy from the alternative start's lengths to the true ones.
 constexpr int homotopySteps = 5;
-/// A minimum with an angle that is farther than this from the surface angle may have a better one
-/// elsewhere, in radians.
-constexpr double suspiciousChange = 0.7;
-
-/// The largest change of a free angle; infinite where an angle has left (0, 2 pi).
-double worstChange(const AngleProblem& problem, const std::vector<double>& theta)
-{
-  double worst = 0.0;
-  for (std::size_t i = 0; i < theta.size(); ++i)
-  {
-    if (problem.locks.locked[i] || problem.weight[i] == 0.0)
-    {
-      continue;
-    }
-    if (!(theta[i] > 0.0 && theta[i] < 2.0 * pi))
-    {
-      return HUGE_VAL;
-    }
-    worst = std::max(worst, std::abs(theta[i] - problem.target[i]));
-  }
-  return worst;
-}
 
 AngleSolution finish(
   const AngleProblem& problem, const DirectionsForm& form, const NewtonState& state)
@@ -106,8 +84,8 @@ bool better(const AngleSolution& a, const AngleSolution& b, const AngleProblem& 
   {
     return a.status.ok();
   }
-  const bool foldedA = std::isinf(worstChange(problem, a.theta));
-  const bool foldedB = std::isinf(worstChange(problem, b.theta));
+  const bool foldedA = std::isinf(largestAngleChange(problem, a.theta));
+  const bool foldedB = std::isinf(largestAngleChange(problem, b.theta));
   return foldedA != foldedB ? foldedB : a.objective < b.objective;
 }
 
@@ -122,7 +100,7 @@ AngleSolution solveByNewton(
     solveAnglesByNewton(form, problem, start, options, execution, "newton", history);
   AngleSolution solution = finish(problem, form, plain);
   const bool suspicious =
-    !solution.status.ok() || worstChange(problem, solution.theta) > suspiciousChange;
+    !solution.status.ok() || largestAngleChange(problem, solution.theta) > poorAngleChange;
   if (suspicious && problem.alternativeStart && solution.status.code != StatusCode::Cancelled)
   {
     const NewtonState other = followLengths(problem, form, options, execution, history);
@@ -153,6 +131,27 @@ AngleSolution solveAngles(
                                              : solveAnglesSequentially(problem, options, execution);
   }
   return solveByNewton(problem, options, execution);
+}
+
+double largestAngleChange(const AngleProblem& problem, const std::vector<double>& theta)
+{
+  // A dart's tip where the surface is saddle-like has an angle near or above 2 pi of its own.
+  constexpr double nearFull = 2.0 * pi - 0.2;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < theta.size(); ++i)
+  {
+    if (problem.locks.locked[i] || problem.weight[i] == 0.0)
+    {
+      continue;
+    }
+    const bool tip = problem.target[i] > nearFull;
+    if (!(theta[i] > 0.0 && (theta[i] < 2.0 * pi || tip)))
+    {
+      return HUGE_VAL;
+    }
+    worst = std::max(worst, std::abs(theta[i] - problem.target[i]));
+  }
+  return worst;
 }
 
 std::vector<double> lengthSensitivity(const WireNetwork& network, const AngleSolution& solution)

@@ -155,6 +155,13 @@ WireSolution solveWires(const Piece& piece, const CutSurface& cut,
   report.objective = wires.angles.objective;
   report.closureResidual = wires.angles.closure;
   report.history = wires.angles.history;
+  if (options.scheme != Scheme::Progressive && !report.status.refused())
+  {
+    const bool poor = !report.status.ok() ||
+      largestAngleChange(wires.problem, wires.angles.theta) > poorAngleChange;
+    report.advice =
+      adviseRelease(network, piece, cut, curves, wires.angles, options.angles, poor, execution);
+  }
   return wires;
 }
 

@@ -10,12 +10,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace flattening
 {
 namespace
 {
 constexpr std::size_t mostOverlaps = 1000;
+
+std::string shortNumber(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
 
 /// Half-edges of the piece's wires whose length is promised, one an edge.
 Indices rigidHalfedges(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
@@ -188,6 +196,11 @@ private:
     for (std::size_t p = 0; p < this->Pieces.size(); ++p)
     {
       this->measurePiece(p);
+      const std::vector<double>& sensitivity = this->Flat[p].report.advice.sensitivity;
+      for (std::size_t c = 0; c < sensitivity.size(); ++c)
+      {
+        this->Result.curves[c].sensitivity += sensitivity[c];
+      }
     }
     for (const auto& pair : findBoundaryOverlaps(cut.mesh, this->Result.positions, mostOverlaps))
     {
@@ -241,7 +254,7 @@ private:
     {
       report.status = { StatusCode::LengthError,
         "a wire edge misses its length by the fraction " +
-          std::to_string(quality.maximumEdgeLengthError) + "; release a feature curve",
+          shortNumber(quality.maximumEdgeLengthError) + "; release a feature curve",
         {} };
     }
     else if (!quality.flipped.empty())

@@ -6,6 +6,7 @@
 #include "FlatteningQuality.h"
 #include "InteriorEmbedding.h"
 #include "IsometricWarping.h"
+#include "ReleaseAdvice.h"
 #include "SurfaceCut.h"
 
 namespace flattening
@@ -69,6 +70,8 @@ struct PieceReport
   /// Pairs of boundary half-edges of the cut surface that cross.
   std::vector<std::array<Index, 2>> overlaps;
   std::vector<IterationRecord> history;
+  /// Which curves to release first; with a trial where the wires' solution is poor.
+  ReleaseAdvice advice;
   /// Progressive scheme: wire-patches (ids as in patchOfTriangle) in the order of warping.
   Indices warpingOrder;
   Status status;
@@ -80,7 +83,10 @@ struct CurveReport
   CurveType type = CurveType::Accessory;
   double restLength = 0.0; ///< of all its wires; a cut curve counts once
   double flatLength = 0.0;
-  double error = 0.0; ///< largest relative error of one of its edges
+  double error = 0.0;     ///< largest relative error of one of its edges
+  double tolerance = 0.0; ///< of an elastic curve; 0: rigid
+  /// dF* / d ln(length), summed over the pieces (see ReleaseAdvice).
+  double sensitivity = 0.0;
 };
 
 struct StageSeconds

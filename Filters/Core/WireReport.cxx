@@ -172,6 +172,7 @@ std::vector<CurveReport> summarizeCurves(const TriangleMesh& original,
     CurveReport& report = reports[c];
     report.name = curves[c].name;
     report.type = curves[c].type;
+    report.tolerance = curves[c].tolerance;
     double length = 0.0;
     for (std::size_t k = 0; k + 1 < curves[c].vertices.size(); ++k)
     {

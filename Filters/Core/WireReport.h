@@ -14,7 +14,8 @@ std::vector<Wire> traceWires(
 /// The connectors of a piece as polylines.
 std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece, Index pieceId);
 
-/// Fills in the lengths of a wire from its vertices. \param positions of the cut surface's vertices.
+/// Fills in the lengths of a wire from its vertices. \param positions of the cut surface's
+/// vertices.
 void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire);
 
 /// One row a curve, from its measured wires; of a curve that was cut the mean of its two banks.
