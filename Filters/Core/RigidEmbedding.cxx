@@ -14,6 +14,10 @@ constexpr double slimmest = 1e-6;
 /// An energy below this fraction of the area is zero up to rounding.
 constexpr double nothing = 1e-26;
 constexpr int maximumConjugateGradients = 100;
+/// Conjugate gradients stop when one lowers the model by less than this fraction of what all did;
+/// three or four get there. A coarser value saves one of them and costs the next Newton step
+/// digits.
+constexpr double modelAccuracy = 1e-3;
 
 /// The operators of std::complex look for infinities; these do not.
 Complex times(const Complex& a, const Complex& b)
@@ -176,7 +180,7 @@ Eigen::MatrixXd RigidEmbedding::curvature(
 }
 
 Eigen::MatrixXd RigidEmbedding::newtonDirection(
-  const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double accuracy) const
+  const std::vector<Linearized>& state, const Eigen::MatrixXd& descent) const
 {
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(descent.rows(), 2);
   Eigen::MatrixXd residual = descent;
@@ -199,7 +203,7 @@ Eigen::MatrixXd RigidEmbedding::newtonDirection(
     // Operations Research Letters 9(4), 1990).
     const double fall = 0.5 * length * product;
     modelDecrease += fall;
-    if (fall <= accuracy * modelDecrease)
+    if (fall <= modelAccuracy * modelDecrease)
     {
       break;
     }
@@ -222,8 +226,7 @@ RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
     return State::Converged;
   }
   const Eigen::MatrixXd descent = -this->gradient(state);
-  // Little accuracy far from the end, where the model is poor; then as the square of what is left.
-  const Eigen::MatrixXd step = this->newtonDirection(state, descent, 1e-3);
+  const Eigen::MatrixXd step = this->newtonDirection(state, descent);
   const double slope = dot(descent, step);
   if (!(slope > 0.0))
   {

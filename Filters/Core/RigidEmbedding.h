@@ -6,16 +6,17 @@
 namespace flattening
 {
 /// Places the interior vertices of one wire-patch as rigidly as possible, those on its wires being
-/// pinned: least sum of A_t |J_t - R_t|^2 over the triangles, R_t the rotation nearest to J_t (L. Liu et
-/// al., "A local/global approach to mesh parameterization", Computer Graphics Forum 27(5), 2008).
+/// pinned: least sum of A_t |J_t - R_t|^2 over the triangles, R_t the rotation nearest to J_t (L.
+/// Liu et al., "A local/global approach to mesh parameterization", Computer Graphics Forum 27(5),
+/// 2008).
 ///
-/// With J = (alpha, beta) as in TriangleFrame the energy is 2 A_t ((|alpha| - 1)^2 + |beta|^2), whose
-/// Hessian is at hand (its eigensystem: B. Smith, F. de Goes, T. Kim, "Analytic eigensystems for
-/// isotropic distortion energies", ACM TOG 38(1), 2019). Newton's method with conjugate gradients on
-/// the exact Hessian, truncated at negative curvature, converges quadratically. The preconditioner is
-/// the cotangent matrix of the local/global method, factored once: it bounds the Hessian from above,
-/// so that its steps always descend, and with pinned wires also from below within a small factor
-/// (Korn's inequality), so that a few conjugate gradients suffice.
+/// With J = (alpha, beta) as in TriangleFrame the energy is 2 A_t ((|alpha| - 1)^2 + |beta|^2),
+/// whose Hessian is at hand (its eigensystem: B. Smith, F. de Goes, T. Kim, "Analytic eigensystems
+/// for isotropic distortion energies", ACM TOG 38(1), 2019). Newton's method with conjugate
+/// gradients on the exact Hessian, truncated at negative curvature, converges quadratically. The
+/// preconditioner is the cotangent matrix of the local/global method, factored once: it bounds the
+/// Hessian from above, so that its steps always descend, and with pinned wires also from below
+/// within a small factor (Korn's inequality), so that a few conjugate gradients suffice.
 class RigidEmbedding
 {
 public:
@@ -30,7 +31,8 @@ public:
   RigidEmbedding(
     const InteriorPatch& patch, const TriangleMesh& mesh, const Eigen::MatrixXd& positions);
 
-  /// Factors the preconditioner. \param solver a Cholesky solver that has analyzed the matrix's pattern.
+  /// Factors the preconditioner. \param solver a Cholesky solver that has analyzed the matrix's
+  /// pattern.
   bool prepare(PatchMatrix& matrix, LinearSolver solver);
 
   /// One Newton step. Converged where the energy falls by less than this fraction of itself.
@@ -54,7 +56,7 @@ private:
   Eigen::MatrixXd curvature(
     const std::vector<Linearized>& state, const Eigen::MatrixXd& direction) const;
   Eigen::MatrixXd newtonDirection(
-    const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double accuracy) const;
+    const std::vector<Linearized>& state, const Eigen::MatrixXd& descent) const;
 
   const InteriorPatch* Patch;
   std::vector<TriangleFrame> Frames;
