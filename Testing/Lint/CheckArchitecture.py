@@ -36,8 +36,8 @@ def headers_of(folder):
 
 
 def core_includes_no_vtk():
-    """Core builds and runs without VTK."""
-    for name in cxx_files("Filters/Core/"):
+    """Core, and the drawing of patterns beside it, build and run without VTK."""
+    for name in cxx_files("Filters/Core/", "Filters/Pattern/"):
         for number, _, header in includes(name):
             if re.match(r"(vtk|pq|pv)\w*", header):
                 yield f"{name}:{number}: includes {header}"
@@ -46,18 +46,22 @@ def core_includes_no_vtk():
 def floors_are_one_way():
     """Each folder includes only what stands below it."""
     core = headers_of("Filters/Core/")
+    pattern = headers_of("Filters/Pattern/")
     private = headers_of("Filters/Private/")
     public = {header for header in headers_of("Filters/") if header.startswith("vtk")} - private
     for name in cxx_files("Filters/", "Applications/", "Examples/"):
         if name.startswith("Filters/Core/"):
-            forbidden, floor = private | public, "Core"
+            forbidden, floor = pattern | private | public, "Core"
+        elif name.startswith("Filters/Pattern/"):
+            forbidden, floor = private | public, "the drawing of patterns"
         elif name.startswith("Filters/Private/"):
             forbidden, floor = public, "the bridge"
         elif name.startswith("Filters/"):
             # Public headers are installed, what they include has to be as well.
-            forbidden, floor = (core | private, "a public header") if name.endswith(".h") else (set(), "")
+            header_file = name.endswith(".h")
+            forbidden, floor = core | pattern | private if header_file else set(), "a public header"
         else:
-            forbidden, floor = core | private, "a user of the library"
+            forbidden, floor = core | pattern | private, "a user of the library"
         for number, quoted, header in includes(name):
             if quoted and pathlib.PurePath(header).name in forbidden:
                 yield f"{name}:{number}: {floor} includes {header}"
