@@ -27,7 +27,8 @@
  *
  * A value that is not in this table is refused with the id of its cell or point (INVALID_CURVE).
  *
- * @sa vtkFlatteningAlgorithm vtkWireWarpingFilter vtkFeatureCurveCutter vtkLeastSquaresConformalFilter
+ * @sa vtkFlatteningAlgorithm vtkWireWarpingFilter vtkFeatureCurveCutter
+ * vtkFeatureCurveImprinter vtkLeastSquaresConformalFilter
  */
 #ifndef vtkFeatureCurveAlgorithm_h
 #define vtkFeatureCurveAlgorithm_h

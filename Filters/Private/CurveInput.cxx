@@ -259,6 +259,7 @@ private:
       }
       this->Curves.polylines.push_back(std::move(polyline));
       this->Curves.cellOfPolyline.push_back(chain.cell);
+      this->Curves.dataOfPolyline.push_back(this->Data);
     }
     return true;
   }

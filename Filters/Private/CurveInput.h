@@ -15,6 +15,7 @@ struct CurveInput
 {
   std::vector<Polyline> polylines;       ///< pointIds: of the data set that holds the curve
   std::vector<vtkIdType> cellOfPolyline; ///< its first cell there
+  std::vector<vtkPolyData*> dataOfPolyline;
   Outcome outcome;
 };
 

@@ -36,18 +36,18 @@ vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
   return result;
 }
 
-void copyPointData(const CurvedSurface& source, const CutSurface& cut, vtkPolyData* output)
+void copyPointData(const CurvedSurface& source, const Indices& originalVertex, vtkPolyData* output)
 {
   vtkPointData* from = source.data->GetPointData();
   vtkPointData* to = output->GetPointData();
-  const Index count = cut.mesh.vertexCount();
+  const Index count = static_cast<Index>(originalVertex.size());
   to->CopyGlobalIdsOff(); // a copy of a point would have the id of another
   to->InterpolateAllocate(from, count);
   vtkNew<vtkIdList> sourcePoints;
   double weights[3];
   for (Index v = 0; v < count; ++v)
   {
-    const Index vertex = cut.originalVertex[v];
+    const Index vertex = originalVertex[v];
     const vtkIdType point = source.pointOf(vertex);
     if (point >= 0)
     {
@@ -105,21 +105,27 @@ void copyCellData(
     [&](std::size_t t) { return cellOfTriangle[t]; });
 }
 
-void writeCutSurface(
-  const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output)
+void writeSurface(const CurvedSurface& source, const Triangles& triangles,
+  const Indices& originalVertex, vtkPoints* points, vtkPolyData* output)
 {
   output->SetPoints(points);
-  output->SetPolys(makeTriangles(cut.mesh.triangles()));
-  copyPointData(source, cut, output);
+  output->SetPolys(makeTriangles(triangles));
+  copyPointData(source, originalVertex, output);
   std::vector<vtkIdType> cellOfTriangle;
-  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    cellOfTriangle.push_back(source.cellOf(t));
+    cellOfTriangle.push_back(source.cellOf(static_cast<Index>(t)));
   }
   copyCellData(source.data, cellOfTriangle, output);
   output->GetFieldData()->PassData(source.data->GetFieldData());
-  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", cut.originalVertex.size(),
-    [&](std::size_t v) { return source.pointOf(cut.originalVertex[v]); });
+  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", originalVertex.size(),
+    [&](std::size_t v) { return source.pointOf(originalVertex[v]); });
+}
+
+void writeCutSurface(
+  const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output)
+{
+  writeSurface(source, cut.mesh.triangles(), cut.originalVertex, points, output);
   addRows<vtkIdTypeArray>(output->GetCellData(), "PieceId", cut.pieceOfTriangle.size(),
     [&](std::size_t t) { return cut.pieceOfTriangle[t]; });
 }

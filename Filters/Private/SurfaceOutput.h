@@ -23,9 +23,13 @@ vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
 void copyCellData(
   vtkPolyData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output);
 
-/// Fills a data set with the triangles of a cut surface over the given points, the input's point
-/// and cell data (interpolated at points made by imprinting) and field data, `PieceId`,
-/// `vtkOriginalCellIds` and `vtkOriginalPointIds`.
+/// Fills a data set with the triangles of the imprinted surface over the given points, each of them
+/// a copy of a vertex of it, with the input's point and cell data (interpolated at points made by
+/// imprinting) and field data, `vtkOriginalCellIds` and `vtkOriginalPointIds`.
+void writeSurface(const CurvedSurface& source, const Triangles& triangles,
+  const Indices& originalVertex, vtkPoints* points, vtkPolyData* output);
+
+/// The same for a cut surface, with `PieceId`.
 void writeCutSurface(
   const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output);
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurvedSurface.h"
+
+namespace flattening
+{
+namespace bridge
+{
+/// Writes an imprinted surface and its curves as the two outputs that vtkFeatureCurveImprinter
+/// documents.
+void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves);
+}
+}

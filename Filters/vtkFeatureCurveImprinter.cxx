@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFeatureCurveImprinter.h"
+
+#include "ImprintOutput.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkFeatureCurveImprinter);
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveImprinter::vtkFeatureCurveImprinter()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveImprinter::~vtkFeatureCurveImprinter() = default;
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveImprinter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Begin(outputVector);
+  vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
+  if (const auto source = this->LoadInput(inputVector))
+  {
+    flattening::bridge::writeImprint(*source, surface, vtkPolyData::GetData(outputVector, 1));
+  }
+  this->WriteRunStatus(surface);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveImprinter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
