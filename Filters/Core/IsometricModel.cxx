@@ -460,7 +460,7 @@ void IsometricModel::fixMotion(const Eigen::VectorXd& x)
 
 void IsometricModel::hold(Index group)
 {
-  this->Assembler.add(this->GroupEntries + group, 1e12);
+  this->Assembler.add(this->GroupEntries + group, heldStiffness);
 }
 
 Eigen::VectorXd IsometricModel::transposedJacobianTimes(const Eigen::VectorXd& multipliers) const

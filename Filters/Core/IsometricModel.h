@@ -67,8 +67,10 @@ public:
   /// Takes out the rigid motions, after linearize(): holds one vertex, and another one across the
   /// line from the first. Both energy and constraints are invariant, so this chooses among equals.
   void fixMotion(const Eigen::VectorXd& x);
-  /// Keeps a stretch that sits on its bound where it is, after linearize().
+  /// Adds a stiffness to a stretch, after linearize(), so that a right-hand side of this stiffness
+  /// times a step makes it take that step.
   void hold(Index group);
+  static constexpr double heldStiffness = 1e12;
   const Eigen::SparseMatrix<double>& kkt() const { return this->Assembler.matrix(); }
   /// J' times a vector, with the Jacobian of the last linearize().
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const;

@@ -26,6 +26,7 @@ public:
     , Unknowns(model.unknownCount())
     , Constraints(model.constraintCount())
     , Held(model.groupCount(), 0)
+    , HeldStep(Eigen::VectorXd::Zero(model.groupCount()))
   {
   }
 
@@ -33,6 +34,7 @@ public:
   {
     IsometricSolution solution;
     this->X = std::move(x);
+    this->holdAtBounds();
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
     bool converged = false;
     double moved = 0.0;
@@ -167,7 +169,8 @@ private:
     {
       if (this->Held[k])
       {
-        rhs[this->groupUnknown(k)] = 0.0;
+        rhs[this->groupUnknown(k)] =
+          IsometricModel::heldStiffness * this->HeldStep[static_cast<Index>(k)];
       }
     }
     const Eigen::VectorXd solution = this->solveKkt(rhs);
@@ -177,7 +180,36 @@ private:
     }
     this->Step = solution.head(this->Unknowns);
     this->NewMultipliers = solution.tail(this->Constraints);
-    return true;
+    // A stretch that would leave its band goes as far as the bound, and the rest of the step
+    // adapts.
+    return this->holdLeaving() ? this->solve(exact) : true;
+  }
+
+  bool holdLeaving()
+  {
+    bool leaving = false;
+    for (std::size_t k = 0; k < this->Held.size(); ++k)
+    {
+      const Index u = this->groupUnknown(k);
+      const double bound = this->Problem.groups[k].tolerance;
+      if (!this->Held[k] && std::abs(this->X[u] + this->Step[u]) > bound)
+      {
+        this->Held[k] = 1;
+        this->HeldStep[static_cast<Index>(k)] = std::copysign(bound, this->Step[u]) - this->X[u];
+        leaving = true;
+      }
+    }
+    return leaving;
+  }
+
+  void holdAtBounds()
+  {
+    this->HeldStep.setZero();
+    for (std::size_t k = 0; k < this->Held.size(); ++k)
+    {
+      this->Held[k] =
+        std::abs(this->X[this->groupUnknown(k)]) >= this->Problem.groups[k].tolerance ? 1 : 0;
+    }
   }
 
   /// Refined towards the system without the -delta block.
@@ -257,11 +289,7 @@ private:
     moved = largest(x - this->X);
     this->X = x;
     this->Multipliers += scale * (this->NewMultipliers - this->Multipliers);
-    for (std::size_t k = 0; k < this->Held.size(); ++k)
-    {
-      this->Held[k] =
-        std::abs(x[this->groupUnknown(k)]) >= this->Problem.groups[k].tolerance ? 1 : 0;
-    }
+    this->holdAtBounds();
     return true;
   }
 
@@ -271,7 +299,8 @@ private:
   const Execution& Run;
   Index Unknowns;
   Index Constraints;
-  std::vector<char> Held;
+  std::vector<char> Held;   ///< stretches that are, or in this step go, to their bound
+  Eigen::VectorXd HeldStep; ///< how far those go
   Eigen::VectorXd X;
   Eigen::VectorXd Multipliers;
   IsometricModel::Terms Terms;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsometricModel.h"
+#include "WireLayout.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// A cushion with a key, an elastic and a rigid curve, a little away from its flat layout.
+struct Example
+{
+  Surface surface;
+  WiredSurface wired;
+  AngleProblem problem;
+
+  Example()
+    : surface(makeSurface())
+    , wired(surface)
+    , problem(wired.problem())
+  {
+    this->problem.groups.push_back({ 0.05, 0.1 });
+    for (Index e = 0; e < this->wired.network.edgeCount(); ++e)
+    {
+      if (this->wired.network.edges[e].curve == 1)
+      {
+        this->problem.stretchGroup[e] = 0;
+      }
+    }
+  }
+
+  static Surface makeSurface()
+  {
+    Surface result = cushion(6, 8, 0.25);
+    result.curves = { columnCurve(6, 8, 3), rowCurve(6, 3), rowCurve(6, 6) };
+    result.curves[0].type = CurveType::Key;
+    return result;
+  }
+
+  Eigen::VectorXd point(const IsometricModel& model) const
+  {
+    Points2 positions;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-0.01, 0.01);
+    for (const Point3& p : this->wired.piece.mesh.points())
+    {
+      positions.emplace_back(p.x() + uniform(random), p.y() + uniform(random));
+    }
+    return model.unknowns(positions, { 0.01 });
+  }
+};
+
+std::vector<SheetEnergy> energies()
+{
+  return { { SheetEnergyKind::AsRigidAsPossible, 0.3 },
+    { SheetEnergyKind::SymmetricDirichlet, 0.0 } };
+}
+}
+
+TEST(IsometricModel, GradientIsThatOfFiniteDifferences)
+{
+  const Example example;
+  for (const SheetEnergy& energy : energies())
+  {
+    IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
+    const Eigen::VectorXd x = example.point(model);
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.constraintCount());
+    const auto linear = model.linearize(x, none, IsometricModel::Curvature::Exact, 0.0, {});
+    const double step = 1e-6;
+    for (Index k = 0; k < model.unknownCount(); ++k)
+    {
+      Eigen::VectorXd up = x;
+      Eigen::VectorXd down = x;
+      up[k] += step;
+      down[k] -= step;
+      const double slope =
+        (model.objective(up, {}).total - model.objective(down, {}).total) / (2.0 * step);
+      EXPECT_NEAR(linear.gradient[k], slope, 1e-5 * (1.0 + std::abs(slope)));
+    }
+  }
+}
+
+TEST(IsometricModel, HessianOfTheLagrangianAndJacobianAreThoseOfFiniteDifferences)
+{
+  const Example example;
+  for (const SheetEnergy& energy : energies())
+  {
+    IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
+    const Eigen::VectorXd x = example.point(model);
+    Eigen::VectorXd multipliers(model.constraintCount());
+    for (Index k = 0; k < multipliers.size(); ++k)
+    {
+      multipliers[k] = std::sin(1.7 * k);
+    }
+    auto lagrangianGradient = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+      const auto linear =
+        model.linearize(at, multipliers, IsometricModel::Curvature::Exact, 0.0, {});
+      return linear.gradient + model.transposedJacobianTimes(multipliers);
+    };
+    model.linearize(x, multipliers, IsometricModel::Curvature::Exact, 0.0, {});
+    const Eigen::MatrixXd kkt =
+      Eigen::MatrixXd(Eigen::SparseMatrix<double>(model.kkt().selfadjointView<Eigen::Lower>()));
+    const Index n = model.unknownCount();
+    const double step = 1e-6;
+    for (Index k = 0; k < n; ++k)
+    {
+      Eigen::VectorXd up = x;
+      Eigen::VectorXd down = x;
+      up[k] += step;
+      down[k] -= step;
+      const Eigen::VectorXd bend =
+        (lagrangianGradient(up) - lagrangianGradient(down)) / (2.0 * step);
+      EXPECT_LT((kkt.col(k).head(n) - bend).norm(), 1e-4 * (1.0 + bend.norm()));
+      const Eigen::VectorXd row = (model.constraints(up) - model.constraints(down)) / (2.0 * step);
+      EXPECT_LT((kkt.col(k).tail(model.constraintCount()) - row).norm(), 1e-6 * (1.0 + row.norm()));
+    }
+  }
+}
+
+TEST(IsometricModel, AnIsometricLayoutHasNoEnergyAndMeetsAllConstraints)
+{
+  Surface surface = cone(12, 6);
+  surface.curves = { rowCurve(12, 3), columnCurve(12, 6, 5) };
+  surface.curves[1].type = CurveType::Key;
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  const IsometricModel model(wired.piece, problem, {}, 5.0);
+  Points2 positions;
+  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+  {
+    positions.push_back(surface.unrolled[wired.original(v)]);
+  }
+  const Eigen::VectorXd x = model.unknowns(positions, {});
+  EXPECT_LT(model.objective(x, {}).total, 1e-20);
+  EXPECT_LT(model.constraints(x).cwiseAbs().maxCoeff(), 1e-12);
+}

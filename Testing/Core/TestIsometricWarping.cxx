@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsometricWarping.h"
+
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+FlatteningResult flatten(
+  const Surface& surface, const FlatteningOptions& options = [] {
+    FlatteningOptions isometric;
+    isometric.scheme = Scheme::Isometric;
+    return isometric;
+  }())
+{
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+FlatteningOptions isometricWith(SheetEnergy energy, double angleWeight = 5.0)
+{
+  FlatteningOptions options;
+  options.scheme = Scheme::Isometric;
+  options.isometric.energy = energy;
+  options.isometric.angleWeight = angleWeight;
+  return options;
+}
+
+Surface cushionWithCurves()
+{
+  Surface surface = cushion(8, 10, 0.3);
+  surface.curves = { columnCurve(8, 10, 4), rowCurve(8, 3), rowCurve(8, 7) };
+  return surface;
+}
+
+double energyOf(const PieceReport& report)
+{
+  return report.sheetEnergy + report.angleEnergy;
+}
+}
+
+TEST(IsometricWarping, KeepsEveryWireExactAndBeatsThePinnedInterior)
+{
+  const Surface surface = cushionWithCurves();
+  FlatteningOptions pinned;
+  pinned.scheme = Scheme::Global;
+  const FlatteningResult before = flatten(surface, pinned);
+  const FlatteningResult after = flatten(surface);
+  ASSERT_TRUE(after.status.ok()) << after.status.message;
+  const QualitySummary& a = before.pieces[0].quality;
+  const QualitySummary& b = after.pieces[0].quality;
+  EXPECT_LT(b.maximumEdgeLengthError, 1e-12);
+  EXPECT_LT(b.angleError, a.angleError);
+  EXPECT_LT(b.areaError, a.areaError);
+  EXPECT_GT(b.globalHomogeneity, a.globalHomogeneity);
+  EXPECT_TRUE(b.flipped.empty());
+}
+
+TEST(IsometricWarping, ConvergesQuadraticallyToAStationaryPoint)
+{
+  const FlatteningResult result = flatten(cushionWithCurves());
+  const auto& history = result.pieces[0].history;
+  ASSERT_GE(history.size(), 3u);
+  EXPECT_LE(result.pieces[0].iterations, 8);
+  EXPECT_LT(history.back().optimality, 1e-9 * std::sqrt(history.back().objective) + 1e-11);
+  // The last step squares the error, up to a constant.
+  const double last = history[history.size() - 1].step;
+  const double before = history[history.size() - 2].step;
+  EXPECT_LT(last, 10.0 * before * before + 1e-12);
+}
+
+TEST(IsometricWarping, AnotherMinimizerFindsNothingBelow)
+{
+  // Small moves of the interior alone, from the solution, never lower the energy to first order.
+  const Surface surface = cushionWithCurves();
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  const FlatteningResult result = flatten(surface);
+  const IsometricModel model(wired.piece, problem, {}, 5.0);
+  Points2 positions;
+  for (Index v : wired.piece.vertices)
+  {
+    positions.push_back(result.positions[v]);
+  }
+  const Eigen::VectorXd x = model.unknowns(positions, {});
+  const double energy = model.objective(x, {}).total;
+  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+  {
+    if (wired.network.hostOfVertex[v] != none)
+    {
+      continue;
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      for (double step : { 1e-3, -1e-3 })
+      {
+        Eigen::VectorXd moved = x;
+        moved[2 * v + k] += step;
+        EXPECT_GT(model.objective(moved, {}).total, energy);
+      }
+    }
+  }
+}
+
+TEST(IsometricWarping, TheQuarterSphereStaysSymmetricInBothDirections)
+{
+  // The paper's splits of the quads break both mirrors; with splits that mirror each other the
+  // surface has them, and so must the flat piece.
+  Surface surface = quarterSphere();
+  Triangles triangles = surface.mesh.triangles();
+  const Points3& space = surface.mesh.points();
+  for (std::size_t t = 0; t + 1 < triangles.size(); ++t)
+  {
+    Triangle& first = triangles[t];
+    Triangle& second = triangles[t + 1];
+    // (i, j), (i + 1, j + 1), (i, j + 1) and (i, j), (i + 1, j), (i + 1, j + 1) make up a quad.
+    if (first[0] == 0 || first[0] != second[0] || first[1] != second[2])
+    {
+      continue;
+    }
+    ++t; // the quad's second triangle starts no other
+    const Point3 middle = 0.5 * (space[first[0]] + space[first[1]]);
+    if ((middle.x() > middle.y()) != (middle.z() > 0.0))
+    {
+      const Index a = first[0];
+      const Index c = first[1];
+      const Index d = first[2];
+      const Index b = second[1];
+      first = { a, b, d };
+      second = { b, c, d };
+    }
+  }
+  surface.mesh = TriangleMesh(space, triangles);
+  const FlatteningResult result = flatten(surface);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+  const auto mirrorError = [&](const std::function<Point3(const Point3&)>& mirror) {
+    Points2 image;
+    for (const Point3& p : space)
+    {
+      std::size_t partner = 0;
+      for (std::size_t w = 0; w < space.size(); ++w)
+      {
+        if ((space[w] - mirror(p)).norm() < (space[partner] - mirror(p)).norm())
+        {
+          partner = w;
+        }
+      }
+      EXPECT_LT((space[partner] - mirror(p)).norm(), 1e-12);
+      image.emplace_back(-result.positions[partner].x(), result.positions[partner].y());
+    }
+    return rigidDistance(result.positions, image);
+  };
+  EXPECT_LT(mirrorError([](const Point3& p) { return Point3(p.y(), p.x(), p.z()); }), 1e-9);
+  EXPECT_LT(mirrorError([](const Point3& p) { return Point3(p.x(), p.y(), -p.z()); }), 1e-9);
+}
+
+TEST(IsometricWarping, DevelopablesUnrollExactly)
+{
+  for (Surface surface : { cone(12, 6), cylinder(10, 8) })
+  {
+    const Index columns = surface.mesh.vertexCount() == 13 * 7 ? 12 : 10;
+    const Index rows = columns == 12 ? 6 : 8;
+    surface.curves = { rowCurve(columns, rows / 2), columnCurve(columns, rows, columns / 2) };
+    const FlatteningResult result = flatten(surface);
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    EXPECT_LT(rigidDistance(surface.unrolled, result.positions), 1e-10);
+  }
+}
+
+TEST(IsometricWarping, SymmetricDirichletNeverFlipsAndAgreesOnDevelopables)
+{
+  const FlatteningResult result =
+    flatten(cushionWithCurves(), isometricWith({ SheetEnergyKind::SymmetricDirichlet, 0.0 }));
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+  EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+}
+
+TEST(IsometricWarping, ABiasTowardsAreaLowersTheAreaErrorAndTowardsAngleTheAngleError)
+{
+  const Surface surface = cushionWithCurves();
+  const auto quality = [&](double bias) {
+    return flatten(surface, isometricWith({ SheetEnergyKind::AsRigidAsPossible, bias }))
+      .pieces[0]
+      .quality;
+  };
+  EXPECT_LT(quality(0.8).areaError, quality(0.0).areaError);
+  EXPECT_LT(quality(-0.8).angleError, quality(0.0).angleError);
+}
+
+TEST(IsometricWarping, ALargerAngleWeightKeepsTheWiresAnglesNearer)
+{
+  const Surface surface = cushionWithCurves();
+  const double loose = flatten(surface, isometricWith({}, 1.0)).pieces[0].angleEnergy / 1.0;
+  const double tight = flatten(surface, isometricWith({}, 10.0)).pieces[0].angleEnergy / 10.0;
+  EXPECT_LT(tight, loose);
+}
+
+TEST(IsometricWarping, KeyCurvesKeepTheirPlanarShape)
+{
+  Surface surface = cushionWithCurves();
+  surface.curves[0].type = CurveType::Key;
+  surface.curves[0].keyShape = KeyShape::Straight;
+  const FlatteningResult result = flatten(surface);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  const Indices& chain = surface.curves[0].vertices;
+  const Point2 start = result.positions[chain.front()];
+  const Point2 along = (result.positions[chain.back()] - start).normalized();
+  for (Index v : chain)
+  {
+    const Point2 d = result.positions[v] - start;
+    EXPECT_NEAR(along.x() * d.y() - along.y() * d.x(), 0.0, 1e-9);
+  }
+  EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+}
+
+TEST(IsometricWarping, AnElasticCurveStaysInItsBandAndLowersTheEnergy)
+{
+  Surface surface = cushionWithCurves();
+  const double rigid = energyOf(flatten(surface).pieces[0]);
+  surface.curves[1].tolerance = 0.01;
+  const FlatteningResult result = flatten(surface);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(energyOf(result.pieces[0]), rigid);
+  const CurveReport& curve = result.curves[1];
+  EXPECT_LE(curve.error, 0.01 + 1e-12);
+  EXPECT_GT(curve.error, 1e-6);
+  EXPECT_LT(result.curves[2].error, 1e-12);
+  EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+}
+
+TEST(IsometricWarping, AFloatingWireKeepsItsLengthWithoutItsConnectors)
+{
+  Surface surface = cushion(10, 10, 0.3);
+  surface.curves = { accessory("floating", { 58, 59, 60, 61 }) };
+  const FlatteningResult result = flatten(surface);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.curves[0].error, 1e-12);
+}
+
+TEST(IsometricWarping, DoesNotDependOnUnitPoseOrNumbering)
+{
+  const Surface surface = cushionWithCurves();
+  const FlatteningResult reference = flatten(surface);
+  for (double scale : { 1e-6, 1e6 })
+  {
+    Points3 moved;
+    for (const Point3& p : surface.mesh.points())
+    {
+      moved.push_back(scale * Point3(p.z(), p.x(), p.y()) + scale * Point3(5.0, -3.0, 2.0));
+    }
+    Surface other = surface;
+    other.mesh = TriangleMesh(moved, surface.mesh.triangles());
+    const FlatteningResult result = flatten(other);
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    Points2 scaled;
+    for (const Point2& p : result.positions)
+    {
+      scaled.push_back(p / scale);
+    }
+    EXPECT_LT(rigidDistance(reference.positions, scaled), 1e-8);
+  }
+}
+
+TEST(IsometricWarping, IsTheSameBitByBitForAnyNumberOfThreads)
+{
+  const Surface surface = cushionWithCurves();
+  const FlatteningResult serial = flatten(surface);
+  FlatteningOptions options;
+  options.scheme = Scheme::Isometric;
+  for (Index threads : { 2, 8 })
+  {
+    Execution parallel;
+    parallel.parallel = [threads](Index count, const std::function<void(Index, Index)>& body) {
+      std::vector<std::thread> workers;
+      for (Index k = 0; k < threads; ++k)
+      {
+        workers.emplace_back(body, count * k / threads, count * (k + 1) / threads);
+      }
+      for (std::thread& worker : workers)
+      {
+        worker.join();
+      }
+    };
+    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, parallel);
+    ASSERT_EQ(result.positions.size(), serial.positions.size());
+    for (std::size_t v = 0; v < serial.positions.size(); ++v)
+    {
+      EXPECT_EQ(result.positions[v], serial.positions[v]);
+    }
+  }
+}
+
+TEST(IsometricWarping, CanBeCancelled)
+{
+  const Surface surface = cushionWithCurves();
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  Execution execution;
+  execution.cancel = [] { return true; };
+  const Points2 start(wired.piece.mesh.vertexCount(), Point2::Zero());
+  EXPECT_EQ(warpIsometrically(wired.piece, problem, start, {}, {}, execution).status.code,
+    StatusCode::Cancelled);
+}
