@@ -3,7 +3,9 @@ set(flattening_vtk_components # what a user of the library needs as well
   CommonCore
   CommonDataModel
   CommonExecutionModel
-  FiltersCore)
+  FiltersCore
+  IOCore
+  vtksys)
 set(flattening_vtk_build_components ${flattening_vtk_components})
 if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR BUILD_TESTING)
   list(APPEND flattening_vtk_build_components
@@ -17,6 +19,7 @@ if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR 
     IOXML
     InteractionStyle
     RenderingCore
+    RenderingFreeType
     RenderingOpenGL2
     TestingCore
     TestingRendering)

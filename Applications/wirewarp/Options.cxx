@@ -33,7 +33,8 @@ Units: lengths are in the unit of SURFACE, angles in radians, times in seconds.
 Coordinates are read in double precision where the file holds them (STL holds single precision).
 
 Files written to DIR: flat.vtp (pieces in the plane), wires.vtp (their wires), cut.vtp (the cut
-surface in space, point for point like flat.vtp), report.json (all measures). Earlier ones are replaced.
+surface in space, point for point like flat.vtp), report.json (all measures), and what is asked for of
+pattern.svg, pattern.pdf, pattern.dxf. Earlier ones are replaced.
 
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result; 4 flattened, but a promise is broken (not
 converged, a length error above --max-length-error, a flipped triangle, an overlap): files are written.
@@ -214,6 +215,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   addLayout(app, options);
   addLimits(app, options);
   addOutput(app, options);
+  addPatternOptions(app, options.pattern);
 
   exitCode = Done;
   try

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Patterns.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -46,6 +48,8 @@ struct Options
   bool arrange = true;
   double spacing = 0.05;
   double maximumLengthError = 1e-9;
+
+  PatternRequest pattern;
 
   std::string output; ///< empty: outputFolder() makes one of the surface's name
   int threads = 0;    ///< 0: as many as there are cores

@@ -86,6 +86,17 @@ void OutputFiles::add(const std::string& name, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void OutputFiles::add(
+  const std::string& name, const std::function<std::string(const std::string&)>& write)
+{
+  const std::string problem = write(this->addEntry(name).string());
+  if (!problem.empty())
+  {
+    throw InputError((this->Folder / name).string(), problem);
+  }
+}
+
+//------------------------------------------------------------------------------
 void OutputFiles::publish()
 {
   for (const Entry& entry : this->Entries)

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ public:
   /// Throw InputError where the file cannot be written.
   void add(const std::string& name, vtkPolyData* data);
   void add(const std::string& name, const std::string& text);
+  /// \param write writes to a path and returns what went wrong, or nothing
+  void add(const std::string& name, const std::function<std::string(const std::string&)>& write);
   void publish();
   /// Removes an earlier result of this name.
   void discard(const std::string& name) const;

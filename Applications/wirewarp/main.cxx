@@ -17,13 +17,28 @@ namespace
 {
 using namespace wirewarp;
 
-void writeResult(const Options& options, const Flattening& result, OutputFiles& files)
+/// A pattern of an earlier run must not be cut for this one's.
+void discardPatterns(const OutputFiles& files)
 {
+  for (const char* name : { "pattern.svg", "pattern.pdf", "pattern.dxf" })
+  {
+    files.discard(name);
+  }
+}
+
+/// \return the names of the patterns among the files
+std::vector<std::string> writeResult(
+  const Options& options, const Flattening& result, OutputFiles& files)
+{
+  const std::vector<std::string> patterns =
+    addPatterns(options.pattern, options.surface, result, files);
   files.add("flat.vtp", result.flat);
   files.add("wires.vtp", result.wires);
   files.add("cut.vtp", result.cut);
   files.add("report.json", makeReport(options, result));
+  discardPatterns(files);
   files.publish();
+  return patterns;
 }
 
 /// Says so in report.json, and leaves no earlier result beside it.
@@ -34,6 +49,7 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
   {
     files.discard(name);
   }
+  discardPatterns(files);
   files.publish();
 }
 
@@ -66,7 +82,7 @@ int run(const Options& options)
   {
     files.emplace(folder);
   }
-  writeResult(options, result, *files);
+  const std::vector<std::string> patterns = writeResult(options, result, *files);
   if (!options.quiet)
   {
     std::cout << pieceTable(result);
@@ -74,7 +90,12 @@ int run(const Options& options)
     {
       std::cout << '\n' << curveTable(result);
     }
-    std::cout << "\nflat.vtp, wires.vtp, cut.vtp and report.json written to " << folder << '\n';
+    std::cout << '\n';
+    for (const std::string& name : patterns)
+    {
+      std::cout << name << ", ";
+    }
+    std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to " << folder << '\n';
   }
   if (result.exitCode == PromiseBroken)
   {

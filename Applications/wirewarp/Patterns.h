@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+struct Flattening;
+class OutputFiles;
+
+/// Which patterns to write and how. Lengths are millimetres; defaults are those of
+/// vtkPatternWriter.
+struct PatternRequest
+{
+  bool svg = false;
+  bool pdf = false;
+  bool dxf = false;
+  std::string unit; ///< empty: not stated, cm is taken
+  std::string name; ///< empty: that of the surface's file
+  std::string size;
+  int quantity = 1;
+  std::vector<std::string> pieceNames;
+  double allowance = 10.0;
+  std::vector<std::string> curveAllowances; ///< NAME=MM
+  double mitreLimit = 2.0;
+  double notchSpacing = 100.0;
+  bool cutDartsOut = false;
+  std::string paper = "A4";
+  double overlap = 10.0;
+  int maximumPages = 200;
+
+  bool any() const { return this->svg || this->pdf || this->dxf; }
+};
+
+void addPatternOptions(CLI::App& app, PatternRequest& request);
+
+/// Adds pattern.svg, pattern.pdf and pattern.dxf to the files. Throws InputError where one cannot
+/// be drawn.
+/// \return their names
+std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
+  const Flattening& result, OutputFiles& files);
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PatternUnit.h"
+#include "Types.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+namespace pattern
+{
+enum class WireType
+{
+  Boundary,
+  Accessory,
+  Key,
+  Dart,
+  Seam,
+};
+
+/// A flat wire as point ids; both banks of a cut run in the direction of their curve.
+struct SourceWire
+{
+  Indices points;
+  WireType type = WireType::Boundary;
+  Index curve = none;
+  Index piece = none;
+  std::string name;
+};
+
+/// The edge a is sewn to the edge b, first end to first end.
+struct SewnEdges
+{
+  std::array<Index, 2> a{ none, none };
+  std::array<Index, 2> b{ none, none };
+};
+
+/// A flattening, in the unit of its surface.
+struct PatternSource
+{
+  Points2 positions;
+  Points3 inSpace; ///< the same points on the cut surface, or empty
+  Triangles triangles;
+  Indices pieceOfTriangle;
+  std::vector<SourceWire> wires;
+  std::vector<SewnEdges> sewn;
+};
+
+enum class DartStyle
+{
+  Folded, ///< the cloth of the dart stays: legs, fold line, notches at the mouth, a roof on the cut
+          ///< line
+  CutOut, ///< the cloth of the dart is cut away: its legs are seams with allowance
+};
+
+/// How to make a pattern of a flattening. Lengths in millimetres whatever the unit of the surface.
+struct PatternOptions
+{
+  Unit unit = Unit::Centimetre;
+  std::string name = "pattern";
+  std::string size;
+  int quantity = 1;
+  std::vector<std::string> pieceNames; ///< by piece; where missing: the name, numbered if need be
+  double allowance = 10.0;
+  std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
+  double mitreLimit = 2.0;                        ///< longest mitre, in allowances
+  double notchSpacing = 100.0; ///< along the curve, on the surface; 0: no notches along curves
+  double notchLength = 5.0;
+  DartStyle darts = DartStyle::Folded;
+};
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace flattening
+{
+namespace pattern
+{
+/// Unit of length of a surface.
+enum class Unit
+{
+  Unspecified, ///< taken as centimetres, with a warning
+  Millimetre,
+  Centimetre,
+  Metre,
+  Inch,
+};
+
+/// How many millimetres one unit is, exactly.
+double millimetresPer(Unit unit);
+
+/// "mm", "cm", "m", "inch"; "cm" where unspecified.
+const char* unitName(Unit unit);
+}
+}

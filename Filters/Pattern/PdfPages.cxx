@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PdfPages.h"
+
+#include "PatternStrokes.h"
+#include "PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double largestPage = 5080.0; // 14400 points, the limit of PDF viewers
+constexpr double legendGap = 10.0;
+
+Point2 paperExtent(PaperSize paper)
+{
+  switch (paper)
+  {
+    case PaperSize::Letter:
+      return { 215.9, 279.4 };
+    case PaperSize::A3:
+      return { 297.0, 420.0 };
+    case PaperSize::A0:
+      return { 841.0, 1189.0 };
+    default:
+      return { 210.0, 297.0 };
+  }
+}
+
+/// Tiles which a segment enters, by clipping it to the tile's rectangle.
+bool enters(const Point2& from, const Point2& to, const Point2& low, const Point2& high)
+{
+  double first = 0.0;
+  double last = 1.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double way = to[axis] - from[axis];
+    if (way == 0.0)
+    {
+      if (from[axis] < low[axis] || from[axis] > high[axis])
+      {
+        return false;
+      }
+      continue;
+    }
+    const double a = (low[axis] - from[axis]) / way;
+    const double b = (high[axis] - from[axis]) / way;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first <= last;
+}
+
+/// Marks the tiles that show a part of a segment.
+void mark(
+  const PagePlan& plan, const Point2& from, const Point2& to, std::vector<unsigned char>& used)
+{
+  const auto tileOf = [&plan](double at, int axis, int most, double back) {
+    return std::clamp(static_cast<int>(std::floor((at - back) / plan.step[axis])), 0, most - 1);
+  };
+  const Point2 low = from.cwiseMin(to);
+  const Point2 high = from.cwiseMax(to);
+  for (int row = tileOf(low.y(), 1, plan.rows, plan.overlap);
+       row <= tileOf(high.y(), 1, plan.rows, 0.0); ++row)
+  {
+    for (int column = tileOf(low.x(), 0, plan.columns, plan.overlap);
+         column <= tileOf(high.x(), 0, plan.columns, 0.0); ++column)
+    {
+      const Point2 corner(column * plan.step.x(), row * plan.step.y());
+      if (enters(from, to, corner, corner + plan.printable))
+      {
+        used[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
+          static_cast<std::size_t>(column)] = 1;
+      }
+    }
+  }
+}
+
+void findPages(const Pattern& pattern, PagePlan& plan)
+{
+  std::vector<unsigned char> used(
+    static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
+  const Point2 legend = legendExtent(plan.hasMap);
+  mark(plan, { 0.0, 0.0 }, { legend.x(), 0.0 }, used);
+  mark(plan, { 0.0, 0.0 }, { 0.0, legend.y() }, used);
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+  {
+    for (const Stroke& stroke : strokesOf(pattern.pieces[p]))
+    {
+      const std::size_t count = stroke.points.size();
+      for (std::size_t k = 0; k + (stroke.closed ? 0 : 1) < count; ++k)
+      {
+        mark(plan, plan.layout.place(pattern, p, stroke.points[k]),
+          plan.layout.place(pattern, p, stroke.points[(k + 1) % count]), used);
+      }
+    }
+  }
+  plan.pages.clear();
+  for (int row = 0; row < plan.rows; ++row)
+  {
+    for (int column = 0; column < plan.columns; ++column)
+    {
+      if (used[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
+            static_cast<std::size_t>(column)] != 0)
+      {
+        plan.pages.push_back({ row, column });
+      }
+    }
+  }
+}
+
+/// The number of tiles along one axis, as a double because it may be huge.
+double tilesAlong(double extent, double step, double overlap)
+{
+  return std::max(1.0, std::ceil((extent - overlap) / step - 1e-9));
+}
+
+std::string metres(const Point2& extent)
+{
+  return formatNumber(extent.x() / 1000.0, 3) + " m x " + formatNumber(extent.y() / 1000.0, 3) +
+    " m";
+}
+
+const PatternPiece& largestPiece(const Pattern& pattern)
+{
+  return *std::max_element(
+    pattern.pieces.begin(), pattern.pieces.end(), [](const PatternPiece& a, const PatternPiece& b) {
+      return a.extent.maxCoeff() < b.extent.maxCoeff();
+    });
+}
+
+PatternStatus tooLarge(const Pattern& pattern, const std::string& reason, const std::string& wayOut)
+{
+  const PatternPiece& piece = largestPiece(pattern);
+  return { PatternCode::TooLarge,
+    "the largest piece, " + piece.name + ", measures " + metres(piece.extent) + " if the unit is " +
+      unitName(pattern.unit) + "; " + reason + "; check the unit, or " + wayOut };
+}
+
+/// A plan for one way to hold the paper and one number of columns to fill.
+PagePlan planFor(const Pattern& pattern, const PageOptions& options, const Point2& paper,
+  double columns, bool withMap)
+{
+  PagePlan plan;
+  plan.paper = paper;
+  plan.overlap = options.overlap;
+  plan.hasMap = withMap;
+  plan.printable = paper - Point2::Constant(2.0 * pageMargin);
+  plan.step = plan.printable - Point2::Constant(options.overlap);
+  const double width = columns * plan.step.x() + plan.overlap;
+  plan.layout = layOut(pattern, width, legendExtent(withMap).y() + legendGap);
+  plan.layout.extent = plan.layout.extent.cwiseMax(legendExtent(withMap));
+  return plan;
+}
+
+PatternStatus planSheet(const Pattern& pattern, PagePlan& plan)
+{
+  plan = PagePlan();
+  plan.tiled = false;
+  plan.layout = layOut(pattern, squareWidth(pattern), legendExtent(false).y() + legendGap);
+  plan.layout.extent = plan.layout.extent.cwiseMax(legendExtent(false));
+  plan.printable = plan.step = plan.layout.extent;
+  plan.paper = plan.printable + Point2::Constant(2.0 * pageMargin);
+  plan.pages = { Tile() };
+  if (plan.paper.maxCoeff() > largestPage)
+  {
+    return tooLarge(pattern,
+      "the page would measure " + metres(plan.paper) + ", and PDF ends at 5.08 m",
+      "print on several pages");
+  }
+  return {};
+}
+}
+
+const char* paperName(PaperSize paper)
+{
+  static const char* const names[] = { "A4", "Letter", "A3", "A0", "Sheet" };
+  return names[static_cast<int>(paper)];
+}
+
+Point2 legendExtent(bool withMap)
+{
+  return { 185.0, withMap ? 105.0 : 50.0 };
+}
+
+std::string tileName(const Tile& tile)
+{
+  std::string letters;
+  for (int row = tile.row; row >= 0; row = row / 26 - 1)
+  {
+    letters.insert(letters.begin(), static_cast<char>('A' + row % 26));
+  }
+  return letters + std::to_string(tile.column + 1);
+}
+
+PatternStatus planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
+{
+  if (options.paper == PaperSize::Sheet)
+  {
+    return planSheet(pattern, plan);
+  }
+  if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)
+  {
+    return { PatternCode::InvalidOption,
+      "the overlap of pages must be from 0 to 50 mm, and one page allowed at least" };
+  }
+  const Point2 upright = paperExtent(options.paper);
+  double widest = 0.0;
+  for (const PatternPiece& piece : pattern.pieces)
+  {
+    widest = std::max(widest, piece.extent.x());
+  }
+  double fewest = 1e300;
+  bool found = false;
+  for (const bool withMap : { false, true })
+  {
+    for (const bool landscape : { false, true })
+    {
+      const Point2 paper = landscape ? Point2(upright.y(), upright.x()) : upright;
+      const double step = paper.x() - 2.0 * pageMargin - options.overlap;
+      const double least = tilesAlong(widest, step, options.overlap);
+      const double most = std::max(least,
+        std::min(least + 11.0, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap)));
+      for (double columns = least; columns <= most; ++columns)
+      {
+        PagePlan next = planFor(pattern, options, paper, columns, withMap);
+        const double across = tilesAlong(next.layout.extent.x(), next.step.x(), options.overlap);
+        const double down = tilesAlong(next.layout.extent.y(), next.step.y(), options.overlap);
+        const double most_pages = across * down;
+        // Blank pages are left out, but hardly more than nine in ten.
+        if (!(most_pages <= 10.0 * options.maximumPages))
+        {
+          fewest = std::min(fewest, most_pages);
+          continue;
+        }
+        next.columns = static_cast<int>(across);
+        next.rows = static_cast<int>(down);
+        findPages(pattern, next);
+        const double pages = static_cast<double>(next.pages.size());
+        // The map is for those that have pages to join.
+        if (withMap != (pages > 1.0) || pages > options.maximumPages)
+        {
+          fewest = withMap == (pages > 1.0) ? std::min(fewest, pages) : fewest;
+          continue;
+        }
+        if (!found || next.pages.size() < plan.pages.size())
+        {
+          plan = next;
+          found = true;
+        }
+      }
+    }
+  }
+  if (!found)
+  {
+    return tooLarge(pattern,
+      "the pattern would need about " + formatNumber(fewest, 0) + " pages " +
+        paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
+      "take larger paper");
+  }
+  return {};
+}
+}
+}

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PdfWriter.h"
+
+#include "PatternStrokes.h"
+#include "PatternText.h"
+
+#include <cairo-pdf.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double pointsPerMillimetre = 72.0 / 25.4;
+constexpr double mapHeight = 45.0;
+constexpr std::array<double, 3> black{ 0.0, 0.0, 0.0 };
+constexpr std::array<double, 3> grey{ 0.6, 0.6, 0.6 };
+constexpr std::array<double, 3> cyan{ 0.0, 0.55, 0.75 };
+
+cairo_status_t append(void* closure, const unsigned char* data, unsigned int length)
+{
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+enum class Anchor
+{
+  Start,
+  Middle,
+  End,
+};
+
+/// The drawing of one file.
+class PdfDrawing
+{
+public:
+  PdfDrawing(const Pattern& pattern, PaperSize paper, const PagePlan& plan, std::string& pdf)
+    : Drawn(pattern)
+    , Paper(paper)
+    , Plan(plan)
+    , Surface(cairo_pdf_surface_create_for_stream(
+        &append, &pdf, pointsPerMillimetre * plan.paper.x(), pointsPerMillimetre * plan.paper.y()))
+  {
+    cairo_pdf_surface_set_metadata(
+      this->Surface, CAIRO_PDF_METADATA_TITLE, this->Drawn.name.c_str());
+    cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_CREATOR, "SurfaceFlattening");
+    if (!this->Drawn.date.empty())
+    {
+      cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_CREATE_DATE,
+        (this->Drawn.date + "T" + this->Drawn.time + ":00Z").c_str());
+    }
+    this->Context = cairo_create(this->Surface);
+    cairo_select_font_face(
+      this->Context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  }
+  ~PdfDrawing()
+  {
+    cairo_destroy(this->Context);
+    cairo_surface_destroy(this->Surface);
+  }
+  PdfDrawing(const PdfDrawing&) = delete;
+  PdfDrawing& operator=(const PdfDrawing&) = delete;
+
+  PatternStatus draw()
+  {
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->Strokes.push_back(strokesOf(this->Drawn.pieces[p]));
+    }
+    for (std::size_t page = 0; page < this->Plan.pages.size(); ++page)
+    {
+      this->drawPage(page);
+      cairo_show_page(this->Context);
+    }
+    cairo_surface_finish(this->Surface);
+    cairo_status_t status = cairo_status(this->Context);
+    status = status == CAIRO_STATUS_SUCCESS ? cairo_surface_status(this->Surface) : status;
+    if (status != CAIRO_STATUS_SUCCESS)
+    {
+      return { PatternCode::InvalidInput,
+        std::string("the PDF cannot be drawn: ") + cairo_status_to_string(status) };
+    }
+    return {};
+  }
+
+private:
+  void colour(const std::array<double, 3>& rgb)
+  {
+    cairo_set_source_rgb(this->Context, rgb[0], rgb[1], rgb[2]);
+  }
+
+  void line(const Point2& from, const Point2& to)
+  {
+    cairo_move_to(this->Context, from.x(), from.y());
+    cairo_line_to(this->Context, to.x(), to.y());
+    cairo_stroke(this->Context);
+  }
+
+  void pen(const std::array<double, 3>& rgb, double width)
+  {
+    this->colour(rgb);
+    cairo_set_line_width(this->Context, width);
+    cairo_set_dash(this->Context, nullptr, 0, 0.0);
+  }
+
+  /// \param at middle of the text's height
+  void text(
+    const std::string& content, const Point2& at, double height, Anchor anchor, double angle = 0.0)
+  {
+    cairo_set_font_size(this->Context, height);
+    cairo_text_extents_t extents;
+    cairo_text_extents(this->Context, content.c_str(), &extents);
+    const double back = anchor == Anchor::Start ? 0.0
+      : anchor == Anchor::Middle                ? extents.x_advance / 2.0
+                                                : extents.x_advance;
+    cairo_save(this->Context);
+    cairo_translate(this->Context, at.x(), at.y());
+    cairo_rotate(this->Context, -angle);
+    cairo_move_to(this->Context, -back, 0.35 * height);
+    cairo_show_text(this->Context, content.c_str());
+    cairo_restore(this->Context);
+  }
+
+  void drawPage(std::size_t page)
+  {
+    const Tile& tile = this->Plan.pages[page];
+    const Point2& printable = this->Plan.printable;
+    cairo_identity_matrix(this->Context);
+    cairo_scale(this->Context, pointsPerMillimetre, pointsPerMillimetre);
+    cairo_translate(this->Context, pageMargin, pageMargin);
+
+    cairo_save(this->Context);
+    // Half a line's width beyond, so that a line on the border of the sheet is whole.
+    cairo_rectangle(this->Context, -0.3, -0.3, printable.x() + 0.6, printable.y() + 0.6);
+    cairo_clip(this->Context);
+    cairo_translate(
+      this->Context, -tile.column * this->Plan.step.x(), -tile.row * this->Plan.step.y());
+    this->drawLegend();
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->drawPiece(p);
+    }
+    cairo_restore(this->Context);
+    if (this->Plan.tiled && this->Plan.pages.size() > 1)
+    {
+      this->drawFrame(page);
+    }
+  }
+
+  void drawPiece(std::size_t p)
+  {
+    for (const Stroke& stroke : this->Strokes[p])
+    {
+      this->pen(stroke.style.colour, stroke.style.width);
+      int dashes = 0;
+      while (dashes < 4 && stroke.style.dashes[static_cast<std::size_t>(dashes)] > 0.0)
+      {
+        ++dashes;
+      }
+      cairo_set_dash(this->Context, stroke.style.dashes.data(), dashes, 0.0);
+      for (std::size_t k = 0; k < stroke.points.size(); ++k)
+      {
+        const Point2 at = this->Plan.layout.place(this->Drawn, p, stroke.points[k]);
+        (k == 0 ? cairo_move_to : cairo_line_to)(this->Context, at.x(), at.y());
+      }
+      if (stroke.closed)
+      {
+        cairo_close_path(this->Context);
+      }
+      cairo_stroke(this->Context);
+    }
+    this->pen(black, 0.25);
+    for (const PatternText& text : this->Drawn.pieces[p].texts)
+    {
+      this->text(text.text, this->Plan.layout.place(this->Drawn, p, text.position), text.height,
+        Anchor::Middle, text.angle);
+    }
+  }
+
+  void drawLegend()
+  {
+    this->pen(black, 0.25);
+    cairo_rectangle(this->Context, 0.0, 0.0, 100.0, 50.0);
+    cairo_stroke(this->Context);
+    this->text("100 mm x 50 mm", { 50.0, 21.0 }, 4.0, Anchor::Middle);
+    this->text("Print at 100 % and measure this rectangle.", { 50.0, 29.0 }, 4.0, Anchor::Middle);
+    const double room = legendExtent(false).x() - 105.0;
+    double y = 4.0;
+    const auto write = [&](const std::string& content, double height) {
+      this->text(fitText(content, height, room), { 105.0, y }, height, Anchor::Start);
+      y += 1.5 * height;
+    };
+    write(this->Drawn.name, 6.0);
+    write("Scale 1:1. Unit of the surface: " + std::string(unitName(this->Drawn.unit)), 3.2);
+    if (this->Plan.pages.size() > 1)
+    {
+      write(std::to_string(this->Plan.pages.size()) + " pages " + paperName(this->Paper) +
+          ": overlap them so that the crosses meet.",
+        3.2);
+    }
+    // As many pieces as there is room for above the lower edge of the rectangle.
+    const std::size_t lines = static_cast<std::size_t>(std::max(1.0, (50.0 - y) / 4.8));
+    const std::size_t pieces = this->Drawn.pieces.size();
+    const std::size_t shown = pieces <= lines ? pieces : lines - 1;
+    for (std::size_t p = 0; p < shown; ++p)
+    {
+      const PatternPiece& piece = this->Drawn.pieces[p];
+      write(std::to_string(piece.number) + ": " + piece.name +
+          (piece.size.empty() ? "" : ", size " + piece.size) + ", cut " +
+          std::to_string(piece.quantity),
+        3.2);
+    }
+    if (shown < pieces)
+    {
+      write("and " + std::to_string(pieces - shown) + " more pieces", 3.2);
+    }
+    if (this->Plan.hasMap)
+    {
+      this->drawMap({ 0.0, legendExtent(true).y() - mapHeight });
+    }
+  }
+
+  /// The sheet in small with its pages.
+  void drawMap(const Point2& corner)
+  {
+    const Point2 sheet((this->Plan.columns - 1) * this->Plan.step.x() + this->Plan.printable.x(),
+      (this->Plan.rows - 1) * this->Plan.step.y() + this->Plan.printable.y());
+    const double scale = std::min(mapHeight / sheet.y(), legendExtent(true).x() / sheet.x());
+    cairo_save(this->Context);
+    cairo_translate(this->Context, corner.x(), corner.y());
+    cairo_scale(this->Context, scale, scale);
+    const double pen = 0.15 / scale;
+    this->pen(black, pen);
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      for (const Stroke& stroke : this->Strokes[p])
+      {
+        if (!stroke.closed || stroke.isWire)
+        {
+          continue;
+        }
+        for (std::size_t k = 0; k < stroke.points.size(); ++k)
+        {
+          const Point2 at = this->Plan.layout.place(this->Drawn, p, stroke.points[k]);
+          (k == 0 ? cairo_move_to : cairo_line_to)(this->Context, at.x(), at.y());
+        }
+        cairo_close_path(this->Context);
+        cairo_stroke(this->Context);
+      }
+    }
+    this->pen(cyan, pen);
+    const double height = std::min(4.0 / scale, 0.3 * this->Plan.step.minCoeff());
+    for (const Tile& tile : this->Plan.pages)
+    {
+      const Point2 low(tile.column * this->Plan.step.x(), tile.row * this->Plan.step.y());
+      cairo_rectangle(
+        this->Context, low.x(), low.y(), this->Plan.printable.x(), this->Plan.printable.y());
+      cairo_stroke(this->Context);
+      this->text(tileName(tile), low + this->Plan.printable / 2.0, height, Anchor::Middle);
+    }
+    cairo_restore(this->Context);
+  }
+
+  /// Frame, crosses, and the names of the page and its neighbours.
+  void drawFrame(std::size_t page)
+  {
+    const Tile& tile = this->Plan.pages[page];
+    const Point2& size = this->Plan.printable;
+    const double half = this->Plan.overlap / 2.0;
+    this->pen(grey, 0.15);
+    cairo_rectangle(this->Context, 0.0, 0.0, size.x(), size.y());
+    cairo_stroke(this->Context);
+    // Trim lines run through the crosses, in the middle of the bands that pages share.
+    this->pen(cyan, 0.15);
+    const double dash[] = { 1.0, 2.0 };
+    cairo_set_dash(this->Context, dash, 2, 0.0);
+    for (const double x : { half, size.x() - half })
+    {
+      this->line({ x, 0.0 }, { x, size.y() });
+    }
+    for (const double y : { half, size.y() - half })
+    {
+      this->line({ 0.0, y }, { size.x(), y });
+    }
+    this->pen(cyan, 0.3);
+    const double arm = std::clamp(half, 2.0, 5.0);
+    for (const double x : { half, size.x() - half })
+    {
+      for (const double y : { half, size.y() - half })
+      {
+        this->line({ x - arm, y }, { x + arm, y });
+        this->line({ x, y - arm }, { x, y + arm });
+      }
+    }
+    this->colour(black);
+    const std::string name = tileName(tile);
+    this->text(name, { 0.0, -4.0 }, 6.0, Anchor::Start);
+    this->text("row " + name.substr(0, name.find_first_of("0123456789")) + ", column " +
+        std::to_string(tile.column + 1) + ", page " + std::to_string(page + 1) + " of " +
+        std::to_string(this->Plan.pages.size()),
+      { 16.0, -3.5 }, 3.0, Anchor::Start);
+    this->text(
+      fitText(this->Drawn.name, 3.0, 0.4 * size.x()), { size.x(), -3.5 }, 3.0, Anchor::End);
+    this->nameNeighbour(tile, 0, 1, { size.x() + 3.5, size.y() / 2.0 }, -0.5 * pi);
+    this->nameNeighbour(tile, 0, -1, { -3.5, size.y() / 2.0 }, 0.5 * pi);
+    this->nameNeighbour(tile, 1, 0, { size.x() / 2.0, size.y() + 3.5 }, 0.0);
+    this->nameNeighbour(tile, -1, 0, { size.x() / 2.0, -3.5 }, 0.0);
+  }
+
+  void nameNeighbour(const Tile& tile, int down, int across, const Point2& at, double angle)
+  {
+    for (const Tile& other : this->Plan.pages)
+    {
+      if (other.row == tile.row + down && other.column == tile.column + across)
+      {
+        this->text("to " + tileName(other), at, 3.0, Anchor::Middle, angle);
+      }
+    }
+  }
+
+  const Pattern& Drawn;
+  PaperSize Paper;
+  const PagePlan& Plan;
+  cairo_surface_t* Surface;
+  cairo_t* Context = nullptr;
+  std::vector<std::vector<Stroke>> Strokes;
+};
+}
+
+PatternStatus makePdf(const Pattern& pattern, const PageOptions& options, std::string& pdf)
+{
+  pdf.clear();
+  PagePlan plan;
+  const PatternStatus status = planPages(pattern, options, plan);
+  return status.ok() ? PdfDrawing(pattern, options.paper, plan, pdf).draw() : status;
+}
+}
+}

@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PieceDrawing.h"
+
+#include "PieceTexts.h"
+#include "SeamAllowance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+/// One piece while it is drawn.
+class PieceDrawer
+{
+public:
+  PieceDrawer(const DrawingSource& all, std::size_t piece, PatternPiece& drawing)
+    : All(all)
+    , Piece(piece)
+    , Loops(all.loops[piece])
+    , Drawing(drawing)
+  {
+  }
+
+  PatternStatus draw()
+  {
+    if (this->All.options.darts == DartStyle::Folded)
+    {
+      this->Darts = findDarts(this->All.source, this->Loops, this->All.wires, this->All.partners);
+    }
+    this->markFolded();
+    const PatternStatus status = this->drawCutLine();
+    if (!status.ok())
+    {
+      return status;
+    }
+    this->drawWires();
+    for (const Dart& dart : this->Darts)
+    {
+      this->drawDart(dart);
+    }
+    this->drawNotches();
+    this->drawGrain();
+    placeTexts(this->Boundary, this->Drawing);
+    this->moveToOrigin();
+    return {};
+  }
+
+private:
+  double allowanceOf(Index from, Index to) const
+  {
+    const PatternOptions& options = this->All.options;
+    const std::size_t wire = wireOf(this->All.source, this->All.wires, from, to);
+    const bool known = wire < this->All.source.wires.size();
+    const auto found =
+      options.allowanceOfCurve.find(known ? this->All.source.wires[wire].name : "boundary");
+    return found == options.allowanceOfCurve.end() ? options.allowance : found->second;
+  }
+
+  void markFolded()
+  {
+    for (const Dart& dart : this->Darts)
+    {
+      const Indices& loop = this->Loops[dart.loop];
+      for (std::size_t k = dart.firstEdge; k < dart.firstEdge + dart.edges; ++k)
+      {
+        this->Folded[edgeKey(loop[k % loop.size()], loop[(k + 1) % loop.size()])] = true;
+      }
+    }
+  }
+  bool isFolded(Index from, Index to) const
+  {
+    return this->Folded.count(edgeKey(from, to)) + this->Folded.count(edgeKey(to, from)) > 0;
+  }
+
+  /// One loop with the mouths of its darts closed by their roofs.
+  AllowancePolygon clothPolygon(std::size_t l) const
+  {
+    const Indices& loop = this->Loops[l];
+    const std::size_t count = loop.size();
+    const auto point = [&loop, count](std::size_t k) { return loop[k % count]; };
+    AllowancePolygon polygon;
+    const auto add = [&polygon](const Point2& p, double allowance) {
+      polygon.points.push_back(p);
+      polygon.allowance.push_back(allowance);
+    };
+    std::size_t start = 0; // outside the darts
+    while (start < count && this->isFolded(point(start), point(start + 1)))
+    {
+      ++start;
+    }
+    for (std::size_t k = start; k < start + count;)
+    {
+      const auto dart = std::find_if(this->Darts.begin(), this->Darts.end(),
+        [&](const Dart& d) { return d.loop == l && d.firstEdge == k % count; });
+      if (dart == this->Darts.end())
+      {
+        add(this->All.at(point(k)), this->allowanceOf(point(k), point(k + 1)));
+        ++k;
+        continue;
+      }
+      const std::size_t end = k + dart->edges;
+      const double before = this->allowanceOf(point(k + count - 1), point(k));
+      const double after = this->allowanceOf(point(end), point(end + 1));
+      Point2 corner;
+      add(this->All.at(point(k)), before);
+      if (this->roof(*dart, corner))
+      {
+        add(corner, after);
+      }
+      k = end;
+    }
+    return polygon;
+  }
+
+  bool roof(const Dart& dart, Point2& corner) const
+  {
+    const Indices& loop = this->Loops[dart.loop];
+    const std::size_t count = loop.size();
+    const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
+    const std::size_t end = dart.firstEdge + dart.edges;
+    return dartRoof(this->All.at(dart.tip), { at(dart.firstEdge), at(end) },
+      { at(dart.firstEdge + count - 1), at(end + 1) }, corner);
+  }
+
+  PatternStatus drawCutLine()
+  {
+    std::vector<AllowancePolygon> polygons;
+    for (std::size_t l = 0; l < this->Loops.size(); ++l)
+    {
+      Points2 points;
+      for (const Index v : this->Loops[l])
+      {
+        points.push_back(this->All.at(v));
+      }
+      addSegments(points, true, this->Boundary);
+      const bool isDart = std::any_of(this->Darts.begin(), this->Darts.end(),
+        [l](const Dart& dart) { return dart.loop == l && dart.otherTip != none; });
+      if (!isDart)
+      {
+        polygons.push_back(this->clothPolygon(l));
+      }
+    }
+    std::vector<Points2> borders;
+    const PatternStatus status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+    for (std::size_t b = 0; b < borders.size(); ++b)
+    {
+      addSegments(borders[b], true, this->CutLine);
+      PatternLine line;
+      line.kind = b == 0 ? LineKind::CutLine : LineKind::CutOut;
+      line.closed = true;
+      line.points = std::move(borders[b]);
+      this->Drawing.lines.push_back(std::move(line));
+    }
+    return status;
+  }
+
+  LineKind kindOf(const SourceWire& wire) const
+  {
+    switch (wire.type)
+    {
+      case WireType::Dart:
+        return this->isFolded(wire.points[0], wire.points[1]) ? LineKind::DartLeg
+                                                              : LineKind::SewLine;
+      case WireType::Key:
+        return LineKind::KeyCurve;
+      case WireType::Accessory:
+        return LineKind::Internal;
+      default:
+        return LineKind::SewLine;
+    }
+  }
+
+  void drawWires()
+  {
+    const PatternSource& source = this->All.source;
+    for (const SourceWire& wire : source.wires)
+    {
+      if (wire.piece != static_cast<Index>(this->Piece) || wire.points.size() < 2)
+      {
+        continue;
+      }
+      PatternLine line;
+      line.kind = this->kindOf(wire);
+      line.name = wire.type == WireType::Boundary ? "" : wire.name;
+      for (std::size_t k = 0; k < wire.points.size(); ++k)
+      {
+        line.points.push_back(this->All.at(wire.points[k]));
+        if (k > 0 && !source.inSpace.empty())
+        {
+          line.restLength += this->All.scale() *
+            (source.inSpace[wire.points[k]] - source.inSpace[wire.points[k - 1]]).norm();
+        }
+        else if (k > 0)
+        {
+          line.restLength += (line.points[k] - line.points[k - 1]).norm();
+        }
+      }
+      if (wire.points.front() == wire.points.back())
+      {
+        line.closed = true;
+        line.points.pop_back();
+      }
+      this->Drawing.lines.push_back(std::move(line));
+    }
+  }
+
+  /// Where a ray first meets the cut line; `from` where it does not.
+  Point2 onCutLine(const Point2& from, const Point2& direction) const
+  {
+    for (const double at : crossings(from, direction, this->CutLine))
+    {
+      if (at > -1e-6)
+      {
+        return from + std::max(at, 0.0) * direction;
+      }
+    }
+    return from;
+  }
+
+  void addNotch(
+    const Point2& foot, const Point2& outward, double arcLength, const std::string& name)
+  {
+    Notch notch;
+    notch.foot = foot;
+    notch.from = this->onCutLine(foot, outward);
+    const double room = (notch.from - foot).norm();
+    // A cut into the allowance stays clear of the seam; without allowance it is a short mark.
+    const double most = this->All.options.notchLength;
+    const double length = room > 0.2 ? std::min(most, 0.6 * room) : std::min(most, 3.0);
+    notch.to = notch.from - length * outward;
+    notch.arcLength = arcLength;
+    notch.name = name;
+    this->Drawing.notches.push_back(std::move(notch));
+  }
+
+  void drawDart(const Dart& dart)
+  {
+    const Indices& loop = this->Loops[dart.loop];
+    const std::size_t count = loop.size();
+    const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
+    const Point2 tip = this->All.at(dart.tip);
+    PatternLine fold;
+    fold.kind = LineKind::DartFold;
+    fold.name = dart.name;
+    if (dart.otherTip != none)
+    {
+      fold.points = { tip, this->All.at(dart.otherTip) };
+      this->addDrill(tip, fold.points[1]);
+      this->addDrill(fold.points[1], tip);
+    }
+    else
+    {
+      const std::size_t end = dart.firstEdge + dart.edges;
+      const Point2 middle = (at(dart.firstEdge) + at(end)) / 2.0;
+      const Point2 direction = middle - tip;
+      Point2 border = middle;
+      for (const double s : crossings(tip, direction, this->CutLine))
+      {
+        if (s > 0.5)
+        {
+          border = tip + s * direction;
+          break;
+        }
+      }
+      fold.points = { tip, border };
+      this->addDrill(tip, middle);
+      double length = 0.0;
+      for (std::size_t k = end - dart.edges / 2; k < end; ++k)
+      {
+        length += (at(k + 1) - at(k)).norm();
+      }
+      this->addNotch(at(dart.firstEdge), (at(dart.firstEdge) - at(dart.firstEdge + 1)).normalized(),
+        length, dart.name);
+      this->addNotch(at(end), (at(end) - at(end - 1)).normalized(), length, dart.name);
+    }
+    this->Drawing.lines.push_back(std::move(fold));
+  }
+
+  /// The hole stands back from the tip, so that the sewn dart hides it.
+  void addDrill(const Point2& tip, const Point2& towards)
+  {
+    const double length = (towards - tip).norm();
+    const double back = length > 0.0 ? std::min(10.0, 0.2 * length) / length : 0.0;
+    this->Drawing.drillHoles.emplace_back(tip + back * (towards - tip));
+  }
+
+  void drawNotches()
+  {
+    const PatternSource& source = this->All.source;
+    for (const NotchPlace& place : this->All.notches)
+    {
+      const Index from = place.edge[0];
+      const Index to = place.edge[1];
+      const auto mine = this->pieceOf(from, to);
+      if (!mine)
+      {
+        continue;
+      }
+      const Point2 along = this->All.at(to) - this->All.at(from);
+      const Point2 foot = this->All.at(from) + place.fraction * along;
+      const Point2 outward = Point2(along.y(), -along.x()).normalized();
+      const std::string& name = source.wires[place.wire].name;
+      const double arcLength = this->All.scale() * place.arcLength;
+      if (!this->isFolded(from, to))
+      {
+        this->addNotch(foot, outward, arcLength, name);
+        continue;
+      }
+      Notch notch;
+      notch.onCutLine = false;
+      notch.foot = foot;
+      const double half = std::min(this->All.options.notchLength, 5.0) / 2.0;
+      notch.from = foot + half * outward;
+      notch.to = foot - half * outward;
+      notch.arcLength = arcLength;
+      notch.name = name;
+      this->Drawing.notches.push_back(std::move(notch));
+    }
+  }
+
+  bool pieceOf(Index from, Index to)
+  {
+    if (this->Edges.empty())
+    {
+      for (const Indices& loop : this->Loops)
+      {
+        for (std::size_t k = 0; k < loop.size(); ++k)
+        {
+          this->Edges[edgeKey(loop[k], loop[(k + 1) % loop.size()])] = true;
+        }
+      }
+    }
+    return this->Edges.count(edgeKey(from, to)) > 0;
+  }
+
+  void drawGrain()
+  {
+    double room = 0.0;
+    Point2 anchor = widestPlace(this->Boundary, {}, room);
+    Point2 direction(0.0, 1.0);
+    double length = 1e300;
+    for (const PatternLine& line : this->Drawing.lines)
+    {
+      const Point2 chord = line.points.back() - line.points.front();
+      if (line.kind != LineKind::KeyCurve || line.closed || chord.norm() == 0.0)
+      {
+        continue;
+      }
+      this->Drawing.grain.fromKeyCurve = true;
+      direction = chord.normalized();
+      length = 0.8 * chord.norm();
+      // A key curve on the border leaves no place for an arrow: it moves inwards, in parallel.
+      const Point2 middle = (line.points.front() + line.points.back()) / 2.0;
+      if (inside(middle, this->Boundary) && distance(middle, this->Boundary) > 0.2 * room)
+      {
+        anchor = middle;
+      }
+      break;
+    }
+    double low = -0.4 * room;
+    double high = 0.4 * room;
+    const std::vector<double> borders = crossings(anchor, direction, this->Boundary);
+    for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+    {
+      if (borders[k] < 0.0 && borders[k + 1] > 0.0)
+      {
+        const double margin = 0.1 * (borders[k + 1] - borders[k]);
+        low = borders[k] + margin;
+        high = borders[k + 1] - margin;
+      }
+    }
+    this->Drawing.grain.from = anchor + std::max(low, -length / 2.0) * direction;
+    this->Drawing.grain.to = anchor + std::min(high, length / 2.0) * direction;
+  }
+
+  void moveToOrigin()
+  {
+    Box box;
+    PatternPiece& piece = this->Drawing;
+    for (const PatternLine& line : piece.lines)
+    {
+      for (const Point2& p : line.points)
+      {
+        box.add(p);
+      }
+    }
+    for (PatternLine& line : piece.lines)
+    {
+      for (Point2& p : line.points)
+      {
+        p -= box.low;
+      }
+    }
+    for (Notch& notch : piece.notches)
+    {
+      notch.foot -= box.low;
+      notch.from -= box.low;
+      notch.to -= box.low;
+    }
+    for (Point2& p : piece.drillHoles)
+    {
+      p -= box.low;
+    }
+    for (PatternText& text : piece.texts)
+    {
+      text.position -= box.low;
+    }
+    piece.grain.from -= box.low;
+    piece.grain.to -= box.low;
+    piece.extent = box.extent();
+  }
+
+  const DrawingSource& All;
+  std::size_t Piece;
+  const std::vector<Indices>& Loops;
+  PatternPiece& Drawing;
+  std::vector<Dart> Darts;
+  std::unordered_map<std::uint64_t, bool> Folded;
+  std::unordered_map<std::uint64_t, bool> Edges;
+  Segments Boundary;
+  Segments CutLine;
+};
+}
+
+PatternStatus drawPiece(const DrawingSource& all, std::size_t piece, PatternPiece& drawing)
+{
+  return PieceDrawer(all, piece, drawing).draw();
+}
+}
+}

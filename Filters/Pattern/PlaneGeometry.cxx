@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlaneGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+void addSegments(const Points2& points, bool closed, Segments& segments)
+{
+  const std::size_t count = points.size();
+  for (std::size_t k = 0; k + (closed ? 0 : 1) < count; ++k)
+  {
+    segments.push_back({ points[k], points[(k + 1) % count] });
+  }
+}
+
+std::vector<double> crossings(const Point2& from, const Point2& direction, const Segments& segments)
+{
+  std::vector<double> found;
+  for (const Segment& segment : segments)
+  {
+    const Point2 side = segment.to - segment.from;
+    const Point2 start = segment.from - from;
+    const double sine = direction.x() * side.y() - direction.y() * side.x();
+    if (sine == 0.0)
+    {
+      continue;
+    }
+    const double along = (start.x() * side.y() - start.y() * side.x()) / sine;
+    const double across = (start.x() * direction.y() - start.y() * direction.x()) / sine;
+    if (across >= 0.0 && across <= 1.0)
+    {
+      found.push_back(along);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+double distance(const Point2& point, const Segments& segments)
+{
+  double nearest = 1e300;
+  for (const Segment& segment : segments)
+  {
+    const Point2 side = segment.to - segment.from;
+    const double length = side.squaredNorm();
+    const double at =
+      length > 0.0 ? std::clamp((point - segment.from).dot(side) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (segment.from + at * side - point).squaredNorm());
+  }
+  return std::sqrt(nearest);
+}
+
+bool inside(const Point2& point, const Segments& borders)
+{
+  bool within = false;
+  for (const Segment& side : borders)
+  {
+    if ((side.from.y() > point.y()) != (side.to.y() > point.y()))
+    {
+      const double x = side.from.x() +
+        (point.y() - side.from.y()) / (side.to.y() - side.from.y()) * (side.to.x() - side.from.x());
+      within = within != (point.x() < x);
+    }
+  }
+  return within;
+}
+
+Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& clearance)
+{
+  Box box;
+  for (const Segment& side : borders)
+  {
+    box.add(side.from);
+    box.add(side.to);
+  }
+  Point2 best = box.low;
+  clearance = 0.0;
+  Point2 center = (box.low + box.high) / 2.0;
+  Point2 half = box.extent() / 2.0;
+  // A grid, and finer ones around the best place found.
+  constexpr int steps = 24;
+  for (int level = 0; level < 4; ++level)
+  {
+    for (int i = 0; i <= steps; ++i)
+    {
+      for (int j = 0; j <= steps; ++j)
+      {
+        const Point2 place =
+          center + Point2((2.0 * i / steps - 1.0) * half.x(), (2.0 * j / steps - 1.0) * half.y());
+        if (!inside(place, borders))
+        {
+          continue;
+        }
+        const double room = std::min(distance(place, borders), distance(place, obstacles));
+        if (room > clearance)
+        {
+          clearance = room;
+          best = place;
+        }
+      }
+    }
+    center = best;
+    half *= 2.0 / steps;
+  }
+  return best;
+}
+}
+}

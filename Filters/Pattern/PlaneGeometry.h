@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Types.h"
+
+#include <utility>
+
+namespace flattening
+{
+namespace pattern
+{
+struct Segment
+{
+  Point2 from;
+  Point2 to;
+};
+using Segments = std::vector<Segment>;
+
+/// The sides of a polygon, or the segments of an open line.
+void addSegments(const Points2& points, bool closed, Segments& segments);
+
+/// Parameters s, in ascending order, at which from + s * direction meets the segments.
+std::vector<double> crossings(
+  const Point2& from, const Point2& direction, const Segments& segments);
+
+double distance(const Point2& point, const Segments& segments);
+
+/// Even-odd rule.
+bool inside(const Point2& point, const Segments& borders);
+
+/// A point inside the borders, far from them and from the obstacles; the lower left corner of the
+/// bounding box where the borders enclose nothing.
+/// \param clearance its distance
+Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& clearance);
+
+struct Box
+{
+  Point2 low{ Point2::Constant(1e300) };
+  Point2 high{ Point2::Constant(-1e300) };
+
+  void add(const Point2& p)
+  {
+    this->low = this->low.cwiseMin(p);
+    this->high = this->high.cwiseMax(p);
+  }
+  Point2 extent() const { return this->high - this->low; }
+};
+}
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PatternStatus.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace flattening
+{
+namespace pattern
+{
+/// A closed polygon with the cloth on its left. The allowance of edge k, from point k to the next,
+/// lies on its right.
+struct AllowancePolygon
+{
+  Points2 points;
+  std::vector<double> allowance;
+};
+
+/// Widens a piece of cloth by the allowances of its edges: the union of the piece, of the strip
+/// along each edge, and of the mitres at the convex corners. A mitre is cut off where it would be
+/// longer than `mitreLimit` times the allowance. Where all allowances are 0 the polygons come back
+/// as they are.
+/// \param polygons the outer loop and the holes of one piece
+/// \param widened the borders of the cloth, counter-clockwise outer ones and clockwise holes, the largest
+/// first; exact to a 10,000th of a millimetre
+PatternStatus addAllowance(
+  const std::vector<AllowancePolygon>& polygons, double mitreLimit, std::vector<Points2>& widened);
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Pattern.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// Where the pieces lie on a sheet whose origin is its upper left corner, y down.
+struct SheetLayout
+{
+  Points2 corners; ///< upper left corner of each piece
+  Point2 extent = Point2::Zero();
+
+  /// A point of a piece on the sheet.
+  Point2 place(const Pattern& pattern, std::size_t piece, const Point2& p) const
+  {
+    return this->corners[piece] + Point2(p.x(), pattern.pieces[piece].extent.y() - p.y());
+  }
+};
+
+/// Lays the pieces in rows from the left, in their order, `gap` apart and below `top`. No piece is
+/// turned. A piece wider than `width` has a row of its own.
+SheetLayout layOut(const Pattern& pattern, double width, double top, double gap = 15.0);
+
+/// A width that makes the sheet about as wide as high.
+double squareWidth(const Pattern& pattern);
+}
+}

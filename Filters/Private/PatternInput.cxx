@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatternInput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <limits>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+using pattern::PatternCode;
+using pattern::PatternSource;
+using pattern::PatternStatus;
+using pattern::SewnEdges;
+using pattern::SourceWire;
+using pattern::WireType;
+
+PatternStatus invalid(const std::string& message)
+{
+  return { PatternCode::InvalidInput, message };
+}
+
+PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
+{
+  const vtkIdType points = flat->GetNumberOfPoints();
+  if (points > std::numeric_limits<Index>::max())
+  {
+    return invalid("the flat surface has more points than 2^31 - 1");
+  }
+  for (vtkIdType v = 0; v < points; ++v)
+  {
+    const double* p = flat->GetPoint(v);
+    source.positions.emplace_back(p[0], p[1]);
+  }
+  vtkDataArray* pieces = flat->GetCellData()->GetArray("PieceId");
+  // Cell data starts with vertices and lines.
+  const vtkIdType before = flat->GetNumberOfVerts() + flat->GetNumberOfLines();
+  auto cells = vtk::TakeSmartPointer(flat->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    const vtkIdType cell = before + cells->GetCurrentCellId();
+    if (count != 3)
+    {
+      return invalid("cell " + std::to_string(cell) +
+        " of the flat surface is no triangle; give the output of a flattening filter");
+    }
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= points)
+      {
+        return invalid("cell " + std::to_string(cell) + " of the flat surface uses point " +
+          std::to_string(ids[k]) + ", which is not there");
+      }
+      triangle[k] = static_cast<Index>(ids[k]);
+    }
+    source.triangles.push_back(triangle);
+    source.pieceOfTriangle.push_back(
+      pieces ? static_cast<Index>(pieces->GetComponent(cell, 0)) : 0);
+  }
+  return {};
+}
+
+WireType typeOf(vtkDataArray* types, vtkIdType row)
+{
+  switch (types ? static_cast<int>(types->GetComponent(row, 0)) : 0)
+  {
+    case -1:
+      return WireType::Boundary;
+    case 1:
+      return WireType::Key;
+    case 2:
+      return WireType::Dart;
+    case 3:
+      return WireType::Seam;
+    default:
+      return WireType::Accessory;
+  }
+}
+
+PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
+{
+  if (wires->GetNumberOfPoints() != static_cast<vtkIdType>(source.positions.size()))
+  {
+    return invalid("the wires have " + std::to_string(wires->GetNumberOfPoints()) +
+      " points and the flat surface " + std::to_string(source.positions.size()) +
+      "; give outputs 0 and 1 of the same filter");
+  }
+  vtkCellData* data = wires->GetCellData();
+  vtkDataArray* types = data->GetArray("CurveType");
+  vtkDataArray* curves = data->GetArray("CurveId");
+  vtkDataArray* pieces = data->GetArray("PieceId");
+  vtkDataArray* connectors = data->GetArray("Connector");
+  auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray("CurveName"));
+  auto lines = vtk::TakeSmartPointer(wires->GetLines()->NewIterator());
+  for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+  {
+    const vtkIdType row = wires->GetNumberOfVerts() + lines->GetCurrentCellId();
+    if (connectors && connectors->GetComponent(row, 0) != 0.0)
+    {
+      continue; // an aid of the flattening, whose length is free
+    }
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCurrentCell(count, ids);
+    SourceWire wire;
+    wire.type = typeOf(types, row);
+    wire.curve = curves ? static_cast<Index>(curves->GetComponent(row, 0)) : none;
+    wire.piece = pieces ? static_cast<Index>(pieces->GetComponent(row, 0)) : 0;
+    wire.name = wire.type == WireType::Boundary ? std::string("boundary")
+      : names                                   ? std::string(names->GetValue(row))
+                                                : "curve " + std::to_string(row);
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= wires->GetNumberOfPoints())
+      {
+        return invalid("wire " + std::to_string(row) + " uses point " + std::to_string(ids[k]) +
+          ", which is not there");
+      }
+      wire.points.push_back(static_cast<Index>(ids[k]));
+    }
+    source.wires.push_back(std::move(wire));
+  }
+  return {};
+}
+
+PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
+{
+  vtkDataArray* pairs = flat->GetFieldData()->GetArray("SeamPairs");
+  if (!pairs || pairs->GetNumberOfComponents() < 4)
+  {
+    return {};
+  }
+  for (vtkIdType row = 0; row < pairs->GetNumberOfTuples(); ++row)
+  {
+    std::array<Index, 4> ids{};
+    for (int k = 0; k < 4; ++k)
+    {
+      const double id = pairs->GetComponent(row, k);
+      if (!(id >= 0.0 && id < static_cast<double>(source.positions.size())))
+      {
+        return invalid(
+          "row " + std::to_string(row) + " of SeamPairs uses a point that is not there");
+      }
+      ids[static_cast<std::size_t>(k)] = static_cast<Index>(id);
+    }
+    source.sewn.push_back({ { ids[0], ids[1] }, { ids[2], ids[3] } });
+  }
+  return {};
+}
+
+PatternStatus readCutSurface(vtkPolyData* cut, PatternSource& source)
+{
+  if (cut->GetNumberOfPoints() != static_cast<vtkIdType>(source.positions.size()))
+  {
+    return invalid("the cut surface has " + std::to_string(cut->GetNumberOfPoints()) +
+      " points and the flat surface " + std::to_string(source.positions.size()) +
+      "; give outputs 0 and 2 of the same filter");
+  }
+  for (vtkIdType v = 0; v < cut->GetNumberOfPoints(); ++v)
+  {
+    source.inSpace.emplace_back(cut->GetPoint(v));
+    if (!source.inSpace.back().allFinite())
+    {
+      return invalid("point " + std::to_string(v) + " of the cut surface is not finite");
+    }
+  }
+  return {};
+}
+}
+
+PatternStatus readPattern(
+  vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, PatternSource& source)
+{
+  source = PatternSource();
+  PatternStatus status = readSurface(flat, source);
+  if (status.ok() && wires)
+  {
+    status = readWires(wires, source);
+  }
+  if (status.ok())
+  {
+    status = readSewnEdges(flat, source);
+  }
+  if (status.ok() && cut)
+  {
+    status = readCutSurface(cut, source);
+  }
+  return status;
+}
+}
+}
