@@ -131,7 +131,7 @@ ClosestPoint SurfaceLocator::closest(const Point3& point) const
   }
   double bestSquared = std::numeric_limits<double>::infinity();
   std::vector<std::pair<double, Index>> stack;
-  stack.push_back({ this->Nodes[0].box.squaredExteriorDistance(point), 0 });
+  stack.emplace_back(this->Nodes[0].box.squaredExteriorDistance(point), 0);
   while (!stack.empty())
   {
     const auto [bound, id] = stack.back();

@@ -70,7 +70,7 @@ TriangleMesh mapped(const TriangleMesh& mesh, Map map)
   {
     p = map(p);
   }
-  PreparedSurface surface = prepareSurface(points, mesh.triangles());
+  PreparedSurface surface = prepareSurface(points, mesh.triangles(), CoincidentPoints::Join);
   EXPECT_TRUE(surface.status.ok()) << surface.status.message;
   return surface.mesh;
 }
@@ -80,7 +80,8 @@ void expectSameSurface(const TriangleMesh& before, const ImprintedSurface& after
 {
   ASSERT_TRUE(after.status.ok()) << after.status.message;
   const TriangleMesh& mesh = after.mesh;
-  const PreparedSurface valid = prepareSurface(mesh.points(), mesh.triangles());
+  const PreparedSurface valid =
+    prepareSurface(mesh.points(), mesh.triangles(), CoincidentPoints::Join);
   ASSERT_TRUE(valid.status.ok()) << valid.status.message;
   EXPECT_TRUE(valid.reversedTriangles.empty());
   EXPECT_EQ(valid.mesh.vertexCount(), mesh.vertexCount());
@@ -453,6 +454,32 @@ TEST(CurveImprint, APointOffTheSurfaceIsRefusedWithItsDistance)
   ASSERT_TRUE(projected.status.ok()) << projected.status.message;
   const Point3 end = projected.mesh.point(projected.curves[0].vertices.back());
   EXPECT_LE((end - Point3(1.2, 1.1, 0)).norm(), 1e-15);
+}
+
+TEST(CurveImprint, ASegmentThatNoSectionOfTheSurfaceJoinsIsRefusedWithItsPoints)
+{
+  // From the outside of a ring to its inside, half-way around: the planes through both that follow
+  // a normal cut separate circles out of it.
+  const TriangleMesh mesh = torus(24);
+  const auto result = imprintCurves(mesh, { polyline({ mesh.point(0), mesh.point(300) }) }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(result.status.ids, (Indices{ 100, 101 }));
+  EXPECT_NE(result.status.message.find("cannot be followed"), std::string::npos)
+    << result.status.message;
+  // Half-way around on the outside a plane section joins the two.
+  const auto around = imprintCurves(mesh, { polyline({ mesh.point(0), mesh.point(12) }) }, {});
+  expectSameSurface(mesh, around);
+  EXPECT_NEAR(length(around.mesh, around.curves[0].vertices), 2.5 * 24 * std::sin(pi / 24), 1e-12);
+}
+
+TEST(CurveImprint, ACancelledRunGivesNothing)
+{
+  Execution execution;
+  execution.cancel = [] { return true; };
+  const auto result = imprintCurves(
+    grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0) }) }, {}, execution);
+  EXPECT_EQ(result.status.code, StatusCode::Cancelled);
+  EXPECT_EQ(result.mesh.triangleCount(), 0);
 }
 
 TEST(CurveImprint, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused)
