@@ -16,8 +16,8 @@ using TripletList = std::vector<Eigen::Triplet<double>>;
 
 /// The two vertices that are farthest apart; ties, up to rounding, go to the smallest ids.
 ///
-/// In the order of their distance from the mean, no pair whose distances from it sum to less than the
-/// best so far can be better, which leaves few pairs to look at.
+/// In the order of their distance from the mean, no pair whose distances from it sum to less than
+/// the best so far can be better, which leaves few pairs to look at.
 std::array<Index, 2> farthestPair(const TriangleMesh& mesh, const Indices& vertices)
 {
   constexpr double tie = 1e-12;
@@ -129,9 +129,10 @@ public:
       {
         if (column[c[k]] != none)
         {
+          const Eigen::Index x = 2 * Eigen::Index(column[c[k]]);
           const Complex part = beta * std::conj(this->Frames[t].gradient[k]);
-          down[2 * column[c[k]]] -= part.real();
-          down[2 * column[c[k]] + 1] -= part.imag();
+          down[x] -= part.real();
+          down[x + 1] -= part.imag();
         }
       }
     }
@@ -234,7 +235,8 @@ ConformalMap mapConformally(const TriangleMesh& mesh, const ConformalOptions& op
     {
       if (column[v] != none)
       {
-        positions[v] += Complex(step[2 * column[v]], step[2 * column[v] + 1]);
+        const Eigen::Index x = 2 * Eigen::Index(column[v]);
+        positions[v] += Complex(step[x], step[x + 1]);
       }
     }
   }

@@ -22,14 +22,14 @@ struct LinearSolver::Backend
   /// Entries of D, or nothing.
   virtual Eigen::VectorXd diagonal() const { return {}; }
 
-  template <typename Solver>
+  template <typename Factorization>
   struct Of;
 };
 
-template <typename Solver>
+template <typename Factorization>
 struct LinearSolver::Backend::Of : LinearSolver::Backend
 {
-  Solver solver;
+  Factorization solver;
 
   void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
   bool factorize(const SparseMatrix& matrix) override
@@ -43,11 +43,11 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   }
   Eigen::VectorXd diagonal() const override
   {
-    if constexpr (std::is_same_v<Solver, Eigen::SimplicialLDLT<SparseMatrix>>)
+    if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLDLT<SparseMatrix>>)
     {
       return this->solver.vectorD();
     }
-    else if constexpr (std::is_same_v<Solver, Eigen::SimplicialLLT<SparseMatrix>>)
+    else if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLLT<SparseMatrix>>)
     {
       return Eigen::VectorXd::Ones(this->solver.rows());
     }
