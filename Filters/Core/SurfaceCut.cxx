@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceCut.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace flattening
 {
 namespace
@@ -27,6 +30,33 @@ std::string curveName(const FeatureCurve& curve, std::size_t id)
   return curve.name.empty() ? "curve " + std::to_string(id) : "curve \"" + curve.name + "\"";
 }
 
+/// What the stages after the cut take for granted of a curve's properties.
+Status checkProperties(const FeatureCurve& curve, std::size_t id)
+{
+  if (!std::isfinite(curve.tolerance) || curve.tolerance < 0.0 || curve.tolerance >= 1.0)
+  {
+    return { StatusCode::InvalidCurve,
+      curveName(curve, id) + " has a length tolerance outside 0..1; give a fraction of its length",
+      { static_cast<Index>(id) } };
+  }
+  if (curve.type == CurveType::Key && curve.keyShape == KeyShape::Planar)
+  {
+    const auto finite = [](
+                          const Point2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); };
+    if (curve.planarShape.size() != curve.vertices.size() ||
+      !std::all_of(curve.planarShape.begin(), curve.planarShape.end(), finite))
+    {
+      return { StatusCode::InvalidCurve,
+        curveName(curve, id) + " has a planar shape of " +
+          std::to_string(curve.planarShape.size()) + " points for " +
+          std::to_string(curve.vertices.size()) +
+          " vertices, or a coordinate that is no number; give a finite point for each",
+        { static_cast<Index>(id) } };
+    }
+  }
+  return {};
+}
+
 Status labelHalfedges(
   const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves, Indices& curveOfHalfedge)
 {
@@ -48,6 +78,11 @@ Status labelHalfedges(
             ", which the surface does not have",
           { v } };
       }
+    }
+    Status properties = checkProperties(curves[c], c);
+    if (!properties.ok())
+    {
+      return properties;
     }
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
     {
@@ -122,6 +157,12 @@ Index findPieces(const TriangleMesh& mesh, Indices& pieceOfTriangle)
 CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
 {
   CutSurface cut;
+  if (mesh.triangleCount() == 0)
+  {
+    cut.status = { StatusCode::EmptySurface,
+      "the surface has no triangles; give a triangulated surface patch", {} };
+    return cut;
+  }
   cut.status = labelHalfedges(mesh, curves, cut.curveOfHalfedge);
   if (!cut.status.ok())
   {

@@ -35,8 +35,9 @@ struct CutSurface
 /// ends on a cut stays with the copy on its own side. Where curves share an edge, seam goes before
 /// dart, dart before key, key before accessory, and the earlier curve before the later.
 ///
-/// Errors: CurveTooShort, CurveNotOnEdges (ids: the vertices of the segment that is no mesh edge),
-/// InvalidPointId.
+/// Errors: EmptySurface, CurveTooShort, CurveNotOnEdges (ids: the vertices of the segment that is no
+/// mesh edge), InvalidPointId, InvalidCurve (a tolerance outside [0, 1), or a planar shape that has
+/// not one finite point a vertex; ids: curves).
 CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves);
 
 /// One piece as a mesh of its own.
