@@ -41,8 +41,6 @@ const char* statusName(StatusCode code)
       return "CurveNotOnEdges";
     case StatusCode::InvalidCurve:
       return "InvalidCurve";
-    case StatusCode::PatchNotDisk:
-      return "PatchNotDisk";
     case StatusCode::InvalidOption:
       return "InvalidOption";
     case StatusCode::NumericalFailure:

@@ -28,7 +28,6 @@ enum class StatusCode
   CurveLeavesSurface,
   CurveNotOnEdges,
   InvalidCurve,
-  PatchNotDisk,
   InvalidOption,
   NumericalFailure,
   LastRefusal = NumericalFailure,

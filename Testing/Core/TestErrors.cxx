@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveImprint.h"
+#include "SurfaceFlattening.h"
+#include "SurfacePreparation.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+using namespace flattening;
+using namespace testmeshes;
+
+/// Makes every status of Documentation/errors.md happen.
+namespace
+{
+const Points3 square{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) };
+const Triangles squareTriangles{ { 0, 1, 2 }, { 0, 2, 3 } };
+
+StatusCode prepare(const Points3& points, const Triangles& triangles)
+{
+  return prepareSurface(points, triangles).status.code;
+}
+
+StatusCode flatten(const Surface& surface, const FlatteningOptions& options = {})
+{
+  return flattenSurface(surface.mesh, surface.curves, options, {}).status.code;
+}
+
+StatusCode imprint(const Points3& points, bool split = true)
+{
+  Polyline polyline;
+  polyline.points = points;
+  ImprintOptions options;
+  options.split = split;
+  return imprintCurves(TriangleMesh(square, squareTriangles), { polyline }, options).status.code;
+}
+
+/// A doughnut of n x n quads.
+TriangleMesh torus(Index n)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index j = 0; j < n; ++j)
+  {
+    for (Index i = 0; i < n; ++i)
+    {
+      const double u = 2.0 * pi * i / n;
+      const double v = 2.0 * pi * j / n;
+      const double r = 2.0 + std::cos(v);
+      points.push_back(Point3(r * std::cos(u), r * std::sin(u), std::sin(v)));
+      const Index a = j * n + i;
+      const Index b = j * n + (i + 1) % n;
+      const Index c = (j + 1) % n * n + (i + 1) % n;
+      const Index d = (j + 1) % n * n + i;
+      triangles.push_back({ a, b, c });
+      triangles.push_back({ a, c, d });
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+TriangleMesh withoutFirstTriangle(const TriangleMesh& mesh)
+{
+  return { mesh.points(), Triangles(mesh.triangles().begin() + 1, mesh.triangles().end()) };
+}
+}
+
+TEST(Errors, EveryStatusIsDocumented)
+{
+  std::ifstream file(std::string(FLATTENING_DATA_DIR) + "/../Documentation/errors.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  ASSERT_FALSE(text.str().empty());
+  for (int code = 1; code <= static_cast<int>(StatusCode::Overlap); ++code)
+  {
+    const std::string name = statusName(static_cast<StatusCode>(code));
+    EXPECT_NE(text.str().find("| `" + name + "` |"), std::string::npos) << name;
+  }
+}
+
+TEST(Errors, OfTheSurface)
+{
+  EXPECT_EQ(prepare({}, {}), StatusCode::EmptySurface);
+  Points3 points = square;
+  points[2].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(prepare(points, squareTriangles), StatusCode::NonFinitePoint);
+  EXPECT_EQ(prepare(square, { { 0, 1, 9 } }), StatusCode::InvalidPointId);
+  EXPECT_EQ(prepare(square, { { 0, 1, 1 } }), StatusCode::DegenerateTriangle);
+  points = square;
+  points.push_back(Point3(0.5, 0.5, 1.0));
+  EXPECT_EQ(
+    prepare(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 2, 4 } }), StatusCode::NonManifoldEdge);
+  points = square;
+  points.push_back(Point3(-1, 0, 0));
+  points.push_back(Point3(0, -1, 0));
+  EXPECT_EQ(prepare(points, { { 0, 1, 2 }, { 0, 4, 5 } }), StatusCode::NonManifoldVertex);
+  // A band of three quads with a half twist.
+  const Points3 band{ Point3(1, 0, -1), Point3(1, 0, 1), Point3(-1, 2, -1), Point3(-1, 2, 1),
+    Point3(-1, -2, -1), Point3(-1, -2, 1) };
+  EXPECT_EQ(
+    prepare(band, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 }, { 4, 1, 5 }, { 5, 1, 0 } }),
+    StatusCode::NotOrientable);
+  Surface closed;
+  closed.mesh = torus(8);
+  EXPECT_EQ(flatten(closed), StatusCode::ClosedSurface);
+  closed.mesh = withoutFirstTriangle(closed.mesh);
+  EXPECT_EQ(flatten(closed), StatusCode::Handle);
+}
+
+TEST(Errors, OfTheCurves)
+{
+  EXPECT_EQ(imprint({ Point3(0, 0, 0) }), StatusCode::CurveTooShort);
+  EXPECT_EQ(imprint({ Point3(0, 0, 0), Point3(1, 1, 3) }), StatusCode::CurvePointOffSurface);
+  EXPECT_EQ(imprint({ Point3(1, 0, 0), Point3(0, 1, 0) }, false), StatusCode::CurveNotOnEdges);
+  Surface notched = patch(4, 4, [](double i, double j) { return Point3(i, j, 0.0); });
+  Triangles triangles;
+  for (const Triangle& t : notched.mesh.triangles())
+  {
+    const Point3 middle =
+      (notched.mesh.point(t[0]) + notched.mesh.point(t[1]) + notched.mesh.point(t[2])) / 3.0;
+    if (!(middle.x() > 1.0 && middle.x() < 3.0 && middle.y() > 1.0))
+    {
+      triangles.push_back(t);
+    }
+  }
+  const PreparedSurface prepared = prepareSurface(notched.mesh.points(), triangles);
+  Polyline across;
+  across.points = { Point3(0, 3, 0), Point3(4, 3, 0) };
+  EXPECT_EQ(
+    imprintCurves(prepared.mesh, { across }, {}).status.code, StatusCode::CurveLeavesSurface);
+  across.points = { Point3(0, 0, 0), Point3(4, 0, 0) };
+  across.keyShape = KeyShape::Planar;
+  across.planarShape = { Point2(0, 0) };
+  EXPECT_EQ(imprintCurves(prepared.mesh, { across }, {}).status.code, StatusCode::InvalidCurve);
+}
+
+TEST(Errors, OfOptionsAndCancelledRuns)
+{
+  const Surface surface = cushion(4, 4, 0.2);
+  FlatteningOptions options;
+  options.interior.method = InteriorMethod::Relaxation;
+  options.interior.relaxation = 3.0;
+  EXPECT_EQ(flatten(surface, options), StatusCode::InvalidOption);
+  Execution execution;
+  execution.cancel = [] { return true; };
+  const FlatteningResult result = flattenSurface(surface.mesh, {}, {}, execution);
+  EXPECT_EQ(result.status.code, StatusCode::Cancelled);
+  EXPECT_TRUE(result.positions.empty());
+}
+
+TEST(Errors, BrokenPromisesKeepAResult)
+{
+  const auto run = [](const Surface& surface, const FlatteningOptions& options) {
+    FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    EXPECT_EQ(result.positions.size(), static_cast<std::size_t>(result.cut.mesh.vertexCount()));
+    return result.status.code;
+  };
+  FlatteningOptions few;
+  few.scheme = Scheme::Isometric;
+  few.isometric.maximumIterations = 1;
+  EXPECT_EQ(run(cushion(6, 6, 0.4), few), StatusCode::NotConverged);
+
+  FlatteningOptions strict;
+  strict.lengthTolerance = 0.0;
+  EXPECT_EQ(run(cushion(6, 6, 0.4), strict), StatusCode::LengthError);
+
+  // With both arcs of Fig. 14 the interior of Eq. 11 folds.
+  FlatteningOptions laplacian;
+  laplacian.interior.method = InteriorMethod::Laplacian;
+  EXPECT_EQ(run(quarterSphereWithTwoArcs(), laplacian), StatusCode::FlippedTriangles);
+
+  // The patch in the middle has all its angles prescribed, and they are not those of a flat one.
+  Surface framed = cushion(8, 8, 0.3);
+  framed.curves = { rowCurve(8, 2), rowCurve(8, 6), columnCurve(8, 8, 2), columnCurve(8, 8, 6) };
+  for (FeatureCurve& curve : framed.curves)
+  {
+    curve.type = CurveType::Key;
+  }
+  EXPECT_EQ(run(framed, {}), StatusCode::IncompatibleKeys);
+
+  // A spiral staircase turns more than once: it lies on itself in the plane.
+  const Surface stairs = patch(40, 2, [](double i, double j) {
+    const double turn = 3.0 * pi * i / 40.0;
+    return Point3((1.0 + j) * std::cos(-turn), (1.0 + j) * std::sin(-turn), 0.05 * i);
+  });
+  EXPECT_EQ(run(stairs, {}), StatusCode::Overlap);
+}
