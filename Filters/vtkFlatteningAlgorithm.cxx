@@ -39,7 +39,6 @@ static_assert(
   same(vtkFlatteningAlgorithm::CURVE_LEAVES_SURFACE, StatusCode::CurveLeavesSurface), "");
 static_assert(same(vtkFlatteningAlgorithm::CURVE_NOT_ON_EDGES, StatusCode::CurveNotOnEdges), "");
 static_assert(same(vtkFlatteningAlgorithm::INVALID_CURVE, StatusCode::InvalidCurve), "");
-static_assert(same(vtkFlatteningAlgorithm::PATCH_NOT_DISK, StatusCode::PatchNotDisk), "");
 static_assert(same(vtkFlatteningAlgorithm::INVALID_OPTION, StatusCode::InvalidOption), "");
 static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::NumericalFailure), "");
 static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::LastRefusal), "");
