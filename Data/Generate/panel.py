@@ -220,6 +220,13 @@ def boundaryLoop(chains):
     return loop[:-1]
 
 
+def upward(curve, points):
+    """The curve from its lower end to its upper end: a key curve that runs so stands so in the plane."""
+    vertices = list(curve.vertices)
+    falls = points[vertices[-1], 1] < points[vertices[0], 1]
+    return NamedCurve(curve.name, curve.kind, vertices[::-1] if falls else vertices)
+
+
 def mirrored(mesh, centre):
     """Add the mirror image in x; `centre` lists the vertices on the plane x = 0.
 
@@ -240,7 +247,7 @@ def mirrored(mesh, centre):
     for c in mesh.curves:
         reflected = [int(image[v]) for v in c.vertices]
         if all(onPlane[c.vertices]):
-            curves.append(c)
+            curves.append(upward(c, points))
         elif through[c.vertices[0]]:
             curves.append(NamedCurve(c.name, c.kind, reflected[:0:-1] + list(c.vertices)))
         elif through[c.vertices[-1]]:

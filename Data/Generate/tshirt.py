@@ -5,7 +5,7 @@ Its seams are curves of type 3; cut along them it falls into four disks. Unit cm
 import numpy as np
 
 from curves import ACCESSORY, KEY, SEAM, Curve, bezier, line
-from panel import Mesh, NamedCurve, Panel, build, sewn
+from panel import Mesh, NamedCurve, Panel, build, sewn, upward
 from torso import Bulge, Torso, TorsoShape, buildMirrored, level
 
 HEM, WAIST, CHEST, ARMPIT = 0.0, 22.0, 38.0, 41.0
@@ -133,7 +133,8 @@ def sleeve(torso):
         Curve("sleeve_girth", ACCESSORY, line((0, 0.55), (1, 0.55), 600)),
     ]
     mesh, _ = build(Panel(surface, outline, curves, spacing=SPACING, chart=surface.chart))
-    named = lambda tail: [NamedCurve(c.name + tail, c.kind, c.vertices) for c in mesh.curves]
+    rising = [upward(c, mesh.points) for c in mesh.curves]
+    named = lambda tail: [NamedCurve(c.name + tail, c.kind, c.vertices) for c in rising]
     left = Mesh(mesh.points, mesh.triangles, named("_left"))
     right = Mesh(mesh.points * [-1.0, 1.0, 1.0], mesh.triangles[:, ::-1], named("_right"))
     return left, right
