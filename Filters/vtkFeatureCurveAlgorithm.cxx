@@ -37,6 +37,13 @@ void vtkFeatureCurveAlgorithm::SetCurvesData(vtkPolyData* curves)
 }
 
 //------------------------------------------------------------------------------
+const char* vtkFeatureCurveAlgorithm::GetCoincidentPointsAsString() const
+{
+  static const char* const names[] = { "Automatic", "Join", "Keep" };
+  return names[this->CoincidentPoints];
+}
+
+//------------------------------------------------------------------------------
 int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -60,12 +67,15 @@ std::unique_ptr<flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::Loa
       curves.push_back(data);
     }
   }
+  static_assert(static_cast<int>(flattening::CoincidentPoints::Join) == JOIN, "");
+  static_assert(static_cast<int>(flattening::CoincidentPoints::Keep) == KEEP, "");
   flattening::ImprintOptions options;
   options.split = this->SplitTriangles;
   options.tolerance = this->ImprintTolerance;
   options.snap = this->SnapTolerance;
   auto source = std::make_unique<flattening::bridge::CurvedSurface>(
-    flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves, options,
+    flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
+      static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
       flattening::bridge::executionOf(this)));
   if (!this->Conclude(source->outcome))
   {
@@ -99,6 +109,7 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
 void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "CoincidentPoints: " << this->GetCoincidentPointsAsString() << "\n";
   os << indent << "SplitTriangles: " << (this->SplitTriangles ? "On" : "Off") << "\n";
   os << indent << "ImprintTolerance: " << this->ImprintTolerance << "\n";
   os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";

@@ -4,8 +4,8 @@
  * @brief common base of the filters that take a surface with feature curves
  *
  * **Port 0**, the surface: vtkPolyData of polygons and triangle strips. Polygons and strips are
- * triangulated, points with equal coordinates are joined, triangles that run the wrong way are
- * turned over. Vertex cells are ignored.
+ * triangulated, triangles that run the wrong way are turned over, and points with equal coordinates
+ * are joined where CoincidentPoints says so. Vertex cells are ignored.
  *
  * **Port 1**, optional and repeatable, the feature curves: the line cells of each vtkPolyData, with
  * points on the surface. **Line cells of the surface's own vtkPolyData are feature curves as
@@ -14,8 +14,8 @@
  * let blocks carry their own.
  *
  * Every polyline of three or more points is one curve. Two-point lines of one data set that agree
- * in all of the arrays below are joined end to end first, so that the output of vtkFeatureEdges
- * gives long curves and not one an edge.
+ * in all of the cell arrays below are joined end to end first, up to points where other than two of
+ * them meet, so that the output of vtkFeatureEdges gives long curves and not one an edge.
  *
  * | array | on | meaning |
  * |---|---|---|
@@ -73,6 +73,31 @@ public:
   void SetCurvesData(vtkPolyData* curves);
   ///@}
 
+  /**
+   * Whether points of the surface with equal coordinates are one.
+   */
+  enum CoincidentPointsModes
+  {
+    AUTOMATIC = 0,
+    JOIN = 1,
+    KEEP = 2
+  };
+
+  ///@{
+  /**
+   * Whether points of the surface with equal coordinates are one: JOIN, as wanted where a file has
+   * a point twice along a texture seam; KEEP, where edges meet in space without being sewn;
+   * AUTOMATIC, joined only where hardly any two triangles share a point, as in files of separate
+   * triangles. Default: AUTOMATIC.
+   */
+  vtkSetClampMacro(CoincidentPoints, int, AUTOMATIC, KEEP);
+  vtkGetMacro(CoincidentPoints, int);
+  void SetCoincidentPointsToAutomatic() { this->SetCoincidentPoints(AUTOMATIC); }
+  void SetCoincidentPointsToJoin() { this->SetCoincidentPoints(JOIN); }
+  void SetCoincidentPointsToKeep() { this->SetCoincidentPoints(KEEP); }
+  const char* GetCoincidentPointsAsString() const;
+  ///@}
+
   ///@{
   /**
    * Split triangles where a curve does not run along mesh edges; off: such a curve is refused
@@ -120,6 +145,7 @@ protected:
   void Flatten(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     flattening::FlatteningOptions options, const vtkIdType pins[2]);
 
+  int CoincidentPoints = AUTOMATIC;
   bool SplitTriangles = true;
   double ImprintTolerance = 1e-5;
   double SnapTolerance = 1e-3;

@@ -28,7 +28,7 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const flattening::bridge::LoadedSurface surface =
-    flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Join);
+    flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Automatic);
   if (!this->Conclude(surface.outcome))
   {
     return 1;

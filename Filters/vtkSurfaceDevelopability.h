@@ -8,9 +8,10 @@
  * laid flat without stretch; 0 also at points on the boundary, where any sum can lie flat, and at
  * points that no polygon uses. Regions of high values are where a dart or a feature curve helps.
  *
- * The input is vtkPolyData; polygons and strips are measured as triangulated, points with equal
- * coordinates as one. Cells and all other data pass through. After a refusal (see
- * vtkFlatteningAlgorithm) the output is without points and cells.
+ * The input is vtkPolyData; polygons and strips are measured as triangulated. Points with equal
+ * coordinates are one only where hardly any two triangles share a point, as in files of separate
+ * triangles. Cells and all other data pass through. After a refusal (see vtkFlatteningAlgorithm)
+ * the output is without points and cells.
  *
  * @sa vtkWireWarpingFilter
  */

@@ -42,6 +42,13 @@ const char* vtkWireWarpingFilter::GetInteriorAsString() const
 }
 
 //------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetSheetEnergyAsString() const
+{
+  static const char* const names[] = { "Rigid", "SymmetricDirichlet" };
+  return names[this->SheetEnergy];
+}
+
+//------------------------------------------------------------------------------
 int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -50,6 +57,8 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   static_assert(static_cast<int>(flattening::AngleMethod::Sequential) == SEQUENTIAL, "");
   static_assert(
     static_cast<int>(flattening::InteriorMethod::AsRigidAsPossible) == AS_RIGID_AS_POSSIBLE, "");
+  static_assert(
+    static_cast<int>(flattening::SheetEnergyKind::SymmetricDirichlet) == SYMMETRIC_DIRICHLET, "");
 
   flattening::FlatteningOptions options;
   options.scheme = static_cast<flattening::Scheme>(this->Scheme);
@@ -64,6 +73,11 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   options.interior.maximumIterations = this->RelaxationMaximumIterations;
   options.interior.energyTolerance = this->RigidEnergyTolerance;
   options.interior.maximumRigidIterations = this->RigidMaximumIterations;
+  options.isometric.energy.kind = static_cast<flattening::SheetEnergyKind>(this->SheetEnergy);
+  options.isometric.energy.bias = this->AreaBias;
+  options.isometric.angleWeight = this->AngleWeight;
+  options.isometric.maximumIterations = this->IsometricMaximumIterations;
+  options.isometric.tolerance = this->IsometricTolerance;
   options.releaseKeys = this->ReleaseKeys;
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
@@ -89,6 +103,11 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelaxationMaximumIterations: " << this->RelaxationMaximumIterations << "\n";
   os << indent << "RigidEnergyTolerance: " << this->RigidEnergyTolerance << "\n";
   os << indent << "RigidMaximumIterations: " << this->RigidMaximumIterations << "\n";
+  os << indent << "SheetEnergy: " << this->GetSheetEnergyAsString() << "\n";
+  os << indent << "AreaBias: " << this->AreaBias << "\n";
+  os << indent << "AngleWeight: " << this->AngleWeight << "\n";
+  os << indent << "IsometricMaximumIterations: " << this->IsometricMaximumIterations << "\n";
+  os << indent << "IsometricTolerance: " << this->IsometricTolerance << "\n";
   os << indent << "ConformalPins: " << this->ConformalPins[0] << " " << this->ConformalPins[1]
      << "\n";
   os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";

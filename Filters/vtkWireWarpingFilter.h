@@ -31,7 +31,11 @@
  * `ClosureResidual` (unit of length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
  * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max
  * a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of
- * area) (double); `Status`, `StatusMessage` (string).
+ * area) (double); `Status`, `StatusMessage` (string). Scheme ISOMETRIC: `SheetEnergy` and
+ * `AngleEnergy`, the two terms of its energy in units of the mean triangle area (double). Where to
+ * start if a piece is poor: `ReleaseFirst` (id; the curve whose length costs most, -1 where there
+ * is none) and `ObjectiveWithoutFirst` (double; Objective without it where that was tried, else
+ * -1).
  *
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
  * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds().
@@ -50,8 +54,9 @@
  * piece), `Connector` (unsigned char, 1 where it joins a loose loop and its length is free),
  * `RestLength`, `FlatLength` (unit of length), `LengthError` (double; the largest relative error of
  * one of its edges). Field data, one row a feature curve: `CurveNames` (string), `CurveTypes`
- * (int), `CurveRestLengths`, `CurveFlatLengths`, `CurveLengthErrors` (double); both sides of a cut
- * count once.
+ * (int), `CurveRestLengths`, `CurveFlatLengths`, `CurveLengthErrors`, `CurveTolerances` (0 where
+ * rigid), `CurveSensitivities` (derivative of the objective by the logarithm of the length)
+ * (double); both sides of a cut count once.
  *
  * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
  * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit
@@ -227,10 +232,63 @@ public:
 
   ///@{
   /**
-   * AS_RIGID_AS_POSSIBLE: most iterations. Default: 500. Range: from 0.
+   * AS_RIGID_AS_POSSIBLE: most iterations. Default: 200. Range: from 0.
    */
   vtkSetClampMacro(RigidMaximumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(RigidMaximumIterations, int);
+  ///@}
+
+  /**
+   * What deforming the sheet costs in the ISOMETRIC scheme.
+   */
+  enum SheetEnergies
+  {
+    RIGID = 0,
+    SYMMETRIC_DIRICHLET = 1
+  };
+
+  ///@{
+  /**
+   * ISOMETRIC: what deforming the sheet costs. RIGID, as rigid as possible: the squared distance of
+   * the map of each triangle from the nearest rotation; SYMMETRIC_DIRICHLET: grows without bound
+   * where a triangle collapses, so that none is flipped. Default: RIGID.
+   */
+  vtkSetClampMacro(SheetEnergy, int, RIGID, SYMMETRIC_DIRICHLET);
+  vtkGetMacro(SheetEnergy, int);
+  void SetSheetEnergyToRigid() { this->SetSheetEnergy(RIGID); }
+  void SetSheetEnergyToSymmetricDirichlet() { this->SetSheetEnergy(SYMMETRIC_DIRICHLET); }
+  const char* GetSheetEnergyAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * ISOMETRIC with RIGID: above 0 a change of area costs more than a change of angle, as in a stiff
+   * sheet; below 0 less, as in a stretchy one. Default: 0. Range: [-0.99, 0.99].
+   */
+  vtkSetClampMacro(AreaBias, double, -0.99, 0.99);
+  vtkGetMacro(AreaBias, double);
+  ///@}
+
+  ///@{
+  /**
+   * ISOMETRIC: weight of the wires' angles against the sheet: what a squared change of an angle by
+   * one radian costs, in the energy of a triangle of mean area. The larger, the nearer are the
+   * angles along the wires to those on the surface; 0 lets wires buckle. Default: 5. Range: [0,
+   * 100].
+   */
+  vtkSetClampMacro(AngleWeight, double, 0.0, 100.0);
+  vtkGetMacro(AngleWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * ISOMETRIC: most iterations, and the size of the relative gradient of the Lagrangian at which it
+   * stops. Default: 100 and 1e-9. Range: from 1, and from 0.
+   */
+  vtkSetClampMacro(IsometricMaximumIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(IsometricMaximumIterations, int);
+  vtkSetClampMacro(IsometricTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(IsometricTolerance, double);
   ///@}
 
   ///@{
@@ -293,7 +351,12 @@ private:
   int RelaxationMinimumIterations = 10;
   int RelaxationMaximumIterations = 100;
   double RigidEnergyTolerance = 1e-9;
-  int RigidMaximumIterations = 500;
+  int RigidMaximumIterations = 200;
+  int SheetEnergy = RIGID;
+  double AreaBias = 0.0;
+  double AngleWeight = 5.0;
+  int IsometricMaximumIterations = 100;
+  double IsometricTolerance = 1e-9;
   vtkIdType ConformalPins[2] = { -1, -1 };
   bool Arrange = true;
   double Spacing = 0.05;

@@ -41,8 +41,8 @@ struct FlatteningOptions
 struct Wire
 {
   CurveType type = CurveType::Accessory;
-  Index curve = none; ///< none: boundary of the surface, or a connector
-  bool boundary = false;
+  Index curve = none;    ///< none: boundary of the surface, or a connector
+  bool boundary = false; ///< bounds its piece: so do the banks of a cut
   bool connector = false;
   Index piece = 0;
   Indices vertices;        ///< of the cut surface

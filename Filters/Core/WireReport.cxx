@@ -95,7 +95,6 @@ void traceBoundary(const CutSurface& cut, std::vector<Wire>& wires)
       if (!going)
       {
         Wire wire;
-        wire.boundary = true;
         wire.piece = cut.pieceOfTriangle[h / 3];
         wire.vertices.push_back(cut.mesh.from(h));
         wires.push_back(std::move(wire));
@@ -103,6 +102,19 @@ void traceBoundary(const CutSurface& cut, std::vector<Wire>& wires)
       }
       wires.back().vertices.push_back(cut.mesh.to(h));
     }
+  }
+}
+
+/// Whether it bounds its piece, and its length.
+void completeWire(const TriangleMesh& cut, Wire& wire)
+{
+  wire.boundary = true;
+  for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
+  {
+    const Index a = wire.vertices[k];
+    const Index b = wire.vertices[k + 1];
+    wire.boundary = wire.boundary && (cut.find(a, b) == none || cut.find(b, a) == none);
+    wire.restLength += (cut.point(b) - cut.point(a)).norm();
   }
 }
 }
@@ -116,6 +128,10 @@ std::vector<Wire> traceWires(
     traceCurve(original, cut, curves[c], static_cast<Index>(c), wires);
   }
   traceBoundary(cut, wires);
+  for (Wire& wire : wires)
+  {
+    completeWire(cut.mesh, wire);
+  }
   return wires;
 }
 

@@ -6,8 +6,9 @@
 
 namespace flattening
 {
-/// Wires of a cut surface as polylines, without positions: each feature curve in the stretches and
-/// copies that the cuts leave of it, in the curve's order, then what of the boundary is no curve.
+/// Wires of a cut surface as polylines, without flat lengths: each feature curve in the stretches
+/// and copies that the cuts leave of it, in the curve's order, then what of the boundary is no
+/// curve.
 std::vector<Wire> traceWires(
   const TriangleMesh& original, const CutSurface& cut, const std::vector<FeatureCurve>& curves);
 

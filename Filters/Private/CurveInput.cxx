@@ -2,15 +2,14 @@
 #include "CurveInput.h"
 
 #include "CellVisit.h"
+#include "SegmentChains.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkStripper.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -207,32 +206,17 @@ private:
 
   void joinSegments(const std::vector<Chain>& segments)
   {
-    std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> cellOfSegment;
-    vtkNew<vtkCellArray> lines;
+    std::vector<std::array<vtkIdType, 2>> ends;
     for (const Chain& segment : segments)
     {
-      lines->InsertNextCell(2, segment.points.data());
-      cellOfSegment.insert({ std::minmax(segment.points[0], segment.points[1]), segment.cell });
+      ends.push_back({ segment.points[0], segment.points[1] });
     }
-    vtkNew<vtkPolyData> group;
-    group->SetPoints(this->Data->GetPoints());
-    group->SetLines(lines);
-    vtkNew<vtkStripper> stripper;
-    stripper->SetInputData(group);
-    stripper->JoinContiguousSegmentsOn();
-    stripper->Update();
-    forEachCell(
-      stripper->GetOutput()->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
-        Chain chain;
-        chain.cell = std::numeric_limits<vtkIdType>::max();
-        chain.attributes = segments.front().attributes;
-        chain.points.assign(ids, ids + count);
-        for (vtkIdType i = 1; i < count; ++i)
-        {
-          chain.cell = std::min(chain.cell, cellOfSegment.at(std::minmax(ids[i - 1], ids[i])));
-        }
-        this->Chains.push_back(std::move(chain));
-      });
+    for (SegmentChain& joined : chainSegments(ends))
+    {
+      Chain chain = segments[joined.firstSegment];
+      chain.points = std::move(joined.points);
+      this->Chains.push_back(std::move(chain));
+    }
   }
 
   bool appendPolylines()

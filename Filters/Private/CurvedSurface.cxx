@@ -21,18 +21,17 @@ Outcome outcomeOfImprint(
   return ofCurves ? outcomeOf(status, "cells", curves.cellOfPolyline) : outcomeOf(status);
 }
 
-/// Of the cut; what comes after it tells triangles or curves.
+/// Of the cut.
 bool concernsVertices(StatusCode code)
 {
-  switch (code)
-  {
-    case StatusCode::CurveNotOnEdges:
-    case StatusCode::CurveTooShort:
-    case StatusCode::InvalidPointId:
-      return true;
-    default:
-      return false;
-  }
+  return code == StatusCode::CurveNotOnEdges || code == StatusCode::CurveTooShort ||
+    code == StatusCode::InvalidPointId;
+}
+
+bool concernsTriangles(StatusCode code)
+{
+  return code == StatusCode::ClosedSurface || code == StatusCode::Handle ||
+    code == StatusCode::FlippedTriangles || code == StatusCode::Overlap;
 }
 }
 
@@ -70,10 +69,6 @@ Outcome CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 
 
 Outcome CurvedSurface::outcomeOfStage(const Status& status) const
 {
-  if (status.ids.empty())
-  {
-    return outcomeOf(status);
-  }
   if (status.code == StatusCode::IncompatibleKeys)
   {
     return outcomeOf(status, "cells of the curves", this->curves.cellOfPolyline);
@@ -87,19 +82,24 @@ Outcome CurvedSurface::outcomeOfStage(const Status& status) const
     }
     return outcomeOf(status, "points", inputId);
   }
-  for (Index t = 0; t < this->imprinted.mesh.triangleCount(); ++t)
+  if (concernsTriangles(status.code))
   {
-    inputId.push_back(this->cellOf(t));
+    for (Index t = 0; t < this->imprinted.mesh.triangleCount(); ++t)
+    {
+      inputId.push_back(this->cellOf(t));
+    }
+    return outcomeOf(status, "cells", inputId);
   }
-  return outcomeOf(status, "cells", inputId);
+  // Ids of a stage's own making (wire-patches of a piece) mean nothing to the caller.
+  return { status.code, status.message, {} };
 }
 
 CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  const ImprintOptions& options, const Execution& execution)
+  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution)
 {
   CurvedSurface result;
   result.data = surface;
-  result.surface = loadSurface(surface, CoincidentPoints::Automatic);
+  result.surface = loadSurface(surface, coincident);
   result.outcome = result.surface.outcome;
   if (!result.outcome.ok())
   {

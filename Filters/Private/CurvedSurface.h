@@ -22,7 +22,7 @@ namespace bridge
 /// The ids of a stage's Status are: those of the input in readTriangles() and readCurves();
 /// triangles and points of the input in prepareSurface(); points of the curve's data set, curves,
 /// or triangles of the input (NumericalFailure) in imprintCurves(); vertices of imprinted.mesh in
-/// cutSurface(); curves (IncompatibleKeys) or triangles after it.
+/// cutSurface(); after it curves (IncompatibleKeys), triangles, or nothing that the caller knows.
 struct CurvedSurface
 {
   vtkSmartPointer<vtkPolyData> data;
@@ -46,6 +46,6 @@ struct CurvedSurface
 };
 
 CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  const ImprintOptions& options, const Execution& execution);
+  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution);
 }
 }

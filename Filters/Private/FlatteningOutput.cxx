@@ -40,6 +40,16 @@ void writePieces(
     field, "Objective", rows, [&](std::size_t row) { return pieces[row].objective; });
   addRows<vtkDoubleArray>(
     field, "ClosureResidual", rows, [&](std::size_t row) { return pieces[row].closureResidual; });
+  addRows<vtkDoubleArray>(
+    field, "SheetEnergy", rows, [&](std::size_t row) { return pieces[row].sheetEnergy; });
+  addRows<vtkDoubleArray>(
+    field, "AngleEnergy", rows, [&](std::size_t row) { return pieces[row].angleEnergy; });
+  addRows<vtkIdTypeArray>(field, "ReleaseFirst", rows, [&](std::size_t row) {
+    const Indices& ranking = pieces[row].advice.ranking;
+    return ranking.empty() ? none : ranking.front();
+  });
+  addRows<vtkDoubleArray>(field, "ObjectiveWithoutFirst", rows,
+    [&](std::size_t row) { return pieces[row].advice.objectiveWithoutFirst; });
   std::vector<QualitySummary> summaries;
   for (const PieceReport& piece : pieces)
   {
@@ -149,6 +159,10 @@ void writeCurves(const std::vector<CurveReport>& curves, vtkFieldData* field)
     field, "CurveFlatLengths", rows, [&](std::size_t row) { return curves[row].flatLength; });
   addRows<vtkDoubleArray>(
     field, "CurveLengthErrors", rows, [&](std::size_t row) { return curves[row].error; });
+  addRows<vtkDoubleArray>(
+    field, "CurveTolerances", rows, [&](std::size_t row) { return curves[row].tolerance; });
+  addRows<vtkDoubleArray>(
+    field, "CurveSensitivities", rows, [&](std::size_t row) { return curves[row].sensitivity; });
 }
 
 void writeFlatLengths(const std::vector<Wire>& wires, vtkCellData* cells)

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cuts whose result can be counted by hand: copies of points, pieces, seam pairs, wires.
+#include "FlatteningTesting.h"
+
+#include "vtkFeatureCurveCutter.h"
+#include "vtkIdTypeArray.h"
+
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace flatteningTesting;
+
+namespace
+{
+vtkIdTypeArray* ids(vtkFieldData* field, const char* name)
+{
+  return vtkIdTypeArray::SafeDownCast(field->GetArray(name));
+}
+
+// How often each point of the input occurs among the points of the output.
+std::map<vtkIdType, int> countCopies(vtkPolyData* cut)
+{
+  std::map<vtkIdType, int> copies;
+  vtkIdTypeArray* original = ids(cut->GetPointData(), "vtkOriginalPointIds");
+  for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p)
+  {
+    ++copies[original->GetValue(p)];
+  }
+  return copies;
+}
+
+// Both edges of a seam pair lie on each other in space, end by end.
+void seamPairsLieOnEachOther(Checks& check, vtkPolyData* cut)
+{
+  vtkIdTypeArray* pairs = ids(cut->GetFieldData(), "SeamPairs");
+  for (vtkIdType i = 0; i < pairs->GetNumberOfTuples(); ++i)
+  {
+    vtkIdType row[5];
+    pairs->GetTypedTuple(i, row);
+    for (const int end : { 0, 1 })
+    {
+      double a[3];
+      double b[3];
+      cut->GetPoint(row[end], a);
+      cut->GetPoint(row[end + 2], b);
+      check.equal(vtkMath::Distance2BetweenPoints(a, b), 0.0, "distance of sewn points");
+    }
+    check.that(row[0] != row[1] && row[2] != row[3], "a seam pair joins two edges");
+    check.that(row[0] != row[2] || row[1] != row[3], "the two edges differ");
+  }
+}
+
+// A dart from the boundary to the middle of a 4 x 4 grid: its points get two copies, its tip one.
+void aDartOpens(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  vtkNew<vtkFeatureCurveCutter> cutter;
+  cutter->SetInputData(grid);
+  cutter->SetCurvesData(makeCurves(grid, { { 2, 7, 12 } }, { vtkFeatureCurveCutter::DART }));
+  cutter->Update();
+  vtkPolyData* cut = cutter->GetOutput();
+  check.equal(cut->GetNumberOfPoints(), 27, "points with an open dart");
+  for (const auto& entry : countCopies(cut))
+  {
+    check.equal(entry.second, entry.first == 2 || entry.first == 7 ? 2 : 1,
+      "copies of point " + std::to_string(entry.first));
+  }
+  check.equal(ids(cut->GetFieldData(), "SeamPairs")->GetNumberOfTuples(), 2, "seam pairs");
+  seamPairsLieOnEachOther(check, cut);
+  double range[2];
+  cut->GetCellData()->GetArray("PieceId")->GetRange(range);
+  check.equal(range[1], 0.0, "a dart leaves one piece");
+
+  vtkPolyData* wires = cutter->GetOutput(1);
+  check.equal(wires->GetNumberOfPoints(), cut->GetNumberOfPoints(), "wires share the points");
+  double dart = 0.0;
+  double boundary = 0.0;
+  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
+  {
+    const double type = wires->GetCellData()->GetArray("CurveType")->GetComponent(w, 0);
+    check.equal(
+      wires->GetCellData()->GetArray("Boundary")->GetComponent(w, 0), 1.0, "the wire is boundary");
+    (type == 2.0 ? dart : boundary) +=
+      wires->GetCellData()->GetArray("RestLength")->GetComponent(w, 0);
+  }
+  check.near(dart, 2 * 0.5, 1e-12, "length of both sides of the dart");
+  check.near(boundary, 4.0, 1e-12, "length of the square's boundary");
+}
+
+// A seam across divides the grid; an accessory curve that ends on it stays on its own side.
+void aSeamDivides(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  vtkNew<vtkFeatureCurveCutter> cutter;
+  cutter->SetInputData(grid);
+  cutter->SetCurvesData(makeCurves(grid, { { 2, 7, 12, 17, 22 }, { 10, 11, 12 } }, { 3, 0 }));
+  cutter->Update();
+  vtkPolyData* cut = cutter->GetOutput();
+  check.equal(cut->GetNumberOfPoints(), 30, "points of two pieces");
+  check.equal(ids(cut->GetFieldData(), "SeamPairs")->GetNumberOfTuples(), 4, "seam pairs");
+  seamPairsLieOnEachOther(check, cut);
+  vtkIdTypeArray* piece = ids(cut->GetCellData(), "PieceId");
+  vtkIdTypeArray* original = ids(cut->GetCellData(), "vtkOriginalCellIds");
+  std::set<vtkIdType> pointsOfLeft;
+  for (vtkIdType t = 0; t < cut->GetNumberOfCells(); ++t)
+  {
+    check.equal(original->GetValue(t), t, "cells keep their order");
+    const bool left = (t / 2) % 4 < 2;
+    check.equal(piece->GetValue(t), left ? 0 : 1, "piece of cell " + std::to_string(t));
+    vtkNew<vtkIdList> corners;
+    cut->GetCellPoints(t, corners);
+    for (vtkIdType k = 0; left && k < 3; ++k)
+    {
+      pointsOfLeft.insert(corners->GetId(k));
+    }
+  }
+  vtkPolyData* wires = cutter->GetOutput(1);
+  int accessory = 0;
+  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
+  {
+    if (wires->GetCellData()->GetArray("CurveType")->GetComponent(w, 0) == 0.0)
+    {
+      ++accessory;
+      vtkNew<vtkIdList> points;
+      wires->GetLines()->GetCellAtId(w, points);
+      check.equal(points->GetNumberOfIds(), 3, "points of the accessory curve");
+      for (vtkIdType k = 0; k < points->GetNumberOfIds(); ++k)
+      {
+        check.that(pointsOfLeft.count(points->GetId(k)) == 1, "the curve stays on its own side");
+      }
+    }
+  }
+  check.equal(accessory, 1, "number of accessory wires");
+}
+
+// Point data at the points that imprinting makes is a mean: a linear function stays linear.
+void imprintedPointsGetMeans(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  vtkNew<vtkDoubleArray> linear;
+  linear->SetName("Linear");
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    linear->InsertNextValue(3.0 * grid->GetPoint(p)[0] - 2.0 * grid->GetPoint(p)[1] + 1.0);
+  }
+  grid->GetPointData()->AddArray(linear);
+  const auto curves = makePolyData({ { 0.1, 0.0, 0 }, { 0.43, 0.61, 0 }, { 0.9, 1.0, 0 } }, {});
+  addLine(curves, { 0, 1, 2 });
+  vtkNew<vtkIntArray> type;
+  type->SetName("CurveType");
+  type->InsertNextValue(vtkFeatureCurveCutter::SEAM);
+  curves->GetCellData()->AddArray(type);
+  vtkNew<vtkFeatureCurveCutter> cutter;
+  cutter->SetInputData(grid);
+  cutter->SetCurvesData(curves);
+  cutter->Update();
+  vtkPolyData* cut = cutter->GetOutput();
+  check.that(cut->GetNumberOfCells() > 32,
+    std::string("triangles are split: ") + cutter->GetStatusMessage());
+  vtkDataArray* values = cut->GetPointData()->GetArray("Linear");
+  vtkIdTypeArray* original = ids(cut->GetPointData(), "vtkOriginalPointIds");
+  int made = 0;
+  for (vtkIdType p = 0; values && p < cut->GetNumberOfPoints(); ++p)
+  {
+    made += original->GetValue(p) == -1;
+    check.near(values->GetComponent(p, 0),
+      3.0 * cut->GetPoint(p)[0] - 2.0 * cut->GetPoint(p)[1] + 1.0, 1e-12, "linear function");
+  }
+  check.that(made > 0, "points made by imprinting have the id -1");
+  double length = 0.0;
+  vtkPolyData* wires = cutter->GetOutput(1);
+  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
+  {
+    if (wires->GetCellData()->GetArray("CurveId")->GetComponent(w, 0) == 0.0)
+    {
+      length += wires->GetCellData()->GetArray("RestLength")->GetComponent(w, 0);
+    }
+  }
+  check.near(length, 2.0 * (std::hypot(0.33, 0.61) + std::hypot(0.47, 0.39)), 1e-12,
+    "length of both sides of the seam");
+  double range[2];
+  cut->GetCellData()->GetArray("PieceId")->GetRange(range);
+  check.equal(range[1], 1.0, "the imprinted seam divides the sheet in two");
+}
+
+void refusalIsEmpty(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  vtkNew<vtkFeatureCurveCutter> cutter;
+  const Messages messages(cutter);
+  cutter->SetInputData(grid);
+  cutter->SetCurvesData(makeCurves(grid, { { 2 } }, { 2 }));
+  cutter->Update();
+  check.equal(cutter->GetStatusCode(), static_cast<int>(vtkFeatureCurveCutter::CURVE_TOO_SHORT),
+    "status of a curve of one point");
+  check.equal(messages.errors.size(), std::size_t{ 1 }, "errors");
+  check.that(isEmpty(cutter->GetOutput(0)) && isEmpty(cutter->GetOutput(1)), "outputs are empty");
+  std::ostringstream print;
+  cutter->Print(print);
+  check.contains(print.str(), "Status: CurveTooShort", "PrintSelf");
+}
+}
+
+int TestFeatureCurveCutter(int, char*[])
+{
+  Checks check;
+  aDartOpens(check);
+  aSeamDivides(check);
+  imprintedPointsGetMeans(check);
+  refusalIsEmpty(check);
+  return check.result();
+}

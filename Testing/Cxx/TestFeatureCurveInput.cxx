@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What line cells mean as feature curves: types by number and name, names, own lines, several data
+// sets, and two-point lines.
+#include "FlatteningTesting.h"
+
+#include "vtkFeatureEdges.h"
+#include "vtkIdTypeArray.h"
+#include "vtkTrivialProducer.h"
+#include "vtkWireWarpingFilter.h"
+
+using namespace flatteningTesting;
+
+namespace
+{
+vtkSmartPointer<vtkStringArray> makeStrings(
+  const char* name, const std::vector<std::string>& values)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+vtkIdType curveCount(vtkWireWarpingFilter* filter)
+{
+  return filter->GetOutput(1)->GetFieldData()->GetAbstractArray("CurveNames")->GetNumberOfTuples();
+}
+
+void typesMayBeNumbersOrNames(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const std::vector<Cell> lines = { { 10, 11, 12 }, { 2, 7 }, { 14, 13 }, { 15, 16, 17, 18, 19 } };
+  const auto byNumber = makeCurves(grid, lines, { 0, 1, 2, 3 });
+  const auto byName = makeCurves(grid, lines);
+  byName->GetCellData()->AddArray(makeStrings("CurveType", { "accessory", "key", "dart", "seam" }));
+  for (vtkPolyData* curves : { byNumber.Get(), byName.Get() })
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    filter->SetInputData(grid);
+    filter->SetCurvesData(curves);
+    filter->Update();
+    check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+    check.equal(curveCount(filter), 4, "number of curves");
+    for (int c = 0; c < 4; ++c)
+    {
+      check.equal(number(filter->GetOutput(1), "CurveTypes", c), static_cast<double>(c), "type");
+      check.equal(
+        text(filter->GetOutput(1), "CurveNames", c), "curve " + std::to_string(c), "default name");
+    }
+    check.equal(filter->GetOutput()->GetFieldData()->GetArray("Triangles")->GetNumberOfTuples(), 2,
+      "the seam makes two pieces");
+  }
+}
+
+// Own lines first, then each connection of port 1.
+void curvesComeFromSeveralDataSets(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  addLine(grid, { 10, 11, 12, 13, 14 });
+  const auto first = makeCurves(grid, { { 2, 7, 12 } });
+  first->GetCellData()->AddArray(makeStrings("CurveName", { "waist" }));
+  const auto second = makeCurves(grid, { { 22, 17, 12 } });
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(grid);
+  for (vtkPolyData* curves : { first.Get(), second.Get() })
+  {
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(curves);
+    filter->AddCurvesConnection(producer->GetOutputPort());
+  }
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+  check.equal(curveCount(filter), 3, "number of curves");
+  check.equal(text(filter->GetOutput(1), "CurveNames", 0), "curve 0", "the surface's own curve");
+  check.equal(text(filter->GetOutput(1), "CurveNames", 1), "waist", "the first connection's");
+  check.equal(text(filter->GetOutput(1), "CurveNames", 2), "curve 2", "the second connection's");
+  check.equal(number(filter->GetOutput(), "WirePatches"), 4.0, "wire-patches");
+  check.equal(
+    filter->GetOutput()->GetNumberOfLines(), 0, "own lines are no part of the flat piece");
+  check.equal(filter->GetOutput()->GetNumberOfPolys(), 32, "triangles");
+}
+
+// Nine edges in any order and direction, four of another type: two chains.
+void twoPointLinesAreJoined(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const auto curves = makeCurves(grid,
+    { { 12, 13 }, { 2, 7 }, { 11, 10 }, { 13, 14 }, { 12, 7 }, { 11, 12 } }, { 0, 2, 0, 0, 2, 0 });
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(grid);
+  filter->SetCurvesData(curves);
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+  check.equal(curveCount(filter), 2, "number of curves");
+  check.near(
+    number(filter->GetOutput(1), "CurveRestLengths", 0), 1.0, 1e-12, "the accessory curve");
+  check.equal(number(filter->GetOutput(1), "CurveTypes", 1), 2.0, "the second is the dart");
+  check.near(number(filter->GetOutput(1), "CurveRestLengths", 1), 0.5, 1e-12, "the dart");
+}
+
+void namesKeepTwoPointLinesApart(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const auto curves = makeCurves(grid, { { 10, 11 }, { 11, 12 }, { 12, 13 }, { 13, 14 } });
+  curves->GetCellData()->AddArray(makeStrings("CurveName", { "left", "left", "right", "right" }));
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(grid);
+  filter->SetCurvesData(curves);
+  filter->Update();
+  check.equal(curveCount(filter), 2, "number of curves");
+  check.equal(text(filter->GetOutput(1), "CurveNames", 0), "left", "first name");
+  check.equal(text(filter->GetOutput(1), "CurveNames", 1), "right", "second name");
+  check.near(number(filter->GetOutput(1), "CurveRestLengths", 1), 0.5, 1e-12, "its length");
+}
+
+// A closed curve, once as one polyline and once as its edges.
+void aClosedCurveMayComeInEdges(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const Cell loop = { 6, 7, 8, 13, 18, 17, 16, 11, 6 };
+  std::vector<Cell> edges;
+  for (std::size_t i = 1; i < loop.size(); ++i)
+  {
+    edges.push_back({ loop[i - 1], loop[i] });
+  }
+  for (const std::vector<Cell>& lines : { std::vector<Cell>{ loop }, edges })
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    filter->SetInputData(grid);
+    filter->SetCurvesData(makeCurves(grid, lines));
+    filter->Update();
+    check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+    check.equal(curveCount(filter), 1, "number of curves");
+    check.near(number(filter->GetOutput(1), "CurveRestLengths"), 2.0, 1e-12, "length of the loop");
+  }
+}
+
+// The output of vtkFeatureEdges on a folded sheet is a curve as it is.
+void featureEdgesAreCurves(Checks& check)
+{
+  const auto roof = makeGrid(4, 4, [](double x, double) { return -std::abs(x - 0.5); });
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(roof);
+  edges->BoundaryEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->SetFeatureAngle(30.0);
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(roof);
+  filter->SetCurvesConnection(edges->GetOutputPort());
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+  check.equal(curveCount(filter), 1, "number of curves");
+  check.near(number(filter->GetOutput(1), "CurveRestLengths"), 1.0, 1e-6, "length of the ridge");
+  check.near(number(filter->GetOutput(), "AreaError"), 0.0, 1e-6, "a roof unrolls: E_area");
+}
+
+// A key curve of Eq. 1 on a developable surface keeps its shape; asked to be straight it is.
+void keyShapesAreRead(Checks& check)
+{
+  const auto dome =
+    makeGrid(8, 8, [](double x, double y) { return 0.3 * x * (1.0 - x) + 0.2 * y * (1.0 - y); });
+  Cell line;
+  for (int i = 0; i <= 8; ++i)
+  {
+    line.push_back(27 + i + (i % 2 ? 9 : 0));
+  }
+  const auto curves = makeCurves(dome, { line }, { vtkWireWarpingFilter::KEY });
+  vtkNew<vtkIntArray> straight;
+  straight->SetName("KeyShape");
+  straight->InsertNextValue(1);
+  curves->GetCellData()->AddArray(straight);
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(dome);
+  filter->SetCurvesData(curves);
+  filter->Update();
+  check.that(!filter->IsRefused(), std::string("is flattened: ") + filter->GetStatusMessage());
+  // Upright by its grainline: a straight key curve has one x.
+  vtkPolyData* flat = filter->GetOutput();
+  double low = vtkMath::Inf();
+  double high = -vtkMath::Inf();
+  for (const vtkIdType p : line)
+  {
+    low = std::min(low, flat->GetPoint(p)[0]);
+    high = std::max(high, flat->GetPoint(p)[0]);
+  }
+  check.near(high - low, 0.0, 1e-9, "width of the straightened zigzag");
+  check.near(number(flat, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+}
+}
+
+int TestFeatureCurveInput(int, char*[])
+{
+  Checks check;
+  typesMayBeNumbersOrNames(check);
+  curvesComeFromSeveralDataSets(check);
+  twoPointLinesAreJoined(check);
+  namesKeepTwoPointLinesApart(check);
+  aClosedCurveMayComeInEdges(check);
+  featureEdgesAreCurves(check);
+  keyShapesAreRead(check);
+  return check.result();
+}

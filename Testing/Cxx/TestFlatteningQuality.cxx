@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures of maps whose distortion is known in closed form, and of the filters' own results.
+#include "FlatteningTesting.h"
+
+#include "vtkFlatteningQuality.h"
+#include "vtkIdTypeArray.h"
+#include "vtkWireWarpingFilter.h"
+
+#include <sstream>
+
+using namespace flatteningTesting;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> mapped(
+  vtkPolyData* surface, const std::function<std::array<double, 2>(double, double)>& map)
+{
+  auto flat = vtkSmartPointer<vtkPolyData>::New();
+  flat->DeepCopy(surface);
+  for (vtkIdType p = 0; p < flat->GetNumberOfPoints(); ++p)
+  {
+    const std::array<double, 2> position = map(surface->GetPoint(p)[0], surface->GetPoint(p)[1]);
+    flat->GetPoints()->SetPoint(p, position[0], position[1], 0.0);
+  }
+  return flat;
+}
+
+double cellValue(vtkPolyData* data, const char* name, vtkIdType cell)
+{
+  return data->GetCellData()->GetArray(name)->GetComponent(cell, 0);
+}
+
+// x stretched by 2, y by 1/4: a = 1/2, S = 2, s = 1/4 in every triangle.
+void aStretchIsMeasuredExactly(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const auto flat = mapped(grid, [](double x, double y) {
+    return std::array<double, 2>{ 2.0 * x, 0.25 * y };
+  });
+  vtkNew<vtkFlatteningQuality> quality;
+  quality->SetInputData(grid);
+  quality->SetFlatData(flat);
+  quality->Update();
+  vtkPolyData* output = quality->GetOutput();
+  check.equal(output->GetNumberOfCells(), 32, "cells");
+  for (vtkIdType t = 0; t < output->GetNumberOfCells(); ++t)
+  {
+    check.near(cellValue(output, "AreaRatio", t), 0.5, 1e-14, "AreaRatio");
+    check.near(cellValue(output, "HomogeneityOfDistortion", t), 0.5, 1e-14, "Homogeneity");
+    check.near(cellValue(output, "AspectRatio", t), 0.125, 1e-14, "AspectRatio");
+    check.equal(cellValue(output, "Flipped", t), 0.0, "Flipped");
+  }
+  check.near(number(output, "GlobalHomogeneity"), 1.0, 1e-13, "E_h = min a / max a");
+  check.near(number(output, "GlobalAspectRatio"), 0.125, 1e-13, "E_r = min s / max S");
+  check.near(number(output, "AreaError"), 0.5, 1e-14, "E_area");
+  // Half of the boundary edges are doubled (error 1), half quartered (error 3/4).
+  check.near(number(output, "MaxEdgeLengthError"), 1.0, 1e-14, "E_len_max over the boundary");
+  check.near(number(output, "EdgeLengthError"), 0.875, 1e-14, "E_len over the boundary");
+  check.equal(number(output, "Mirrored"), 0.0, "Mirrored");
+  check.equal(number(output, "Overlaps"), 0.0, "Overlaps");
+  check.equal(number(output, "Triangles"), 32.0, "Triangles");
+  check.equal(number(output, "Vertices"), 25.0, "Vertices");
+}
+
+void edgesChooseWhatCounts(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const auto flat = mapped(grid, [](double x, double y) {
+    return std::array<double, 2>{ 2.0 * x, 0.25 * y };
+  });
+  vtkNew<vtkFlatteningQuality> quality;
+  quality->SetInputData(grid);
+  quality->SetFlatData(flat);
+  quality->SetEdgesData(makeCurves(grid, { { 10, 11, 12 } }));
+  quality->Update();
+  check.near(number(quality->GetOutput(), "EdgeLengthError"), 1.0, 1e-14, "E_len along x");
+  // The same edges by the coordinates of the flat surface.
+  quality->SetEdgesData(makeCurves(flat, { { 2, 7, 12 } }));
+  quality->Update();
+  check.near(number(quality->GetOutput(), "EdgeLengthError"), 0.75, 1e-14, "E_len along y");
+}
+
+void aMirroredMapIsSeenFromBehind(Checks& check)
+{
+  const auto grid = makeGrid(3, 3);
+  vtkNew<vtkFlatteningQuality> quality;
+  quality->SetInputData(grid);
+  quality->SetFlatData(mapped(grid, [](double x, double y) {
+    return std::array<double, 2>{ -x, y };
+  }));
+  quality->Update();
+  check.equal(number(quality->GetOutput(), "Mirrored"), 1.0, "Mirrored");
+  check.equal(number(quality->GetOutput(), "FlippedTriangles"), 0.0, "FlippedTriangles");
+  check.near(number(quality->GetOutput(), "GlobalHomogeneity"), 1.0, 1e-14, "E_h");
+}
+
+// The inner point of a fan of four triangles pulled out over an edge: one flip. A strip rolled over
+// itself: its ends cross.
+void flipsAndOverlapsAreFound(Checks& check)
+{
+  const auto fan =
+    makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0 } },
+      { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } });
+  vtkNew<vtkPolyData> flat;
+  flat->DeepCopy(fan);
+  flat->GetPoints()->SetPoint(4, 1.5, 0.5, 0.0);
+  vtkNew<vtkFlatteningQuality> quality;
+  const Messages messages(quality);
+  quality->SetInputData(fan);
+  quality->SetFlatData(flat);
+  quality->Update();
+  check.equal(number(quality->GetOutput(), "FlippedTriangles"), 1.0, "FlippedTriangles");
+  check.equal(cellValue(quality->GetOutput(), "Flipped", 1), 1.0, "Flipped of cell 1");
+  check.that(number(quality->GetOutput(), "GlobalHomogeneity") < 0.0, "E_h is negative");
+  check.equal(messages.warnings.size() + messages.errors.size(), std::size_t{ 0 }, "messages");
+
+  const auto strip = makeGrid(24, 1);
+  quality->SetInputData(strip);
+  quality->SetFlatData(mapped(strip, [](double x, double y) {
+    const double angle = 2.3 * vtkMath::Pi() * x;
+    return std::array<double, 2>{ (2.0 - y) * std::cos(angle), (2.0 - y) * std::sin(angle) };
+  }));
+  quality->Update();
+  check.equal(number(quality->GetOutput(), "FlippedTriangles"), 0.0, "no flip in the roll");
+  check.that(number(quality->GetOutput(), "Overlaps") > 0.0, "the roll overlaps itself");
+  auto* edges =
+    vtkIdTypeArray::SafeDownCast(quality->GetOutput()->GetFieldData()->GetArray("OverlapEdges"));
+  check.that(edges && edges->GetNumberOfComponents() == 4 &&
+      edges->GetNumberOfTuples() ==
+        static_cast<vtkIdType>(number(quality->GetOutput(), "Overlaps")),
+    "a row of OverlapEdges for each");
+  quality->SetMaximumOverlaps(1);
+  quality->Update();
+  check.equal(number(quality->GetOutput(), "Overlaps"), 1.0, "MaximumOverlaps");
+}
+
+// The filter's own numbers come out again from its outputs: as texture coordinates and as two
+// surfaces, with a dart, so that both sides of the cut must stay apart.
+void theFiltersNumbersComeOutAgain(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeCurves(surface,
+    { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4) },
+      { lunePoint(0, 2), lunePoint(1, 2), lunePoint(2, 2), lunePoint(3, 2), lunePoint(4, 2) } },
+    { 2, 0 }));
+  filter->Update();
+  vtkPolyData* flat = filter->GetOutput(0);
+  for (const bool twoSurfaces : { false, true })
+  {
+    vtkNew<vtkFlatteningQuality> quality;
+    quality->SetInputData(filter->GetOutput(2));
+    if (twoSurfaces)
+    {
+      quality->SetFlatData(flat);
+    }
+    quality->Update();
+    vtkPolyData* output = quality->GetOutput();
+    check.equal(std::string(quality->GetStatusName()), "Ok", "status");
+    check.equal(output->GetNumberOfCells(), flat->GetNumberOfCells(), "cells");
+    check.equal(number(output, "Vertices"), number(flat, "Vertices"), "Vertices");
+    for (const char* name :
+      { "AngleErrorMean", "GlobalHomogeneity", "GlobalAspectRatio", "AreaError" })
+    {
+      check.near(number(output, name), number(flat, name), 1e-12, name);
+    }
+    check.near(number(output, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+    for (vtkIdType t = 0; t < output->GetNumberOfCells(); ++t)
+    {
+      check.near(cellValue(output, "AreaRatio", t), cellValue(flat, "AreaRatio", t), 1e-12, "a");
+    }
+  }
+}
+
+void badInputIsRefused(Checks& check)
+{
+  const auto grid = makeGrid(2, 2);
+  struct Case
+  {
+    const char* what;
+    vtkSmartPointer<vtkPolyData> flat;
+    vtkSmartPointer<vtkPolyData> edges;
+    int status;
+    const char* words;
+  };
+  const auto broken = makeGrid(2, 2);
+  broken->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
+  const auto away = makePolyData({ { 0, 0, 0 }, { 7, 7, 7 } }, {});
+  addLine(away, { 0, 1 });
+  for (const Case& c :
+    { Case{ "no flat positions", nullptr, nullptr, vtkFlatteningQuality::INVALID_OPTION, "port 1" },
+      Case{ "another surface", makeGrid(3, 2), nullptr, vtkFlatteningQuality::INVALID_OPTION,
+        "as many points" },
+      Case{ "a NaN", broken, nullptr, vtkFlatteningQuality::NON_FINITE_POINT, "points 5" },
+      Case{ "edges elsewhere", makeGrid(2, 2), away, vtkFlatteningQuality::CURVE_POINT_OFF_SURFACE,
+        "points 1" },
+      Case{ "an edge across", makeGrid(2, 2), makeCurves(grid, { { 2, 4 } }),
+        vtkFlatteningQuality::CURVE_NOT_ON_EDGES, "between points 2 and 4" } })
+  {
+    vtkNew<vtkFlatteningQuality> quality;
+    const Messages messages(quality);
+    quality->SetInputData(grid);
+    if (c.flat)
+    {
+      quality->SetFlatData(c.flat);
+    }
+    if (c.edges)
+    {
+      quality->SetEdgesData(c.edges);
+    }
+    quality->Update();
+    check.equal(quality->GetStatusCode(), c.status, std::string(c.what) + ": status");
+    check.equal(messages.errors.size(), std::size_t{ 1 }, std::string(c.what) + ": errors");
+    check.contains(quality->GetStatusMessage(), c.words, c.what);
+    check.that(isEmpty(quality->GetOutput()), std::string(c.what) + ": output is empty");
+  }
+  vtkNew<vtkFlatteningQuality> quality;
+  std::ostringstream print;
+  quality->Print(print);
+  check.contains(print.str(), "MaximumOverlaps: 1000", "PrintSelf");
+}
+}
+
+int TestFlatteningQuality(int, char*[])
+{
+  Checks check;
+  aStretchIsMeasuredExactly(check);
+  edgesChooseWhatCounts(check);
+  aMirroredMapIsSeenFromBehind(check);
+  flipsAndOverlapsAreFound(check);
+  theFiltersNumbersComeOutAgain(check);
+  badInputIsRefused(check);
+  return check.result();
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The comparison method: Table 1's row of the quarter-sphere, an exact unrolling, darts.
+#include "FlatteningTesting.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkLeastSquaresConformalFilter.h"
+#include "vtkWireWarpingFilter.h"
+
+#include <sstream>
+
+using namespace flatteningTesting;
+
+namespace
+{
+// Table 1 prints E_len 64.3, E_ang 42.1 (in thousandths), E_h 0.582.
+void tableOneIsReproduced(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkLeastSquaresConformalFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeQuarterSphereArc(surface));
+  filter->AreaNormalizedOff();
+  filter->SetPins(lunePoint(0, 4), lunePoint(0, 5));
+  filter->Update();
+  vtkPolyData* flat = filter->GetOutput();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+  check.near(number(flat, "EdgeLengthError"), 0.06433, 5e-6, "E_len");
+  check.near(number(flat, "AngleErrorMean"), 0.04216, 5e-6, "E_ang");
+  check.near(number(flat, "GlobalHomogeneity"), 0.58187, 5e-6, "E_h");
+}
+
+// The boundary keeps its length on the whole: the map is scaled so.
+void thePerimeterIsThatOfTheSurface(Checks& check)
+{
+  vtkNew<vtkLeastSquaresConformalFilter> filter;
+  filter->SetInputData(makeQuarterSphere());
+  filter->Update();
+  vtkPolyData* wires = filter->GetOutput(1);
+  double rest = 0.0;
+  double flat = 0.0;
+  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
+  {
+    rest += wires->GetCellData()->GetArray("RestLength")->GetComponent(w, 0);
+    flat += wires->GetCellData()->GetArray("FlatLength")->GetComponent(w, 0);
+  }
+  check.near(flat, rest, 1e-12 * rest, "perimeter in the plane");
+}
+
+// A cylinder sheet has a conformal map without any error: its unrolling, whatever the pins.
+void aCylinderUnrolls(Checks& check)
+{
+  const auto sheet = makeGrid(12, 6);
+  for (vtkIdType p = 0; p < sheet->GetNumberOfPoints(); ++p)
+  {
+    double point[3];
+    sheet->GetPoint(p, point);
+    // Every second row of a chordal cylinder would bend its diagonals; u runs around, v along.
+    sheet->GetPoints()->SetPoint(p, std::sin(2.0 * point[0]), std::cos(2.0 * point[0]), point[1]);
+  }
+  for (const int pin : { -1, 0 })
+  {
+    vtkNew<vtkLeastSquaresConformalFilter> filter;
+    filter->SetInputData(sheet);
+    filter->SetPins(pin, pin < 0 ? -1 : 17);
+    filter->Update();
+    check.near(number(filter->GetOutput(), "AngleErrorMean"), 0.0, 1e-10, "E_ang");
+    check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+    check.near(number(filter->GetOutput(), "AreaError"), 0.0, 1e-10, "E_area");
+  }
+}
+
+void dartsAreOpenedFirst(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkLeastSquaresConformalFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetCurvesData(
+    makeCurves(surface, { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4) } }, { 2 }));
+  filter->Update();
+  check.equal(filter->GetOutput()->GetNumberOfPoints(), 39, "points with an open dart");
+  const double closedError = [&surface] {
+    vtkNew<vtkLeastSquaresConformalFilter> closed;
+    closed->SetInputData(surface);
+    closed->Update();
+    return number(closed->GetOutput(), "AreaError");
+  }();
+  check.that(number(filter->GetOutput(), "AreaError") < closedError, "a dart lowers E_area");
+}
+
+// The filter is the scheme of vtkWireWarpingFilter on its own.
+void itIsTheSchemeOfTheMainFilter(Checks& check)
+{
+  vtkNew<vtkLeastSquaresConformalFilter> filter;
+  vtkNew<vtkWireWarpingFilter> scheme;
+  scheme->SetSchemeToLeastSquaresConformal();
+  for (vtkPolyDataAlgorithm* algorithm :
+    { static_cast<vtkPolyDataAlgorithm*>(filter), static_cast<vtkPolyDataAlgorithm*>(scheme) })
+  {
+    algorithm->SetInputData(makeQuarterSphere());
+    algorithm->Update();
+  }
+  for (vtkIdType p = 0; p < 37; ++p)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      check.equal(
+        filter->GetOutput()->GetPoint(p)[k], scheme->GetOutput()->GetPoint(p)[k], "coordinate");
+    }
+  }
+}
+
+void propertiesArePrintedAndPinsChecked(Checks& check)
+{
+  vtkNew<vtkLeastSquaresConformalFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(makeGrid(2, 2));
+  filter->SetPins(4, 4);
+  filter->Update();
+  check.equal(filter->GetStatusCode(),
+    static_cast<int>(vtkLeastSquaresConformalFilter::INVALID_OPTION), "status of one pin twice");
+  check.equal(messages.errors.size(), std::size_t{ 1 }, "errors");
+  std::ostringstream print;
+  filter->Print(print);
+  for (const char* line :
+    { "Pins: 4 4", "AreaNormalized: On", "Arrange: On", "Spacing: 0.05", "Status: InvalidOption" })
+  {
+    check.contains(print.str(), line, "PrintSelf");
+  }
+}
+}
+
+int TestLeastSquaresConformalFilter(int, char*[])
+{
+  Checks check;
+  tableOneIsReproduced(check);
+  thePerimeterIsThatOfTheSurface(check);
+  aCylinderUnrolls(check);
+  dartsAreOpenedFirst(check);
+  itIsTheSchemeOfTheMainFilter(check);
+  propertiesArePrintedAndPinsChecked(check);
+  return check.result();
+}

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's quarter-sphere through the filter: Table 1's numbers, the documented arrays, carried
+// data.
+#include "FlatteningTesting.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkWireWarpingFilter.h"
+
+#include <sstream>
+
+using namespace flatteningTesting;
+
+namespace
+{
+vtkSmartPointer<vtkWireWarpingFilter> makeFilter()
+{
+  const auto surface = makeQuarterSphere();
+  auto filter = vtkSmartPointer<vtkWireWarpingFilter>::New();
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeQuarterSphereArc(surface));
+  filter->SetInteriorToLaplacian();
+  return filter;
+}
+
+// Table 1: E_ang and E_h to the digits that the paper prints, E_len = 0.
+void tableOneIsReproduced(Checks& check)
+{
+  struct Row
+  {
+    int scheme;
+    double angleError;
+    double homogeneity;
+  };
+  for (const Row& row : { Row{ vtkWireWarpingFilter::PROGRESSIVE, 0.159115, 0.39359 },
+         Row{ vtkWireWarpingFilter::GLOBAL, 0.148796, 0.40397 } })
+  {
+    for (const int solver : { vtkWireWarpingFilter::NEWTON, vtkWireWarpingFilter::SEQUENTIAL })
+    {
+      const auto filter = makeFilter();
+      filter->SetScheme(row.scheme);
+      filter->SetSolver(solver);
+      filter->Update();
+      vtkPolyData* flat = filter->GetOutput();
+      const std::string name =
+        std::string(filter->GetSchemeAsString()) + ", " + filter->GetSolverAsString() + ": ";
+      check.equal(std::string(filter->GetStatusName()), "Ok", name + "status");
+      check.near(number(flat, "AngleErrorMean"), row.angleError, 1e-6, name + "E_ang");
+      check.near(number(flat, "GlobalHomogeneity"), row.homogeneity, 1e-5, name + "E_h");
+      check.near(number(flat, "MaxEdgeLengthError"), 0.0, 1e-10, name + "E_len_max");
+      check.near(largestLengthError(
+                   filter->GetOutput(1), flat->GetPoints(), filter->GetOutput(2)->GetPoints()),
+        0.0, 1e-10, name + "length error measured on the outputs");
+      if (row.scheme == vtkWireWarpingFilter::GLOBAL)
+      {
+        check.near(number(flat, "Objective"), 0.197157, 1e-6, name + "objective");
+      }
+    }
+  }
+}
+
+void outputsAreAsDocumented(Checks& check)
+{
+  const auto filter = makeFilter();
+  filter->Update();
+  vtkPolyData* flat = filter->GetOutput(0);
+  vtkPolyData* wires = filter->GetOutput(1);
+  vtkPolyData* cut = filter->GetOutput(2);
+  check.equal(flat->GetNumberOfPoints(), 37, "points of the flat piece");
+  check.equal(flat->GetNumberOfPolys(), 56, "triangles of the flat piece");
+  check.equal(flat->GetPoints()->GetDataType(), VTK_DOUBLE, "type of the points");
+  check.equal(flat->GetBounds()[4], 0.0, "lowest z");
+  check.equal(flat->GetBounds()[5], 0.0, "highest z");
+  for (const char* name : { "HomogeneityOfDistortion", "AspectRatio", "AreaRatio", "AngleError",
+         "Flipped", "PieceId", "WirePatchId", "vtkOriginalCellIds" })
+  {
+    check.that(flat->GetCellData()->HasArray(name), std::string("flat cells have ") + name);
+    check.that(cut->GetCellData()->HasArray(name), std::string("cut cells have ") + name);
+  }
+  for (const char* name : { "Developability", "vtkOriginalPointIds" })
+  {
+    check.that(flat->GetPointData()->HasArray(name), std::string("flat points have ") + name);
+    check.that(cut->GetPointData()->HasArray(name), std::string("cut points have ") + name);
+  }
+  for (const char* name : { "Triangles", "Vertices", "WirePatches", "WireNodes", "FreeWireNodes",
+         "Constraints", "Iterations", "FlippedTriangles", "Overlaps", "Objective",
+         "ClosureResidual", "EdgeLengthError", "MaxEdgeLengthError", "AngleErrorMean",
+         "GlobalHomogeneity", "GlobalAspectRatio", "AreaError", "Status", "StatusMessage",
+         "RunStatus", "RunStatusMessage", "RunStatusIds", "SecondsWires", "SecondsInterior",
+         "SecondsQuality", "SecondsTotal", "HistoryPiece", "HistoryPhase", "HistoryObjective",
+         "HistoryClosure", "HistoryOptimality", "HistoryStep", "SeamPairs", "OverlapEdges" })
+  {
+    check.that(flat->GetFieldData()->HasArray(name), std::string("field data has ") + name);
+  }
+  check.equal(number(flat, "Triangles"), 56.0, "Triangles");
+  check.equal(number(flat, "Vertices"), 37.0, "Vertices");
+  check.equal(number(flat, "WirePatches"), 2.0, "WirePatches");
+  check.equal(number(flat, "WireNodes"), 24.0, "WireNodes");
+  check.equal(text(flat, "Status"), "Ok", "Status");
+  check.equal(text(flat, "RunStatus"), "Ok", "RunStatus");
+  check.that(flat->GetFieldData()->GetArray("HistoryObjective")->GetNumberOfTuples() > 0,
+    "there is a history");
+
+  // 16 boundary edges of 22.5 degrees on great circles, and the arc of 4.
+  const double edge = 2.0 * std::sin(vtkMath::Pi() / 16.0);
+  double boundary = 0.0;
+  double arc = 0.0;
+  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
+  {
+    auto value = [wires, w](const char* name) {
+      return wires->GetCellData()->GetArray(name)->GetComponent(w, 0);
+    };
+    (value("Boundary") == 1.0 ? boundary : arc) += value("RestLength");
+    check.near(value("FlatLength"), value("RestLength"), 1e-10, "length of a wire");
+    check.near(value("LengthError"), 0.0, 1e-10, "length error of a wire");
+    check.equal(value("CurveType"), value("Boundary") == 1.0 ? -1.0 : 0.0, "CurveType of a wire");
+    check.equal(value("CurveId"), value("Boundary") == 1.0 ? -1.0 : 0.0, "CurveId of a wire");
+  }
+  check.near(boundary, 16 * edge, 1e-12, "length of the boundary");
+  check.near(arc, 4 * edge, 1e-12, "length of the arc");
+  check.equal(text(wires, "CurveNames"), "curve 0", "default name of a curve");
+  check.near(number(wires, "CurveRestLengths"), 4 * edge, 1e-12, "length of the curve");
+  check.near(number(wires, "CurveFlatLengths"), 4 * edge, 1e-10, "flat length of the curve");
+
+  // The cut surface carries the flat positions.
+  vtkDataArray* coordinates = cut->GetPointData()->GetTCoords();
+  check.that(coordinates != nullptr, "the cut surface has texture coordinates");
+  for (vtkIdType p = 0; coordinates && p < flat->GetNumberOfPoints(); ++p)
+  {
+    check.equal(coordinates->GetComponent(p, 0), flat->GetPoint(p)[0], "u");
+    check.equal(coordinates->GetComponent(p, 1), flat->GetPoint(p)[1], "v");
+  }
+  check.that(!flat->GetCellData()->HasArray("WarpingOrder"), "GLOBAL has no warping order");
+  filter->SetSchemeToProgressive();
+  filter->Update();
+  double range[2] = { -1.0, -1.0 };
+  check.that(flat->GetCellData()->HasArray("WarpingOrder"), "PROGRESSIVE has a warping order");
+  flat->GetCellData()->GetArray("WarpingOrder")->GetRange(range);
+  check.that(range[0] == 0.0 && range[1] == 1.0, "two wire-patches are warped one after the other");
+}
+
+void dataIsCarriedAndTheInputIsLeftAlone(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkDoubleArray> pointValues;
+  pointValues->SetName("PointValue");
+  for (vtkIdType p = 0; p < 37; ++p)
+  {
+    pointValues->InsertNextValue(0.5 * static_cast<double>(p));
+  }
+  surface->GetPointData()->SetScalars(pointValues);
+  vtkNew<vtkStringArray> cellValues;
+  cellValues->SetName("CellValue");
+  for (vtkIdType c = 0; c < 56; ++c)
+  {
+    cellValues->InsertNextValue("cell " + std::to_string(c));
+  }
+  surface->GetCellData()->AddArray(cellValues);
+  vtkNew<vtkIntArray> season;
+  season->SetName("Season");
+  season->InsertNextValue(2008);
+  surface->GetFieldData()->AddArray(season);
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(surface);
+  const vtkMTimeType time = surface->GetMTime();
+
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeQuarterSphereArc(surface));
+  filter->Update();
+
+  check.equal(surface->GetMTime(), time, "modification time of the input");
+  check.equal(surface->GetPointData()->GetNumberOfArrays(), 1, "point arrays of the input");
+  check.equal(surface->GetCellData()->GetNumberOfArrays(), 1, "cell arrays of the input");
+  for (vtkIdType p = 0; p < 37; ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      check.equal(surface->GetPoint(p)[k], before->GetPoint(p)[k], "coordinate of the input");
+    }
+  }
+  for (const int port : { 0, 2 })
+  {
+    vtkPolyData* output = filter->GetOutput(port);
+    vtkDataArray* points = output->GetPointData()->GetArray("PointValue");
+    auto* cells =
+      vtkStringArray::SafeDownCast(output->GetCellData()->GetAbstractArray("CellValue"));
+    auto* pointIds =
+      vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("vtkOriginalPointIds"));
+    auto* cellIds =
+      vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("vtkOriginalCellIds"));
+    check.that(points && cells && pointIds && cellIds, "data and ids are carried");
+    if (!points || !cells || !pointIds || !cellIds)
+    {
+      return;
+    }
+    check.that(output->GetPointData()->GetScalars() == points, "active scalars stay active");
+    for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+    {
+      check.equal(points->GetComponent(p, 0), 0.5 * static_cast<double>(pointIds->GetValue(p)),
+        "point value");
+    }
+    for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+    {
+      check.equal(cells->GetValue(c), "cell " + std::to_string(cellIds->GetValue(c)), "cell value");
+      check.equal(cellIds->GetValue(c), c, "cells come in the input's order");
+    }
+  }
+  // Round trip: the cut surface's points are those of the input that the ids tell.
+  vtkPolyData* cut = filter->GetOutput(2);
+  auto* ids = vtkIdTypeArray::SafeDownCast(cut->GetPointData()->GetArray("vtkOriginalPointIds"));
+  for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p)
+  {
+    double original[3];
+    surface->GetPoint(ids->GetValue(p), original);
+    check.equal(
+      vtkMath::Distance2BetweenPoints(cut->GetPoint(p), original), 0.0, "distance to its original");
+  }
+  check.equal(number(filter->GetOutput(), "Season"), 2008.0, "field data");
+}
+
+// A grid of quads, a strip and doubled points is the surface of its triangles.
+void polygonsAreTriangulatedAndPointsJoined(Checks& check)
+{
+  const auto surface =
+    makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 2, 0, 0 },
+                   { 2, 1, 0 }, { 1, 1, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 9, 9, 9 } },
+      { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 5, 8, 6, 9 });
+  surface->SetStrips(strips);
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(surface);
+  filter->Update();
+  check.equal(filter->GetOutput()->GetFieldData()->GetArray("Triangles")->GetNumberOfTuples(), 2,
+    "pieces while the doubled points are kept apart");
+  filter->SetCoincidentPointsToJoin();
+  filter->Update();
+  vtkPolyData* flat = filter->GetOutput();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status of the strip of quads");
+  check.equal(flat->GetNumberOfPolys(), 6, "triangles");
+  check.equal(flat->GetNumberOfPoints(), 8, "joined points");
+  check.equal(number(flat, "Triangles", 0), 6.0, "triangles of the one piece");
+  auto* cellIds = vtkIdTypeArray::SafeDownCast(flat->GetCellData()->GetArray("vtkOriginalCellIds"));
+  for (vtkIdType t = 0; cellIds && t < 6; ++t)
+  {
+    check.equal(cellIds->GetValue(t), t / 2, "cell of a triangle");
+  }
+  check.near(number(flat, "AreaError"), 0.0, 1e-12, "a flat surface stays as it is: E_area");
+  check.near(number(flat, "AngleErrorMean"), 0.0, 1e-12, "a flat surface stays as it is: E_ang");
+}
+
+// Triangles with points of their own, as STL has them, hang together by coordinates.
+void separateTrianglesAreJoined(Checks& check)
+{
+  const auto grid = makeGrid(3, 3);
+  std::vector<std::array<double, 3>> points;
+  std::vector<Cell> triangles;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < grid->GetNumberOfCells(); ++t)
+  {
+    grid->GetCellPoints(t, corners);
+    triangles.emplace_back();
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      triangles.back().push_back(static_cast<vtkIdType>(points.size()));
+      points.emplace_back();
+      grid->GetPoint(corners->GetId(k), points.back().data());
+    }
+  }
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(makePolyData(points, triangles));
+  filter->Update();
+  check.equal(filter->GetOutput()->GetNumberOfPoints(), 16, "points of joined triangles");
+  check.equal(number(filter->GetOutput(), "Triangles"), 18.0, "triangles of the one piece");
+}
+
+void propertiesAreClampedAndPrinted(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetScheme(99);
+  filter->SetSolver(-1);
+  filter->SetMaximumIterations(0);
+  filter->SetImprintTolerance(-1.0);
+  filter->SetSpacing(-2.0);
+  check.equal(filter->GetScheme(), static_cast<int>(vtkWireWarpingFilter::LEAST_SQUARES_CONFORMAL),
+    "clamped scheme");
+  check.equal(
+    filter->GetSolver(), static_cast<int>(vtkWireWarpingFilter::NEWTON), "clamped solver");
+  check.equal(filter->GetMaximumIterations(), 1, "clamped iterations");
+  check.equal(filter->GetImprintTolerance(), 0.0, "clamped tolerance");
+  check.equal(filter->GetSpacing(), 0.0, "clamped spacing");
+  filter->SetSchemeToProgressive();
+  filter->SetSolverToSequential();
+  filter->SetInteriorToRelaxation();
+  std::ostringstream print;
+  filter->Print(print);
+  for (const char* line : { "Scheme: Progressive", "Solver: Sequential", "Interior: Relaxation",
+         "ReleaseKeys: Off", "MaximumIterations: 1", "ClosureTolerance: 1e-12",
+         "OptimalityTolerance: 1e-10", "RelaxationFactor: 1.5", "RelaxationMovement: 1e-05",
+         "RelaxationMinimumIterations: 10", "RelaxationMaximumIterations: 100",
+         "RigidEnergyTolerance: 1e-09", "RigidMaximumIterations: 200", "ConformalPins: -1 -1",
+         "Arrange: On", "Spacing: 0", "MaximumLengthError: 1e-09", "CoincidentPoints: Automatic",
+         "SplitTriangles: On", "ImprintTolerance: 0", "SnapTolerance: 0.001", "Status: Ok" })
+  {
+    check.contains(print.str(), line, "PrintSelf");
+  }
+}
+}
+
+int TestWireWarpingFilter(int, char*[])
+{
+  Checks check;
+  tableOneIsReproduced(check);
+  outputsAreAsDocumented(check);
+  dataIsCarriedAndTheInputIsLeftAlone(check);
+  polygonsAreTriangulatedAndPointsJoined(check);
+  separateTrianglesAreJoined(check);
+  propertiesAreClampedAndPrinted(check);
+  return check.result();
+}

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The filter as a part of a pipeline: composite input, progress, abort, threads.
+#include "FlatteningTesting.h"
+
+#include "vtkCompositeDataPipeline.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkSMPTools.h"
+#include "vtkTrivialProducer.h"
+#include "vtkWireWarpingFilter.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <set>
+
+using namespace flatteningTesting;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> makePieceWithCurves()
+{
+  const auto surface = makeQuarterSphere();
+  addLine(surface,
+    { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4), lunePoint(3, 4), lunePoint(4, 4) });
+  return surface;
+}
+
+void samePoints(Checks& check, vtkPolyData* a, vtkPolyData* b, const std::string& what)
+{
+  check.equal(a->GetNumberOfPoints(), b->GetNumberOfPoints(), what + ": points");
+  for (vtkIdType p = 0; p < std::min(a->GetNumberOfPoints(), b->GetNumberOfPoints()); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      check.equal(a->GetPoints()->GetData()->GetComponent(p, k),
+        b->GetPoints()->GetData()->GetComponent(p, k), what + ": coordinate");
+    }
+  }
+}
+
+// Line cells of the surface's own data set are its curves, so a block is a piece with its curves.
+void compositeInputFlattensBlockByBlock(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> alone;
+  alone->SetInputData(makePieceWithCurves());
+  alone->Update();
+  check.equal(number(alone->GetOutput(), "WirePatches"), 2.0, "wire-patches of the piece alone");
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makePieceWithCurves());
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, makeGrid(3, 2));
+  inner->SetBlock(1, makePieceWithCurves());
+  blocks->SetBlock(1, inner);
+  vtkNew<vtkPolyData> empty;
+  blocks->SetBlock(2, empty);
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(blocks);
+  filter->Update();
+  check.equal(messages.errors.size(), std::size_t{ 1 }, "one error, of the empty block");
+  for (const int port : { 0, 1, 2 })
+  {
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+    check.that(output != nullptr, "composite output of port " + std::to_string(port));
+    if (!output)
+    {
+      continue;
+    }
+    auto* innerOutput = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(1));
+    check.that(innerOutput != nullptr, "nested blocks stay nested");
+    vtkPolyData* expected = alone->GetOutput(port);
+    for (vtkDataObject* block : { output->GetBlock(0), innerOutput->GetBlock(1) })
+    {
+      auto* data = vtkPolyData::SafeDownCast(block);
+      check.that(data != nullptr, "a block is polydata");
+      samePoints(check, data, expected, "block of port " + std::to_string(port));
+      check.equal(data->GetNumberOfCells(), expected->GetNumberOfCells(), "cells of a block");
+    }
+    auto* grid = vtkPolyData::SafeDownCast(innerOutput->GetBlock(0));
+    check.that(grid && grid->GetNumberOfPoints() == 12, "the block without curves is flattened");
+    auto* refused = vtkPolyData::SafeDownCast(output->GetBlock(2));
+    check.that(refused && isEmpty(refused), "the refused block is empty");
+    if (port == 0 && refused)
+    {
+      check.equal(text(refused, "RunStatus"), "EmptySurface", "status of the refused block");
+      check.equal(text(vtkPolyData::SafeDownCast(output->GetBlock(0)), "RunStatus"), "Ok",
+        "status of a good block");
+    }
+  }
+}
+
+/// Aborts the filter at the first progress beyond a fraction.
+class Aborter
+{
+public:
+  Aborter(vtkAlgorithm* algorithm, double fraction)
+    : Algorithm(algorithm)
+    , Fraction(fraction)
+  {
+    this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::onProgress);
+  }
+  ~Aborter() { this->Algorithm->RemoveObserver(this->Tag); }
+
+private:
+  void onProgress()
+  {
+    if (this->Algorithm->GetProgress() >= this->Fraction)
+    {
+      this->Algorithm->SetAbortExecute(1);
+    }
+  }
+  vtkAlgorithm* Algorithm;
+  double Fraction;
+  unsigned long Tag = 0;
+};
+
+void abortLeavesEmptyOutputs(Checks& check, vtkPolyData* piece)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(piece);
+  {
+    const Aborter aborter(filter, 0.0);
+    filter->Update();
+  }
+  check.equal(std::string(filter->GetStatusName()), "Cancelled", "status of an aborted run");
+  check.equal(messages.errors.size() + messages.warnings.size(), std::size_t{ 0 },
+    "messages of an aborted run");
+  for (const int port : { 0, 1, 2 })
+  {
+    check.that(isEmpty(filter->GetOutput(port)), "outputs of an aborted run are empty");
+  }
+  filter->Modified();
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status of the run after it");
+  check.equal(filter->GetOutput()->GetNumberOfPoints(), piece->GetNumberOfPoints(),
+    "points of the run after it");
+}
+
+/// Remembers what a filter tells of its progress.
+class ProgressLog
+{
+public:
+  explicit ProgressLog(vtkAlgorithm* algorithm)
+    : Algorithm(algorithm)
+  {
+    algorithm->AddObserver(vtkCommand::ProgressEvent, this, &ProgressLog::onProgress);
+  }
+  std::vector<double> fractions;
+  std::set<std::string> phases;
+
+private:
+  void onProgress()
+  {
+    this->fractions.push_back(this->Algorithm->GetProgress());
+    this->phases.insert(
+      this->Algorithm->GetProgressText() ? this->Algorithm->GetProgressText() : "");
+  }
+  vtkAlgorithm* Algorithm;
+};
+
+void progressRisesAndNamesItsPhases(Checks& check, vtkPolyData* piece)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(piece);
+  const ProgressLog log(filter);
+  filter->Update();
+  // Without a name is only what the executive tells before the filter starts.
+  check.that(log.phases.size() - log.phases.count("") >= 3, "at least three phases are named");
+  for (std::size_t i = 0; i < log.fractions.size(); ++i)
+  {
+    check.that(log.fractions[i] >= 0.0 && log.fractions[i] <= 1.0, "progress is in [0, 1]");
+    check.that(i == 0 || log.fractions[i] >= log.fractions[i - 1], "progress never falls");
+  }
+  check.that(!log.fractions.empty() && log.fractions.back() == 1.0, "progress ends at 1");
+}
+
+// Bitwise the same on one thread and on several.
+void resultsDoNotDependOnTheNumberOfThreads(
+  Checks& check, vtkPolyData* surface, vtkPolyData* curves)
+{
+  for (const int interior : { vtkWireWarpingFilter::LAPLACIAN, vtkWireWarpingFilter::RELAXATION,
+         vtkWireWarpingFilter::AS_RIGID_AS_POSSIBLE })
+  {
+    const auto flatten = [&] {
+      vtkNew<vtkWireWarpingFilter> filter;
+      const Messages messages(filter);
+      filter->SetInputData(surface);
+      filter->SetCurvesData(curves);
+      filter->SetInterior(interior);
+      filter->Update();
+      check.that(!filter->IsRefused(), std::string("is flattened: ") + filter->GetStatusMessage());
+      return vtkSmartPointer<vtkPolyData>(filter->GetOutput());
+    };
+    vtkSmartPointer<vtkPolyData> flat[2];
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config(1, "Sequential", false), [&] { flat[0] = flatten(); });
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(4, "STDThread", false), [&] {
+      check.equal(std::string(vtkSMPTools::GetBackend()), "STDThread", "backend");
+      check.equal(vtkSMPTools::GetEstimatedNumberOfThreads(), 4, "number of threads");
+      flat[1] = flatten();
+    });
+    samePoints(check, flat[0], flat[1], "one thread and four");
+    for (const char* name : { "AngleErrorMean", "GlobalHomogeneity", "AreaError" })
+    {
+      check.equal(number(flat[0], name), number(flat[1], name), name);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> read(const std::string& path)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+}
+
+int TestWireWarpingFilterPipeline(int argc, char* argv[])
+{
+  std::string data;
+  for (int i = 1; i + 1 < argc; ++i)
+  {
+    if (std::string(argv[i]) == "-D")
+    {
+      data = argv[i + 1];
+    }
+  }
+  Checks check;
+  compositeInputFlattensBlockByBlock(check);
+  abortLeavesEmptyOutputs(check, makePieceWithCurves());
+  progressRisesAndNamesItsPhases(check, makePieceWithCurves());
+  const auto surface = read(data + "/shirt_shoulder.vtp");
+  check.that(surface->GetNumberOfPolys() > 100, "the piece is read from " + data);
+  resultsDoNotDependOnTheNumberOfThreads(check, surface, read(data + "/shirt_shoulder_curves.vtp"));
+  return check.result();
+}

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bad input: one error that names the defect, the ids of the input and the way out; empty outputs.
+#include "FlatteningTesting.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkPlatonicSolidSource.h"
+#include "vtkWireWarpingFilter.h"
+
+#include <limits>
+#include <set>
+
+using namespace flatteningTesting;
+
+namespace
+{
+using Ids = std::set<vtkIdType>;
+
+class Refusals
+{
+public:
+  explicit Refusals(Checks& checks)
+    : Check(checks)
+  {
+  }
+
+  /// Expects a refusal with a status, ids of the input, and words in the message.
+  void expect(
+    const std::string& what, vtkPolyData* surface, vtkPolyData* curves, const std::string& status,
+    const Ids& ids, const std::string& words,
+    const std::function<void(vtkWireWarpingFilter*)>& setUp = [](vtkWireWarpingFilter*) {})
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    const Messages messages(filter);
+    filter->SetInputData(surface);
+    if (curves)
+    {
+      filter->SetCurvesData(curves);
+    }
+    setUp(filter);
+    filter->Update();
+    this->Check.equal(std::string(filter->GetStatusName()), status, what + ": status");
+    this->Check.that(filter->IsRefused(), what + ": is refused");
+    this->Check.equal(messages.errors.size(), std::size_t{ 1 }, what + ": number of errors");
+    this->Check.equal(messages.warnings.size(), std::size_t{ 0 }, what + ": number of warnings");
+    if (!messages.errors.empty())
+    {
+      this->Check.contains(messages.errors[0], status, what + ": error");
+      this->Check.contains(messages.errors[0], words, what + ": error");
+    }
+    Ids told;
+    for (vtkIdType k = 0; k < filter->GetStatusIds()->GetNumberOfValues(); ++k)
+    {
+      told.insert(filter->GetStatusIds()->GetValue(k));
+    }
+    this->Check.that(told == ids, what + ": ids, message " + filter->GetStatusMessage());
+    for (const int port : { 0, 1, 2 })
+    {
+      this->Check.that(isEmpty(filter->GetOutput(port)), what + ": output is empty");
+    }
+    this->Check.equal(text(filter->GetOutput(), "RunStatus"), status, what + ": RunStatus");
+  }
+
+private:
+  Checks& Check;
+};
+
+vtkSmartPointer<vtkPolyData> makeSquare()
+{
+  return makePolyData(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
+}
+
+void surfacesAreRefused(Refusals& refusals)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  vtkNew<vtkPolyData> empty;
+  refusals.expect("an empty surface", empty, nullptr, "EmptySurface", {}, "triangulated");
+  const auto line = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 } }, {});
+  addLine(line, { 0, 1 });
+  refusals.expect("only lines", line, nullptr, "EmptySurface", {}, "no triangles");
+
+  auto surface = makeSquare();
+  surface->GetPoints()->SetPoint(2, nan, 1, 0);
+  refusals.expect("a NaN", surface, nullptr, "NonFinitePoint", { 2 }, "points 2");
+  surface->GetPoints()->SetPoint(2, 1, infinity, 0);
+  refusals.expect("an infinity", surface, nullptr, "NonFinitePoint", { 2 }, "points 2");
+  surface =
+    makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, nan, 0 }, { 0, 1, 0 } }, { { 0, 1, 2, 3 } });
+  refusals.expect("a NaN of a quad", surface, nullptr, "NonFinitePoint", { 2 }, "points 2");
+
+  surface = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 7 } });
+  refusals.expect("a point id too large", surface, nullptr, "InvalidPointId", { 1 }, "0..2");
+  surface = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } }, { { 0, 1, 2, 7 } });
+  refusals.expect(
+    "a point id of a quad too large", surface, nullptr, "InvalidPointId", { 0 }, "0..2");
+
+  surface = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 } },
+    { { 0, 1, 3 }, { 0, 1, 2 }, { 1, 2, 3 } });
+  refusals.expect(
+    "a triangle without area", surface, nullptr, "DegenerateTriangle", { 1 }, "no area");
+  surface = makePolyData(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 3 }, { 1, 2, 3 } });
+  refusals.expect("doubled points in a triangle", surface, nullptr, "DegenerateTriangle", { 1 },
+    "two corners in one place");
+  surface = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 1 } });
+  refusals.expect(
+    "a polygon of two points", surface, nullptr, "DegenerateTriangle", { 1 }, "cells 1");
+
+  surface = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
+    { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
+  refusals.expect("an edge of three triangles", surface, nullptr, "NonManifoldEdge", { 0, 1, 2 },
+    "between points 0 and 1");
+  surface = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
+    { { 0, 1, 2 }, { 0, 3, 4 } });
+  refusals.expect("a bow tie", surface, nullptr, "NonManifoldVertex", { 0 }, "points 0");
+
+  // A Moebius band of five quads, each two triangles.
+  std::vector<std::array<double, 3>> band;
+  std::vector<Cell> triangles;
+  for (int i = 0; i < 5; ++i)
+  {
+    const double turn = 2.0 * vtkMath::Pi() * i / 5.0;
+    for (const double side : { -0.3, 0.3 })
+    {
+      const double radius = 1.0 + side * std::cos(0.5 * turn);
+      band.push_back(
+        { radius * std::cos(turn), radius * std::sin(turn), side * std::sin(0.5 * turn) });
+    }
+    const vtkIdType a = 2 * i;
+    const vtkIdType b = i < 4 ? 2 * i + 2 : 1;
+    const vtkIdType c = i < 4 ? 2 * i + 3 : 0;
+    triangles.push_back({ a, b, c });
+    triangles.push_back({ a, c, a + 1 });
+  }
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    const Messages messages(filter);
+    filter->SetInputData(makePolyData(band, triangles));
+    filter->Update();
+    if (std::string(filter->GetStatusName()) != "NotOrientable" || messages.errors.size() != 1)
+    {
+      refusals.expect(
+        "a Moebius band", filter->GetPolyDataInput(0), nullptr, "NotOrientable", {}, "one-sided");
+    }
+  }
+
+  vtkNew<vtkPlatonicSolidSource> cube;
+  cube->SetSolidTypeToCube();
+  cube->Update();
+  refusals.expect("a closed surface of quads", cube->GetOutput(), nullptr, "ClosedSurface", { 0 },
+    "cut it into pieces");
+}
+
+// Ids are those of the input's cells also where lines and larger polygons come before.
+void idsAreThoseOfTheInput(Refusals& refusals)
+{
+  const auto surface = makePolyData(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } },
+    { { 0, 1, 2, 3 }, { 1, 4, 2 }, { 4, 5, 6 } });
+  addLine(surface, { 0, 1 });
+  addLine(surface, { 1, 2 });
+  // Triangle 3 of the triangulation; cell 4 behind two lines, a quad and a triangle.
+  refusals.expect("a triangle behind lines and a quad", surface, nullptr, "DegenerateTriangle",
+    { 4 }, "in the input: cells 4");
+}
+
+void curvesAreRefused(Refusals& refusals)
+{
+  const auto grid = makeGrid(4, 4);
+  auto curves = makePolyData({ { 0, 0.5, 0 }, { 0.5, 0.5, 0.7 }, { 1, 0.5, 0 } }, {});
+  addLine(curves, { 0, 1, 2 });
+  refusals.expect("a point off the surface", grid, curves, "CurvePointOffSurface", { 1 },
+    "curve \"curve 0\": points 1");
+
+  // From corner to corner against the diagonals.
+  curves = makeCurves(grid, { { 4, 20 } });
+  refusals.expect("a curve across triangles", grid, curves, "CurveNotOnEdges", { 4, 20 },
+    "draw it along edges", [](vtkWireWarpingFilter* filter) { filter->SplitTrianglesOff(); });
+
+  curves = makeCurves(grid, { { 10, 11, 12 }, { 7 } });
+  refusals.expect("a curve of one point", grid, curves, "CurveTooShort", { 1 }, "fewer than two");
+  curves = makeCurves(grid, { { 10, 11, 12 }, { 7, 7 } });
+  refusals.expect(
+    "a curve of one point twice", grid, curves, "CurveTooShort", { 1 }, "fewer than two");
+
+  curves = makeCurves(grid, { { 10, 11, 12 }, { 2, 7, 12 } }, { 1, 4 });
+  refusals.expect("an unknown type", grid, curves, "InvalidCurve", { 1 }, "CurveType \"4\"");
+  curves = makeCurves(grid, { { 10, 11, 12 }, { 2, 7, 12 } });
+  vtkNew<vtkStringArray> names;
+  names->SetName("CurveType");
+  names->InsertNextValue("key");
+  names->InsertNextValue("zipper");
+  curves->GetCellData()->AddArray(names);
+  refusals.expect("an unknown type's name", grid, curves, "InvalidCurve", { 1 }, "\"zipper\"");
+
+  curves = makeCurves(grid, { { 10, 11, 12 } }, { 1 });
+  vtkNew<vtkIntArray> shape;
+  shape->SetName("KeyShape");
+  shape->InsertNextValue(5);
+  curves->GetCellData()->AddArray(shape);
+  refusals.expect("an unknown key shape", grid, curves, "InvalidCurve", { 0 }, "KeyShape");
+  curves->GetCellData()->RemoveArray("KeyShape");
+  vtkNew<vtkDoubleArray> tolerance;
+  tolerance->SetName("LengthTolerance");
+  tolerance->InsertNextValue(-0.1);
+  curves->GetCellData()->AddArray(tolerance);
+  refusals.expect("a negative tolerance", grid, curves, "InvalidCurve", { 0 }, "LengthTolerance");
+  curves->GetCellData()->RemoveArray("LengthTolerance");
+  vtkNew<vtkDoubleArray> planar;
+  planar->SetName("PlanarShape");
+  planar->SetNumberOfComponents(2);
+  planar->SetNumberOfTuples(25);
+  planar->Fill(0.0);
+  planar->SetComponent(11, 1, std::numeric_limits<double>::quiet_NaN());
+  curves->GetPointData()->AddArray(planar);
+  refusals.expect("a planar shape with a gap", grid, curves, "InvalidCurve", { 11 }, "PlanarShape");
+
+  curves = makeCurves(grid, { { 10, 11, 99 } });
+  refusals.expect("a curve with a wrong point id", grid, curves, "InvalidPointId", { 0 }, "0..24");
+  curves = makePolyData({ { 0, 0.5, 0 }, { 0.25, std::nan(""), 0 }, { 1, 0.5, 0 } }, {});
+  addLine(curves, { 0, 1, 2 });
+  refusals.expect("a curve with a NaN", grid, curves, "NonFinitePoint", { 1 }, "points 1");
+}
+
+void optionsAreRefused(Refusals& refusals)
+{
+  refusals.expect("one pin alone", makeGrid(2, 2), nullptr, "InvalidOption", { 3, -1 }, "pins 3",
+    [](vtkWireWarpingFilter* filter) {
+      filter->SetSchemeToLeastSquaresConformal();
+      filter->SetConformalPins(3, -1);
+    });
+  refusals.expect("a relaxation factor of 2.5", makeGrid(3, 3), nullptr, "InvalidOption", {},
+    "between 0 and 2", [](vtkWireWarpingFilter* filter) {
+      filter->SetInteriorToRelaxation();
+      filter->SetRelaxationFactor(2.5);
+    });
+}
+
+// After a refusal the same filter flattens a good surface.
+void aFilterRecovers(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  check.that(filter->IsRefused(), "the empty surface is refused");
+  filter->SetInputData(makeSquare());
+  filter->Update();
+  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::OK), "status");
+  check.equal(std::string(filter->GetStatusMessage()), "", "message");
+  check.equal(filter->GetOutput()->GetNumberOfPolys(), 2, "triangles");
+}
+}
+
+int TestWireWarpingFilterRefusals(int, char*[])
+{
+  Checks check;
+  Refusals refusals(check);
+  surfacesAreRefused(refusals);
+  idsAreThoseOfTheInput(refusals);
+  curvesAreRefused(refusals);
+  optionsAreRefused(refusals);
+  aFilterRecovers(check);
+  return check.result();
+}
