@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every public class is there, documented, and takes what Python programs hand over."""
+
+import glob
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+import surfaceflattening as sf
+from surfaces import SOURCE, read
+
+
+class PolyData(vtkPolyData):
+    """A Python class over vtkPolyData, as PyVista has."""
+
+    def __init__(self, other):
+        super().__init__()
+        self.ShallowCopy(other)
+
+
+class Filters(unittest.TestCase):
+    def test_every_public_header_has_its_class(self):
+        headers = glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))
+        self.assertGreaterEqual(len(headers), 7)
+        for header in headers:
+            name = pathlib.Path(header).stem
+            self.assertTrue(hasattr(sf, name), name)
+            self.assertIn(name, sf.__all__)
+            self.assertTrue(issubclass(getattr(sf, name), vtkAlgorithm), name)
+
+    def test_classes_and_methods_are_documented(self):
+        self.assertIn("wires", sf.vtkWireWarpingFilter.__doc__)
+        self.assertIn("PROGRESSIVE", sf.vtkWireWarpingFilter.SetScheme.__doc__)
+        for name in ("flatten", "flatten_polydata", "Curve", "Flattening", "FlatteningError"):
+            self.assertTrue(getattr(sf, name).__doc__, name)
+
+    def test_enumerations_are_python_values(self):
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetScheme(filter_.ISOMETRIC)
+        self.assertEqual(filter_.GetSchemeAsString(), "Isometric")
+        self.assertEqual(sf.vtkFeatureCurveAlgorithm.SEAM, 3)
+        self.assertEqual(sf.vtkFlatteningAlgorithm.OK, 0)
+
+    def test_objects_of_derived_python_classes_are_handed_over(self):
+        surface, curves = PolyData(read("pants_front")), PolyData(read("pants_front_curves"))
+        expected = sf.vtkWireWarpingFilter()
+        expected.SetInputData(read("pants_front"))
+        expected.SetCurvesData(read("pants_front_curves"))
+        expected.Update()
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetInputData(surface)
+        filter_.SetCurvesData(curves)
+        filter_.Update()
+        self.assertGreater(filter_.GetOutput().GetNumberOfCells(), 0)
+        self.assertEqual(filter_.GetOutput().GetBounds(), expected.GetOutput().GetBounds())
+
+        result = sf.flatten_polydata(surface, curves)
+        self.assertEqual(result.report["status"], "Ok")
+        self.assertEqual(len(result.triangles), filter_.GetOutput().GetNumberOfCells())
+
+    def test_filters_join_pipelines_of_vtk(self):
+        developability = sf.vtkSurfaceDevelopability()
+        developability.SetInputData(read("quarter_sphere"))
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetInputConnection(developability.GetOutputPort())
+        quality = sf.vtkFlatteningQuality()
+        quality.SetInputConnection(0, filter_.GetOutputPort(2))
+        quality.SetInputConnection(1, filter_.GetOutputPort(0))
+        quality.SetInputConnection(2, filter_.GetOutputPort(1))
+        quality.Update()
+        field, own = quality.GetOutput().GetFieldData(), filter_.GetOutput().GetFieldData()
+        for name in ("EdgeLengthError", "AngleErrorMean", "GlobalHomogeneity"):
+            self.assertAlmostEqual(
+                field.GetArray(name).GetValue(0), own.GetArray(name).GetValue(0), 12)
+
+    def test_a_collection_of_pieces_is_flattened_block_by_block(self):
+        collection = vtkMultiBlockDataSet()
+        names = ("quarter_sphere", "shirt_shoulder")
+        for block, name in enumerate(names):
+            collection.SetBlock(block, read(name))
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetInputDataObject(collection)
+        filter_.Update()
+        result = filter_.GetOutputDataObject(0)
+        self.assertEqual(result.GetNumberOfBlocks(), 2)
+        for block, name in enumerate(names):
+            alone = sf.flatten_polydata(read(name))
+            flat = result.GetBlock(block)
+            self.assertEqual(flat.GetNumberOfPoints(), len(alone.positions))
+            self.assertEqual(flat.GetPoint(7)[:2], tuple(alone.positions[7]))
+
+    def test_no_screen_is_needed(self):
+        environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+        program = (
+            "import surfaceflattening as sf\n"
+            "r = sf.flatten([[0,0,0],[1,0,0],[1,1,0],[0,1,0]], [[0,1,2],[0,2,3]])\n"
+            "assert r.report['status'] == 'Ok'\n"
+        )
+        subprocess.run([sys.executable, "-c", program], env=environment, check=True)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""flatten() gives the paper's numbers, exact unrollings, and arrays that fit together."""
+
+import json
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import surfaceflattening as sf
+from surfaces import (
+    distances, grid, points_of, polylines_of, quarter_sphere, read, triangles_of)
+
+
+def edge_lengths(positions, vertices):
+    return np.linalg.norm(np.diff(positions[vertices], axis=0), axis=1)
+
+
+class QuarterSphere(unittest.TestCase):
+    """Fig. 11 and Table 1 of the paper."""
+
+    def test_numbers_are_those_of_table_1(self):
+        points, triangles, arc = quarter_sphere()
+        for scheme, angle_error, homogeneity in (
+            ("progressive", 0.1591, 0.394),
+            ("global", 0.1488, 0.404),
+        ):
+            result = sf.flatten(points, triangles, [arc], scheme=scheme, interior="laplacian")
+            piece = result.report["pieces"][0]
+            self.assertLess(piece["E_len_max"], 1e-10)
+            self.assertAlmostEqual(piece["E_ang"], angle_error, delta=5e-5)
+            self.assertAlmostEqual(piece["E_h"], homogeneity, delta=5e-4)
+
+    def test_the_solvers_agree(self):
+        points, triangles, arc = quarter_sphere()
+        newton, sequential = (
+            sf.flatten(points, triangles, [arc], solver=solver) for solver in ("newton", "sequential"))
+        np.testing.assert_allclose(
+            distances(newton.positions), distances(sequential.positions), atol=1e-7)
+
+    def test_wires_keep_each_of_their_edges(self):
+        points, triangles, arc = quarter_sphere()
+        for scheme in ("progressive", "global", "isometric"):
+            result = sf.flatten(points, triangles, [arc], scheme=scheme)
+            self.assertEqual({wire.type for wire in result.wires}, {"boundary", "accessory"})
+            for wire in result.wires:
+                np.testing.assert_allclose(
+                    edge_lengths(result.positions, wire.vertices),
+                    edge_lengths(result.points, wire.vertices), rtol=1e-9)
+                self.assertAlmostEqual(
+                    wire.rest_length, edge_lengths(result.points, wire.vertices).sum(), 12)
+
+    def test_the_unit_scales_the_result_alone(self):
+        points, triangles, arc = quarter_sphere()
+        one = sf.flatten(points, triangles, [arc])
+        many = sf.flatten(1e4 * points + 5e4, triangles, [arc])
+        np.testing.assert_allclose(
+            distances(many.positions), 1e4 * distances(one.positions), atol=1e-4)
+
+    def test_lists_and_other_number_types_are_taken(self):
+        points, triangles, arc = quarter_sphere()
+        expected = sf.flatten(points, triangles, [arc]).positions
+        for given in (
+            sf.flatten(points.tolist(), triangles.tolist(), [arc]),
+            sf.flatten(points, triangles.astype(np.uint8), [np.array(arc, np.int16)]),
+            sf.flatten(np.asfortranarray(points), np.asfortranarray(triangles), [points[arc]]),
+        ):
+            np.testing.assert_allclose(given.positions, expected, atol=1e-12)
+
+    def test_arguments_are_left_as_they_were(self):
+        points, triangles, arc = quarter_sphere()
+        arc = np.array(arc)
+        copies = points.copy(), triangles.copy(), arc.copy()
+        for array in (points, triangles, arc):
+            array.setflags(write=False)
+        sf.flatten(points, triangles, [arc])
+        for array, copy in zip((points, triangles, arc), copies):
+            np.testing.assert_array_equal(array, copy)
+
+
+class Developables(unittest.TestCase):
+    """Surfaces of which the flat shape is known."""
+
+    def test_they_unroll_exactly(self):
+        for name in ("cylinder", "cone"):
+            surface, curves = read(name), read(name + "_curves")
+            exact = vtk_to_numpy(surface.GetPointData().GetArray("ExactUnrolling"))[:, :2]
+            ends = points_of(curves)
+            result = sf.flatten(points_of(surface), triangles_of(surface),
+                                [ends[line] for line in polylines_of(curves)])
+            original = result.point_arrays["vtkOriginalPointIds"]
+            np.testing.assert_allclose(
+                distances(result.positions), distances(exact[original]), atol=1e-6)
+            self.assertLess(np.abs(result.cell_arrays["AreaRatio"] - 1.0).max(), 1e-6)
+
+
+class Results(unittest.TestCase):
+    def test_a_seam_divides_and_its_sides_are_paired(self):
+        points, triangles = grid()
+        seam = sf.Curve([2, 7, 12, 17], type="seam", name="middle")
+        result = sf.flatten(points, triangles, [seam])
+        self.assertEqual([piece["triangles"] for piece in result.report["pieces"]], [12, 12])
+        self.assertEqual(result.report["curves"][0]["name"], "middle")
+        self.assertEqual(result.report["curves"][0]["type"], "seam")
+        self.assertAlmostEqual(result.report["curves"][0]["length_2d"], 3.0, 12)
+        self.assertEqual(len(result.positions), len(points) + 4)
+        self.assertEqual(result.seam_pairs.shape, (3, 5))
+        original = result.point_arrays["vtkOriginalPointIds"]
+        for a, b, c, d, curve in result.seam_pairs:
+            self.assertEqual((original[a], original[b], curve), (original[c], original[d], 0))
+            self.assertNotEqual((a, b), (c, d))
+        pieces = result.cell_arrays["PieceId"]
+        # Arranged in a row, without overlap.
+        left, right = (result.positions[result.triangles[pieces == piece]] for piece in (0, 1))
+        self.assertTrue(left[..., 0].max() < right[..., 0].min()
+                        or right[..., 0].max() < left[..., 0].min())
+        np.testing.assert_array_equal(np.bincount(pieces), [12, 12])
+
+    def test_a_dart_opens(self):
+        surface, curves = read("pants_front"), read("pants_front_curves")
+        result = sf.flatten_polydata(surface, curves)
+        sides = [wire for wire in result.wires if wire.type == "dart"]
+        self.assertEqual(len(sides), 2)
+        self.assertAlmostEqual(sides[0].flat_length, sides[1].flat_length, 9)
+        self.assertTrue(all(wire.boundary for wire in sides))
+
+    def test_a_curve_across_triangles_becomes_edges(self):
+        points, triangles = grid()
+        result = sf.flatten(points, triangles, [[[0.0, 0.5, 0.0], [4.0, 0.5, 0.0]]])
+        self.assertGreater(len(result.positions), len(points))
+        self.assertEqual((result.point_arrays["vtkOriginalPointIds"] == -1).sum(), 9)
+        curve = result.report["curves"][0]
+        self.assertEqual(curve["name"], "curve 0")
+        self.assertAlmostEqual(curve["length_3d"], 4.0, 12)
+
+    def test_a_straight_key_is_straight(self):
+        points, triangles, arc = quarter_sphere()
+        arc = sf.Curve(arc, type="key", key_shape="straight")
+        result = sf.flatten(points, triangles, [arc])
+        wire = next(wire for wire in result.wires if wire.type == "key")
+        ends = result.positions[[wire.vertices[0], wire.vertices[-1]]]
+        self.assertAlmostEqual(np.linalg.norm(ends[1] - ends[0]), wire.rest_length, 9)
+
+    def test_a_key_takes_a_planar_shape(self):
+        points, triangles, arc = quarter_sphere()
+        angles = np.linspace(0.0, 0.5, len(arc))
+        shape = np.column_stack([np.cos(angles), np.sin(angles)])
+        result = sf.flatten(points, triangles, [sf.Curve(arc, type="key", planar_shape=shape)])
+        wire = next(wire for wire in result.wires if wire.type == "key")
+        steps = np.diff(result.positions[wire.vertices], axis=0)
+        cross = steps[:-1, 0] * steps[1:, 1] - steps[:-1, 1] * steps[1:, 0]
+        turns = np.arctan2(cross, (steps[:-1] * steps[1:]).sum(axis=1))
+        np.testing.assert_allclose(np.abs(turns), 0.5 / (len(arc) - 1), atol=1e-9)
+        self.assertTrue((turns > 0).all() or (turns < 0).all())
+
+    def test_an_elastic_curve_stays_within_its_tolerance(self):
+        points, triangles, arc = quarter_sphere()
+        rigid = sf.flatten(points, triangles, [arc])
+        elastic = sf.flatten(points, triangles, [sf.Curve(arc, length_tolerance=0.05)])
+        error = elastic.report["curves"][0]["error"]
+        self.assertTrue(1e-6 < error <= 0.05 + 1e-9, error)
+        self.assertLess(elastic.report["pieces"][0]["objective"],
+                        rigid.report["pieces"][0]["objective"])
+
+    def test_the_report_is_plain_python(self):
+        surface, curves = read("shirt_shoulder"), read("shirt_shoulder_curves")
+        result = sf.flatten_polydata(surface, curves)
+        self.assertEqual(json.loads(json.dumps(result.report, allow_nan=False)), result.report)
+        self.assertTrue(result.report["pieces"][0]["history"])
+
+    def test_arrays_fit_points_and_triangles(self):
+        points, triangles, arc = quarter_sphere()
+        result = sf.flatten(points, triangles, [arc])
+        for name, array in result.point_arrays.items():
+            self.assertEqual(len(array), len(result.positions), name)
+        for name, array in result.cell_arrays.items():
+            self.assertEqual(len(array), len(result.triangles), name)
+        p, t = result.positions, result.triangles
+        u, v = p[t[:, 1]] - p[t[:, 0]], p[t[:, 2]] - p[t[:, 0]]
+        areas = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+        a, b = (result.points[t[:, k]] - result.points[t[:, 0]] for k in (1, 2))
+        in_space = 0.5 * np.linalg.norm(np.cross(a, b), axis=1)
+        np.testing.assert_allclose(result.cell_arrays["AreaRatio"], areas / in_space, rtol=1e-9)
+
+    def test_arrays_outlive_the_filter(self):
+        points, triangles, arc = quarter_sphere()
+        first = sf.flatten(points, triangles, [arc])
+        kept = first.positions.copy()
+        for _ in range(20):
+            sf.flatten(points, triangles, [arc], arrange=False)
+        np.testing.assert_array_equal(first.positions, kept)
+        first.positions[0] = 0.0  # they are the caller's
+
+    def test_progress_is_told(self):
+        points, triangles, arc = quarter_sphere()
+        told = []
+        sf.flatten(points, triangles, [arc], progress=told.append)
+        self.assertEqual(told, sorted(told))
+        self.assertEqual(told[-1], 1.0)
+        self.assertTrue(all(0.0 <= value <= 1.0 for value in told))
+
+    def test_a_sound_run_warns_of_nothing(self):
+        points, triangles, arc = quarter_sphere()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            sf.flatten(points, triangles, [arc])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input is an exception that says what is wrong and where; broken promises are warnings."""
+
+import contextlib
+import os
+import pickle
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+
+import surfaceflattening as sf
+from surfaces import grid, quarter_sphere, read
+
+Codes = sf.vtkFlatteningAlgorithm
+
+
+@contextlib.contextmanager
+def standard_error(lines):
+    """What VTK writes past Python's sys.stderr."""
+    with tempfile.TemporaryFile() as file:
+        kept = os.dup(2)
+        os.dup2(file.fileno(), 2)
+        try:
+            yield
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
+            file.seek(0)
+            lines.extend(file.read().decode().splitlines())
+
+
+class Refused(unittest.TestCase):
+    def refuse(self, code, *arguments, **options):
+        lines = []
+        with standard_error(lines), self.assertRaises(sf.FlatteningError) as caught:
+            sf.flatten(*arguments, **options)
+        self.assertEqual(lines, [])
+        error = caught.exception
+        self.assertEqual(error.code, code)
+        self.assertTrue(error.message)
+        self.assertEqual(str(error), f"{error.name}: {error.message}")
+        return error
+
+    def test_a_closed_surface(self):
+        points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+        error = self.refuse(Codes.CLOSED_SURFACE, points, triangles)
+        self.assertEqual(error.name, "ClosedSurface")
+
+    def test_an_edge_of_three_triangles(self):
+        points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]]
+        error = self.refuse(Codes.NON_MANIFOLD_EDGE, points, [[0, 1, 2], [0, 1, 3], [1, 0, 4]])
+        self.assertTrue(error.ids)
+
+    def test_a_coordinate_that_is_no_number(self):
+        points, triangles = grid()
+        points[7, 1] = np.nan
+        self.assertEqual(self.refuse(Codes.NON_FINITE_POINT, points, triangles).ids[0], 7)
+
+    def test_a_corner_that_does_not_exist(self):
+        points, triangles = grid()
+        for corner in (-1, 20, 2**40):
+            triangles[5, 2] = corner
+            self.assertIn(5, self.refuse(Codes.INVALID_POINT_ID, points, triangles).ids)
+
+    def test_an_empty_surface(self):
+        self.refuse(Codes.EMPTY_SURFACE, np.empty((0, 3)), np.empty((0, 3), int))
+
+    def test_a_curve_away_from_the_surface(self):
+        points, triangles = grid()
+        curves = [[0, 1, 2], sf.Curve([[1, 1, 0], [2, 1, 1]], name="stray")]
+        error = self.refuse(Codes.CURVE_POINT_OFF_SURFACE, points, triangles, curves)
+        self.assertIn("stray", error.message)
+
+    def test_a_curve_across_triangles_that_may_not_be_split(self):
+        points, triangles = grid()
+        error = self.refuse(Codes.CURVE_NOT_ON_EDGES, points, triangles,
+                            [[[0.0, 0.5, 0.0], [4.0, 0.5, 0.0]]], split_triangles=False)
+        self.assertTrue(error.message)
+
+    def test_a_length_tolerance_of_one(self):
+        points, triangles = grid()
+        self.refuse(Codes.INVALID_CURVE, points, triangles,
+                    [sf.Curve([0, 1, 2], length_tolerance=1.0)])
+
+    def test_the_error_can_be_sent_to_another_process(self):
+        error = self.refuse(Codes.EMPTY_SURFACE, np.empty((0, 3)), np.empty((0, 3), int))
+        again = pickle.loads(pickle.dumps(error))
+        self.assertEqual((again.code, again.name, again.ids, again.message),
+                         (error.code, error.name, error.ids, error.message))
+
+    def test_after_a_refusal_the_next_run_is_sound(self):
+        self.refuse(Codes.EMPTY_SURFACE, np.empty((0, 3)), np.empty((0, 3), int))
+        self.assertEqual(sf.flatten(*grid()).report["status"], "Ok")
+
+
+class Arguments(unittest.TestCase):
+    def wrong(self, words, *arguments, **options):
+        with self.assertRaises(ValueError) as caught:
+            sf.flatten(*arguments, **options)
+        self.assertNotIsInstance(caught.exception, sf.FlatteningError)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+
+    def test_shapes(self):
+        points, triangles = grid()
+        self.wrong(["(n, 3)", "(20, 2)"], points[:, :2], triangles)
+        self.wrong(["(m, 3)"], points, triangles[:, :2])
+        self.wrong(["whole numbers"], points, triangles.astype(float))
+        self.wrong(["curve 0", "at least 2"], points, triangles, [[3]])
+        self.wrong(["curve 1", "(k, 3)"], points, triangles, [[0, 1], np.zeros((4, 2))])
+        self.wrong(["curve 0 ('hem')", "point 20", "0 to 19"], points, triangles,
+                   [sf.Curve([0, 20], name="hem")])
+        self.wrong(["planar_shape", "(3, 2)"], points, triangles,
+                   [sf.Curve([0, 1, 2], type="key", planar_shape=[[0, 0], [1, 0]])])
+
+    def test_words(self):
+        points, triangles = grid()
+        for option in ("scheme", "solver", "interior"):
+            self.wrong([option, "'best'", "one of"], points, triangles, **{option: "best"})
+        self.wrong(["type of curve 0", "accessory, key, dart, seam"], points, triangles,
+                   [sf.Curve([0, 1], type="hem")])
+        self.wrong(["key_shape", "straight"], points, triangles,
+                   [sf.Curve([0, 1], key_shape="round")])
+
+    def test_ranges(self):
+        points, triangles = grid()
+        for option, value in (("spacing", -0.1), ("imprint_tolerance", 2.0), ("max_iterations", 0),
+                              ("snap_tolerance", float("nan"))):
+            self.wrong([option, "out of range"], points, triangles, **{option: value})
+        with self.assertRaises(TypeError):
+            sf.flatten(points, triangles, spacing="wide")
+
+
+class BrokenPromises(unittest.TestCase):
+    def test_keys_that_contradict_each_other_are_named(self):
+        lines = []
+        with standard_error(lines), warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = sf.flatten_polydata(read("pants_front"), read("pants_front_curves_set3"))
+        self.assertEqual(lines, [])
+        # Fig. 13: both girths and the grain between them cannot keep their shapes together.
+        self.assertIn(result.report["status"], ("IncompatibleKeys", "NotConverged"))
+        self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])
+        self.assertIn(result.report["message"], str(caught[0].message))
+        self.assertEqual(caught[0].filename, __file__)
+        self.assertIn("midthigh", result.report["message"])
+        self.assertGreater(len(result.positions), 0)
+
+    def test_what_progress_raises_ends_the_run(self):
+        points, triangles, arc = quarter_sphere()
+
+        def stop(_):
+            raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            sf.flatten(points, triangles, [arc], progress=stop)
+
+
+if __name__ == "__main__":
+    unittest.main()

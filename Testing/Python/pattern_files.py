@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of patterns share: the lengths that the files must have, and readers that did not write them."""
+
+import math
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from collections import namedtuple
+from xml.etree import ElementTree
+
+import ezdxf
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+EXECUTABLE = os.environ["WIREWARP"]
+DATA = os.environ["WIREWARP_DATA"]
+MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+SVG = "{http://www.w3.org/2000/svg}"
+
+# edges: lengths on the surface in millimetres, in the order of the polyline
+Wire = namedtuple("Wire", "name kind piece edges points")
+ACCESSORY, KEY, DART, SEAM, BOUNDARY = 0, 1, 2, 3, -1
+
+
+class PatternTest(unittest.TestCase):
+    """Each test runs in a folder of its own."""
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory(prefix="pattern test ")
+        self.folder = self._folder.name
+        self.addCleanup(self._folder.cleanup)
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def run_command(self, *arguments):
+        environment = dict(os.environ, SOURCE_DATE_EPOCH="1000000000")
+        return subprocess.run(
+            [EXECUTABLE, *arguments],
+            cwd=self.folder,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=300,
+            check=False,
+        )
+
+    def make(self, piece, *options, unit="cm", curves=None):
+        """Flattens a piece of Data into `out` with the given patterns."""
+        run = self.run_command(
+            os.path.join(DATA, piece + ".vtp"),
+            os.path.join(DATA, (curves or piece + "_curves") + ".vtp"),
+            "--unit", unit, "--output", "out", "--quiet", *options,
+        )
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        return run
+
+
+def read_polydata(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def wires_in_space(folder, unit):
+    """The wires of wires.vtp, measured on the cut surface of cut.vtp."""
+    wires = read_polydata(os.path.join(folder, "wires.vtp"))
+    surface = read_polydata(os.path.join(folder, "cut.vtp"))
+    data = wires.GetCellData()
+    result = []
+    for cell in range(wires.GetNumberOfCells()):
+        if data.GetArray("Connector").GetValue(cell):
+            continue
+        ids = wires.GetCell(cell).GetPointIds()
+        points = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        places = [surface.GetPoint(p) for p in points]
+        edges = [MILLIMETRES[unit] * math.dist(a, b) for a, b in zip(places, places[1:])]
+        result.append(
+            Wire(
+                data.GetAbstractArray("CurveName").GetValue(cell),
+                data.GetArray("CurveType").GetValue(cell),
+                data.GetArray("PieceId").GetValue(cell),
+                edges,
+                points,
+            )
+        )
+    return result
+
+
+def edge_lengths(points, closed=False):
+    ends = points[1:] + points[:1] if closed else points[1:]
+    return [math.dist(a, b) for a, b in zip(points, ends)]
+
+
+def svg_root(path):
+    return ElementTree.parse(path).getroot()
+
+
+def svg_scale(root):
+    """Millimetres of a user unit, from width, height and viewBox; both must agree."""
+    box = [float(number) for number in root.get("viewBox").split()]
+    scales = []
+    for attribute, extent in (("width", box[2]), ("height", box[3])):
+        number, unit = re.fullmatch(r"([\d.]+)([a-z]+)", root.get(attribute)).groups()
+        scales.append(float(number) * MILLIMETRES[unit] / extent)
+    assert math.isclose(*scales, rel_tol=1e-12), scales
+    return scales[0]
+
+
+def path_points(element):
+    """Points and closedness of a path of straight lines in absolute coordinates."""
+    commands = re.findall(r"([A-Za-z])([^A-Za-z]*)", element.get("d"))
+    points = []
+    closed = False
+    for letter, numbers in commands:
+        if letter == "Z":
+            closed = True
+            continue
+        assert letter in "ML", letter
+        points.append(tuple(float(number) for number in numbers.replace(",", " ").split()))
+    return points, closed
+
+
+def svg_paths(root, kind):
+    """(piece, element, points, closed) of all paths of one class."""
+    result = []
+    for number, group in enumerate(pieces_of(root)):
+        for layer in group.findall(SVG + "g"):
+            if layer.get("class") == kind:
+                for element in layer.findall(SVG + "path"):
+                    result.append((number, element, *path_points(element)))
+    return result
+
+
+def pieces_of(root):
+    return [group for group in root.iter(SVG + "g") if (group.get("id") or "").startswith("piece-")]
+
+
+def read_dxf(path):
+    document = ezdxf.readfile(path)
+    return document, document.audit()
+
+
+def block_lines(block, *layers):
+    """Points and closedness of the polylines of a block on the given layers."""
+    lines = []
+    for line in block.query("POLYLINE"):
+        if line.dxf.layer in layers:
+            points = [(v.dxf.location.x, v.dxf.location.y) for v in line.vertices]
+            lines.append((points, line.is_closed))
+    return lines
+
+
+def run_tool(*command):
+    return subprocess.run(command, capture_output=True, check=True, timeout=120).stdout
+
+
+def render(path, resolution, first=1, last=None, gray=True):
+    """Pages as (width, height, bytes), one byte a pixel, or three where not gray."""
+    limits = ["-f", str(first)] + (["-l", str(last)] if last else [])
+    stream = run_tool("pdftoppm", "-r", str(resolution), *(["-gray"] if gray else []), *limits, path)
+    pages = []
+    at = 0
+    while at < len(stream):
+        header = re.compile(rb"P[56]\n(\d+) (\d+)\n255\n").match(stream, at)
+        width, height = int(header.group(1)), int(header.group(2))
+        size = width * height * (1 if gray else 3)
+        pages.append((width, height, stream[header.end() : header.end() + size]))
+        at = header.end() + size
+    return pages
+
+
+def darkest_columns(page, row):
+    """Columns of one row at which a dark line crosses it, as centres weighted by darkness."""
+    width, _, pixels = page
+    return line_centres([255 - value for value in pixels[row * width : (row + 1) * width]])
+
+
+def darkest_rows(page, column):
+    width, height, pixels = page
+    return line_centres([255 - pixels[row * width + column] for row in range(height)])
+
+
+def line_centres(darkness):
+    centres = []
+    run = []
+    for place, value in enumerate(darkness + [0]):
+        if value > 25:
+            run.append((place, value))
+        elif run:
+            weight = sum(value for _, value in run)
+            if max(value for _, value in run) > 100:
+                centres.append(sum(place * value for place, value in run) / weight)
+            run = []
+    return centres

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces and feature curves of numpy arrays as vtkPolyData."""
+
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+# In the order of vtkFeatureCurveAlgorithm.CurveTypes.
+CURVE_TYPES = ("accessory", "key", "dart", "seam")
+KEY_SHAPES = ("surface", "straight")
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A feature curve of :func:`flatten`.
+
+    Attributes:
+        points: the curve from end to end, either ids of the surface's points, counted from 0
+            (integers, shape (k,)), or positions on the surface in its unit of length (shape
+            (k, 3)); they need not be vertices. k is at least 2.
+        type: "accessory", length kept, shape free (default); "key", length and shape kept; "dart",
+            cut open; "seam", cut through.
+        name: its name in messages and in the report. Default: "curve N", N its place in the list.
+        key_shape: of a key curve: "surface", the shape that its angles on the surface give
+            (default), or "straight".
+        length_tolerance: how far lengths may go from those on the surface, as a fraction in [0, 1).
+            Default: 0, the curve is rigid.
+        planar_shape: of a key curve: a polyline in the plane, shape (k, 2), whose turning angles
+            the curve takes; lengths stay those on the surface. Default: none.
+    """
+
+    points: ArrayLike
+    type: str = "accessory"
+    name: str = ""
+    key_shape: str = "surface"
+    length_tolerance: float = 0.0
+    planar_shape: Optional[ArrayLike] = None
+
+
+def _make_points(coordinates: NDArray[np.float64]) -> vtkPoints:
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(coordinates), deep=True))
+    return points
+
+
+def _make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
+    offsets = np.cumsum([0] + [len(cell) for cell in cells], dtype=np.int64)
+    connectivity = np.concatenate(cells) if cells else np.empty(0, np.int64)
+    result = vtkCellArray()
+    result.SetData(
+        numpy_to_vtkIdTypeArray(offsets, deep=True),
+        numpy_to_vtkIdTypeArray(connectivity.astype(np.int64), deep=True),
+    )
+    return result
+
+
+def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
+    array = np.asarray(values)
+    if array.size and not np.issubdtype(array.dtype, np.integer):
+        raise ValueError(f"{what} must be whole numbers, not {array.dtype}")
+    return array.astype(np.int64)
+
+
+def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
+    """The surface of points (n, 3) and triangles (m, 3); raises ValueError on other shapes."""
+    coordinates = np.asarray(points, np.float64)
+    if coordinates.ndim != 2 or coordinates.shape[1] != 3:
+        raise ValueError(f"points must have the shape (n, 3), not {coordinates.shape}")
+    corners = _as_ids(triangles, "triangles")
+    if corners.ndim != 2 or corners.shape[1] != 3:
+        raise ValueError(f"triangles must have the shape (m, 3), not {corners.shape}")
+    offsets = np.arange(0, corners.size + 1, 3, dtype=np.int64)
+    cells = vtkCellArray()
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(offsets, deep=True),
+        numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners).ravel(), deep=True),
+    )
+    surface = vtkPolyData()
+    surface.SetPoints(_make_points(coordinates))
+    surface.SetPolys(cells)
+    return surface
+
+
+def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDArray[np.float64]:
+    values = np.asarray(curve.points)
+    if values.ndim == 2 and values.shape[1] == 3:
+        positions = values.astype(np.float64)
+    elif values.ndim == 1:
+        ids = _as_ids(values, f"the point ids of {what}")
+        outside = ids[(ids < 0) | (ids >= len(surface))]
+        if outside.size:
+            raise ValueError(
+                f"{what} names point {outside[0]}; the surface has points 0 to {len(surface) - 1}"
+            )
+        positions = surface[ids]
+    else:
+        raise ValueError(f"{what} must have the shape (k,) or (k, 3), not {values.shape}")
+    if len(positions) < 2:
+        raise ValueError(f"{what} has {len(positions)} points; give it at least 2")
+    return positions
+
+
+def _index_of(value: str, names: Sequence[str], what: str) -> int:
+    if value not in names:
+        raise ValueError(f"{what} is {value!r}; it must be one of {', '.join(names)}")
+    return names.index(value)
+
+
+def _strings(name: str, values: Sequence[str]) -> vtkStringArray:
+    array = vtkStringArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    return array
+
+
+def make_curves(
+    curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike
+) -> vtkPolyData:
+    """The curves as polylines with the arrays that the filters read; raises ValueError."""
+    surface = np.asarray(points, np.float64)
+    positions, shapes, names = [], [], []
+    types, key_shapes, tolerances = [], [], []
+    for place, given in enumerate(curves):
+        curve = given if isinstance(given, Curve) else Curve(given)
+        # Its name also keeps a curve of two points apart from the next.
+        name = curve.name or f"curve {place}"
+        what = f"curve {place}" + (f" ({curve.name!r})" if curve.name else "")
+        positions.append(_positions_of(curve, what, surface))
+        names.append(name)
+        types.append(_index_of(curve.type, CURVE_TYPES, f"the type of {what}"))
+        key_shapes.append(_index_of(curve.key_shape, KEY_SHAPES, f"the key_shape of {what}"))
+        tolerances.append(float(curve.length_tolerance))
+        shape = np.full((len(positions[-1]), 2), np.nan)
+        if curve.planar_shape is not None:
+            planar = np.asarray(curve.planar_shape, np.float64)
+            if planar.shape != shape.shape:
+                raise ValueError(
+                    f"the planar_shape of {what} must have the shape {shape.shape}, not {planar.shape}"
+                )
+            shape = planar
+        shapes.append(shape)
+
+    lines, first = [], 0
+    for polyline in positions:
+        lines.append(np.arange(first, first + len(polyline), dtype=np.int64))
+        first += len(polyline)
+
+    result = vtkPolyData()
+    result.SetPoints(_make_points(np.concatenate(positions) if positions else np.empty((0, 3))))
+    result.SetLines(_make_cells(lines))
+    cell_data = result.GetCellData()
+    cell_data.AddArray(_strings("CurveName", names))
+    for array_name, values in (
+        ("CurveType", np.array(types, np.int32)),
+        ("KeyShape", np.array(key_shapes, np.int32)),
+        ("LengthTolerance", np.array(tolerances, np.float64)),
+    ):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(array_name)
+        cell_data.AddArray(array)
+    if any(not np.isnan(shape).all() for shape in shapes):
+        array = numpy_to_vtk(np.concatenate(shapes), deep=True)
+        array.SetName("PlanarShape")
+        result.GetPointData().AddArray(array)
+    return result

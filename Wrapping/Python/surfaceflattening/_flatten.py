@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One call from a surface and its feature curves to flat pieces."""
+
+import warnings
+from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
+
+from numpy.typing import ArrayLike
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._curves import Curve, make_curves, make_surface
+from ._errors import FlatteningError, FlatteningWarning
+from ._result import Flattening, make_result
+from .vtkFiltersFlattening import vtkWireWarpingFilter
+
+# The words of the command wirewarp, in the order of the filter's enumerations.
+SCHEMES = ("progressive", "global", "isometric", "lscm")
+SOLVERS = ("newton", "sequential")
+INTERIORS = ("laplacian", "relaxation", "arap")
+
+
+def _set(filter_: Any, option: str, property_: str, value: Any) -> None:
+    """Sets a property; the filter clamps what is out of range, here it is refused."""
+    try:
+        getattr(filter_, "Set" + property_)(value)
+    except TypeError as error:
+        raise TypeError(f"{option} = {value!r}: {error}") from None
+    kept = getattr(filter_, "Get" + property_)()
+    if kept != value:
+        raise ValueError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
+
+
+def _set_word(filter_: Any, option: str, property_: str, value: str, words: Sequence[str]) -> None:
+    if value not in words:
+        raise ValueError(f"{option} is {value!r}; it must be one of {', '.join(words)}")
+    getattr(filter_, "Set" + property_)(words.index(value))
+
+
+def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
+    """Updates the filter; its messages become exceptions and warnings instead of lines on stderr."""
+    raised: List[BaseException] = []
+
+    def tell(*_: Any) -> None:
+        # VTK would print what escapes from here and go on.
+        try:
+            if progress is not None and not raised:
+                progress(filter_.GetProgress())
+        except BaseException as error:  # also KeyboardInterrupt
+            raised.append(error)
+            filter_.AbortExecuteOn()
+
+    tags = [filter_.AddObserver(event, lambda *_: None) for event in ("ErrorEvent", "WarningEvent")]
+    tags.append(filter_.AddObserver("ProgressEvent", tell))
+    try:
+        filter_.Update()
+    finally:
+        for tag in tags:
+            filter_.RemoveObserver(tag)  # they refer to the filter
+    if raised:
+        raise raised[0]
+
+    name, message = filter_.GetStatusName(), filter_.GetStatusMessage()
+    if filter_.IsRefused():
+        ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
+        raise FlatteningError(filter_.GetStatusCode(), name, ids, message)
+    if filter_.GetStatusCode() != vtkWireWarpingFilter.OK:
+        warnings.warn(f"{name}: {message}", FlatteningWarning, stacklevel=4)
+
+
+def _flatten(
+    surface: vtkPolyData,
+    curves: Optional[vtkPolyData],
+    *,
+    scheme: str = "global",
+    solver: str = "newton",
+    interior: str = "arap",
+    release_keys: bool = False,
+    split_triangles: bool = True,
+    imprint_tolerance: float = 1e-5,
+    snap_tolerance: float = 1e-3,
+    arrange: bool = True,
+    spacing: float = 0.05,
+    pins: Tuple[int, int] = (-1, -1),
+    max_iterations: int = 300,
+    max_length_error: float = 1e-9,
+    progress: Optional[Callable[[float], Any]] = None,
+) -> Flattening:
+    filter_ = vtkWireWarpingFilter()
+    _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
+    _set_word(filter_, "solver", "Solver", solver, SOLVERS)
+    _set_word(filter_, "interior", "Interior", interior, INTERIORS)
+    _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
+    _set(filter_, "split_triangles", "SplitTriangles", bool(split_triangles))
+    _set(filter_, "imprint_tolerance", "ImprintTolerance", imprint_tolerance)
+    _set(filter_, "snap_tolerance", "SnapTolerance", snap_tolerance)
+    _set(filter_, "arrange", "Arrange", bool(arrange))
+    _set(filter_, "spacing", "Spacing", spacing)
+    _set(filter_, "pins", "ConformalPins", tuple(pins))
+    _set(filter_, "max_iterations", "MaximumIterations", max_iterations)
+    _set(filter_, "max_length_error", "MaximumLengthError", max_length_error)
+    filter_.SetInputData(surface)
+    if curves is not None:
+        filter_.SetCurvesData(curves)
+    _run(filter_, progress)
+    return make_result(*(filter_.GetOutput(port) for port in range(3)))
+
+
+def flatten(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    curves: Sequence[Union[Curve, ArrayLike]] = (),
+    *,
+    scheme: str = "global",
+    solver: str = "newton",
+    interior: str = "arap",
+    release_keys: bool = False,
+    split_triangles: bool = True,
+    imprint_tolerance: float = 1e-5,
+    snap_tolerance: float = 1e-3,
+    arrange: bool = True,
+    spacing: float = 0.05,
+    pins: Tuple[int, int] = (-1, -1),
+    max_iterations: int = 300,
+    max_length_error: float = 1e-9,
+    progress: Optional[Callable[[float], Any]] = None,
+) -> Flattening:
+    """Flattens a surface; its boundary and feature curves keep the length of each of their edges.
+
+    The arrays given are not changed. A surface is a manifold with a boundary and without handles;
+    points with equal coordinates are joined and triangles that run the wrong way turned over.
+
+    Args:
+        points: positions in space in any unit of length, shape (n, 3).
+        triangles: ids of their corners, counted from 0, shape (m, 3).
+        curves: feature curves, each a :class:`Curve`, or what its `points` may be (then it is an
+            accessory curve). Without curves only the boundary keeps its length.
+        scheme: how boundary and curves get their shape: "progressive", wire-patch by wire-patch
+            (Algorithm 2 of the paper); "global", all angles together (Eq. 13); "isometric", wires
+            and interior together; "lscm", for comparison, keeps no length.
+        solver: how the angles are solved for: "newton" or "sequential", the paper's.
+        interior: how points between the wires are placed: "arap", as rigid as possible;
+            "laplacian", Eq. 11; "relaxation", the paper's iteration for it.
+        release_keys: treat key curves as accessory curves.
+        split_triangles: split triangles where a curve does not run along edges; False: refuse it.
+        imprint_tolerance: greatest distance of a curve from the surface, as a fraction of the
+            diagonal of the surface's bounding box, in [0, 1].
+        snap_tolerance: a curve's point nearer to a vertex than this fraction of the mean edge
+            length moves onto it, in [0, 0.5].
+        arrange: turn pieces upright and lay them side by side; False: leave them where they arise.
+        spacing: space between arranged pieces, as a fraction of the largest extent of a piece.
+        pins: "lscm": ids of the two points that are pinned; -1: the boundary points farthest apart.
+        max_iterations: most iterations of the solver, a piece.
+        max_length_error: largest relative error of a wire's edge that is no broken promise.
+        progress: called with the fraction done, 0 to 1. What it raises ends the run and is raised
+            again.
+
+    Returns:
+        A :class:`Flattening`: positions in the plane (in the unit of `points`), triangles, arrays,
+        wires and the report as a plain dict. Points on darts and seams occur once for each side:
+        its point array "vtkOriginalPointIds" leads back to `points` (-1: made by imprinting), its
+        cell array "vtkOriginalCellIds" to `triangles`.
+
+    Raises:
+        FlatteningError: the input is refused; it carries code, name, ids and message.
+        ValueError: an argument has a wrong shape, is not one of the words, or is out of range.
+
+    Warns:
+        FlatteningWarning: there is a result, but a promise is broken (not converged, a length
+            error, a flipped triangle, an overlap); report["status"] says which.
+    """
+    return _flatten(
+        make_surface(points, triangles),
+        make_curves(curves, points),
+        scheme=scheme,
+        solver=solver,
+        interior=interior,
+        release_keys=release_keys,
+        split_triangles=split_triangles,
+        imprint_tolerance=imprint_tolerance,
+        snap_tolerance=snap_tolerance,
+        arrange=arrange,
+        spacing=spacing,
+        pins=pins,
+        max_iterations=max_iterations,
+        max_length_error=max_length_error,
+        progress=progress,
+    )
+
+
+def flatten_polydata(
+    surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
+) -> Flattening:
+    """:func:`flatten` for a vtkPolyData, or an object of a class that derives from it (PyVista).
+
+    Args:
+        surface: polygons and triangle strips; its own line cells are feature curves as well.
+        curves: further feature curves, polylines with the cell arrays that
+            vtkFeatureCurveAlgorithm documents (CurveType, CurveName, ...).
+        options: the options of :func:`flatten`.
+
+    Returns, raises and warns as :func:`flatten` does; the arrays of `surface` are among the point
+    and cell arrays of the result.
+    """
+    return _flatten(surface, curves, **options)

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a flattening gives, as numpy arrays and plain Python."""
+
+from typing import Any, Dict, List, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._curves import CURVE_TYPES
+
+Report = Dict[str, Any]
+
+# Name in the report and field data array, one row a piece.
+_PIECE_INTEGERS = {
+    "triangles": "Triangles",
+    "vertices": "Vertices",
+    "wire_patches": "WirePatches",
+    "wire_nodes": "WireNodes",
+    "free_wire_nodes": "FreeWireNodes",
+    "constraints": "Constraints",
+    "iterations": "Iterations",
+    "flipped": "FlippedTriangles",
+    "overlaps": "Overlaps",
+}
+_PIECE_NUMBERS = {
+    "objective": "Objective",
+    "closure_residual": "ClosureResidual",
+    "E_len": "EdgeLengthError",
+    "E_len_max": "MaxEdgeLengthError",
+    "E_ang": "AngleErrorMean",
+    "E_h": "GlobalHomogeneity",
+    "E_r": "GlobalAspectRatio",
+    "E_area": "AreaError",
+}
+_PIECE_TEXTS = {"status": "Status", "message": "StatusMessage"}
+_SECONDS = {
+    "wires": "SecondsWires",
+    "interior": "SecondsInterior",
+    "quality": "SecondsQuality",
+    "total": "SecondsTotal",
+}
+_HISTORY_NUMBERS = {
+    "objective": "HistoryObjective",
+    "closure": "HistoryClosure",
+    "optimality": "HistoryOptimality",
+    "step": "HistoryStep",
+}
+
+
+class Wire(NamedTuple):
+    """A wire in the plane: a chain of the boundary, or one side of a feature curve."""
+
+    #: Points along the wire, rows of Flattening.positions; int64, shape (k,).
+    vertices: NDArray[np.int64]
+    #: "accessory", "key", "dart", "seam", or "boundary", or "connector" (its length is free).
+    type: str
+    #: Place of the feature curve in the report's "curves", or -1.
+    curve: int
+    #: Name of the feature curve, or "boundary" or "connector".
+    name: str
+    #: Row of the report's "pieces".
+    piece: int
+    #: Whether it bounds its piece.
+    boundary: bool
+    #: Lengths on the surface and in the plane, unit of length.
+    rest_length: float
+    flat_length: float
+    #: Largest relative length error of one of its edges.
+    length_error: float
+
+
+class Flattening(NamedTuple):
+    """Flat pieces. n points and m triangles are those of the surface after cuts and imprints."""
+
+    #: Positions in the plane, unit of length of the surface; float64, shape (n, 2).
+    positions: NDArray[np.float64]
+    #: Corners of the triangles, counter-clockwise; int64, shape (m, 3).
+    triangles: NDArray[np.int64]
+    #: The same points on the cut surface in space; float64, shape (n, 3).
+    points: NDArray[np.float64]
+    #: By name, a value a point, such as "Developability" and "vtkOriginalPointIds"; see
+    #: vtkWireWarpingFilter for all names.
+    point_arrays: Dict[str, NDArray[Any]]
+    #: By name, a value a triangle, such as "HomogeneityOfDistortion", "AspectRatio", "AreaRatio",
+    #: "PieceId".
+    cell_arrays: Dict[str, NDArray[Any]]
+    #: Boundary and feature curves in the plane.
+    wires: List[Wire]
+    #: Cut edges that are sewn together: points a, b, c, d and the curve, edge ab to edge cd, a to c
+    #: and b to d; int64, shape (k, 5).
+    seam_pairs: NDArray[np.int64]
+    #: Boundary edges that cross in the plane: points a, b and c, d and the piece; int64, (k, 5).
+    overlap_edges: NDArray[np.int64]
+    #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
+    #: "message", "ids", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error)
+    #: and "seconds".
+    report: Report
+
+
+def _values(field: Any, name: str) -> List[Any]:
+    """An array of one component as Python values; empty where there is none."""
+    array = field.GetAbstractArray(name)
+    if array is None:
+        return []
+    if isinstance(array, vtkStringArray):
+        return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
+    values: List[Any] = vtk_to_numpy(array).tolist()
+    return values
+
+
+def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
+    result = {}
+    for index in range(attributes.GetNumberOfArrays()):
+        array = attributes.GetArray(index)  # None for strings
+        if array is not None:
+            result[array.GetName()] = np.array(vtk_to_numpy(array))
+    return result
+
+
+def _rows(field: Any, name: str, components: int) -> NDArray[np.int64]:
+    array = field.GetAbstractArray(name)
+    if array is None:
+        return np.empty((0, components), np.int64)
+    return np.array(vtk_to_numpy(array), np.int64).reshape(-1, components)
+
+
+def _wires(output: vtkPolyData) -> List[Wire]:
+    cells = output.GetCellData()
+    columns = {
+        name: _values(cells, name)
+        for name in ("CurveType", "CurveId", "CurveName", "PieceId", "Boundary", "Connector",
+                     "RestLength", "FlatLength", "LengthError")
+    }
+    offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
+    connectivity = vtk_to_numpy(output.GetLines().GetConnectivityArray())
+    result = []
+    for row, kind in enumerate(columns["CurveType"]):
+        other = "connector" if columns["Connector"][row] else "boundary"
+        result.append(Wire(
+            vertices=np.array(connectivity[offsets[row]:offsets[row + 1]], np.int64),
+            type=other if kind < 0 else CURVE_TYPES[kind],
+            curve=columns["CurveId"][row],
+            name=columns["CurveName"][row],
+            piece=columns["PieceId"][row],
+            boundary=bool(columns["Boundary"][row]),
+            rest_length=columns["RestLength"][row],
+            flat_length=columns["FlatLength"][row],
+            length_error=columns["LengthError"][row],
+        ))
+    return result
+
+
+def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
+    field, curve_field = flat.GetFieldData(), wires.GetFieldData()
+    columns = {key: _values(field, name)
+               for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
+    pieces: List[Report] = [
+        {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "history": []}
+        for piece in range(len(columns["triangles"]))
+    ]
+    history = {key: _values(field, name) for key, name in _HISTORY_NUMBERS.items()}
+    phases = _values(field, "HistoryPhase")
+    for row, piece in enumerate(_values(field, "HistoryPiece")):
+        pieces[piece]["history"].append(
+            {"phase": phases[row], **{key: column[row] for key, column in history.items()}})
+    curves = zip(*(_values(curve_field, name) for name in (
+        "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors")))
+    return {
+        "status": _values(field, "RunStatus")[0],
+        "message": _values(field, "RunStatusMessage")[0],
+        "ids": _values(field, "RunStatusIds"),
+        "pieces": pieces,
+        "curves": [
+            {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
+             "error": error}
+            for name, kind, rest, length, error in curves
+        ],
+        "seconds": {key: _values(field, name)[0] for key, name in _SECONDS.items()},
+    }
+
+
+def make_result(flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData) -> Flattening:
+    """The three outputs of vtkWireWarpingFilter as arrays of their own."""
+    corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray())
+    return Flattening(
+        positions=np.array(vtk_to_numpy(flat.GetPoints().GetData())[:, :2], np.float64),
+        triangles=np.array(corners, np.int64).reshape(-1, 3),
+        points=np.array(vtk_to_numpy(cut.GetPoints().GetData()), np.float64),
+        point_arrays=_arrays(flat.GetPointData()),
+        cell_arrays=_arrays(flat.GetCellData()),
+        wires=_wires(wires),
+        seam_pairs=_rows(flat.GetFieldData(), "SeamPairs", 5),
+        overlap_edges=_rows(flat.GetFieldData(), "OverlapEdges", 5),
+        report=_report(flat, wires),
+    )
