@@ -17,6 +17,16 @@ function (flattening_build_module)
     ENABLE_TESTS      "${with_tests}"
     HIDE_MODULES_FROM_CACHE ON)
 
+  # A user's project builds against the library, but nobody builds against a plugin.
+  set(destination INSTALL_EXPORT SurfaceFlattening)
+  if (SURFACEFLATTENING_PARAVIEW)
+    set(destination
+      INSTALL_HEADERS OFF
+      LIBRARY_NAME_SUFFIX "pv${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}"
+      LIBRARY_DESTINATION "${flattening_library_dir}"
+      TARGETS_COMPONENT plugin)
+  endif ()
+
   set(source_dir "${CMAKE_CURRENT_SOURCE_DIR}")
   get_filename_component(CMAKE_SOURCE_DIR "${source_dir}" DIRECTORY)
   vtk_module_build(
@@ -24,7 +34,7 @@ function (flattening_build_module)
     PACKAGE                     SurfaceFlattening
     VERSION                     "${SurfaceFlattening_VERSION}"
     SOVERSION                   "${SurfaceFlattening_VERSION_MAJOR}"
-    INSTALL_EXPORT              SurfaceFlattening
+    ${destination}
     HEADERS_DESTINATION         "${CMAKE_INSTALL_INCLUDEDIR}/SurfaceFlattening"
     CMAKE_DESTINATION           "${CMAKE_INSTALL_LIBDIR}/cmake/SurfaceFlattening"
     TEST_DIRECTORY_NAME         "Testing"

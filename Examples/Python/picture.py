@@ -102,9 +102,10 @@ class Picture:
             camera = renderer.GetActiveCamera()
             camera.ParallelProjectionOn()
             center = [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2]
+            center[1] -= 0.06 * scale  # room for the title
             camera.SetFocalPoint(*center, 0)
             camera.SetPosition(*center, 1)
-            camera.SetParallelScale(0.56 * scale)
+            camera.SetParallelScale(0.6 * scale)
             renderer.ResetCameraClippingRange()
         self.window.Render()
         grabber = vtkWindowToImageFilter()

@@ -1,0 +1,36 @@
+# The other role of the build, SURFACEFLATTENING_PARAVIEW: the module against the VTK inside ParaView,
+# and the plugin that shows it there. ./test-paraview makes such a build tree on Debian.
+set(SURFACEFLATTENING_BUILD_APPLICATIONS OFF)
+set(SURFACEFLATTENING_BUILD_EXAMPLES OFF)
+set(SURFACEFLATTENING_WRAP_PYTHON OFF)
+set(flattening_plugin_testing "${BUILD_TESTING}")
+set(BUILD_TESTING OFF) # the module's own tests are those of the first build tree
+
+find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+set(VTK_DIR "${ParaView_DIR}/vtk") # no other VTK will do
+include(FlatteningFindVTK)
+include(FlatteningModule)
+
+# Library and plugin are neighbours, where ParaView keeps its own plugins.
+set(plugin_dir "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+set(flattening_library_dir "${plugin_dir}/SurfaceFlattening")
+flattening_build_module()
+
+paraview_plugin_scan(
+  PLUGIN_FILES     "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  ENABLE_BY_DEFAULT ON
+  HIDE_PLUGINS_FROM_CACHE ON)
+paraview_plugin_build(
+  PLUGINS              ${plugins}
+  PLUGINS_FILE_NAME    SurfaceFlattening.xml
+  RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_COMPONENT    plugin)
+
+if (flattening_plugin_testing)
+  enable_testing()
+  add_subdirectory(Testing/ParaView)
+endif ()
