@@ -31,5 +31,5 @@ if (complete)
   run("${CMAKE_CTEST_COMMAND}" --test-dir "${folder}/build" --output-on-failure --no-tests=error
     -R TestSurfaceDevelopability)
 else ()
-  run("${CMAKE_COMMAND}" --build "${folder}/build" --target FiltersFlattening-hierarchy)
+  run("${CMAKE_COMMAND}" --build "${folder}/build" --target vtkFiltersFlattening-hierarchy)
 endif ()
