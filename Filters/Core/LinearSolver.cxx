@@ -12,6 +12,20 @@
 
 namespace flattening
 {
+namespace
+{
+/// The matrix with every diagonal entry stored, zero or not. SuperLU (up to 7.0) writes out of
+/// bounds where elimination leaves a column without any stored entry to choose as pivot; a stored
+/// diagonal rules that out for every matrix, and one that is singular is then told from the values.
+SparseMatrix withDiagonal(const SparseMatrix& matrix)
+{
+  SparseMatrix diagonal(matrix.rows(), matrix.cols());
+  diagonal.setIdentity();
+  diagonal.coeffs().setZero();
+  return matrix + diagonal;
+}
+}
+
 /// What the methods have in common.
 struct LinearSolver::Backend
 {
@@ -34,7 +48,14 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
   bool factorize(const SparseMatrix& matrix) override
   {
-    this->solver.factorize(matrix);
+    if constexpr (std::is_same_v<Factorization, Eigen::SuperLU<SparseMatrix>>)
+    {
+      this->solver.factorize(withDiagonal(matrix));
+    }
+    else
+    {
+      this->solver.factorize(matrix);
+    }
     return this->solver.info() == Eigen::Success;
   }
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override

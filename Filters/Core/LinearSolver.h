@@ -21,9 +21,9 @@ enum class LinearMethod
 
 /// One face for the direct solvers of sparse linear systems.
 ///
-/// The symmetric methods read the lower triangle of the matrix only. analyze() is the symbolic part,
-/// which one sparsity pattern needs once (SuperLU redoes it in every factorize()); factorize() calls
-/// it where it has not been called yet. Nothing throws.
+/// The symmetric methods read the lower triangle of the matrix only. analyze() is the symbolic
+/// part, which one sparsity pattern needs once (SuperLU redoes it in every factorize());
+/// factorize() calls it where it has not been called yet. Nothing throws.
 class LinearSolver
 {
 public:
@@ -36,22 +36,23 @@ public:
 
   /// Finds an elimination order for the pattern of the matrix. False where it is not square.
   bool analyze(const SparseMatrix& matrix);
-  /// Factors a matrix of the pattern given to analyze(). False where the matrix is singular, not
+  /// Factors a matrix of the pattern given to analyze(). False where a pivot is zero, an entry not
   /// finite, for Cholesky not positive definite, or where memory runs out.
   bool factorize(const SparseMatrix& matrix);
   bool ok() const { return this->Factorized; }
 
-  /// Solves for every column of the right-hand side. Empty (no rows) where there is no factorization
-  /// or the result is not finite.
+  /// Solves for every column of the right-hand side. Empty (no rows) where there is no
+  /// factorization or the result is not finite.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;
   /// The same followed by one step of iterative refinement with the given matrix, which may differ
-  /// from the factored one by a small perturbation (the -delta I block of a regularized KKT system).
+  /// from the factored one by a small perturbation (the -delta I block of a regularized KKT
+  /// system).
   Eigen::MatrixXd solveRefined(
     const SparseMatrix& matrix, const Eigen::MatrixXd& rightHandSide) const;
 
-  /// Inertia: how many eigenvalues are positive, negative and zero, by the signs of D (Sylvester's law
-  /// of inertia). Cholesky: all are positive. none where the method does not tell (LU) or there is
-  /// no factorization.
+  /// Inertia: how many eigenvalues are positive, negative and zero, by the signs of D (Sylvester's
+  /// law of inertia). Cholesky: all are positive. none where the method does not tell (LU) or there
+  /// is no factorization.
   Index positive() const { return this->count(1); }
   Index negative() const { return this->count(-1); }
   Index zero() const { return this->count(0); }

@@ -188,10 +188,11 @@ TEST(LinearSolver, RefusesWhatItCannotFactor)
   SparseMatrix notFinite = gridLaplacian(4);
   notFinite.coeffRef(3, 3) = std::numeric_limits<double>::quiet_NaN();
   SparseMatrix rectangular(4, 5);
+  SparseMatrix empty(16, 16);
   for (LinearMethod method :
     { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
   {
-    for (const SparseMatrix* matrix : { &singular, &notFinite, &rectangular })
+    for (const SparseMatrix* matrix : { &singular, &empty, &notFinite, &rectangular })
     {
       LinearSolver solver(method);
       EXPECT_FALSE(solver.factorize(*matrix)) << static_cast<int>(method);
