@@ -7,11 +7,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
+import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from surfaces import DATA, SOURCE
+from surfaces import DATA, SOURCE, points_of, polylines_of, read, triangles_of
 
 EXAMPLES = os.path.join(SOURCE, "Examples", "Python")
 
@@ -30,6 +32,33 @@ def colors_of(path):
 def share(colors, lowest, highest):
     """Share of the pixels between two colours."""
     return ((colors[:, :3] >= lowest) & (colors[:, :3] <= highest)).all(axis=1).mean()
+
+
+def write_obj(path, name):
+    """A piece of Data/ as a modeller writes it: an object a curve, a line an edge. Lengths by curve."""
+    surface, curves = read(name), read(name + "_curves")
+    points, ends, data = points_of(surface), points_of(curves), curves.GetCellData()
+    ids = {tuple(point): index + 1 for index, point in enumerate(points)}
+    lengths = {}
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("# exported\no surface\n")
+        file.writelines("v %.17g %.17g %.17g\n" % tuple(point) for point in points)
+        file.writelines("f %d/1/1 %d/2/2 %d//3\n" % tuple(ids) for ids in triangles_of(surface) + 1)
+        for row, line in enumerate(polylines_of(curves)):
+            kind = ("", "key ", "dart ", "seam ")[int(data.GetArray("CurveType").GetValue(row))]
+            title = kind + data.GetAbstractArray("CurveName").GetValue(row)
+            lengths[title] = np.linalg.norm(np.diff(ends[line], axis=0), axis=1).sum()
+            chain = [ids[tuple(ends[point])] for point in line]
+            file.write(f"o {title}\n")
+            file.writelines(f"l {a} {b}\n" for a, b in zip(chain, chain[1:]))
+    return lengths
+
+
+def drawn_length(path):
+    """Length of an SVG path of straight lines."""
+    words = path.get("d").replace("M", " ").replace("L", " ").split()
+    points = np.array([[float(number) for number in word.split(",")] for word in words])
+    return np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
 
 
 class Examples(unittest.TestCase):
@@ -70,6 +99,24 @@ class Examples(unittest.TestCase):
         colors = colors_of(os.path.join(self.folder, "sweep.png"))
         self.assertGreater(share(colors, (200, 0, 0), (230, 40, 40)), 1e-4)  # keys
         self.assertGreater(share(colors, (215, 215, 210), (235, 235, 230)), 0.05)  # pieces
+
+    def test_obj_to_pattern(self):
+        lengths = write_obj(os.path.join(self.folder, "pants.obj"), "pants_front")
+        self.run_example("obj_to_pattern.py", "pants.obj", "pants.svg", "--unit", "cm")
+        root = ElementTree.parse(os.path.join(self.folder, "pants.svg")).getroot()
+        drawn = {}
+        for path in root.iter("{http://www.w3.org/2000/svg}path"):
+            if path.get("data-curve"):
+                drawn.setdefault(path.get("data-curve"), []).append(drawn_length(path))
+        drawn.pop("boundary", None)
+        self.assertEqual(set(drawn), set(lengths))
+        for name, length in lengths.items():
+            sides = 2 if name.startswith("dart") else 1
+            self.assertEqual(len(drawn[name]), sides, name)
+            for millimetres in drawn[name]:
+                self.assertAlmostEqual(millimetres, 10.0 * length, delta=1e-6 * length, msg=name)
+
+        self.run_example("obj_to_pattern.py", "pants.obj", "nowhere/pants.svg", "--unit", "cm", code=1)
 
     def test_every_example_is_tried(self):
         with open(__file__, encoding="utf-8") as file:

@@ -192,6 +192,15 @@ class Results(unittest.TestCase):
         np.testing.assert_array_equal(first.positions, kept)
         first.positions[0] = 0.0  # they are the caller's
 
+    def test_separate_triangles_are_joined(self):
+        points, triangles = grid()
+        soup, corners = points[triangles.ravel()], np.arange(triangles.size).reshape(-1, 3)
+        joined = sf.flatten(soup, corners)
+        self.assertEqual(len(joined.positions), len(points))
+        self.assertEqual(len(joined.report["pieces"]), 1)
+        kept = sf.flatten(soup, corners, coincident_points="keep")
+        self.assertEqual(len(kept.report["pieces"]), len(triangles))
+
     def test_progress_is_told(self):
         points, triangles, arc = quarter_sphere()
         told = []

@@ -118,7 +118,7 @@ class Arguments(unittest.TestCase):
 
     def test_words(self):
         points, triangles = grid()
-        for option in ("scheme", "solver", "interior"):
+        for option in ("scheme", "solver", "interior", "coincident_points"):
             self.wrong([option, "'best'", "one of"], points, triangles, **{option: "best"})
         self.wrong(["type of curve 0", "accessory, key, dart, seam"], points, triangles,
                    [sf.Curve([0, 1], type="hem")])

@@ -13,7 +13,7 @@ approach with length-preserved feature curves", Computer-Aided Design 40(3), 200
 """
 
 from .vtkFiltersFlattening import *  # noqa: F401,F403
-from ._curves import Curve
+from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._flatten import flatten, flatten_polydata
 from ._result import Flattening, Wire
@@ -27,4 +27,6 @@ __all__ += [
     "Wire",
     "flatten",
     "flatten_polydata",
+    "make_curves",
+    "make_surface",
 ]

@@ -67,7 +67,15 @@ def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
 
 
 def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
-    """The surface of points (n, 3) and triangles (m, 3); raises ValueError on other shapes."""
+    """The surface as vtkPolyData, for the filters.
+
+    Args:
+        points: positions in any unit of length, shape (n, 3).
+        triangles: ids of their corners, counted from 0, shape (m, 3).
+
+    Raises:
+        ValueError: another shape, or ids that are not whole numbers.
+    """
     coordinates = np.asarray(points, np.float64)
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         raise ValueError(f"points must have the shape (n, 3), not {coordinates.shape}")
@@ -119,10 +127,16 @@ def _strings(name: str, values: Sequence[str]) -> vtkStringArray:
     return array
 
 
-def make_curves(
-    curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike
-) -> vtkPolyData:
-    """The curves as polylines with the arrays that the filters read; raises ValueError."""
+def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
+    """Feature curves as vtkPolyData, polylines with the arrays that the filters read.
+
+    Args:
+        curves: each a :class:`Curve`, or what its `points` may be.
+        points: positions of the surface, shape (n, 3), that point ids refer to.
+
+    Raises:
+        ValueError: a wrong shape or word, or a point that the surface does not have.
+    """
     surface = np.asarray(points, np.float64)
     positions, shapes, names = [], [], []
     types, key_shapes, tolerances = [], [], []

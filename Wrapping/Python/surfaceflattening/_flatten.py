@@ -17,6 +17,7 @@ from .vtkFiltersFlattening import vtkWireWarpingFilter
 SCHEMES = ("progressive", "global", "isometric", "lscm")
 SOLVERS = ("newton", "sequential")
 INTERIORS = ("laplacian", "relaxation", "arap")
+COINCIDENT_POINTS = ("automatic", "join", "keep")
 
 
 def _set(filter_: Any, option: str, property_: str, value: Any) -> None:
@@ -75,6 +76,7 @@ def _flatten(
     solver: str = "newton",
     interior: str = "arap",
     release_keys: bool = False,
+    coincident_points: str = "automatic",
     split_triangles: bool = True,
     imprint_tolerance: float = 1e-5,
     snap_tolerance: float = 1e-3,
@@ -89,6 +91,9 @@ def _flatten(
     _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
     _set_word(filter_, "solver", "Solver", solver, SOLVERS)
     _set_word(filter_, "interior", "Interior", interior, INTERIORS)
+    _set_word(
+        filter_, "coincident_points", "CoincidentPoints", coincident_points, COINCIDENT_POINTS
+    )
     _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
     _set(filter_, "split_triangles", "SplitTriangles", bool(split_triangles))
     _set(filter_, "imprint_tolerance", "ImprintTolerance", imprint_tolerance)
@@ -114,6 +119,7 @@ def flatten(
     solver: str = "newton",
     interior: str = "arap",
     release_keys: bool = False,
+    coincident_points: str = "automatic",
     split_triangles: bool = True,
     imprint_tolerance: float = 1e-5,
     snap_tolerance: float = 1e-3,
@@ -127,7 +133,7 @@ def flatten(
     """Flattens a surface; its boundary and feature curves keep the length of each of their edges.
 
     The arrays given are not changed. A surface is a manifold with a boundary and without handles;
-    points with equal coordinates are joined and triangles that run the wrong way turned over.
+    triangles that run the wrong way are turned over.
 
     Args:
         points: positions in space in any unit of length, shape (n, 3).
@@ -141,6 +147,8 @@ def flatten(
         interior: how points between the wires are placed: "arap", as rigid as possible;
             "laplacian", Eq. 11; "relaxation", the paper's iteration for it.
         release_keys: treat key curves as accessory curves.
+        coincident_points: whether points with equal coordinates are one: "automatic", only where
+            hardly any two triangles share a point; "join", always; "keep", never.
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.
         imprint_tolerance: greatest distance of a curve from the surface, as a fraction of the
             diagonal of the surface's bounding box, in [0, 1].
@@ -175,6 +183,7 @@ def flatten(
         solver=solver,
         interior=interior,
         release_keys=release_keys,
+        coincident_points=coincident_points,
         split_triangles=split_triangles,
         imprint_tolerance=imprint_tolerance,
         snap_tolerance=snap_tolerance,
