@@ -139,8 +139,19 @@ def pieces_of(root):
 
 
 def read_dxf(path):
+    """The document and what the audit finds in it.
+
+    ezdxf 0.18 forgets the owner of the SEQEND that ends an R12 polyline in a block, and then complains of
+    it, in files of its own as well (test_the_audit_complains_of_its_own_files_too): these are left out.
+    """
     document = ezdxf.readfile(path)
-    return document, document.audit()
+    audit = document.audit()
+    found = [entry.message for entry in audit.errors + audit.fixes]
+    return document, [message for message in found if not is_forgotten_owner(message)]
+
+
+def is_forgotten_owner(message):
+    return re.fullmatch(r"Deleted SEQEND\(#\w+\) entity with invalid owner handle #None\.", message)
 
 
 def block_lines(block, *layers):
