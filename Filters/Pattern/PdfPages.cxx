@@ -85,8 +85,8 @@ void findPages(const Pattern& pattern, PagePlan& plan)
   std::vector<unsigned char> used(
     static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
   const Point2 legend = legendExtent(plan.hasMap);
-  mark(plan, { 0.0, 0.0 }, { legend.x(), 0.0 }, used);
-  mark(plan, { 0.0, 0.0 }, { 0.0, legend.y() }, used);
+  mark(plan, plan.origin, plan.origin + Point2(legend.x(), 0.0), used);
+  mark(plan, plan.origin, plan.origin + Point2(0.0, legend.y()), used);
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
   {
     for (const Stroke& stroke : strokesOf(pattern.pieces[p]))
@@ -152,8 +152,14 @@ PagePlan planFor(const Pattern& pattern, const PageOptions& options, const Point
   plan.printable = paper - Point2::Constant(2.0 * pageMargin);
   plan.step = plan.printable - Point2::Constant(options.overlap);
   const double width = columns * plan.step.x() + plan.overlap;
-  plan.layout = layOut(pattern, width, legendExtent(withMap).y() + legendGap);
-  plan.layout.extent = plan.layout.extent.cwiseMax(legendExtent(withMap));
+  // The outer bands stay free, so that the legend keeps clear of the crosses.
+  plan.origin = Point2::Constant(options.overlap);
+  plan.layout = layOut(pattern, width - options.overlap, legendExtent(withMap).y() + legendGap);
+  plan.layout.extent = plan.layout.extent.cwiseMax(legendExtent(withMap)) + plan.origin;
+  for (Point2& corner : plan.layout.corners)
+  {
+    corner += plan.origin;
+  }
   return plan;
 }
 
@@ -197,6 +203,12 @@ std::string tileName(const Tile& tile)
   return letters + std::to_string(tile.column + 1);
 }
 
+bool hasPage(const PagePlan& plan, const Tile& tile)
+{
+  return std::any_of(plan.pages.begin(), plan.pages.end(),
+    [&tile](const Tile& page) { return page.row == tile.row && page.column == tile.column; });
+}
+
 PatternStatus planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
 {
   if (options.paper == PaperSize::Sheet)
@@ -222,7 +234,7 @@ PatternStatus planPages(const Pattern& pattern, const PageOptions& options, Page
     {
       const Point2 paper = landscape ? Point2(upright.y(), upright.x()) : upright;
       const double step = paper.x() - 2.0 * pageMargin - options.overlap;
-      const double least = tilesAlong(widest, step, options.overlap);
+      const double least = tilesAlong(widest + options.overlap, step, options.overlap);
       const double most = std::max(least,
         std::min(least + 11.0, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap)));
       for (double columns = least; columns <= most; ++columns)

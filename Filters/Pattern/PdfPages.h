@@ -46,6 +46,7 @@ struct PagePlan
   Point2 printable = Point2::Zero(); ///< paper without margins: what a page shows of the sheet
   Point2 step = Point2::Zero();      ///< from page to page
   double overlap = 0.0;
+  Point2 origin = Point2::Zero(); ///< of the legend on the sheet
   int columns = 1;
   int rows = 1;
   std::vector<Tile> pages; ///< those on which there is something, row by row
@@ -61,5 +62,8 @@ PatternStatus planPages(const Pattern& pattern, const PageOptions& options, Page
 
 /// "A1": row A, column 1.
 std::string tileName(const Tile& tile);
+
+/// Whether the plan has this page.
+bool hasPage(const PagePlan& plan, const Tile& tile);
 }
 }

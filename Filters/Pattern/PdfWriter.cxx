@@ -139,7 +139,10 @@ private:
     cairo_clip(this->Context);
     cairo_translate(
       this->Context, -tile.column * this->Plan.step.x(), -tile.row * this->Plan.step.y());
+    cairo_save(this->Context);
+    cairo_translate(this->Context, this->Plan.origin.x(), this->Plan.origin.y());
     this->drawLegend();
+    cairo_restore(this->Context);
     for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
     {
       this->drawPiece(p);
@@ -199,7 +202,7 @@ private:
     if (this->Plan.pages.size() > 1)
     {
       write(std::to_string(this->Plan.pages.size()) + " pages " + paperName(this->Paper) +
-          ": overlap them so that the crosses meet.",
+          ": join them at the crosses.",
         3.2);
     }
     // As many pieces as there is room for above the lower edge of the rectangle.
@@ -275,25 +278,37 @@ private:
     cairo_rectangle(this->Context, 0.0, 0.0, size.x(), size.y());
     cairo_stroke(this->Context);
     // Trim lines run through the crosses, in the middle of the bands that pages share.
-    this->pen(cyan, 0.15);
-    const double dash[] = { 1.0, 2.0 };
-    cairo_set_dash(this->Context, dash, 2, 0.0);
-    for (const double x : { half, size.x() - half })
+    const double arm = std::clamp(half, 2.0, 5.0);
+    const auto has = [&](int down, int across) {
+      return hasPage(this->Plan, { tile.row + down, tile.column + across });
+    };
+    for (const int side : { -1, 1 })
     {
-      this->line({ x, 0.0 }, { x, size.y() });
-    }
-    for (const double y : { half, size.y() - half })
-    {
-      this->line({ 0.0, y }, { size.x(), y });
+      const double x = side < 0 ? half : size.x() - half;
+      const double y = side < 0 ? half : size.y() - half;
+      this->pen(cyan, 0.15);
+      const double dash[] = { 1.0, 2.0 };
+      cairo_set_dash(this->Context, dash, 2, 0.0);
+      if (has(0, side))
+      {
+        this->line({ x, 0.0 }, { x, size.y() });
+      }
+      if (has(side, 0))
+      {
+        this->line({ 0.0, y }, { size.x(), y });
+      }
     }
     this->pen(cyan, 0.3);
-    const double arm = std::clamp(half, 2.0, 5.0);
-    for (const double x : { half, size.x() - half })
+    for (const int across : { -1, 1 })
     {
-      for (const double y : { half, size.y() - half })
+      for (const int down : { -1, 1 })
       {
-        this->line({ x - arm, y }, { x + arm, y });
-        this->line({ x, y - arm }, { x, y + arm });
+        const Point2 at(across < 0 ? half : size.x() - half, down < 0 ? half : size.y() - half);
+        if (has(0, across) || has(down, 0) || has(down, across))
+        {
+          this->line(at - Point2(arm, 0.0), at + Point2(arm, 0.0));
+          this->line(at - Point2(0.0, arm), at + Point2(0.0, arm));
+        }
       }
     }
     this->colour(black);
@@ -313,12 +328,10 @@ private:
 
   void nameNeighbour(const Tile& tile, int down, int across, const Point2& at, double angle)
   {
-    for (const Tile& other : this->Plan.pages)
+    const Tile other{ tile.row + down, tile.column + across };
+    if (hasPage(this->Plan, other))
     {
-      if (other.row == tile.row + down && other.column == tile.column + across)
-      {
-        this->text("to " + tileName(other), at, 3.0, Anchor::Middle, angle);
-      }
+      this->text("to " + tileName(other), at, 3.0, Anchor::Middle, angle);
     }
   }
 

@@ -52,8 +52,9 @@ void placeTitle(const Segments& boundary, PatternPiece& piece)
   }
 }
 
-/// The name of a line beside its middle, on its left or right.
-void placeName(const PatternLine& line, double side, std::vector<PatternText>& texts)
+/// The name of a line beside it, on its left or right.
+/// \param where fraction of its length
+void placeName(const PatternLine& line, double side, double where, std::vector<PatternText>& texts)
 {
   double length = 0.0;
   for (std::size_t k = 0; k + 1 < line.points.size(); ++k)
@@ -65,7 +66,7 @@ void placeName(const PatternLine& line, double side, std::vector<PatternText>& t
   {
     return;
   }
-  double left = length / 2.0;
+  double left = where * length;
   for (std::size_t k = 0; k + 1 < line.points.size(); ++k)
   {
     const Point2 along = line.points[k + 1] - line.points[k];
@@ -117,7 +118,10 @@ void placeTexts(const Segments& boundary, PatternPiece& piece)
     {
       continue;
     }
-    placeName(line, line.kind == LineKind::SewLine ? clothSide(line, boundary) : 1.0, piece.texts);
+    // Off the middle, where curves like to cross each other and notches are.
+    const bool sewn = line.kind == LineKind::SewLine;
+    const double where = line.kind == LineKind::DartFold ? 0.55 : sewn ? 0.4 : 0.3;
+    placeName(line, sewn ? clothSide(line, boundary) : 1.0, where, piece.texts);
   }
   if (piece.grain.from != piece.grain.to)
   {
@@ -125,7 +129,7 @@ void placeTexts(const Segments& boundary, PatternPiece& piece)
     arrow.name = piece.grain.fromKeyCurve ? "grain" : "upright";
     arrow.points = { piece.grain.from,
       piece.grain.from + 0.3 * (piece.grain.to - piece.grain.from) };
-    placeName(arrow, 1.0, piece.texts);
+    placeName(arrow, 1.0, 0.5, piece.texts);
   }
 }
 }
