@@ -11,13 +11,13 @@ fail()
   exit 1
 }
 
-# Installs what packages.txt names and dpkg does not know as installed.
+# Installs what the given lists name and dpkg does not know as installed.
 install_packages()
 {
   command -v apt-get >/dev/null ||
     fail "this script is for Debian 12; elsewhere build with CMake as README.md says"
   local wanted missing=() installed package
-  wanted=$(sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$root/packages.txt")
+  wanted=$(cd "$root" && sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$@")
   # shellcheck disable=SC2086 # one word a package
   installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null |
     sed -n 's/^installed //p') || true
