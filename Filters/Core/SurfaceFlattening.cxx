@@ -202,11 +202,6 @@ private:
         this->Result.curves[c].sensitivity += sensitivity[c];
       }
     }
-    for (const auto& pair : findBoundaryOverlaps(cut.mesh, this->Result.positions, mostOverlaps))
-    {
-      const Index p = cut.pieceOfTriangle[pair[0] / 3];
-      this->Flat[p].report.overlaps.push_back(pair);
-    }
     for (FlatPiece& flat : this->Flat)
     {
       this->judge(flat.report);
@@ -239,6 +234,12 @@ private:
       t = piece.triangles[t];
     }
     this->Flat[p].report.quality = std::move(quality.summary);
+    // Each piece by itself: where pieces are not arranged they may well lie on each other.
+    for (const auto& pair : findBoundaryOverlaps(piece.mesh, positions, mostOverlaps))
+    {
+      const auto halfedge = [&piece](Index h) { return 3 * piece.triangles[h / 3] + h % 3; };
+      this->Flat[p].report.overlaps.push_back({ halfedge(pair[0]), halfedge(pair[1]) });
+    }
   }
 
   /// Adds the first broken promise to a report that has none yet.
