@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+FlatteningResult flatten(double tolerance, Scheme scheme)
+{
+  Surface surface = quarterSphere();
+  surface.curves[0].tolerance = tolerance;
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.interior.method = InteriorMethod::Laplacian;
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+}
+
+TEST(ElasticCurves, StayInTheirBandWhileRigidOnesStayExact)
+{
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    for (const double tolerance : { 0.01, 0.05, 0.3 })
+    {
+      const FlatteningResult result = flatten(tolerance, scheme);
+      ASSERT_FALSE(result.status.refused()) << result.status.message;
+      EXPECT_STRNE(statusName(result.status.code), "NotConverged");
+      EXPECT_STRNE(statusName(result.status.code), "LengthError");
+      ASSERT_EQ(result.curves.size(), 1U);
+      EXPECT_LE(result.curves[0].error, tolerance * (1.0 + 1e-9));
+      EXPECT_GT(result.curves[0].error, 1e-3) << "the band is of use here";
+      EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);
+      for (const Wire& wire : result.wires)
+      {
+        if (wire.boundary)
+        {
+          EXPECT_LT(wire.maximumEdgeError, 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(ElasticCurves, TheWiderTheBandTheLowerTheObjective)
+{
+  double previous = flatten(0.0, Scheme::Global).pieces.front().objective;
+  EXPECT_NEAR(previous, 0.197157, 5e-7);
+  for (const double tolerance : { 0.01, 0.03, 0.1 })
+  {
+    const double objective = flatten(tolerance, Scheme::Global).pieces.front().objective;
+    EXPECT_LT(objective, previous);
+    previous = objective;
+  }
+}
+
+TEST(ElasticCurves, ATightBandGivesTheRigidResult)
+{
+  const FlatteningResult rigid = flatten(0.0, Scheme::Global);
+  const FlatteningResult tight = flatten(1e-9, Scheme::Global);
+  EXPECT_LT(rigidDistance(rigid.positions, tight.positions), 1e-7);
+}
+
+TEST(ElasticCurves, OfAFlatSurfaceKeepTheirLength)
+{
+  Surface surface = flatPatch(6, 6);
+  surface.curves = { rowCurve(6, 3), columnCurve(6, 6, 2) };
+  surface.curves[0].tolerance = 0.1;
+  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.curves[0].error, 1e-10);
+  EXPECT_LT(rigidDistance(result.positions, surface.unrolled), 1e-9);
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must not change a result: where the surface lies, its unit, the order of its parts, threads.
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+#include <thread>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr Scheme schemes[] = { Scheme::Global, Scheme::Progressive };
+
+/// Two pieces with a dart, a key, an accessory curve and a floating one.
+Surface garment()
+{
+  Surface surface = cushion(10, 8, 0.15);
+  surface.curves = { columnCurve(10, 8, 6), curveOf(CurveType::Dart, "dart", { 2, 13, 24 }),
+    curveOf(CurveType::Key, "key", rowCurve(10, 5).vertices), columnCurve(10, 8, 4),
+    accessory("floating", { 30, 31, 42 }) };
+  surface.curves[0].type = CurveType::Seam;
+  surface.curves[2].keyShape = KeyShape::Straight;
+  return surface;
+}
+
+FlatteningResult flatten(const Surface& surface, Scheme scheme, const Execution& execution = {})
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.interior.method = InteriorMethod::Laplacian;
+  options.arrange = false;
+  return flattenSurface(surface.mesh, surface.curves, options, execution);
+}
+
+/// Flat corners of every triangle, which needs no numbering of the copies of vertices.
+Points2 corners(const FlatteningResult& result, const Indices& triangleOrder, Index piece)
+{
+  Points2 points;
+  for (const Index t : triangleOrder)
+  {
+    if (result.cut.pieceOfTriangle[t] == piece)
+    {
+      for (const Index v : result.cut.mesh.triangle(t))
+      {
+        points.push_back(result.positions[v]);
+      }
+    }
+  }
+  return points;
+}
+
+Indices identity(Index count)
+{
+  Indices order(count);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+/// A seeded order that is the same with every library.
+Indices shuffled(Index count)
+{
+  Indices order = identity(count);
+  std::mt19937 random(5);
+  for (Index k = count - 1; k > 0; --k)
+  {
+    std::swap(order[k], order[random() % (k + 1)]);
+  }
+  return order;
+}
+
+/// \param order triangle k of `first` is triangle order[k] of `second`.
+void expectSame(const FlatteningResult& first, const FlatteningResult& second, const Indices& order,
+  double scale, double tolerance)
+{
+  ASSERT_FALSE(first.status.refused());
+  ASSERT_FALSE(second.status.refused());
+  EXPECT_EQ(first.status.code, second.status.code);
+  ASSERT_EQ(first.pieces.size(), second.pieces.size());
+  for (Index p = 0; p < first.cut.pieceCount; ++p)
+  {
+    Points2 a = corners(first, identity(first.cut.mesh.triangleCount()), p);
+    Index other = none;
+    for (Index t = 0; t < first.cut.mesh.triangleCount() && other == none; ++t)
+    {
+      other = first.cut.pieceOfTriangle[t] == p ? second.cut.pieceOfTriangle[order[t]] : none;
+    }
+    Points2 b = corners(second, order, other);
+    for (Point2& point : b)
+    {
+      point /= scale;
+    }
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_LT(rigidDistance(a, b), tolerance);
+    EXPECT_NEAR(first.pieces[p].objective, second.pieces[other].objective, tolerance);
+  }
+}
+}
+
+TEST(FlatteningInvariance, RigidMotionsChangeNothing)
+{
+  const Surface surface = garment();
+  Surface moved = surface;
+  const Eigen::AngleAxisd turn(1.2, Point3(1.0, -2.0, 0.5).normalized());
+  Points3 points = surface.mesh.points();
+  for (Point3& p : points)
+  {
+    p = turn * p + Point3(3.0, -7.0, 11.0);
+  }
+  moved.mesh = TriangleMesh(points, surface.mesh.triangles());
+  for (const Scheme scheme : schemes)
+  {
+    expectSame(flatten(surface, scheme), flatten(moved, scheme),
+      identity(surface.mesh.triangleCount()), 1.0, 1e-9);
+  }
+}
+
+TEST(FlatteningInvariance, TheUnitOfLengthChangesNothing)
+{
+  const Surface surface = garment();
+  for (const double scale : { 1e-6, 1e-3, 1e6 })
+  {
+    Surface scaled = surface;
+    Points3 points = surface.mesh.points();
+    for (Point3& p : points)
+    {
+      p *= scale;
+    }
+    scaled.mesh = TriangleMesh(points, surface.mesh.triangles());
+    for (const Scheme scheme : schemes)
+    {
+      expectSame(flatten(surface, scheme), flatten(scaled, scheme),
+        identity(surface.mesh.triangleCount()), scale, 1e-9);
+    }
+  }
+}
+
+TEST(FlatteningInvariance, TheNumbersOfVerticesChangeNothing)
+{
+  const Surface surface = garment();
+  const Indices number = shuffled(surface.mesh.vertexCount());
+  Surface renumbered = surface;
+  Points3 points(number.size());
+  Triangles triangles = surface.mesh.triangles();
+  for (Index v = 0; v < surface.mesh.vertexCount(); ++v)
+  {
+    points[number[v]] = surface.mesh.point(v);
+  }
+  for (Triangle& t : triangles)
+  {
+    for (Index& v : t)
+    {
+      v = number[v];
+    }
+  }
+  for (FeatureCurve& curve : renumbered.curves)
+  {
+    for (Index& v : curve.vertices)
+    {
+      v = number[v];
+    }
+  }
+  renumbered.mesh = TriangleMesh(points, triangles);
+  for (const Scheme scheme : schemes)
+  {
+    expectSame(flatten(surface, scheme), flatten(renumbered, scheme),
+      identity(surface.mesh.triangleCount()), 1.0, 1e-9);
+  }
+}
+
+TEST(FlatteningInvariance, TheNumbersOfTrianglesChangeNothing)
+{
+  // The progressive scheme breaks ties by the number of a patch, so that only the global one is
+  // free of them.
+  const Surface surface = garment();
+  const Indices number = shuffled(surface.mesh.triangleCount());
+  Triangles triangles(number.size());
+  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+  {
+    triangles[number[t]] = surface.mesh.triangle(t);
+  }
+  Surface renumbered = surface;
+  renumbered.mesh = TriangleMesh(surface.mesh.points(), triangles);
+  expectSame(
+    flatten(surface, Scheme::Global), flatten(renumbered, Scheme::Global), number, 1.0, 1e-9);
+}
+
+TEST(FlatteningInvariance, TheOrderAndDirectionOfCurvesChangeNothing)
+{
+  const Surface surface = garment();
+  Surface other = surface;
+  std::reverse(other.curves.begin(), other.curves.end());
+  for (FeatureCurve& curve : other.curves)
+  {
+    std::reverse(curve.vertices.begin(), curve.vertices.end());
+  }
+  for (const Scheme scheme : schemes)
+  {
+    expectSame(flatten(surface, scheme), flatten(other, scheme),
+      identity(surface.mesh.triangleCount()), 1.0, 1e-9);
+  }
+}
+
+TEST(FlatteningInvariance, TheNumberOfThreadsChangesNotOneBit)
+{
+  const Surface surface = garment();
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    for (const InteriorMethod method :
+      { InteriorMethod::Laplacian, InteriorMethod::Relaxation, InteriorMethod::AsRigidAsPossible })
+    {
+      FlatteningOptions options;
+      options.scheme = scheme;
+      options.interior.method = method;
+      const FlatteningResult serial = flattenSurface(surface.mesh, surface.curves, options, {});
+      for (const Index threads : { 2, 7 })
+      {
+        Execution execution;
+        execution.parallel = [threads](Index count, const std::function<void(Index, Index)>& body) {
+          std::vector<std::thread> running;
+          for (Index k = threads; k-- > 0;)
+          {
+            running.emplace_back(
+              [&body, count, k, threads] { body(count * k / threads, count * (k + 1) / threads); });
+          }
+          for (std::thread& thread : running)
+          {
+            thread.join();
+          }
+        };
+        const FlatteningResult parallel =
+          flattenSurface(surface.mesh, surface.curves, options, execution);
+        EXPECT_EQ(serial.positions, parallel.positions);
+      }
+    }
+  }
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curves anywhere on a surface: holes, darts that meet, wires that end or float inside.
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr Index size = 8;
+
+Index at(Index i, Index j)
+{
+  return j * (size + 1) + i;
+}
+
+FeatureCurve dart(Indices vertices)
+{
+  return curveOf(CurveType::Dart, "dart", std::move(vertices));
+}
+
+Indices ring()
+{
+  return { at(3, 3), at(4, 3), at(5, 3), at(5, 4), at(5, 5), at(4, 5), at(3, 5), at(3, 4),
+    at(3, 3) };
+}
+
+/// Curve sets on a grid of 8 x 8, by name, and how many pieces they leave.
+struct Case
+{
+  const char* name;
+  std::vector<FeatureCurve> curves;
+  std::size_t pieces;
+};
+
+std::vector<Case> cases()
+{
+  const FeatureCurve row = rowCurve(size, 4);
+  FeatureCurve seam = columnCurve(size, size, 3);
+  seam.type = CurveType::Seam;
+  FeatureCurve closedSeam = curveOf(CurveType::Seam, "ring", ring());
+  return {
+    { "fish-eye dart", { dart({ at(4, 2), at(4, 3), at(4, 4), at(4, 5) }) }, 1 },
+    { "fish-eye dart under a girth",
+      { dart({ at(4, 2), at(4, 3), at(4, 4), at(4, 5), at(4, 6) }), row }, 1 },
+    { "two fish-eye darts",
+      { dart({ at(2, 2), at(2, 3), at(2, 4) }), dart({ at(6, 4), at(6, 5), at(6, 6) }) }, 1 },
+    { "darts that meet", { dart({ at(4, 0), at(4, 1), at(4, 2) }), dart({ at(4, 2), at(5, 2) }) },
+      1 },
+    { "fish-eye darts that cross",
+      { dart({ at(4, 2), at(4, 3), at(4, 4), at(4, 5) }),
+        dart({ at(2, 4), at(3, 4), at(4, 4), at(5, 4) }) },
+      1 },
+    { "three darts to one vertex cut through",
+      { dart({ at(4, 0), at(4, 1), at(4, 2) }),
+        dart({ at(8, 2), at(7, 2), at(6, 2), at(5, 2), at(4, 2) }),
+        dart({ at(0, 2), at(1, 2), at(2, 2), at(3, 2), at(4, 2) }) },
+      3 },
+    { "a dart between two boundary points", { dart(columnCurve(size, size, 5).vertices), row }, 2 },
+    { "a seam with a girth across", { seam, row }, 2 },
+    { "a seam around a region", { closedSeam }, 2 },
+    { "a closed accessory curve", { accessory("ring", ring()) }, 1 },
+    { "a dangling wire", { accessory("d", { at(4, 0), at(4, 1), at(4, 2), at(5, 2) }) }, 1 },
+    { "a floating wire", { accessory("f", { at(3, 3), at(4, 3), at(4, 4) }) }, 1 },
+    { "two floating wires",
+      { accessory("f", { at(2, 2), at(3, 2) }), accessory("g", { at(5, 5), at(5, 6) }) }, 1 },
+    { "curves that end on a dart",
+      { dart({ at(4, 0), at(4, 1), at(4, 2), at(4, 3) }),
+        accessory("left", { at(0, 2), at(1, 2), at(2, 2), at(3, 2), at(4, 2) }),
+        accessory("right", { at(4, 1), at(5, 1), at(6, 1), at(7, 1), at(8, 1) }) },
+      1 },
+    { "a girth across a dart",
+      { dart({ at(4, 0), at(4, 1), at(4, 2), at(4, 3) }), rowCurve(size, 2) }, 1 },
+    { "a curve along a dart",
+      { dart({ at(4, 0), at(4, 1), at(4, 2) }),
+        accessory("along", { at(4, 1), at(4, 2), at(4, 3) }) },
+      1 },
+    { "a dart of one inner edge", { dart({ at(4, 4), at(4, 5) }) }, 1 },
+  };
+}
+
+FlatteningResult flatten(const Surface& surface, Scheme scheme)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.arrange = false;
+  options.interior.method = InteriorMethod::AsRigidAsPossible;
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+/// Largest distance of a piece's flat vertices from the unrolling, each piece moved on its own.
+double worstPiece(const Surface& surface, const FlatteningResult& result)
+{
+  double worst = 0.0;
+  for (const Piece& piece : extractPieces(result.cut))
+  {
+    Points2 flat;
+    Points2 unrolled;
+    for (const Index v : piece.vertices)
+    {
+      flat.push_back(result.positions[v]);
+      unrolled.push_back(surface.unrolled[result.cut.originalVertex[v]]);
+    }
+    worst = std::max(worst, rigidDistance(flat, unrolled));
+  }
+  return worst;
+}
+}
+
+TEST(FlatteningTopology, FlatSurfacesFlattenToThemselvesWhateverTheCurves)
+{
+  for (const Case& curveSet : cases())
+  {
+    Surface surface = flatPatch(size, size);
+    surface.curves = curveSet.curves;
+    for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+    {
+      const FlatteningResult result = flatten(surface, scheme);
+      ASSERT_TRUE(result.status.ok()) << curveSet.name << ": " << result.status.message;
+      ASSERT_EQ(result.pieces.size(), curveSet.pieces) << curveSet.name;
+      EXPECT_LT(worstPiece(surface, result), 1e-10) << curveSet.name;
+      for (const PieceReport& piece : result.pieces)
+      {
+        EXPECT_LT(piece.objective, 1e-20) << curveSet.name;
+      }
+    }
+  }
+}
+
+TEST(FlatteningTopology, WiresOfCurvedSurfacesMeetWhateverTheCurves)
+{
+  for (const Case& curveSet : cases())
+  {
+    Surface surface = cushion(size, size, 0.2);
+    surface.curves = curveSet.curves;
+    for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+    {
+      const FlatteningResult result = flatten(surface, scheme);
+      ASSERT_FALSE(result.status.refused()) << curveSet.name << ": " << result.status.message;
+      EXPECT_STRNE(statusName(result.status.code), "NotConverged") << curveSet.name;
+      for (const Wire& wire : result.wires)
+      {
+        if (!wire.connector)
+        {
+          EXPECT_LT(wire.maximumEdgeError, 1e-12) << curveSet.name;
+        }
+      }
+    }
+  }
+}
+
+TEST(FlatteningTopology, FloatingWiresGetConnectorsThatAreMarked)
+{
+  Surface surface = cushion(size, size, 0.2);
+  surface.curves = { accessory("floating", { at(3, 3), at(4, 3), at(5, 3) }) };
+  const FlatteningResult result = flatten(surface, Scheme::Global);
+  ASSERT_FALSE(result.status.refused());
+  const auto connectors = std::count_if(
+    result.wires.begin(), result.wires.end(), [](const Wire& wire) { return wire.connector; });
+  EXPECT_EQ(connectors, 3) << "from the third row to the boundary";
+}
+
+TEST(FlatteningTopology, ASurfaceWithTwoBoundaryLoopsLiesFlatAroundItsHole)
+{
+  // A flat sheet with its middle left out.
+  Surface surface = flatPatch(size, size);
+  Triangles triangles;
+  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+  {
+    const Index i = t / 2 % size;
+    const Index j = t / 2 / size;
+    if (i < 3 || i > 4 || j < 3 || j > 5)
+    {
+      triangles.push_back(surface.mesh.triangle(t));
+    }
+  }
+  const Points3& all = surface.mesh.points();
+  Points3 points;
+  Points2 unrolled;
+  Indices vertexOf(all.size(), none);
+  for (Triangle& t : triangles)
+  {
+    for (Index& v : t)
+    {
+      if (vertexOf[v] == none)
+      {
+        vertexOf[v] = static_cast<Index>(points.size());
+        points.push_back(all[v]);
+        unrolled.push_back(surface.unrolled[v]);
+      }
+      v = vertexOf[v];
+    }
+  }
+  surface.mesh = TriangleMesh(points, triangles);
+  surface.unrolled = unrolled;
+  surface.curves.clear();
+  ASSERT_EQ(surface.mesh.boundaryLoops().size(), 2U);
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive })
+  {
+    const FlatteningResult result = flatten(surface, scheme);
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    EXPECT_LT(rigidDistance(result.positions, unrolled), 1e-10);
+  }
+}
+
+TEST(FlatteningTopology, SeamsCutAClosedSurfaceIntoFlatPieces)
+{
+  // A box of 2 x 2 x 2 squares a side would need 12 edges; six seams leave its faces in one cross.
+  const TriangleMesh cube({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0),
+                            Point3(0, 0, 1), Point3(1, 0, 1), Point3(1, 1, 1), Point3(0, 1, 1) },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 },
+      { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } });
+  // The four upright edges and three edges of the lid: a cross that lies flat without distortion.
+  std::vector<FeatureCurve> seams;
+  for (const auto& [a, b] : std::vector<std::pair<Index, Index>>{
+         { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 }, { 4, 5 }, { 5, 6 }, { 6, 7 } })
+  {
+    seams.push_back(curveOf(CurveType::Seam, "seam", { a, b }));
+  }
+  FlatteningOptions options;
+  const FlatteningResult result = flattenSurface(cube, seams, options, {});
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_EQ(result.pieces.size(), 1U);
+  EXPECT_EQ(result.cut.seamPairs.size(), 7U);
+  EXPECT_LT(result.pieces.front().objective, 1e-20);
+  for (const TriangleQuality& triangle : result.triangles)
+  {
+    EXPECT_NEAR(triangle.areaRatio, 1.0, 1e-12);
+    EXPECT_NEAR(triangle.aspectRatio, 1.0, 1e-12);
+  }
+}

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+FlatteningOptions optionsOf(Scheme scheme, InteriorMethod interior = InteriorMethod::Laplacian)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.interior.method = interior;
+  options.arrange = false;
+  return options;
+}
+
+FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
+{
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+/// Unrolled positions of the vertices of the cut surface.
+Points2 unrolledCopies(const Surface& surface, const CutSurface& cut)
+{
+  Points2 copies;
+  for (const Index v : cut.originalVertex)
+  {
+    copies.push_back(surface.unrolled[v]);
+  }
+  return copies;
+}
+
+void expectEmpty(const FlatteningResult& result)
+{
+  EXPECT_TRUE(result.status.refused());
+  EXPECT_FALSE(result.status.message.empty());
+  EXPECT_EQ(result.cut.mesh.vertexCount(), 0);
+  EXPECT_TRUE(result.positions.empty());
+  EXPECT_TRUE(result.triangles.empty());
+  EXPECT_TRUE(result.wires.empty());
+  EXPECT_TRUE(result.pieces.empty());
+  EXPECT_TRUE(result.curves.empty());
+}
+
+/// Turning angles of a flat polyline at its inner points.
+std::vector<double> turnings(const Points2& positions, const Indices& vertices)
+{
+  std::vector<double> result;
+  for (std::size_t k = 1; k + 1 < vertices.size(); ++k)
+  {
+    const Point2 in = positions[vertices[k]] - positions[vertices[k - 1]];
+    const Point2 out = positions[vertices[k + 1]] - positions[vertices[k]];
+    result.push_back(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+  }
+  return result;
+}
+
+const Wire& wireOfCurve(const FlatteningResult& result, Index curve)
+{
+  return *std::find_if(result.wires.begin(), result.wires.end(),
+    [curve](const Wire& wire) { return wire.curve == curve; });
+}
+}
+
+TEST(SurfaceFlattening, GlobalWarpingOfTheQuarterSphereGivesTheRowOfTable1)
+{
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    FlatteningOptions options = optionsOf(Scheme::Global);
+    options.angles.method = method;
+    const FlatteningResult result = flatten(quarterSphere(), options);
+    ASSERT_EQ(result.pieces.size(), 1U);
+    const PieceReport& piece = result.pieces.front();
+    EXPECT_NEAR(piece.objective, 0.197157, 5e-7);
+    EXPECT_LT(piece.quality.maximumEdgeLengthError, 1e-13);
+    EXPECT_NEAR(piece.quality.angleError, 0.148796, 5e-7);
+    EXPECT_NEAR(piece.quality.globalHomogeneity, 0.40397, 5e-6);
+    EXPECT_EQ(piece.wirePatches, 2);
+    EXPECT_EQ(piece.wireNodes, 24);
+    EXPECT_EQ(piece.freeWireNodes, 24);
+    EXPECT_EQ(piece.constraints, 3 * 2 + 3);
+  }
+}
+
+TEST(SurfaceFlattening, ProgressiveWarpingOfTheQuarterSphereGivesTheRowOfTable1)
+{
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    FlatteningOptions options = optionsOf(Scheme::Progressive);
+    options.angles.method = method;
+    const FlatteningResult result = flatten(quarterSphere(), options);
+    ASSERT_EQ(result.pieces.size(), 1U);
+    const QualitySummary& quality = result.pieces.front().quality;
+    EXPECT_LT(quality.maximumEdgeLengthError, 1e-13);
+    EXPECT_NEAR(quality.angleError, 0.159115, 5e-7);
+    EXPECT_NEAR(quality.globalHomogeneity, 0.39359, 5e-6);
+    EXPECT_EQ(result.pieces.front().warpingOrder, (Indices{ 0, 1 }));
+  }
+}
+
+TEST(SurfaceFlattening, OnTheTwoArcsOfFigure14ThePapersIterationFailsAndNewtonFindsTheBetterMinimum)
+{
+  FlatteningOptions options = optionsOf(Scheme::Global);
+  const FlatteningResult newton = flatten(quarterSphereWithTwoArcs(), options);
+  ASSERT_EQ(newton.pieces.size(), 1U);
+  EXPECT_NEAR(newton.pieces.front().objective, 3.14777, 5e-6);
+  EXPECT_LT(newton.pieces.front().quality.maximumEdgeLengthError, 1e-10);
+  options.angles.method = AngleMethod::Sequential;
+  const FlatteningResult sequential = flatten(quarterSphereWithTwoArcs(), options);
+  EXPECT_STREQ(statusName(sequential.status.code), "NotConverged");
+}
+
+TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
+{
+  Surface tube = cylinder(9, 6);
+  tube.curves = { rowCurve(9, 2), columnCurve(9, 6, 4), accessory("dangling", { 7, 17 }) };
+  Surface horn = cone(10, 6);
+  horn.curves = { columnCurve(10, 6, 3), curveOf(CurveType::Key, "key", rowCurve(10, 3).vertices),
+    curveOf(CurveType::Dart, "dart", { 5, 16, 27 }) };
+  for (const Surface& surface : { tube, horn })
+  {
+    for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+    {
+      const FlatteningResult result =
+        flatten(surface, optionsOf(scheme, InteriorMethod::AsRigidAsPossible));
+      ASSERT_TRUE(result.status.ok()) << result.status.message;
+      EXPECT_LT(rigidDistance(result.positions, unrolledCopies(surface, result.cut)), 1e-10);
+      EXPECT_LT(result.pieces.front().objective, 1e-20);
+      EXPECT_NEAR(result.pieces.front().quality.globalHomogeneity, 1.0, 1e-9);
+    }
+  }
+}
+
+TEST(SurfaceFlattening, WiresKeepTheirLengthsInEveryScheme)
+{
+  Surface surface = cushion(10, 8, 0.25);
+  surface.curves = { rowCurve(10, 4), columnCurve(10, 8, 5),
+    curveOf(CurveType::Dart, "dart", { 2, 13, 24 }) };
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    const FlatteningResult result =
+      flatten(surface, optionsOf(scheme, InteriorMethod::AsRigidAsPossible));
+    ASSERT_FALSE(result.status.refused()) << result.status.message;
+    EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);
+    for (const Wire& wire : result.wires)
+    {
+      EXPECT_LT(wire.maximumEdgeError, 1e-12);
+      EXPECT_NEAR(wire.flatLength, wire.restLength, 1e-12);
+    }
+    for (const CurveReport& curve : result.curves)
+    {
+      EXPECT_LT(curve.error, 1e-12) << curve.name;
+    }
+  }
+}
+
+TEST(SurfaceFlattening, EdgesToBeSewnHaveOneLengthInThePlane)
+{
+  Surface surface = cushion(10, 8, 0.25);
+  surface.curves = { columnCurve(10, 8, 6), curveOf(CurveType::Dart, "dart", { 2, 13, 24 }),
+    curveOf(CurveType::Dart, "eye", { 36, 47, 58 }) };
+  surface.curves[0].type = CurveType::Seam;
+  const FlatteningResult result = flatten(surface, optionsOf(Scheme::Global));
+  ASSERT_FALSE(result.status.refused()) << result.status.message;
+  EXPECT_EQ(result.pieces.size(), 2U);
+  EXPECT_EQ(result.cut.seamPairs.size(), 8U + 2U + 2U);
+  const TriangleMesh& mesh = result.cut.mesh;
+  for (const SeamPair& pair : result.cut.seamPairs)
+  {
+    const auto length = [&](Index h) {
+      return (result.positions[mesh.to(h)] - result.positions[mesh.from(h)]).norm();
+    };
+    EXPECT_NEAR(length(pair.first) / length(pair.second), 1.0, 1e-12);
+    EXPECT_NEAR(length(pair.first) / mesh.length(pair.first), 1.0, 1e-12);
+  }
+}
+
+TEST(SurfaceFlattening, AStraightKeyIsAStraightLineInThePlaneAndStandsUpright)
+{
+  Surface surface = cushion(8, 8, 0.2);
+  surface.curves = { curveOf(CurveType::Key, "grain", columnCurve(8, 8, 3).vertices),
+    rowCurve(8, 4) };
+  surface.curves[0].keyShape = KeyShape::Straight;
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    FlatteningOptions options = optionsOf(scheme, InteriorMethod::AsRigidAsPossible);
+    options.arrange = true;
+    const FlatteningResult result = flatten(surface, options);
+    ASSERT_FALSE(result.status.refused()) << result.status.message;
+    const Wire& grain = wireOfCurve(result, 0);
+    for (const double turn : turnings(result.positions, grain.vertices))
+    {
+      EXPECT_NEAR(turn, 0.0, 1e-10);
+    }
+    const Point2 direction =
+      result.positions[grain.vertices.back()] - result.positions[grain.vertices.front()];
+    EXPECT_NEAR(direction.x(), 0.0, 1e-10);
+    EXPECT_NEAR(direction.y(), grain.restLength, 1e-10);
+  }
+}
+
+TEST(SurfaceFlattening, AKeyWithAPlanarShapeTurnsAsItIsPrescribed)
+{
+  Surface surface = cushion(8, 8, 0.1);
+  FeatureCurve key = curveOf(CurveType::Key, "arc", columnCurve(8, 8, 3).vertices);
+  key.keyShape = KeyShape::Planar;
+  for (int k = 0; k <= 8; ++k)
+  {
+    key.planarShape.emplace_back(std::cos(0.1 * k), std::sin(0.1 * k));
+  }
+  surface.curves = { key, rowCurve(8, 4) };
+  const FlatteningResult result = flatten(surface, optionsOf(Scheme::Global));
+  ASSERT_FALSE(result.status.refused()) << result.status.message;
+  for (const double turn : turnings(result.positions, wireOfCurve(result, 0).vertices))
+  {
+    EXPECT_NEAR(turn, 0.1, 1e-10);
+  }
+  EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);
+}
+
+TEST(SurfaceFlattening, ReleasedKeysAreAccessoryCurves)
+{
+  Surface surface = cushion(8, 8, 0.2);
+  surface.curves = { rowCurve(8, 3), columnCurve(8, 8, 3) };
+  const FlatteningResult accessoryResult = flatten(surface, optionsOf(Scheme::Global));
+  surface.curves[0].type = CurveType::Key;
+  FlatteningOptions options = optionsOf(Scheme::Global);
+  options.releaseKeys = true;
+  const FlatteningResult released = flatten(surface, options);
+  EXPECT_LT(rigidDistance(released.positions, accessoryResult.positions), 1e-12);
+  EXPECT_EQ(released.pieces.front().freeWireNodes, released.pieces.front().wireNodes);
+}
+
+TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLeastSet)
+{
+  // What Eq. 1 gives for the ring cannot close around the curved region in it; the row is innocent.
+  Surface surface = cushion(8, 8, 0.3);
+  surface.curves = { curveOf(CurveType::Key, "ring", { 30, 31, 32, 41, 50, 49, 48, 39, 30 }),
+    curveOf(CurveType::Key, "hem", rowCurve(8, 1).vertices) };
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive })
+  {
+    const FlatteningResult result = flatten(surface, optionsOf(scheme));
+    EXPECT_STREQ(statusName(result.status.code), "IncompatibleKeys");
+    EXPECT_FALSE(result.status.refused());
+    EXPECT_EQ(result.status.ids, (Indices{ 0 })) << result.status.message;
+    EXPECT_NE(result.status.message.find("\"ring\""), std::string::npos);
+    EXPECT_NE(result.status.message.find("\"hem\""), std::string::npos);
+    EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);
+    // The same as if the ring had been given as an accessory curve.
+    Surface suggested = surface;
+    suggested.curves[0].type = CurveType::Accessory;
+    const FlatteningResult expected = flatten(suggested, optionsOf(scheme));
+    ASSERT_FALSE(expected.status.refused());
+    EXPECT_LT(rigidDistance(result.positions, expected.positions), 1e-10);
+    EXPECT_EQ(result.pieces.front().warpingOrder, expected.pieces.front().warpingOrder);
+  }
+}
+
+TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
+{
+  Surface surface = cushion(9, 6, 0.2);
+  surface.curves = { columnCurve(9, 6, 4), rowCurve(9, 3) };
+  surface.curves[0].type = CurveType::Seam;
+  const FlatteningResult result = flatten(surface, optionsOf(Scheme::Progressive));
+  ASSERT_EQ(result.pieces.size(), 2U);
+  const std::vector<Piece> pieces = extractPieces(result.cut);
+  std::set<Index> patches;
+  for (std::size_t p = 0; p < 2; ++p)
+  {
+    FeatureCurve row = surface.curves[1];
+    row.vertices.clear();
+    Points2 together;
+    for (Index v = 0; v < pieces[p].mesh.vertexCount(); ++v)
+    {
+      together.push_back(result.positions[pieces[p].vertices[v]]);
+    }
+    for (const Index original : surface.curves[1].vertices)
+    {
+      for (Index v = 0; v < pieces[p].mesh.vertexCount(); ++v)
+      {
+        if (result.cut.originalVertex[pieces[p].vertices[v]] == original)
+        {
+          row.vertices.push_back(v);
+        }
+      }
+    }
+    const FlatteningResult alone =
+      flattenSurface(pieces[p].mesh, { row }, optionsOf(Scheme::Progressive), {});
+    EXPECT_LT(rigidDistance(together, alone.positions), 1e-12);
+    EXPECT_NEAR(result.pieces[p].objective, alone.pieces.front().objective, 1e-13);
+    for (const Index t : pieces[p].triangles)
+    {
+      patches.insert(result.patchOfTriangle[t]);
+    }
+    // Wire-patches are numbered through all pieces.
+    for (const Index patch : result.pieces[p].warpingOrder)
+    {
+      EXPECT_EQ(patches.count(patch), 1U);
+    }
+  }
+  EXPECT_EQ(patches, (std::set<Index>{ 0, 1, 2, 3 }));
+}
+
+TEST(SurfaceFlattening, ArrangedPiecesAreMovedRigidlyAndLieApart)
+{
+  Surface surface = cushion(9, 6, 0.2);
+  surface.curves = { columnCurve(9, 6, 4) };
+  surface.curves[0].type = CurveType::Seam;
+  FlatteningOptions options = optionsOf(Scheme::Global);
+  const FlatteningResult apart = flatten(surface, options);
+  options.arrange = true;
+  const FlatteningResult arranged = flatten(surface, options);
+  std::array<Eigen::AlignedBox2d, 2> boxes;
+  for (Index p = 0; p < 2; ++p)
+  {
+    Points2 before;
+    Points2 after;
+    for (Index t = 0; t < arranged.cut.mesh.triangleCount(); ++t)
+    {
+      for (const Index v : arranged.cut.mesh.triangle(t))
+      {
+        if (arranged.cut.pieceOfTriangle[t] == p)
+        {
+          before.push_back(apart.positions[v]);
+          after.push_back(arranged.positions[v]);
+          boxes[p].extend(arranged.positions[v]);
+        }
+      }
+    }
+    EXPECT_LT(rigidDistance(before, after), 1e-13);
+  }
+  EXPECT_FALSE(boxes[0].intersects(boxes[1]));
+  EXPECT_TRUE(arranged.pieces[0].overlaps.empty());
+}
+
+TEST(SurfaceFlattening, ARefusedSurfaceLeavesNothing)
+{
+  const Surface surface = cushion(4, 4, 0.2);
+  expectEmpty(flattenSurface(surface.mesh, { accessory("c", { 0, 24 }) }, {}, {}));
+  const TriangleMesh tetrahedron(
+    { Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(0, 0, 1) },
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+  const FlatteningResult closed = flattenSurface(tetrahedron, {}, {}, {});
+  EXPECT_STREQ(statusName(closed.status.code), "ClosedSurface");
+  expectEmpty(closed);
+}
+
+TEST(SurfaceFlattening, AMeshWithoutTrianglesIsRefused)
+{
+  const FlatteningResult result = flattenSurface(TriangleMesh(), {}, {}, {});
+  EXPECT_STREQ(statusName(result.status.code), "EmptySurface");
+  expectEmpty(result);
+}
+
+TEST(SurfaceFlattening, APlanarShapeOfAnotherNumberOfPointsIsRefused)
+{
+  Surface surface = cushion(4, 4, 0.2);
+  surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
+  surface.curves[0].keyShape = KeyShape::Planar;
+  surface.curves[0].planarShape = { Point2(0, 0), Point2(1, 0) };
+  const FlatteningResult result = flatten(surface, {});
+  EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
+  expectEmpty(result);
+}
+
+TEST(SurfaceFlattening, ToldToStopItLeavesNothingWheneverThatIs)
+{
+  Surface surface = cushion(6, 6, 0.3);
+  surface.curves = { rowCurve(6, 3), curveOf(CurveType::Dart, "dart", { 2, 9, 16 }) };
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    const FlatteningOptions options = optionsOf(scheme, InteriorMethod::AsRigidAsPossible);
+    int asked = 0;
+    Execution execution;
+    execution.cancel = [&asked] {
+      ++asked;
+      return false;
+    };
+    const FlatteningResult whole = flattenSurface(surface.mesh, surface.curves, options, execution);
+    ASSERT_FALSE(whole.status.refused());
+    const int all = asked;
+    ASSERT_GT(all, 5);
+    for (int stop = 0; stop < all; stop += 1 + all / 20)
+    {
+      asked = 0;
+      execution.cancel = [&asked, stop] { return asked++ >= stop; };
+      const FlatteningResult result =
+        flattenSurface(surface.mesh, surface.curves, options, execution);
+      EXPECT_STREQ(statusName(result.status.code), "Cancelled") << stop << " of " << all;
+      expectEmpty(result);
+    }
+  }
+}
+
+TEST(SurfaceFlattening, ReportsProgressInOrder)
+{
+  Surface surface = cushion(9, 6, 0.2);
+  surface.curves = { columnCurve(9, 6, 4) };
+  surface.curves[0].type = CurveType::Seam;
+  std::vector<double> fractions;
+  Execution execution;
+  execution.progress = [&fractions](double fraction, const char* phase) {
+    EXPECT_NE(std::string(phase), "");
+    fractions.push_back(fraction);
+  };
+  flattenSurface(surface.mesh, surface.curves, {}, execution);
+  ASSERT_GE(fractions.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_DOUBLE_EQ(fractions.front(), 0.0);
+  EXPECT_DOUBLE_EQ(fractions.back(), 1.0);
+}
