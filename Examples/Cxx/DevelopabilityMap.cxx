@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours a surface from blue, developable, to red, where it must stretch or take a dart.
+#include "Figure.h"
+
+#include <vtkDataArray.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+namespace
+{
+void show(vtkRenderWindow* window)
+{
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetInteractorStyle(style);
+  interactor->SetRenderWindow(window);
+  interactor->Start();
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const bool toFile = argc == 4 && std::string(argv[2]) == "--png";
+  if (argc != 2 && !toFile)
+  {
+    std::cerr << "usage: DevelopabilityMap SURFACE.vtp [--png PICTURE.png]\n"
+                 "Without --png a window opens.\n";
+    return EXIT_FAILURE;
+  }
+  try
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(argv[1]);
+    reader->Update();
+    const figures::PolyData surface = figures::measureDevelopability(reader->GetOutput());
+    vtkDataArray* const developability = surface->GetPointData()->GetArray("Developability");
+    if (!developability || surface->GetNumberOfCells() == 0)
+    {
+      return EXIT_FAILURE; // reader or filter has said why
+    }
+    const double largest = developability->GetRange()[1];
+    std::cout << "largest angle defect: " << largest << " rad\n";
+
+    figures::Figure figure(800, 800, 4);
+    figures::Drawing& drawing = figure.add();
+    drawing.lookFrom(figures::facing(surface));
+    drawing.addPointMap(surface, "Developability", { 0.0, largest });
+    drawing.addBoundary(surface);
+    if (toFile)
+    {
+      figure.write(argv[3]);
+    }
+    else
+    {
+      show(figure.render());
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "DevelopabilityMap: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

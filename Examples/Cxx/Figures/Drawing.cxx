@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkGlyph3D.h>
+#include <vtkIdList.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkSphereSource.h>
+#include <vtkTextProperty.h>
+#include <vtkTubeFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace figures
+{
+namespace
+{
+constexpr Vector boundaryColor{ 0.0, 0.0, 0.0 };
+constexpr Vector accessoryColor{ 0.0, 0.6, 0.1 };
+constexpr Vector keyColor{ 0.85, 0.0, 0.0 };
+constexpr Vector dartColor{ 0.0, 0.2, 0.9 };
+constexpr Vector surfaceColor{ 0.86, 0.86, 0.83 };
+constexpr Vector seamColor{ 0.6, 0.0, 0.75 };
+
+Vector normalized(Vector vector)
+{
+  vtkMath::Normalize(vector.data());
+  return vector;
+}
+
+Vector cross(const Vector& a, const Vector& b)
+{
+  Vector result;
+  vtkMath::Cross(a.data(), b.data(), result.data());
+  return result;
+}
+
+int valueAt(vtkDataArray* array, vtkIdType cell, int otherwise)
+{
+  return array ? static_cast<int>(array->GetComponent(cell, 0)) : otherwise;
+}
+
+/// Twelve light colours, far apart from one to the next.
+vtkSmartPointer<vtkLookupTable> makeCategories(int count)
+{
+  static constexpr std::array<Vector, 12> colors{ { { 0.99, 0.71, 0.38 }, { 0.55, 0.83, 0.78 },
+    { 0.74, 0.73, 0.95 }, { 0.98, 0.50, 0.45 }, { 0.70, 0.87, 0.41 }, { 0.50, 0.69, 0.83 },
+    { 1.00, 0.93, 0.44 }, { 0.99, 0.80, 0.90 }, { 0.60, 0.60, 0.60 }, { 0.74, 0.50, 0.74 },
+    { 0.80, 0.92, 0.77 }, { 0.80, 0.65, 0.45 } } };
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(-0.5, count - 0.5);
+  for (int k = 0; k < count; ++k)
+  {
+    const Vector& color = colors[k % colors.size()];
+    table->SetTableValue(k, color[0], color[1], color[2]);
+  }
+  return table;
+}
+}
+
+//------------------------------------------------------------------------------
+Vector facing(const PolyData& surface)
+{
+  Vector sum{ 0.0, 0.0, 0.0 };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, ids);
+    Vector origin;
+    surface->GetPoint(ids->GetId(0), origin.data());
+    for (vtkIdType k = 1; k + 1 < ids->GetNumberOfIds(); ++k)
+    {
+      Vector a;
+      Vector b;
+      surface->GetPoint(ids->GetId(k), a.data());
+      surface->GetPoint(ids->GetId(k + 1), b.data());
+      vtkMath::Subtract(a.data(), origin.data(), a.data());
+      vtkMath::Subtract(b.data(), origin.data(), b.data());
+      const Vector normal = cross(a, b);
+      vtkMath::Add(sum.data(), normal.data(), sum.data());
+    }
+  }
+  const Vector direction = normalized(sum);
+  return std::abs(direction[1]) < 0.8 ? direction : Vector{ 0.8, 0.7, 0.9 };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range)
+{
+  const bool turned = range.low > range.high;
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  table->SetHueRange(turned ? 0.0 : 2.0 / 3.0, turned ? 2.0 / 3.0 : 0.0);
+  table->SetRampToLinear();
+  table->SetTableRange(std::min(range.low, range.high), std::max(range.low, range.high));
+  table->Build();
+  return table;
+}
+
+//------------------------------------------------------------------------------
+Drawing::Drawing()
+  : Renderer(vtkSmartPointer<vtkRenderer>::New())
+{
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void Drawing::setTitle(const std::string& title)
+{
+  this->Title = vtkSmartPointer<vtkTextActor>::New();
+  this->Title->SetInput(title.c_str());
+  vtkTextProperty* const text = this->Title->GetTextProperty();
+  text->SetColor(0.0, 0.0, 0.0);
+  text->SetFontSize(18);
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToCentered();
+  this->Renderer->AddViewProp(this->Title);
+}
+
+//------------------------------------------------------------------------------
+void Drawing::lookFrom(const Vector& direction, const Vector& up)
+{
+  this->InSpace = true;
+  this->Back = normalized(direction);
+  this->Right = normalized(cross(up, this->Back));
+  this->Up = cross(this->Back, this->Right);
+}
+
+//------------------------------------------------------------------------------
+vtkActor* Drawing::addActor(const PolyData& data, bool interpolated)
+{
+  this->Shown.push_back(data);
+  vtkNew<vtkPolyDataMapper> mapper;
+  if (this->InSpace)
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(data);
+    normals->SplittingOff();
+    normals->ConsistencyOff();
+    mapper->SetInputConnection(normals->GetOutputPort());
+  }
+  else
+  {
+    mapper->SetInputData(data);
+  }
+  mapper->SetInterpolateScalarsBeforeMapping(interpolated);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetLighting(this->InSpace);
+  // Shaded enough to show the form, and not more, so that colours stay readable.
+  actor->GetProperty()->SetAmbient(0.5);
+  actor->GetProperty()->SetDiffuse(0.5);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addSurface(const PolyData& surface)
+{
+  const Vector& color = surfaceColor;
+  this->addActor(surface, false)->GetProperty()->SetColor(color[0], color[1], color[2]);
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addPointMap(const PolyData& surface, const char* array, ColorRange range)
+{
+  vtkMapper* const mapper = this->addActor(surface, true)->GetMapper();
+  mapper->ScalarVisibilityOn();
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array);
+  mapper->SetLookupTable(makeColors(range));
+  mapper->UseLookupTableScalarRangeOn();
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addCellMap(const PolyData& surface, const char* array, ColorRange range)
+{
+  vtkMapper* const mapper = this->addActor(surface, false)->GetMapper();
+  mapper->ScalarVisibilityOn();
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(array);
+  mapper->SetLookupTable(makeColors(range));
+  mapper->UseLookupTableScalarRangeOn();
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addCategories(const PolyData& surface, const char* array)
+{
+  vtkDataArray* const numbers = surface->GetCellData()->GetArray(array);
+  const int count = numbers ? static_cast<int>(numbers->GetRange()[1]) + 1 : 1;
+  vtkMapper* const mapper = this->addActor(surface, false)->GetMapper();
+  mapper->ScalarVisibilityOn();
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(array);
+  mapper->SetLookupTable(makeCategories(count));
+  mapper->UseLookupTableScalarRangeOn();
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addWires(const PolyData& wires)
+{
+  vtkDataArray* const types = wires->GetCellData()->GetArray("CurveType");
+  vtkDataArray* const boundary = wires->GetCellData()->GetArray("Boundary");
+  std::vector<vtkIdType> black;
+  std::vector<vtkIdType> green;
+  std::vector<vtkIdType> red;
+  std::vector<vtkIdType> blue;
+  std::vector<vtkIdType> purple;
+  for (vtkIdType cell = 0; cell < wires->GetNumberOfCells(); ++cell)
+  {
+    const int type = valueAt(types, cell, 0);
+    // The sides of an opened dart bound the piece.
+    const bool bounds = type < 0 || valueAt(boundary, cell, 0) != 0;
+    (bounds         ? black
+        : type == 0 ? green
+        : type == 1 ? red
+        : type == 2 ? blue
+                    : purple)
+      .push_back(cell);
+  }
+  this->addEdges(wires, green, accessoryColor, 1.0);
+  this->addEdges(wires, red, keyColor, 2.0);
+  this->addEdges(wires, blue, dartColor, 3.0);
+  this->addEdges(wires, purple, seamColor, 3.0);
+  this->addEdges(wires, black, boundaryColor, 3.0);
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addBoundary(const PolyData& surface)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->BoundaryEdgesOn();
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  std::vector<vtkIdType> cells(edges->GetOutput()->GetNumberOfCells());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    cells[k] = static_cast<vtkIdType>(k);
+  }
+  this->addEdges(edges->GetOutput(), cells, boundaryColor, 3.0);
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addEdges(
+  const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color, double lift)
+{
+  // Edge by edge: a tube along a whole polyline has no good shape where it turns back at a dart's
+  // tip.
+  vtkNew<vtkCellArray> edges;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::map<vtkIdType, vtkIdType> copies;
+  const auto copyOf = [&](vtkIdType point) {
+    const auto found = copies.find(point);
+    return found != copies.end()
+      ? found->second
+      : copies.emplace(point, points->InsertNextPoint(lines->GetPoint(point))).first->second;
+  };
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType cell : cells)
+  {
+    lines->GetCellPoints(cell, ids);
+    for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType ends[2] = { copyOf(ids->GetId(k)), copyOf(ids->GetId(k + 1)) };
+      edges->InsertNextCell(2, ends);
+    }
+  }
+  if (edges->GetNumberOfCells() > 0)
+  {
+    const auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetLines(edges);
+    this->Shown.push_back(data);
+    this->Wires.push_back({ data, color, lift });
+  }
+}
+
+//------------------------------------------------------------------------------
+void Drawing::drawWires(const WireSet& set, double radius)
+{
+  // In the plane the last drawn lies on top; in space depth decides.
+  const double lift = this->InSpace ? 0.0 : 2.0 * radius * set.lift;
+  const PolyData edges = moved(set.edges, 0.0, 0.0, lift);
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(edges);
+  tubes->SetRadius(radius);
+  tubes->SetNumberOfSides(12);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(16);
+  ball->SetPhiResolution(16);
+  vtkNew<vtkGlyph3D> balls;
+  balls->SetInputData(edges);
+  balls->SetSourceConnection(ball->GetOutputPort());
+  balls->ScalingOff();
+  for (vtkAlgorithm* shape :
+    { static_cast<vtkAlgorithm*>(tubes), static_cast<vtkAlgorithm*>(balls) })
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(shape->GetOutputPort());
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetColor(set.color[0], set.color[1], set.color[2]);
+    this->Renderer->AddActor(actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 6> Drawing::extent() const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 6> range{ infinity, -infinity, infinity, -infinity, infinity, -infinity };
+  const std::array<const Vector*, 3> axes{ &this->Right, &this->Up, &this->Back };
+  for (const PolyData& data : this->Shown)
+  {
+    for (vtkIdType k = 0; k < data->GetNumberOfPoints(); ++k)
+    {
+      double point[3];
+      data->GetPoint(k, point);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double value = vtkMath::Dot(point, axes[axis]->data());
+        range[2 * axis] = std::min(range[2 * axis], value);
+        range[2 * axis + 1] = std::max(range[2 * axis + 1], value);
+      }
+    }
+  }
+  return this->Shown.empty() ? std::array<double, 6>{} : range;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> Drawing::size() const
+{
+  const std::array<double, 6> range = this->extent();
+  return { range[1] - range[0], range[3] - range[2] };
+}
+
+//------------------------------------------------------------------------------
+void Drawing::finish(const std::array<int, 4>& area, double pixel, const FigureStyle& style)
+{
+  for (const WireSet& set : this->Wires)
+  {
+    this->drawWires(set, 0.5 * style.wireWidth * pixel);
+  }
+  this->Wires.clear();
+
+  const int* const window = this->Renderer->GetRenderWindow()->GetSize();
+  this->Renderer->SetViewport(static_cast<double>(area[0]) / window[0],
+    static_cast<double>(area[1]) / window[1], static_cast<double>(area[0] + area[2]) / window[0],
+    static_cast<double>(area[1] + area[3]) / window[1]);
+  double down = 0.0;
+  if (this->Title)
+  {
+    this->Title->SetPosition(0.5 * area[2], area[3] - 0.5 * style.titleHeight);
+    down = 0.5 * style.titleHeight * pixel;
+  }
+
+  const std::array<double, 6> range = this->extent();
+  const double distance = range[5] - range[4] + 1e3 * pixel;
+  Vector center;
+  Vector eye;
+  for (int k = 0; k < 3; ++k)
+  {
+    center[k] = 0.5 * (range[0] + range[1]) * this->Right[k] +
+      (0.5 * (range[2] + range[3]) + down) * this->Up[k] +
+      0.5 * (range[4] + range[5]) * this->Back[k];
+    eye[k] = center[k] + distance * this->Back[k];
+  }
+  vtkCamera* const camera = this->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(center.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(this->Up.data());
+  camera->SetParallelScale(0.5 * pixel * area[3]);
+  this->Renderer->ResetCameraClippingRange();
+}
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Pieces.h"
+
+#include <vtkLookupTable.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace figures
+{
+using Vector = std::array<double, 3>;
+
+/// A range of values from blue to red; `low` above `high` turns the colours round.
+struct ColorRange
+{
+  double low;
+  double high;
+};
+
+/// Sizes in pixels.
+struct FigureStyle
+{
+  double wireWidth = 4.0;
+  int gap = 14;
+  int titleHeight = 28;
+};
+
+/// One part of a figure, in parallel projection: the plane from above, or space.
+class Drawing
+{
+public:
+  Drawing();
+
+  /// Words above the drawing.
+  void setTitle(const std::string& title);
+  /// Looks at space from a direction; without it the drawing shows the plane.
+  void lookFrom(const Vector& direction, const Vector& up = { 0.0, 1.0, 0.0 });
+
+  void addSurface(const PolyData& surface);
+  void addPointMap(const PolyData& surface, const char* array, ColorRange range);
+  void addCellMap(const PolyData& surface, const char* array, ColorRange range);
+  /// Neighbouring numbers get colours that differ.
+  void addCategories(const PolyData& surface, const char* array);
+
+  /// The wires of a flat piece, or feature curves in space: key red, accessory green, dart blue,
+  /// the boundary black.
+  void addWires(const PolyData& wires);
+  /// The boundary of a surface, black.
+  void addBoundary(const PolyData& surface);
+
+  vtkRenderer* renderer() { return this->Renderer; }
+  bool hasTitle() const { return this->Title != nullptr; }
+  /// Width and height of what is drawn, in the unit of length.
+  std::array<double, 2> size() const;
+  /// Sets the camera and draws the wires.
+  /// @param area left, bottom, width and height in the window, in pixels
+  /// @param pixel size of a pixel in the unit of length
+  void finish(const std::array<int, 4>& area, double pixel, const FigureStyle& style);
+
+private:
+  struct WireSet
+  {
+    PolyData edges;
+    Vector color;
+    double lift; ///< toward the eye, in widths of a wire
+  };
+
+  vtkActor* addActor(const PolyData& data, bool interpolated);
+  void addEdges(
+    const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color, double lift);
+  void drawWires(const WireSet& set, double radius);
+  /// Range of all points along the camera's right, up and backward directions.
+  std::array<double, 6> extent() const;
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkTextActor> Title;
+  std::vector<PolyData> Shown;
+  std::vector<WireSet> Wires;
+  bool InSpace = false;
+  Vector Right{ 1.0, 0.0, 0.0 };
+  Vector Up{ 0.0, 1.0, 0.0 };
+  Vector Back{ 0.0, 0.0, 1.0 };
+};
+
+/// The direction from which most of a surface is seen: its mean normal, or obliquely from above
+/// where that is nearly upright.
+Vector facing(const PolyData& surface);
+
+/// Blue to red.
+vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace figures
+{
+using PolyData = vtkSmartPointer<vtkPolyData>;
+
+/// A surface and its feature curves.
+struct Piece
+{
+  PolyData surface;
+  PolyData curves;
+};
+
+/// Reads `folder/name.vtp` and `folder/name_curves<set>.vtp`. Throws std::runtime_error.
+Piece readPiece(const std::string& folder, const std::string& name, const std::string& set = "");
+
+/// Names of the surfaces in a folder, in alphabetical order.
+std::vector<std::string> listPieces(const std::string& folder);
+
+enum class Method
+{
+  Progressive,
+  Global,
+  Conformal
+};
+
+enum class Interior
+{
+  Paper, ///< Eq. 11
+  Rigid  ///< as rigid as possible with the wires pinned
+};
+
+/// The outputs of vtkWireWarpingFilter.
+struct FlatPiece
+{
+  PolyData flat;
+  PolyData wires;
+  PolyData cut;
+
+  /// A value of the flat piece's field data.
+  double number(const char* array, vtkIdType row = 0) const;
+};
+
+/// Throws std::runtime_error with the filter's message where the piece is refused.
+FlatPiece flatten(const Piece& piece, Method method, Interior interior = Interior::Rigid);
+
+/// Adds the point array `Developability`.
+PolyData measureDevelopability(const PolyData& surface);
+
+/// The same data at another place.
+PolyData moved(const PolyData& data, double x, double y, double z = 0.0);
+
+/// Moves flat pieces beside each other, bottom edges on one line.
+void layBeside(std::vector<FlatPiece>& pieces);
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One picture a piece: the surface with its curves and its developability, the flat pieces of the
+// progressive scheme, the global scheme and LSCM, and maps of what they change. overview.png is the
+// picture of the README.
+#include "Figure.h"
+#include "Panels.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+using namespace figures;
+
+namespace
+{
+constexpr int width = 1600;
+constexpr int maximumHeight = 2000;
+constexpr int samples = 8;
+
+std::string withNumber(const char* pattern, double value)
+{
+  char text[80];
+  std::snprintf(text, sizeof(text), pattern, value);
+  return text;
+}
+
+void addFlat(Figure& figure, const std::vector<FlatPiece>& flat, const std::string& method)
+{
+  Drawing& drawing = figure.add();
+  drawing.setTitle(method + withNumber(", E_len %.4f", flat[0].number("EdgeLengthError")));
+  drawFlat(drawing, flat);
+}
+
+void addIndex(
+  Figure& figure, const std::vector<FlatPiece>& flat, const std::string& title, const char* array)
+{
+  Drawing& drawing = figure.add();
+  drawing.setTitle(title);
+  drawIndex(drawing, flat, array);
+}
+
+void drawPiece(const std::string& folder, const std::string& name, const std::string& path)
+{
+  const std::vector<Piece> pieces{ readPiece(folder, name) };
+  const Vector view = facing(pieces[0].surface);
+  const auto progressive = flattenAll(pieces, Method::Progressive);
+  const auto global = flattenAll(pieces, Method::Global);
+  const auto conformal = flattenAll(pieces, Method::Conformal);
+
+  Figure figure(width, maximumHeight, samples);
+  Drawing& surface = figure.add();
+  surface.setTitle("surface");
+  drawSpace(surface, pieces, view);
+  addFlat(figure, progressive, "progressive");
+  addFlat(figure, global, "global");
+  addFlat(figure, conformal, "LSCM");
+  figure.nextRow();
+
+  Drawing& map = figure.add();
+  const double largest = drawDevelopability(map, pieces, view);
+  map.setTitle(withNumber("E_dev, red: %.2g", largest));
+  const char* const homogeneity = "HomogeneityOfDistortion";
+  const char* const aspect = "AspectRatio";
+  addIndex(figure, global, "global, areas", homogeneity);
+  addIndex(figure, conformal, "LSCM, areas", homogeneity);
+  figure.nextRow();
+  addIndex(figure, global, "global, aspect ratios", aspect);
+  addIndex(figure, conformal, "LSCM, aspect ratios", aspect);
+  figure.write(path);
+}
+
+/// Front and back of the shirt in space, and its three flat pieces.
+void drawOverview(const std::string& folder, const std::string& path)
+{
+  const std::vector<Piece> pieces{ readPiece(folder, "shirt_front"),
+    readPiece(folder, "shirt_back"), readPiece(folder, "shirt_shoulder") };
+  Figure figure(width, maximumHeight, samples);
+  drawSpace(figure.add(), pieces, { 0.0, 0.0, 1.0 });
+  drawSpace(figure.add(), pieces, { 0.0, 0.0, -1.0 });
+  drawFlat(figure.add(), flattenAll(pieces, Method::Global));
+  figure.write(path);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::cerr << "usage: Gallery DATA_FOLDER PICTURE_FOLDER\n";
+    return EXIT_FAILURE;
+  }
+  try
+  {
+    const std::string data = argv[1];
+    const std::string pictures = argv[2];
+    if (!vtksys::SystemTools::MakeDirectory(pictures))
+    {
+      throw std::runtime_error("cannot make " + pictures);
+    }
+    const std::vector<std::string> names = listPieces(data);
+    if (names.empty())
+    {
+      throw std::runtime_error("no .vtp files in " + data);
+    }
+    for (const std::string& name : names)
+    {
+      drawPiece(data, name, pictures + "/" + name + ".png");
+    }
+    drawOverview(data, pictures + "/overview.png");
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "Gallery: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
