@@ -146,6 +146,15 @@ WireSolution solveWires(const Piece& piece, const CutSurface& cut,
     wires.problem = pose(std::move(release.locks));
     wires.angles = std::move(release.solution);
     report.status = std::move(release.status);
+    if (options.scheme == Scheme::Progressive && !release.released.empty())
+    {
+      // The report's order of warping is that of the last solve, so let it be this one.
+      wires.angles = solve(wires.problem.locks);
+      if (wires.angles.status.refused())
+      {
+        report.status = wires.angles.status;
+      }
+    }
   }
   if (report.status.ok())
   {
