@@ -29,8 +29,8 @@ struct Side
 
 /// The vertex moved along the bisector of its planar angle into the surface.
 ///
-/// The angle is summed over the triangles, so that it is right up to 2 pi (the tip of a closed cut) and
-/// beyond, where the neighbours' positions alone would not tell inside from outside.
+/// The angle is summed over the triangles, so that it is right up to 2 pi (the tip of a closed cut)
+/// and beyond, where the neighbours' positions alone would not tell inside from outside.
 Point2 moveInwards(
   const TriangleMesh& mesh, const Points2& positions, Index vertex, double distance)
 {
@@ -60,8 +60,8 @@ Point2 moveInwards(
   return apex + Eigen::Rotation2Dd(0.5 * angle) * along * (distance / length);
 }
 
-/// Boxes around runs of sides, halved down to single sides. A boundary loop is local in its order, so
-/// the tree needs no sorting.
+/// Boxes around runs of sides, halved down to single sides. A boundary loop is local in its order,
+/// so the tree needs no sorting.
 class SideTree
 {
 public:

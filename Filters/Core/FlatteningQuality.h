@@ -36,9 +36,10 @@ struct FlatteningQuality
   QualitySummary summary;
 };
 
-/// Measures any flattening of a mesh. Areas are signed as the positions are given: a map that mirrors
-/// the whole surface counts as flipped everywhere, so mirror its positions first. A triangle without
-/// area in space has areaRatio 0. \param edges half-edges whose length counts for E_len.
+/// Measures any flattening of a mesh. Areas are signed as the positions are given: a map that
+/// mirrors the whole surface counts as flipped everywhere, so mirror its positions first. A
+/// triangle without area in space has areaRatio 0. \param edges half-edges whose length counts for
+/// E_len.
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
   const Indices& edges, const Execution& execution);
 }

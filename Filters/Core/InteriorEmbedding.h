@@ -33,8 +33,8 @@ struct InteriorResult
   Status status;
 };
 
-/// Places the vertices inside each wire-patch; those of the wires stay. Wire-patches are independent
-/// and run in parallel. \param positions per piece vertex, in and out.
+/// Places the vertices inside each wire-patch; those of the wires stay. Wire-patches are
+/// independent and run in parallel. \param positions per piece vertex, in and out.
 ///
 /// Errors: InvalidOption; Cancelled (positions as they came in); NumericalFailure and NotConverged (ids:
 /// wire-patches).

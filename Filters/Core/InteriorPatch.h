@@ -25,8 +25,9 @@ std::vector<InteriorPatch> collectInteriorPatches(
 /// Weight of the edge opposite to each corner.
 using EdgeWeights = std::array<double, 3>;
 
-/// Matrices sum_edges w (e_i - e_j)(e_i - e_j)^T over the interior vertices of one patch, the weight of
-/// an edge being the sum of those that its triangles give it. All have one sparsity pattern.
+/// Matrices sum_edges w (e_i - e_j)(e_i - e_j)^T over the interior vertices of one patch, the
+/// weight of an edge being the sum of those that its triangles give it. All have one sparsity
+/// pattern.
 class PatchMatrix
 {
 public:

@@ -66,8 +66,8 @@ Indices convexHull(const Points2& points)
   return hull;
 }
 
-/// Direction of the long side of the smallest rectangle around the points. One of its sides lies on the
-/// convex hull; of equal ones that at the smallest vertex counts.
+/// Direction of the long side of the smallest rectangle around the points. One of its sides lies on
+/// the convex hull; of equal ones that at the smallest vertex counts.
 Point2 longDirection(const Points2& points)
 {
   const Indices hull = convexHull(points);

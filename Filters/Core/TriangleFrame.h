@@ -14,10 +14,10 @@ using Complex = std::complex<double>;
 /// A triangle in its own plane, ready to differentiate maps of it.
 ///
 /// A linear map of the triangle to the plane is f(z) = alpha z + beta conj(z) + const with complex
-/// alpha and beta; its singular values are |alpha| + |beta| and |alpha| - |beta| (negative where the
-/// map turns the triangle over), the rotation nearest to it is alpha / |alpha|, and it is conformal
-/// where beta = 0. With u_k the images of the corners, alpha = sum u_k conj(gradient_k) and
-/// beta = sum u_k gradient_k.
+/// alpha and beta; its singular values are |alpha| + |beta| and |alpha| - |beta| (negative where
+/// the map turns the triangle over), the rotation nearest to it is alpha / |alpha|, and it is
+/// conformal where beta = 0. With u_k the images of the corners, alpha = sum u_k conj(gradient_k)
+/// and beta = sum u_k gradient_k.
 struct TriangleFrame
 {
   /// Half the gradient of each corner's hat function, as x + i y. They sum to zero.

@@ -144,8 +144,9 @@ inline Surface cylinder(Index columns, Index rows)
     [=](double i, double j) { return Point2(along[static_cast<std::size_t>(i)], height(i, j)); });
 }
 
-/// The paper's quarter-sphere (Fig. 11): a lune of the unit sphere, 90 degrees wide, of 4 x 8 steps, 37
-/// vertices and 56 triangles, with the arc half-way between the poles as the only feature curve.
+/// The paper's quarter-sphere (Fig. 11): a lune of the unit sphere, 90 degrees wide, of 4 x 8
+/// steps, 37 vertices and 56 triangles, with the arc half-way between the poles as the only feature
+/// curve.
 inline Surface quarterSphere()
 {
   Points3 points{ Point3(0.0, 0.0, -1.0) };
