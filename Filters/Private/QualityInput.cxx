@@ -194,7 +194,7 @@ Outcome findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
   {
     inSpace.push_back({ p.x(), p.y(), p.z() });
   }
-  const Outcome outcome = EdgeFinder(mesh, inSpace).find(edges, result.edges);
+  Outcome outcome = EdgeFinder(mesh, inSpace).find(edges, result.edges);
   if (outcome.ok() || !flat)
   {
     return outcome;
