@@ -207,6 +207,7 @@ private:
   void joinSegments(const std::vector<Chain>& segments)
   {
     std::vector<std::array<vtkIdType, 2>> ends;
+    ends.reserve(segments.size());
     for (const Chain& segment : segments)
     {
       ends.push_back({ segment.points[0], segment.points[1] });

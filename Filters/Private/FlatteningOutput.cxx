@@ -51,6 +51,7 @@ void writePieces(
   addRows<vtkDoubleArray>(field, "ObjectiveWithoutFirst", rows,
     [&](std::size_t row) { return pieces[row].advice.objectiveWithoutFirst; });
   std::vector<QualitySummary> summaries;
+  summaries.reserve(pieces.size());
   for (const PieceReport& piece : pieces)
   {
     summaries.push_back(piece.quality);

@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkXMLPolyDataReader.h"
 
 #include <array>
 #include <cmath>
@@ -260,6 +261,27 @@ inline double largestLengthError(vtkPolyData* lines, vtkPoints* flat, vtkPoints*
     }
   }
   return largest;
+}
+
+/// What stands behind -D on the command line.
+inline std::string dataDirectory(int argc, char* argv[])
+{
+  for (int i = 1; i + 1 < argc; ++i)
+  {
+    if (std::string(argv[i]) == "-D")
+    {
+      return argv[i + 1];
+    }
+  }
+  return ".";
+}
+
+inline vtkSmartPointer<vtkPolyData> read(const std::string& path)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
 }
 
 inline bool isEmpty(vtkPolyData* data)

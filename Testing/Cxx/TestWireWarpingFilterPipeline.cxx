@@ -7,9 +7,9 @@
 #include "vtkSMPTools.h"
 #include "vtkTrivialProducer.h"
 #include "vtkWireWarpingFilter.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <set>
+#include <thread>
 
 using namespace flatteningTesting;
 
@@ -196,36 +196,24 @@ void resultsDoNotDependOnTheNumberOfThreads(
       vtkSMPTools::Config(1, "Sequential", false), [&] { flat[0] = flatten(); });
     vtkSMPTools::LocalScope(vtkSMPTools::Config(4, "STDThread", false), [&] {
       check.equal(std::string(vtkSMPTools::GetBackend()), "STDThread", "backend");
-      check.equal(vtkSMPTools::GetEstimatedNumberOfThreads(), 4, "number of threads");
+      // The backend takes no more threads than the machine has.
+      check.that(
+        vtkSMPTools::GetEstimatedNumberOfThreads() > 1 || std::thread::hardware_concurrency() < 2,
+        "there are several threads");
       flat[1] = flatten();
     });
-    samePoints(check, flat[0], flat[1], "one thread and four");
+    samePoints(check, flat[0], flat[1], "one thread and several");
     for (const char* name : { "AngleErrorMean", "GlobalHomogeneity", "AreaError" })
     {
       check.equal(number(flat[0], name), number(flat[1], name), name);
     }
   }
 }
-
-vtkSmartPointer<vtkPolyData> read(const std::string& path)
-{
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
 }
 
 int TestWireWarpingFilterPipeline(int argc, char* argv[])
 {
-  std::string data;
-  for (int i = 1; i + 1 < argc; ++i)
-  {
-    if (std::string(argv[i]) == "-D")
-    {
-      data = argv[i + 1];
-    }
-  }
+  const std::string data = dataDirectory(argc, argv);
   Checks check;
   compositeInputFlattensBlockByBlock(check);
   abortLeavesEmptyOutputs(check, makePieceWithCurves());

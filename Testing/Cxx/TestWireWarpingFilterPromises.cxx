@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds for each scheme and interior, and what a broken promise looks like: complete outputs,
+// one warning, the status in the field data.
+#include "FlatteningTesting.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkWireWarpingFilter.h"
+
+using namespace flatteningTesting;
+
+namespace
+{
+// The interior as rigid as possible halves the angle error of Table 1's global row.
+void theDefaultInteriorIsAsRigidAsPossible(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeQuarterSphereArc(surface));
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+  check.near(number(filter->GetOutput(), "AngleErrorMean"), 0.0779, 5e-5, "E_ang");
+  check.near(number(filter->GetOutput(), "GlobalHomogeneity"), 0.786, 5e-4, "E_h");
+  check.near(number(filter->GetOutput(), "Objective"), 0.197157, 1e-6, "objective");
+}
+
+// Eq. 12 runs towards Eq. 11.
+void theRelaxationAgreesWithTheDirectInterior(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkSmartPointer<vtkPolyData> flat[2];
+  for (const int run : { 0, 1 })
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    filter->SetInputData(surface);
+    filter->SetCurvesData(makeQuarterSphereArc(surface));
+    filter->SetInterior(
+      run == 0 ? vtkWireWarpingFilter::LAPLACIAN : vtkWireWarpingFilter::RELAXATION);
+    filter->SetRelaxationMovement(1e-13);
+    filter->SetRelaxationMaximumIterations(10000);
+    filter->Update();
+    flat[run] = filter->GetOutput();
+  }
+  for (vtkIdType p = 0; p < 37; ++p)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      check.near(flat[1]->GetPoint(p)[k], flat[0]->GetPoint(p)[k], 1e-10, "coordinate");
+    }
+  }
+}
+
+// The isometric scheme keeps lengths and flips nothing: with both energies, and for
+// weights far apart.
+void theIsometricSchemeKeepsLengths(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  double angleChange[2] = { 0.0, 0.0 };
+  for (const double weight : { 1.0, 10.0 })
+  {
+    for (const int energy :
+      { vtkWireWarpingFilter::RIGID, vtkWireWarpingFilter::SYMMETRIC_DIRICHLET })
+    {
+      vtkNew<vtkWireWarpingFilter> filter;
+      filter->SetInputData(surface);
+      filter->SetCurvesData(makeQuarterSphereArc(surface));
+      filter->SetSchemeToIsometric();
+      filter->SetSheetEnergy(energy);
+      filter->SetAngleWeight(weight);
+      filter->Update();
+      vtkPolyData* flat = filter->GetOutput();
+      check.equal(std::string(filter->GetStatusName()), "Ok", "status");
+      check.near(number(flat, "MaxEdgeLengthError"), 0.0, 1e-12, "E_len_max");
+      check.equal(number(flat, "FlippedTriangles"), 0.0, "FlippedTriangles");
+      check.that(number(flat, "SheetEnergy") > 0.0, "SheetEnergy is told");
+      check.that(number(flat, "AngleEnergy") > 0.0, "AngleEnergy is told");
+      angleChange[weight > 5.0] = number(flat, "AngleEnergy") / weight;
+    }
+  }
+  check.that(angleChange[1] < angleChange[0], "more weight keeps the wires' angles nearer");
+}
+
+void aRunThatDoesNotConvergeIsMarked(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeQuarterSphereArc(surface));
+  filter->SetSolverToSequential();
+  filter->SetMaximumIterations(2);
+  filter->Update();
+  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::NOT_CONVERGED),
+    "status after two iterations");
+  check.that(!filter->IsRefused(), "it is no refusal");
+  check.equal(messages.errors.size(), std::size_t{ 0 }, "errors");
+  check.equal(messages.warnings.size(), std::size_t{ 1 }, "warnings");
+  check.equal(filter->GetOutput(0)->GetNumberOfPolys(), 56, "flat triangles");
+  check.equal(filter->GetOutput(2)->GetNumberOfPolys(), 56, "triangles in space");
+  check.that(filter->GetOutput(1)->GetNumberOfLines() > 0, "there are wires");
+  check.equal(text(filter->GetOutput(), "Status"), "NotConverged", "Status of the piece");
+  check.equal(text(filter->GetOutput(), "RunStatus"), "NotConverged", "RunStatus");
+  check.contains(text(filter->GetOutput(), "StatusMessage"), "2 iterations", "StatusMessage");
+}
+
+// Fig. 13: key curves that cannot keep their shapes together are named, and one set free.
+void incompatibleKeysAreNamed(Checks& check, const std::string& data)
+{
+  const auto curves = read(data + "/pants_front_curves_set3.vtp");
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(read(data + "/pants_front.vtp"));
+  filter->SetCurvesData(curves);
+  filter->Update();
+  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::INCOMPATIBLE_KEYS),
+    "status of Fig. 13's keys");
+  check.equal(messages.warnings.size(), std::size_t{ 1 }, "warnings");
+  check.contains(filter->GetStatusMessage(), "release", "message");
+  check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+  vtkIdTypeArray* ids = filter->GetStatusIds();
+  check.that(ids->GetNumberOfValues() > 0, "curves to release are told");
+  auto* names = vtkStringArray::SafeDownCast(curves->GetCellData()->GetAbstractArray("CurveName"));
+  vtkDataArray* types = curves->GetCellData()->GetArray("CurveType");
+  for (vtkIdType k = 0; k < ids->GetNumberOfValues(); ++k)
+  {
+    const vtkIdType cell = ids->GetValue(k);
+    check.equal(types->GetComponent(cell, 0), 1.0, "type of a curve to release");
+    check.contains(filter->GetStatusMessage(), names->GetValue(cell), "message");
+  }
+
+  filter->ReleaseKeysOn();
+  filter->Update();
+  check.that(filter->GetStatusCode() != vtkWireWarpingFilter::INCOMPATIBLE_KEYS,
+    "released keys are compatible");
+}
+}
+
+int TestWireWarpingFilterPromises(int argc, char* argv[])
+{
+  Checks check;
+  theDefaultInteriorIsAsRigidAsPossible(check);
+  theRelaxationAgreesWithTheDirectInterior(check);
+  theIsometricSchemeKeepsLengths(check);
+  aRunThatDoesNotConvergeIsMarked(check);
+  incompatibleKeysAreNamed(check, dataDirectory(argc, argv));
+  return check.result();
+}
