@@ -10,15 +10,16 @@ namespace flattening
 {
 namespace
 {
-/// Nodes that a shaped key curve leaves on one side of it at a vertex, and the angle they must sum to.
+/// Nodes that a shaped key curve leaves on one side of it at a vertex, and the angle they must sum
+/// to.
 struct SideSum
 {
   Indices nodes;
   double angle;
 };
 
-/// The wire-nodes at a vertex from the wire edge towards one neighbour, counter-clockwise, to the wire
-/// edge towards another; empty where the surface ends in between.
+/// The wire-nodes at a vertex from the wire edge towards one neighbour, counter-clockwise, to the
+/// wire edge towards another; empty where the surface ends in between.
 Indices nodesBetween(const WireNetwork& network, Index startSide, Index endVertex)
 {
   Indices nodes;
@@ -36,8 +37,8 @@ Indices nodesBetween(const WireNetwork& network, Index startSide, Index endVerte
   return {};
 }
 
-/// Least change of the angles, relative to their size, that meets all sums; with one sum a side this
-/// divides each side in proportion.
+/// Least change of the angles, relative to their size, that meets all sums; with one sum a side
+/// this divides each side in proportion.
 void meetSums(const Indices& nodes, const std::vector<SideSum>& sums, std::vector<double>& angle)
 {
   // The angle of a hole can be zero or less on the surface.

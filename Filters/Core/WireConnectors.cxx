@@ -33,7 +33,8 @@ private:
   Indices Parent;
 };
 
-/// Shortest path from the vertices marked as sources to the nearest wire vertex of another component.
+/// Shortest path from the vertices marked as sources to the nearest wire vertex of another
+/// component.
 Indices shortestPath(const TriangleMesh& mesh, const std::vector<char>& onWire,
   Components& components, Index rootComponent)
 {

@@ -212,7 +212,7 @@ private:
     this->beginLoop(none);
     for (auto h = loop.rbegin(); h != loop.rend(); ++h)
     {
-      this->HoleSides.push_back({ *h, this->Network.nodeCount() });
+      this->HoleSides.emplace_back(*h, this->Network.nodeCount());
       this->addSide(this->Mesh.to(*h), none, 0.0);
     }
     this->endLoop();
