@@ -30,7 +30,7 @@ void discardPatterns(const OutputFiles& files)
 std::vector<std::string> writeResult(
   const Options& options, const Flattening& result, OutputFiles& files)
 {
-  const std::vector<std::string> patterns =
+  std::vector<std::string> patterns =
     addPatterns(options.pattern, options.surface, result, files);
   files.add("flat.vtp", result.flat);
   files.add("wires.vtp", result.wires);
