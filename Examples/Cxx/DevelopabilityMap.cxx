@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Colours a surface from blue, developable, to red, where it must stretch or take a dart.
 #include "Figure.h"
+#include "Panels.h"
 
-#include <vtkDataArray.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -39,20 +38,15 @@ int main(int argc, char* argv[])
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(argv[1]);
     reader->Update();
-    const figures::PolyData surface = figures::measureDevelopability(reader->GetOutput());
-    vtkDataArray* const developability = surface->GetPointData()->GetArray("Developability");
-    if (!developability || surface->GetNumberOfCells() == 0)
+    const figures::PolyData surface = reader->GetOutput();
+    if (surface->GetNumberOfCells() == 0)
     {
-      return EXIT_FAILURE; // reader or filter has said why
+      return EXIT_FAILURE; // the reader has said why
     }
-    const double largest = developability->GetRange()[1];
-    std::cout << "largest angle defect: " << largest << " rad\n";
-
     figures::Figure figure(800, 800, 4);
-    figures::Drawing& drawing = figure.add();
-    drawing.lookFrom(figures::facing(surface));
-    drawing.addPointMap(surface, "Developability", { 0.0, largest });
-    drawing.addBoundary(surface);
+    const double largest =
+      figures::drawDevelopability(figure.add(), { { surface, nullptr } }, figures::facing(surface));
+    std::cout << "largest angle defect: " << largest << " rad\n";
     if (toFile)
     {
       figure.write(argv[3]);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One picture a piece: the surface with its curves and its developability, the flat pieces of the
-// progressive scheme, the global scheme and LSCM, and maps of what they change. overview.png is the
-// picture of the README.
+// progressive scheme, the global scheme and LSCM, and maps of what they change: 1 - index of
+// homogeneity and of aspect ratio from 0, blue, to 0.5, red. overview.png is the picture of the
+// README.
 #include "Figure.h"
 #include "Panels.h"
 
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <utility>
 
 using namespace figures;
 
@@ -61,14 +63,13 @@ void drawPiece(const std::string& folder, const std::string& name, const std::st
 
   Drawing& map = figure.add();
   const double largest = drawDevelopability(map, pieces, view);
-  map.setTitle(withNumber("E_dev, red: %.2g", largest));
-  const char* const homogeneity = "HomogeneityOfDistortion";
-  const char* const aspect = "AspectRatio";
-  addIndex(figure, global, "global, areas", homogeneity);
-  addIndex(figure, conformal, "LSCM, areas", homogeneity);
-  figure.nextRow();
-  addIndex(figure, global, "global, aspect ratios", aspect);
-  addIndex(figure, conformal, "LSCM, aspect ratios", aspect);
+  map.setTitle(withNumber("E_dev up to %.2g rad", largest));
+  for (const auto& [index, array] : { std::pair("homogeneity", "HomogeneityOfDistortion"),
+         std::pair("aspect ratio", "AspectRatio") })
+  {
+    addIndex(figure, global, std::string("global, ") + index, array);
+    addIndex(figure, conformal, std::string("LSCM, ") + index, array);
+  }
   figure.write(path);
 }
 

@@ -11,6 +11,12 @@
 
 namespace figures
 {
+namespace
+{
+/// So that the last digits of a result do not change the size of a picture.
+constexpr double rounding = 1e-6;
+}
+
 //------------------------------------------------------------------------------
 Figure::Figure(int width, int maximumHeight, int samples)
   : Window(vtkSmartPointer<vtkRenderWindow>::New())
@@ -66,7 +72,7 @@ int Figure::rowHeight(const Row& row, double pixel) const
     tallest = std::max(tallest, drawing.size()[1]);
     titled = titled || drawing.hasTitle();
   }
-  const int needed = pixel > 0.0 ? static_cast<int>(std::ceil(tallest / pixel)) : 0;
+  const int needed = pixel > 0.0 ? static_cast<int>(std::ceil(tallest / pixel - rounding)) : 0;
   return needed + 2 * this->style.gap + (titled ? this->style.titleHeight : 0);
 }
 

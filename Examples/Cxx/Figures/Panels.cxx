@@ -8,6 +8,12 @@
 
 namespace figures
 {
+namespace
+{
+/// Radians; smaller angle defects are none.
+constexpr double developable = 1e-3;
+}
+
 //------------------------------------------------------------------------------
 std::vector<FlatPiece> flattenAll(
   const std::vector<Piece>& pieces, Method method, Interior interior)
@@ -49,7 +55,7 @@ double drawDevelopability(
   }
   for (const PolyData& surface : measured)
   {
-    drawing.addPointMap(surface, "Developability", { 0.0, largest });
+    drawing.addPointMap(surface, "Developability", { 0.0, std::max(largest, developable) });
     drawing.addBoundary(surface);
   }
   return largest;

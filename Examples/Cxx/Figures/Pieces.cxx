@@ -110,8 +110,15 @@ FlatPiece flatten(const Piece& piece, Method method, Interior interior)
 PolyData measureDevelopability(const PolyData& surface)
 {
   vtkNew<vtkSurfaceDevelopability> filter;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetCallback(ignore);
+  filter->AddObserver(vtkCommand::ErrorEvent, listener);
   filter->SetInputData(surface);
   filter->Update();
+  if (filter->IsRefused())
+  {
+    throw std::runtime_error(filter->GetStatusMessage());
+  }
   return filter->GetOutput();
 }
 

@@ -51,7 +51,7 @@ struct FlatPiece
 /// Throws std::runtime_error with the filter's message where the piece is refused.
 FlatPiece flatten(const Piece& piece, Method method, Interior interior = Interior::Rigid);
 
-/// Adds the point array `Developability`.
+/// Adds the point array `Developability`. Throws std::runtime_error.
 PolyData measureDevelopability(const PolyData& surface);
 
 /// The same data at another place.

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fig. 11: the quarter-sphere in space, and by the progressive scheme, the global scheme and LSCM
+// with the paper's interior. Its numbers are those of Table 1.
+#include "FigureTest.h"
+
+#include "vtkLeastSquaresConformalFilter.h"
+
+namespace
+{
+constexpr int latitudes = 8;
+constexpr int longitudes = 4;
+
+/// Point at a longitude and a latitude of the grid; the poles are the first and the last point.
+vtkIdType pointAt(int longitude, int latitude)
+{
+  return latitude == 0      ? 0
+    : latitude == latitudes ? 1 + (latitudes - 1) * (longitudes + 1)
+                            : 1 + (latitude - 1) * (longitudes + 1) + longitude;
+}
+
+/// How far the boundary and the arc are from congruent with their mirror images: pole for pole
+/// (`across`), or side for side. Congruent where all pairs of wire points are equally far apart.
+double asymmetry(const figures::FlatPiece& piece, bool across)
+{
+  std::vector<std::array<vtkIdType, 2>> pairs;
+  const auto add = [&](int i, int j) {
+    pairs.push_back(
+      { pointAt(i, j), across ? pointAt(i, latitudes - j) : pointAt(longitudes - i, j) });
+  };
+  for (int j = 0; j <= latitudes; ++j)
+  {
+    add(0, j);
+    add(longitudes, j);
+  }
+  for (int i = 0; i <= longitudes; ++i)
+  {
+    add(i, latitudes / 2);
+  }
+  double worst = 0.0;
+  for (const auto& p : pairs)
+  {
+    for (const auto& q : pairs)
+    {
+      worst = std::max(worst,
+        std::abs(figureTest::distance(piece.flat, p[0], q[0]) -
+          figureTest::distance(piece.flat, p[1], q[1])));
+    }
+  }
+  return worst;
+}
+
+figures::FlatPiece mapConformally(const figures::Piece& piece)
+{
+  vtkNew<vtkLeastSquaresConformalFilter> filter;
+  filter->SetInputData(piece.surface);
+  filter->SetCurvesData(piece.curves);
+  filter->SetPins(pointAt(0, latitudes / 2), pointAt(0, latitudes / 2 + 1));
+  filter->AreaNormalizedOff();
+  filter->Update();
+  return { filter->GetOutput(0), filter->GetOutput(1), filter->GetOutput(2) };
+}
+
+/// The piece turned so that one pole stands above the other.
+figures::FlatPiece turned(const figures::FlatPiece& piece)
+{
+  double low[3];
+  double high[3];
+  piece.flat->GetPoint(pointAt(0, 0), low);
+  piece.flat->GetPoint(pointAt(0, latitudes), high);
+  const double length = figureTest::distance(piece.flat, pointAt(0, 0), pointAt(0, latitudes));
+  const double up[2] = { (high[0] - low[0]) / length, (high[1] - low[1]) / length };
+  figures::FlatPiece result = piece;
+  for (figures::PolyData* data : { &result.flat, &result.wires })
+  {
+    *data = figures::moved(*data, 0.0, 0.0);
+    vtkPoints* const points = (*data)->GetPoints();
+    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+    {
+      double point[3];
+      points->GetPoint(k, point);
+      points->SetPoint(
+        k, up[1] * point[0] - up[0] * point[1], up[0] * point[0] + up[1] * point[1], 0.0);
+    }
+  }
+  return result;
+}
+}
+
+int TestFigure11QuarterSphere(int argc, char* argv[])
+{
+  return figureTest::run([&](figureTest::Checks& checks) {
+    const figures::Piece piece =
+      figures::readPiece(figureTest::dataFolder(argc, argv), "quarter_sphere");
+    const auto progressive =
+      figures::flatten(piece, figures::Method::Progressive, figures::Interior::Paper);
+    const auto global = figures::flatten(piece, figures::Method::Global, figures::Interior::Paper);
+    const auto conformal = mapConformally(piece);
+
+    figureTest::expectExactWires(progressive, "progressive", checks);
+    figureTest::expectExactWires(global, "global", checks);
+    checks.near(progressive.number("AngleErrorMean"), 0.1591, 5e-5, "E_ang, progressive");
+    checks.near(progressive.number("GlobalHomogeneity"), 0.394, 5e-4, "E_h, progressive");
+    checks.near(global.number("AngleErrorMean"), 0.1488, 5e-5, "E_ang, global");
+    checks.near(global.number("GlobalHomogeneity"), 0.404, 5e-4, "E_h, global");
+    checks.near(conformal.number("EdgeLengthError"), 0.0643, 5e-5, "E_len, LSCM");
+    checks.near(conformal.number("AngleErrorMean"), 0.04215, 5e-5, "E_ang, LSCM, cut off at 42.1");
+    checks.near(conformal.number("GlobalHomogeneity"), 0.582, 5e-4, "E_h, LSCM");
+    checks.near(conformal.number("GlobalAspectRatio"), 0.672, 5e-4, "E_r, LSCM");
+
+    // What the paper says of the symmetry of the three.
+    checks.near(asymmetry(progressive, false), 0.0, 1e-9, "progressive, side for side");
+    checks.that(asymmetry(progressive, true) > 1e-2, "progressive is symmetric pole for pole");
+    checks.near(asymmetry(global, false), 0.0, 1e-9, "global, side for side");
+    checks.near(asymmetry(global, true), 0.0, 1e-9, "global, pole for pole");
+    checks.that(asymmetry(conformal, false) > 1e-3, "LSCM is symmetric side for side");
+    checks.that(asymmetry(conformal, true) > 1e-3, "LSCM is symmetric pole for pole");
+
+    figures::Figure figure(1000, 1000);
+    figures::Drawing& space = figure.add();
+    figures::drawSpace(space, { piece }, { 0.0, 1.0, 1.0 });
+    space.lookFrom({ 0.0, 1.0, 1.0 }, { 1.0, 0.0, 0.0 });
+    figures::drawFlat(figure.add(), { turned(progressive) });
+    figures::drawFlat(figure.add(), { turned(global) });
+    figures::drawFlat(figure.add(), { turned(conformal) });
+    figureTest::compare(figure, argc, argv, checks);
+  });
+}
