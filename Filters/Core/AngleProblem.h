@@ -45,15 +45,16 @@ AngleProblem makeAngleProblem(const WireNetwork& network, NodeLocks locks);
 /// 1/2 sum w (theta - alpha)^2 over the free nodes (Eq. 13).
 double angleObjective(const AngleProblem& problem, const std::vector<double>& theta);
 
-/// Direction phi of each side by Eq. 3, each loop on its own with phi = pi - theta at its first node.
+/// Direction phi of each side by Eq. 3, each loop on its own with phi = pi - theta at its first
+/// node.
 std::vector<double> sideDirections(const WireNetwork& network, const std::vector<double>& theta);
 
-/// Direction of each wire edge by Eq. 3, from the first side on over all loops and across edges; one
-/// frame for all where the angles meet the turning and 2 pi constraints.
+/// Direction of each wire edge by Eq. 3, from the first side on over all loops and across edges;
+/// one frame for all where the angles meet the turning and 2 pi constraints.
 std::vector<double> edgeDirections(const WireNetwork& network, const std::vector<double>& theta);
 
-/// Rows: the turning of each loop, x and y closure of each loop, then the sum at each interior vertex
-/// that has a free node (the order of Eq. 15). Columns: the free nodes.
+/// Rows: the turning of each loop, x and y closure of each loop, then the sum at each interior
+/// vertex that has a free node (the order of Eq. 15). Columns: the free nodes.
 class AngleConstraints
 {
 public:

@@ -5,16 +5,17 @@
 
 namespace flattening
 {
-/// The angle problem with one direction psi per wire edge as unknown, instead of one angle per node.
+/// The angle problem with one direction psi per wire edge as unknown, instead of one angle per
+/// node.
 ///
 /// The other side of an edge runs in direction psi + pi, so that every angle is
 /// theta = c + psi_in - psi_out with a constant c, a multiple of pi, and all turning and 2 pi
-/// constraints hold by construction; only two closures a loop remain. Locked angles tie directions to
-/// each other: edges fall into rigid runs with one rotation each. Elastic edges add a stretch h per
-/// group. One run stays fixed, since a rotation of the whole changes nothing.
+/// constraints hold by construction; only two closures a loop remain. Locked angles tie directions
+/// to each other: edges fall into rigid runs with one rotation each. Elastic edges add a stretch h
+/// per group. One run stays fixed, since a rotation of the whole changes nothing.
 ///
-/// Unknowns x: the rotations of all runs but the fixed one, then the stretches. Constraints: x and y
-/// closure of each loop, in units of the mean edge length.
+/// Unknowns x: the rotations of all runs but the fixed one, then the stretches. Constraints: x and
+/// y closure of each loop, in units of the mean edge length.
 class DirectionsForm
 {
 public:
@@ -26,7 +27,8 @@ public:
   Index constraintCount() const { return 2 * this->Problem->network->loopCount(); }
   /// Unit of length of the constraints.
   double unit() const { return this->Unit; }
-  /// Nodes where locked angles contradict each other around a loop or a vertex; empty where they agree.
+  /// Nodes where locked angles contradict each other around a loop or a vertex; empty where they
+  /// agree.
   const Indices& contradictions() const { return this->Contradictions; }
 
   /// Unknowns that come nearest to the given angles.

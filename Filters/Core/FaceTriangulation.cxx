@@ -285,7 +285,8 @@ Index FaceTriangulation::locate(const Point2& point) const
     }
     return least;
   };
-  // A walk towards the point from the newest triangle; where rounding makes it circle, a look at all.
+  // A walk towards the point from the newest triangle; where rounding makes it circle, a look at
+  // all.
   Index t = static_cast<Index>(this->Cells.size()) - 1;
   for (std::size_t steps = 0; steps < this->Cells.size(); ++steps)
   {

@@ -30,7 +30,8 @@ struct FeatureCurve
   std::string name;
   CurveType type = CurveType::Accessory;
   KeyShape keyShape = KeyShape::Surface;
-  /// Elastic curves: how far each length may go from that on the surface, as a fraction; 0 is rigid.
+  /// Elastic curves: how far each length may go from that on the surface, as a fraction; 0 is
+  /// rigid.
   double tolerance = 0.0;
   Indices vertices;
   /// As many points as vertices, where keyShape is Planar.

@@ -16,9 +16,9 @@ struct NewtonState
 };
 
 /// Exact Newton method on the directions form: KKT systems by LDL^T with a small -delta I block and
-/// refinement, inertia read from the signs of D and corrected by tau I, steps by an L1 merit function
-/// with second-order correction (Nocedal and Wright, Numerical Optimization, chapter 18), stretches
-/// kept in their bounds by an active set.
+/// refinement, inertia read from the signs of D and corrected by tau I, steps by an L1 merit
+/// function with second-order correction (Nocedal and Wright, Numerical Optimization, chapter 18),
+/// stretches kept in their bounds by an active set.
 /// \param phase name in the records, which are appended to history.
 NewtonState solveAnglesByNewton(const DirectionsForm& form, const AngleProblem& problem,
   NewtonState start, const AngleSolverOptions& options, const Execution& execution,

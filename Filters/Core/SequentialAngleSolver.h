@@ -12,8 +12,8 @@ namespace flattening
 AngleSolution solveAnglesSequentially(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
 
-/// The same for a problem of a single loop, by Eqs. 5 to 7: a 3 x 3 system in each iteration, solved by
-/// singular value decomposition, because too many locked angles make it singular.
+/// The same for a problem of a single loop, by Eqs. 5 to 7: a 3 x 3 system in each iteration,
+/// solved by singular value decomposition, because too many locked angles make it singular.
 AngleSolution solveLoopSequentially(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
 }

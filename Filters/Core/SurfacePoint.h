@@ -27,8 +27,8 @@ struct SurfacePoint
   Point3 position = Point3::Zero();
 };
 
-/// How near to an element of the mesh a point has to be to move onto it: a fraction of the mean edge
-/// length, or of the local edge length where that is less.
+/// How near to an element of the mesh a point has to be to move onto it: a fraction of the mean
+/// edge length, or of the local edge length where that is less.
 class SnapDistance
 {
 public:

@@ -21,8 +21,8 @@ struct PreparedSurface
 
 enum class CoincidentPoints
 {
-  /// Joined where the triangles are separate, each or two by two with points of their own (as STL has
-  /// them); else kept, because the edges of a surface may meet in space without being sewn.
+  /// Joined where the triangles are separate, each or two by two with points of their own (as STL
+  /// has them); else kept, because the edges of a surface may meet in space without being sewn.
   Automatic,
   Join, ///< points with equal coordinates are one
   Keep, ///< each point is a vertex of its own: a surface that is cut open stays so
@@ -32,9 +32,9 @@ enum class CoincidentPoints
 /// is a manifold surface of finite coordinates and of triangles with area.
 ///
 /// Errors (ids): EmptySurface; InvalidPointId (triangles); NonFinitePoint (points);
-/// DegenerateTriangle (triangles whose height is below 1e-12 of their longest edge, or with a corner
-/// twice); NonManifoldEdge (the triangles at one edge); NonManifoldVertex (points); NotOrientable
-/// (triangles along a one-sided band). Ids are those of the input.
+/// DegenerateTriangle (triangles whose height is below 1e-12 of their longest edge, or with a
+/// corner twice); NonManifoldEdge (the triangles at one edge); NonManifoldVertex (points);
+/// NotOrientable (triangles along a one-sided band). Ids are those of the input.
 PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles,
   CoincidentPoints coincident = CoincidentPoints::Automatic);
 }

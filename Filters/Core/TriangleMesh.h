@@ -35,9 +35,11 @@ public:
   /// A half-edge that leaves the vertex: on the boundary the one that has no twin, so that
   /// counterClockwise() from it visits the whole fan. none for an unused vertex.
   Index outgoing(Index vertex) const { return this->Outgoing[vertex]; }
-  /// The next half-edge that leaves from(h), counter-clockwise; none past the end of a boundary fan.
+  /// The next half-edge that leaves from(h), counter-clockwise; none past the end of a boundary
+  /// fan.
   Index counterClockwise(Index h) const { return this->Twins[previous(h)]; }
-  /// The half-edge from one vertex to another, none where the mesh has no such edge in this direction.
+  /// The half-edge from one vertex to another, none where the mesh has no such edge in this
+  /// direction.
   Index find(Index fromVertex, Index toVertex) const;
   bool onBoundary(Index vertex) const;
 

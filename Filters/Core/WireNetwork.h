@@ -20,11 +20,11 @@ struct WireEdge
 
 /// The wires of one piece and the wire-patches that they enclose (Definitions 4 to 6).
 ///
-/// A wire-patch's boundary is a loop of sides, anti-clockwise; side i runs along a wire edge with the
-/// patch on its left, and wire-node i stands where side i starts, between side previous[i] and side i.
-/// A wire edge inside the piece thus has two sides, one in each neighbouring patch, and the tip of a
-/// wire that ends inside a patch has one node, whose angle goes all the way round.
-/// The loop around a hole of the piece is a face too, without triangles, so that the wires around it
+/// A wire-patch's boundary is a loop of sides, anti-clockwise; side i runs along a wire edge with
+/// the patch on its left, and wire-node i stands where side i starts, between side previous[i] and
+/// side i. A wire edge inside the piece thus has two sides, one in each neighbouring patch, and the
+/// tip of a wire that ends inside a patch has one node, whose angle goes all the way round. The
+/// loop around a hole of the piece is a face too, without triangles, so that the wires around it
 /// meet in the plane; only the outer boundary has nothing on its other side.
 struct WireNetwork
 {
@@ -72,8 +72,8 @@ struct WireNetwork
 
 /// Finds wires, nodes, loops and patches of one piece.
 ///
-/// Boundary loops and wires that are not joined to the outer boundary are joined to it by connectors
-/// along shortest paths of mesh edges. Errors: ClosedSurface, Handle (ids: triangles).
+/// Boundary loops and wires that are not joined to the outer boundary are joined to it by
+/// connectors along shortest paths of mesh edges. Errors: ClosedSurface, Handle (ids: triangles).
 WireNetwork buildWireNetwork(const Piece& piece);
 
 /// A wire-node's angle where a key curve prescribes it.

@@ -48,8 +48,8 @@ TEST(SheetEnergy, IsTheDistanceToTheNearestRotation)
 {
   for (const Eigen::Vector4d& parts : sampleParts())
   {
-    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(
-      matrixOf(parts), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+      Eigen::MatrixXd(matrixOf(parts)), Eigen::ComputeThinU | Eigen::ComputeThinV);
     const double expected = (svd.singularValues().array() - 1.0).square().sum();
     EXPECT_NEAR(sheetEnergyDensity({}, parts), expected, 1e-13);
   }
