@@ -106,11 +106,12 @@ int main(int argc, char* argv[])
     {
       throw std::runtime_error("no .vtp files in " + data);
     }
+    const auto path = [&](const std::string& name) { return pictures + "/" + name + ".png"; };
     for (const std::string& name : names)
     {
-      drawPiece(data, name, pictures + "/" + name + ".png");
+      drawPiece(data, name, path(name));
     }
-    drawOverview(data, pictures + "/overview.png");
+    drawOverview(data, path("overview"));
   }
   catch (const std::exception& error)
   {

@@ -77,7 +77,7 @@ int Figure::rowHeight(const Row& row, double pixel) const
 }
 
 //------------------------------------------------------------------------------
-void Figure::finishRow(Row& row, int bottom, int height, double pixel)
+void Figure::finishRow(Row& row, int bottom, int height, double pixel) const
 {
   double needed = 0.0;
   for (const Drawing& drawing : row)

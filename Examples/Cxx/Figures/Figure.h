@@ -34,7 +34,7 @@ private:
 
   double neededPixel() const;
   int rowHeight(const Row& row, double pixel) const;
-  void finishRow(Row& row, int bottom, int height, double pixel);
+  void finishRow(Row& row, int bottom, int height, double pixel) const;
 
   vtkSmartPointer<vtkRenderWindow> Window;
   std::list<Row> Rows;
