@@ -90,8 +90,7 @@ public:
       queries.insert(
         queries.end(), this->Polylines[c].points.begin(), this->Polylines[c].points.end());
     }
-    this->Vertices = matchVertices(this->Mesh, queries, this->Reach);
-    this->keepNearVertices(queries);
+    this->match(queries);
     std::vector<Route> routes(this->Polylines.size());
     std::vector<char> alongEdges(this->Polylines.size(), 0);
     bool all = true;
@@ -114,18 +113,32 @@ public:
   }
 
 private:
+  void match(const Points3& queries)
+  {
+    std::vector<Indices> candidates = matchVertices(this->Mesh, queries, this->Reach);
+    this->keepNearVertices(queries, candidates);
+    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+    {
+      const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(this->First[c]);
+      const Indices chosen = chooseVertices(this->Mesh,
+        { first, first + static_cast<std::ptrdiff_t>(this->Polylines[c].points.size()) });
+      this->Vertices.insert(this->Vertices.end(), chosen.begin(), chosen.end());
+    }
+  }
+
   /// The tolerance says how far from the surface a point may be. Where triangles can be split, it
   /// must not drag points along the surface to vertices that are not meant.
-  void keepNearVertices(const Points3& queries)
+  void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates)
   {
     for (std::size_t i = 0; i < queries.size() && this->Options.split; ++i)
     {
-      Index& vertex = this->Vertices[i];
-      if (vertex != none &&
-        (this->Mesh.point(vertex) - queries[i]).norm() > this->AtVertex.ofVertex(vertex))
-      {
-        vertex = none;
-      }
+      Indices& near = candidates[i];
+      near.erase(std::remove_if(near.begin(), near.end(),
+                   [&](Index vertex) {
+                     return (this->Mesh.point(vertex) - queries[i]).norm() >
+                       this->AtVertex.ofVertex(vertex);
+                   }),
+        near.end());
     }
   }
 

@@ -72,9 +72,9 @@ private:
 };
 }
 
-Indices matchVertices(const TriangleMesh& mesh, const Points3& queries, double radius)
+std::vector<Indices> matchVertices(const TriangleMesh& mesh, const Points3& queries, double radius)
 {
-  Indices nearest(queries.size(), none);
+  std::vector<Indices> nearest(queries.size());
   Eigen::AlignedBox3d bounds;
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
@@ -95,6 +95,8 @@ Indices matchVertices(const TriangleMesh& mesh, const Points3& queries, double r
       grid.insert(static_cast<Index>(i), queries[i], radius);
     }
   }
+  // Points that differ by rounding alone are one place.
+  const double same = 1e-12 * bounds.diagonal().norm();
   std::vector<double> distance(queries.size(), std::numeric_limits<double>::infinity());
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
@@ -106,13 +108,62 @@ Indices matchVertices(const TriangleMesh& mesh, const Points3& queries, double r
     for (Index i : *candidates)
     {
       const double d = (mesh.point(v) - queries[i]).norm();
-      if (d <= radius && d < distance[i])
+      if (d > radius || d > distance[i] + same)
       {
-        distance[i] = d;
-        nearest[i] = v;
+        continue;
       }
+      if (d < distance[i] - same)
+      {
+        nearest[i].clear();
+      }
+      nearest[i].push_back(v);
+      distance[i] = std::min(d, distance[i]);
     }
   }
   return nearest;
+}
+
+Indices chooseVertices(const TriangleMesh& mesh, const std::vector<Indices>& candidates)
+{
+  // Dynamic programming along the curve: per candidate the fewest steps that are no edge.
+  std::vector<Indices> jumps(candidates.size());
+  std::vector<Indices> before(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    jumps[i].assign(candidates[i].size(), 0);
+    before[i].assign(candidates[i].size(), none);
+    for (std::size_t k = 0; i > 0 && k < candidates[i].size(); ++k)
+    {
+      for (std::size_t j = 0; j < candidates[i - 1].size(); ++j)
+      {
+        const Index from = candidates[i - 1][j];
+        const Index to = candidates[i][k];
+        const bool joined =
+          from == to || mesh.find(from, to) != none || mesh.find(to, from) != none;
+        const Index count = jumps[i - 1][j] + (joined ? 0 : 1);
+        if (before[i][k] == none || count < jumps[i][k])
+        {
+          jumps[i][k] = count;
+          before[i][k] = static_cast<Index>(j);
+        }
+      }
+    }
+  }
+  Indices chosen(candidates.size(), none);
+  Index next = none;
+  for (std::size_t i = candidates.size(); i-- > 0;)
+  {
+    if (candidates[i].empty())
+    {
+      next = none;
+      continue;
+    }
+    const Index k = next != none
+      ? next
+      : static_cast<Index>(std::min_element(jumps[i].begin(), jumps[i].end()) - jumps[i].begin());
+    chosen[i] = candidates[i][k];
+    next = before[i][k];
+  }
+  return chosen;
 }
 }
