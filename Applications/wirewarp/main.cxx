@@ -30,8 +30,7 @@ void discardPatterns(const OutputFiles& files)
 std::vector<std::string> writeResult(
   const Options& options, const Flattening& result, OutputFiles& files)
 {
-  std::vector<std::string> patterns =
-    addPatterns(options.pattern, options.surface, result, files);
+  std::vector<std::string> patterns = addPatterns(options.pattern, options.surface, result, files);
   files.add("flat.vtp", result.flat);
   files.add("wires.vtp", result.wires);
   files.add("cut.vtp", result.cut);

@@ -14,7 +14,7 @@ import ezdxf
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 EXECUTABLE = os.environ["WIREWARP"]
-DATA = os.environ["WIREWARP_DATA"]
+DATA = os.path.join(os.environ["FLATTENING_SOURCE"], "Data")
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -33,6 +33,11 @@ class PatternTest(unittest.TestCase):
 
     def path(self, *names):
         return os.path.join(self.folder, *names)
+
+    def content(self, name):
+        """Bytes of a file of the folder `out`."""
+        with open(self.path("out", name), "rb") as file:
+            return file.read()
 
     def run_command(self, *arguments):
         environment = dict(os.environ, SOURCE_DATE_EPOCH="1000000000")

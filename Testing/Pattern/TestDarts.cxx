@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A strip with one dart, whose numbers are known by construction.
+#include "PatternBuilder.h"
+
+#include "Outline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using namespace flattening;
+using namespace flattening::pattern;
+
+/// A square of 200 with a dart of depth 120 in the middle of its upper side and a mouth of 40, as
+/// a fan of triangles around a point below the tip. Unit: millimetre.
+PatternSource dartedSquare()
+{
+  PatternSource source;
+  // 0..3 corners, 4 and 6 the mouth, 5 the tip, 7 the centre of the fan.
+  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 },
+    { 120.0, 200.0 }, { 100.0, 80.0 }, { 80.0, 200.0 }, { 100.0, 40.0 } };
+  source.triangles = { { 0, 1, 7 }, { 1, 2, 5 }, { 2, 4, 5 }, { 6, 3, 5 }, { 3, 0, 5 }, { 1, 5, 7 },
+    { 5, 0, 7 } };
+  source.pieceOfTriangle.assign(source.triangles.size(), 0);
+  source.wires = { { { 4, 2, 1, 0, 3, 6 }, WireType::Boundary, none, 0, "boundary" },
+    { { 4, 5 }, WireType::Dart, 0, 0, "dart" }, { { 6, 5 }, WireType::Dart, 0, 0, "dart" } };
+  source.sewn = { { { 4, 5 }, { 6, 5 } } };
+  return source;
+}
+
+PatternOptions millimetres(double allowance)
+{
+  PatternOptions options;
+  options.unit = Unit::Millimetre;
+  options.allowance = allowance;
+  return options;
+}
+
+Pattern build(const PatternSource& source, const PatternOptions& options)
+{
+  Pattern pattern;
+  const PatternStatus status = buildPattern(source, options, pattern);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return pattern;
+}
+
+std::vector<PatternLine> linesOf(const PatternPiece& piece, LineKind kind)
+{
+  std::vector<PatternLine> lines;
+  std::copy_if(piece.lines.begin(), piece.lines.end(), std::back_inserter(lines),
+    [kind](const PatternLine& line) { return line.kind == kind; });
+  return lines;
+}
+
+double areaOf(const Points2& polygon)
+{
+  return doubleArea(polygon) / 2.0;
+}
+}
+
+TEST(Darts, AFoldedDartIsClosedByTheMirrorImageOfItsNeighbour)
+{
+  const Pattern pattern = build(dartedSquare(), millimetres(0.0));
+  const auto cut = linesOf(pattern.pieces.front(), LineKind::CutLine);
+  ASSERT_EQ(cut.size(), 1U);
+  // The mirror image of the upper side across a leg meets the fold line at 120 + 2 x 20 x (20 /
+  // 120) / (1 - (20 / 120)^2) above the tip: by hand, tip + t (0, 1) with t = 120 + 20 tan(2
+  // atan(20 / 120)).
+  const double height = 120.0 + 20.0 * std::tan(2.0 * std::atan2(20.0, 120.0));
+  EXPECT_NEAR(pattern.pieces.front().extent.y(), 80.0 + height, 1e-9);
+  EXPECT_NEAR(areaOf(cut.front().points), 200.0 * 200.0 + 0.5 * 40.0 * (height - 120.0), 1e-6);
+}
+
+TEST(Darts, LegsFoldLineNotchesAndDrillHoleAreWhereTheyBelong)
+{
+  const PatternPiece piece = build(dartedSquare(), millimetres(10.0)).pieces.front();
+  const auto legs = linesOf(piece, LineKind::DartLeg);
+  ASSERT_EQ(legs.size(), 2U);
+  EXPECT_NEAR(legs[0].restLength, std::hypot(20.0, 120.0), 1e-9);
+  const auto fold = linesOf(piece, LineKind::DartFold);
+  ASSERT_EQ(fold.size(), 1U);
+  EXPECT_NEAR(fold[0].points[0].x(), fold[0].points[1].x(), 1e-9);
+  EXPECT_EQ(fold[0].points[0], legs[0].points.back());
+  ASSERT_EQ(piece.drillHoles.size(), 1U);
+  EXPECT_NEAR((piece.drillHoles[0] - fold[0].points[0]).norm(), 10.0, 1e-9);
+  // One at the end of each leg, and one in the middle of each, which is shorter than the spacing.
+  const auto onCut = [](const Notch& notch) { return notch.onCutLine; };
+  EXPECT_EQ(std::count_if(piece.notches.begin(), piece.notches.end(), onCut), 2);
+  EXPECT_EQ(piece.notches.size(), 4U);
+  for (const Notch& notch : piece.notches)
+  {
+    const bool leg = !notch.onCutLine;
+    EXPECT_NEAR((notch.foot - fold[0].points[0]).norm(),
+      (leg ? 0.5 : 1.0) * std::hypot(20.0, 120.0), leg ? 20.0 : 1e-6);
+  }
+}
+
+TEST(Darts, ADartThatIsCutOutHasAllowanceAlongItsLegs)
+{
+  PatternOptions options = millimetres(10.0);
+  options.darts = DartStyle::CutOut;
+  const PatternPiece piece = build(dartedSquare(), options).pieces.front();
+  EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
+  EXPECT_TRUE(linesOf(piece, LineKind::DartFold).empty());
+  EXPECT_TRUE(piece.drillHoles.empty());
+  const double closed = areaOf(
+    linesOf(build(dartedSquare(), millimetres(10.0)).pieces.front(), LineKind::CutLine)[0].points);
+  EXPECT_LT(areaOf(linesOf(piece, LineKind::CutLine)[0].points), closed - 500.0);
+}
+
+TEST(Darts, LegsThatAreNotPartnersAreNotFolded)
+{
+  PatternSource source = dartedSquare();
+  source.sewn.clear();
+  const PatternPiece piece = build(source, millimetres(10.0)).pieces.front();
+  EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
+}
+
+TEST(Darts, ACurveTakesItsOwnAllowance)
+{
+  PatternOptions options = millimetres(0.0);
+  options.allowanceOfCurve["boundary"] = 10.0;
+  const PatternPiece piece = build(dartedSquare(), options).pieces.front();
+  EXPECT_NEAR(piece.extent.x(), 220.0, 1e-3);
+}
+
+TEST(PatternBuilder, RefusesWhatIsNoPattern)
+{
+  Pattern pattern;
+  const auto codeOf = [&pattern](const PatternSource& source, const PatternOptions& options) {
+    const PatternStatus status = buildPattern(source, options, pattern);
+    EXPECT_EQ(status.ok(), status.message.empty());
+    return status.code;
+  };
+  const PatternOptions options = millimetres(10.0);
+  EXPECT_EQ(codeOf(PatternSource(), options), PatternCode::NothingToDraw);
+
+  PatternSource source = dartedSquare();
+  source.positions[3].x() = std::nan("");
+  EXPECT_EQ(codeOf(source, options), PatternCode::InvalidInput);
+
+  source = dartedSquare();
+  for (Point2& p : source.positions)
+  {
+    p.y() = 0.0;
+  }
+  EXPECT_EQ(codeOf(source, options), PatternCode::NothingToDraw);
+
+  source = dartedSquare();
+  for (Point2& p : source.positions)
+  {
+    p.x() = -p.x();
+  }
+  EXPECT_EQ(codeOf(source, options), PatternCode::NothingToDraw) << "turned over";
+
+  source = dartedSquare();
+  source.pieceOfTriangle[0] = 2; // piece 1 is empty
+  EXPECT_EQ(codeOf(source, options), PatternCode::NothingToDraw);
+  source.pieceOfTriangle[0] = -1;
+  EXPECT_EQ(codeOf(source, options), PatternCode::InvalidInput);
+
+  // Two triangles that share one point only.
+  source = PatternSource();
+  source.positions = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 }, { -1.0, 0.0 }, { 0.0, -1.0 } };
+  source.triangles = { { 0, 1, 2 }, { 0, 3, 4 } };
+  source.pieceOfTriangle = { 0, 0 };
+  EXPECT_EQ(codeOf(source, options), PatternCode::InvalidInput);
+
+  PatternOptions wrong = options;
+  wrong.allowance = -1.0;
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), PatternCode::InvalidOption);
+  wrong = options;
+  wrong.notchSpacing = 1e-6;
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), PatternCode::InvalidOption);
+  wrong = options;
+  wrong.allowanceOfCurve["sleeve"] = 3.0;
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), PatternCode::InvalidOption);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileAside.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace flattening::pattern;
+namespace fs = std::filesystem;
+
+namespace
+{
+class FileAsideTest : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    this->Folder = fs::temp_directory_path() / (std::string("file aside ") + test->name());
+    fs::remove_all(this->Folder);
+    fs::create_directories(this->Folder);
+  }
+  void TearDown() override { fs::remove_all(this->Folder); }
+
+  std::string path(const std::string& name) const { return (this->Folder / name).string(); }
+  std::size_t files() const
+  {
+    return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(this->Folder), fs::directory_iterator()));
+  }
+  std::string read(const std::string& name) const
+  {
+    std::ifstream file(this->path(name));
+    return { std::istreambuf_iterator<char>(file), {} };
+  }
+
+  fs::path Folder;
+};
+}
+
+TEST_F(FileAsideTest, ReplacesAFileOnlyWhenItIsPublished)
+{
+  std::ofstream(this->path("a.svg")) << "old";
+  {
+    FileAside file(this->path("a.svg"));
+    ASSERT_TRUE(file.write("new").ok());
+    EXPECT_EQ(this->read("a.svg"), "old");
+    ASSERT_TRUE(file.publish().ok());
+    EXPECT_EQ(this->read("a.svg"), "new");
+  }
+  EXPECT_EQ(this->files(), 1U);
+}
+
+TEST_F(FileAsideTest, LeavesNothingWhereItIsNotPublished)
+{
+  {
+    const FileAside file(this->path("a.svg"));
+    ASSERT_TRUE(file.write("new").ok());
+  }
+  EXPECT_EQ(this->files(), 0U);
+}
+
+TEST_F(FileAsideTest, SaysWhatCannotBeWritten)
+{
+  const PatternStatus noFolder = FileAside(this->path("missing/a.svg")).write("x");
+  EXPECT_EQ(noFolder.code, PatternCode::CannotWrite);
+  EXPECT_NE(noFolder.message.find("missing/a.svg"), std::string::npos);
+
+  fs::create_directories(this->path("taken"));
+  FileAside taken(this->path("taken"));
+  ASSERT_TRUE(taken.write("x").ok());
+  EXPECT_EQ(taken.publish().code, PatternCode::CannotWrite);
+  EXPECT_TRUE(fs::is_directory(this->path("taken")));
+}
+
+TEST(FileAside, AFullDiskIsNoticed)
+{
+  std::error_code error;
+  if (!fs::exists("/dev/full", error))
+  {
+    GTEST_SKIP() << "no /dev/full here";
+  }
+  // The file aside is a link to a device on which every write fails.
+  const fs::path folder = fs::temp_directory_path() / "file aside full";
+  fs::create_directories(folder);
+  const FileAside file((folder / "a.svg").string());
+  fs::create_symlink("/dev/full", file.aside());
+  EXPECT_EQ(file.write(std::string(100000, 'x')).code, PatternCode::CannotWrite);
+  fs::remove_all(folder);
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PdfPages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+using namespace flattening;
+using namespace flattening::pattern;
+
+/// Rectangles of the given extents.
+Pattern patternOf(const Points2& extents)
+{
+  Pattern pattern;
+  for (const Point2& extent : extents)
+  {
+    PatternPiece piece;
+    piece.name = "rectangle";
+    piece.extent = extent;
+    PatternLine line;
+    line.kind = LineKind::CutLine;
+    line.closed = true;
+    line.points = { { 0.0, 0.0 }, { extent.x(), 0.0 }, extent, { 0.0, extent.y() } };
+    piece.lines.push_back(line);
+    pattern.pieces.push_back(piece);
+  }
+  return pattern;
+}
+
+PagePlan planOf(const Pattern& pattern, PaperSize paper)
+{
+  PageOptions options;
+  options.paper = paper;
+  PagePlan plan;
+  const PatternStatus status = planPages(pattern, options, plan);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return plan;
+}
+}
+
+TEST(PdfPages, TilesAreNamedLikeCellsOfATable)
+{
+  EXPECT_EQ(tileName({ 0, 0 }), "A1");
+  EXPECT_EQ(tileName({ 25, 9 }), "Z10");
+  EXPECT_EQ(tileName({ 26, 0 }), "AA1");
+  EXPECT_EQ(tileName({ 26 * 27, 0 }), "AAA1");
+}
+
+TEST(PdfPages, EveryPointOfEveryLineIsOnAPage)
+{
+  const Pattern pattern = patternOf({ { 700.0, 500.0 }, { 250.0, 800.0 }, { 30.0, 40.0 } });
+  for (const PaperSize paper : { PaperSize::A4, PaperSize::Letter, PaperSize::A3, PaperSize::A0 })
+  {
+    const PagePlan plan = planOf(pattern, paper);
+    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    {
+      const Points2& corners = pattern.pieces[p].lines.front().points;
+      for (int step = 0; step < 4000; ++step)
+      {
+        const std::size_t k = static_cast<std::size_t>(step / 1000);
+        const Point2 q = corners[k] + (step % 1000) / 1000.0 * (corners[(k + 1) % 4] - corners[k]);
+        const Point2 at = plan.layout.place(pattern, p, q);
+        EXPECT_TRUE(std::any_of(plan.pages.begin(), plan.pages.end(), [&](const Tile& tile) {
+          const Point2 low(tile.column * plan.step.x(), tile.row * plan.step.y());
+          return (at - low).minCoeff() >= -1e-9 && (low + plan.printable - at).minCoeff() >= -1e-9;
+        }));
+      }
+    }
+  }
+}
+
+TEST(PdfPages, AFrameLeavesItsMiddlePagesOut)
+{
+  const PagePlan plan = planOf(patternOf({ { 1500.0, 1500.0 } }), PaperSize::A4);
+  EXPECT_LT(plan.pages.size(), static_cast<std::size_t>(plan.rows * plan.columns));
+  EXPECT_GT(plan.pages.size(), 10U);
+}
+
+TEST(PdfPages, PiecesDoNotOverlapOnTheSheet)
+{
+  const Pattern pattern =
+    patternOf({ { 300.0, 200.0 }, { 200.0, 300.0 }, { 250.0, 100.0 }, { 500.0, 20.0 } });
+  const SheetLayout layout = layOut(pattern, 520.0, 50.0, 15.0);
+  for (std::size_t a = 0; a < pattern.pieces.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < pattern.pieces.size(); ++b)
+    {
+      const Point2 gap = (layout.corners[a] - layout.corners[b]).cwiseAbs();
+      const Point2 first = layout.corners[a].x() < layout.corners[b].x() ? pattern.pieces[a].extent
+                                                                         : pattern.pieces[b].extent;
+      const Point2 upper = layout.corners[a].y() < layout.corners[b].y() ? pattern.pieces[a].extent
+                                                                         : pattern.pieces[b].extent;
+      EXPECT_TRUE(gap.x() >= first.x() + 15.0 || gap.y() >= upper.y() + 15.0);
+    }
+  }
+}
+
+TEST(PdfPages, TooLargeIsRefusedWithTheSizeOfThePiece)
+{
+  PagePlan plan;
+  PageOptions options;
+  const auto refuse = [&](double size, PaperSize paper) {
+    options.paper = paper;
+    const PatternStatus status = planPages(patternOf({ { size, size } }), options, plan);
+    EXPECT_EQ(status.code, PatternCode::TooLarge) << size;
+    EXPECT_NE(status.message.find("rectangle"), std::string::npos) << size;
+  };
+  refuse(6e3, PaperSize::Sheet);
+  for (const double size : { 1e6, 1e9, 1e14 })
+  {
+    refuse(size, PaperSize::Sheet);
+    refuse(size, PaperSize::A4);
+  }
+  options.paper = PaperSize::A4;
+  options.overlap = 60.0;
+  EXPECT_EQ(
+    planPages(patternOf({ { 10.0, 10.0 } }), options, plan).code, PatternCode::InvalidOption);
+}

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be a pattern is refused with a message, and nothing half-written is left."""
+
+import os
+import unittest
+
+from ezdxf.lldxf.encoding import decode_dxf_unicode
+
+import pattern_files as pattern
+
+# Quotes, tags, an entity, accents, right to left, an astral letter, control characters, a CJK name.
+NAMES = (
+    "a <b> & 'c' \"d\"",
+    "]]> &amp; --",
+    "Größe Ärmel çà",
+    "שלום",
+    "𝔘 plane",
+    "tab\tline\nend",
+    "裤子",
+    "x" * 400,
+    "%s %d {}",
+)
+
+
+class Refusals(pattern.PatternTest):
+    def arguments(self, *options):
+        piece = os.path.join(pattern.DATA, "quarter_sphere")
+        return (piece + ".vtp", piece + "_curves.vtp", "--output", "out", *options)
+
+    def assert_refused(self, code, *options):
+        run = self.run_command(*self.arguments(*options))
+        self.assertEqual(run.returncode, code, run.stderr)
+        self.assertTrue(run.stderr.startswith("wirewarp: error: "), run.stderr)
+        left = [name for _, _, files in os.walk(self.folder) for name in files]
+        self.assertEqual([name for name in left if "pattern" in name or name.endswith(".part")], [])
+        return run.stderr
+
+    def test_an_unknown_unit_is_bad_usage_that_lists_the_known_ones(self):
+        message = self.assert_refused(2, "--svg", "--unit", "furlong")
+        for word in ("furlong", "mm", "cm", "inch"):
+            self.assertIn(word, message)
+
+    def test_numbers_out_of_range_are_bad_usage(self):
+        for option, value in (
+            ("--allowance", "-1"),
+            ("--allowance", "nan"),
+            ("--mitre-limit", "0.5"),
+            ("--notch-spacing", "-3"),
+            ("--quantity", "0"),
+            ("--page-overlap", "200"),
+            ("--max-pages", "0"),
+            ("--paper", "B7"),
+            ("--curve-allowance", "5"),
+            ("--curve-allowance", "a=wide"),
+        ):
+            with self.subTest(option=option, value=value):
+                self.assertIn(option, self.assert_refused(2, "--pdf", option, value))
+
+    def test_a_missing_unit_is_told_and_cm_taken(self):
+        run = self.run_command(*self.arguments("--svg"))
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, "^wirewarp: warning: .* taken as cm; .*--unit")
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        wires = pattern.wires_in_space(self.path("out"), "cm")
+        boundary = max(sum(wire.edges) for wire in wires)
+        (_, _, points, closed) = max(
+            pattern.svg_paths(root, "sew-line"), key=lambda line: len(line[2]))
+        self.assertAlmostEqual(sum(pattern.edge_lengths(points, closed)), boundary, places=5)
+
+    def test_a_stated_unit_gives_no_warning(self):
+        run = self.run_command(*self.arguments("--svg", "--unit", "cm"))
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_a_pattern_of_too_many_pages_names_the_piece_its_size_and_the_way_out(self):
+        message = self.assert_refused(
+            3, "--pdf", "--unit", "m", "--max-pages", "3", "--name", "sail")
+        self.assertRegex(message, r"measures [\d.]+ m x [\d.]+ m if the unit is m")
+        for words in ("sail", "A4", "more than 3", "check the unit", "larger paper"):
+            self.assertIn(words, message)
+
+    def test_a_piece_larger_than_a_pdf_page_can_be_is_refused(self):
+        piece = os.path.join(pattern.DATA, "pants_front")
+        run = self.run_command(piece + ".vtp", piece + "_curves.vtp", "--output", "out",
+                               "--pdf", "--unit", "m", "--paper", "sheet")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("5.08 m", run.stderr)
+        self.assertFalse(os.path.exists(self.path("out", "pattern.pdf")))
+
+    def test_absurd_scales_are_refused_in_no_time(self):
+        for paper in ("A4", "A0", "sheet"):
+            self.assert_refused(3, "--pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6")
+
+    def test_an_allowance_for_a_curve_that_is_not_there_lists_those_that_are(self):
+        message = self.assert_refused(3, "--svg", "--unit", "cm", "--curve-allowance", "hem=20")
+        for word in ("hem", "boundary"):
+            self.assertIn(word, message)
+
+    def test_a_folder_that_cannot_be_made_is_refused(self):
+        with open(self.path("out"), "w", encoding="ascii") as file:
+            file.write("in the way")
+        run = self.run_command(*self.arguments("--svg", "--unit", "cm"))
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("out", run.stderr)
+        self.assertEqual(os.listdir(self.folder), ["out"])
+
+    def test_a_refused_pattern_leaves_the_results_of_an_earlier_run(self):
+        self.run_command(*self.arguments("--svg", "--unit", "cm"))
+        before = {name: self.content(name) for name in os.listdir(self.path("out"))}
+        run = self.run_command(*self.arguments("--pdf", "--unit", "m", "--max-pages", "1"))
+        self.assertEqual(run.returncode, 3)
+        after = {name: self.content(name) for name in os.listdir(self.path("out"))}
+        self.assertEqual(before, after)
+
+    def test_a_pattern_of_an_earlier_run_does_not_survive_a_new_flattening(self):
+        self.run_command(*self.arguments("--svg", "--dxf", "--unit", "cm"))
+        self.run_command(*self.arguments("--pdf", "--unit", "cm"))
+        patterns = [name for name in os.listdir(self.path("out")) if name.startswith("pattern")]
+        self.assertEqual(patterns, ["pattern.pdf"])
+
+    def test_names_of_any_characters_survive_in_every_format(self):
+        for name in NAMES:
+            with self.subTest(name):
+                run = self.run_command(
+                    *self.arguments("--svg", "--pdf", "--dxf", "--unit", "m", "--paper", "A0",
+                                    "--name", name, "--size", name, "--piece-name", name))
+                self.assertEqual(run.returncode, 0, run.stderr)
+                shown = name.replace("\t", " ").replace("\n", " ")
+                root = pattern.svg_root(self.path("out", "pattern.svg"))
+                self.assertEqual(pattern.pieces_of(root)[0].get("data-name"), shown)
+                self.assertEqual(root.find(pattern.SVG + "title").text, shown)
+                with open(self.path("out", "pattern.dxf"), "rb") as file:
+                    self.assertLess(max(file.read()), 128)
+                document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
+                self.assertEqual(audit, [])
+                block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
+                said = [decode_dxf_unicode(text.dxf.text) for text in block.query("TEXT")]
+                wanted = "Piece Name: " + "".join(c if ord(c) < 0x10000 else "?" for c in shown)
+                # Texts of DXF end at 250 characters.
+                self.assertIn(wanted[:250], [text[:250] for text in said])
+                self.assertTrue(pattern.run_tool("pdftotext", self.path("out", "pattern.pdf"), "-"))
+
+    def test_bytes_that_are_no_text_are_replaced(self):
+        run = self.run_command(*self.arguments(
+            "--svg", "--pdf", "--dxf", "--unit", "cm", "--name", b"caf\xe9 \xff\xc3".decode(
+                "utf-8", "surrogateescape")))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        self.assertEqual(root.find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
+
+
+if __name__ == "__main__":
+    unittest.main()
