@@ -18,6 +18,7 @@ if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR 
     IOPLY
     IOXML
     InteractionStyle
+    RenderingAnnotation
     RenderingCore
     RenderingFreeType
     RenderingOpenGL2

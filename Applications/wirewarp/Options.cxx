@@ -216,6 +216,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   addLimits(app, options);
   addOutput(app, options);
   addPatternOptions(app, options.pattern);
+  addPictureOptions(app, options.picture);
 
   exitCode = Done;
   try

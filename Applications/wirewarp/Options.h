@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Patterns.h"
+#include "Picture.h"
 
 #include <array>
 #include <optional>
@@ -50,6 +51,7 @@ struct Options
   double maximumLengthError = 1e-9;
 
   PatternRequest pattern;
+  PictureRequest picture;
 
   std::string output; ///< empty: outputFolder() makes one of the surface's name
   int threads = 0;    ///< 0: as many as there are cores

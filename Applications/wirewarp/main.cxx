@@ -58,6 +58,7 @@ int run(const Options& options)
   {
     vtkSMPTools::Initialize(options.threads);
   }
+  checkPicture(options.picture);
   const std::string folder = outputFolder(options);
   std::error_code ignored;
   std::optional<OutputFiles> files; // a default folder is not made for a refusal alone
@@ -81,7 +82,17 @@ int run(const Options& options)
   {
     files.emplace(folder);
   }
+  std::optional<OutputFiles> picture;
+  if (options.picture.any())
+  {
+    picture.emplace(options.picture.folder());
+    addPicture(options, result, *picture);
+  }
   const std::vector<std::string> patterns = writeResult(options, result, *files);
+  if (picture)
+  {
+    picture->publish();
+  }
   if (!options.quiet)
   {
     std::cout << pieceTable(result);
@@ -95,6 +106,10 @@ int run(const Options& options)
       std::cout << name << ", ";
     }
     std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to " << folder << '\n';
+    if (picture)
+    {
+      std::cout << "picture written to " << options.picture.path << '\n';
+    }
   }
   if (result.exitCode == PromiseBroken)
   {

@@ -24,17 +24,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace figures
 {
 namespace
 {
-constexpr Vector boundaryColor{ 0.0, 0.0, 0.0 };
-constexpr Vector accessoryColor{ 0.0, 0.6, 0.1 };
-constexpr Vector keyColor{ 0.85, 0.0, 0.0 };
-constexpr Vector dartColor{ 0.0, 0.2, 0.9 };
 constexpr Vector surfaceColor{ 0.86, 0.86, 0.83 };
-constexpr Vector seamColor{ 0.6, 0.0, 0.75 };
 
 Vector normalized(Vector vector)
 {
@@ -114,8 +110,15 @@ vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range)
 
 //------------------------------------------------------------------------------
 Drawing::Drawing()
-  : Renderer(vtkSmartPointer<vtkRenderer>::New())
+  : Drawing(vtkSmartPointer<vtkRenderer>::New())
 {
+}
+
+//------------------------------------------------------------------------------
+Drawing::Drawing(vtkRenderer* renderer)
+  : Renderer(renderer)
+{
+  this->Renderer->RemoveAllViewProps();
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
 }
 
@@ -180,22 +183,25 @@ void Drawing::addSurface(const PolyData& surface)
 //------------------------------------------------------------------------------
 void Drawing::addPointMap(const PolyData& surface, const char* array, ColorRange range)
 {
-  vtkMapper* const mapper = this->addActor(surface, true)->GetMapper();
-  mapper->ScalarVisibilityOn();
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectColorArray(array);
-  mapper->SetLookupTable(makeColors(range));
-  mapper->UseLookupTableScalarRangeOn();
+  this->addMap(surface, array, true, makeColors(range));
 }
 
 //------------------------------------------------------------------------------
 void Drawing::addCellMap(const PolyData& surface, const char* array, ColorRange range)
 {
-  vtkMapper* const mapper = this->addActor(surface, false)->GetMapper();
+  this->addMap(surface, array, false, makeColors(range));
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addMap(
+  const PolyData& surface, const char* array, bool onPoints, vtkLookupTable* colors)
+{
+  vtkMapper* const mapper = this->addActor(surface, onPoints)->GetMapper();
   mapper->ScalarVisibilityOn();
-  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SetScalarMode(
+    onPoints ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
   mapper->SelectColorArray(array);
-  mapper->SetLookupTable(makeColors(range));
+  mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
 }
 
@@ -213,7 +219,7 @@ void Drawing::addCategories(const PolyData& surface, const char* array)
 }
 
 //------------------------------------------------------------------------------
-void Drawing::addWires(const PolyData& wires)
+void Drawing::addWires(const PolyData& wires, DartSides sides)
 {
   vtkDataArray* const types = wires->GetCellData()->GetArray("CurveType");
   vtkDataArray* const boundary = wires->GetCellData()->GetArray("Boundary");
@@ -226,7 +232,8 @@ void Drawing::addWires(const PolyData& wires)
   {
     const int type = valueAt(types, cell, 0);
     // The sides of an opened dart bound the piece.
-    const bool bounds = type < 0 || valueAt(boundary, cell, 0) != 0;
+    const bool dart = type == 2 && sides == DartSides::Blue;
+    const bool bounds = type < 0 || (!dart && valueAt(boundary, cell, 0) != 0);
     (bounds         ? black
         : type == 0 ? green
         : type == 1 ? red
@@ -242,6 +249,14 @@ void Drawing::addWires(const PolyData& wires)
 }
 
 //------------------------------------------------------------------------------
+void Drawing::addLines(const PolyData& lines)
+{
+  std::vector<vtkIdType> cells(lines->GetNumberOfCells());
+  std::iota(cells.begin(), cells.end(), 0);
+  this->addEdges(lines, cells, releasedColor, 1.0, 0.6);
+}
+
+//------------------------------------------------------------------------------
 void Drawing::addBoundary(const PolyData& surface)
 {
   vtkNew<vtkFeatureEdges> edges;
@@ -252,16 +267,13 @@ void Drawing::addBoundary(const PolyData& surface)
   edges->ColoringOff();
   edges->Update();
   std::vector<vtkIdType> cells(edges->GetOutput()->GetNumberOfCells());
-  for (std::size_t k = 0; k < cells.size(); ++k)
-  {
-    cells[k] = static_cast<vtkIdType>(k);
-  }
+  std::iota(cells.begin(), cells.end(), 0);
   this->addEdges(edges->GetOutput(), cells, boundaryColor, 3.0);
 }
 
 //------------------------------------------------------------------------------
-void Drawing::addEdges(
-  const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color, double lift)
+void Drawing::addEdges(const PolyData& lines, const std::vector<vtkIdType>& cells,
+  const Vector& color, double lift, double width)
 {
   // Edge by edge: a tube along a whole polyline has no good shape where it turns back at a dart's
   // tip.
@@ -291,7 +303,7 @@ void Drawing::addEdges(
     data->SetPoints(points);
     data->SetLines(edges);
     this->Shown.push_back(data);
-    this->Wires.push_back({ data, color, lift });
+    this->Wires.push_back({ data, color, lift, width });
   }
 }
 
@@ -362,7 +374,7 @@ void Drawing::finish(const std::array<int, 4>& area, double pixel, const FigureS
 {
   for (const WireSet& set : this->Wires)
   {
-    this->drawWires(set, 0.5 * style.wireWidth * pixel);
+    this->drawWires(set, 0.5 * set.width * style.wireWidth * pixel);
   }
   this->Wires.clear();
 

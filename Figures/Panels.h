@@ -8,6 +8,9 @@ namespace figures
 /// The range of both indices of quality in a map: 1 - index on 0 to 0.5, blue to red.
 constexpr ColorRange indexRange{ 1.0, 0.5 };
 
+/// Radians; smaller angle defects are none.
+constexpr double developable = 1e-3;
+
 /// Each piece flattened on its own, beside each other.
 std::vector<FlatPiece> flattenAll(
   const std::vector<Piece>& pieces, Method method, Interior interior = Interior::Rigid);

@@ -44,6 +44,8 @@ struct FlatPiece
   PolyData wires;
   PolyData cut;
 
+  /// The wires on the cut surface.
+  PolyData wiresInSpace() const;
   /// A value of the flat piece's field data.
   double number(const char* array, vtkIdType row = 0) const;
 };

@@ -84,6 +84,15 @@ std::vector<std::string> listPieces(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
+PolyData FlatPiece::wiresInSpace() const
+{
+  PolyData result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(this->wires);
+  result->SetPoints(this->cut->GetPoints()); // ids are those of the flat piece
+  return result;
+}
+
+//------------------------------------------------------------------------------
 double FlatPiece::number(const char* array, vtkIdType row) const
 {
   vtkDataArray* const values = this->flat->GetFieldData()->GetArray(array);

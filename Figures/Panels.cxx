@@ -8,12 +8,6 @@
 
 namespace figures
 {
-namespace
-{
-/// Radians; smaller angle defects are none.
-constexpr double developable = 1e-3;
-}
-
 //------------------------------------------------------------------------------
 std::vector<FlatPiece> flattenAll(
   const std::vector<Piece>& pieces, Method method, Interior interior)

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+struct Flattening;
+struct Options;
+class OutputFiles;
+
+/// The picture of the surface and its flat pieces.
+struct PictureRequest
+{
+  std::string path; ///< empty: none is asked for
+  std::string coloring = "homogeneity";
+
+  bool any() const { return !this->path.empty(); }
+  /// The folder of the path.
+  std::string folder() const;
+};
+
+void addPictureOptions(CLI::App& app, PictureRequest& request);
+
+/// Throws InputError where a picture is asked for and none can be drawn here.
+void checkPicture(const PictureRequest& request);
+
+/// Adds the picture to the files of its folder. Throws InputError.
+void addPicture(const Options& options, const Flattening& result, OutputFiles& files);
+}

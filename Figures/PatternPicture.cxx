@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatternPicture.h"
+
+#include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextProperty.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+namespace figures
+{
+namespace
+{
+// Pixels.
+constexpr int strip = 150;
+constexpr int margin = 16;
+constexpr int line = 18;
+constexpr int textSize = 14;
+constexpr int barHeight = 60;
+
+constexpr Vector black{ 0.0, 0.0, 0.0 };
+constexpr Vector grey{ 0.35, 0.35, 0.35 };
+
+bool hasType(const PolyData& wires, int type)
+{
+  vtkDataArray* const types = wires->GetCellData()->GetArray("CurveType");
+  for (vtkIdType cell = 0; types && cell < types->GetNumberOfTuples(); ++cell)
+  {
+    if (static_cast<int>(types->GetComponent(cell, 0)) == type)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool hasLines(const PolyData& lines)
+{
+  return lines && lines->GetNumberOfCells() > 0;
+}
+
+template <typename... Values>
+std::string formatted(const char* pattern, Values... values)
+{
+  char text[160];
+  std::snprintf(text, sizeof(text), pattern, values...);
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumRows)
+{
+  std::vector<std::string> rows{
+    "piece    E_len   E_ang     E_h     E_r  E_area  flips  overlaps"
+  };
+  vtkDataArray* const lengths = piece.flat->GetFieldData()->GetArray("EdgeLengthError");
+  const vtkIdType count = lengths ? lengths->GetNumberOfTuples() : 0;
+  for (vtkIdType row = 0; row < count; ++row)
+  {
+    if (rows.size() == maximumRows && row + 1 < count)
+    {
+      rows.push_back("... and " + std::to_string(count - row) + " more");
+      break;
+    }
+    rows.push_back(formatted("%5d  %7.1e  %6.4f  %6.3f  %6.3f  %6.4f  %5.0f  %8.0f",
+      static_cast<int>(row + 1), piece.number("EdgeLengthError", row),
+      piece.number("AngleErrorMean", row), piece.number("GlobalHomogeneity", row),
+      piece.number("GlobalAspectRatio", row), piece.number("AreaError", row),
+      piece.number("FlippedTriangles", row), piece.number("Overlaps", row)));
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+PatternPicture::PatternPicture(int width, int height, int samples)
+  : Window(vtkSmartPointer<vtkRenderWindow>::New())
+  , Space(vtkSmartPointer<vtkRenderer>::New())
+  , Plane(vtkSmartPointer<vtkRenderer>::New())
+  , Ground(vtkSmartPointer<vtkRenderer>::New())
+  , Overlay(vtkSmartPointer<vtkRenderer>::New())
+{
+  this->Window->SetSize(width, height);
+  this->Window->SetMultiSamples(samples);
+  this->Window->SetNumberOfLayers(2);
+  this->Overlay->SetLayer(1);
+  this->Overlay->InteractiveOff();
+  this->Ground->InteractiveOff();
+  this->Ground->SetBackground(1.0, 1.0, 1.0);
+  for (vtkRenderer* renderer :
+    { this->Ground.Get(), this->Space.Get(), this->Plane.Get(), this->Overlay.Get() })
+  {
+    this->Window->AddRenderer(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PatternPicture::show(const PatternScene& scene)
+{
+  const ColorMap map = makeColorMap(scene.coloring, scene.piece.flat);
+  this->drawPanels(scene, map);
+  this->Overlay->RemoveAllViewProps();
+  this->drawTexts(scene);
+  this->drawLegend(scene);
+  this->drawScale(map);
+  this->Window->Render();
+}
+
+//------------------------------------------------------------------------------
+void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
+{
+  vtkNew<vtkCamera> spaceBefore;
+  vtkNew<vtkCamera> planeBefore;
+  spaceBefore->DeepCopy(this->Space->GetActiveCamera());
+  planeBefore->DeepCopy(this->Plane->GetActiveCamera());
+
+  Drawing space(this->Space);
+  space.lookFrom(facing(scene.piece.cut));
+  Drawing plane(this->Plane);
+  space.addMap(scene.piece.cut, map.array, map.onPoints, map.colors);
+  plane.addMap(scene.piece.flat, map.array, map.onPoints, map.colors);
+  space.addWires(scene.piece.wiresInSpace(), DartSides::Blue);
+  plane.addWires(scene.piece.wires, DartSides::Blue);
+  if (hasLines(scene.releasedInSpace))
+  {
+    space.addLines(scene.releasedInSpace);
+    plane.addLines(scene.releasedInPlane);
+  }
+
+  // One scale for both, so that sizes compare; the width is shared as they need it.
+  const int width = this->Window->GetSize()[0];
+  const int height = std::max(this->Window->GetSize()[1] - strip, 1);
+  const int gaps = 6 * margin;
+  const std::array<double, 2> left = space.size();
+  const std::array<double, 2> right = plane.size();
+  const double pixel = std::max((left[0] + right[0]) / std::max(width - gaps, 1),
+    std::max(left[1], right[1]) / std::max(height - 2 * margin - 2 * line, 1));
+  const double spare = width - (left[0] + right[0]) / pixel;
+  const int middle = static_cast<int>(left[0] / pixel + 0.5 * spare);
+  const FigureStyle style;
+  space.finish({ 0, strip, middle, height }, pixel, style);
+  plane.finish({ middle, strip, width - middle, height }, pixel, style);
+
+  if (this->CamerasSet)
+  {
+    this->Space->GetActiveCamera()->DeepCopy(spaceBefore);
+    this->Plane->GetActiveCamera()->DeepCopy(planeBefore);
+    this->Space->ResetCameraClippingRange();
+    this->Plane->ResetCameraClippingRange();
+  }
+  this->CamerasSet = true;
+}
+
+//------------------------------------------------------------------------------
+int PatternPicture::addText(const std::string& text, int x, int y, int size, const Vector& color,
+  TextStyle style, bool fromTop)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  vtkTextProperty* const property = actor->GetTextProperty();
+  property->SetColor(color.data());
+  property->SetFontSize(size);
+  if (style == TextStyle::FixedPitch)
+  {
+    property->SetFontFamilyToCourier();
+  }
+  if (fromTop)
+  {
+    property->SetVerticalJustificationToTop();
+  }
+  actor->SetPosition(x, fromTop ? this->Window->GetSize()[1] - y : y);
+  this->Overlay->AddViewProp(actor);
+  property->SetBold(style == TextStyle::Bold);
+  double extent[2];
+  actor->GetSize(this->Overlay, extent);
+  return static_cast<int>(extent[0]);
+}
+
+//------------------------------------------------------------------------------
+void PatternPicture::drawTexts(const PatternScene& scene)
+{
+  this->addText(scene.title, margin, margin, textSize + 4, black, TextStyle::Bold, true);
+  if (!scene.message.empty())
+  {
+    this->addText(scene.message, margin, margin + 2 * line, textSize,
+      scene.warning ? keyColor : grey, TextStyle::Plain, true);
+  }
+  constexpr std::size_t rows = (strip - 2 * margin) / line - 2;
+  int y = strip - margin - line;
+  for (const std::string& row : errorTable(scene.piece, rows))
+  {
+    this->addText(row, margin, y, textSize, black, TextStyle::FixedPitch);
+    y -= line;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PatternPicture::drawLegend(const PatternScene& scene)
+{
+  struct Entry
+  {
+    const char* name;
+    const Vector& color;
+    bool shown;
+  };
+  const PolyData& wires = scene.piece.wires;
+  const Entry entries[] = { { "boundary", boundaryColor, hasType(wires, -1) },
+    { "accessory", accessoryColor, hasType(wires, 0) }, { "key", keyColor, hasType(wires, 1) },
+    { "dart", dartColor, hasType(wires, 2) },
+    { "released", releasedColor, hasLines(scene.releasedInSpace) } };
+  int x = margin;
+  for (const Entry& entry : entries)
+  {
+    if (entry.shown)
+    {
+      x +=
+        this->addText("\xE2\x80\x94 ", x, margin / 2, textSize + 4, entry.color, TextStyle::Bold) +
+        4;
+      x +=
+        this->addText(entry.name, x, margin / 2, textSize, entry.color, TextStyle::Bold) + margin;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PatternPicture::drawScale(const ColorMap& map)
+{
+  const double width = this->Window->GetSize()[0];
+  const double height = this->Window->GetSize()[1];
+  const double length = std::min(420.0, 0.35 * width);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(map.colors);
+  bar->SetOrientationToHorizontal();
+  bar->SetNumberOfLabels(map.labels);
+  bar->SetLabelFormat("%.3g");
+  bar->UnconstrainedFontSizeOn();
+  vtkTextProperty* const property = bar->GetLabelTextProperty();
+  property->SetColor(black.data());
+  property->SetFontSize(textSize);
+  property->BoldOff();
+  property->ItalicOff();
+  property->ShadowOff();
+  const double left = width - length - 3 * margin;
+  bar->SetPosition(left / width, margin / height);
+  bar->SetPosition2(length / width, barHeight / height);
+  this->Overlay->AddViewProp(bar);
+  this->addText(map.title, static_cast<int>(left), margin + barHeight - line / 3, textSize, black);
+}
+
+//------------------------------------------------------------------------------
+void PatternPicture::write(const std::string& path)
+{
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(this->Window);
+  image->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+}

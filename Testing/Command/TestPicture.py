@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""wirewarp --picture: what it shows, and what happens where nothing can be drawn."""
+
+import os
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+import command
+from command import CommandTest, DATA
+
+SURFACE = os.path.join(DATA, "shirt_front.vtp")
+CURVES = os.path.join(DATA, "shirt_front_curves.vtp")
+WIRES = {"boundary": (0, 0, 0), "accessory": (0, 153, 26), "key": (217, 0, 0), "dart": (0, 51, 230)}
+
+
+def read_picture(path):
+    """Width, height, and the pixels as rows of numbers from 0 to 255."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+    return pixels.reshape(height, width, -1)[:, :, :3]
+
+
+def count(pixels, color):
+    return int((abs(pixels - color).max(axis=2) <= 2).sum())
+
+
+class Picture(CommandTest):
+    def draw(self, name, *arguments):
+        run = self.run_command(SURFACE, CURVES, "-o", "out", "--picture", name, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr, "")
+        return read_picture(self.path(name))
+
+    def test_it_shows_the_wires_in_their_colours_in_space_and_in_the_plane(self):
+        pixels = self.draw("shirt.png")
+        middle = pixels.shape[1] // 2
+        for name, color in WIRES.items():
+            for side in (pixels[200:, :middle], pixels[200:, middle:]):
+                self.assertGreater(count(side, color), 200, name)
+
+    def test_each_colouring_gives_another_picture(self):
+        names = ("developability", "homogeneity", "aspect-ratio", "area")
+        pictures = [self.draw(name + ".png", "--color-by", name) for name in names]
+        for k, picture in enumerate(pictures):
+            for other in pictures[:k]:
+                self.assertGreater((picture != other).any(axis=2).mean(), 0.1)
+
+    def test_its_folder_is_made_and_nothing_else_is_left_there(self):
+        self.draw(os.path.join("a folder", "shirt.png"))
+        self.assertEqual(os.listdir(self.path("a folder")), ["shirt.png"])
+
+    def test_without_an_x_server_it_is_refused_before_anything_is_written(self):
+        for display in (None, "", ":65000"):
+            environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+            if display is not None:
+                environment["DISPLAY"] = display
+            run = self.run_command(SURFACE, "-o", "out", "--picture", "a.png", env=environment)
+            self.assertEqual(run.returncode, 3, run.stderr)
+            self.assertEqual(len(command.error_lines(run)), 1)
+            self.assertIn("X server", run.stderr)
+            self.assertIn("xvfb-run", run.stderr)
+            self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_folder_that_cannot_be_written_to_is_refused(self):
+        self.write("file", "in the way")
+        run = self.run_command(SURFACE, "-o", "out", "--picture", os.path.join("file", "a.png"))
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("cannot make", run.stderr)
+        self.assertFalse(os.path.exists(self.path("out/flat.vtp")))
+
+    def test_other_endings_and_colourings_are_bad_usage(self):
+        for arguments in (("--picture", "a.jpg"), ("--picture", "a.png", "--color-by", "taste")):
+            run = self.run_command(SURFACE, *arguments)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(arguments[-1], run.stderr)
+
+
+if __name__ == "__main__":
+    command.main()
