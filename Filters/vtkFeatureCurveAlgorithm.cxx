@@ -37,6 +37,12 @@ void vtkFeatureCurveAlgorithm::SetCurvesData(vtkPolyData* curves)
 }
 
 //------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::RemoveAllCurves()
+{
+  this->RemoveAllInputConnections(1);
+}
+
+//------------------------------------------------------------------------------
 const char* vtkFeatureCurveAlgorithm::GetCoincidentPointsAsString() const
 {
   static const char* const names[] = { "Automatic", "Join", "Keep" };

@@ -71,6 +71,7 @@ public:
   void SetCurvesConnection(vtkAlgorithmOutput* curves);
   void AddCurvesConnection(vtkAlgorithmOutput* curves);
   void SetCurvesData(vtkPolyData* curves);
+  void RemoveAllCurves();
   ///@}
 
   /**

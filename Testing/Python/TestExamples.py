@@ -12,7 +12,9 @@ from xml.etree import ElementTree
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
+import surfaceflattening as sf
 from surfaces import DATA, SOURCE, points_of, polylines_of, read, triangles_of
 
 EXAMPLES = os.path.join(SOURCE, "Examples", "Python")
@@ -116,6 +118,21 @@ class Examples(unittest.TestCase):
                 self.assertAlmostEqual(millimetres, 10.0 * length, delta=1e-6 * length, msg=name)
 
         self.run_example("obj_to_pattern.py", "pants.obj", "nowhere/pants.svg", "--unit", "cm", code=1)
+
+    def test_make_collection(self):
+        names = ("shirt_front", "pants_back")
+        self.run_example("make_collection.py", "pieces.vtm",
+                         *(f"{data(name)},{data(name + '_curves')}" for name in names))
+        reader = vtkXMLMultiBlockDataReader()
+        reader.SetFileName(os.path.join(self.folder, "pieces.vtm"))
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetInputConnection(reader.GetOutputPort())
+        filter_.Update()
+        for block, name in enumerate(names):
+            flat = filter_.GetOutputDataObject(0).GetBlock(block)
+            alone = sf.flatten_polydata(read(name), read(name + "_curves"))
+            np.testing.assert_allclose(vtk_to_numpy(flat.GetPoints().GetData())[:, :2],
+                                       alone.positions, atol=1e-9)
 
     def test_every_example_is_tried(self):
         with open(__file__, encoding="utf-8") as file:

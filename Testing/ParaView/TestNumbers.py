@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin gives the numbers of the paper and those of the C++ program wirewarp."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+import paraview.simple as pv
+
+from plugin import DATA, fetch, read, values
+
+COMMAND = os.environ["WIREWARP"]
+SCHEMES = {"progressive": "Progressive", "global": "Global", "isometric": "Isometric",
+           "lscm": "Least squares conformal"}
+INTERIORS = {"laplacian": "Laplacian", "arap": "As rigid as possible"}
+FIELDS = {"E_len": "EdgeLengthError", "E_ang": "AngleErrorMean", "E_h": "GlobalHomogeneity",
+          "E_r": "GlobalAspectRatio", "E_area": "AreaError", "objective": "Objective",
+          "iterations": "Iterations", "flipped": "FlippedTriangles", "overlaps": "Overlaps",
+          "status": "Status", "message": "StatusMessage"}
+
+
+class Numbers(unittest.TestCase):
+    def test_numbers_are_those_of_table_1(self):
+        filter_ = pv.WireWarping(Input=read("quarter_sphere"), Curves=read("quarter_sphere_curves"))
+        filter_.Interior = "Laplacian"
+        for scheme, angle_error, homogeneity in (
+            ("Progressive", 0.1591, 0.394),
+            ("Global", 0.1488, 0.404),
+        ):
+            filter_.Scheme = scheme
+            flat = fetch(filter_)
+            self.assertLess(values(flat, "MaxEdgeLengthError")[0], 1e-10)
+            self.assertAlmostEqual(values(flat, "AngleErrorMean")[0], angle_error, delta=5e-5)
+            self.assertAlmostEqual(values(flat, "GlobalHomogeneity")[0], homogeneity, delta=5e-4)
+
+    def test_numbers_are_those_of_the_command(self):
+        for name, scheme, interior in (
+            ("quarter_sphere", "progressive", "laplacian"),
+            ("quarter_sphere", "lscm", "arap"),
+            ("pants_front", "global", "arap"),
+            ("wetsuit_upper_front", "isometric", "arap"),
+            ("tshirt", "global", "arap"),
+        ):
+            with self.subTest(piece=name, scheme=scheme), tempfile.TemporaryDirectory() as folder:
+                run = subprocess.run(
+                    [COMMAND, os.path.join(DATA, name + ".vtp"),
+                     os.path.join(DATA, name + "_curves.vtp"), "--scheme", scheme,
+                     "--interior", interior, "--quiet", "--output", folder],
+                    capture_output=True, text=True, check=False)
+                self.assertIn(run.returncode, (0, 4), run.stderr)
+                with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
+                    report = json.load(file)
+                filter_ = pv.WireWarping(
+                    Input=read(name), Curves=read(name + "_curves"), Scheme=SCHEMES[scheme],
+                    Interior=INTERIORS[interior])
+                flat = fetch(filter_)
+                self.assertEqual(values(flat, "RunStatus"), [report["status"]])
+                self.assertGreater(len(report["pieces"]), 0)
+                for key, array in FIELDS.items():
+                    mine = values(flat, array)
+                    theirs = [piece[key] for piece in report["pieces"]]
+                    self.assertEqual(len(mine), len(theirs))
+                    for one, other in zip(mine, theirs):
+                        if isinstance(other, float):
+                            self.assertAlmostEqual(one, other, delta=1e-8 * max(1.0, abs(other)))
+                        else:
+                            self.assertEqual(one, other, key)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Screenshots equal the baselines, and a wrong one would not."""
+
+import os
+import shutil
+import subprocess
+import unittest
+
+import numpy as np
+import paraview.simple as pv
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+from plugin import DATA, OUTPUT, PLUGIN, SOURCE, read
+
+BASELINES = os.path.join(SOURCE, "Testing", "Data", "Baseline")
+# Edges of lines may fall on other pixels with another OpenGL; areas may not.
+LARGEST_DIFFERENCE = 48
+SHARE_OF_PIXELS = 0.005
+
+
+def pixels(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    colors = vtk_to_numpy(image.GetPointData().GetScalars())
+    return colors[:, :3].astype(int).reshape(image.GetDimensions()[1], image.GetDimensions()[0], 3)
+
+
+def different(path, baseline):
+    """Share of the pixels that differ."""
+    one, other = pixels(path), pixels(baseline)
+    if one.shape != other.shape:
+        return 1.0
+    return (np.abs(one - other).max(axis=2) > LARGEST_DIFFERENCE).mean()
+
+
+class Pictures(unittest.TestCase):
+    def compare(self, name):
+        path, baseline = os.path.join(OUTPUT, name), os.path.join(BASELINES, name)
+        if os.environ.get("FLATTENING_WRITE_BASELINES"):
+            shutil.copy(path, baseline)
+        self.assertLess(different(path, baseline), SHARE_OF_PIXELS, path)
+
+    def screenshot(self, name, scheme):
+        flattening = pv.WireWarping(
+            Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme=scheme)
+        view = pv.CreateView("RenderView")
+        view.ViewSize = [500, 600]
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1, 1, 1]
+        view.OrientationAxesVisibility = 0
+        display = pv.Show(pv.OutputPort(flattening, 0), view)
+        pv.ColorBy(display, ("CELLS", "HomogeneityOfDistortion"))
+        colors = pv.GetColorTransferFunction("HomogeneityOfDistortion")
+        colors.RescaleTransferFunction(0.5, 1.0)
+        display.Ambient, display.Diffuse = 1.0, 0.0
+        wires = pv.Show(pv.OutputPort(flattening, 1), view)
+        wires.ColorArrayName = ["CELLS", ""]
+        wires.AmbientColor = wires.DiffuseColor = [0, 0, 0]
+        wires.LineWidth = 3
+        view.InteractionMode = "2D"
+        pv.ResetCamera(view)
+        path = os.path.join(OUTPUT, name)
+        pv.SaveScreenshot(path, view)
+        pv.Delete(view)
+        return path
+
+    def test_a_flat_piece(self):
+        self.screenshot("TestParaViewPlugin.png", "Global")
+        self.compare("TestParaViewPlugin.png")
+
+    def test_a_wrong_picture_fails(self):
+        path = self.screenshot("wrong.png", "Least squares conformal")
+        baseline = os.path.join(BASELINES, "TestParaViewPlugin.png")
+        self.assertGreater(different(path, baseline), 2 * SHARE_OF_PIXELS)
+
+    def test_the_four_views_of_figure_9(self):
+        path = os.path.join(OUTPUT, "TestParaViewFigure9.png")
+        run = subprocess.run(
+            [os.environ["PVPYTHON"], os.path.join(SOURCE, "Examples", "ParaView", "figure9.py"),
+             "--plugin", PLUGIN, "--png", path],
+            stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
+            env={**os.environ, "SURFACEFLATTENING_DATA": DATA})
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.compare("TestParaViewFigure9.png")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests in ParaView's Python share: the loaded plugin and the pieces of Data/."""
+
+import os
+
+import paraview.simple as pv
+from paraview import servermanager
+
+SOURCE = os.environ["FLATTENING_SOURCE"]
+OUTPUT = os.environ["FLATTENING_OUTPUT"]
+DATA = os.path.join(SOURCE, "Data")
+PLUGIN = os.environ["FLATTENING_PLUGIN"]
+
+pv.LoadPlugin(PLUGIN, remote=False)
+
+
+def read(name):
+    return pv.XMLPolyDataReader(FileName=[os.path.join(DATA, name + ".vtp")])
+
+
+def fetch(proxy, port=0):
+    """The output as an object of VTK."""
+    proxy.UpdatePipeline()
+    return servermanager.Fetch(proxy, idx=port)
+
+
+def values(polydata, name):
+    """A field data array as Python values."""
+    array = polydata.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
