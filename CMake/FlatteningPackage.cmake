@@ -16,3 +16,20 @@ install(
     "${CMAKE_BINARY_DIR}/${package_dir}/SurfaceFlatteningConfigVersion.cmake"
   DESTINATION "${package_dir}"
   COMPONENT development)
+
+foreach (place IN ITEMS "${CMAKE_INSTALL_DOCDIR}:documentation" "${CMAKE_INSTALL_DOCDIR}-dev:development")
+  string(REPLACE ":" ";" place "${place}")
+  list(GET place 0 folder)
+  list(GET place 1 component)
+  install(
+    FILES "${CMAKE_CURRENT_SOURCE_DIR}/LICENSE"
+    DESTINATION "${folder}"
+    RENAME copyright
+    COMPONENT "${component}")
+endforeach ()
+install(
+  FILES
+    "${CMAKE_CURRENT_SOURCE_DIR}/CITATION.cff"
+    "${CMAKE_CURRENT_SOURCE_DIR}/README.md"
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT documentation)

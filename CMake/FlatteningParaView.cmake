@@ -34,3 +34,5 @@ if (flattening_plugin_testing)
   enable_testing()
   add_subdirectory(Testing/ParaView)
 endif ()
+
+include(FlatteningDebian)

@@ -46,7 +46,8 @@ class Plugin(unittest.TestCase):
         self.assertEqual(values(fetch(filter_), "WirePatches"), [1])
 
     def test_properties_reach_the_filter(self):
-        filter_ = pv.WireWarping(Input=read("pants_front"), Curves=read("pants_front_curves"))
+        filter_ = pv.WireWarping(
+            Input=read("pants_front"), Curves=read("pants_front_curves"), Scheme="Global")
         objective = values(fetch(filter_), "Objective")[0]
         filter_.ReleaseKeys = 1
         self.assertLess(values(fetch(filter_), "Objective")[0], objective)
