@@ -14,6 +14,16 @@ namespace figures
 {
 namespace
 {
+/// Light, so that wires stand out.
+vtkSmartPointer<vtkLookupTable> makeLightColors(ColorRange range)
+{
+  constexpr double saturation = 0.6;
+  vtkSmartPointer<vtkLookupTable> table = makeColors(range);
+  table->SetSaturationRange(saturation, saturation);
+  table->ForceBuild();
+  return table;
+}
+
 /// Blue below, white at and red above 1.
 vtkSmartPointer<vtkLookupTable> makeAreaColors(double low, double high)
 {
@@ -70,16 +80,16 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
       vtkDataArray* const values = flat->GetPointData()->GetArray(name);
       const double largest = values ? values->GetRange()[1] : 0.0;
       return { name, true, "developability: angle defect (rad)",
-        makeColors({ 0.0, std::max(largest, developable) }), 3 };
+        makeLightColors({ 0.0, std::max(largest, developable) }), 3 };
     }
     case Coloring::AspectRatio:
-      return { "AspectRatio", false, "aspect ratio (1 is ideal)", makeColors(indexRange), 6 };
+      return { "AspectRatio", false, "aspect ratio (1 is ideal)", makeLightColors(indexRange), 6 };
     case Coloring::Area:
       return { "AreaRatio", false, "area in the plane / on the surface", makeAreaColors(0.8, 1.2),
         5 };
     default:
-      return { "HomogeneityOfDistortion", false, "homogeneity (1 is ideal)", makeColors(indexRange),
-        6 };
+      return { "HomogeneityOfDistortion", false, "homogeneity (1 is ideal)",
+        makeLightColors(indexRange), 6 };
   }
 }
 }

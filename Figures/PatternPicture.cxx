@@ -26,6 +26,7 @@ constexpr int margin = 16;
 constexpr int line = 18;
 constexpr int textSize = 14;
 constexpr int barHeight = 60;
+constexpr std::size_t messageWidth = 72; // characters
 
 constexpr Vector black{ 0.0, 0.0, 0.0 };
 constexpr Vector grey{ 0.35, 0.35, 0.35 };
@@ -46,6 +47,35 @@ bool hasType(const PolyData& wires, int type)
 bool hasLines(const PolyData& lines)
 {
   return lines && lines->GetNumberOfCells() > 0;
+}
+
+/// Lines of at most so many characters, broken between words.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width)
+{
+  std::vector<std::string> lines;
+  std::istringstream paragraphs(text);
+  for (std::string paragraph; std::getline(paragraphs, paragraph);)
+  {
+    lines.emplace_back();
+    std::istringstream words(paragraph);
+    for (std::string word; words >> word;)
+    {
+      std::string& last = lines.back();
+      if (last.empty())
+      {
+        last = word;
+      }
+      else if (last.size() + 1 + word.size() <= width)
+      {
+        last += " " + word;
+      }
+      else
+      {
+        lines.push_back(word);
+      }
+    }
+  }
+  return lines;
 }
 
 template <typename... Values>
@@ -189,16 +219,19 @@ int PatternPicture::addText(const std::string& text, int x, int y, int size, con
 void PatternPicture::drawTexts(const PatternScene& scene)
 {
   this->addText(scene.title, margin, margin, textSize + 4, black, TextStyle::Bold, true);
-  if (!scene.message.empty())
-  {
-    this->addText(scene.message, margin, margin + 2 * line, textSize,
-      scene.warning ? keyColor : grey, TextStyle::Plain, true);
-  }
   constexpr std::size_t rows = (strip - 2 * margin) / line - 2;
-  int y = strip - margin - line;
+  const int top = strip - margin - line;
+  int right = 0;
+  int y = top;
   for (const std::string& row : errorTable(scene.piece, rows))
   {
-    this->addText(row, margin, y, textSize, black, TextStyle::FixedPitch);
+    right = std::max(right, this->addText(row, margin, y, textSize, black, TextStyle::FixedPitch));
+    y -= line;
+  }
+  y = top;
+  for (const std::string& words : wrapped(scene.message, messageWidth))
+  {
+    this->addText(words, right + 3 * margin, y, textSize, scene.warning ? keyColor : grey);
     y -= line;
   }
 }

@@ -9,11 +9,11 @@
 
 namespace viewer
 {
-const char* const keyHelp =
-  "click a curve: accessory > key > released    drag, wheel: turn, move, zoom    r: whole view\n"
-  "1 developability   2 homogeneity   3 aspect ratio   4 area    save: p picture, s SVG, c curves  "
-  "  "
-  "q: quit";
+const char* const keyHelp = "click a curve: accessory, key, released\n"
+                            "drag or wheel: turn, move, zoom; r: whole view\n"
+                            "colours: 1 developability, 2 homogeneity, 3 aspect ratio, 4 area\n"
+                            "save: p picture, s SVG, c curves\n"
+                            "h: these keys; q: quit";
 
 //------------------------------------------------------------------------------
 PatternWindow::PatternWindow(PatternModel& model, const WindowOptions& options)
