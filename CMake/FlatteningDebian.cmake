@@ -20,10 +20,6 @@ set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 if (SURFACEFLATTENING_PARAVIEW)
   set(CPACK_COMPONENTS_ALL plugin)
   set(CPACK_DEBIAN_PLUGIN_PACKAGE_NAME surfaceflattening-paraview)
-  # ParaView's libraries have no versions of their own in the names of packages.
-  math(EXPR next_minor "${ParaView_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS
-    "paraview (>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), paraview (<< ${ParaView_VERSION_MAJOR}.${next_minor})")
 else ()
   set(CPACK_COMPONENTS_ALL runtime python development documentation)
   foreach (component IN ITEMS runtime python documentation)

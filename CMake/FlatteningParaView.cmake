@@ -22,6 +22,7 @@ paraview_plugin_scan(
   PROVIDES_PLUGINS plugins
   ENABLE_BY_DEFAULT ON
   HIDE_PLUGINS_FROM_CACHE ON)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME plugin) # of the list of plugins, which has no option for it
 paraview_plugin_build(
   PLUGINS              ${plugins}
   PLUGINS_FILE_NAME    SurfaceFlattening.xml

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Debian packages: where things lie, what they depend on, and that they run where they are
+unpacked. Environment: BUILD the build tree, FOLDER a folder to work in, DATA the pieces."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+BUILD, FOLDER, DATA = (os.environ[name] for name in ("BUILD", "FOLDER", "DATA"))
+ROOT = os.path.join(FOLDER, "root")
+
+
+def run(*command, **options):
+    return subprocess.run(command, check=True, capture_output=True, text=True, **options).stdout
+
+
+def field(package, name):
+    return run("dpkg-deb", "-f", package, name).strip()
+
+
+def names_of(depends):
+    """The packages of a Depends field, without versions."""
+    return {re.split(r"[ (|]", part.strip())[0] for part in depends.split(",")}
+
+
+def dynamic(path, tag):
+    return re.findall(rf"\({tag}\).*\[(.*)\]", run("readelf", "-d", path))
+
+
+class Packages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        os.makedirs(FOLDER)
+        run("cpack", "--config", os.path.join(BUILD, "CPackConfig.cmake"), "-B", FOLDER, cwd=BUILD)
+        cls.packages = {}
+        for file in os.listdir(FOLDER):
+            if file.endswith(".deb"):
+                path = os.path.join(FOLDER, file)
+                run("dpkg-deb", "-x", path, ROOT)
+                cls.packages[field(path, "Package")] = path
+        cls.binaries = []
+        for folder, _, files in os.walk(ROOT):
+            for file in files:
+                path = os.path.join(folder, file)
+                with open(path, "rb") as stream:
+                    if not os.path.islink(path) and stream.read(4) == b"\x7fELF":
+                        cls.binaries.append(path)
+
+    def test_there_are_two(self):
+        self.assertEqual(set(self.packages), {"surfaceflattening", "surfaceflattening-dev"})
+        self.assertEqual(len(self.binaries), 3)  # library, command, Python module
+        version = field(self.packages["surfaceflattening"], "Version")
+        self.assertIn(f"surfaceflattening (= {version})",
+                      field(self.packages["surfaceflattening-dev"], "Depends"))
+
+    def test_places_are_those_of_debian(self):
+        listing = run("dpkg-deb", "-c", self.packages["surfaceflattening"])
+        for place in (r"/usr/bin/wirewarp\n", r"/usr/lib/.*libvtkFiltersFlattening\.so\.\d",
+                      r"/usr/lib/python3/dist-packages/surfaceflattening/__init__\.py\n",
+                      r"/usr/share/doc/surfaceflattening/copyright\n"):
+            self.assertRegex(listing, place)
+        self.assertNotIn("/usr/local", listing)
+        listing = run("dpkg-deb", "-c", self.packages["surfaceflattening-dev"])
+        for place in (r"/usr/include/SurfaceFlattening/vtkWireWarpingFilter\.h\n",
+                      r"/usr/lib/.*cmake/SurfaceFlattening/SurfaceFlatteningConfig\.cmake\n",
+                      r"libvtkFiltersFlattening\.so -> "):
+            self.assertRegex(listing, place)
+
+    def test_every_library_that_is_loaded_is_depended_on(self):
+        own = {os.path.basename(path) for path in self.binaries}
+        depends = names_of(field(self.packages["surfaceflattening"], "Depends"))
+        count = 0
+        for path in self.binaries:
+            where = dict(re.findall(r"^\s+(\S+) => (/\S+)", run("ldd", path), re.M))
+            for library in dynamic(path, "NEEDED"):
+                if library in own:
+                    continue
+                file = os.path.realpath(where[library])
+                # dpkg knows files by the name they were installed under, before /lib became a link.
+                found = subprocess.run(["dpkg", "-S", file, file.replace("/usr/lib", "/lib", 1)],
+                                       capture_output=True, text=True, check=False).stdout
+                owners = {line.split(":")[0] for line in found.splitlines()}
+                self.assertTrue(owners & depends, f"{library} is in {owners}, not in Depends")
+                count += 1
+        self.assertGreater(count, 10)
+        # What Python imports is no library that is linked.
+        self.assertLessEqual({"python3-vtk9", "python3-numpy"}, depends)
+
+    def test_binaries_name_no_place_of_the_build(self):
+        for path in self.binaries:
+            for runpath in dynamic(path, "RUNPATH") + dynamic(path, "RPATH"):
+                for entry in runpath.split(":"):
+                    self.assertTrue(entry.startswith("$ORIGIN"), f"{path}: {runpath}")
+
+    def test_the_command_runs(self):
+        output = os.path.join(FOLDER, "pants")
+        run(os.path.join(ROOT, "usr", "bin", "wirewarp"), os.path.join(DATA, "pants_front.vtp"),
+            os.path.join(DATA, "pants_front_curves.vtp"), "--output", output)
+        with open(os.path.join(output, "report.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        self.assertEqual(report["status"], "Ok")
+        self.assertLess(report["pieces"][0]["E_len_max"], 1e-9)
+
+    def test_the_python_package_is_loaded(self):
+        packages = os.path.join(ROOT, "usr", "lib", "python3", "dist-packages")
+        printed = run(sys.executable, "-c",
+                      "import surfaceflattening as sf; print(sf.__file__);"
+                      "print(sf.vtkWireWarpingFilter().GetSchemeAsString())",
+                      env={**os.environ, "PYTHONPATH": packages})
+        self.assertTrue(printed.startswith(packages), printed)
+
+
+if __name__ == "__main__":
+    unittest.main()
