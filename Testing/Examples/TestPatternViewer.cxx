@@ -104,9 +104,8 @@ protected:
 
   void press(char key)
   {
-    const char symbol[2] = { key, '\0' };
     vtkRenderWindowInteractor* const interactor = this->window->interactor();
-    interactor->SetKeyEventInformation(0, 0, key, 1, symbol);
+    interactor->SetKeyCode(key);
     interactor->InvokeEvent(vtkCommand::KeyPressEvent);
     interactor->InvokeEvent(vtkCommand::CharEvent);
     interactor->InvokeEvent(vtkCommand::KeyReleaseEvent);

@@ -19,7 +19,8 @@ vtkStandardNewMacro(ClickStyle);
 //------------------------------------------------------------------------------
 void ClickStyle::OnLeftButtonDown()
 {
-  this->Interactor->GetEventPosition(this->Pressed);
+  const int* const pressed = this->Interactor->GetEventPosition();
+  this->Pressed = { pressed[0], pressed[1] };
   this->FindPokedRenderer(this->Pressed[0], this->Pressed[1]);
   if (this->CurrentRenderer && this->CurrentRenderer == this->plane)
   {
@@ -34,8 +35,7 @@ void ClickStyle::OnLeftButtonDown()
 void ClickStyle::OnLeftButtonUp()
 {
   this->Superclass::OnLeftButtonUp();
-  int place[2];
-  this->Interactor->GetEventPosition(place);
+  const int* const place = this->Interactor->GetEventPosition();
   if (std::abs(place[0] - this->Pressed[0]) <= stillHand &&
     std::abs(place[1] - this->Pressed[1]) <= stillHand)
   {

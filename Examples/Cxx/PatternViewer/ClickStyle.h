@@ -4,6 +4,7 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkRenderer.h>
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -33,6 +34,6 @@ private:
   ClickStyle(const ClickStyle&) = delete;
   void operator=(const ClickStyle&) = delete;
 
-  int Pressed[2] = { 0, 0 };
+  std::array<int, 2> Pressed{ 0, 0 };
 };
 }

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveNames.h"
+#include "PatternText.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace flattening;
+using namespace flattening::pattern;
+
+namespace
+{
+PatternLine makeLine(LineKind kind, const Points2& points, const std::string& name, bool closed)
+{
+  PatternLine line;
+  line.kind = kind;
+  line.points = points;
+  line.name = name;
+  line.closed = closed;
+  return line;
+}
+
+/// A square of cloth with an upright line at x = 60, where a name on the level one would begin.
+PatternPiece makeSquare(const Points2& level)
+{
+  PatternPiece piece;
+  piece.lines.push_back(makeLine(LineKind::SewLine,
+    { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 } }, "", true));
+  piece.lines.push_back(
+    makeLine(LineKind::Internal, { { 60.0, 0.0 }, { 60.0, 200.0 } }, "", false));
+  piece.lines.push_back(makeLine(LineKind::Internal, level, "level line", false));
+  return piece;
+}
+
+Segments boundaryOf(const PatternPiece& piece)
+{
+  Segments boundary;
+  addSegments(piece.lines.front().points, true, boundary);
+  return boundary;
+}
+
+/// Least distance of the middle line of a text from the lines of a piece.
+double clearance(const PatternText& text, const PatternPiece& piece)
+{
+  Segments lines;
+  for (const PatternLine& line : piece.lines)
+  {
+    addSegments(line.points, line.closed, lines);
+  }
+  const Point2 along(std::cos(text.angle), std::sin(text.angle));
+  double least = 1e300;
+  for (int k = -20; k <= 20; ++k)
+  {
+    const double place = k / 40.0 * textWidth(text.text, text.height);
+    least = std::min(least, distance(text.position + place * along, lines));
+  }
+  return least;
+}
+}
+
+TEST(CurveNames, ANameLiesBesideItsLineAndAcrossNoOther)
+{
+  PatternPiece piece = makeSquare({ { 0.0, 100.0 }, { 200.0, 100.0 } });
+  placeCurveNames(boundaryOf(piece), piece);
+  ASSERT_EQ(piece.texts.size(), 1U);
+  const PatternText& text = piece.texts[0];
+  EXPECT_NEAR(std::abs(text.position.y() - 100.0), text.height, 0.5 * text.height);
+  EXPECT_GT(clearance(text, piece), 0.5 * text.height);
+}
+
+TEST(CurveNames, ANameKeepsOffItsOwnLineWhereThatIsBent)
+{
+  Points2 arc;
+  for (int k = 0; k <= 40; ++k)
+  {
+    const double angle = 0.5 * pi * k / 40.0;
+    arc.emplace_back(120.0 + 30.0 * std::cos(angle), 100.0 + 30.0 * std::sin(angle));
+  }
+  for (const bool turned : { false, true })
+  {
+    if (turned)
+    {
+      std::reverse(arc.begin(), arc.end());
+    }
+    PatternPiece piece = makeSquare(arc);
+    placeCurveNames(boundaryOf(piece), piece);
+    ASSERT_EQ(piece.texts.size(), 1U);
+    EXPECT_GT(clearance(piece.texts[0], piece), 0.5 * piece.texts[0].height);
+  }
+}
+
+TEST(CurveNames, TheNameOfASeamLiesOnTheCloth)
+{
+  for (const bool turned : { false, true })
+  {
+    PatternPiece piece = makeSquare({ { 100.0, 150.0 }, { 180.0, 150.0 } });
+    PatternLine& seam = piece.lines[2];
+    seam.kind = LineKind::SewLine;
+    seam.points = { { 0.0, 0.0 }, { 0.0, 200.0 } };
+    if (turned)
+    {
+      std::reverse(seam.points.begin(), seam.points.end());
+    }
+    placeCurveNames(boundaryOf(piece), piece);
+    ASSERT_EQ(piece.texts.size(), 1U);
+    EXPECT_GT(piece.texts[0].position.x(), 0.0);
+  }
+}
+
+TEST(CurveNames, NamesKeepOffTheTitleAndOffEachOther)
+{
+  PatternPiece piece = makeSquare({ { 70.0, 100.0 }, { 190.0, 100.0 } });
+  piece.lines.push_back(
+    makeLine(LineKind::Internal, { { 70.0, 104.0 }, { 190.0, 104.0 } }, "next to it", false));
+  PatternText title;
+  title.text = "title";
+  title.position = { 130.0, 98.0 };
+  title.height = 3.0;
+  piece.texts.push_back(title);
+  placeCurveNames(boundaryOf(piece), piece);
+  ASSERT_EQ(piece.texts.size(), 3U);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t b = a + 1; b < 3; ++b)
+    {
+      const PatternText& one = piece.texts[a];
+      const PatternText& other = piece.texts[b];
+      const Point2 apart = (one.position - other.position).cwiseAbs();
+      EXPECT_TRUE(apart.y() > 0.5 * (one.height + other.height) ||
+        apart.x() > 0.5 * (textWidth(one.text, one.height) + textWidth(other.text, other.height)))
+        << one.text << " on " << other.text;
+    }
+  }
+}
+
+TEST(CurveNames, ALineTooShortForItsNameHasNone)
+{
+  PatternPiece piece = makeSquare({ { 100.0, 100.0 }, { 103.0, 100.0 } });
+  placeCurveNames(boundaryOf(piece), piece);
+  EXPECT_TRUE(piece.texts.empty());
+}
