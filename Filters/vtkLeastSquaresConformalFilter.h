@@ -61,9 +61,9 @@ public:
   ///@{
   /**
    * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05.
-   * Range: from 0.
+   * Range: 0 to 1e6.
    */
-  vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(Spacing, double, 0.0, 1e6);
   vtkGetMacro(Spacing, double);
   ///@}
 

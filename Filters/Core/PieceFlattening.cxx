@@ -8,6 +8,7 @@
 #include "WireLayout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
@@ -34,18 +35,26 @@ void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
       piece, wires.problem, result.positions, wires.angles.stretch, isometric, execution);
   };
   IsometricSolution solution = warp(options.isometric);
-  if (!solution.status.refused() &&
-    countFlipped(piece.mesh, solution.positions) > countFlipped(piece.mesh, result.positions))
+  const Index flippedBefore = countFlipped(piece.mesh, result.positions);
+  const auto worse = [&](const IsometricSolution& candidate) {
+    return !candidate.status.refused() &&
+      (countFlipped(piece.mesh, candidate.positions) > flippedBefore ||
+        !std::isfinite(candidate.sheetEnergy));
+  };
+  if (worse(solution) && flippedBefore == 0)
   {
     // From a start without flips the energy with a barrier keeps it so.
     IsometricOptions barrier = options.isometric;
     barrier.energy.kind = SheetEnergyKind::SymmetricDirichlet;
-    IsometricSolution second = warp(barrier);
-    if (second.status.refused() ||
-      countFlipped(piece.mesh, second.positions) < countFlipped(piece.mesh, solution.positions))
-    {
-      solution = std::move(second);
-    }
+    solution = warp(barrier);
+  }
+  if (worse(solution))
+  {
+    // The start is the best that is known; its energy is finite without a barrier only.
+    IsometricOptions still = options.isometric;
+    still.maximumIterations = 0;
+    still.energy.kind = SheetEnergyKind::AsRigidAsPossible;
+    solution = warp(still);
   }
   PieceReport& report = result.report;
   for (const IsometricIteration& iteration : solution.history)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace flattening
 {
@@ -23,6 +24,38 @@ std::string shortNumber(double value)
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
+}
+
+Status checkOptions(const FlatteningOptions& options)
+{
+  struct Range
+  {
+    const char* name;
+    double value;
+    double most;
+  };
+  constexpr double large = std::numeric_limits<double>::max();
+  for (const Range& range :
+    { Range{ "closure tolerance", options.angles.closureTolerance, large },
+      Range{ "optimality tolerance", options.angles.optimalityTolerance, large },
+      Range{ "number of iterations", static_cast<double>(options.angles.maximumIterations), large },
+      Range{ "number of isometric iterations",
+        static_cast<double>(options.isometric.maximumIterations), large },
+      Range{ "isometric tolerance", options.isometric.tolerance, large },
+      Range{ "angle weight", options.isometric.angleWeight, 100.0 },
+      Range{ "length tolerance", options.lengthTolerance, large },
+      Range{ "spacing", options.spacing, 1e6 } })
+  {
+    if (!std::isfinite(range.value) || range.value < 0.0 || range.value > range.most)
+    {
+      return { StatusCode::InvalidOption,
+        std::string("the ") + range.name + " is " + shortNumber(range.value) +
+          "; give a number from 0" +
+          (range.most < large ? " to " + shortNumber(range.most) : std::string()),
+        {} };
+    }
+  }
+  return {};
 }
 
 /// Half-edges of the piece's wires whose length is promised, one an edge.
@@ -76,6 +109,11 @@ public:
   FlatteningResult run()
   {
     Stopwatch watch;
+    Status valid = checkOptions(this->Options);
+    if (!valid.ok())
+    {
+      return refusal(std::move(valid));
+    }
     this->Run.report(0.0, "Cutting darts and seams");
     this->Result.cut = cutSurface(this->Mesh, this->Curves);
     if (!this->Result.cut.status.ok())

@@ -31,7 +31,7 @@ struct FlatteningOptions
   /// Lay the pieces beside each other, grainline up; otherwise each stays where its first wire edge
   /// put it.
   bool arrange = true;
-  /// Space between arranged pieces, as a fraction of the largest extent of a piece.
+  /// Space between arranged pieces, as a fraction of the largest extent of a piece, 0 to 1e6.
   double spacing = 0.05;
   /// A wire edge whose relative length error is larger breaks the promise.
   double lengthTolerance = 1e-9;
@@ -113,6 +113,7 @@ struct FlatteningResult
 };
 
 /// The whole way from a surface and its feature curves to flat pieces.
+/// Errors: InvalidOption, and those of the stages.
 FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution);
 }

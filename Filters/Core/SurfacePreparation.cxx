@@ -161,6 +161,29 @@ Indices orient(Triangles& triangles, const std::vector<Side>& sides, Indices& re
   return {};
 }
 
+/// Triangles that have the same corners as an earlier one, in either orientation.
+Indices findDoubled(const Triangles& triangles)
+{
+  std::vector<std::pair<Triangle, Index>> sorted;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    Triangle corners = triangles[t];
+    std::sort(corners.begin(), corners.end());
+    sorted.emplace_back(corners, static_cast<Index>(t));
+  }
+  std::sort(sorted.begin(), sorted.end());
+  Indices doubled;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    if (sorted[i].first == sorted[i - 1].first)
+    {
+      doubled.push_back(sorted[i].second);
+    }
+  }
+  std::sort(doubled.begin(), doubled.end());
+  return doubled;
+}
+
 /// Vertices whose triangles form more than one fan.
 Indices findBowTies(const TriangleMesh& mesh)
 {
@@ -298,6 +321,15 @@ PreparedSurface prepareSurface(
       bad);
   }
 
+  bad = findDoubled(cells);
+  if (!bad.empty())
+  {
+    return refuse(StatusCode::NonManifoldEdge,
+      "triangles " + listIds(bad) +
+        " have the same three corners as another; remove the doubles, or give the two sides of a "
+        "thin surface corners of their own",
+      bad);
+  }
   const std::vector<Side> sides = sortedSides(cells);
   for (std::size_t i = 0; i + 2 < sides.size(); ++i)
   {
@@ -321,8 +353,8 @@ PreparedSurface prepareSurface(
   if (!oneSided.empty())
   {
     return refuse(StatusCode::NotOrientable,
-      "the surface is one-sided (a Moebius band) or has a triangle twice: triangles " +
-        listIds(oneSided) + " cannot be oriented alike; cut the band open or remove the double",
+      "the surface is one-sided (a Moebius band): triangles " + listIds(oneSided) +
+        " cannot be oriented alike; cut the band open",
       oneSided);
   }
   result.mesh = TriangleMesh(std::move(joined), std::move(cells));

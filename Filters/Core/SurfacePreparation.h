@@ -33,7 +33,8 @@ enum class CoincidentPoints
 ///
 /// Errors (ids): EmptySurface; InvalidPointId (triangles); NonFinitePoint (points);
 /// DegenerateTriangle (triangles whose height is below 1e-12 of their longest edge, or with a
-/// corner twice); NonManifoldEdge (the triangles at one edge); NonManifoldVertex (points);
+/// corner twice); NonManifoldEdge (the triangles at one edge, or those that have the same
+/// corners as another); NonManifoldVertex (points);
 /// NotOrientable (triangles along a one-sided band). Ids are those of the input.
 PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles,
   CoincidentPoints coincident = CoincidentPoints::Automatic);

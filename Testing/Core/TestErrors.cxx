@@ -144,6 +144,18 @@ TEST(Errors, OfOptionsAndCancelledRuns)
   options.interior.method = InteriorMethod::Relaxation;
   options.interior.relaxation = 3.0;
   EXPECT_EQ(flatten(surface, options), StatusCode::InvalidOption);
+  for (const double value : { -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options = {};
+    options.spacing = value;
+    EXPECT_EQ(flatten(surface, options), StatusCode::InvalidOption);
+    options = {};
+    options.angles.closureTolerance = value;
+    EXPECT_EQ(flatten(surface, options), StatusCode::InvalidOption);
+    options = {};
+    options.isometric.angleWeight = value;
+    EXPECT_EQ(flatten(surface, options), StatusCode::InvalidOption);
+  }
   Execution execution;
   execution.cancel = [] { return true; };
   const FlatteningResult result = flattenSurface(surface.mesh, {}, {}, execution);

@@ -105,6 +105,16 @@ TEST(SurfacePreparation, NamesAllTrianglesAtAnEdgeOfThree)
   EXPECT_NE(prepared.status.message.find("points 0 and 2"), std::string::npos);
 }
 
+TEST(SurfacePreparation, RefusesATriangleTwiceInEitherOrientation)
+{
+  // Two triangles back to back: each edge has two, but what splits one cannot tell it from the
+  // other.
+  expectRefusal(
+    prepareSurface(squarePoints, { { 0, 1, 2 }, { 0, 2, 1 } }), StatusCode::NonManifoldEdge, { 1 });
+  expectRefusal(prepareSurface(squarePoints, { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 2, 0 } }),
+    StatusCode::NonManifoldEdge, { 2 });
+}
+
 TEST(SurfacePreparation, NamesThePointWhereTwoPartsTouch)
 {
   const Points3 points{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(-1, 0, 0),

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurveImprint.h"
+#include "SurfaceFlattening.h"
+#include "SurfacePreparation.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+/// Inputs that no well-meaning user would make, decoded from bytes, and what must hold of the
+/// answer.
+namespace hostile
+{
+using namespace flattening;
+
+/// A surface as triangles over points, with the curves that belong to it.
+struct Specimen
+{
+  std::string name;
+  Points3 points;
+  Triangles triangles;
+  std::vector<Polyline> curves;
+};
+
+/// Reads numbers off a byte string; past its end all are zero.
+class Bytes
+{
+public:
+  Bytes(const std::uint8_t* data, std::size_t size)
+    : Data(data)
+    , Size(size)
+  {
+  }
+  unsigned next() { return this->At < this->Size ? this->Data[this->At++] : 0U; }
+  /// In [0, count).
+  Index below(Index count);
+  /// In [0, 1].
+  double unit() { return static_cast<double>(this->below(65536)) / 65535.0; }
+  bool oneIn(unsigned count) { return this->next() % count == 1 % count; }
+  /// A generator for what would need too many bytes.
+  std::mt19937 generator() { return std::mt19937(static_cast<unsigned>(this->below(65536))); }
+
+private:
+  const std::uint8_t* Data;
+  std::size_t Size;
+  std::size_t At = 0;
+};
+
+struct HostileCase
+{
+  std::string origin; ///< of the surface, for messages
+  Points3 points;
+  Triangles triangles;
+  CoincidentPoints coincident = CoincidentPoints::Automatic;
+  std::vector<Polyline> polylines;
+  ImprintOptions imprint;
+  /// Chains of vertex ids that go past the imprint, as a caller of flattenSurface() may give them.
+  std::vector<FeatureCurve> chains;
+  FlatteningOptions options;
+  /// Cancel at this question; none: never.
+  Index cancelAt = none;
+};
+
+/// Sizes of a surface before its mutations, about.
+struct SizeRange
+{
+  double least = 1.0;
+  double most = 120.0;
+};
+
+HostileCase decodeCase(
+  Bytes& bytes, const std::vector<Specimen>& specimens, const SizeRange& triangles);
+
+struct Verdict
+{
+  std::string fault; ///< empty where all is as it must be
+  StatusCode code = StatusCode::Ok;
+  Index triangles = 0;
+  double seconds = 0.0;
+};
+
+/// The whole way as vtkWireWarpingFilter goes it: preparation, imprint, flattening; then checks of
+/// the answer that share no code with it.
+Verdict tryCase(const HostileCase& hostileCase);
+}

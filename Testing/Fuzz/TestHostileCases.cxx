@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Seeded hostile cases through the decoder of the fuzz target, and the inputs that fuzzing has
+// found.
+#include "DataSpecimens.h"
+#include "HostileSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+using namespace hostile;
+
+namespace
+{
+using Input = std::vector<std::uint8_t>;
+
+Input randomInput(unsigned seed)
+{
+  std::mt19937 random(seed);
+  Input input(768);
+  std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
+  return input;
+}
+
+Verdict tryInput(const Input& input, const SizeRange& triangles)
+{
+  Bytes bytes(input.data(), input.size());
+  return tryCase(decodeCase(bytes, dataSpecimens(), triangles));
+}
+
+/// Runs seeds [first, first + count) and tells what became of them.
+void trySeeds(unsigned first, unsigned count, double secondsEach, const SizeRange& triangles = {})
+{
+  ASSERT_GE(dataSpecimens().size(), 15U);
+  std::map<std::string, unsigned> outcomes;
+  double slowest = 0.0;
+  const bool trace = std::getenv("HOSTILE_TRACE") != nullptr;
+  for (unsigned seed = first; seed < first + count; ++seed)
+  {
+    if (trace)
+    {
+      std::cerr << "seed " << seed << std::endl;
+    }
+    const Verdict verdict = tryInput(randomInput(seed), triangles);
+    EXPECT_EQ(verdict.fault, "") << "seed " << seed << ", at most " << triangles.most
+                                 << " triangles";
+    EXPECT_LT(verdict.seconds, secondsEach)
+      << "seed " << seed << ", " << verdict.triangles << " triangles";
+    ++outcomes[statusName(verdict.code)];
+    slowest = std::max(slowest, verdict.seconds);
+  }
+  std::cout << "slowest " << slowest << " s;";
+  for (const auto& [name, cases] : outcomes)
+  {
+    std::cout << ' ' << cases << ' ' << name;
+  }
+  std::cout << '\n';
+  // A suite that only sees refusals tests little.
+  EXPECT_GT(outcomes["Ok"], count / 20);
+}
+
+class HostileSmallCases : public testing::TestWithParam<unsigned>
+{
+};
+}
+
+TEST_P(HostileSmallCases, GetATrueAnswer)
+{
+  constexpr unsigned count = 1250;
+  trySeeds(GetParam() * count, count, 20.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, HostileSmallCases, testing::Range(0U, 16U));
+
+TEST(HostileCases, OfMiddleSizeGetATrueAnswer)
+{
+  trySeeds(100000, 200, 60.0, { 120.0, 2000.0 });
+}
+
+TEST(HostileCases, OfUpToAHundredThousandTrianglesGetATrueAnswer)
+{
+  trySeeds(200000, 16, 300.0, { 4000.0, 1e5 });
+}
+
+// For seeds to try by hand: HOSTILE_SEED=7, HOSTILE_COUNT=1000, HOSTILE_TRIANGLES=120, and
+// HOSTILE_TRACE=1 to name each seed before it is tried.
+TEST(HostileCases, NamedByTheEnvironmentGetATrueAnswer)
+{
+  const char* seed = std::getenv("HOSTILE_SEED");
+  if (!seed)
+  {
+    GTEST_SKIP() << "HOSTILE_SEED is not set";
+  }
+  const char* count = std::getenv("HOSTILE_COUNT");
+  const char* triangles = std::getenv("HOSTILE_TRIANGLES");
+  SizeRange range;
+  range.most = triangles ? std::atof(triangles) : range.most;
+  trySeeds(static_cast<unsigned>(std::atoi(seed)),
+    count ? static_cast<unsigned>(std::atoi(count)) : 1, 60.0, range);
+}
+
+TEST(FuzzCorpus, EveryInputGetsATrueAnswer)
+{
+  unsigned count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FLATTENING_CORPUS_DIR))
+  {
+    std::ifstream file(entry.path(), std::ios::binary);
+    const Input input{ std::istreambuf_iterator<char>(file), {} };
+    const Verdict verdict = tryInput(input, {});
+    EXPECT_EQ(verdict.fault, "") << entry.path();
+    EXPECT_LT(verdict.seconds, 20.0) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 10U);
+}
