@@ -9,10 +9,12 @@
 #include <vtkPNGWriter.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -295,11 +297,16 @@ void PatternPicture::write(const std::string& path)
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(this->Window);
   image->ReadFrontBufferOff();
+  // By way of memory: libpng would tell of a full disk on its own.
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(image->GetOutputPort());
-  writer->SetFileName(path.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != 0)
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  file.close();
+  if (!file)
   {
     throw std::runtime_error("cannot write " + path);
   }

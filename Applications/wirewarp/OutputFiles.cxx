@@ -12,14 +12,10 @@
 
 namespace wirewarp
 {
-namespace
-{
-const char* const wayOut = "; name another folder with --output";
-}
-
 //------------------------------------------------------------------------------
-OutputFiles::OutputFiles(const std::string& folder)
+OutputFiles::OutputFiles(const std::string& folder, const std::string& option)
   : Folder(folder)
+  , WayOut("; name another folder with " + option)
 {
   std::error_code error;
   std::filesystem::create_directories(this->Folder, error);
@@ -27,7 +23,7 @@ OutputFiles::OutputFiles(const std::string& folder)
   if (!std::filesystem::is_directory(this->Folder, ignored))
   {
     const std::string reason = error ? error.message() : "a file of this name is in the way";
-    throw InputError(folder, "cannot make the output folder (" + reason + ")" + wayOut);
+    throw InputError(folder, "cannot make the output folder (" + reason + ")" + this->WayOut);
   }
   const std::filesystem::path probe = this->addEntry("probe");
   std::ofstream(probe).put('\n');
@@ -36,7 +32,7 @@ OutputFiles::OutputFiles(const std::string& folder)
   this->Entries.clear();
   if (!writable)
   {
-    throw InputError(folder, std::string("cannot write to the output folder") + wayOut);
+    throw InputError(folder, "cannot write to the output folder" + this->WayOut);
   }
 }
 
@@ -69,7 +65,7 @@ void OutputFiles::add(const std::string& name, vtkPolyData* data)
   {
     const std::string reason = messages.firstError();
     throw InputError((this->Folder / name).string(),
-      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + wayOut);
+      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->WayOut);
   }
 }
 
@@ -81,7 +77,7 @@ void OutputFiles::add(const std::string& name, const std::string& text)
   file.close();
   if (!file)
   {
-    throw InputError((this->Folder / name).string(), std::string("cannot be written") + wayOut);
+    throw InputError((this->Folder / name).string(), "cannot be written" + this->WayOut);
   }
 }
 
@@ -106,7 +102,7 @@ void OutputFiles::publish()
     if (error)
     {
       throw InputError(
-        entry.final.string(), "cannot be written (" + error.message() + ")" + wayOut);
+        entry.final.string(), "cannot be written (" + error.message() + ")" + this->WayOut);
     }
   }
   this->Entries.clear();

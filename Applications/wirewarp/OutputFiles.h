@@ -16,7 +16,8 @@ class OutputFiles
 {
 public:
   /// Makes the folder. Throws InputError where it cannot be made or written to.
-  explicit OutputFiles(const std::string& folder);
+  /// \param option the option of the command that names the folder
+  explicit OutputFiles(const std::string& folder, const std::string& option = "--output");
   ~OutputFiles();
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
@@ -39,6 +40,7 @@ private:
   std::filesystem::path addEntry(const std::string& name);
 
   std::filesystem::path Folder;
+  std::string WayOut;
   std::vector<Entry> Entries;
 };
 }

@@ -71,6 +71,11 @@ void checkPicture(const PictureRequest& request)
   {
     return;
   }
+  std::error_code ignored;
+  if (std::filesystem::is_directory(request.path, ignored))
+  {
+    throw InputError(request.path, "is a folder; name a file with --picture");
+  }
   try
   {
     figures::requireDisplay();
@@ -101,9 +106,9 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
       {
         picture.write(path);
       }
-      catch (const std::runtime_error& error)
+      catch (const std::runtime_error&)
       {
-        return std::string(error.what());
+        return std::string("cannot be written; name another file with --picture");
       }
       return std::string();
     });

@@ -85,7 +85,7 @@ int run(const Options& options)
   std::optional<OutputFiles> picture;
   if (options.picture.any())
   {
-    picture.emplace(options.picture.folder());
+    picture.emplace(options.picture.folder(), "--picture");
     addPicture(options, result, *picture);
   }
   const std::vector<std::string> patterns = writeResult(options, result, *files);

@@ -151,8 +151,8 @@ public:
     int best = std::numeric_limits<int>::max();
     for (int step = 0; step <= 20 && best > 0; ++step)
     {
-      // Alternately before and behind.
-      const double where = preferred + 0.04 * ((step + 1) / 2) * (step % 2 == 0 ? 1.0 : -1.0);
+      const int steps = (step + 1) / 2; // alternately before and behind
+      const double where = preferred + 0.04 * (step % 2 == 0 ? steps : -steps);
       for (const double side : { 1.0, -1.0 })
       {
         this->tryAt(line, where * length, side, onCloth, text, best);

@@ -73,6 +73,13 @@ class Picture(CommandTest):
         self.assertIn("cannot make", run.stderr)
         self.assertFalse(os.path.exists(self.path("out/flat.vtp")))
 
+    def test_a_folder_in_its_place_is_refused_before_anything_is_written(self):
+        os.mkdir(self.path("a.png"))
+        run = self.run_command(SURFACE, "-o", "out", "--picture", "a.png")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("--picture", run.stderr)
+        self.assertEqual(os.listdir(self.folder), ["a.png"])
+
     def test_other_endings_and_colourings_are_bad_usage(self):
         for arguments in (("--picture", "a.jpg"), ("--picture", "a.png", "--color-by", "taste")):
             run = self.run_command(SURFACE, *arguments)
