@@ -78,6 +78,7 @@ class Picture:
         actor.SetMapper(mapper)
         actor.GetProperty().LightingOff()
         actor.GetProperty().SetLineWidth(2)
+        actor.SetPosition(0, 0, 1e-3 * flat.GetLength())  # above the triangles
         renderer.AddActor(actor)
 
         text = vtkTextActor()
@@ -104,7 +105,7 @@ class Picture:
             center = [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2]
             center[1] -= 0.06 * scale  # room for the title
             camera.SetFocalPoint(*center, 0)
-            camera.SetPosition(*center, 1)
+            camera.SetPosition(*center, scale)
             camera.SetParallelScale(0.6 * scale)
             renderer.ResetCameraClippingRange()
         self.window.Render()

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces and feature curves of numpy arrays as vtkPolyData."""
 
+from __future__ import annotations  # help() prints hints as they are written here
+
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence, Union
 

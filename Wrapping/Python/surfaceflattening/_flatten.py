@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One call from a surface and its feature curves to flat pieces."""
 
+from __future__ import annotations  # help() prints hints as they are written here
+
 import warnings
 from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
 
