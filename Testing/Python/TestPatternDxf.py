@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands on which layer of a DXF pattern (ASTM D6673 / AAMA), as ezdxf reads it."""
+
+import math
+import unittest
+
+import pattern_files as pattern
+
+
+def ring(count=24):
+    """A flat ring of radii 1 and 3, as OBJ."""
+    lines = []
+    for radius in (1.0, 2.0, 3.0):
+        for k in range(count):
+            angle = 2 * math.pi * k / count
+            lines.append(f"v {radius * math.cos(angle)!r} {radius * math.sin(angle)!r} 0")
+    for inner in (0, count):
+        for k in range(count):
+            a, b = inner + k + 1, inner + (k + 1) % count + 1
+            lines += [f"f {a} {a + count} {b + count}", f"f {a} {b + count} {b}"]
+    return "\n".join(lines) + "\n"
+
+
+def distance_to(point, line):
+    """Distance of a point from a polyline."""
+    least = math.inf
+    for (ax, ay), (bx, by) in zip(line, line[1:] + line[:1]):
+        square = (bx - ax) ** 2 + (by - ay) ** 2
+        along = ((point[0] - ax) * (bx - ax) + (point[1] - ay) * (by - ay)) / square if square else 0
+        along = min(1.0, max(0.0, along))
+        least = min(least, math.dist(point, (ax + along * (bx - ax), ay + along * (by - ay))))
+    return least
+
+
+def marks(block, layer):
+    return [tuple(point.dxf.location)[:2] for point in block.query("POINT")
+            if point.dxf.layer == layer]
+
+
+class Layers(pattern.PatternTest):
+    def blocks(self):
+        document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
+        self.assertEqual(audit, [])
+        inserts = document.modelspace().query("INSERT")
+        return document, [document.blocks.get(insert.dxf.name) for insert in inserts]
+
+    def test_each_piece_is_one_block_inserted_once(self):
+        self.make("tshirt", "--dxf")
+        _, blocks = self.blocks()
+        self.assertEqual(len(blocks), 4)
+        self.assertEqual(len({block.name for block in blocks}), 4)
+        for block in blocks:
+            (cut,) = pattern.block_lines(block, "1")
+            self.assertTrue(cut[1], "the boundary is not closed")
+
+    def test_corners_are_turn_points_and_all_other_vertices_curve_points(self):
+        self.make("tshirt", "--dxf")
+        _, blocks = self.blocks()
+        for block in blocks:
+            turns, curves = set(marks(block, "2")), set(marks(block, "3"))
+            ((cut, _),) = pattern.block_lines(block, "1")
+            for before, point, after in zip(cut[-1:] + cut[:-1], cut, cut[1:] + cut[:1]):
+                self.assertIn(point, turns | curves)
+                turn = abs(math.remainder(
+                    math.atan2(after[1] - point[1], after[0] - point[0])
+                    - math.atan2(point[1] - before[1], point[0] - before[0]), 2 * math.pi))
+                if turn > math.radians(60):
+                    self.assertIn(point, turns)
+                elif turn < math.radians(5):
+                    self.assertIn(point, curves)
+
+    def test_notches_lie_on_the_boundary_as_many_as_the_svg_has(self):
+        self.make("tshirt", "--dxf", "--svg")
+        _, blocks = self.blocks()
+        drawn = pattern.svg_paths(pattern.svg_root(self.path("out", "pattern.svg")), "notch")
+        for number, block in enumerate(blocks):
+            ((cut, _),) = pattern.block_lines(block, "1")
+            notches = marks(block, "4")
+            self.assertEqual(len(notches), sum(1 for path in drawn if path[0] == number))
+            self.assertGreater(len(notches), 3)
+            for notch in notches:
+                self.assertLess(distance_to(notch, cut), 0.01)
+
+    def test_the_grainline_runs_along_the_key_curve(self):
+        self.make("tshirt", "--dxf")
+        _, blocks = self.blocks()
+        for block, key in zip(blocks, ("centre_front", "centre_back", None, None)):
+            (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
+            start, end = tuple(grain.dxf.start)[:2], tuple(grain.dxf.end)[:2]
+            self.assertGreater(math.dist(start, end), 50)
+            if key:
+                # These key curves are straight in the plane, and upright.
+                self.assertLess(abs(start[0] - end[0]), 0.01 * math.dist(start, end))
+                near = min(pattern.block_lines(block, "8"),
+                           key=lambda line: distance_to(start, line[0]))
+                self.assertLess(distance_to(start, near[0]), 1.0)
+
+    def test_a_hole_is_a_cutout_smaller_by_the_allowance(self):
+        with open(self.path("ring.obj"), "w", encoding="ascii") as file:
+            file.write(ring())
+        run = self.run_command("ring.obj", "--dxf", "--unit", "cm", "--allowance", "4", "-q",
+                               "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        _, (block,) = self.blocks()
+        ((hole, closed),) = pattern.block_lines(block, "11")
+        self.assertTrue(closed)
+        ((cut, _),) = pattern.block_lines(block, "1")
+        center = [sum(values) / len(hole) for values in zip(*hole)]
+        # Sew lines are polygons of 24 sides around circles of 10 and 30 mm.
+        side = math.cos(math.pi / 24)
+        for line, inner in ((hole, 10 * side - 4), (cut, 30 * side + 4)):
+            radii = [math.dist(center, point) for point in line]
+            self.assertGreater(min(radii), inner - 0.01)
+            self.assertLess(max(radii), inner / side + 0.01)
+
+    def test_texts_say_what_the_one_who_cuts_must_know(self):
+        self.make("tshirt", "--dxf", "--name", "Ärmel 1", "--size", "M", "--quantity", "3",
+                  "--piece-name", "front")
+        document, blocks = self.blocks()
+        texts = [text.dxf.text for text in document.modelspace().query("TEXT")]
+        self.assertIn("Style Name: \\U+00C4rmel 1", texts)
+        self.assertIn("Sample Size: M", texts)
+        for number, block in enumerate(blocks):
+            said = {text.dxf.text: text.dxf.layer for text in block.query("TEXT")}
+            name = "front" if number == 0 else f"\\U+00C4rmel 1 {number + 1}"
+            self.assertEqual(said.get(f"Piece Name: {name}"), "1")
+            self.assertEqual(said.get("Size: M"), "1")
+            self.assertEqual(said.get("Quantity: 3"), "1")
+            self.assertEqual(said.get(f"piece {number + 1} of 4"), "15")
+
+
+if __name__ == "__main__":
+    unittest.main()
