@@ -140,8 +140,8 @@ protected:
   std::unique_ptr<flattening::bridge::CurvedSurface> LoadInput(vtkInformationVector** inputVector);
 
   /**
-   * Flattens surface and curves into the three outputs that vtkWireWarpingFilter documents.
-   * @param pins two points of the surface, or -1, for the conformal map
+   * Flattens surface and curves into the three outputs that vtkWireWarpingFilter documents. The
+   * pins are two points of the surface, or -1, for the conformal map.
    */
   void Flatten(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     flattening::FlatteningOptions options, const vtkIdType pins[2]);

@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the commands of tutorial.md and draws the pictures of the documentation. Needs an X server.
+
+    make_pictures.py FOLDER    writes the pictures to FOLDER/images and, for the HTML pages alone,
+                               FOLDER/pages/pieces.md with a picture of each piece
+"""
+
+import os
+import shlex
+import subprocess
+import sys
+
+from vtkmodules.vtkFiltersCore import vtkImageAppend
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageResize
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+from measures import COMMAND, DATA, HERE, PIECES
+
+WIDTH = 640  # of a picture in a page, in pixels
+COLUMNS, COLUMN_WIDTH = 3, 240  # of the gallery
+
+
+def read(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def write(image, path):
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.SetCompressionLevel(9)
+    writer.Write()
+    if not os.path.isfile(path):
+        raise RuntimeError(f"cannot write {path}")
+
+
+def scaled(image, width, above=0):
+    """The picture without the rows below `above`, as wide as is asked for."""
+    columns, rows, _ = image.GetDimensions()
+    part = vtkExtractVOI()
+    part.SetInputData(image)
+    part.SetVOI(0, columns - 1, above, rows - 1, 0, 0)
+    resize = vtkImageResize()
+    resize.SetInputConnection(part.GetOutputPort())
+    resize.SetOutputDimensions(width, round(width * (rows - above) / columns), 1)
+    resize.Update()
+    result = resize.GetOutput()
+    result.SetExtent(0, result.GetDimensions()[0] - 1, 0, result.GetDimensions()[1] - 1, 0, 0)
+    return result
+
+
+def appended(images, axis):
+    append = vtkImageAppend()
+    append.SetAppendAxis(axis)
+    for image in images:
+        append.AddInputData(image)
+    append.Update()
+    return append.GetOutput()
+
+
+def commands():
+    """The commands of the tutorial, indented by four spaces in its source."""
+    with open(os.path.join(HERE, "tutorial.md"), encoding="utf-8") as file:
+        return [shlex.split(line)[1:] for line in file if line.startswith("    wirewarp ")]
+
+
+def run_tutorial(folder, images):
+    """Runs the commands in a folder that looks like the clone."""
+    for name in ("Data", "Documentation"):
+        if not os.path.lexists(os.path.join(folder, name)):
+            os.symlink(os.path.join(HERE, "..", name), os.path.join(folder, name))
+    made = os.path.join(folder, "build", "tutorial")
+    os.makedirs(made, exist_ok=True)
+    for arguments in commands():
+        subprocess.run([COMMAND, *arguments], cwd=folder, check=True)
+    for name in ("first", "second"):
+        write(scaled(read(os.path.join(made, name + ".png")), WIDTH), f"{images}/{name}.png")
+    subprocess.run(["pdftoppm", "-png", "-singlefile", "-r", "28",
+                    os.path.join(made, "pattern", "pattern.pdf"), f"{images}/pattern"], check=True)
+
+
+def draw_pieces(folder, images):
+    pieces = os.path.join(folder, "pieces")
+    os.makedirs(pieces, exist_ok=True)
+    small, page = [], "# Pictures of the pieces\n"
+    for name in PIECES:
+        run = subprocess.run(
+            [COMMAND, f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--scheme", "isometric",
+             "--quiet", "--output", f"{pieces}/{name}", "--picture", f"{images}/piece_{name}.png"],
+            check=False)
+        if run.returncode not in (0, 4):  # 4: a broken promise, which the picture shows
+            raise RuntimeError(f"wirewarp ended with {run.returncode} on {name}")
+        picture = read(f"{images}/piece_{name}.png")
+        # Without the table and the legend below the drawings.
+        small.append(scaled(picture, COLUMN_WIDTH, picture.GetDimensions()[1] * 17 // 100))
+        page += f"\n## {name}\n\n![{PIECES[name]}](images/piece_{name}.png)\n"
+    rows = [appended(small[k:k + COLUMNS], 0) for k in range(0, len(small), COLUMNS)]
+    write(appended(rows[::-1], 1), f"{images}/gallery.png")
+    with open(os.path.join(folder, "pages", "pieces.md"), "w", encoding="utf-8") as file:
+        file.write(page)
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
+    folder = os.path.abspath(sys.argv[1])
+    images = os.path.join(folder, "images")
+    for made in (images, os.path.join(folder, "pages")):
+        os.makedirs(made, exist_ok=True)
+    run_tutorial(folder, images)
+    draw_pieces(folder, images)
+
+
+if __name__ == "__main__":
+    main()
