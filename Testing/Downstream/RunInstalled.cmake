@@ -34,6 +34,9 @@ endforeach ()
 if (python)
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${python_destination}"
     "${python}" -c "import surfaceflattening; surfaceflattening.vtkSurfaceDevelopability()")
+  # Below /usr/local Python starts from the folder of its version.
+  file(GLOB version_dir "${prefix}/lib/python3.*/dist-packages")
+  run("${python}" -c "import site; site.addsitedir('${version_dir}'); import surfaceflattening")
 endif ()
 if (wirewarp)
   run("${prefix}/${bindir}/wirewarp" --help)
