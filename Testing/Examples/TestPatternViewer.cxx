@@ -307,6 +307,18 @@ TEST_F(PatternViewer, WhatTheSurfaceHidesCannotBePicked)
   }
 }
 
+TEST_F(PatternViewer, AnotherSizeLeavesTheWordsTheirPlace)
+{
+  vtkRenderWindow* const shown = this->window->picture().window();
+  const double words = this->window->picture().space()->GetViewport()[1] * shown->GetSize()[1];
+  shown->SetSize(800, 900);
+  this->window->interactor()->InvokeEvent(vtkCommand::ConfigureEvent);
+  EXPECT_NEAR(this->window->picture().space()->GetViewport()[1] * 900.0, words, 1e-6);
+  const int waist = this->curve("waist_girth");
+  this->click(this->place(waist, true, 0.4));
+  EXPECT_EQ(this->model->role(waist), Role::Key);
+}
+
 TEST_F(PatternViewer, KeysChangeTheColours)
 {
   Pixels last = this->pixels();

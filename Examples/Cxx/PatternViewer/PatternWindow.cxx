@@ -4,6 +4,8 @@
 #include "ClickStyle.h"
 #include "CurvePicker.h"
 
+#include <vtkCommand.h>
+
 #include <cstdio>
 #include <stdexcept>
 
@@ -28,6 +30,8 @@ PatternWindow::PatternWindow(PatternModel& model, const WindowOptions& options)
   style->onKey = [this](const std::string& key) { this->press(key); };
   this->Interactor->SetRenderWindow(this->Picture.window());
   this->Interactor->SetInteractorStyle(style);
+  // Another size shares the window out anew.
+  this->Interactor->AddObserver(vtkCommand::ConfigureEvent, this, &PatternWindow::draw);
 }
 
 //------------------------------------------------------------------------------
