@@ -109,7 +109,8 @@ FlatPiece flatten(const Piece& piece, Method method, Interior interior)
   }
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetScheme(method == Method::Progressive ? vtkWireWarpingFilter::PROGRESSIVE
-                                                  : vtkWireWarpingFilter::GLOBAL);
+      : method == Method::Global                  ? vtkWireWarpingFilter::GLOBAL
+                                                  : vtkWireWarpingFilter::ISOMETRIC);
   filter->SetInterior(interior == Interior::Paper ? vtkWireWarpingFilter::LAPLACIAN
                                                   : vtkWireWarpingFilter::AS_RIGID_AS_POSSIBLE);
   return run(filter, piece);

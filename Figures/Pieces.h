@@ -28,6 +28,7 @@ enum class Method
 {
   Progressive,
   Global,
+  Isometric,
   Conformal
 };
 

@@ -100,8 +100,8 @@ public:
   ///@{
   /**
    * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
-   * angles together (Eq. 13); ISOMETRIC, wires and interior together; LEAST_SQUARES_CONFORMAL, for
-   * comparison: keeps no length. Default: GLOBAL.
+   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least;
+   * LEAST_SQUARES_CONFORMAL, for comparison: keeps no length. Default: ISOMETRIC.
    */
   vtkSetClampMacro(Scheme, int, PROGRESSIVE, LEAST_SQUARES_CONFORMAL);
   vtkGetMacro(Scheme, int);
@@ -148,7 +148,7 @@ public:
   /**
    * How the points between the wires are placed: LAPLACIAN, Eq. 11 solved directly; RELAXATION, the
    * paper's iteration for it (Eq. 12); AS_RIGID_AS_POSSIBLE, from there on with the wires pinned.
-   * Default: AS_RIGID_AS_POSSIBLE.
+   * Scheme ISOMETRIC only starts there. Default: AS_RIGID_AS_POSSIBLE.
    */
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);
@@ -339,7 +339,7 @@ private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
   void operator=(const vtkWireWarpingFilter&) = delete;
 
-  int Scheme = GLOBAL;
+  int Scheme = ISOMETRIC;
   int Solver = NEWTON;
   int Interior = AS_RIGID_AS_POSSIBLE;
   bool ReleaseKeys = false;

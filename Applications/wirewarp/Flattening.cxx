@@ -56,6 +56,12 @@ void configure(vtkWireWarpingFilter* filter, const Options& options)
                                                    : vtkWireWarpingFilter::NEWTON);
   filter->SetInterior(interiorValue(options.interior));
   filter->SetReleaseKeys(options.releaseKeys);
+  filter->SetSheetEnergy(options.energy == "dirichlet" ? vtkWireWarpingFilter::SYMMETRIC_DIRICHLET
+                                                       : vtkWireWarpingFilter::RIGID);
+  filter->SetAreaBias(options.areaBias);
+  filter->SetAngleWeight(options.angleWeight);
+  filter->SetIsometricMaximumIterations(options.isometricMaximumIterations);
+  filter->SetIsometricTolerance(options.isometricTolerance);
   filter->SetMaximumIterations(options.maximumIterations);
   filter->SetClosureTolerance(options.closureTolerance);
   filter->SetOptimalityTolerance(options.optimalityTolerance);

@@ -39,7 +39,7 @@ pattern.svg, pattern.pdf, pattern.dxf. Earlier ones are replaced.
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result; 4 flattened, but a promise is broken (not
 converged, a length error above --max-length-error, a flipped triangle, an overlap): files are written.
 
-Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --scheme global --output shirt)";
+Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --output shirt)";
 
 CLI::Validator number(double least, double most, const std::string& range)
 {
@@ -68,10 +68,10 @@ void addMethods(CLI::App& app, Options& options)
   const std::string group = "Method";
   app
     .add_option("--scheme", options.scheme,
-      "How the wires get their shape: progressive (patch by patch), global (all angles together), "
-      "isometric (wires and interior together), lscm (for comparison: keeps no length)")
+      "How the wires get their shape: isometric (wires and interior together), global (all angles "
+      "together), progressive (patch by patch), lscm (for comparison: keeps no length). Default: "
+      "isometric; global where --solver or --interior is given")
     ->check(CLI::IsMember({ "isometric", "global", "progressive", "lscm" }))
-    ->capture_default_str()
     ->group(group);
   app
     .add_option("--solver", options.solver,
@@ -82,12 +82,31 @@ void addMethods(CLI::App& app, Options& options)
   app
     .add_option("--interior", options.interior,
       "How points between wires are placed: arap (as rigid as possible), laplacian, relaxation "
-      "(the "
-      "paper's iteration)")
+      "(the paper's iteration). isometric only starts there")
     ->check(CLI::IsMember({ "arap", "laplacian", "relaxation" }))
     ->capture_default_str()
     ->group(group);
   app.add_flag("--release-keys", options.releaseKeys, "Treat key curves as accessory curves")
+    ->group(group);
+  app
+    .add_option("--energy", options.energy,
+      "isometric: what deforming the sheet costs: rigid (as rigid as possible), dirichlet "
+      "(symmetric Dirichlet, which forbids flipped triangles)")
+    ->check(CLI::IsMember({ "rigid", "dirichlet" }))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--area-bias", options.areaBias,
+      "isometric with rigid: above 0 a change of area costs more than one of angle (stiff sheet), "
+      "below 0 less (stretchy sheet)")
+    ->check(number(-0.99, 0.99, "[-0.99, 0.99]"))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--angle-weight", options.angleWeight,
+      "isometric: weight of the wires' angles against the sheet")
+    ->check(number(0.0, 100.0, "[0, 100]"))
+    ->capture_default_str()
     ->group(group);
   app
     .add_option("--pins", options.pins,
@@ -151,6 +170,10 @@ void addLimits(CLI::App& app, Options& options)
   addNumber("--rigid-tolerance", options.rigidTolerance, 0.0, large, "[0, inf)",
     "arap: stop when the energy falls by less than this fraction of itself");
   addCount("--rigid-iterations", options.rigidMaximumIterations, 0, "arap: most iterations");
+  addNumber("--isometric-tolerance", options.isometricTolerance, 0.0, large, "[0, inf)",
+    "isometric: stop when the relative gradient of the Lagrangian is smaller");
+  addCount(
+    "--isometric-iterations", options.isometricMaximumIterations, 1, "isometric: most iterations");
   app
     .add_flag_callback(
       "--no-split", [&options]() { options.split = false; },
@@ -222,6 +245,11 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   try
   {
     app.parse(argc, argv);
+    const bool paper = app.count("--solver") > 0 || app.count("--interior") > 0;
+    if (paper && app.count("--scheme") == 0)
+    {
+      options.scheme = "global";
+    }
     if (app.count("--output") > 0 && options.output.empty())
     {
       throw CLI::ValidationError("--output", "the folder has no name");

@@ -26,10 +26,16 @@ struct Options
   std::string surface;
   std::vector<std::string> curves;
 
-  std::string scheme = "global";
+  std::string scheme = "isometric";
   std::string solver = "newton";
   std::string interior = "arap";
   bool releaseKeys = false;
+
+  std::string energy = "rigid";
+  double areaBias = 0.0;
+  double angleWeight = 5.0;
+  int isometricMaximumIterations = 100;
+  double isometricTolerance = 1e-9;
 
   int maximumIterations = 300;
   double closureTolerance = 1e-12;
@@ -39,7 +45,7 @@ struct Options
   int relaxationMinimumIterations = 10;
   int relaxationMaximumIterations = 100;
   double rigidTolerance = 1e-9;
-  int rigidMaximumIterations = 500;
+  int rigidMaximumIterations = 200;
   std::array<int, 2> pins{ -1, -1 };
 
   bool split = true;

@@ -40,6 +40,13 @@ SheetEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, bool c
   return result;
 }
 
+/// |J|^2 (1 + 1 / det^2) - 4 as a sum of squares, since it is nearly zero where little is deformed.
+/// \param difference (S - s)^2
+double dirichletDensity(double difference, double det)
+{
+  return difference * (1.0 + 1.0 / (det * det)) + 2.0 * (det - 1.0) * (det - 1.0) / det;
+}
+
 SheetEnergyValue evaluateDirichlet(const Eigen::Vector4d& parts, bool convex)
 {
   const double u = parts.head<2>().squaredNorm();
@@ -57,7 +64,7 @@ SheetEnergyValue evaluateDirichlet(const Eigen::Vector4d& parts, bool convex)
   const double inverse = 1.0 / det;
   const double inverse2 = inverse * inverse;
   NormDetDensity density;
-  density.value = norm * (1.0 + inverse2) - 4.0;
+  density.value = dirichletDensity(v, det);
   density.byNorm = 1.0 + inverse2;
   density.byDet = -2.0 * norm * inverse2 * inverse;
   density.byNormDet = -2.0 * inverse2 * inverse;
@@ -117,8 +124,7 @@ double sheetEnergyDensity(const SheetEnergy& energy, const Eigen::Vector4d& part
   if (energy.kind == SheetEnergyKind::SymmetricDirichlet)
   {
     const double det = 0.25 * (u - v);
-    return det > 0.0 ? 0.5 * (u + v) * (1.0 + 1.0 / (det * det)) - 4.0
-                     : std::numeric_limits<double>::infinity();
+    return det > 0.0 ? dirichletDensity(v, det) : std::numeric_limits<double>::infinity();
   }
   const double excess = std::sqrt(u) - 2.0;
   return 0.5 * (1.0 + energy.bias) * excess * excess + 0.5 * (1.0 - energy.bias) * v;

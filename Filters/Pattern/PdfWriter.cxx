@@ -133,6 +133,11 @@ private:
     cairo_scale(this->Context, pointsPerMillimetre, pointsPerMillimetre);
     cairo_translate(this->Context, pageMargin, pageMargin);
 
+    // Beneath the drawing, whose lines must not vanish under a trim line.
+    if (this->Plan.tiled && this->Plan.pages.size() > 1)
+    {
+      this->drawFrame(page);
+    }
     cairo_save(this->Context);
     // Half a line's width beyond, so that a line on the border of the sheet is whole.
     cairo_rectangle(this->Context, -0.3, -0.3, printable.x() + 0.6, printable.y() + 0.6);
@@ -148,10 +153,6 @@ private:
       this->drawPiece(p);
     }
     cairo_restore(this->Context);
-    if (this->Plan.tiled && this->Plan.pages.size() > 1)
-    {
-      this->drawFrame(page);
-    }
   }
 
   void drawPiece(std::size_t p)

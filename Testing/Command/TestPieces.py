@@ -45,6 +45,10 @@ class Pieces(command.CommandTest):
             unsolved=("quarter_sphere_curves_two.vtp",),
         )
 
+    def test_isometric_scheme_keeps_every_length_and_flips_nothing(self):
+        self.check("--scheme", "isometric")
+        self.check("--scheme", "isometric", "--energy", "dirichlet", "--release-keys")
+
     def test_progressive_scheme_keeps_every_length(self):
         self.check("--scheme", "progressive")
 

@@ -36,6 +36,28 @@ class Results(command.CommandTest):
         self.assertEqual(piece["free_wire_nodes"], 24)
         self.assertEqual(sorted(report["curves"][0]), ["error", "length_2d", "length_3d", "name", "type"])
 
+    def test_the_default_is_isometric_and_the_papers_words_ask_for_its_global_scheme(self):
+        for options, scheme in (
+            ((), "isometric"),
+            (("--release-keys",), "isometric"),
+            (("--interior", "laplacian"), "global"),
+            (("--solver", "sequential"), "global"),
+            (("--solver", "newton", "--scheme", "isometric"), "isometric"),
+        ):
+            self.assertEqual(self.flatten("lune.obj", "arc.txt", *options)["scheme"], scheme)
+
+    def test_isometric_options_weigh_angles_and_areas(self):
+        def piece(*options):
+            return self.flatten("lune.obj", "arc.txt", *options)["pieces"][0]
+
+        plain = piece()
+        self.assertEqual((round(plain["E_ang"], 4), round(plain["E_h"], 3)), (0.0807, 0.793))
+        self.assertLess(piece("--area-bias", "0.9")["E_area"], plain["E_area"])
+        self.assertGreater(piece("--area-bias", "-0.9")["E_area"], plain["E_area"])
+        self.assertNotEqual(piece("--energy", "dirichlet")["E_h"], plain["E_h"])
+        # The objective of Eq. 13 is what the global scheme makes least.
+        self.assertNotEqual(piece("--angle-weight", "100")["E_ang"], plain["E_ang"])
+
     def test_quarter_sphere_has_the_row_of_the_papers_table(self):
         for scheme, angle, homogeneity in (("progressive", 159.1, 0.394), ("global", 148.8, 0.404)):
             with self.subTest(scheme):

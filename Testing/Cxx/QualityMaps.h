@@ -78,14 +78,15 @@ inline int drawQualityMaps(int argc, char* argv[], const char* front, const char
     const std::string folder = dataFolder(argc, argv);
     const std::vector<figures::Piece> pieces{ figures::readPiece(folder, front),
       figures::readPiece(folder, back) };
-    const std::array<std::vector<figures::FlatPiece>, 3> columns{
+    const std::array<std::vector<figures::FlatPiece>, 4> columns{
       figures::flattenAll(pieces, figures::Method::Global, figures::Interior::Paper),
       figures::flattenAll(pieces, figures::Method::Global, figures::Interior::Rigid),
+      figures::flattenAll(pieces, figures::Method::Isometric),
       figures::flattenAll(pieces, figures::Method::Conformal)
     };
-    figures::Figure figure(1000, 1000);
+    figures::Figure figure(1200, 1000);
     figure.style.wireWidth = 2.5;
-    std::array<double, 3> means{};
+    std::array<double, 4> means{};
     for (const char* const index : { "HomogeneityOfDistortion", "AspectRatio" })
     {
       for (const std::vector<figures::FlatPiece>& column : columns)
@@ -102,6 +103,12 @@ inline int drawQualityMaps(int argc, char* argv[], const char* front, const char
       }
     }
     checks.that(means[1] < means[0], "the rigid interior changes areas less than Eq. 11");
+    checks.that(means[2] < means[1], "the isometric scheme changes areas less than pinned wires");
+    checks.that(means[2] < means[3], "the isometric scheme changes areas less than LSCM");
+    for (const figures::FlatPiece& piece : columns[2])
+    {
+      checks.near(piece.number("MaxEdgeLengthError"), 0.0, 1e-12, "isometric: length error");
+    }
     compare(figure, argc, argv, checks);
   });
 }

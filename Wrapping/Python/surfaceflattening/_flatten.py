@@ -17,6 +17,7 @@ from .vtkFiltersFlattening import vtkWireWarpingFilter
 
 # The words of the command wirewarp, in the order of the filter's enumerations.
 SCHEMES = ("progressive", "global", "isometric", "lscm")
+ENERGIES = ("rigid", "dirichlet")
 SOLVERS = ("newton", "sequential")
 INTERIORS = ("laplacian", "relaxation", "arap")
 COINCIDENT_POINTS = ("automatic", "join", "keep")
@@ -74,10 +75,13 @@ def _flatten(
     surface: vtkPolyData,
     curves: Optional[vtkPolyData],
     *,
-    scheme: str = "global",
+    scheme: str = "isometric",
     solver: str = "newton",
     interior: str = "arap",
     release_keys: bool = False,
+    energy: str = "rigid",
+    area_bias: float = 0.0,
+    angle_weight: float = 5.0,
     coincident_points: str = "automatic",
     split_triangles: bool = True,
     imprint_tolerance: float = 1e-5,
@@ -97,6 +101,9 @@ def _flatten(
         filter_, "coincident_points", "CoincidentPoints", coincident_points, COINCIDENT_POINTS
     )
     _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
+    _set_word(filter_, "energy", "SheetEnergy", energy, ENERGIES)
+    _set(filter_, "area_bias", "AreaBias", area_bias)
+    _set(filter_, "angle_weight", "AngleWeight", angle_weight)
     _set(filter_, "split_triangles", "SplitTriangles", bool(split_triangles))
     _set(filter_, "imprint_tolerance", "ImprintTolerance", imprint_tolerance)
     _set(filter_, "snap_tolerance", "SnapTolerance", snap_tolerance)
@@ -117,10 +124,13 @@ def flatten(
     triangles: ArrayLike,
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
-    scheme: str = "global",
+    scheme: str = "isometric",
     solver: str = "newton",
     interior: str = "arap",
     release_keys: bool = False,
+    energy: str = "rigid",
+    area_bias: float = 0.0,
+    angle_weight: float = 5.0,
     coincident_points: str = "automatic",
     split_triangles: bool = True,
     imprint_tolerance: float = 1e-5,
@@ -142,13 +152,20 @@ def flatten(
         triangles: ids of their corners, counted from 0, shape (m, 3).
         curves: feature curves, each a :class:`Curve`, or what its `points` may be (then it is an
             accessory curve). Without curves only the boundary keeps its length.
-        scheme: how boundary and curves get their shape: "progressive", wire-patch by wire-patch
-            (Algorithm 2 of the paper); "global", all angles together (Eq. 13); "isometric", wires
-            and interior together; "lscm", for comparison, keeps no length.
+        scheme: how boundary and curves get their shape: "isometric", wires and interior together,
+            which distorts least; "global", all angles together (Eq. 13 of the paper);
+            "progressive", wire-patch by wire-patch (Algorithm 2); "lscm", for comparison, keeps no
+            length.
         solver: how the angles are solved for: "newton" or "sequential", the paper's.
         interior: how points between the wires are placed: "arap", as rigid as possible;
-            "laplacian", Eq. 11; "relaxation", the paper's iteration for it.
+            "laplacian", Eq. 11; "relaxation", the paper's iteration for it. "isometric" only
+            starts there.
         release_keys: treat key curves as accessory curves.
+        energy: "isometric": what deforming the sheet costs: "rigid", as rigid as possible, or
+            "dirichlet", symmetric Dirichlet, which forbids flipped triangles.
+        area_bias: "isometric" with "rigid": above 0 a change of area costs more than one of angle
+            (stiff sheet), below 0 less (stretchy sheet), in [-0.99, 0.99].
+        angle_weight: "isometric": weight of the wires' angles against the sheet, in [0, 100].
         coincident_points: whether points with equal coordinates are one: "automatic", only where
             hardly any two triangles share a point; "join", always; "keep", never.
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.
@@ -185,6 +202,9 @@ def flatten(
         solver=solver,
         interior=interior,
         release_keys=release_keys,
+        energy=energy,
+        area_bias=area_bias,
+        angle_weight=angle_weight,
         coincident_points=coincident_points,
         split_triangles=split_triangles,
         imprint_tolerance=imprint_tolerance,
