@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole flattening of a trouser leg of 2 thousand to 2 million triangles beside CGAL's
+// parameterizations, which keep no length, in one run. Prints a table in Markdown.
+#include "Measure.h"
+#include "Peer.h"
+#include "RefinedPiece.h"
+
+#include "Stopwatch.h"
+#include "SurfaceFlattening.h"
+#include "WireNetwork.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace benchmarks;
+using namespace flattening;
+
+struct Settings
+{
+  std::string folder;
+  std::string piece = "pants_front";
+  std::vector<int> divisions{ 1, 4, 11, 34 };
+  std::vector<std::string> methods;
+  int threads = 2;
+  int repeats = 5;
+  int peersUntil = 300000;
+};
+
+struct Row
+{
+  std::string method;
+  Measured measured;
+  double wires = 0.0;
+  QualitySummary quality;
+};
+
+struct Method
+{
+  const char* name;
+  Scheme scheme;
+  InteriorMethod interior;
+};
+
+const std::vector<Method> methods{
+  { "laplacian", Scheme::Global, InteriorMethod::Laplacian },
+  { "rigid", Scheme::Global, InteriorMethod::AsRigidAsPossible },
+  { "isometric", Scheme::Isometric, InteriorMethod::AsRigidAsPossible },
+};
+
+Row runMethod(const RefinedPiece& piece, const Method& method, const Settings& settings)
+{
+  FlatteningOptions options;
+  options.scheme = method.scheme;
+  options.interior.method = method.interior;
+  options.releaseKeys = true;
+  const Execution execution = threadedExecution(settings.threads);
+  Row row;
+  row.method = method.name;
+  row.measured = measure(settings.repeats, [&] {
+    const FlatteningResult result = flattenSurface(piece.mesh, piece.curves, options, execution);
+    if (result.status.refused())
+    {
+      throw std::runtime_error(result.status.message);
+    }
+    row.wires = result.seconds.wires;
+    row.quality = result.pieces.front().quality;
+    return result.seconds.total - result.seconds.quality;
+  });
+  return row;
+}
+
+/// Of the largest, cut piece, its scale chosen by the perimeter.
+Row runPeer(const RefinedPiece& piece, const char* name,
+  PeerResult (*peer)(const TriangleMesh& mesh), const Settings& settings)
+{
+  const CutSurface cut = cutSurface(piece.mesh, piece.curves);
+  const Piece disk = extractPieces(cut).front();
+  const WireNetwork network = buildWireNetwork(disk);
+  Indices wires;
+  for (const WireEdge& edge : network.edges)
+  {
+    wires.push_back(network.halfedge[edge.side]);
+  }
+  Row row;
+  row.method = name;
+  PeerResult result;
+  row.measured = measure(settings.repeats, [&] {
+    result = peer(disk.mesh);
+    return result.seconds;
+  });
+  double perimeter = 0.0;
+  double flat = 0.0;
+  double area = 0.0;
+  for (Index h = 0; h < disk.mesh.halfedgeCount(); ++h)
+  {
+    const Point2& from = result.positions[disk.mesh.from(h)];
+    const Point2& to = result.positions[disk.mesh.to(h)];
+    if (disk.mesh.twin(h) == none)
+    {
+      perimeter += disk.mesh.length(h);
+      flat += (to - from).norm();
+      area += from.x() * to.y() - from.y() * to.x();
+    }
+  }
+  for (Point2& p : result.positions)
+  {
+    p *= perimeter / flat;
+    p.y() *= area < 0.0 ? -1.0 : 1.0;
+  }
+  row.quality = measureFlattening(disk.mesh, result.positions, wires, {}).summary;
+  return row;
+}
+
+void print(const Row& row, Index triangles, double conformal, double rigid)
+{
+  const auto ratio = [&row](double peer) {
+    char text[16];
+    std::snprintf(text, sizeof text, peer > 0.0 ? "1/%.1f" : "-", peer / row.measured.seconds);
+    return std::string(text);
+  };
+  std::printf("| %d | %s | %.4g | %s | %s | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n", triangles,
+    row.method.c_str(), 1e3 * row.measured.seconds, ratio(conformal).c_str(), ratio(rigid).c_str(),
+    1e3 * row.wires, row.measured.peakBytes / triangles, row.quality.edgeLengthError,
+    row.quality.angleError, row.quality.globalHomogeneity, row.quality.flipped.size());
+  std::fflush(stdout);
+}
+
+void run(const Settings& settings, int division)
+{
+  const RefinedPiece piece = readRefined(settings.folder, settings.piece, division);
+  const Index triangles = piece.mesh.triangleCount();
+  double conformal = 0.0;
+  double rigid = 0.0;
+  const auto wanted = [&settings](const std::string& name) {
+    return settings.methods.empty() ||
+      std::count(settings.methods.begin(), settings.methods.end(), name) > 0;
+  };
+  if (triangles <= settings.peersUntil)
+  {
+    if (wanted("lscm"))
+    {
+      const Row row = runPeer(piece, "CGAL LSCM", runConformalPeer, settings);
+      conformal = row.measured.seconds;
+      print(row, triangles, conformal, rigid);
+    }
+    if (wanted("arap"))
+    {
+      const Row row = runPeer(piece, "CGAL ARAP", runRigidPeer, settings);
+      rigid = row.measured.seconds;
+      print(row, triangles, conformal, rigid);
+    }
+  }
+  for (const Method& method : methods)
+  {
+    if (wanted(method.name))
+    {
+      print(runMethod(piece, method, settings), triangles, conformal, rigid);
+    }
+  }
+}
+}
+
+int main(int argc, char** argv)
+{
+  Settings settings;
+  CLI::App app("Whole flattening beside CGAL's parameterizations");
+  app.add_option("DATA", settings.folder, "Folder of the pieces")->required();
+  app.add_option("--piece", settings.piece, "Name of the piece")->capture_default_str();
+  app.add_option("--divisions", settings.divisions, "Parts of each edge")->capture_default_str();
+  app.add_option("--methods", settings.methods, "Some of lscm arap laplacian rigid isometric");
+  app.add_option("--threads", settings.threads, "Threads")->capture_default_str();
+  app.add_option("--repeats", settings.repeats, "Runs, of which the median counts")
+    ->capture_default_str();
+  app.add_option("--peers-until", settings.peersUntil, "Most triangles for CGAL")
+    ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  std::printf("| triangles | method | ms | to CGAL LSCM | to CGAL ARAP | wires, ms | bytes a "
+              "triangle | E_len | E_ang | E_h | flips |\n|---|---|---|---|---|---|---|---|---|---|"
+              "---|\n");
+  try
+  {
+    for (const int division : settings.divisions)
+    {
+      run(settings, division);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "FlatteningBenchmark: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measure.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace benchmarks
+{
+namespace
+{
+/// A line of the kernel's account of this process, in bytes.
+double statusBytes(const std::string& key)
+{
+  std::ifstream file("/proc/self/status");
+  for (std::string word; file >> word;
+       file.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
+  {
+    if (word == key)
+    {
+      double kibibytes = 0.0;
+      file >> kibibytes;
+      return 1024.0 * kibibytes;
+    }
+  }
+  return 0.0;
+}
+
+void resetPeak()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+}
+
+Measured measure(int repeats, const std::function<double()>& job)
+{
+  Measured result;
+  std::vector<double> seconds;
+  resetPeak();
+  const double before = statusBytes("VmRSS:");
+  for (int k = 0; k < repeats; ++k)
+  {
+    seconds.push_back(job());
+    if (k == 0)
+    {
+      result.peakBytes = statusBytes("VmHWM:") - before;
+    }
+  }
+  std::sort(seconds.begin(), seconds.end());
+  result.seconds = seconds[seconds.size() / 2];
+  return result;
+}
+
+flattening::Execution threadedExecution(int threads)
+{
+  flattening::Execution execution;
+  if (threads > 1)
+  {
+    execution.parallel = [threads](flattening::Index count,
+                           const std::function<void(flattening::Index, flattening::Index)>& body) {
+      const flattening::Index parts = std::min<flattening::Index>(threads, count);
+      std::vector<std::thread> others;
+      for (flattening::Index k = 1; k < parts; ++k)
+      {
+        others.emplace_back(body, k * count / parts, (k + 1) * count / parts);
+      }
+      if (parts > 0)
+      {
+        body(0, count / parts);
+      }
+      for (std::thread& other : others)
+      {
+        other.join();
+      }
+    };
+  }
+  return execution;
+}
+}
