@@ -2,58 +2,27 @@
 """The paper's Fig. 9 in four views: the upper front of a wetsuit in space, and its flat piece by the
 progressive scheme, the global scheme and, for comparison, the least squares conformal map.
 
-Flat pieces are coloured by the homogeneity of distortion, blue where ideal, red where a triangle grew
-or shrank to half its area. Outlines are black, accessory curves green, key curves red, darts blue.
-
-In the window: start ParaView with the plugin in the folder that holds Data, or with the path of Data in
-SURFACEFLATTENING_DATA, and run this with View > Python Shell > Run Script, keep it with Macros > Import
-New Macro, or `paraview --script=Examples/ParaView/figure9.py`. Without a window:
+Colours are those of flat_beside.py. In the window: start ParaView with the plugin in the folder of the
+project, or name that folder in the environment variable SURFACEFLATTENING, and run this with View > Python
+Shell > Run Script or `paraview --script=Examples/ParaView/figure9.py`. Without a window:
 
     pvpython figure9.py --plugin SurfaceFlattening.so --png figure9.png
 """
 
 import argparse
 import os
+import sys
 
 import paraview.simple as pv
 
-WIRE_COLORS = {  # CurveType: name and colour
-    -1: ("boundary", (0.0, 0.0, 0.0)),
-    0: ("accessory", (0.0, 0.6, 0.1)),
-    1: ("key", (0.85, 0.0, 0.0)),
-    2: ("dart", (0.0, 0.2, 0.9)),
-    3: ("seam", (0.6, 0.0, 0.75)),
-}
-
-
-def data_folder():
-    if "SURFACEFLATTENING_DATA" in os.environ:
-        return os.environ["SURFACEFLATTENING_DATA"]
-    if "__file__" in globals():
-        return os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
-    return "Data"
-
-
-def color_wires(display):
-    """Colours of the array CurveType, as categories."""
-    pv.ColorBy(display, ("CELLS", "CurveType"))
-    colors = pv.GetColorTransferFunction("CurveType")
-    colors.InterpretValuesAsCategories = 1
-    colors.AnnotationsInitialized = 1
-    colors.Annotations = [text for value, (name, _) in WIRE_COLORS.items() for text in (str(value), name)]
-    colors.IndexedColors = [part for _, color in WIRE_COLORS.values() for part in color]
-    display.LineWidth = 3
-    display.Ambient, display.Diffuse = 1.0, 0.0
-
-
-def color_homogeneity(display):
-    """Blue at 1 to red at 0.5, as in Fig. 9e."""
-    pv.ColorBy(display, ("CELLS", "HomogeneityOfDistortion"))
-    colors = pv.GetColorTransferFunction("HomogeneityOfDistortion")
-    colors.RGBPoints = [0.5, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0]
-    colors.ColorSpace = "HSV"
-    colors.AutomaticRescaleRangeMode = "Never"
-    display.Ambient, display.Diffuse = 1.0, 0.0
+if "SURFACEFLATTENING" in os.environ:
+    ROOT = os.environ["SURFACEFLATTENING"]
+elif "__file__" in globals():
+    ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+else:
+    ROOT = os.getcwd()
+sys.path.insert(0, os.path.join(ROOT, "Examples", "ParaView"))
+from flat_beside import color_wires, show_flat  # noqa: E402, after the folder is known
 
 
 def make_view(layout, cell, title):
@@ -69,20 +38,12 @@ def make_view(layout, cell, title):
     return view
 
 
-def look_at(view):
-    """Straight from the front, as large as the title below allows."""
-    view.InteractionMode = "2D"
-    pv.ResetCamera(view)
-    view.CameraParallelScale *= 0.85
-
-
 def show_figure():
-    data = data_folder()
-    files = [os.path.join(data, name)
+    files = [os.path.join(ROOT, "Data", name)
              for name in ("wetsuit_upper_front.vtp", "wetsuit_upper_front_curves.vtp")]
     for file in files:
         if not os.path.isfile(file):
-            raise RuntimeError(f"no file {file}: set SURFACEFLATTENING_DATA to the folder Data")
+            raise RuntimeError(f"no file {file}: set SURFACEFLATTENING to the folder of the project")
     surface = pv.XMLPolyDataReader(registrationName="Wetsuit", FileName=[files[0]])
     curves = pv.XMLPolyDataReader(registrationName="Feature curves", FileName=[files[1]])
     for reader in (surface, curves):
@@ -106,9 +67,10 @@ def show_figure():
         else:
             flat = pv.WireWarping(
                 registrationName=scheme, Input=surface, Curves=curves, Scheme=scheme)
-            color_homogeneity(pv.Show(pv.OutputPort(flat, 0), view))
-            color_wires(pv.Show(pv.OutputPort(flat, 1), view))
-        look_at(view)
+            show_flat(flat, view)
+        view.InteractionMode = "2D"
+        pv.ResetCamera(view)
+        view.CameraParallelScale *= 0.85  # as large as the title below allows
     pv.RenderAllViews()
     return layout
 

@@ -4,6 +4,7 @@
 import os
 import shutil
 import subprocess
+import sys
 import unittest
 
 import numpy as np
@@ -11,7 +12,7 @@ import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from plugin import DATA, OUTPUT, PLUGIN, SOURCE, read
+from plugin import OUTPUT, PLUGIN, SOURCE, read
 
 BASELINES = os.path.join(SOURCE, "Testing", "Data", "Baseline")
 # Edges of lines may fall on other pixels with another OpenGL; areas may not.
@@ -64,7 +65,6 @@ class Pictures(unittest.TestCase):
         pv.ResetCamera(view)
         path = os.path.join(OUTPUT, name)
         pv.SaveScreenshot(path, view)
-        pv.Delete(view)
         return path
 
     def test_a_flat_piece(self):
@@ -81,10 +81,27 @@ class Pictures(unittest.TestCase):
         run = subprocess.run(
             [os.environ["PVPYTHON"], os.path.join(SOURCE, "Examples", "ParaView", "figure9.py"),
              "--plugin", PLUGIN, "--png", path],
-            stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
-            env={**os.environ, "SURFACEFLATTENING_DATA": DATA})
+            stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         self.compare("TestParaViewFigure9.png")
+
+    def test_flat_pieces_beside_the_surface(self):
+        sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
+        from flat_beside import show_beside
+
+        flattening = pv.WireWarping(
+            Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme="Global")
+        pv.SetActiveView(pv.CreateView("RenderView"))
+        pv.Show(flattening.Input)
+        space, plane = show_beside(flattening)
+        self.assertEqual(pv.GetLayout(space), pv.GetLayout(plane))
+        ports = {view: {(display.Input.SMProxy, display.Input.Port)
+                        for display in view.Representations if display.Visibility}
+                 for view in (space, plane)}
+        self.assertEqual(ports[space], {(flattening.SMProxy, 2)})
+        self.assertEqual(ports[plane], {(flattening.SMProxy, 0), (flattening.SMProxy, 1)})
+        with self.assertRaisesRegex(RuntimeError, "select"):
+            show_beside(flattening.Input)
 
 
 if __name__ == "__main__":
