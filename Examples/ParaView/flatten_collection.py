@@ -17,7 +17,7 @@ parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("collection", help="a .vtm file")
 parser.add_argument("flat", help="the .vtm file to write")
 parser.add_argument("--plugin", help="the plugin, where ParaView does not load it by itself")
-parser.add_argument("--scheme", default="Global",
+parser.add_argument("--scheme", default="Isometric",
                     choices=("Progressive", "Global", "Isometric", "Least squares conformal"))
 options = parser.parse_args()
 
