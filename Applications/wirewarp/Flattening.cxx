@@ -85,12 +85,17 @@ void readInput(const Options& options, vtkWireWarpingFilter* filter)
   const vtkSmartPointer<vtkPolyData> surface = readSurface(options.surface);
   filter->SetInputData(surface);
   std::set<std::string> names;
+  std::vector<vtkPolyData*> data{ surface };
+  std::vector<vtkSmartPointer<vtkPolyData>> held;
   for (const std::string& path : options.curves)
   {
     vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(readCurves(path, surface, names));
+    held.push_back(readCurves(path, surface, names));
+    data.push_back(held.back());
+    producer->SetOutput(held.back());
     filter->AddCurvesConnection(producer->GetOutputPort());
   }
+  applyTolerances(options.tolerances, data);
 }
 
 void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)

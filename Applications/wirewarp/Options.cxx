@@ -63,6 +63,20 @@ CLI::Validator wholeNumber(long long least, long long most, const std::string& r
     range);
 }
 
+void addTolerance(const std::string& entry, CurveTolerances& tolerances)
+{
+  // The last sign, because a name may hold one.
+  const std::size_t sign = entry.rfind('=');
+  double value = 0.0;
+  if (sign == std::string::npos || sign == 0 || !parseNumber(entry.substr(sign + 1), value) ||
+    !(value >= 0.0 && value < 1.0))
+  {
+    throw CLI::ValidationError(
+      "--tolerance", inQuotes(entry) + " is not NAME=FRACTION with a fraction in [0, 1)");
+  }
+  tolerances[entry.substr(0, sign)] = value;
+}
+
 void addMethods(CLI::App& app, Options& options)
 {
   const std::string group = "Method";
@@ -107,6 +121,20 @@ void addMethods(CLI::App& app, Options& options)
       "isometric: weight of the wires' angles against the sheet")
     ->check(number(0.0, 100.0, "[0, 100]"))
     ->capture_default_str()
+    ->group(group);
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--tolerance",
+      [&options](const std::vector<std::string>& entries) {
+        for (const std::string& entry : entries)
+        {
+          addTolerance(entry, options.tolerances);
+        }
+      },
+      "Make a curve elastic: its length may change by up to this fraction, from 0 up to but not "
+      "including 1; may be given several times")
+    ->type_name("NAME=FRACTION")
+    ->allow_extra_args(false)
     ->group(group);
   app
     .add_option("--pins", options.pins,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CurveTolerances.h"
 #include "Patterns.h"
 #include "Picture.h"
 
@@ -30,6 +31,7 @@ struct Options
   std::string solver = "newton";
   std::string interior = "arap";
   bool releaseKeys = false;
+  CurveTolerances tolerances;
 
   std::string energy = "rigid";
   double areaBias = 0.0;

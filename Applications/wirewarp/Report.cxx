@@ -2,6 +2,7 @@
 #include "Report.h"
 
 #include "FieldRows.h"
+#include "SeamReport.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,32 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-Json pieceReports(const FieldRows& field)
+/// What releasing the first curve of the ranking would bring; null where there is none to release.
+Json releaseAdvice(const FieldRows& field, const FieldRows& wires, vtkIdType piece)
+{
+  const vtkIdType curve = field.integer("ReleaseFirst", piece);
+  if (field.count("ReleaseFirst") == 0 || curve < 0)
+  {
+    return nullptr;
+  }
+  const double without = field.number("ObjectiveWithoutFirst", piece);
+  return { { "first", wires.text("CurveNames", curve) },
+    { "objective_without_first", without >= 0.0 ? Json(without) : Json(nullptr) } };
+}
+
+Json seamReports(const Flattening& result)
+{
+  Json seams = Json::array();
+  for (const SewnBanks& banks : sewnBanks(result))
+  {
+    seams.push_back(
+      { { "curve", banks.curve }, { "pieces", banks.pieces }, { "edges", banks.edges },
+        { "lengths", banks.lengths }, { "largest_difference", banks.difference } });
+  }
+  return seams;
+}
+
+Json pieceReports(const FieldRows& field, const FieldRows& wires)
 {
   Json pieces = Json::array();
   for (vtkIdType piece = 0; piece < field.count("Triangles"); ++piece)
@@ -35,7 +61,8 @@ Json pieceReports(const FieldRows& field)
       { "E_area", field.number("AreaError", piece) },
       { "flipped", field.integer("FlippedTriangles", piece) },
       { "overlaps", field.integer("Overlaps", piece) }, { "status", field.text("Status", piece) },
-      { "message", field.text("StatusMessage", piece) }, { "history", Json::array() } });
+      { "message", field.text("StatusMessage", piece) },
+      { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() } });
   }
   for (vtkIdType row = 0; row < field.count("HistoryPiece"); ++row)
   {
@@ -61,7 +88,9 @@ Json curveReports(const FieldRows& field)
       { "type", curveTypeName(field.integer("CurveTypes", curve)) },
       { "length_3d", field.number("CurveRestLengths", curve) },
       { "length_2d", field.number("CurveFlatLengths", curve) },
-      { "error", field.number("CurveLengthErrors", curve) } });
+      { "error", field.number("CurveLengthErrors", curve) },
+      { "tolerance", field.number("CurveTolerances", curve) },
+      { "sensitivity", field.number("CurveSensitivities", curve) } });
   }
   return curves;
 }
@@ -83,7 +112,8 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "scheme", options.scheme }, { "solver", options.solver }, { "interior", options.interior },
     { "release_keys", options.releaseKeys }, { "version", WIREWARP_VERSION },
     { "exit_code", result.exitCode }, { "status", result.status }, { "message", result.message },
-    { "ids", result.ids }, { "pieces", pieceReports(flat) }, { "curves", curveReports(wires) },
+    { "ids", result.ids }, { "pieces", pieceReports(flat, wires) },
+    { "curves", curveReports(wires) }, { "seams", seamReports(result) },
     { "seconds",
       { { "read", result.secondsRead }, { "wires", flat.number("SecondsWires", 0) },
         { "interior", flat.number("SecondsInterior", 0) },

@@ -91,16 +91,39 @@ std::string pieceTable(const Flattening& result)
 std::string curveTable(const Flattening& result)
 {
   const FieldRows field(result.wires);
-  std::vector<Row> rows{ { "curve", "length", "flat length", "largest error", "type" } };
+  std::vector<Row> rows{ { "curve", "length", "flat length", "largest error", "tolerance",
+    "type" } };
   for (vtkIdType curve = 0; curve < field.count("CurveNames"); ++curve)
   {
     rows.push_back(
       { field.text("CurveNames", curve), format("%.10g", field.number("CurveRestLengths", curve)),
         format("%.10g", field.number("CurveFlatLengths", curve)),
         format("%.1e", field.number("CurveLengthErrors", curve)),
+        format("%.3g", field.number("CurveTolerances", curve)),
         curveTypeName(field.integer("CurveTypes", curve)) });
   }
   return layOut(rows, 1);
+}
+
+//------------------------------------------------------------------------------
+std::string releaseAdvice(const Flattening& result)
+{
+  const FieldRows field(result.flat);
+  const FieldRows wires(result.wires);
+  std::string text;
+  for (vtkIdType piece = 0; piece < field.count("ReleaseFirst"); ++piece)
+  {
+    const double objective = field.number("Objective", piece);
+    const double without = field.number("ObjectiveWithoutFirst", piece);
+    if (without >= 0.0 && without < objective)
+    {
+      text += "piece " + std::to_string(piece) + " has no good exact solution: without the curve " +
+        wires.text("CurveNames", field.integer("ReleaseFirst", piece)) +
+        " the objective would fall from " + format("%.4g", objective) + " to " +
+        format("%.4g", without) + "; remove it, or make it elastic with --tolerance\n";
+    }
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

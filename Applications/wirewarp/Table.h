@@ -13,6 +13,9 @@ std::string pieceTable(const Flattening& result);
 /// A row a feature curve: its length on the surface and in the plane.
 std::string curveTable(const Flattening& result);
 
+/// Where a piece has no good exact solution: which curve to release first, and what that brings.
+std::string releaseAdvice(const Flattening& result);
+
 /// Broken promises, a line a piece.
 std::string brokenPromises(const Flattening& result);
 }

@@ -96,6 +96,7 @@ int run(const Options& options)
   if (!options.quiet)
   {
     std::cout << pieceTable(result);
+    std::cout << releaseAdvice(result);
     if (options.listCurves)
     {
       std::cout << '\n' << curveTable(result);

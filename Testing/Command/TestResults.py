@@ -34,7 +34,10 @@ class Results(command.CommandTest):
         self.assertEqual((piece["triangles"], piece["vertices"]), (56, 37))
         self.assertEqual((piece["wire_patches"], piece["wire_nodes"]), (2, 24))
         self.assertEqual(piece["free_wire_nodes"], 24)
-        self.assertEqual(sorted(report["curves"][0]), ["error", "length_2d", "length_3d", "name", "type"])
+        self.assertEqual(
+            sorted(report["curves"][0]),
+            ["error", "length_2d", "length_3d", "name", "sensitivity", "tolerance", "type"],
+        )
 
     def test_the_default_is_isometric_and_the_papers_words_ask_for_its_global_scheme(self):
         for options, scheme in (

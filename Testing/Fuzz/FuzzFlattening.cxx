@@ -5,11 +5,18 @@
 #include <cstdio>
 #include <cstdlib>
 
+// Where a matrix turns out singular, SuperLU's dgssvx (up to 5.3) returns without freeing the copy
+// that its sp_preorder made: 40 + 8 n bytes that nobody else can free.
+extern "C" const char* __lsan_default_suppressions()
+{
+  return "leak:sp_preorder";
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   hostile::Bytes bytes(data, size);
   const hostile::Verdict verdict =
-    hostile::tryCase(hostile::decodeCase(bytes, hostile::dataSpecimens(), {}));
+    hostile::tryCase(hostile::decodeCase(bytes, hostile::dataSpecimens(), { 1.0, 40.0 }));
   if (!verdict.fault.empty())
   {
     std::fprintf(stderr, "%s\n", verdict.fault.c_str());

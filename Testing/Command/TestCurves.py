@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Curves of every kind through the command: elastic ones, those to release, seams, darts, loose wires."""
+import math
+import os
+
+import command
+
+SIZE = 8
+
+
+def dome():
+    """A dome of SIZE x SIZE squares, whose cuts gape everywhere; vertex (i, j) is at(i, j)."""
+    points, triangles = [], []
+    for j in range(SIZE + 1):
+        for i in range(SIZE + 1):
+            x, y = i / SIZE, j / SIZE
+            points.append((x, y, -0.4 * ((x - 0.5) ** 2 + (y - 0.5) ** 2)))
+    for j in range(SIZE):
+        for i in range(SIZE):
+            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+            triangles += [(a, b, c), (a, c, d)] if (i + j) % 2 == 0 else [(a, b, d), (b, c, d)]
+    return points, triangles
+
+
+def at(i, j):
+    return j * (SIZE + 1) + i
+
+
+def chain(*places):
+    return " ".join(str(at(i, j)) for i, j in places)
+
+
+class Curves(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.points, self.triangles, arc = command.quarter_sphere()
+        self.write("lune.obj", command.obj(self.points, self.triangles))
+        text = "accessory arc " + " ".join(map(str, arc)) + "\n"
+        self.write("arc.txt", text)
+        meridian = [0] + [5 * j - 2 for j in range(1, 8)] + [36]
+        self.write("two.txt", text + "accessory meridian " + " ".join(map(str, meridian)) + "\n")
+
+    def test_an_elastic_curve_stays_in_its_band_and_the_others_stay_exact(self):
+        rigid = self.flatten("lune.obj", "two.txt")
+        report = self.flatten("lune.obj", "two.txt", "--tolerance", "meridian=0.02")
+        arc, meridian = report["curves"]
+        self.assertEqual((arc["tolerance"], meridian["tolerance"]), (0.0, 0.02))
+        self.assertLessEqual(arc["error"], 1e-10)
+        self.assertLessEqual(meridian["error"], 0.02 * (1 + 1e-9))
+        self.assertGreater(meridian["error"], 0.001)
+        # What is promised is promised of the rigid wires alone.
+        self.assertLessEqual(report["pieces"][0]["E_len_max"], 1e-10)
+        self.assertLess(report["pieces"][0]["objective"], rigid["pieces"][0]["objective"])
+
+    def test_a_tolerance_of_zero_changes_nothing(self):
+        one = self.flatten("lune.obj", "two.txt")
+        two = self.flatten("lune.obj", "two.txt", "--tolerance", "arc=0", "--tolerance", "meridian=0")
+        self.assertEqual(one["pieces"][0]["objective"], two["pieces"][0]["objective"])
+
+    def test_a_curve_that_is_not_there_has_no_tolerance(self):
+        run = self.run_command("lune.obj", "arc.txt", "--tolerance", "belt=0.1", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn('"belt"', run.stderr)
+        self.assertIn("arc", run.stderr)
+
+    def test_a_tolerance_is_a_fraction(self):
+        for text in ("arc=1", "arc=-0.1", "arc=nan", "arc=", "=0.1", "arc", "arc=2%"):
+            with self.subTest(text):
+                run = self.run_command("lune.obj", "arc.txt", "--tolerance", text)
+                self.assertEqual(run.returncode, 2)
+                self.assertIn("NAME=FRACTION", run.stderr)
+
+    def test_the_curve_to_release_first_is_named_with_what_that_brings(self):
+        # Fig. 14: without the meridian the quarter-sphere of Table 1 is left.
+        report = self.flatten("lune.obj", "two.txt")
+        release = report["pieces"][0]["release"]
+        self.assertEqual(release["first"], "meridian")
+        self.assertAlmostEqual(release["objective_without_first"], 0.197157, delta=1e-6)
+        self.assertAlmostEqual(report["pieces"][0]["objective"], 3.14777, delta=1e-5)
+        run = self.run_command("lune.obj", "two.txt", "--output", "out")
+        self.assertIn("without the curve meridian the objective would fall from 3.148 to 0.1972", run.stdout)
+        # A piece that lies well is left alone.
+        self.assertNotIn("without the curve", self.run_command("lune.obj", "arc.txt").stdout)
+
+    def test_the_t_shirt_comes_out_as_four_pieces_whose_seams_have_equal_lengths(self):
+        surface, curves = (os.path.join(command.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp"))
+        report = self.flatten(surface, curves)
+        self.assertEqual(len(report["pieces"]), 4)
+        sewn = {seam["curve"]: seam for seam in report["seams"]}
+        self.assertEqual(len(sewn), 10)
+        for seam in sewn.values():
+            self.assertLess(seam["largest_difference"], 1e-12)
+            self.assertAlmostEqual(*seam["lengths"], delta=1e-11)
+        # Front and back meet at the sides, a sleeve closes under the arm.
+        self.assertEqual(sewn["side_seam_left"]["pieces"], [0, 1])
+        self.assertEqual(len(set(sewn["underarm_seam_left"]["pieces"])), 1)
+        lengths = {curve["name"]: curve["length_3d"] for curve in report["curves"]}
+        for name, seam in sewn.items():
+            self.assertAlmostEqual(seam["lengths"][0], lengths[name], delta=1e-10)
+
+    def test_darts_and_loose_wires_anywhere_keep_their_lengths(self):
+        points, triangles = dome()
+        self.write("dome.obj", command.obj(points, triangles))
+        fish_eye = "dart eye " + chain((4, 2), (4, 3), (4, 4), (4, 5))
+        cases = {
+            "fish-eye dart": ([fish_eye], 1),
+            "darts that meet": (
+                ["dart a " + chain((4, 0), (4, 1), (4, 2)), "dart b " + chain((4, 2), (5, 2), (6, 2))],
+                1,
+            ),
+            "fish-eye dart under a girth": (
+                [fish_eye, "accessory girth " + chain(*((i, 4) for i in range(SIZE + 1)))],
+                1,
+            ),
+            "dangling wire": (["accessory d " + chain((4, 0), (4, 1), (4, 2), (5, 2))], 1),
+            "floating wire": (["accessory f " + chain((3, 3), (4, 3), (4, 4))], 1),
+            "seam around a region": (
+                ["seam ring " + chain((3, 3), (4, 3), (5, 3), (5, 4), (5, 5), (4, 5), (3, 5), (3, 4), (3, 3))],
+                2,
+            ),
+        }
+        for name, (lines, pieces) in cases.items():
+            self.write("curves.txt", "\n".join(lines) + "\n")
+            for scheme in ("global", "progressive", "isometric"):
+                with self.subTest(name, scheme=scheme):
+                    report = self.flatten("dome.obj", "curves.txt", "--scheme", scheme)
+                    self.assertEqual(len(report["pieces"]), pieces)
+                    for piece in report["pieces"]:
+                        self.assertEqual(piece["status"], "Ok")
+                        self.assertLessEqual(piece["E_len_max"], 1e-10)
+                        self.assertEqual(piece["flipped"] + piece["overlaps"], 0)
+                        self.assertGreater(piece["E_h"], 0)
+                    for curve in report["curves"]:
+                        self.assertLessEqual(curve["error"], 1e-10)
+
+
+command.main()
