@@ -72,6 +72,11 @@ public:
       }
       exact = moved < 1.0;
     }
+    if (!converged && this->Run.cancelled())
+    {
+      solution.status = { StatusCode::Cancelled, "cancelled while solving for the piece", {} };
+      return solution;
+    }
     this->Terms = this->Model.objective(this->X, this->Run);
     solution.positions = this->Model.positions(this->X);
     solution.stretch = this->Model.stretches(this->X);
@@ -154,8 +159,13 @@ private:
   {
     this->UsedExact = exact && this->factorize(IsometricModel::Curvature::Exact, 0.0);
     bool factored = this->UsedExact;
+    // A factorization is the longest step that cannot be interrupted.
     for (double tau = 0.0; !factored && tau < 1e6; tau = std::max(1e-4, 10.0 * tau))
     {
+      if (this->Run.cancelled())
+      {
+        return false;
+      }
       factored = this->factorize(IsometricModel::Curvature::Convex, tau);
     }
     if (!factored)
