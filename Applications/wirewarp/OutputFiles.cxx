@@ -59,6 +59,8 @@ void OutputFiles::add(const std::string& name, vtkPolyData* data)
 {
   const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
+  // Debian's ParaView 5.11 cannot read appended data.
+  writer->SetDataModeToBinary();
   writer->SetFileName(this->addEntry(name).c_str());
   writer->SetInputData(data);
   if (writer->Write() != 1 || !messages.errors().empty())

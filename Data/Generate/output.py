@@ -27,8 +27,8 @@ def write(data, path):
     writer = vtk.vtkXMLPolyDataWriter()
     writer.SetInputData(data)
     writer.SetFileName(path)
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOn()
+    # Within the elements: Debian's ParaView 5.11 cannot read appended data with the Expat of today.
+    writer.SetDataModeToBinary()
     writer.SetCompressorTypeToZLib()
     if not writer.Write():
         raise OSError(f"cannot write {path}")

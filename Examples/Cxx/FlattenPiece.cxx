@@ -39,6 +39,7 @@ int main(int argc, char* argv[])
     << '\n';
 
   vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary();
   writer->SetInputConnection(flattening->GetOutputPort());
   writer->SetFileName(argv[3]);
   return writer->Write() ? EXIT_SUCCESS : EXIT_FAILURE;

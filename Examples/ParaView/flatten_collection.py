@@ -26,7 +26,7 @@ if options.plugin:
 pieces = pv.XMLMultiBlockDataReader(FileName=[options.collection])
 flattening = pv.WireWarping(Input=pieces, Scheme=options.scheme)
 flattening.UpdatePipeline()
-pv.SaveData(options.flat, proxy=flattening)
+pv.SaveData(options.flat, proxy=flattening, DataMode="Binary")
 information = flattening.GetDataInformation()
 print(f"{options.flat}: {information.GetNumberOfCells()} triangles")
 sys.stdout.flush()

@@ -61,6 +61,7 @@ def main():
         name = os.path.splitext(os.path.basename(surface))[0]
         collection.GetMetaData(block).Set(vtkCompositeDataSet.NAME(), name)
     writer = vtkXMLMultiBlockDataWriter()
+    writer.SetDataModeToBinary()  # Debian's ParaView 5.11 cannot read appended data
     writer.SetInputData(collection)
     writer.SetFileName(options.collection)
     if not writer.Write():

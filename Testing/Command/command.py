@@ -221,13 +221,12 @@ FORMATS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": 
 
 
 def read_array(path, name):
-    """Values of an array of an XML polydata file that VTK wrote (appended, base64, zlib)."""
+    """Values of an array of an XML polydata file that VTK wrote (in its elements, base64, zlib)."""
     root = xml_root(path)
     for array in root.iter("DataArray"):
         if array.get("Name") == name:
-            data = root.find("AppendedData").text.strip()[1:]
             size = {"UInt32": 4, "UInt64": 8}[root.get("header_type", "UInt32")]
-            values = decode(data[int(array.get("offset")) :], size)
+            values = decode(array.text.strip(), size)
             kind = FORMATS[array.get("type")]
             return list(struct.unpack("<%d%s" % (len(values) // struct.calcsize(kind), kind), values))
     raise KeyError(name)

@@ -46,6 +46,7 @@ void writeAside(const std::string& path, vtkPolyData* data)
 {
   const std::string aside = path + ".part";
   vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary();
   silence(writer);
   writer->SetFileName(aside.c_str());
   writer->SetInputData(data);
