@@ -89,6 +89,18 @@ class Examples(unittest.TestCase):
         self.assertGreater(share(colors, (0, 0, 0), (40, 40, 40)), 0.002)  # outlines
         self.assertGreater(share(colors, (250, 250, 250), (255, 255, 255)), 0.2)  # ground
 
+    def test_garment_seams(self):
+        output = self.run_example("garment_seams.py", data("tshirt"), data("tshirt_curves"), "shirt.png")
+        rows = output.splitlines()
+        self.assertEqual(rows[0], "pieces 4")
+        self.assertEqual(len(rows), 11)
+        for row in rows[1:]:
+            one, two = row.split("lengths")[1].split()[:2]
+            self.assertEqual(one, two)
+            self.assertLess(float(row.split()[-1]), 1e-11)
+        colors = colors_of(os.path.join(self.folder, "shirt.png"))
+        self.assertGreater(share(colors, (0, 0, 150), (60, 110, 255)), 0.02)  # blue: ideal
+
     def test_key_curve_sweep(self):
         output = self.run_example(
             "key_curve_sweep.py", data("pants_front"), data("pants_front_curves"),

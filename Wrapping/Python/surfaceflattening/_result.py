@@ -95,7 +95,7 @@ class Flattening(NamedTuple):
     #: Boundary edges that cross in the plane: points a, b and c, d and the piece; int64, (k, 5).
     overlap_edges: NDArray[np.int64]
     #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
-    #: "message", "ids", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error)
+    #: "message", "ids", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error, ...)
     #: and "seconds".
     report: Report
 
@@ -161,13 +161,19 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
         {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "history": []}
         for piece in range(len(columns["triangles"]))
     ]
+    names = _values(curve_field, "CurveNames")
+    for piece, first, without in zip(
+            pieces, _values(field, "ReleaseFirst"), _values(field, "ObjectiveWithoutFirst")):
+        piece["release"] = None if first < 0 else {
+            "first": names[first], "objective_without_first": without if without >= 0.0 else None}
     history = {key: _values(field, name) for key, name in _HISTORY_NUMBERS.items()}
     phases = _values(field, "HistoryPhase")
     for row, piece in enumerate(_values(field, "HistoryPiece")):
         pieces[piece]["history"].append(
             {"phase": phases[row], **{key: column[row] for key, column in history.items()}})
     curves = zip(*(_values(curve_field, name) for name in (
-        "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors")))
+        "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
+        "CurveTolerances", "CurveSensitivities")))
     return {
         "status": _values(field, "RunStatus")[0],
         "message": _values(field, "RunStatusMessage")[0],
@@ -175,8 +181,8 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
         "pieces": pieces,
         "curves": [
             {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
-             "error": error}
-            for name, kind, rest, length, error in curves
+             "error": error, "tolerance": tolerance, "sensitivity": sensitivity}
+            for name, kind, rest, length, error, tolerance, sensitivity in curves
         ],
         "seconds": {key: _values(field, name)[0] for key, name in _SECONDS.items()},
     }
