@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsometricModel.h"
 
+#include "NestedDissection.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace flattening
@@ -461,6 +464,53 @@ void IsometricModel::fixMotion(const Eigen::VectorXd& x)
 void IsometricModel::hold(Index group)
 {
   this->Assembler.add(this->GroupEntries + group, heldStiffness);
+}
+
+Indices IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem.network;
+  // The ends of a wire-node's two edges are coupled as if a triangle joined them.
+  Triangles cliques = this->Cells;
+  for (const std::vector<Node>* nodes : { &this->Nodes, &this->LockedNodes })
+  {
+    for (const Node& node : *nodes)
+    {
+      cliques.push_back({ node.before, node.at, node.after });
+    }
+  }
+  const Indices vertices = dissect(cliques, this->positions(x));
+  Indices place(vertices.size());
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+  {
+    place[vertices[k]] = static_cast<Index>(k);
+  }
+  std::vector<Indices> constraintsAfter(vertices.size());
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    constraintsAfter[std::max(place[edge.from], place[edge.to])].push_back(k);
+  }
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    const Node& node = this->LockedNodes[k];
+    constraintsAfter[std::max({ place[node.before], place[node.at], place[node.after] })].push_back(
+      this->lengthCount() + static_cast<Index>(k));
+  }
+  Indices order;
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+  {
+    order.push_back(2 * vertices[k]);
+    order.push_back(2 * vertices[k] + 1);
+    for (Index constraint : constraintsAfter[k])
+    {
+      order.push_back(this->unknownCount() + constraint);
+    }
+  }
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    order.push_back(this->CoordinateCount + g);
+  }
+  return order;
 }
 
 Eigen::VectorXd IsometricModel::transposedJacobianTimes(const Eigen::VectorXd& multipliers) const

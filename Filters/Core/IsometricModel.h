@@ -71,6 +71,9 @@ public:
   /// times a step makes it take that step.
   void hold(Index group);
   static constexpr double heldStiffness = 1e12;
+  /// A good order of elimination for kkt(): vertices by nested dissection at x, each constraint
+  /// after its vertices.
+  Indices eliminationOrder(const Eigen::VectorXd& x) const;
   const Eigen::SparseMatrix<double>& kkt() const { return this->Assembler.matrix(); }
   /// J' times a vector, with the Jacobian of the last linearize().
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const;

@@ -34,6 +34,7 @@ public:
   {
     IsometricSolution solution;
     this->X = std::move(x);
+    this->Solver = LinearSolver(this->Model.eliminationOrder(this->X), this->Run);
     this->holdAtBounds();
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
     bool converged = false;
@@ -315,7 +316,7 @@ private:
   Eigen::VectorXd Multipliers;
   IsometricModel::Terms Terms;
   IsometricModel::Linearization Point;
-  LinearSolver Solver{ LinearMethod::LDLT };
+  LinearSolver Solver{ LinearMethod::Multifrontal };
   bool UsedExact = false;
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;

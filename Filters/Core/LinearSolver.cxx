@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearSolver.h"
 
+#include "MultifrontalFactorization.h"
+
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <Eigen/SuperLUSupport>
@@ -79,6 +82,34 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   }
 };
 
+struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
+{
+  MultifrontalFactorization solver;
+  Indices order;
+  Execution execution;
+
+  void analyze(const SparseMatrix& matrix) override
+  {
+    if (static_cast<Eigen::Index>(this->order.size()) != matrix.rows())
+    {
+      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+      const SparseMatrix whole = matrix.selfadjointView<Eigen::Lower>();
+      Eigen::AMDOrdering<int>()(whole, permutation);
+      this->order.assign(permutation.indices().begin(), permutation.indices().end());
+    }
+    this->solver.analyze(matrix, this->order);
+  }
+  bool factorize(const SparseMatrix& matrix) override
+  {
+    return this->solver.factorize(matrix, this->execution);
+  }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  {
+    return this->solver.solve(rightHandSide);
+  }
+  Eigen::VectorXd diagonal() const override { return this->solver.diagonal(); }
+};
+
 namespace
 {
 bool allFinite(const SparseMatrix& matrix)
@@ -114,7 +145,19 @@ LinearSolver::LinearSolver(LinearMethod method)
     case LinearMethod::Cholesky:
       this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLLT<SparseMatrix>>>();
       break;
+    case LinearMethod::Multifrontal:
+      this->Solver = std::make_unique<MultifrontalBackend>();
+      break;
   }
+}
+
+LinearSolver::LinearSolver(Indices order, const Execution& execution)
+  : Method(LinearMethod::Multifrontal)
+{
+  auto backend = std::make_unique<MultifrontalBackend>();
+  backend->order = std::move(order);
+  backend->execution = execution;
+  this->Solver = std::move(backend);
 }
 
 LinearSolver::~LinearSolver() = default;

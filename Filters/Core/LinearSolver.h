@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Types.h"
+#include "Execution.h"
 
 #include <Eigen/SparseCore>
 
@@ -13,10 +13,11 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 enum class LinearMethod
 {
-  SuperLU,  ///< LU with partial pivoting by the SuperLU library; any square matrix
-  SparseLU, ///< LU with partial pivoting by Eigen; any square matrix
-  LDLT,     ///< L D L^T without pivoting; symmetric, quasi-definite or definite
-  Cholesky, ///< L L^T; symmetric positive definite
+  SuperLU,      ///< LU with partial pivoting by the SuperLU library; any square matrix
+  SparseLU,     ///< LU with partial pivoting by Eigen; any square matrix
+  LDLT,         ///< L D L^T without pivoting; symmetric, quasi-definite or definite
+  Cholesky,     ///< L L^T; symmetric positive definite
+  Multifrontal, ///< LDLT by dense blocks on several threads; for large systems
 };
 
 /// One face for the direct solvers of sparse linear systems.
@@ -28,6 +29,9 @@ class LinearSolver
 {
 public:
   explicit LinearSolver(LinearMethod method);
+  /// Multifrontal with an order of elimination (which column first, second, ...) that the caller
+  /// knows to be good; by itself it takes that of minimum degree.
+  LinearSolver(Indices order, const Execution& execution);
   ~LinearSolver();
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
@@ -59,6 +63,7 @@ public:
 
 private:
   struct Backend;
+  struct MultifrontalBackend;
 
   LinearMethod Method;
   std::unique_ptr<Backend> Solver;
@@ -68,7 +73,8 @@ private:
 
   bool symmetric() const
   {
-    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::Cholesky;
+    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::Cholesky ||
+      this->Method == LinearMethod::Multifrontal;
   }
   Index count(int sign) const;
 };

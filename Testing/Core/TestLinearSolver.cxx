@@ -86,8 +86,8 @@ TEST(LinearSolver, AllMethodsAgreeOnAPositiveDefiniteSystem)
 {
   const SparseMatrix matrix = gridLaplacian(20);
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (LinearMethod method :
-    { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
+  for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.analyze(matrix));
@@ -135,8 +135,8 @@ TEST(LinearSolver, OneAnalysisServesManyFactorizations)
 {
   SparseMatrix matrix = gridLaplacian(15);
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (LinearMethod method :
-    { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
+  for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.analyze(matrix));
@@ -167,7 +167,8 @@ TEST(LinearSolver, SymmetricMethodsReadTheLowerTriangleOnly)
   const SparseMatrix matrix = gridLaplacian(8);
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (LinearMethod method : { LinearMethod::LDLT, LinearMethod::Cholesky })
+  for (LinearMethod method :
+    { LinearMethod::LDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.factorize(lower));
@@ -189,8 +190,8 @@ TEST(LinearSolver, RefusesWhatItCannotFactor)
   notFinite.coeffRef(3, 3) = std::numeric_limits<double>::quiet_NaN();
   SparseMatrix rectangular(4, 5);
   SparseMatrix empty(16, 16);
-  for (LinearMethod method :
-    { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT, LinearMethod::Cholesky })
+  for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     for (const SparseMatrix* matrix : { &singular, &empty, &notFinite, &rectangular })
     {

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NestedDissection.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+constexpr std::ptrdiff_t leafSize = 12;
+
+class Dissection
+{
+public:
+  Dissection(const Triangles& cliques, const Points2& positions)
+    : Positions(positions)
+    , Begin(positions.size() + 1, 0)
+    , Side(positions.size(), none)
+  {
+    for (const Triangle& t : cliques)
+    {
+      for (Index v : t)
+      {
+        this->Begin[v + 1] += 2;
+      }
+    }
+    std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
+    this->Neighbours.resize(this->Begin.back());
+    Indices next(this->Begin.begin(), this->Begin.end() - 1);
+    for (const Triangle& t : cliques)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Neighbours[next[t[k]]++] = t[(k + 1) % 3];
+        this->Neighbours[next[t[k]]++] = t[(k + 2) % 3];
+      }
+    }
+  }
+
+  Indices run()
+  {
+    Indices order(this->Positions.size());
+    std::iota(order.begin(), order.end(), 0);
+    this->split(order.begin(), order.end());
+    return order;
+  }
+
+private:
+  using Iterator = Indices::iterator;
+
+  void split(Iterator begin, Iterator end)
+  {
+    if (end - begin <= leafSize)
+    {
+      return;
+    }
+    Eigen::AlignedBox2d box;
+    std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
+    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    const Iterator middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [&](Index a, Index b) {
+      const double x = this->Positions[a][axis];
+      const double y = this->Positions[b][axis];
+      return x != y ? x < y : a < b;
+    });
+    // Marks are the depth-first number of the split, so that none has to be taken back.
+    const Index left = this->NextMark++;
+    const Index right = this->NextMark++;
+    std::for_each(begin, middle, [&](Index v) { this->Side[v] = left; });
+    std::for_each(middle, end, [&](Index v) { this->Side[v] = right; });
+    const Iterator separator = std::stable_partition(begin, middle, [&](Index v) {
+      return std::none_of(this->Neighbours.begin() + this->Begin[v],
+        this->Neighbours.begin() + this->Begin[v + 1],
+        [&](Index n) { return this->Side[n] == right; });
+    });
+    const std::ptrdiff_t leftCount = separator - begin;
+    const std::ptrdiff_t separatorCount = middle - separator;
+    std::rotate(separator, middle, end);
+    this->split(begin, begin + leftCount);
+    this->split(begin + leftCount, end - separatorCount);
+  }
+
+  const Points2& Positions;
+  Indices Begin;
+  Indices Neighbours;
+  Indices Side;
+  Index NextMark = 0;
+};
+}
+
+Indices dissect(const Triangles& cliques, const Points2& positions)
+{
+  return Dissection(cliques, positions).run();
+}
+}
