@@ -25,6 +25,15 @@ Eigen::Matrix2d angleHessian(const Eigen::Vector2d& d)
   return h;
 }
 
+/// Weight of the angles in a piece of so many triangles. The energy of one bend is in units of the
+/// mean triangle, so halving all edges would make wires eight times as easy to bend, until they
+/// crumple; above this count they stay as stiff as with it.
+double scaledAngleWeight(double weight, double triangles)
+{
+  constexpr double referenceCount = 3000.0;
+  return weight * std::pow(std::max(1.0, triangles / referenceCount), 1.5);
+}
+
 Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
 {
   return x.segment<2>(2 * v);
@@ -36,7 +45,7 @@ IsometricModel::IsometricModel(
   : Problem(problem)
   , Cells(piece.mesh.triangles())
   , Energy(energy)
-  , AngleWeight(angleWeight)
+  , AngleWeight(scaledAngleWeight(angleWeight, piece.mesh.triangleCount()))
   , CoordinateCount(2 * piece.mesh.vertexCount())
   , Assembler(0)
 {

@@ -155,12 +155,29 @@ private:
     return this->Solver.factorize(this->Model.kkt()) && this->Solver.positive() == this->Unknowns;
   }
 
+  /// The exact Hessian, shifted where it has directions of small negative curvature on the tangent
+  /// space, as at the saddle from which a wire buckles: the projected one would leave it slowly.
+  bool factorizeExact()
+  {
+    constexpr int attempts = 4;
+    double tau = this->Shift;
+    for (int attempt = 0; attempt < attempts && !this->Run.cancelled(); ++attempt)
+    {
+      if (this->factorize(IsometricModel::Curvature::Exact, tau))
+      {
+        this->Shift = tau > 1e-3 ? 0.25 * tau : 0.0;
+        return true;
+      }
+      tau = std::max(2e-3, 5.0 * tau);
+    }
+    return false;
+  }
+
   /// Solves the KKT system at X with a Hessian that is convex on the constraints' tangent space.
   bool solve(bool exact)
   {
-    this->UsedExact = exact && this->factorize(IsometricModel::Curvature::Exact, 0.0);
+    this->UsedExact = exact && this->factorizeExact();
     bool factored = this->UsedExact;
-    // A factorization is the longest step that cannot be interrupted.
     for (double tau = 0.0; !factored && tau < 1e6; tau = std::max(1e-4, 10.0 * tau))
     {
       if (this->Run.cancelled())
@@ -318,6 +335,7 @@ private:
   IsometricModel::Linearization Point;
   LinearSolver Solver{ LinearMethod::Multifrontal };
   bool UsedExact = false;
+  double Shift = 0.0; ///< of the exact Hessian, where it was needed last
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
   double Penalty = 0.0;

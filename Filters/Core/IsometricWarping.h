@@ -12,7 +12,8 @@ struct IsometricOptions
   /// Weight w of the wires' angles against the sheet's energy, 0 to 100: what a squared change of a
   /// wire-node's angle by one radian costs, in the energy of a triangle of mean area. Lengths alone
   /// would let wires buckle between their nodes; the larger it is, the nearer are the wires' angles
-  /// to those on the surface.
+  /// to those on the surface. In pieces of more than 3000 triangles it grows with their number to
+  /// the power 1.5, so that a finer mesh of the same surface gives the same shape.
   double angleWeight = 5.0;
   int maximumIterations = 100;
   /// Stop when the gradient of the Lagrangian, relative to the root of the energy, and the energy

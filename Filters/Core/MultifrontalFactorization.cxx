@@ -16,7 +16,8 @@ using ConstBlock = Eigen::Map<const Eigen::MatrixXd>;
 
 constexpr Index panelWidth = 32;
 constexpr Index tileWidth = 128; ///< of updates that are worth more than one thread
-constexpr std::size_t taskCount = 8;
+constexpr std::size_t taskCount = 16;
+constexpr std::size_t roundSize = 4; ///< tasks between two questions whether to go on
 
 double work(const SupernodalStructure::Supernode& node)
 {
@@ -179,20 +180,27 @@ bool MultifrontalFactorization::factorize(
     }
   }
   std::vector<char> sound(this->Tasks.size(), 1);
-  execution.parallelFor(static_cast<Index>(this->Tasks.size()), [&](Index first, Index last) {
-    for (Index task = first; task < last; ++task)
+  for (std::size_t done = 0; done < this->Tasks.size(); done += roundSize)
+  {
+    if (execution.cancelled())
     {
-      for (Index s : this->Tasks[task])
-      {
-        sound[task] = sound[task] && this->eliminate(s, {}) ? 1 : 0;
-      }
+      return false;
     }
-  });
+    execution.parallelFor(roundSize, [&](Index first, Index last) {
+      for (std::size_t task = done + first; task < done + last; ++task)
+      {
+        for (Index s : this->Tasks[task])
+        {
+          sound[task] = sound[task] && this->eliminate(s, {}) ? 1 : 0;
+        }
+      }
+    });
+  }
   bool all = next == places.size() &&
     std::all_of(sound.begin(), sound.end(), [](char good) { return good != 0; });
   for (std::size_t k = 0; all && k < this->Top.size(); ++k)
   {
-    all = this->eliminate(this->Top[k], execution);
+    all = !execution.cancelled() && this->eliminate(this->Top[k], execution);
   }
   this->Updates.clear();
   return all;

@@ -18,7 +18,8 @@ public:
   /// Finds the structure for the pattern of a symmetric matrix; the lower triangle is read. \param
   /// order which column is eliminated first, second, ...
   void analyze(const Eigen::SparseMatrix<double>& matrix, const Indices& order);
-  /// Factors a matrix of that pattern. False where it is of another, a pivot is zero or not finite.
+  /// Factors a matrix of that pattern. False where it is of another, a pivot is zero or not finite,
+  /// or the run is cancelled.
   bool factorize(const Eigen::SparseMatrix<double>& matrix, const Execution& execution);
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;
   /// Entries of D in the order of elimination.

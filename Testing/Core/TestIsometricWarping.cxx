@@ -108,6 +108,30 @@ TEST(IsometricWarping, AnotherMinimizerFindsNothingBelow)
   }
 }
 
+TEST(IsometricWarping, AFinerMeshOfTheSameSurfaceGivesTheSameShape)
+{
+  // The same cushion with a curve along its middle, 60 and 120 triangles across.
+  std::array<double, 2> angleError{};
+  std::array<double, 2> width{};
+  for (int fine = 0; fine < 2; ++fine)
+  {
+    const Index side = fine ? 120 : 60;
+    Surface surface = cushion(side, side, 0.15);
+    surface.curves.push_back(rowCurve(side, side / 2));
+    const FlatteningResult result = flatten(surface);
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    angleError[fine] = result.pieces[0].quality.angleError;
+    Eigen::AlignedBox2d box;
+    for (const Point2& p : result.positions)
+    {
+      box.extend(p);
+    }
+    width[fine] = box.diagonal().norm();
+  }
+  EXPECT_NEAR(angleError[1], angleError[0], 0.03 * angleError[0]);
+  EXPECT_NEAR(width[1], width[0], 2e-3 * width[0]);
+}
+
 TEST(IsometricWarping, TheQuarterSphereStaysSymmetricInBothDirections)
 {
   // The paper's splits of the quads break both mirrors; with splits that mirror each other the

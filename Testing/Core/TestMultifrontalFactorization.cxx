@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MultifrontalFactorization.h"
+#include "NestedDissection.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// Two unknowns a vertex of a mesh in the plane, and constraints on some edges with a small block:
+/// the pattern of the isometric scheme's systems.
+struct KktSystem
+{
+  Eigen::SparseMatrix<double> matrix; ///< lower triangle
+  Indices order;
+};
+
+KktSystem kktSystem(Index side)
+{
+  const Surface surface = flatPatch(side, side);
+  const Triangles& triangles = surface.mesh.triangles();
+  const Index vertices = surface.mesh.vertexCount();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Triangle& t : triangles)
+  {
+    for (int a = 0; a < 6; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        const Index row = 2 * t[a / 2] + a % 2;
+        const Index column = 2 * t[b / 2] + b % 2;
+        entries.emplace_back(std::max(row, column), std::min(row, column),
+          row == column ? 4.0 : 0.3 * std::sin(double(row + 2 * column)));
+      }
+    }
+  }
+  Points2 positions;
+  for (const Point3& p : surface.mesh.points())
+  {
+    positions.emplace_back(p.x(), p.y());
+  }
+  KktSystem system;
+  for (Index v : dissect(triangles, positions))
+  {
+    system.order.push_back(2 * v);
+    system.order.push_back(2 * v + 1);
+  }
+  Index row = 2 * vertices;
+  for (std::size_t t = 0; t < triangles.size(); t += 5, ++row)
+  {
+    entries.emplace_back(row, 2 * triangles[t][0], 1.0);
+    entries.emplace_back(row, 2 * triangles[t][1] + 1, -0.5);
+    entries.emplace_back(row, row, -1e-8);
+    system.order.push_back(row);
+  }
+  system.matrix.resize(row, row);
+  system.matrix.setFromTriplets(entries.begin(), entries.end());
+  return system;
+}
+
+Execution threads(Index count)
+{
+  Execution execution;
+  execution.parallel = [count](Index size, const std::function<void(Index, Index)>& body) {
+    std::vector<std::thread> pool;
+    for (Index k = 0; k < count; ++k)
+    {
+      pool.emplace_back(body, k * size / count, (k + 1) * size / count);
+    }
+    for (std::thread& thread : pool)
+    {
+      thread.join();
+    }
+  };
+  return execution;
+}
+}
+
+TEST(MultifrontalFactorization, SolvesAKktSystemAsDenseEliminationDoes)
+{
+  const KktSystem system = kktSystem(9);
+  MultifrontalFactorization factorization;
+  factorization.analyze(system.matrix, system.order);
+  ASSERT_TRUE(factorization.factorize(system.matrix, {}));
+  const Eigen::MatrixXd dense = Eigen::MatrixXd(system.matrix).selfadjointView<Eigen::Lower>();
+  const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(dense.rows(), 3);
+  const Eigen::MatrixXd expected = dense.fullPivLu().solve(rhs);
+  EXPECT_LT((factorization.solve(rhs) - expected).norm(), 1e-9 * expected.norm());
+  // Sylvester: as many negative pivots as constraints.
+  const Index constraints = system.matrix.rows() - 2 * 100;
+  EXPECT_EQ((factorization.diagonal().array() < 0.0).count(), constraints);
+}
+
+TEST(MultifrontalFactorization, IsTheSameToTheLastBitForAnyNumberOfThreads)
+{
+  const KktSystem system = kktSystem(60);
+  const Eigen::MatrixXd rhs = Eigen::MatrixXd::Ones(system.matrix.rows(), 1);
+  MultifrontalFactorization factorization;
+  factorization.analyze(system.matrix, system.order);
+  ASSERT_TRUE(factorization.factorize(system.matrix, {}));
+  const Eigen::MatrixXd alone = factorization.solve(rhs);
+  for (Index count : { 2, 3, 8 })
+  {
+    ASSERT_TRUE(factorization.factorize(system.matrix, threads(count)));
+    EXPECT_EQ((factorization.solve(rhs) - alone).cwiseAbs().maxCoeff(), 0.0) << count;
+  }
+}
+
+TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)
+{
+  const KktSystem system = kktSystem(60);
+  Indices given(system.order.size());
+  std::iota(given.begin(), given.end(), 0);
+  Indices sorted = system.order;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, given) << "an order names each column once";
+  EXPECT_LT(SupernodalStructure(system.matrix, system.order).blocksSize(),
+    SupernodalStructure(system.matrix, given).blocksSize() / 2);
+}
+
+TEST(MultifrontalFactorization, StopsWhenItIsCancelled)
+{
+  const KktSystem system = kktSystem(20);
+  MultifrontalFactorization factorization;
+  factorization.analyze(system.matrix, system.order);
+  Execution execution;
+  execution.cancel = [] { return true; };
+  EXPECT_FALSE(factorization.factorize(system.matrix, execution));
+}
