@@ -39,7 +39,8 @@ public:
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
     bool converged = false;
     double moved = 0.0;
-    // Far from the minimum the exact Hessian is seldom convex; it pays once steps are short.
+    // Far from the minimum the exact Hessian is seldom convex; it pays once steps are short, and
+    // not because they had to be cut.
     bool exact = false;
     for (int iteration = 0;; ++iteration)
     {
@@ -71,7 +72,7 @@ public:
       {
         break;
       }
-      exact = moved < 1.0;
+      exact = moved < 1.0 && this->Scale >= 0.5;
     }
     if (!converged && this->Run.cancelled())
     {
@@ -315,6 +316,7 @@ private:
   bool accept(const Eigen::VectorXd& x, double scale, double& moved)
   {
     moved = largest(x - this->X);
+    this->Scale = scale;
     this->X = x;
     this->Multipliers += scale * (this->NewMultipliers - this->Multipliers);
     this->holdAtBounds();
@@ -339,6 +341,7 @@ private:
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
   double Penalty = 0.0;
+  double Scale = 1.0; ///< of the last step that was accepted
 };
 }
 

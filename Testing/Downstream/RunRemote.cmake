@@ -10,7 +10,7 @@ endfunction ()
 file(REMOVE_RECURSE "${folder}/source")
 file(COPY "${project}/" DESTINATION "${folder}/source")
 file(COPY "${source}/CMake/SurfaceFlattening.remote.cmake" DESTINATION "${folder}/source/Remote")
-foreach (part IN ITEMS CMakeLists.txt vtk.module Data Examples Filters Testing)
+foreach (part IN ITEMS CMakeLists.txt vtk.module Data Examples Figures Filters Testing)
   file(COPY "${source}/${part}" DESTINATION "${folder}/source/Remote/SurfaceFlattening")
 endforeach ()
 # A module of VTK's beside it. Written here, because the project may hold one vtk.module only.
