@@ -39,8 +39,7 @@ public:
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
     bool converged = false;
     double moved = 0.0;
-    // Far from the minimum the exact Hessian is seldom convex; it pays once steps are short, and
-    // not because they had to be cut.
+    // Far from the minimum the exact Hessian is seldom convex; it pays once steps are short.
     bool exact = false;
     for (int iteration = 0;; ++iteration)
     {
@@ -52,6 +51,10 @@ public:
       this->Terms = this->Model.objective(this->X, this->Run);
       if (!std::isfinite(this->Terms.total) || !this->solve(exact))
       {
+        if (this->Run.cancelled())
+        {
+          continue; // to be said above
+        }
         break;
       }
       const double violation = largest(this->Point.constraints);
@@ -72,7 +75,7 @@ public:
       {
         break;
       }
-      exact = moved < 1.0 && this->Scale >= 0.5;
+      exact = moved < 1.0;
     }
     if (!converged && this->Run.cancelled())
     {
@@ -156,28 +159,10 @@ private:
     return this->Solver.factorize(this->Model.kkt()) && this->Solver.positive() == this->Unknowns;
   }
 
-  /// The exact Hessian, shifted where it has directions of small negative curvature on the tangent
-  /// space, as at the saddle from which a wire buckles: the projected one would leave it slowly.
-  bool factorizeExact()
-  {
-    constexpr int attempts = 4;
-    double tau = this->Shift;
-    for (int attempt = 0; attempt < attempts && !this->Run.cancelled(); ++attempt)
-    {
-      if (this->factorize(IsometricModel::Curvature::Exact, tau))
-      {
-        this->Shift = tau > 1e-3 ? 0.25 * tau : 0.0;
-        return true;
-      }
-      tau = std::max(2e-3, 5.0 * tau);
-    }
-    return false;
-  }
-
   /// Solves the KKT system at X with a Hessian that is convex on the constraints' tangent space.
   bool solve(bool exact)
   {
-    this->UsedExact = exact && this->factorizeExact();
+    this->UsedExact = exact && this->factorize(IsometricModel::Curvature::Exact, 0.0);
     bool factored = this->UsedExact;
     for (double tau = 0.0; !factored && tau < 1e6; tau = std::max(1e-4, 10.0 * tau))
     {
@@ -316,7 +301,6 @@ private:
   bool accept(const Eigen::VectorXd& x, double scale, double& moved)
   {
     moved = largest(x - this->X);
-    this->Scale = scale;
     this->X = x;
     this->Multipliers += scale * (this->NewMultipliers - this->Multipliers);
     this->holdAtBounds();
@@ -337,11 +321,9 @@ private:
   IsometricModel::Linearization Point;
   LinearSolver Solver{ LinearMethod::Multifrontal };
   bool UsedExact = false;
-  double Shift = 0.0; ///< of the exact Hessian, where it was needed last
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
   double Penalty = 0.0;
-  double Scale = 1.0; ///< of the last step that was accepted
 };
 }
 
