@@ -2,6 +2,7 @@
 #include "ConformalMap.h"
 
 #include "LinearSolver.h"
+#include "NestedDissection.h"
 #include "TriangleFrame.h"
 
 #include <algorithm>
@@ -165,7 +166,8 @@ Status checkPins(const TriangleMesh& mesh, const std::array<Index, 2>& pins)
 }
 }
 
-ConformalMap mapConformally(const TriangleMesh& mesh, const ConformalOptions& options)
+ConformalMap mapConformally(
+  const TriangleMesh& mesh, const ConformalOptions& options, const Execution& execution)
 {
   ConformalMap map;
   Indices boundary;
@@ -209,13 +211,24 @@ ConformalMap mapConformally(const TriangleMesh& mesh, const ConformalOptions& op
   }
   const Index unknowns = 2 * free;
   const ConformalEnergy energy(mesh, options.areaNormalized);
-  LinearSolver solver(LinearMethod::Cholesky);
+  Indices order;
+  for (Index v : dissect(mesh.triangles(), mesh.points()))
+  {
+    if (column[v] != none)
+    {
+      order.push_back(2 * column[v]);
+      order.push_back(2 * column[v] + 1);
+    }
+  }
+  LinearSolver solver(std::move(order), execution);
   const Status failure{ StatusCode::NumericalFailure,
     "the conformal map could not be computed; look for slivers or a part that hangs on one vertex",
     {} };
   if (!solver.factorize(energy.hessian(column, unknowns)))
   {
-    map.status = failure;
+    map.status = execution.cancelled()
+      ? Status{ StatusCode::Cancelled, "cancelled while mapping conformally", {} }
+      : failure;
     return map;
   }
 

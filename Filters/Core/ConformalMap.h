@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Execution.h"
 #include "TriangleMesh.h"
 
 namespace flattening
@@ -24,6 +25,7 @@ struct ConformalMap
 /// Least squares conformal map of a disk-like surface (Levy, Petitjean, Ray, Maillot, "Least
 /// squares conformal maps for automatic texture atlas generation", ACM TOG 21(3), 2002), scaled so
 /// that its perimeter is that of the surface, as the paper does for comparison.
-/// Errors: ClosedSurface, InvalidOption (pins), NumericalFailure.
-ConformalMap mapConformally(const TriangleMesh& mesh, const ConformalOptions& options);
+/// Errors: ClosedSurface, InvalidOption (pins), NumericalFailure, Cancelled.
+ConformalMap mapConformally(
+  const TriangleMesh& mesh, const ConformalOptions& options, const Execution& execution = {});
 }

@@ -327,7 +327,12 @@ Indices IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
       cliques.push_back({ node.before, node.at, node.after });
     }
   }
-  const Indices vertices = dissect(cliques, this->positions(x));
+  Points3 positions;
+  for (Index v = 0; v < this->CoordinateCount / 2; ++v)
+  {
+    positions.emplace_back(x[2 * v], x[2 * v + 1], 0.0);
+  }
+  const Indices vertices = dissect(cliques, positions);
   Indices place(vertices.size());
   for (std::size_t k = 0; k < vertices.size(); ++k)
   {

@@ -13,7 +13,7 @@ constexpr std::ptrdiff_t leafSize = 12;
 class Dissection
 {
 public:
-  Dissection(const Triangles& cliques, const Points2& positions)
+  Dissection(const Triangles& cliques, const Points3& positions)
     : Positions(positions)
     , Begin(positions.size() + 1, 0)
     , Side(positions.size(), none)
@@ -55,9 +55,10 @@ private:
     {
       return;
     }
-    Eigen::AlignedBox2d box;
+    Eigen::AlignedBox3d box;
     std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
-    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
     const Iterator middle = begin + (end - begin) / 2;
     std::nth_element(begin, middle, end, [&](Index a, Index b) {
       const double x = this->Positions[a][axis];
@@ -81,7 +82,7 @@ private:
     this->split(begin + leftCount, end - separatorCount);
   }
 
-  const Points2& Positions;
+  const Points3& Positions;
   Indices Begin;
   Indices Neighbours;
   Indices Side;
@@ -89,7 +90,7 @@ private:
 };
 }
 
-Indices dissect(const Triangles& cliques, const Points2& positions)
+Indices dissect(const Triangles& cliques, const Points3& positions)
 {
   return Dissection(cliques, positions).run();
 }

@@ -80,8 +80,8 @@ void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
   }
 }
 
-void mapPieceConformally(
-  const Piece& piece, const CutSurface& cut, const FlatteningOptions& options, FlatPiece& result)
+void mapPieceConformally(const Piece& piece, const CutSurface& cut,
+  const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
 {
   ConformalOptions conformal = options.conformal;
   for (Index& pin : conformal.pins)
@@ -95,7 +95,7 @@ void mapPieceConformally(
   {
     conformal.pins = { none, none };
   }
-  ConformalMap map = mapConformally(piece.mesh, conformal);
+  ConformalMap map = mapConformally(piece.mesh, conformal, execution);
   result.positions = std::move(map.positions);
   result.report.status = std::move(map.status);
 }
@@ -200,7 +200,7 @@ FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   }
   if (options.scheme == Scheme::Conformal)
   {
-    mapPieceConformally(piece, cut, options, result);
+    mapPieceConformally(piece, cut, options, execution, result);
     result.secondsInterior = watch.restart();
     return result;
   }

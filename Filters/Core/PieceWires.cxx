@@ -45,7 +45,8 @@ void addStretchGroups(
 }
 
 /// Angles and lengths of the wires in a conformal map, to start from where the plain start fails.
-AngleStart conformalStart(const Piece& piece, const WireNetwork& network)
+AngleStart conformalStart(
+  const Piece& piece, const WireNetwork& network, const Execution& execution)
 {
   AngleStart start;
   start.theta = network.alpha;
@@ -53,7 +54,7 @@ AngleStart conformalStart(const Piece& piece, const WireNetwork& network)
   {
     start.length.push_back(edge.length);
   }
-  const ConformalMap map = mapConformally(piece.mesh, {});
+  const ConformalMap map = mapConformally(piece.mesh, {}, execution);
   if (!map.status.ok())
   {
     return start;
@@ -138,7 +139,9 @@ WireSolution PieceWires::solveFor(const NodeLocks& locks) const
   WireSolution wires;
   wires.problem = makeAngleProblem(this->Network, locks);
   addStretchGroups(this->Network, this->Curves, wires.problem);
-  wires.problem.alternativeStart = [this] { return conformalStart(this->Subject, this->Network); };
+  wires.problem.alternativeStart = [this] {
+    return conformalStart(this->Subject, this->Network, this->Execute);
+  };
   if (this->Options.scheme == Scheme::Progressive)
   {
     this->warpPatches(wires);

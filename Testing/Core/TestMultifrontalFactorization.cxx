@@ -41,13 +41,8 @@ KktSystem kktSystem(Index side)
       }
     }
   }
-  Points2 positions;
-  for (const Point3& p : surface.mesh.points())
-  {
-    positions.emplace_back(p.x(), p.y());
-  }
   KktSystem system;
-  for (Index v : dissect(triangles, positions))
+  for (Index v : dissect(triangles, surface.mesh.points()))
   {
     system.order.push_back(2 * v);
     system.order.push_back(2 * v + 1);
