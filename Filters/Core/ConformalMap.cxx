@@ -224,11 +224,12 @@ ConformalMap mapConformally(
   const Status failure{ StatusCode::NumericalFailure,
     "the conformal map could not be computed; look for slivers or a part that hangs on one vertex",
     {} };
-  if (!solver.factorize(energy.hessian(column, unknowns)))
+  const Status cancelled{ StatusCode::Cancelled, "cancelled while mapping conformally", {} };
+  const SparseMatrix hessian = energy.hessian(column, unknowns);
+  if (execution.cancelled() || !solver.analyze(hessian) || execution.cancelled() ||
+    !solver.factorize(hessian))
   {
-    map.status = execution.cancelled()
-      ? Status{ StatusCode::Cancelled, "cancelled while mapping conformally", {} }
-      : failure;
+    map.status = execution.cancelled() ? cancelled : failure;
     return map;
   }
 
@@ -238,6 +239,11 @@ ConformalMap mapConformally(
   // their residual does not where it is computed row by row.
   for (int pass = 0; pass < 3; ++pass)
   {
+    if (execution.cancelled())
+    {
+      map.status = cancelled;
+      return map;
+    }
     const Eigen::VectorXd step = solver.solve(energy.descent(positions, column, unknowns));
     if (step.rows() != unknowns)
     {

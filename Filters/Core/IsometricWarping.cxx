@@ -51,10 +51,6 @@ public:
       this->Terms = this->Model.objective(this->X, this->Run);
       if (!std::isfinite(this->Terms.total) || !this->solve(exact))
       {
-        if (this->Run.cancelled())
-        {
-          continue; // to be said above
-        }
         break;
       }
       const double violation = largest(this->Point.constraints);
@@ -156,7 +152,8 @@ private:
         this->Model.hold(static_cast<Index>(k));
       }
     }
-    return this->Solver.factorize(this->Model.kkt()) && this->Solver.positive() == this->Unknowns;
+    return !this->Run.cancelled() && this->Solver.factorize(this->Model.kkt()) &&
+      this->Solver.positive() == this->Unknowns;
   }
 
   /// Solves the KKT system at X with a Hessian that is convex on the constraints' tangent space.

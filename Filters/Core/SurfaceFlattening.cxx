@@ -120,6 +120,10 @@ public:
     {
       return refusal(std::move(this->Result.cut.status));
     }
+    if (this->Run.cancelled())
+    {
+      return refusal(cancelled());
+    }
     this->Pieces = extractPieces(this->Result.cut);
     if (!this->flattenPieces())
     {
@@ -128,6 +132,10 @@ public:
     this->placePieces();
     Stopwatch qualityWatch;
     this->Run.report(0.9, "Measuring quality");
+    if (this->Run.cancelled())
+    {
+      return refusal(cancelled());
+    }
     this->measure();
     this->Result.seconds.quality = qualityWatch.seconds();
     this->Result.seconds.total = watch.seconds();
@@ -136,6 +144,8 @@ public:
   }
 
 private:
+  static Status cancelled() { return { StatusCode::Cancelled, "cancelled", {} }; }
+
   static FlatteningResult refusal(Status status)
   {
     FlatteningResult result;
@@ -152,7 +162,7 @@ private:
         "Flattening pieces");
       if (this->Run.cancelled())
       {
-        this->Result.status = { StatusCode::Cancelled, "cancelled", {} };
+        this->Result.status = cancelled();
         return false;
       }
       this->Flat.push_back(
