@@ -83,9 +83,8 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
 {
   auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
   std::vector<std::vector<SideSum>> sums(network.hostVertices.size());
-  for (std::size_t c = 0; c < curves.size(); ++c)
+  for (const FeatureCurve& curve : curves)
   {
-    const FeatureCurve& curve = curves[c];
     if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Surface)
     {
       continue;

@@ -56,8 +56,8 @@ PatternStatus checkOptions(const PatternSource& source, const PatternOptions& op
           names += ", " + wire.name;
         }
       }
-      return invalid(
-        "a seam allowance names the curve " + name + ", which is not there; there are " + names);
+      return invalid("a seam allowance names the curve " +
+        std::string(name).append(", which is not there; there are ").append(names));
     }
   }
   return {};

@@ -67,9 +67,9 @@ public:
 
   PatternStatus draw()
   {
-    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    for (const PatternPiece& piece : this->Drawn.pieces)
     {
-      this->Strokes.push_back(strokesOf(this->Drawn.pieces[p]));
+      this->Strokes.push_back(strokesOf(piece));
     }
     for (std::size_t page = 0; page < this->Plan.pages.size(); ++page)
     {

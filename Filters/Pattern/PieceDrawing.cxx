@@ -32,7 +32,7 @@ public:
       this->Darts = findDarts(this->All.source, this->Loops, this->All.wires, this->All.partners);
     }
     this->markFolded();
-    const PatternStatus status = this->drawCutLine();
+    PatternStatus status = this->drawCutLine();
     if (!status.ok())
     {
       return status;
@@ -145,7 +145,7 @@ private:
       }
     }
     std::vector<Points2> borders;
-    const PatternStatus status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+    PatternStatus status = addAllowance(polygons, this->All.options.mitreLimit, borders);
     for (std::size_t b = 0; b < borders.size(); ++b)
     {
       addSegments(borders[b], true, this->CutLine);
