@@ -26,6 +26,7 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> cut;
 
   double secondsRead = 0.0;
+  double secondsWrite = 0.0; ///< of all files but the report itself
   double secondsTotal = 0.0;
 
   bool refused() const { return this->exitCode == InputRefused; }

@@ -34,7 +34,8 @@ Coordinates are read in double precision where the file holds them (STL holds si
 
 Files written to DIR: flat.vtp (pieces in the plane), wires.vtp (their wires), cut.vtp (the cut
 surface in space, point for point like flat.vtp), report.json (all measures), and what is asked for of
-pattern.svg, pattern.pdf, pattern.dxf. Earlier ones are replaced.
+pattern.svg, pattern.pdf, pattern.dxf. Earlier ones are replaced. With --batch they are written to
+DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
 
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result; 4 flattened, but a promise is broken (not
 converged, a length error above --max-length-error, a flipped triangle, an overlap): files are written.
@@ -218,8 +219,8 @@ void addOutput(CLI::App& app, Options& options)
   const std::string group = "Output";
   app
     .add_option("-o,--output", options.output,
-      "Folder for the files, made if need be (default: <name of SURFACE>_flat in the current "
-      "folder)")
+      "Folder for the files, made if need be (default: <name of SURFACE or LIST>_flat in the "
+      "current folder)")
     ->type_name("DIR")
     ->group(group);
   app
@@ -242,7 +243,8 @@ std::string outputFolder(const Options& options)
   {
     return options.output;
   }
-  return std::filesystem::path(options.surface).stem().string() + "_flat";
+  const std::string& input = options.batch.empty() ? options.surface : options.batch;
+  return std::filesystem::path(input).stem().string() + "_flat";
 }
 
 //------------------------------------------------------------------------------
@@ -255,11 +257,9 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   std::ostringstream version;
   version << "wirewarp " << WIREWARP_VERSION << " (VTK " << vtkVersion::GetVTKVersion() << ')';
   app.set_version_flag("--version", version.str(), "Print the version and exit");
-  app
-    .add_option(
-      "SURFACE", options.surface, "The surface: .vtp .vtk .obj .ply .stl, of polygons or triangles")
-    ->required()
-    ->type_name("");
+  CLI::Option* const surface = app.add_option(
+    "SURFACE", options.surface, "The surface: .vtp .vtk .obj .ply .stl, of polygons or triangles");
+  surface->type_name("");
   app.add_option("CURVES", options.curves, "Files of feature curves: .vtp .vtk, or text")
     ->type_name("");
   addMethods(app, options);
@@ -268,6 +268,15 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   addOutput(app, options);
   addPatternOptions(app, options.pattern);
   addPictureOptions(app, options.picture);
+  app
+    .add_option("--batch", options.batch,
+      "Flatten many surfaces in one call: a file with SURFACE [CURVES...] on each line, names with "
+      "blanks in double quotes. Each gets a folder of its name in DIR; batch.json there says what "
+      "became of them and what took how long")
+    ->type_name("LIST")
+    ->excludes(surface, app.get_option("--pins"), app.get_option("--list-curves"),
+      app.get_option("--picture"))
+    ->group("Input");
 
   exitCode = Done;
   try
@@ -282,7 +291,18 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
     {
       throw CLI::ValidationError("--output", "the folder has no name");
     }
-    if (options.surface.empty())
+    if (app.count("--batch") > 0)
+    {
+      if (options.batch.empty())
+      {
+        throw CLI::ValidationError("--batch", "the file has no name");
+      }
+    }
+    else if (surface->count() == 0)
+    {
+      throw CLI::RequiredError("SURFACE");
+    }
+    else if (options.surface.empty())
     {
       throw CLI::ValidationError("SURFACE", "the file has no name");
     }

@@ -26,6 +26,7 @@ struct Options
 {
   std::string surface;
   std::vector<std::string> curves;
+  std::string batch; ///< a list of surfaces in their place; empty: none
 
   std::string scheme = "isometric";
   std::string solver = "newton";
@@ -61,7 +62,7 @@ struct Options
   PatternRequest pattern;
   PictureRequest picture;
 
-  std::string output; ///< empty: outputFolder() makes one of the surface's name
+  std::string output; ///< empty: outputFolder() makes one of the input's name
   int threads = 0;    ///< 0: as many as there are cores
   bool listCurves = false;
   bool quiet = false;

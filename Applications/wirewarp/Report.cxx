@@ -115,9 +115,11 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "ids", result.ids }, { "pieces", pieceReports(flat, wires) },
     { "curves", curveReports(wires) }, { "seams", seamReports(result) },
     { "seconds",
-      { { "read", result.secondsRead }, { "wires", flat.number("SecondsWires", 0) },
+      { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },
+        { "wires", flat.number("SecondsWires", 0) },
         { "interior", flat.number("SecondsInterior", 0) },
-        { "quality", flat.number("SecondsQuality", 0) }, { "total", result.secondsTotal } } } };
+        { "quality", flat.number("SecondsQuality", 0) }, { "write", result.secondsWrite },
+        { "total", result.secondsTotal } } } };
   // File names may hold any bytes; those that are no UTF-8 become replacement characters.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -127,7 +127,7 @@ std::string releaseAdvice(const Flattening& result)
 }
 
 //------------------------------------------------------------------------------
-std::string brokenPromises(const Flattening& result)
+std::string brokenPromises(const Flattening& result, const std::string& where)
 {
   const FieldRows field(result.flat);
   std::string text;
@@ -135,10 +135,10 @@ std::string brokenPromises(const Flattening& result)
   {
     if (field.text("Status", piece) != "Ok")
     {
-      text += "wirewarp: broken promise: piece " + std::to_string(piece) + ": " +
+      text += "wirewarp: broken promise: " + where + "piece " + std::to_string(piece) + ": " +
         field.text("StatusMessage", piece) + '\n';
     }
   }
-  return text.empty() ? "wirewarp: broken promise: " + result.message + '\n' : text;
+  return text.empty() ? "wirewarp: broken promise: " + where + result.message + '\n' : text;
 }
 }

@@ -16,6 +16,6 @@ std::string curveTable(const Flattening& result);
 /// Where a piece has no good exact solution: which curve to release first, and what that brings.
 std::string releaseAdvice(const Flattening& result);
 
-/// Broken promises, a line a piece.
-std::string brokenPromises(const Flattening& result);
+/// Broken promises, a line a piece. \param where stands before each piece
+std::string brokenPromises(const Flattening& result, const std::string& where = "");
 }

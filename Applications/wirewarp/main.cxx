@@ -1,55 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Flattening.h"
+#include "Batch.h"
+#include "FlattenToFiles.h"
 #include "InputError.h"
 #include "Options.h"
-#include "OutputFiles.h"
-#include "Report.h"
 #include "Table.h"
 
 #include <vtkSMPTools.h>
 
-#include <filesystem>
 #include <iostream>
 #include <optional>
-#include <system_error>
 
 namespace
 {
 using namespace wirewarp;
 
-/// A pattern of an earlier run must not be cut for this one's.
-void discardPatterns(const OutputFiles& files)
+void say(const Options& options, const FilesOfFlattening& written)
 {
-  for (const char* name : { "pattern.svg", "pattern.pdf", "pattern.dxf" })
+  std::cout << pieceTable(written.result);
+  std::cout << releaseAdvice(written.result);
+  if (options.listCurves)
   {
-    files.discard(name);
+    std::cout << '\n' << curveTable(written.result);
   }
-}
-
-/// \return the names of the patterns among the files
-std::vector<std::string> writeResult(
-  const Options& options, const Flattening& result, OutputFiles& files)
-{
-  std::vector<std::string> patterns = addPatterns(options.pattern, options.surface, result, files);
-  files.add("flat.vtp", result.flat);
-  files.add("wires.vtp", result.wires);
-  files.add("cut.vtp", result.cut);
-  files.add("report.json", makeReport(options, result));
-  discardPatterns(files);
-  files.publish();
-  return patterns;
-}
-
-/// Says so in report.json, and leaves no earlier result beside it.
-void writeRefusal(const Options& options, const Flattening& result, OutputFiles& files)
-{
-  files.add("report.json", makeReport(options, result));
-  for (const char* name : { "flat.vtp", "wires.vtp", "cut.vtp" })
+  std::cout << '\n';
+  for (const std::string& name : written.patterns)
   {
-    files.discard(name);
+    std::cout << name << ", ";
   }
-  discardPatterns(files);
-  files.publish();
+  std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to " << written.folder << '\n';
+  if (options.picture.any())
+  {
+    std::cout << "picture written to " << options.picture.path << '\n';
+  }
 }
 
 int run(const Options& options)
@@ -58,66 +40,27 @@ int run(const Options& options)
   {
     vtkSMPTools::Initialize(options.threads);
   }
+  if (!options.batch.empty())
+  {
+    return runBatch(options);
+  }
   checkPicture(options.picture);
-  const std::string folder = outputFolder(options);
-  std::error_code ignored;
-  std::optional<OutputFiles> files; // a default folder is not made for a refusal alone
-  if (!options.output.empty() || std::filesystem::is_directory(folder, ignored))
+  const FilesOfFlattening written = flattenToFiles(options);
+  if (written.result.refused())
   {
-    files.emplace(folder);
-  }
-
-  const Flattening result = flattenOne(options);
-  if (result.refused())
-  {
-    std::cerr << "wirewarp: error: " << result.message << '\n';
-    if (files)
-    {
-      writeRefusal(options, result, *files);
-    }
-    return result.exitCode;
-  }
-
-  if (!files)
-  {
-    files.emplace(folder);
-  }
-  std::optional<OutputFiles> picture;
-  if (options.picture.any())
-  {
-    picture.emplace(options.picture.folder(), "--picture");
-    addPicture(options, result, *picture);
-  }
-  const std::vector<std::string> patterns = writeResult(options, result, *files);
-  if (picture)
-  {
-    picture->publish();
+    std::cerr << "wirewarp: error: " << written.result.message << '\n';
+    return written.result.exitCode;
   }
   if (!options.quiet)
   {
-    std::cout << pieceTable(result);
-    std::cout << releaseAdvice(result);
-    if (options.listCurves)
-    {
-      std::cout << '\n' << curveTable(result);
-    }
-    std::cout << '\n';
-    for (const std::string& name : patterns)
-    {
-      std::cout << name << ", ";
-    }
-    std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to " << folder << '\n';
-    if (picture)
-    {
-      std::cout << "picture written to " << options.picture.path << '\n';
-    }
+    say(options, written);
   }
-  if (result.exitCode == PromiseBroken)
+  if (written.result.exitCode == PromiseBroken)
   {
     std::cout.flush();
-    std::cerr << brokenPromises(result);
+    std::cerr << brokenPromises(written.result);
   }
-  return result.exitCode;
+  return written.result.exitCode;
 }
 }
 

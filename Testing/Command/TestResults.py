@@ -22,7 +22,8 @@ class Results(command.CommandTest):
         self.assertEqual(report["surface"], "lune.obj")
         self.assertEqual(report["status"], "Ok")
         self.assertEqual(
-            sorted(report["seconds"]), ["interior", "quality", "read", "total", "wires"]
+            sorted(report["seconds"]),
+            ["core", "interior", "quality", "read", "total", "wires", "write"],
         )
         self.assertTrue(all(value >= 0 for value in report["seconds"].values()))
         piece = report["pieces"][0]

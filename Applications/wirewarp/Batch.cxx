@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Batch.h"
+
+#include "FieldRows.h"
+#include "FlattenToFiles.h"
+#include "InputError.h"
+#include "OutputFiles.h"
+#include "Table.h"
+#include "TextFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <string_view>
+
+namespace wirewarp
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The next name off the front of a line; empty at its end or at a comment.
+std::string takeName(std::string_view& rest, const std::string& path, std::size_t line)
+{
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t\v\f"), rest.size()));
+  if (rest.empty() || rest.front() == '#')
+  {
+    return "";
+  }
+  if (rest.front() != '"')
+  {
+    return std::string(takeWord(rest));
+  }
+  const std::size_t end = rest.find('"', 1);
+  if (end == std::string_view::npos || end == 1)
+  {
+    throw InputError(path, line, "a name in quotes has no end or is empty; write \"a name\"");
+  }
+  std::string name(rest.substr(1, end - 1));
+  rest.remove_prefix(end + 1);
+  return name;
+}
+
+/// What became of one surface, a line on the terminal and an object in batch.json.
+Json flattenEntry(const Options& options, const BatchEntry& entry)
+{
+  const Clock::time_point start = Clock::now();
+  FilesOfFlattening written;
+  Flattening& result = written.result;
+  try
+  {
+    written = flattenToFiles(options);
+  }
+  catch (const InputError& error)
+  {
+    result = {};
+    result.exitCode = InputRefused;
+    result.status = "UnwritableOutput";
+    result.message = error.what();
+  }
+  if (result.refused())
+  {
+    std::cerr << "wirewarp: error: " << result.message << '\n';
+  }
+  else if (result.exitCode == PromiseBroken)
+  {
+    std::cerr << brokenPromises(result, entry.folder + ": ");
+  }
+  const FieldRows flat(result.flat);
+  const double total = secondsSince(start);
+  const double core = flat.number("SecondsTotal", 0);
+  // What is neither reading nor flattening is writing, the report's own file included.
+  const double write = result.refused() ? 0.0 : total - (result.secondsTotal - result.secondsWrite);
+  return { { "surface", entry.surface }, { "curve_files", entry.curves },
+    { "folder", entry.folder }, { "exit_code", result.exitCode }, { "status", result.status },
+    { "message", result.message },
+    { "triangles", result.refused() ? 0 : result.flat->GetNumberOfPolys() },
+    { "seconds",
+      { { "read", result.secondsRead }, { "core", core },
+        { "filter", std::max(0.0, total - result.secondsRead - core - write) }, { "write", write },
+        { "total", total } } } };
+}
+
+void say(const Json& row)
+{
+  std::printf("%s: %s, %lld triangles, %.3f s\n", row["folder"].get<std::string>().c_str(),
+    row["status"].get<std::string>().c_str(), row["triangles"].get<long long>(),
+    row["seconds"]["total"].get<double>());
+  std::fflush(stdout);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<BatchEntry> readBatch(const std::string& path)
+{
+  const std::string text = readWholeFile(path);
+  LineReader lines(text);
+  std::set<std::string> taken;
+  std::vector<BatchEntry> entries;
+  std::string line;
+  while (lines.next(line))
+  {
+    std::string_view rest(line);
+    BatchEntry entry;
+    entry.surface = takeName(rest, path, lines.number());
+    if (entry.surface.empty())
+    {
+      continue;
+    }
+    for (std::string name = takeName(rest, path, lines.number()); !name.empty();
+         name = takeName(rest, path, lines.number()))
+    {
+      entry.curves.push_back(std::move(name));
+    }
+    const std::string stem = std::filesystem::path(entry.surface).stem().string();
+    entry.folder = stem;
+    for (int copy = 2; !taken.insert(entry.folder).second; ++copy)
+    {
+      entry.folder = stem + "_" + std::to_string(copy);
+    }
+    entries.push_back(std::move(entry));
+  }
+  if (entries.empty())
+  {
+    throw InputError(path, "names no surface; write SURFACE [CURVES...], one surface a line");
+  }
+  return entries;
+}
+
+//------------------------------------------------------------------------------
+int runBatch(const Options& options)
+{
+  const Clock::time_point start = Clock::now();
+  const std::vector<BatchEntry> entries = readBatch(options.batch);
+  const std::string folder = outputFolder(options);
+  OutputFiles files(folder);
+  Json rows = Json::array();
+  int exitCode = Done;
+  for (const BatchEntry& entry : entries)
+  {
+    Options one = options;
+    one.surface = entry.surface;
+    one.curves = entry.curves;
+    one.output = (std::filesystem::path(folder) / entry.folder).string();
+    one.quiet = true; // no progress within a surface
+    rows.push_back(flattenEntry(one, entry));
+    const int code = rows.back()["exit_code"];
+    // A refusal, without a result, is worse than a broken promise.
+    exitCode =
+      exitCode == InputRefused || code == InputRefused ? InputRefused : std::max(exitCode, code);
+    if (!options.quiet)
+    {
+      say(rows.back());
+    }
+  }
+  const double seconds = secondsSince(start);
+  const double rate = static_cast<double>(entries.size()) / seconds;
+  const Json report = { { "list", options.batch }, { "scheme", options.scheme },
+    { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "surfaces", rows },
+    { "seconds", seconds }, { "surfaces_per_second", rate } };
+  files.add("batch.json", report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  files.publish();
+  if (!options.quiet)
+  {
+    std::printf("%zu surfaces in %.2f s, %.3g a second; batch.json and a folder a surface written "
+                "to %s\n",
+      entries.size(), seconds, rate, folder.c_str());
+  }
+  return exitCode;
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening.h"
+#include "Options.h"
+
+#include <string>
+#include <vector>
+
+namespace wirewarp
+{
+/// What became of one surface, and where it was written to.
+struct FilesOfFlattening
+{
+  Flattening result;
+  std::string folder;
+  std::vector<std::string> patterns; ///< names of files in the folder
+};
+
+/// Reads one surface, flattens it and writes all files that the options ask for. A refusal is in
+/// the result, and in report.json where the folder exists already or was asked for. Throws
+/// InputError where files cannot be written.
+FilesOfFlattening flattenToFiles(const Options& options);
+}

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""wirewarp --batch: many surfaces in one call."""
+
+import json
+import os
+
+import command
+
+
+class Batch(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles, arc = command.quarter_sphere()
+        self.write("lune.obj", command.obj(points, triangles))
+        self.write("arc.txt", "accessory arc " + " ".join(map(str, arc)) + "\n")
+        self.write("key.txt", "key arc " + " ".join(map(str, arc)) + "\n")
+        points, triangles = command.sheet()
+        os.mkdir(self.path("a folder"))
+        self.write("a folder/sheet.obj", command.obj(points, triangles))
+
+    def batch(self, text, *arguments, code=0):
+        """Runs a list of this text into `out`. Gives batch.json and the run."""
+        self.write("list.txt", text)
+        run = self.run_command("--batch", "list.txt", "--output", "out", *arguments)
+        self.assertEqual(run.returncode, code, run.stderr)
+        with open(self.path("out/batch.json"), encoding="utf-8") as file:
+            return json.load(file, parse_constant=command.refuse_constant), run
+
+    def test_each_surface_has_the_result_that_it_has_alone(self):
+        report, run = self.batch(
+            '# what to flatten\nlune.obj arc.txt # with its arc\n\n"a folder/sheet.obj"\n')
+        self.assertEqual(run.stderr, "")
+        self.assertEqual([row["folder"] for row in report["surfaces"]], ["lune", "sheet"])
+        self.assertEqual([row["triangles"] for row in report["surfaces"]], [56, 32])
+        for name, *arguments in (("lune", "lune.obj", "arc.txt"), ("sheet", "a folder/sheet.obj")):
+            many = self.report("out/" + name)
+            flat = self.array(f"out/{name}/flat.vtp", "Points")
+            alone = self.run_command(*arguments, "--output", "alone")
+            self.assertEqual(alone.returncode, 0, alone.stderr)
+            self.assertEqual(flat, self.array("alone/flat.vtp", "Points"))
+            one = self.report("alone")
+            for key in ("surface", "pieces", "curves", "status"):
+                self.assertEqual(many[key], one[key])
+
+    def test_it_says_where_the_time_goes(self):
+        report, run = self.batch("lune.obj arc.txt\nlune.obj\n")
+        for row in report["surfaces"]:
+            seconds = row["seconds"]
+            self.assertEqual(sorted(seconds), ["core", "filter", "read", "total", "write"])
+            self.assertTrue(all(value > 0 for value in seconds.values()), seconds)
+            self.assertAlmostEqual(sum(seconds.values()), 2 * seconds["total"], delta=1e-9)
+        self.assertGreaterEqual(report["seconds"], sum(row["seconds"]["total"] for row in report["surfaces"]))
+        self.assertAlmostEqual(report["surfaces_per_second"] * report["seconds"], 2, delta=1e-9)
+        self.assertIn("2 surfaces", run.stdout)
+
+    def test_equal_names_get_folders_of_their_own(self):
+        report, _ = self.batch("lune.obj arc.txt\nlune.obj key.txt\nlune.obj\n")
+        self.assertEqual([row["folder"] for row in report["surfaces"]], ["lune", "lune_2", "lune_3"])
+        self.assertEqual(self.report("out/lune_2")["curve_files"], ["key.txt"])
+        self.assertEqual(self.report("out/lune_3")["curves"], [])
+
+    def test_a_refused_surface_stops_no_other(self):
+        report, run = self.batch("missing.obj\nlune.obj arc.txt\n", code=3)
+        self.assertEqual([row["exit_code"] for row in report["surfaces"]], [3, 0])
+        self.assertEqual(report["surfaces"][0]["status"], "UnreadableInput")
+        self.assertIn("missing.obj", command.error_lines(run)[0])
+        self.assertEqual(os.listdir(self.path("out/missing")), ["report.json"])
+        self.assertTrue(os.path.exists(self.path("out/lune/flat.vtp")))
+
+    def test_the_exit_code_is_that_of_the_worst(self):
+        broken = ("--solver", "sequential", "--max-iterations", "1")
+        _, run = self.batch("lune.obj arc.txt\n", *broken, code=4)
+        self.assertIn("broken promise: lune: piece 0", command.error_lines(run)[0])
+        self.batch("missing.obj\nlune.obj arc.txt\n", *broken, code=3)
+        self.batch("lune.obj arc.txt\nmissing.obj\n", *broken, code=3)
+
+    def test_an_output_that_cannot_be_written_stops_no_other(self):
+        os.mkdir(self.path("out"))
+        self.write("out/lune", "a file in the way")
+        report, _ = self.batch('lune.obj\n"a folder/sheet.obj"\n', code=3)
+        self.assertEqual([row["status"] for row in report["surfaces"]], ["UnwritableOutput", "Ok"])
+
+    def test_a_list_without_surfaces_or_with_an_open_quote_is_refused(self):
+        for text, word in (("# nothing\n", "no surface"), ('lune.obj "arc.txt\n', "list.txt:1")):
+            self.write("list.txt", text)
+            run = self.run_command("--batch", "list.txt", "--output", "out")
+            self.assertEqual(run.returncode, 3)
+            self.assertIn(word, command.error_lines(run)[0])
+            self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_what_concerns_one_surface_is_bad_usage(self):
+        self.write("list.txt", "lune.obj\n")
+        for arguments in (
+            ("lune.obj",), ("--picture", "a.png"), ("--pins", "1", "2"), ("--list-curves",),
+        ):
+            run = self.run_command("--batch", "list.txt", *arguments)
+            self.assertEqual(run.returncode, 2, arguments)
+            self.assertIn("--batch", run.stderr)
+        self.assertEqual(self.run_command("--batch", "").returncode, 2)
+
+    def test_the_default_folder_takes_the_name_of_the_list(self):
+        self.write("list.txt", "lune.obj\n")
+        run = self.run_command("--batch", "list.txt", "--quiet")
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
+        self.assertEqual(sorted(os.listdir(self.path("list_flat"))), ["batch.json", "lune"])
+
+
+if __name__ == "__main__":
+    command.main()
