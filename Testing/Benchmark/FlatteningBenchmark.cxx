@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole flattening of a trouser leg of 2 thousand to 2 million triangles beside CGAL's
-// parameterizations, which keep no length, in one run. Prints a table in Markdown.
+// parameterizations, which keep no length, in one run. Prints tables in Markdown.
 #include "Measure.h"
 #include "Peer.h"
 #include "RefinedPiece.h"
+#include "ResultTable.h"
 
 #include "Stopwatch.h"
 #include "SurfaceFlattening.h"
@@ -11,11 +12,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,17 +31,10 @@ struct Settings
   std::string piece = "pants_front";
   std::vector<int> divisions{ 1, 4, 11, 34 };
   std::vector<std::string> methods;
-  int threads = 2;
-  int repeats = 5;
+  std::vector<int> threads{ 2 };
+  Repeats repeats;
   int peersUntil = 300000;
-};
-
-struct Row
-{
-  std::string method;
-  Measured measured;
-  double wires = 0.0;
-  QualitySummary quality;
+  std::string json;
 };
 
 struct Method
@@ -56,15 +50,18 @@ const std::vector<Method> methods{
   { "isometric", Scheme::Isometric, InteriorMethod::AsRigidAsPossible },
 };
 
-Row runMethod(const RefinedPiece& piece, const Method& method, const Settings& settings)
+Row runMethod(
+  const RefinedPiece& piece, const Method& method, int threads, const Settings& settings)
 {
   FlatteningOptions options;
   options.scheme = method.scheme;
   options.interior.method = method.interior;
   options.releaseKeys = true;
-  const Execution execution = threadedExecution(settings.threads);
+  const Execution execution = threadedExecution(threads);
   Row row;
   row.method = method.name;
+  row.threads = threads;
+  row.triangles = piece.mesh.triangleCount();
   row.measured = measure(settings.repeats, [&] {
     const FlatteningResult result = flattenSurface(piece.mesh, piece.curves, options, execution);
     if (result.status.refused())
@@ -92,6 +89,7 @@ Row runPeer(const RefinedPiece& piece, const char* name,
   }
   Row row;
   row.method = name;
+  row.triangles = piece.mesh.triangleCount();
   PeerResult result;
   row.measured = measure(settings.repeats, [&] {
     result = peer(disk.mesh);
@@ -120,50 +118,32 @@ Row runPeer(const RefinedPiece& piece, const char* name,
   return row;
 }
 
-void print(const Row& row, Index triangles, double conformal, double rigid)
-{
-  const auto ratio = [&row](double peer) {
-    char text[16];
-    std::snprintf(text, sizeof text, peer > 0.0 ? "1/%.1f" : "-", peer / row.measured.seconds);
-    return std::string(text);
-  };
-  std::printf("| %d | %s | %.4g | %s | %s | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n", triangles,
-    row.method.c_str(), 1e3 * row.measured.seconds, ratio(conformal).c_str(), ratio(rigid).c_str(),
-    1e3 * row.wires, row.measured.peakBytes / triangles, row.quality.edgeLengthError,
-    row.quality.angleError, row.quality.globalHomogeneity, row.quality.flipped.size());
-  std::fflush(stdout);
-}
-
-void run(const Settings& settings, int division)
+void run(const Settings& settings, int division, ResultTable& table)
 {
   const RefinedPiece piece = readRefined(settings.folder, settings.piece, division);
-  const Index triangles = piece.mesh.triangleCount();
-  double conformal = 0.0;
-  double rigid = 0.0;
   const auto wanted = [&settings](const std::string& name) {
     return settings.methods.empty() ||
       std::count(settings.methods.begin(), settings.methods.end(), name) > 0;
   };
-  if (triangles <= settings.peersUntil)
+  if (piece.mesh.triangleCount() <= settings.peersUntil)
   {
     if (wanted("lscm"))
     {
-      const Row row = runPeer(piece, "CGAL LSCM", runConformalPeer, settings);
-      conformal = row.measured.seconds;
-      print(row, triangles, conformal, rigid);
+      table.add(runPeer(piece, ResultTable::conformalPeer, runConformalPeer, settings));
     }
     if (wanted("arap"))
     {
-      const Row row = runPeer(piece, "CGAL ARAP", runRigidPeer, settings);
-      rigid = row.measured.seconds;
-      print(row, triangles, conformal, rigid);
+      table.add(runPeer(piece, ResultTable::rigidPeer, runRigidPeer, settings));
     }
   }
   for (const Method& method : methods)
   {
-    if (wanted(method.name))
+    for (const int threads : settings.threads)
     {
-      print(runMethod(piece, method, settings), triangles, conformal, rigid);
+      if (wanted(method.name))
+      {
+        table.add(runMethod(piece, method, threads, settings));
+      }
     }
   }
 }
@@ -177,20 +157,30 @@ int main(int argc, char** argv)
   app.add_option("--piece", settings.piece, "Name of the piece")->capture_default_str();
   app.add_option("--divisions", settings.divisions, "Parts of each edge")->capture_default_str();
   app.add_option("--methods", settings.methods, "Some of lscm arap laplacian rigid isometric");
-  app.add_option("--threads", settings.threads, "Threads")->capture_default_str();
-  app.add_option("--repeats", settings.repeats, "Runs, of which the median counts")
+  app.add_option("--threads", settings.threads, "Numbers of threads, each measured")
+    ->capture_default_str();
+  app.add_option("--repeats", settings.repeats.most, "Runs, of which the median counts")
+    ->capture_default_str();
+  app
+    .add_option("--seconds", settings.repeats.seconds,
+      "No further run of a method once its runs have taken so long")
     ->capture_default_str();
   app.add_option("--peers-until", settings.peersUntil, "Most triangles for CGAL")
     ->capture_default_str();
+  app.add_option("--json", settings.json, "File for the table");
   CLI11_PARSE(app, argc, argv);
-  std::printf("| triangles | method | ms | to CGAL LSCM | to CGAL ARAP | wires, ms | bytes a "
-              "triangle | E_len | E_ang | E_h | flips |\n|---|---|---|---|---|---|---|---|---|---|"
-              "---|\n");
+  ResultTable::printHead();
+  ResultTable table;
   try
   {
     for (const int division : settings.divisions)
     {
-      run(settings, division);
+      run(settings, division, table);
+    }
+    table.printExponents();
+    if (!settings.json.empty())
+    {
+      table.write(settings.json, settings.piece);
     }
   }
   catch (const std::exception& error)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measure.h"
 
+#include "Stopwatch.h"
+
 #include <malloc.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <limits>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace benchmarks
 {
@@ -38,22 +39,23 @@ void resetPeak()
 }
 }
 
-Measured measure(int repeats, const std::function<double()>& job)
+Measured measure(const Repeats& repeats, const std::function<double()>& job)
 {
   Measured result;
-  std::vector<double> seconds;
   resetPeak();
   const double before = statusBytes("VmRSS:");
-  for (int k = 0; k < repeats; ++k)
+  const flattening::Stopwatch watch;
+  do
   {
-    seconds.push_back(job());
-    if (k == 0)
+    result.runs.push_back(job());
+    if (result.runs.size() == 1)
     {
       result.peakBytes = statusBytes("VmHWM:") - before;
     }
-  }
-  std::sort(seconds.begin(), seconds.end());
-  result.seconds = seconds[seconds.size() / 2];
+  } while (
+    static_cast<int>(result.runs.size()) < repeats.most && watch.seconds() < repeats.seconds);
+  std::sort(result.runs.begin(), result.runs.end());
+  result.seconds = result.runs[result.runs.size() / 2];
   return result;
 }
 

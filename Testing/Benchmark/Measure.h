@@ -3,19 +3,26 @@
 
 #include "Execution.h"
 
-#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace benchmarks
 {
 struct Measured
 {
-  double seconds = 0.0;   ///< median
-  double peakBytes = 0.0; ///< of memory in use above what was in use before, in the first run
+  double seconds = 0.0;     ///< median
+  std::vector<double> runs; ///< seconds of each, in ascending order
+  double peakBytes = 0.0;   ///< of memory in use above what was in use before, in the first run
+};
+
+struct Repeats
+{
+  int most = 5;
+  double seconds = 60.0; ///< no further run once so much time has passed
 };
 
 /// Runs a job several times; it returns the seconds to count.
-Measured measure(int repeats, const std::function<double()>& job);
+Measured measure(const Repeats& repeats, const std::function<double()>& job);
 
 /// Runs loops on threads of its own, one range each.
 flattening::Execution threadedExecution(int threads);

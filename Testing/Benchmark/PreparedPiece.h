@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "AngleSolver.h"
+#include "Execution.h"
+#include "RefinedPiece.h"
+#include "SurfaceCut.h"
+
+namespace benchmarks
+{
+/// What each stage is fed with: the result of the stages before it, on the largest piece.
+class PreparedPiece
+{
+public:
+  /// Throws std::runtime_error where a stage refuses its input.
+  PreparedPiece(RefinedPiece source, const flattening::Execution& execution);
+  PreparedPiece(const PreparedPiece&) = delete; // the problem refers to the network
+  PreparedPiece& operator=(const PreparedPiece&) = delete;
+
+  RefinedPiece surface;
+  flattening::CutSurface cut;
+  flattening::Piece piece;
+  flattening::WireNetwork network;
+  flattening::AngleProblem problem;
+  flattening::AngleSolution angles;
+  flattening::Points2 wires; ///< positions of the wires, zero between them
+  flattening::Points2 rigid; ///< positions with the interior as rigid as possible
+};
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ResultTable.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+namespace benchmarks
+{
+void ResultTable::printHead()
+{
+  std::printf(
+    "| triangles | method | threads | ms | to CGAL LSCM | to CGAL ARAP | wires, ms | bytes "
+    "a triangle | E_len | E_ang | E_h | flips |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+}
+
+void ResultTable::add(Row row)
+{
+  const auto ratio = [&](const char* peer) {
+    const double seconds = this->peerSeconds(peer, row.triangles);
+    char text[16];
+    std::snprintf(
+      text, sizeof text, seconds > 0.0 ? "1/%.1f" : "-", seconds / row.measured.seconds);
+    return std::string(text);
+  };
+  std::printf("| %d | %s | %d | %.4g | %s | %s | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n",
+    row.triangles, row.method.c_str(), row.threads, 1e3 * row.measured.seconds,
+    ratio(conformalPeer).c_str(), ratio(rigidPeer).c_str(), 1e3 * row.wires,
+    row.measured.peakBytes / row.triangles, row.quality.edgeLengthError, row.quality.angleError,
+    row.quality.globalHomogeneity, row.quality.flipped.size());
+  std::fflush(stdout);
+  this->Rows.push_back(std::move(row));
+}
+
+double ResultTable::peerSeconds(const char* method, flattening::Index triangles) const
+{
+  for (const Row& row : this->Rows)
+  {
+    if (row.method == method && row.triangles == triangles)
+    {
+      return row.measured.seconds;
+    }
+  }
+  return 0.0;
+}
+
+std::vector<ResultTable::Growth> ResultTable::growth() const
+{
+  std::vector<Growth> steps;
+  for (const Row& to : this->Rows)
+  {
+    const Row* from = nullptr; // the largest below
+    for (const Row& row : this->Rows)
+    {
+      if (row.method == to.method && row.threads == to.threads && row.triangles < to.triangles &&
+        (!from || row.triangles > from->triangles))
+      {
+        from = &row;
+      }
+    }
+    if (from)
+    {
+      const double sizes = static_cast<double>(to.triangles) / from->triangles;
+      steps.push_back(
+        { from, &to, std::log(to.measured.seconds / from->measured.seconds) / std::log(sizes) });
+    }
+  }
+  return steps;
+}
+
+void ResultTable::printExponents() const
+{
+  std::printf("\n| method | threads | from | to | exponent |\n|---|---|---|---|---|\n");
+  for (const Growth& step : this->growth())
+  {
+    std::printf("| %s | %d | %d | %d | %.2f |\n", step.to->method.c_str(), step.to->threads,
+      step.from->triangles, step.to->triangles, step.exponent);
+  }
+}
+
+void ResultTable::write(const std::string& path, const std::string& piece) const
+{
+  using Json = nlohmann::ordered_json;
+  Json rows = Json::array();
+  for (const Row& row : this->Rows)
+  {
+    rows.push_back({ { "triangles", row.triangles }, { "method", row.method },
+      { "threads", row.threads }, { "seconds", row.measured.seconds },
+      { "runs", row.measured.runs }, { "seconds_wires", row.wires },
+      { "bytes_a_triangle", row.measured.peakBytes / row.triangles },
+      { "E_len", row.quality.edgeLengthError }, { "E_ang", row.quality.angleError },
+      { "E_h", row.quality.globalHomogeneity }, { "flips", row.quality.flipped.size() } });
+  }
+  Json exponents = Json::array();
+  for (const Growth& step : this->growth())
+  {
+    exponents.push_back({ { "method", step.to->method }, { "threads", step.to->threads },
+      { "from", step.from->triangles }, { "to", step.to->triangles },
+      { "exponent", step.exponent } });
+  }
+  const Json all = { { "piece", piece }, { "rows", rows }, { "exponents", exponents } };
+  std::ofstream file(path);
+  file << all.dump(2) << '\n';
+  file.close();
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FlatteningQuality.h"
+#include "Measure.h"
+
+#include <string>
+#include <vector>
+
+namespace benchmarks
+{
+/// One method on one mesh.
+struct Row
+{
+  std::string method;
+  int threads = 1;
+  flattening::Index triangles = 0;
+  Measured measured;
+  double wires = 0.0; ///< seconds of the wires alone
+  flattening::QualitySummary quality;
+};
+
+/// What a run measured, in Markdown while it goes on and as JSON at its end.
+class ResultTable
+{
+public:
+  static constexpr const char* conformalPeer = "CGAL LSCM";
+  static constexpr const char* rigidPeer = "CGAL ARAP";
+
+  static void printHead();
+  void add(Row row);
+  /// How the time of each method grows from one size to the next: log(t1 / t0) / log(n1 / n0).
+  void printExponents() const;
+  /// Throws std::runtime_error where the file cannot be written.
+  void write(const std::string& path, const std::string& piece) const;
+
+private:
+  struct Growth
+  {
+    const Row* from;
+    const Row* to;
+    double exponent;
+  };
+  double peerSeconds(const char* method, flattening::Index triangles) const;
+  std::vector<Growth> growth() const;
+
+  std::vector<Row> Rows;
+};
+}
