@@ -7,16 +7,22 @@
 #include "OutputFiles.h"
 #include "Table.h"
 #include "TextFile.h"
+#include "WorkerProcesses.h"
+
+#include <vtkSMPTools.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <string_view>
+#include <thread>
 
 namespace wirewarp
 {
@@ -52,7 +58,7 @@ std::string takeName(std::string_view& rest, const std::string& path, std::size_
   return name;
 }
 
-/// What became of one surface, a line on the terminal and an object in batch.json.
+/// What became of one surface: its object in batch.json, and what to say on the terminal.
 Json flattenEntry(const Options& options, const BatchEntry& entry)
 {
   const Clock::time_point start = Clock::now();
@@ -62,34 +68,52 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
   {
     written = flattenToFiles(options);
   }
-  catch (const InputError& error)
+  catch (const std::exception& error)
   {
     result = {};
     result.exitCode = InputRefused;
     result.status = "UnwritableOutput";
     result.message = error.what();
   }
+  std::string complaint;
   if (result.refused())
   {
-    std::cerr << "wirewarp: error: " << result.message << '\n';
+    complaint = "wirewarp: error: " + result.message + '\n';
   }
   else if (result.exitCode == PromiseBroken)
   {
-    std::cerr << brokenPromises(result, entry.folder + ": ");
+    complaint = brokenPromises(result, entry.folder + ": ");
   }
   const FieldRows flat(result.flat);
   const double total = secondsSince(start);
   const double core = flat.number("SecondsTotal", 0);
   // What is neither reading nor flattening is writing, the report's own file included.
   const double write = result.refused() ? 0.0 : total - (result.secondsTotal - result.secondsWrite);
-  return { { "surface", entry.surface }, { "curve_files", entry.curves },
-    { "folder", entry.folder }, { "exit_code", result.exitCode }, { "status", result.status },
-    { "message", result.message },
-    { "triangles", result.refused() ? 0 : result.flat->GetNumberOfPolys() },
-    { "seconds",
-      { { "read", result.secondsRead }, { "core", core },
-        { "filter", std::max(0.0, total - result.secondsRead - core - write) }, { "write", write },
-        { "total", total } } } };
+  const double filter = std::max(0.0, total - result.secondsRead - core - write);
+  return { { "row",
+             { { "surface", entry.surface }, { "curve_files", entry.curves },
+               { "folder", entry.folder }, { "exit_code", result.exitCode },
+               { "status", result.status }, { "message", result.message },
+               { "triangles", result.refused() ? 0 : result.flat->GetNumberOfPolys() },
+               { "seconds",
+                 { { "read", result.secondsRead }, { "core", core }, { "filter", filter },
+                   { "write", write }, { "total", total } } } } },
+    { "complaint", complaint } };
+}
+
+/// Of a surface whose process died.
+Json crashedEntry(const BatchEntry& entry)
+{
+  const std::string message = entry.surface +
+    ": its process died; if memory ran out, try a smaller surface or fewer --threads";
+  return { { "row",
+             { { "surface", entry.surface }, { "curve_files", entry.curves },
+               { "folder", entry.folder }, { "exit_code", InputRefused }, { "status", "Crashed" },
+               { "message", message }, { "triangles", 0 },
+               { "seconds",
+                 { { "read", 0.0 }, { "core", 0.0 }, { "filter", 0.0 }, { "write", 0.0 },
+                   { "total", 0.0 } } } } },
+    { "complaint", "wirewarp: error: " + message + '\n' } };
 }
 
 void say(const Json& row)
@@ -98,6 +122,12 @@ void say(const Json& row)
     row["status"].get<std::string>().c_str(), row["triangles"].get<long long>(),
     row["seconds"]["total"].get<double>());
   std::fflush(stdout);
+}
+
+// File names may hold any bytes; those that are no UTF-8 become replacement characters.
+std::string textOf(const Json& json, int indent)
+{
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 }
 
@@ -145,31 +175,46 @@ int runBatch(const Options& options)
   const std::vector<BatchEntry> entries = readBatch(options.batch);
   const std::string folder = outputFolder(options);
   OutputFiles files(folder);
-  Json rows = Json::array();
-  int exitCode = Done;
-  for (const BatchEntry& entry : entries)
-  {
+  const std::size_t threads = options.threads > 0
+    ? static_cast<std::size_t>(options.threads)
+    : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t workers = std::min(threads, entries.size());
+  const auto job = [&](std::size_t k) {
+    // Threads within a surface only where there are more than surfaces.
+    vtkSMPTools::Initialize(static_cast<int>(threads / workers));
     Options one = options;
-    one.surface = entry.surface;
-    one.curves = entry.curves;
-    one.output = (std::filesystem::path(folder) / entry.folder).string();
+    one.surface = entries[k].surface;
+    one.curves = entries[k].curves;
+    one.output = (std::filesystem::path(folder) / entries[k].folder).string();
     one.quiet = true; // no progress within a surface
-    rows.push_back(flattenEntry(one, entry));
-    const int code = rows.back()["exit_code"];
+    return textOf(flattenEntry(one, entries[k]), -1);
+  };
+  std::vector<Json> rows(entries.size());
+  const auto done = [&](std::size_t k, const std::optional<std::string>& text) {
+    const Json outcome = text ? Json::parse(*text) : crashedEntry(entries[k]);
+    rows[k] = outcome["row"];
+    std::cerr << outcome["complaint"].get<std::string>();
+    if (!options.quiet)
+    {
+      say(rows[k]);
+    }
+  };
+  runInProcesses(entries.size(), workers, job, done);
+
+  int exitCode = Done;
+  for (const Json& row : rows)
+  {
+    const int code = row["exit_code"];
     // A refusal, without a result, is worse than a broken promise.
     exitCode =
       exitCode == InputRefused || code == InputRefused ? InputRefused : std::max(exitCode, code);
-    if (!options.quiet)
-    {
-      say(rows.back());
-    }
   }
   const double seconds = secondsSince(start);
   const double rate = static_cast<double>(entries.size()) / seconds;
   const Json report = { { "list", options.batch }, { "scheme", options.scheme },
-    { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "surfaces", rows },
-    { "seconds", seconds }, { "surfaces_per_second", rate } };
-  files.add("batch.json", report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "workers", workers },
+    { "surfaces", rows }, { "seconds", seconds }, { "surfaces_per_second", rate } };
+  files.add("batch.json", textOf(report, 2) + '\n');
   files.publish();
   if (!options.quiet)
   {

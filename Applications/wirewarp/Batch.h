@@ -20,7 +20,8 @@ struct BatchEntry
 /// double quotes where a name holds blanks; '#' starts a comment. Throws InputError.
 std::vector<BatchEntry> readBatch(const std::string& path);
 
-/// Flattens all surfaces of the list, each into a folder of its own, and writes batch.json. A
-/// surface that is refused does not stop the others. \return the exit code: that of the worst.
+/// Flattens all surfaces of the list, each into a folder of its own and as many at a time as there
+/// are threads, and writes batch.json. A surface that is refused does not stop the others. \return
+/// the exit code: that of the worst.
 int runBatch(const Options& options);
 }

@@ -225,7 +225,8 @@ void addOutput(CLI::App& app, Options& options)
     ->group(group);
   app
     .add_option("-t,--threads", options.threads,
-      "Threads; 0: as many as there are cores. Results do not depend on it")
+      "Threads; 0: as many as there are cores. With --batch so many surfaces at a time. Results do "
+      "not depend on it")
     ->check(wholeNumber(0, 1024, "from 0 to 1024"))
     ->capture_default_str()
     ->group(group);

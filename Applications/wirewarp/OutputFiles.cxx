@@ -61,6 +61,8 @@ void OutputFiles::add(const std::string& name, vtkPolyData* data)
   vtkNew<vtkXMLPolyDataWriter> writer;
   // Debian's ParaView 5.11 cannot read appended data.
   writer->SetDataModeToBinary();
+  // Higher levels cost more time than the 1 % of space that they save is worth.
+  writer->SetCompressionLevel(1);
   writer->SetFileName(this->addEntry(name).c_str());
   writer->SetInputData(data);
   if (writer->Write() != 1 || !messages.errors().empty())

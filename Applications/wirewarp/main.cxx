@@ -36,13 +36,13 @@ void say(const Options& options, const FilesOfFlattening& written)
 
 int run(const Options& options)
 {
-  if (options.threads > 0)
-  {
-    vtkSMPTools::Initialize(options.threads);
-  }
   if (!options.batch.empty())
   {
     return runBatch(options);
+  }
+  if (options.threads > 0)
+  {
+    vtkSMPTools::Initialize(options.threads);
   }
   checkPicture(options.picture);
   const FilesOfFlattening written = flattenToFiles(options);

@@ -49,7 +49,8 @@ class Batch(command.CommandTest):
             self.assertEqual(sorted(seconds), ["core", "filter", "read", "total", "write"])
             self.assertTrue(all(value > 0 for value in seconds.values()), seconds)
             self.assertAlmostEqual(sum(seconds.values()), 2 * seconds["total"], delta=1e-9)
-        self.assertGreaterEqual(report["seconds"], sum(row["seconds"]["total"] for row in report["surfaces"]))
+        together = sum(row["seconds"]["total"] for row in report["surfaces"])
+        self.assertGreaterEqual(report["seconds"] * report["workers"], together)
         self.assertAlmostEqual(report["surfaces_per_second"] * report["seconds"], 2, delta=1e-9)
         self.assertIn("2 surfaces", run.stdout)
 
@@ -58,6 +59,17 @@ class Batch(command.CommandTest):
         self.assertEqual([row["folder"] for row in report["surfaces"]], ["lune", "lune_2", "lune_3"])
         self.assertEqual(self.report("out/lune_2")["curve_files"], ["key.txt"])
         self.assertEqual(self.report("out/lune_3")["curves"], [])
+
+    def test_results_do_not_depend_on_how_many_run_at_a_time(self):
+        text = "lune.obj arc.txt\nlune.obj key.txt\nmissing.obj\nlune.obj\n"
+        seen = []
+        for threads in ("1", "2", "3", "7"):
+            report, _ = self.batch(text, "--threads", threads, code=3)
+            self.assertEqual(report["workers"], min(4, int(threads)))
+            seen.append([(row["folder"], row["status"]) for row in report["surfaces"]])
+            seen[-1] += [self.array(f"out/{folder}/flat.vtp", "Points")
+                         for folder in ("lune", "lune_2", "lune_3")]
+        self.assertEqual(seen, [seen[0]] * 4)
 
     def test_a_refused_surface_stops_no_other(self):
         report, run = self.batch("missing.obj\nlune.obj arc.txt\n", code=3)
