@@ -2,7 +2,6 @@
 #include "ConformalMap.h"
 
 #include "LinearSolver.h"
-#include "NestedDissection.h"
 #include "TriangleFrame.h"
 
 #include <algorithm>
@@ -211,13 +210,21 @@ ConformalMap mapConformally(
   }
   const Index unknowns = 2 * free;
   const ConformalEnergy energy(mesh, options.areaNormalized);
-  Indices order;
-  for (Index v : dissect(mesh.triangles(), mesh.points()))
+  const Dissection vertices = dissect(mesh.triangles(), mesh.points());
+  Dissection order;
+  auto end = vertices.end.begin();
+  for (std::size_t k = 0; k < vertices.order.size(); ++k)
   {
+    const Index v = vertices.order[k];
     if (column[v] != none)
     {
-      order.push_back(2 * column[v]);
-      order.push_back(2 * column[v] + 1);
+      order.order.push_back(2 * column[v]);
+      order.order.push_back(2 * column[v] + 1);
+    }
+    if (static_cast<Index>(k) + 1 == *end)
+    {
+      order.endRange();
+      ++end;
     }
   }
   LinearSolver solver(std::move(order), execution);

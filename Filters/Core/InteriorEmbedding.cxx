@@ -66,13 +66,16 @@ Neighbours collectNeighbours(const InteriorPatch& patch, const std::vector<EdgeW
   return result;
 }
 
-/// Works on one wire-patch. Patches share nothing, so that they can run on any thread.
+/// Works on one wire-patch. Patches share nothing, so that they can run on any thread; one that
+/// runs on the calling thread may use the others.
 class PatchEmbedding
 {
 public:
-  PatchEmbedding(const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions)
+  PatchEmbedding(const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions,
+    const Execution& execution)
     : Patch(patch)
     , Mesh(mesh)
+    , Run(execution)
     , Local(static_cast<Eigen::Index>(patch.vertices.size()), 2)
   {
     for (std::size_t i = 0; i < patch.vertices.size(); ++i)
@@ -81,41 +84,14 @@ public:
     }
   }
 
-  /// Eq. 11 as a linear system, one factorization for x and y.
-  void solveLaplacian(bool keepSymbolic)
+  /// Eq. 11 as a linear system.
+  void solveLaplacian()
   {
-    const std::vector<EdgeWeights> weights = inverseLengthWeights(this->Patch, this->Mesh);
-    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(this->Patch.freeCount, 2);
-    for (std::size_t t = 0; t < weights.size(); ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const Index a = this->Patch.triangles[t][(k + 1) % 3];
-        const Index b = this->Patch.triangles[t][(k + 2) % 3];
-        if (a < this->Patch.freeCount && b >= this->Patch.freeCount)
-        {
-          pull.row(a) += weights[t][k] * this->Local.row(b);
-        }
-        if (b < this->Patch.freeCount && a >= this->Patch.freeCount)
-        {
-          pull.row(b) += weights[t][k] * this->Local.row(a);
-        }
-      }
-    }
-    auto matrix = std::make_unique<PatchMatrix>(this->Patch);
-    LinearSolver solver(LinearMethod::Cholesky);
-    const bool factored = solver.factorize(matrix->assemble(weights));
-    const Eigen::MatrixXd solution = solver.solve(pull);
-    if (!factored || solution.rows() != this->Patch.freeCount)
+    PatchMatrix matrix(this->Patch);
+    LinearSolver solver = makePatchSolver(this->Patch, this->Mesh, this->Run);
+    if (!this->solve(matrix, solver, inverseLengthWeights(this->Patch, this->Mesh)))
     {
       this->Result = Outcome::Failed;
-      return;
-    }
-    this->Local.topRows(this->Patch.freeCount) = solution;
-    if (keepSymbolic)
-    {
-      this->Matrix = std::move(matrix);
-      this->Solver = std::make_unique<LinearSolver>(std::move(solver));
     }
   }
 
@@ -149,22 +125,41 @@ public:
     }
   }
 
+  /// Starts from the harmonic map, whose matrix serves all that follows, or from that of Eq. 11
+  /// where this turns fewer triangles over.
   void startRigid()
   {
+    this->Rigid = std::make_unique<RigidEmbedding>(this->Patch, this->Mesh, this->Local);
+    const std::vector<EdgeWeights> cotangents = this->Rigid->cotangentWeights();
+    PatchMatrix matrix(this->Patch);
+    LinearSolver solver = makePatchSolver(this->Patch, this->Mesh, this->Run);
+    bool factored = this->solve(matrix, solver, cotangents);
+    const Index flipped = factored ? this->flippedCount() : 0;
+    if (!factored || flipped > 0)
+    {
+      const Eigen::MatrixXd harmonic = this->Local;
+      if (!this->solve(matrix, solver, inverseLengthWeights(this->Patch, this->Mesh)))
+      {
+        this->Result = factored ? Outcome::Done : Outcome::Failed;
+      }
+      else if (factored && this->flippedCount() >= flipped)
+      {
+        this->Local = harmonic;
+      }
+      factored =
+        solver.factorize(matrix.assemble(cotangents)) && solver.positive() == this->Patch.freeCount;
+    }
     if (this->Result == Outcome::Failed)
     {
       return;
     }
-    this->Rigid = std::make_unique<RigidEmbedding>(this->Patch, this->Mesh, this->Local);
-    if (this->Rigid->prepare(*this->Matrix, std::move(*this->Solver)))
-    {
-      this->Running = true;
-    }
-    else
+    if (!factored)
     {
       this->Result = Outcome::NotConverged;
+      return;
     }
-    this->Matrix.reset();
+    this->Rigid->prepare(std::move(solver), this->Local);
+    this->Running = true;
   }
 
   void iterateRigid(const InteriorOptions& options)
@@ -202,11 +197,54 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
+  /// Puts each interior vertex into the weighted mean of its neighbours; one factorization for x
+  /// and y. False, with nothing moved, where the weights make no definite matrix.
+  bool solve(PatchMatrix& matrix, LinearSolver& solver, const std::vector<EdgeWeights>& weights)
+  {
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(this->Patch.freeCount, 2);
+    for (std::size_t t = 0; t < weights.size(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Index a = this->Patch.triangles[t][(k + 1) % 3];
+        const Index b = this->Patch.triangles[t][(k + 2) % 3];
+        if (a < this->Patch.freeCount && b >= this->Patch.freeCount)
+        {
+          pull.row(a) += weights[t][k] * this->Local.row(b);
+        }
+        if (b < this->Patch.freeCount && a >= this->Patch.freeCount)
+        {
+          pull.row(b) += weights[t][k] * this->Local.row(a);
+        }
+      }
+    }
+    if (!solver.factorize(matrix.assemble(weights)) || solver.positive() != this->Patch.freeCount)
+    {
+      return false;
+    }
+    const Eigen::MatrixXd solution = solver.solve(pull);
+    if (solution.rows() != this->Patch.freeCount)
+    {
+      return false;
+    }
+    this->Local.topRows(this->Patch.freeCount) = solution;
+    return true;
+  }
+
+  Index flippedCount() const
+  {
+    return static_cast<Index>(std::count_if(
+      this->Patch.triangles.begin(), this->Patch.triangles.end(), [this](const Triangle& t) {
+        const Eigen::RowVector2d u = this->Local.row(t[1]) - this->Local.row(t[0]);
+        const Eigen::RowVector2d v = this->Local.row(t[2]) - this->Local.row(t[0]);
+        return !(u.x() * v.y() - u.y() * v.x() > 0.0);
+      }));
+  }
+
   const InteriorPatch& Patch;
   const TriangleMesh& Mesh;
+  Execution Run;
   Eigen::MatrixXd Local;
-  std::unique_ptr<PatchMatrix> Matrix;
-  std::unique_ptr<LinearSolver> Solver;
   std::unique_ptr<RigidEmbedding> Rigid;
   Outcome Result = Outcome::Done;
   bool Running = false;
@@ -298,13 +336,19 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   const std::vector<InteriorPatch> interiors = collectInteriorPatches(piece, network, positions);
   std::vector<PatchEmbedding> patches;
   patches.reserve(interiors.size());
+  const bool alone = interiors.size() == 1;
   for (const InteriorPatch& interior : interiors)
   {
-    patches.emplace_back(interior, piece.mesh, positions);
+    patches.emplace_back(interior, piece.mesh, positions, alone ? execution : Execution());
   }
   const bool rigid = options.method == InteriorMethod::AsRigidAsPossible;
   const double smallest = options.movement * meanWireEdge(network);
   const auto eachPatch = [&](const auto& work) {
+    if (alone)
+    {
+      work(patches.front());
+      return !execution.cancelled();
+    }
     execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i)
       {
@@ -319,14 +363,17 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
     {
       patch.relax(options, smallest);
     }
+    else if (rigid)
+    {
+      patch.startRigid();
+    }
     else
     {
-      patch.solveLaplacian(rigid);
+      patch.solveLaplacian();
     }
   });
   if (rigid)
   {
-    going = going && eachPatch([](PatchEmbedding& patch) { patch.startRigid(); });
     const auto running = [](const PatchEmbedding& patch) { return patch.running(); };
     while (going && std::any_of(patches.begin(), patches.end(), running))
     {

@@ -189,4 +189,35 @@ std::vector<EdgeWeights> inverseLengthWeights(const InteriorPatch& patch, const 
   }
   return weights;
 }
+
+LinearSolver makePatchSolver(
+  const InteriorPatch& patch, const TriangleMesh& mesh, const Execution& execution)
+{
+  Points3 positions;
+  positions.reserve(patch.freeCount);
+  for (Index v = 0; v < patch.freeCount; ++v)
+  {
+    positions.push_back(mesh.point(patch.vertices[v]));
+  }
+  Triangles cliques;
+  cliques.reserve(patch.triangles.size());
+  for (const Triangle& t : patch.triangles)
+  {
+    Triangle clique{ none, none, none };
+    int count = 0;
+    for (Index v : t)
+    {
+      if (v < patch.freeCount)
+      {
+        clique[count++] = v;
+      }
+    }
+    if (count > 1)
+    {
+      clique[2] = count == 3 ? clique[2] : clique[0];
+      cliques.push_back(clique);
+    }
+  }
+  return { dissect(cliques, positions), execution };
+}
 }

@@ -45,4 +45,9 @@ private:
 
 /// Weights of Eq. 11, 1 / |v_i v_j|, half of it from each triangle at the edge.
 std::vector<EdgeWeights> inverseLengthWeights(const InteriorPatch& patch, const TriangleMesh& mesh);
+
+/// A solver for the matrices of a patch, their order of elimination found from where its vertices
+/// are on the surface.
+LinearSolver makePatchSolver(
+  const InteriorPatch& patch, const TriangleMesh& mesh, const Execution& execution);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsometricModel.h"
 
-#include "NestedDissection.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -315,7 +313,7 @@ void IsometricModel::hold(Index group)
   this->Assembler.add(this->GroupEntries + group, heldStiffness);
 }
 
-Indices IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
+Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
 {
   const WireNetwork& net = *this->Problem.network;
   // The ends of a wire-node's two edges are coupled as if a triangle joined them.
@@ -332,7 +330,8 @@ Indices IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
   {
     positions.emplace_back(x[2 * v], x[2 * v + 1], 0.0);
   }
-  const Indices vertices = dissect(cliques, positions);
+  const Dissection dissection = dissect(cliques, positions);
+  const Indices& vertices = dissection.order;
   Indices place(vertices.size());
   for (std::size_t k = 0; k < vertices.size(); ++k)
   {
@@ -350,20 +349,27 @@ Indices IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
     constraintsAfter[std::max({ place[node.before], place[node.at], place[node.after] })].push_back(
       this->lengthCount() + static_cast<Index>(k));
   }
-  Indices order;
+  Dissection result;
+  auto end = dissection.end.begin();
   for (std::size_t k = 0; k < vertices.size(); ++k)
   {
-    order.push_back(2 * vertices[k]);
-    order.push_back(2 * vertices[k] + 1);
+    result.order.push_back(2 * vertices[k]);
+    result.order.push_back(2 * vertices[k] + 1);
     for (Index constraint : constraintsAfter[k])
     {
-      order.push_back(this->unknownCount() + constraint);
+      result.order.push_back(this->unknownCount() + constraint);
+    }
+    if (static_cast<Index>(k) + 1 == *end)
+    {
+      result.endRange();
+      ++end;
     }
   }
   for (Index g = 0; g < this->groupCount(); ++g)
   {
-    order.push_back(this->CoordinateCount + g);
+    result.order.push_back(this->CoordinateCount + g);
   }
-  return order;
+  result.endRange();
+  return result;
 }
 }

@@ -3,6 +3,7 @@
 
 #include "AngleProblem.h"
 #include "Execution.h"
+#include "NestedDissection.h"
 #include "SheetEnergy.h"
 #include "SymmetricAssembler.h"
 
@@ -73,7 +74,7 @@ public:
   static constexpr double heldStiffness = 1e12;
   /// A good order of elimination for kkt(): vertices by nested dissection at x, each constraint
   /// after its vertices.
-  Indices eliminationOrder(const Eigen::VectorXd& x) const;
+  Dissection eliminationOrder(const Eigen::VectorXd& x) const;
   const Eigen::SparseMatrix<double>& kkt() const { return this->Assembler.matrix(); }
   /// J' times a vector, with the Jacobian of the last linearize().
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <type_traits>
 
 namespace flattening
@@ -85,19 +86,21 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
 struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
 {
   MultifrontalFactorization solver;
-  Indices order;
+  Dissection dissection;
   Execution execution;
 
   void analyze(const SparseMatrix& matrix) override
   {
-    if (static_cast<Eigen::Index>(this->order.size()) != matrix.rows())
+    if (static_cast<Eigen::Index>(this->dissection.order.size()) != matrix.rows())
     {
       Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
       const SparseMatrix whole = matrix.selfadjointView<Eigen::Lower>();
       Eigen::AMDOrdering<int>()(whole, permutation);
-      this->order.assign(permutation.indices().begin(), permutation.indices().end());
+      this->dissection.order.assign(permutation.indices().begin(), permutation.indices().end());
+      this->dissection.end.resize(this->dissection.order.size());
+      std::iota(this->dissection.end.begin(), this->dissection.end.end(), 1);
     }
-    this->solver.analyze(matrix, this->order);
+    this->solver.analyze(matrix, this->dissection);
   }
   bool factorize(const SparseMatrix& matrix) override
   {
@@ -151,11 +154,11 @@ LinearSolver::LinearSolver(LinearMethod method)
   }
 }
 
-LinearSolver::LinearSolver(Indices order, const Execution& execution)
+LinearSolver::LinearSolver(Dissection order, const Execution& execution)
   : Method(LinearMethod::Multifrontal)
 {
   auto backend = std::make_unique<MultifrontalBackend>();
-  backend->order = std::move(order);
+  backend->dissection = std::move(order);
   backend->execution = execution;
   this->Solver = std::move(backend);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Execution.h"
+#include "NestedDissection.h"
 
 #include <Eigen/SparseCore>
 
@@ -29,9 +30,9 @@ class LinearSolver
 {
 public:
   explicit LinearSolver(LinearMethod method);
-  /// Multifrontal with an order of elimination (which column first, second, ...) that the caller
-  /// knows to be good; by itself it takes that of minimum degree.
-  LinearSolver(Indices order, const Execution& execution);
+  /// Multifrontal with an order of elimination that the caller knows to be good, of the columns of
+  /// the matrix; by itself it takes that of minimum degree, column by column.
+  LinearSolver(Dissection order, const Execution& execution);
   ~LinearSolver();
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Execution.h"
+#include "DenseFront.h"
 #include "SupernodalStructure.h"
 
 namespace flattening
@@ -15,9 +15,9 @@ namespace flattening
 class MultifrontalFactorization
 {
 public:
-  /// Finds the structure for the pattern of a symmetric matrix; the lower triangle is read. \param
-  /// order which column is eliminated first, second, ...
-  void analyze(const Eigen::SparseMatrix<double>& matrix, const Indices& order);
+  /// Finds the structure for the pattern of a symmetric matrix; the lower triangle is read.
+  /// \param dissection of its columns.
+  void analyze(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection);
   /// Factors a matrix of that pattern. False where it is of another, a pivot is zero or not finite,
   /// or the run is cancelled.
   bool factorize(const Eigen::SparseMatrix<double>& matrix, const Execution& execution);
@@ -30,13 +30,17 @@ private:
 
   void chooseTasks();
   bool eliminate(Index s, const Execution& execution);
-  void addChild(const Supernode& node, Index child, Eigen::MatrixXd& update);
+  void addChild(const Supernode& node, Index child, std::vector<double>& update);
+  void substitute(Eigen::Ref<Eigen::MatrixXd> x) const;
+  DenseFront front(const Supernode& node);
+  ConstDenseFront front(const Supernode& node) const;
 
   SupernodalStructure Structure;
   std::vector<Indices> Tasks; ///< supernodes of subtrees that are independent of each other
   Indices Top;                ///< the others
   std::vector<double> Blocks; ///< L below the diagonal; column by column for each supernode
-  std::vector<Eigen::MatrixXd> Updates; ///< of supernodes whose parent has not taken them yet
+  std::vector<std::vector<double>>
+    Updates; ///< of supernodes whose parent has not taken them yet, rows x rows
   Eigen::VectorXd Diagonal;
 };
 }

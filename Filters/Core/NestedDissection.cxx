@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace flattening
 {
@@ -10,10 +12,10 @@ namespace
 {
 constexpr std::ptrdiff_t leafSize = 12;
 
-class Dissection
+class Dissector
 {
 public:
-  Dissection(const Triangles& cliques, const Points3& positions)
+  Dissector(const Triangles& cliques, const Points3& positions)
     : Positions(positions)
     , Begin(positions.size() + 1, 0)
     , Side(positions.size(), none)
@@ -38,12 +40,13 @@ public:
     }
   }
 
-  Indices run()
+  Dissection run()
   {
-    Indices order(this->Positions.size());
+    Indices& order = this->Result.order;
+    order.resize(this->Positions.size());
     std::iota(order.begin(), order.end(), 0);
     this->split(order.begin(), order.end());
-    return order;
+    return std::move(this->Result);
   }
 
 private:
@@ -53,18 +56,21 @@ private:
   {
     if (end - begin <= leafSize)
     {
+      this->endRange(end);
       return;
     }
     Eigen::AlignedBox3d box;
     std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
     Eigen::Index axis = 0;
     box.sizes().maxCoeff(&axis);
+    this->Along.clear();
+    std::for_each(
+      begin, end, [&](Index v) { this->Along.emplace_back(this->Positions[v][axis], v); });
     const Iterator middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [&](Index a, Index b) {
-      const double x = this->Positions[a][axis];
-      const double y = this->Positions[b][axis];
-      return x != y ? x < y : a < b;
-    });
+    std::nth_element(
+      this->Along.begin(), this->Along.begin() + (middle - begin), this->Along.end());
+    std::transform(this->Along.begin(), this->Along.end(), begin,
+      [](const std::pair<double, Index>& item) { return item.second; });
     // Marks are the depth-first number of the split, so that none has to be taken back.
     const Index left = this->NextMark++;
     const Index right = this->NextMark++;
@@ -80,18 +86,31 @@ private:
     std::rotate(separator, middle, end);
     this->split(begin, begin + leftCount);
     this->split(begin + leftCount, end - separatorCount);
+    this->endRange(end);
+  }
+
+  void endRange(Iterator end)
+  {
+    const auto place = static_cast<Index>(end - this->Result.order.begin());
+    const Index last = this->Result.end.empty() ? 0 : this->Result.end.back();
+    if (place > last)
+    {
+      this->Result.end.push_back(place);
+    }
   }
 
   const Points3& Positions;
   Indices Begin;
   Indices Neighbours;
   Indices Side;
+  std::vector<std::pair<double, Index>> Along; ///< coordinate across the cut, vertex
   Index NextMark = 0;
+  Dissection Result;
 };
 }
 
-Indices dissect(const Triangles& cliques, const Points3& positions)
+Dissection dissect(const Triangles& cliques, const Points3& positions)
 {
-  return Dissection(cliques, positions).run();
+  return Dissector(cliques, positions).run();
 }
 }

@@ -18,6 +18,8 @@ constexpr int maximumConjugateGradients = 100;
 /// three or four get there. A coarser value saves one of them and costs the next Newton step
 /// digits.
 constexpr double modelAccuracy = 1e-3;
+/// The Hessian's inverse is at most this many times the preconditioner's: in practice two or three.
+constexpr double conditionBound = 10.0;
 
 /// The operators of std::complex look for infinities; these do not.
 Complex times(const Complex& a, const Complex& b)
@@ -48,7 +50,6 @@ RigidEmbedding::RigidEmbedding(
   const InteriorPatch& patch, const TriangleMesh& mesh, const Eigen::MatrixXd& positions)
   : Patch(&patch)
   , Positions(positions)
-  , Solver(LinearMethod::Cholesky)
 {
   this->Frames.reserve(patch.triangles.size());
   for (const Triangle& c : patch.triangles)
@@ -59,21 +60,32 @@ RigidEmbedding::RigidEmbedding(
   }
 }
 
-bool RigidEmbedding::prepare(PatchMatrix& matrix, LinearSolver solver)
+std::vector<EdgeWeights> RigidEmbedding::cotangentWeights() const
 {
-  this->Solver = std::move(solver);
   std::vector<EdgeWeights> weights(this->Frames.size());
   for (std::size_t t = 0; t < weights.size(); ++t)
   {
     const auto& g = this->Frames[t].gradient;
     for (int k = 0; k < 3; ++k)
     {
-      // half the cotangent of the angle at corner k
       weights[t][k] =
         -4.0 * this->Frames[t].area * timesConj(g[(k + 1) % 3], g[(k + 2) % 3]).real();
     }
   }
-  return this->Solver.factorize(matrix.assemble(weights));
+  return weights;
+}
+
+bool RigidEmbedding::prepare(PatchMatrix& matrix, LinearSolver solver)
+{
+  this->Solver = std::move(solver);
+  return this->Solver.factorize(matrix.assemble(this->cotangentWeights())) &&
+    this->Solver.positive() == this->Patch->freeCount;
+}
+
+void RigidEmbedding::prepare(LinearSolver solver, const Eigen::MatrixXd& positions)
+{
+  this->Solver = std::move(solver);
+  this->Positions = positions;
 }
 
 void RigidEmbedding::linearize(
@@ -179,14 +191,18 @@ Eigen::MatrixXd RigidEmbedding::curvature(
   return this->curvature(state, direction);
 }
 
-Eigen::MatrixXd RigidEmbedding::newtonDirection(
-  const std::vector<Linearized>& state, const Eigen::MatrixXd& descent) const
+RigidEmbedding::Direction RigidEmbedding::newtonDirection(
+  const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const
 {
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(descent.rows(), 2);
   Eigen::MatrixXd residual = descent;
   Eigen::MatrixXd preconditioned = this->Solver.solve(residual);
   Eigen::MatrixXd direction = preconditioned;
   double product = dot(residual, preconditioned);
+  if (0.5 * conditionBound * product <= enough)
+  {
+    return { preconditioned, true };
+  }
   double modelDecrease = 0.0;
   for (int iteration = 0; iteration < maximumConjugateGradients; ++iteration)
   {
@@ -194,7 +210,7 @@ Eigen::MatrixXd RigidEmbedding::newtonDirection(
     const double curvatureAlong = dot(direction, bent);
     if (!(curvatureAlong > 0.0))
     {
-      return iteration == 0 ? direction : step;
+      return { iteration == 0 ? direction : step, false };
     }
     const double length = product / curvatureAlong;
     step += length * direction;
@@ -213,7 +229,7 @@ Eigen::MatrixXd RigidEmbedding::newtonDirection(
     direction = preconditioned + (next / product) * direction;
     product = next;
   }
-  return step;
+  return { step, false };
 }
 
 RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
@@ -226,7 +242,7 @@ RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
     return State::Converged;
   }
   const Eigen::MatrixXd descent = -this->gradient(state);
-  const Eigen::MatrixXd step = this->newtonDirection(state, descent);
+  const auto [step, last] = this->newtonDirection(state, descent, energyTolerance * before);
   const double slope = dot(descent, step);
   if (!(slope > 0.0))
   {
@@ -242,7 +258,7 @@ RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
     if (after <= before - 1e-4 * scale * slope)
     {
       this->Positions.swap(trial);
-      const bool small = before - after <= energyTolerance * before;
+      const bool small = last || before - after <= energyTolerance * before;
       return small || after <= nothing * this->Area ? State::Converged : State::Running;
     }
     if (scale * slope <= 1e-12 * before)

@@ -16,7 +16,8 @@ namespace flattening
 /// gradients on the exact Hessian, truncated at negative curvature, converges quadratically. The
 /// preconditioner is the cotangent matrix of the local/global method, factored once: it bounds the
 /// Hessian from above, so that its steps always descend, and with pinned wires also from below
-/// within a small factor (Korn's inequality), so that a few conjugate gradients suffice.
+/// within a small factor (Korn's inequality), so that a few conjugate gradients suffice. For the
+/// same reason its step alone is enough where the gradient has become small in its norm.
 class RigidEmbedding
 {
 public:
@@ -31,9 +32,12 @@ public:
   RigidEmbedding(
     const InteriorPatch& patch, const TriangleMesh& mesh, const Eigen::MatrixXd& positions);
 
-  /// Factors the preconditioner. \param solver a Cholesky solver that has analyzed the matrix's
-  /// pattern.
+  /// Weights of the preconditioner's edges: half the cotangents of the angles opposite to them.
+  std::vector<EdgeWeights> cotangentWeights() const;
+  /// Factors the preconditioner. \param solver for symmetric matrices.
   bool prepare(PatchMatrix& matrix, LinearSolver solver);
+  /// Takes a solver that has factored the preconditioner, and a new start.
+  void prepare(LinearSolver solver, const Eigen::MatrixXd& positions);
 
   /// One Newton step. Converged where the energy falls by less than this fraction of itself.
   State iterate(double energyTolerance);
@@ -55,14 +59,18 @@ private:
   Eigen::MatrixXd gradient(const std::vector<Linearized>& state) const;
   Eigen::MatrixXd curvature(
     const std::vector<Linearized>& state, const Eigen::MatrixXd& direction) const;
-  Eigen::MatrixXd newtonDirection(
-    const std::vector<Linearized>& state, const Eigen::MatrixXd& descent) const;
+  struct Direction
+  {
+    Eigen::MatrixXd step;
+    bool last = false; ///< the energy cannot fall by more than what was enough
+  };
+  Direction newtonDirection(
+    const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const;
 
   const InteriorPatch* Patch;
   std::vector<TriangleFrame> Frames;
   double Area = 0.0;
   Eigen::MatrixXd Positions;
-  LinearSolver Solver;
-  double FirstDecrement = 0.0;
+  LinearSolver Solver{ LinearMethod::Cholesky };
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Types.h"
+#include "NestedDissection.h"
 
 #include <Eigen/SparseCore>
 
@@ -11,11 +11,10 @@ namespace flattening
 {
 /// The symbolic part of a sparse symmetric factorization: which columns of L are eliminated
 /// together, and which rows they have (T. A. Davis, "Direct Methods for Sparse Linear Systems",
-/// 2006, chapter 4; Ashcraft and Grimes, "The influence of relaxed supernode partitions on the
-/// multifrontal method", 1989).
+/// 2006, chapter 4). The ranges of a dissection are the supernodes: their columns have nearly the
+/// same rows, and the zeros that are stored where they do not cost less than finding them.
 ///
-/// Columns are numbered anew, by a postorder of the elimination tree of the given order, so that a
-/// supernode is a range of them and its descendants come right before it.
+/// Columns are numbered anew, in the order of elimination, so that a supernode is a range of them.
 class SupernodalStructure
 {
 public:
@@ -35,37 +34,37 @@ public:
   };
 
   SupernodalStructure() = default;
-  /// \param matrix symmetric; only the pattern of its lower triangle counts. \param order column of
-  /// the matrix that is eliminated first, second, ...; a permutation.
-  SupernodalStructure(const Eigen::SparseMatrix<double>& matrix, const Indices& order);
+  /// \param matrix symmetric; only the pattern of its lower triangle counts. \param dissection of its
+  /// columns, each of them once.
+  SupernodalStructure(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection);
 
   Index size() const { return static_cast<Index>(this->Order.size()); }
   /// Column of the matrix at each place of the elimination.
   const Indices& order() const { return this->Order; }
   const std::vector<Supernode>& supernodes() const { return this->Nodes; }
-  /// Row of the matrix, in the new numbers.
-  Index row(Index k) const { return this->Rows[k]; }
-  /// The same as a place in the front of the parent: its columns first, then its rows.
-  Index placeInParent(Index k) const { return this->Places[k]; }
+  /// Rows of a supernode below its diagonal block, in the new numbers.
+  const Index* rows(const Supernode& node) const { return this->Rows.data() + node.rowsBegin; }
+  /// The same as places in the front of the parent: its columns first, then its rows.
+  const Index* placesInParent(const Supernode& node) const
+  {
+    return this->Places.data() + node.rowsBegin;
+  }
+  Index largestFront() const { return this->LargestFront; }
   /// Where each stored entry of the lower triangle, in the order of storage, goes in the blocks.
   const std::vector<std::size_t>& entryPlaces() const { return this->EntryPlaces; }
   std::size_t blocksSize() const { return this->BlocksSize; }
 
 private:
-  struct Adjacency
+  struct ColumnEntries
   {
     Indices begin;
-    Indices neighbour;
+    Indices row;
+    Indices stored; ///< number in the order of storage
   };
 
-  Adjacency earlierNeighbours(const Eigen::SparseMatrix<double>& matrix) const;
-  Indices eliminationTree(const Adjacency& earlier) const;
-  void applyPostorder(Indices& parent);
-  Indices columnCounts(const Adjacency& earlier, const Indices& parent) const;
-  void findSupernodes(const Indices& parent, const Indices& count);
+  void addSupernode(Index first, Index end);
+  ColumnEntries entriesByColumn(const Eigen::SparseMatrix<double>& matrix) const;
   void findRows(const Eigen::SparseMatrix<double>& matrix);
-  void findPlaces(const Eigen::SparseMatrix<double>& matrix);
-  Index placeInFront(const Supernode& node, Index row) const;
 
   Indices Order;
   Indices Place; ///< of each column of the matrix in the elimination
@@ -75,5 +74,6 @@ private:
   Indices Places;
   std::vector<std::size_t> EntryPlaces;
   std::size_t BlocksSize = 0;
+  Index LargestFront = 0;
 };
 }

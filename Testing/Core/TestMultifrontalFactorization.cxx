@@ -19,7 +19,7 @@ namespace
 struct KktSystem
 {
   Eigen::SparseMatrix<double> matrix; ///< lower triangle
-  Indices order;
+  Dissection order;
 };
 
 KktSystem kktSystem(Index side)
@@ -42,10 +42,16 @@ KktSystem kktSystem(Index side)
     }
   }
   KktSystem system;
-  for (Index v : dissect(triangles, surface.mesh.points()))
+  const Dissection dissection = dissect(triangles, surface.mesh.points());
+  std::size_t begin = 0;
+  for (Index end : dissection.end)
   {
-    system.order.push_back(2 * v);
-    system.order.push_back(2 * v + 1);
+    for (; begin < std::size_t(end); ++begin)
+    {
+      system.order.order.push_back(2 * dissection.order[begin]);
+      system.order.order.push_back(2 * dissection.order[begin] + 1);
+    }
+    system.order.endRange();
   }
   Index row = 2 * vertices;
   for (std::size_t t = 0; t < triangles.size(); t += 5, ++row)
@@ -53,8 +59,9 @@ KktSystem kktSystem(Index side)
     entries.emplace_back(row, 2 * triangles[t][0], 1.0);
     entries.emplace_back(row, 2 * triangles[t][1] + 1, -0.5);
     entries.emplace_back(row, row, -1e-8);
-    system.order.push_back(row);
+    system.order.order.push_back(row);
   }
+  system.order.endRange();
   system.matrix.resize(row, row);
   system.matrix.setFromTriplets(entries.begin(), entries.end());
   return system;
@@ -111,11 +118,14 @@ TEST(MultifrontalFactorization, IsTheSameToTheLastBitForAnyNumberOfThreads)
 TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)
 {
   const KktSystem system = kktSystem(60);
-  Indices given(system.order.size());
-  std::iota(given.begin(), given.end(), 0);
-  Indices sorted = system.order;
+  Dissection given;
+  given.order.resize(system.order.order.size());
+  std::iota(given.order.begin(), given.order.end(), 0);
+  given.end.resize(given.order.size());
+  std::iota(given.end.begin(), given.end.end(), 1);
+  Indices sorted = system.order.order;
   std::sort(sorted.begin(), sorted.end());
-  EXPECT_EQ(sorted, given) << "an order names each column once";
+  EXPECT_EQ(sorted, given.order) << "an order names each column once";
   EXPECT_LT(SupernodalStructure(system.matrix, system.order).blocksSize(),
     SupernodalStructure(system.matrix, given).blocksSize() / 2);
 }
