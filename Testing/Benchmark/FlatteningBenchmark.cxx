@@ -176,12 +176,12 @@ int main(int argc, char** argv)
     for (const int division : settings.divisions)
     {
       run(settings, division, table);
+      if (!settings.json.empty()) // after each size, lest a long run be lost
+      {
+        table.write(settings.json, settings.piece);
+      }
     }
     table.printExponents();
-    if (!settings.json.empty())
-    {
-      table.write(settings.json, settings.piece);
-    }
   }
   catch (const std::exception& error)
   {

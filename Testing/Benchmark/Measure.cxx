@@ -6,6 +6,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -42,12 +43,18 @@ void resetPeak()
 Measured measure(const Repeats& repeats, const std::function<double()>& job)
 {
   Measured result;
+  std::vector<double> processor;
   resetPeak();
   const double before = statusBytes("VmRSS:");
   const flattening::Stopwatch watch;
   do
   {
-    result.runs.push_back(job());
+    const std::clock_t start = std::clock();
+    const flattening::Stopwatch run;
+    const double seconds = job();
+    const double share = seconds / run.seconds(); // of the run counts
+    result.runs.push_back(seconds);
+    processor.push_back(share * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     if (result.runs.size() == 1)
     {
       result.peakBytes = statusBytes("VmHWM:") - before;
@@ -55,7 +62,9 @@ Measured measure(const Repeats& repeats, const std::function<double()>& job)
   } while (
     static_cast<int>(result.runs.size()) < repeats.most && watch.seconds() < repeats.seconds);
   std::sort(result.runs.begin(), result.runs.end());
+  std::sort(processor.begin(), processor.end());
   result.seconds = result.runs[result.runs.size() / 2];
+  result.processor = processor[processor.size() / 2];
   return result;
 }
 

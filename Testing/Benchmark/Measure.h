@@ -11,6 +11,7 @@ namespace benchmarks
 struct Measured
 {
   double seconds = 0.0;     ///< median
+  double processor = 0.0;   ///< median of the processor seconds of all threads
   std::vector<double> runs; ///< seconds of each, in ascending order
   double peakBytes = 0.0;   ///< of memory in use above what was in use before, in the first run
 };

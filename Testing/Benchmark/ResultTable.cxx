@@ -89,12 +89,13 @@ void ResultTable::write(const std::string& path, const std::string& piece) const
   Json rows = Json::array();
   for (const Row& row : this->Rows)
   {
-    rows.push_back({ { "triangles", row.triangles }, { "method", row.method },
-      { "threads", row.threads }, { "seconds", row.measured.seconds },
-      { "runs", row.measured.runs }, { "seconds_wires", row.wires },
-      { "bytes_a_triangle", row.measured.peakBytes / row.triangles },
-      { "E_len", row.quality.edgeLengthError }, { "E_ang", row.quality.angleError },
-      { "E_h", row.quality.globalHomogeneity }, { "flips", row.quality.flipped.size() } });
+    rows.push_back(
+      { { "triangles", row.triangles }, { "method", row.method }, { "threads", row.threads },
+        { "seconds", row.measured.seconds }, { "processor_seconds", row.measured.processor },
+        { "runs", row.measured.runs }, { "seconds_wires", row.wires },
+        { "bytes_a_triangle", row.measured.peakBytes / row.triangles },
+        { "E_len", row.quality.edgeLengthError }, { "E_ang", row.quality.angleError },
+        { "E_h", row.quality.globalHomogeneity }, { "flips", row.quality.flipped.size() } });
   }
   Json exponents = Json::array();
   for (const Growth& step : this->growth())

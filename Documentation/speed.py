@@ -1,0 +1,211 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables and pictures of speed.md, made from speed.json, which Testing/Benchmark/run.py writes.
+
+    speed.py --write    makes them anew
+    speed.py --check    compares them with what would be made
+"""
+
+import json
+import math
+import os
+import re
+import sys
+
+import svg
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+METHODS = {  # and what they are called here
+    "CGAL LSCM": "CGAL LSCM",
+    "CGAL ARAP": "CGAL ARAP",
+    "laplacian": "global, Laplacian interior",
+    "rigid": "global, rigid interior",
+    "isometric": "isometric",
+}
+PARTS = {"read": "reading", "core": "core", "filter": "filter", "write": "writing"}
+
+
+def table(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)
+
+
+def exponent(points):
+    """Of the power of x that fits y best: the slope through the logarithms, by least squares."""
+    x, y = ([math.log(point[k]) for point in points] for k in (0, 1))
+    mean = [sum(v) / len(points) for v in (x, y)]
+    return (sum((a - mean[0]) * (b - mean[1]) for a, b in zip(x, y)) /
+            sum((a - mean[0])**2 for a in x))
+
+
+def short(value):
+    """Three digits."""
+    digits = max(0, 2 - math.floor(math.log10(value))) if value > 0 else 0
+    return f"{value:,.{digits}f}"
+
+
+class Sizes:
+    """The whole way, per method, number of threads and triangles."""
+
+    def __init__(self, flattening):
+        self.rows = flattening["rows"]
+        self.sizes = sorted({row["triangles"] for row in self.rows})
+        # Peers know one thread only.
+        self.threads = max(row["threads"] for row in self.rows)
+
+    def row(self, method, triangles, threads=None):
+        threads = 1 if method.startswith("CGAL") else threads or self.threads
+        found = [row for row in self.rows if
+                 (row["method"], row["triangles"], row["threads"]) == (method, triangles, threads)]
+        return found[0] if found else None
+
+    def points(self, method):
+        """Triangles and processor seconds of one thread."""
+        rows = [self.row(method, size, 1) for size in self.sizes]
+        return [(row["triangles"], row["processor_seconds"]) for row in rows
+                if row and "processor_seconds" in row]
+
+    def ratio(self, row, peer, key="seconds"):
+        other = self.row(peer, row["triangles"])
+        if not other or key not in other or row["method"].startswith("CGAL"):
+            return ""
+        ratio = other[key] / row[key]
+        return f"1/{short(ratio)}" if ratio >= 1.0 else short(1.0 / ratio)
+
+    def table(self):
+        lines = []
+        for size in self.sizes:
+            for method, name in METHODS.items():
+                row, one = self.row(method, size), self.row(method, size, 1)
+                if row:
+                    ours = not method.startswith("CGAL")
+                    processor = one and one.get("processor_seconds")
+                    lines.append((
+                        f"{size:,}", name, short(1e3 * row["seconds"]),
+                        self.ratio(row, "CGAL LSCM"), self.ratio(row, "CGAL ARAP"),
+                        short(1e3 * processor) if processor else "",
+                        self.ratio(one, "CGAL LSCM", "processor_seconds") if processor else "",
+                        short(1e3 * row["seconds_wires"]) if ours else "",
+                        f"{row['bytes_a_triangle']:,.0f}", f"{row['E_len']:.1e}",
+                        f"{row['E_ang']:.4f}", f"{row['E_h']:.3f}", row["flips"]))
+        return table(("triangles", "method", "ms", "of CGAL LSCM", "of CGAL ARAP",
+                      "processor, ms", "of CGAL LSCM's", "its wires, ms", "bytes a triangle", "E_len", "E_ang", "E_h", "flips"), lines)
+
+    def growth(self):
+        steps = list(zip(self.sizes, self.sizes[1:]))
+        lines = []
+        for method, name in METHODS.items():
+            seconds = dict(self.points(method))
+            if len(seconds) > 1:
+                lines.append((name, *(
+                    f"{exponent([(n, seconds[n]) for n in step]):.2f}"
+                    if all(n in seconds for n in step) else "" for step in steps)))
+        return table(("method", *(f"{a:,} to {b:,}" for a, b in steps)), lines)
+
+    def parallel(self):
+        lines = []
+        for method, name in METHODS.items():
+            for size in self.sizes:
+                one, more = self.row(method, size, 1), self.row(method, size)
+                if not method.startswith("CGAL") and one and more and one is not more:
+                    gain = one["seconds"] / more["seconds"]
+                    lines.append((name, f"{size:,}", short(1e3 * one["seconds"]),
+                                  short(1e3 * more["seconds"]), f"{gain:.2f}",
+                                  f"{gain / self.threads:.0%}"))
+        return table(("method", "triangles", "1 thread, ms", f"{self.threads} threads, ms", "gain",
+                      "efficiency"), lines)
+
+    def picture(self):
+        series = []
+        for method, name in METHODS.items():
+            points = self.points(method)
+            if len(points) > 1:
+                series.append((f"{name}: n^{exponent(points):.2f}", points))
+        return svg.log_log(series, "triangles n", "processor seconds of one thread", lambda value: f"{value:g}")
+
+
+def stage_table(stages):
+    sizes = sorted({row["triangles"] for row in stages})
+    names = list(dict.fromkeys(row["stage"] for row in stages))
+    lines = []
+    for name in names:
+        times = {row["triangles"]: row["ms"] for row in stages if row["stage"] == name}
+        lines.append((name, *(short(times[size]) if size in times else "" for size in sizes),
+                      f"{exponent(list(times.items())):.2f}"))
+    share = {row["triangles"]: row["of_core"] for row in stages if "of_core" in row}
+    lines.append(("filter overhead, of Core", *(f"{share[size]:.0%}" for size in sizes), ""))
+    return table(("stage", *(f"{size:,}, ms" for size in sizes), "exponent"), lines)
+
+
+def batch_rows(batch):
+    """Name and mean milliseconds of each part, the mean of all first."""
+    groups = {}
+    for row in batch["surfaces"]:
+        groups.setdefault(row["name"], []).append(row)
+    return [(name, [1e3 * sum(row[part] for row in rows) / len(rows) for part in PARTS])
+            for name, rows in [("mean of all", batch["surfaces"]), *sorted(groups.items())]]
+
+
+def batch_table(batch):
+    _, mean = batch_rows(batch)[0]
+    lines = [(name, f"{value:.1f}", f"{value / sum(mean):.0%}")
+             for name, value in zip(PARTS.values(), mean)]
+    lines.append(("together", f"{sum(mean):.1f}", ""))
+    lines.append((f"pieces a second, {batch['workers']} at a time",
+                  f"{batch['surfaces_per_second']:.1f}", ""))
+    return table(("what", "mean, ms a piece", "share"), lines)
+
+
+def machine_table(machine):
+    return table(("processor", "cores", "runs on when it began"),
+                 [(machine["processor"], machine["cores"], f"{machine['load']:.1f}")])
+
+
+def made(numbers):
+    """Tables by their marks, pictures by their names."""
+    sizes = Sizes(numbers["flattening"])
+    return ({
+        "machine": machine_table(numbers["machine"]),
+        "sizes": sizes.table(),
+        "growth": sizes.growth(),
+        "threads": sizes.parallel(),
+        "stages": stage_table(numbers["stages"]),
+        "batch": batch_table(numbers["batch"]),
+    }, {
+        "speed.svg": sizes.picture(),
+        "batch.svg": svg.stacked_bars(list(PARTS.values()), batch_rows(numbers["batch"]),
+                                      "milliseconds a piece"),
+    })
+
+
+def filled(page, tables):
+    for mark, text in tables.items():
+        begin, end = f"<!-- {mark} -->\n", f"<!-- /{mark} -->\n"
+        if page.count(begin) != 1 or page.count(end) != 1:
+            raise ValueError(f"speed.md has no place {begin.strip()}")
+        page = re.sub(f"{begin}.*?{end}", lambda _, new=begin + text + end: new, page, flags=re.DOTALL)
+    return page
+
+
+def main():
+    if sys.argv[1:] not in (["--write"], ["--check"]):
+        sys.exit(__doc__)
+    with open(os.path.join(HERE, "speed.json"), encoding="utf-8") as file:
+        tables, files = made(json.load(file))
+    files = {os.path.join("images", name): text for name, text in files.items()}
+    with open(os.path.join(HERE, "speed.md"), encoding="utf-8") as file:
+        files["speed.md"] = filled(file.read(), tables)
+    old = []
+    for name, text in files.items():
+        path = os.path.join(HERE, name)
+        if sys.argv[1] == "--write":
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        elif not os.path.exists(path) or open(path, encoding="utf-8").read() != text:
+            old.append(f"{name} is not what speed.json gives; speed.py --write makes it anew")
+    if old:
+        sys.exit("\n".join(old))
+
+
+if __name__ == "__main__":
+    main()
