@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   hostile::Bytes bytes(data, size);
   const hostile::Verdict verdict =
-    hostile::tryCase(hostile::decodeCase(bytes, hostile::dataSpecimens(), { 1.0, 40.0 }));
+    hostile::tryCase(hostile::decodeCase(bytes, hostile::dataSpecimens(), hostile::fuzzedSizes));
   if (!verdict.fault.empty())
   {
     std::fprintf(stderr, "%s\n", verdict.fault.c_str());

@@ -72,6 +72,9 @@ struct SizeRange
   double most = 120.0;
 };
 
+/// What the fuzz target tries: an input of its corpus is another surface with other sizes.
+constexpr SizeRange fuzzedSizes{ 1.0, 40.0 };
+
 HostileCase decodeCase(
   Bytes& bytes, const std::vector<Specimen>& specimens, const SizeRange& triangles);
 

@@ -112,9 +112,12 @@ TEST(FuzzCorpus, EveryInputGetsATrueAnswer)
   {
     std::ifstream file(entry.path(), std::ios::binary);
     const Input input{ std::istreambuf_iterator<char>(file), {} };
-    const Verdict verdict = tryInput(input, {});
-    EXPECT_EQ(verdict.fault, "") << entry.path();
-    EXPECT_LT(verdict.seconds, 20.0) << entry.path();
+    for (const SizeRange& sizes : { fuzzedSizes, SizeRange() })
+    {
+      const Verdict verdict = tryInput(input, sizes);
+      EXPECT_EQ(verdict.fault, "") << entry.path();
+      EXPECT_LT(verdict.seconds, 20.0) << entry.path();
+    }
     ++count;
   }
   EXPECT_GE(count, 10U);
