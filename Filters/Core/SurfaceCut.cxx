@@ -53,6 +53,15 @@ Status checkProperties(const FeatureCurve& curve, std::size_t id)
           " vertices, or a coordinate that is no number; give a finite point for each",
         { static_cast<Index>(id) } };
     }
+    const auto same = std::adjacent_find(curve.planarShape.begin(), curve.planarShape.end());
+    if (same != curve.planarShape.end())
+    {
+      return { StatusCode::InvalidCurve,
+        curveName(curve, id) +
+          " has a planar shape with successive points in one place, which make no angle; move them "
+          "apart",
+        { static_cast<Index>(id) } };
+    }
   }
   return {};
 }

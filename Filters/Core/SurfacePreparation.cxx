@@ -12,6 +12,10 @@ namespace
 /// Height over longest edge below which a triangle has no area in double precision.
 constexpr double flatTriangle = 1e-12;
 
+/// Coordinates beyond it, and triangles smaller than one by it, are refused: squares of areas and
+/// what is summed of them would over- or underflow.
+constexpr double largest = 1e60;
+
 PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
 {
   PreparedSurface result;
@@ -19,10 +23,15 @@ PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
   return result;
 }
 
-/// Unlike Eigen's allFinite() it computes nothing, so that it raises no floating-point exception.
-bool isFinite(const Point3& p)
+/// Raises no floating-point exception, unlike Eigen's allFinite() and a comparison with a NaN.
+bool isUsable(double x)
 {
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+  return std::isfinite(x) && std::abs(x) <= largest;
+}
+
+bool isUsable(const Point3& p)
+{
+  return isUsable(p.x()) && isUsable(p.y()) && isUsable(p.z());
 }
 
 /// Per point the first point with the same coordinates; the point itself where they are kept apart.
@@ -60,7 +69,7 @@ bool isDegenerate(const Points3& points, const Triangle& t)
   // Scaled by the largest difference, so that no product over- or underflows.
   const double size = std::max({ (b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff(),
     (c - b).cwiseAbs().maxCoeff() });
-  if (!(size > 0.0) || !std::isfinite(size))
+  if (size < 1.0 / largest)
   {
     return true;
   }
@@ -255,7 +264,7 @@ PreparedSurface prepareSurface(
   }
   for (Index p = 0; p < pointCount; ++p)
   {
-    if (used[p] && !isFinite(points[p]))
+    if (used[p] && !isUsable(points[p]))
     {
       bad.push_back(p);
     }
@@ -264,7 +273,7 @@ PreparedSurface prepareSurface(
   {
     return refuse(StatusCode::NonFinitePoint,
       "points " + listIds(bad) +
-        " have a coordinate that is not a finite number; mend or remove them",
+        " have a coordinate that is not a finite number, or beyond 1e60; mend or remove them",
       bad);
   }
 
@@ -317,7 +326,8 @@ PreparedSurface prepareSurface(
   {
     return refuse(StatusCode::DegenerateTriangle,
       "triangles " + listIds(bad) +
-        " have no area (two corners in one place, or three in a line); collapse them or remesh",
+        " have no area (two corners in one place, or three in a line; less than 1e-60 is nothing); "
+        "collapse them or remesh",
       bad);
   }
 

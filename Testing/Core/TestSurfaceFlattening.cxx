@@ -369,6 +369,18 @@ TEST(SurfaceFlattening, APlanarShapeOfAnotherNumberOfPointsIsRefused)
   expectEmpty(result);
 }
 
+TEST(SurfaceFlattening, APlanarShapeWithoutAnAngleIsRefused)
+{
+  Surface surface = cushion(4, 4, 0.2);
+  surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
+  surface.curves[0].keyShape = KeyShape::Planar;
+  surface.curves[0].planarShape = { Point2(0, 0), Point2(1, 0), Point2(2, 0), Point2(2, 0),
+    Point2(3, 1) };
+  const FlatteningResult result = flatten(surface, {});
+  EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
+  expectEmpty(result);
+}
+
 TEST(SurfaceFlattening, ToldToStopItLeavesNothingWheneverThatIs)
 {
   Surface surface = cushion(6, 6, 0.3);

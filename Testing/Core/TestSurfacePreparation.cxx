@@ -81,7 +81,7 @@ TEST(SurfacePreparation, NamesTrianglesWithoutArea)
 
 TEST(SurfacePreparation, JudgesTheShapeOfTrianglesNotTheirSize)
 {
-  for (const double scale : { 1e-100, 1e-9, 1e9, 1e100 })
+  for (const double scale : { 1e-59, 1e-9, 1e9, 1e60 })
   {
     Points3 points = squarePoints;
     for (Point3& p : points)
@@ -92,6 +92,22 @@ TEST(SurfacePreparation, JudgesTheShapeOfTrianglesNotTheirSize)
     points.emplace_back(0.5 * scale, 1e-14 * scale, 0.0);
     expectRefusal(prepareSurface(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 1 } }),
       StatusCode::DegenerateTriangle, { 2 });
+  }
+}
+
+TEST(SurfacePreparation, RefusesSizesWhoseAreasHaveNoSquare)
+{
+  for (const double scale : { 1e-300, 1e-61, 1.1e60, 1e300 })
+  {
+    Points3 points = squarePoints;
+    for (Point3& p : points)
+    {
+      p *= scale;
+    }
+    const bool small = scale < 1.0;
+    expectRefusal(prepareSurface(points, squareTriangles),
+      small ? StatusCode::DegenerateTriangle : StatusCode::NonFinitePoint,
+      small ? Indices{ 0, 1 } : Indices{ 1, 2, 3 });
   }
 }
 
