@@ -235,11 +235,12 @@ PatternStatus planPages(const Pattern& pattern, const PageOptions& options, Page
       const Point2 paper = landscape ? Point2(upright.y(), upright.x()) : upright;
       const double step = paper.x() - 2.0 * pageMargin - options.overlap;
       const double least = tilesAlong(widest + options.overlap, step, options.overlap);
-      const double most = std::max(least,
-        std::min(least + 11.0, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap)));
-      for (double columns = least; columns <= most; ++columns)
+      const double most =
+        std::max(least, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap));
+      // Counted apart: adding one to a huge number leaves it as it is.
+      for (int more = 0; more < 12 && least + more <= most; ++more)
       {
-        PagePlan next = planFor(pattern, options, paper, columns, withMap);
+        PagePlan next = planFor(pattern, options, paper, least + more, withMap);
         const double across = tilesAlong(next.layout.extent.x(), next.step.x(), options.overlap);
         const double down = tilesAlong(next.layout.extent.y(), next.step.y(), options.overlap);
         const double most_pages = across * down;

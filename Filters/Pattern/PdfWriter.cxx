@@ -109,8 +109,9 @@ private:
 
   /// \param at middle of the text's height
   void text(
-    const std::string& content, const Point2& at, double height, Anchor anchor, double angle = 0.0)
+    const std::string& words, const Point2& at, double height, Anchor anchor, double angle = 0.0)
   {
+    const std::string content = cleanText(words); // cairo draws nothing more after broken UTF-8
     cairo_set_font_size(this->Context, height);
     cairo_text_extents_t extents;
     cairo_text_extents(this->Context, content.c_str(), &extents);

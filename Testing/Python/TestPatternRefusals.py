@@ -147,6 +147,17 @@ class Refusals(pattern.PatternTest):
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         self.assertEqual(root.find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
 
+    def test_names_of_curves_that_are_no_text_are_replaced_in_every_format(self):
+        with open(self.path("curves.txt"), "wb") as file:
+            file.write(b"seam \xc4rmel 16 17 18 19 20\n")
+        run = self.run_command(
+            os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "--output", "out",
+            "--svg", "--pdf", "--dxf", "--unit", "m", "--paper", "A0", "--allowance", "10")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        pattern.svg_root(self.path("out", "pattern.svg"))
+        self.assertIn("\ufffd", pattern.run_tool(
+            "pdftotext", self.path("out", "pattern.pdf"), "-").decode())
+
 
 if __name__ == "__main__":
     unittest.main()
