@@ -31,6 +31,8 @@ namespace
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* batchName = "batch.json";
+
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -56,6 +58,36 @@ std::string takeName(std::string_view& rest, const std::string& path, std::size_
   std::string name(rest.substr(1, end - 1));
   rest.remove_prefix(end + 1);
   return name;
+}
+
+Options optionsOf(const Options& options, const BatchEntry& entry)
+{
+  Options one = options;
+  one.surface = entry.surface;
+  one.curves = entry.curves;
+  one.output = (std::filesystem::path(outputFolder(options)) / entry.folder).string();
+  one.quiet = true; // no progress within a surface
+  return one;
+}
+
+/// No result of one surface may replace what another is read from.
+void checkInputs(const Options& options, const std::vector<BatchEntry>& entries)
+{
+  InputFiles inputs;
+  inputs.add(options.batch);
+  for (const BatchEntry& entry : entries)
+  {
+    inputs.add(entry.surface);
+    for (const std::string& path : entry.curves)
+    {
+      inputs.add(path);
+    }
+  }
+  inputs.refuseToReplace(std::filesystem::path(outputFolder(options)) / batchName, "--output");
+  for (const BatchEntry& entry : entries)
+  {
+    refuseToReplaceInputs(inputs, optionsOf(options, entry));
+  }
 }
 
 /// What became of one surface: its object in batch.json, and what to say on the terminal.
@@ -136,7 +168,7 @@ std::vector<BatchEntry> readBatch(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   LineReader lines(text);
-  std::set<std::string> taken;
+  std::set<std::string> taken{ batchName };
   std::vector<BatchEntry> entries;
   std::string line;
   while (lines.next(line))
@@ -154,6 +186,11 @@ std::vector<BatchEntry> readBatch(const std::string& path)
       entry.curves.push_back(std::move(name));
     }
     const std::string stem = std::filesystem::path(entry.surface).stem().string();
+    if (stem.empty() || stem == "." || stem == "..") // its folder would be none of its own
+    {
+      throw InputError(
+        path, lines.number(), inQuotes(entry.surface) + " is not the name of a file");
+    }
     entry.folder = stem;
     for (int copy = 2; !taken.insert(entry.folder).second; ++copy)
     {
@@ -174,6 +211,7 @@ int runBatch(const Options& options)
   const Clock::time_point start = Clock::now();
   const std::vector<BatchEntry> entries = readBatch(options.batch);
   const std::string folder = outputFolder(options);
+  checkInputs(options, entries);
   OutputFiles files(folder);
   const std::size_t threads = options.threads > 0
     ? static_cast<std::size_t>(options.threads)
@@ -182,12 +220,7 @@ int runBatch(const Options& options)
   const auto job = [&](std::size_t k) {
     // Threads within a surface only where there are more than surfaces.
     vtkSMPTools::Initialize(static_cast<int>(threads / workers));
-    Options one = options;
-    one.surface = entries[k].surface;
-    one.curves = entries[k].curves;
-    one.output = (std::filesystem::path(folder) / entries[k].folder).string();
-    one.quiet = true; // no progress within a surface
-    return textOf(flattenEntry(one, entries[k]), -1);
+    return textOf(flattenEntry(optionsOf(options, entries[k]), entries[k]), -1);
   };
   std::vector<Json> rows(entries.size());
   const auto done = [&](std::size_t k, const std::optional<std::string>& text) {
@@ -214,7 +247,7 @@ int runBatch(const Options& options)
   const Json report = { { "list", options.batch }, { "scheme", options.scheme },
     { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "workers", workers },
     { "surfaces", rows }, { "seconds", seconds }, { "surfaces_per_second", rate } };
-  files.add("batch.json", textOf(report, 2) + '\n');
+  files.add(batchName, textOf(report, 2) + '\n');
   files.publish();
   if (!options.quiet)
   {

@@ -4,6 +4,7 @@
 #include "OutputFiles.h"
 #include "Report.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -15,10 +16,25 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/// A pattern of an earlier run must not be cut for this one's.
-void discardPatterns(const OutputFiles& files)
+constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vtp" };
+constexpr std::array<const char*, 3> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf" };
+constexpr const char* reportName = "report.json";
+
+InputFiles inputFiles(const Options& options)
 {
-  for (const char* name : { "pattern.svg", "pattern.pdf", "pattern.dxf" })
+  InputFiles inputs;
+  inputs.add(options.surface);
+  for (const std::string& path : options.curves)
+  {
+    inputs.add(path);
+  }
+  return inputs;
+}
+
+/// A pattern of an earlier run must not be cut for this one's.
+void discardPatterns(OutputFiles& files)
+{
+  for (const char* name : patternNames)
   {
     files.discard(name);
   }
@@ -29,12 +45,12 @@ std::vector<std::string> writeResult(const Options& options, Flattening& result,
 {
   const Clock::time_point start = Clock::now();
   std::vector<std::string> patterns = addPatterns(options.pattern, options.surface, result, files);
-  files.add("flat.vtp", result.flat);
-  files.add("wires.vtp", result.wires);
-  files.add("cut.vtp", result.cut);
+  files.add(dataNames[0], result.flat);
+  files.add(dataNames[1], result.wires);
+  files.add(dataNames[2], result.cut);
   result.secondsWrite = std::chrono::duration<double>(Clock::now() - start).count();
   result.secondsTotal += result.secondsWrite;
-  files.add("report.json", makeReport(options, result));
+  files.add(reportName, makeReport(options, result));
   discardPatterns(files);
   files.publish();
   return patterns;
@@ -43,8 +59,8 @@ std::vector<std::string> writeResult(const Options& options, Flattening& result,
 /// Says so in report.json, and leaves no earlier result beside it.
 void writeRefusal(const Options& options, const Flattening& result, OutputFiles& files)
 {
-  files.add("report.json", makeReport(options, result));
-  for (const char* name : { "flat.vtp", "wires.vtp", "cut.vtp" })
+  files.add(reportName, makeReport(options, result));
+  for (const char* name : dataNames)
   {
     files.discard(name);
   }
@@ -54,10 +70,29 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
 }
 
 //------------------------------------------------------------------------------
+void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
+{
+  const std::filesystem::path folder = outputFolder(options);
+  for (const auto& names : { dataNames, patternNames })
+  {
+    for (const char* name : names)
+    {
+      inputs.refuseToReplace(folder / name, "--output");
+    }
+  }
+  inputs.refuseToReplace(folder / reportName, "--output");
+  if (options.picture.any())
+  {
+    inputs.refuseToReplace(options.picture.path, "--picture");
+  }
+}
+
+//------------------------------------------------------------------------------
 FilesOfFlattening flattenToFiles(const Options& options)
 {
   FilesOfFlattening written;
   written.folder = outputFolder(options);
+  refuseToReplaceInputs(inputFiles(options), options);
   std::error_code ignored;
   std::optional<OutputFiles> files; // a default folder is not made for a refusal alone
   if (!options.output.empty() || std::filesystem::is_directory(written.folder, ignored))

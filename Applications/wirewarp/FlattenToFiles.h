@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Flattening.h"
+#include "InputFiles.h"
 #include "Options.h"
 
 #include <string>
@@ -17,8 +18,11 @@ struct FilesOfFlattening
   std::vector<std::string> patterns; ///< names of files in the folder
 };
 
+/// Throws InputError where a file that flattenToFiles() may replace or remove is an input.
+void refuseToReplaceInputs(const InputFiles& inputs, const Options& options);
+
 /// Reads one surface, flattens it and writes all files that the options ask for. A refusal is in
 /// the result, and in report.json where the folder exists already or was asked for. Throws
-/// InputError where files cannot be written.
+/// InputError where files cannot be written; earlier ones are left as they are then.
 FilesOfFlattening flattenToFiles(const Options& options);
 }

@@ -6,6 +6,7 @@
 
 #include <vtkXMLPolyDataWriter.h>
 
+#include <cerrno>
 #include <fstream>
 #include <random>
 #include <system_error>
@@ -57,31 +58,40 @@ std::filesystem::path OutputFiles::addEntry(const std::string& name)
 //------------------------------------------------------------------------------
 void OutputFiles::add(const std::string& name, vtkPolyData* data)
 {
-  const VtkMessages messages;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  // Debian's ParaView 5.11 cannot read appended data.
-  writer->SetDataModeToBinary();
-  // Higher levels cost more time than the 1 % of space that they save is worth.
-  writer->SetCompressionLevel(1);
-  writer->SetFileName(this->addEntry(name).c_str());
-  writer->SetInputData(data);
-  if (writer->Write() != 1 || !messages.errors().empty())
+  // By way of memory: on a full disk VTK's writer of files crashes.
+  std::string text;
   {
-    const std::string reason = messages.firstError();
-    throw InputError((this->Folder / name).string(),
-      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->WayOut);
+    const VtkMessages messages;
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    // Debian's ParaView 5.11 cannot read appended data.
+    writer->SetDataModeToBinary();
+    // Higher levels cost more time than the 1 % of space that they save is worth.
+    writer->SetCompressionLevel(1);
+    writer->WriteToOutputStringOn();
+    writer->SetInputData(data);
+    if (writer->Write() != 1 || !messages.errors().empty())
+    {
+      const std::string reason = messages.firstError();
+      throw InputError((this->Folder / name).string(),
+        "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->WayOut);
+    }
+    text = writer->GetOutputString();
   }
+  this->add(name, text);
 }
 
 //------------------------------------------------------------------------------
 void OutputFiles::add(const std::string& name, const std::string& text)
 {
+  errno = 0;
   std::ofstream file(this->addEntry(name), std::ios::binary);
   file << text;
   file.close();
   if (!file)
   {
-    throw InputError((this->Folder / name).string(), "cannot be written" + this->WayOut);
+    const std::string reason = errno != 0 ? std::generic_category().message(errno) : "";
+    throw InputError((this->Folder / name).string(),
+      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->WayOut);
   }
 }
 
@@ -99,9 +109,23 @@ void OutputFiles::add(
 //------------------------------------------------------------------------------
 void OutputFiles::publish()
 {
+  std::error_code error;
   for (const Entry& entry : this->Entries)
   {
-    std::error_code error;
+    // Before any file is in place, so that none is where another is missing.
+    if (std::filesystem::is_directory(std::filesystem::symlink_status(entry.final, error)))
+    {
+      throw InputError(entry.final.string(),
+        "cannot be written (a folder of this name is in the way)" + this->WayOut);
+    }
+  }
+  for (const std::filesystem::path& file : this->Outdated)
+  {
+    std::filesystem::remove(file, error);
+  }
+  this->Outdated.clear();
+  for (const Entry& entry : this->Entries)
+  {
     std::filesystem::rename(entry.aside, entry.final, error);
     if (error)
     {
@@ -113,9 +137,8 @@ void OutputFiles::publish()
 }
 
 //------------------------------------------------------------------------------
-void OutputFiles::discard(const std::string& name) const
+void OutputFiles::discard(const std::string& name)
 {
-  std::error_code ignored;
-  std::filesystem::remove(this->Folder / name, ignored);
+  this->Outdated.push_back(this->Folder / name);
 }
 }

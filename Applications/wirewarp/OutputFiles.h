@@ -28,8 +28,8 @@ public:
   /// \param write writes to a path and returns what went wrong, or nothing
   void add(const std::string& name, const std::function<std::string(const std::string&)>& write);
   void publish();
-  /// Removes an earlier result of this name.
-  void discard(const std::string& name) const;
+  /// Lets publish() remove an earlier result of this name.
+  void discard(const std::string& name);
 
 private:
   struct Entry
@@ -42,5 +42,6 @@ private:
   std::filesystem::path Folder;
   std::string WayOut;
   std::vector<Entry> Entries;
+  std::vector<std::filesystem::path> Outdated;
 };
 }

@@ -30,6 +30,8 @@ std::string strip(const std::string& message)
   {
     text.pop_back();
   }
+  // A refusal is one line.
+  std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 }

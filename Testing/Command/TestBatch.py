@@ -100,6 +100,25 @@ class Batch(command.CommandTest):
             self.assertIn(word, command.error_lines(run)[0])
             self.assertFalse(os.path.exists(self.path("out")))
 
+    def test_no_input_is_replaced_and_no_folder_left(self):
+        os.makedirs(self.path("out/lune"))
+        points, triangles, _ = command.quarter_sphere()
+        for name in ("lune/flat.vtp", "batch.json"):
+            self.write("out/" + name, command.xml_polydata(points, triangles))
+            self.write("list.txt", "lune.obj\nout/%s\n" % name)
+            run = self.run_command("--batch", "list.txt", "--output", "out")
+            self.assertEqual(run.returncode, 3, name)
+            self.assertIn("out/" + name, command.error_lines(run)[0])
+            os.remove(self.path("out/" + name))
+        self.assertEqual(os.listdir(self.path("out")), ["lune"])
+        self.write("flat.vtp", "precious")
+        for name in ("..", ".", "out/"):
+            self.write("list.txt", "lune.obj\n" + name + "\n")
+            run = self.run_command("--batch", "list.txt", "--output", "out")
+            self.assertEqual(run.returncode, 3)
+            self.assertIn("list.txt:2", command.error_lines(run)[0])
+        self.assertIn("flat.vtp", os.listdir(self.folder))
+
     def test_what_concerns_one_surface_is_bad_usage(self):
         self.write("list.txt", "lune.obj\n")
         for arguments in (

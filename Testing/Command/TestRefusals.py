@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import json
 import os
+import resource
 
 import command
 
@@ -97,6 +98,10 @@ class Refusals(command.CommandTest):
             with self.subTest(text):
                 self.refuse(self.write("bad.obj", text), says=("bad.obj:%d:" % line, says))
 
+    def test_a_reader_of_many_words_gives_one_line(self):
+        text = command.xml_polydata(self.points, self.triangles).replace("Float64", "Vloat64")
+        self.refuse(self.write("a.vtp", text), says=("a.vtp", "Vloat64"))
+
     def test_cell_ids_out_of_range_are_refused_in_every_format(self):
         triangles = [*self.triangles, (0, 1, 999)]
         for name, content in (
@@ -125,6 +130,11 @@ class Refusals(command.CommandTest):
         triangles = [*self.triangles, (1, 0, len(self.points))]
         report = self.refuse_surface(points, triangles, "DegenerateTriangle", str(len(self.triangles)))
         self.assertEqual(report["ids"], [len(self.triangles)])
+
+    def test_sizes_that_cannot_be_computed_with(self):
+        for size, status in ((1e-100, "DegenerateTriangle"), (1e100, "NonFinitePoint")):
+            points = [tuple(size * x for x in point) for point in self.points]
+            self.refuse_surface(points, self.triangles, status, "1e")
 
     def test_three_triangles_at_an_edge(self):
         points = [*self.points, (9.0, 9.0, 9.0)]
@@ -206,6 +216,50 @@ class Refusals(command.CommandTest):
         self.assertEqual(run.returncode, 3)
         self.assertIn("flat.vtp", command.error_lines(run)[0])
         self.assertEqual(os.listdir(self.path("out")), ["flat.vtp"])
+
+    def test_no_file_is_in_place_where_another_cannot_be(self):
+        os.makedirs(self.path("out/report.json/inner"))
+        self.write("out/pattern.svg", "of an earlier run")
+        run = self.run_command("good.obj", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("report.json", command.error_lines(run)[0])
+        self.assertEqual(sorted(os.listdir(self.path("out"))), ["pattern.svg", "report.json"])
+
+    def test_a_full_disk_leaves_no_part_of_a_file(self):
+        def limit_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1500, 1500))
+
+        before = self.flatten("good.obj")
+        files = os.listdir(self.path("out"))
+        # Python ignores SIGXFSZ, and so does the command then: writing fails as on a full disk.
+        run = self.run_command(
+            "good.obj", "--output", "out", preexec_fn=limit_files, restore_signals=False
+        )
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("flat.vtp", command.error_lines(run)[0])
+        self.assertEqual(os.listdir(self.path("out")), files)
+        self.assertEqual(self.report("out"), before)
+
+    def test_an_input_is_neither_replaced_nor_removed(self):
+        os.mkdir(self.path("out"))
+        whole = command.xml_polydata(self.points, self.triangles)
+        os.symlink("out", self.path("link"))
+        for name, content in (
+            ("flat.vtp", whole), ("cut.vtp", whole[:300]), ("report.json", "key k 0 1\n"),
+            ("pattern.svg", "key k 0 1\n"),
+        ):
+            arguments = ("out/" + name,) if name.endswith(".vtp") else ("good.obj", "out/" + name)
+            for folder in ("out", "link"):
+                with self.subTest(name=name, folder=folder):
+                    self.write("out/" + name, content)
+                    run = self.run_command(*arguments, "--output", folder)
+                    self.assertEqual(run.returncode, 3)
+                    self.assertIn(folder + "/" + name, command.error_lines(run)[0])
+                    self.assertIn("--output", command.error_lines(run)[0])
+                    self.assertEqual(os.listdir(self.path("out")), [name])
+                    with open(self.path("out/" + name), encoding="utf-8") as file:
+                        self.assertEqual(file.read(), content)
+            os.remove(self.path("out/" + name))
 
     def test_an_earlier_result_does_not_outlive_a_refusal(self):
         self.flatten("good.obj")
