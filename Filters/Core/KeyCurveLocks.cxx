@@ -72,8 +72,9 @@ void meetSums(const Indices& nodes, const std::vector<SideSum>& sums, std::vecto
 
 double turningAngle(const Point2& a, const Point2& b, const Point2& c)
 {
-  const Point2 u = b - a;
-  const Point2 v = c - b;
+  // Scaled, so that no product over- or underflows.
+  const Point2 u = (b - a) / (b - a).cwiseAbs().maxCoeff();
+  const Point2 v = (c - b) / (c - b).cwiseAbs().maxCoeff();
   return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
 }
 

@@ -41,8 +41,9 @@ Status checkProperties(const FeatureCurve& curve, std::size_t id)
   }
   if (curve.type == CurveType::Key && curve.keyShape == KeyShape::Planar)
   {
-    const auto finite = [](
-                          const Point2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); };
+    // Up to 1e300 differences are finite as well.
+    const auto usable = [](double x) { return std::isfinite(x) && std::abs(x) <= 1e300; };
+    const auto finite = [&usable](const Point2& p) { return usable(p.x()) && usable(p.y()); };
     if (curve.planarShape.size() != curve.vertices.size() ||
       !std::all_of(curve.planarShape.begin(), curve.planarShape.end(), finite))
     {
@@ -50,7 +51,8 @@ Status checkProperties(const FeatureCurve& curve, std::size_t id)
         curveName(curve, id) + " has a planar shape of " +
           std::to_string(curve.planarShape.size()) + " points for " +
           std::to_string(curve.vertices.size()) +
-          " vertices, or a coordinate that is no number; give a finite point for each",
+          " vertices, or a coordinate that is no number or beyond 1e300; give a finite point for "
+          "each",
         { static_cast<Index>(id) } };
     }
     const auto same = std::adjacent_find(curve.planarShape.begin(), curve.planarShape.end());

@@ -130,21 +130,28 @@ TEST(KeyCurveLocks, AnglesOnOneSideOfAShapedKeyAreDividedAsOnTheSurface)
 
 TEST(KeyCurveLocks, APlanarShapePrescribesItsTurningWhateverItsSize)
 {
-  Surface surface = cushion(6, 6, 0.5);
-  const Points2 zigzag{ Point2(0, 0), Point2(10, 0), Point2(20, 5), Point2(30, 0), Point2(40, -20),
-    Point2(50, -20), Point2(60, -10) };
-  surface.curves = { shapedKey(KeyShape::Planar, rowVertices(6, 3), zigzag) };
-  const WiredSurface wired(surface);
-  const NodeLocks locks = wired.locks();
-  for (Index i = 1; i < 6; ++i)
+  for (const double size : { 1.0, 1e-310, 1e298 })
   {
-    const Point2 in = zigzag[i] - zigzag[i - 1];
-    const Point2 out = zigzag[i + 1] - zigzag[i];
-    const double left = std::atan2(out.y(), out.x()) - std::atan2(in.y(), in.x());
-    // The row runs towards larger x, so larger y is on its left.
-    const auto sides = sidesOf(wired, locks, 3 * 7 + i);
-    EXPECT_NEAR(sides[0], pi - left, 1e-13);
-    EXPECT_NEAR(sides[1], pi + left, 1e-13);
+    Surface surface = cushion(6, 6, 0.5);
+    Points2 zigzag{ Point2(0, 0), Point2(10, 0), Point2(20, 5), Point2(30, 0), Point2(40, -20),
+      Point2(50, -20), Point2(60, -10) };
+    for (Point2& p : zigzag)
+    {
+      p *= size;
+    }
+    surface.curves = { shapedKey(KeyShape::Planar, rowVertices(6, 3), zigzag) };
+    const WiredSurface wired(surface);
+    const NodeLocks locks = wired.locks();
+    for (Index i = 1; i < 6; ++i)
+    {
+      const Point2 in = zigzag[i] - zigzag[i - 1];
+      const Point2 out = zigzag[i + 1] - zigzag[i];
+      const double left = std::atan2(out.y(), out.x()) - std::atan2(in.y(), in.x());
+      // The row runs towards larger x, so larger y is on its left.
+      const auto sides = sidesOf(wired, locks, 3 * 7 + i);
+      EXPECT_NEAR(sides[0], pi - left, 1e-13) << size;
+      EXPECT_NEAR(sides[1], pi + left, 1e-13) << size;
+    }
   }
 }
 
