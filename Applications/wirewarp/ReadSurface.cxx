@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <new>
 
 namespace wirewarp
 {
@@ -32,7 +33,15 @@ vtkSmartPointer<vtkPolyData> runReader(const std::string& path, Reader* reader)
 {
   const VtkMessages messages;
   reader->SetFileName(path.c_str());
-  reader->Update();
+  try
+  {
+    reader->Update();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw InputError(
+      path, "says that it holds more than memory can; it is damaged or too large, write it again");
+  }
   std::string reason = messages.firstError();
   const auto warning =
     std::find_if(messages.warnings().begin(), messages.warnings().end(), isFailure);

@@ -102,6 +102,11 @@ class Refusals(command.CommandTest):
         text = command.xml_polydata(self.points, self.triangles).replace("Float64", "Vloat64")
         self.refuse(self.write("a.vtp", text), says=("a.vtp", "Vloat64"))
 
+    def test_a_header_that_promises_more_than_memory_holds(self):
+        text = command.xml_polydata(self.points, self.triangles)
+        text = text.replace('NumberOfPoints="%d"' % len(self.points), 'NumberOfPoints="%d"' % 10**15)
+        self.refuse(self.write("a.vtp", text), says=("a.vtp",), status="UnreadableInput")
+
     def test_cell_ids_out_of_range_are_refused_in_every_format(self):
         triangles = [*self.triangles, (0, 1, 999)]
         for name, content in (

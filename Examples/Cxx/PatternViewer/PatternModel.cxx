@@ -12,6 +12,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
 
 namespace viewer
@@ -45,12 +46,17 @@ PolyData marked(const PolyData& data, bool released)
 void writeAside(const std::string& path, vtkPolyData* data)
 {
   const std::string aside = path + ".part";
+  // By way of memory: on a full disk VTK's writer of files crashes.
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToBinary();
+  writer->WriteToOutputStringOn();
   silence(writer);
-  writer->SetFileName(aside.c_str());
   writer->SetInputData(data);
-  if (writer->Write() != 1 || std::rename(aside.c_str(), path.c_str()) != 0)
+  const bool written = writer->Write() == 1;
+  std::ofstream file(aside, std::ios::binary);
+  file << writer->GetOutputString();
+  file.close();
+  if (!written || !file || std::rename(aside.c_str(), path.c_str()) != 0)
   {
     std::remove(aside.c_str());
     throw std::runtime_error("cannot write " + path);
