@@ -227,14 +227,14 @@ ConformalMap mapConformally(
       ++end;
     }
   }
-  LinearSolver solver(std::move(order), execution);
+  LinearSolver solver(std::move(order));
   const Status failure{ StatusCode::NumericalFailure,
     "the conformal map could not be computed; look for slivers or a part that hangs on one vertex",
     {} };
   const Status cancelled{ StatusCode::Cancelled, "cancelled while mapping conformally", {} };
   const SparseMatrix hessian = energy.hessian(column, unknowns);
   if (execution.cancelled() || !solver.analyze(hessian) || execution.cancelled() ||
-    !solver.factorize(hessian))
+    !solver.factorize(hessian, execution))
   {
     map.status = execution.cancelled() ? cancelled : failure;
     return map;

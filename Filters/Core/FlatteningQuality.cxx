@@ -117,4 +117,16 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& pos
   quality.summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
   return quality;
 }
+
+Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
+{
+  Index count = 0;
+  for (const Triangle& c : mesh.triangles())
+  {
+    const Point2 u = positions[c[1]] - positions[c[0]];
+    const Point2 v = positions[c[2]] - positions[c[0]];
+    count += u.x() * v.y() - u.y() * v.x() > 0.0 ? 0 : 1;
+  }
+  return count;
+}
 }

@@ -42,4 +42,7 @@ struct FlatteningQuality
 /// E_len.
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
   const Indices& edges, const Execution& execution);
+
+/// Triangles that are turned over, or have no area.
+Index countFlipped(const TriangleMesh& mesh, const Points2& positions);
 }

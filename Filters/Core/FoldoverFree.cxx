@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FoldoverFree.h"
 
+#include "FlatteningQuality.h"
 #include "InteriorPatch.h"
 #include "SheetEnergy.h"
 #include "SymmetricAssembler.h"
@@ -245,6 +246,10 @@ UntanglingResult untangleInterior(
   const Piece& piece, const WireNetwork& network, const Execution& execution, Points2& positions)
 {
   UntanglingResult result;
+  if (countFlipped(piece.mesh, positions) == 0)
+  {
+    return result;
+  }
   for (const InteriorPatch& interior : collectInteriorPatches(piece, network, positions))
   {
     PatchUntangling patch(interior, piece.mesh, positions);

@@ -71,25 +71,23 @@ Neighbours collectNeighbours(const InteriorPatch& patch, const std::vector<EdgeW
 class PatchEmbedding
 {
 public:
-  PatchEmbedding(const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions,
-    const Execution& execution)
-    : Patch(patch)
-    , Mesh(mesh)
+  PatchEmbedding(InteriorSystem& system, const Points2& positions, const Execution& execution)
+    : System(system)
+    , Patch(system.patch())
     , Run(execution)
-    , Local(static_cast<Eigen::Index>(patch.vertices.size()), 2)
+    , Local(static_cast<Eigen::Index>(Patch.vertices.size()), 2)
   {
-    for (std::size_t i = 0; i < patch.vertices.size(); ++i)
+    for (std::size_t i = 0; i < this->Patch.vertices.size(); ++i)
     {
-      this->Local.row(static_cast<Eigen::Index>(i)) = positions[patch.vertices[i]].transpose();
+      this->Local.row(static_cast<Eigen::Index>(i)) =
+        positions[this->Patch.vertices[i]].transpose();
     }
   }
 
   /// Eq. 11 as a linear system.
   void solveLaplacian()
   {
-    PatchMatrix matrix(this->Patch);
-    LinearSolver solver = makePatchSolver(this->Patch, this->Mesh, this->Run);
-    if (!this->solve(matrix, solver, inverseLengthWeights(this->Patch, this->Mesh)))
+    if (!this->System.solve(InteriorWeights::InverseLength, this->Run, this->Local))
     {
       this->Result = Outcome::Failed;
     }
@@ -99,7 +97,7 @@ public:
   void relax(const InteriorOptions& options, double smallest)
   {
     const Neighbours near =
-      collectNeighbours(this->Patch, inverseLengthWeights(this->Patch, this->Mesh));
+      collectNeighbours(this->Patch, this->System.edgeWeights(InteriorWeights::InverseLength));
     this->Local.topRows(this->Patch.freeCount).rowwise() = this->Patch.center.transpose();
     while (this->Iterations < options.maximumIterations)
     {
@@ -129,36 +127,29 @@ public:
   /// where this turns fewer triangles over.
   void startRigid()
   {
-    this->Rigid = std::make_unique<RigidEmbedding>(this->Patch, this->Mesh, this->Local);
-    const std::vector<EdgeWeights> cotangents = this->Rigid->cotangentWeights();
-    PatchMatrix matrix(this->Patch);
-    LinearSolver solver = makePatchSolver(this->Patch, this->Mesh, this->Run);
-    bool factored = this->solve(matrix, solver, cotangents);
-    const Index flipped = factored ? this->flippedCount() : 0;
-    if (!factored || flipped > 0)
+    const bool harmonic = this->System.solve(InteriorWeights::Cotangent, this->Run, this->Local);
+    const Index flipped = harmonic ? this->flippedCount() : 0;
+    if (!harmonic || flipped > 0)
     {
-      const Eigen::MatrixXd harmonic = this->Local;
-      if (!this->solve(matrix, solver, inverseLengthWeights(this->Patch, this->Mesh)))
+      Eigen::MatrixXd other = this->Local;
+      const bool means = this->System.solve(InteriorWeights::InverseLength, this->Run, this->Local);
+      if (!means || (harmonic && this->flippedCount() >= flipped))
       {
-        this->Result = factored ? Outcome::Done : Outcome::Failed;
+        std::swap(other, this->Local);
       }
-      else if (factored && this->flippedCount() >= flipped)
+      if (!means && !harmonic)
       {
-        this->Local = harmonic;
+        this->Result = Outcome::Failed;
+        return;
       }
-      factored =
-        solver.factorize(matrix.assemble(cotangents)) && solver.positive() == this->Patch.freeCount;
     }
-    if (this->Result == Outcome::Failed)
-    {
-      return;
-    }
-    if (!factored)
+    const LinearSolver* const factor = this->System.factor(InteriorWeights::Cotangent, this->Run);
+    if (!factor)
     {
       this->Result = Outcome::NotConverged;
       return;
     }
-    this->Rigid->prepare(std::move(solver), this->Local);
+    this->Rigid = std::make_unique<RigidEmbedding>(this->System, factor, this->Local);
     this->Running = true;
   }
 
@@ -197,40 +188,6 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
-  /// Puts each interior vertex into the weighted mean of its neighbours; one factorization for x
-  /// and y. False, with nothing moved, where the weights make no definite matrix.
-  bool solve(PatchMatrix& matrix, LinearSolver& solver, const std::vector<EdgeWeights>& weights)
-  {
-    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(this->Patch.freeCount, 2);
-    for (std::size_t t = 0; t < weights.size(); ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const Index a = this->Patch.triangles[t][(k + 1) % 3];
-        const Index b = this->Patch.triangles[t][(k + 2) % 3];
-        if (a < this->Patch.freeCount && b >= this->Patch.freeCount)
-        {
-          pull.row(a) += weights[t][k] * this->Local.row(b);
-        }
-        if (b < this->Patch.freeCount && a >= this->Patch.freeCount)
-        {
-          pull.row(b) += weights[t][k] * this->Local.row(a);
-        }
-      }
-    }
-    if (!solver.factorize(matrix.assemble(weights)) || solver.positive() != this->Patch.freeCount)
-    {
-      return false;
-    }
-    const Eigen::MatrixXd solution = solver.solve(pull);
-    if (solution.rows() != this->Patch.freeCount)
-    {
-      return false;
-    }
-    this->Local.topRows(this->Patch.freeCount) = solution;
-    return true;
-  }
-
   Index flippedCount() const
   {
     return static_cast<Index>(std::count_if(
@@ -241,8 +198,8 @@ private:
       }));
   }
 
+  InteriorSystem& System;
   const InteriorPatch& Patch;
-  const TriangleMesh& Mesh;
   Execution Run;
   Eigen::MatrixXd Local;
   std::unique_ptr<RigidEmbedding> Rigid;
@@ -291,20 +248,20 @@ double meanWireEdge(const WireNetwork& network)
   return network.edges.empty() ? 0.0 : sum / static_cast<double>(network.edges.size());
 }
 
-void summarize(const std::vector<PatchEmbedding>& patches, InteriorResult& result)
+void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorResult& result)
 {
   Indices failed;
   Indices unconverged;
-  for (const PatchEmbedding& patch : patches)
+  for (const auto& patch : patches)
   {
-    result.iterations = std::max(result.iterations, patch.iterations());
-    if (patch.outcome() == Outcome::Failed)
+    result.iterations = std::max(result.iterations, patch->iterations());
+    if (patch->outcome() == Outcome::Failed)
     {
-      failed.push_back(patch.patch());
+      failed.push_back(patch->patch());
     }
-    else if (patch.outcome() == Outcome::NotConverged)
+    else if (patch->outcome() == Outcome::NotConverged)
     {
-      unconverged.push_back(patch.patch());
+      unconverged.push_back(patch->patch());
     }
   }
   if (!failed.empty())
@@ -325,7 +282,8 @@ void summarize(const std::vector<PatchEmbedding>& patches, InteriorResult& resul
 }
 
 InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
-  const InteriorOptions& options, const Execution& execution, Points2& positions)
+  const InteriorOptions& options, const Execution& execution, Points2& positions,
+  InteriorSystems* kept)
 {
   InteriorResult result;
   result.status = checkOptions(options);
@@ -333,61 +291,70 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   {
     return result;
   }
-  const std::vector<InteriorPatch> interiors = collectInteriorPatches(piece, network, positions);
-  std::vector<PatchEmbedding> patches;
-  patches.reserve(interiors.size());
+  InteriorSystems own;
+  InteriorSystems& systems = kept ? *kept : own;
+  std::vector<InteriorPatch> interiors = collectInteriorPatches(piece, network, positions);
+  systems.resize(interiors.size());
   const bool alone = interiors.size() == 1;
-  for (const InteriorPatch& interior : interiors)
-  {
-    patches.emplace_back(interior, piece.mesh, positions, alone ? execution : Execution());
-  }
+  const Execution inner = alone ? execution : Execution();
+  std::vector<std::unique_ptr<PatchEmbedding>> patches(interiors.size());
   const bool rigid = options.method == InteriorMethod::AsRigidAsPossible;
   const double smallest = options.movement * meanWireEdge(network);
   const auto eachPatch = [&](const auto& work) {
     if (alone)
     {
-      work(patches.front());
+      work(0);
       return !execution.cancelled();
     }
     execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i)
       {
-        work(patches[i]);
+        work(i);
       }
     });
     return !execution.cancelled();
   };
 
-  bool going = eachPatch([&](PatchEmbedding& patch) {
+  bool going = eachPatch([&](Index i) {
+    systems[i].update(std::move(interiors[i]), piece.mesh);
+    patches[i] = std::make_unique<PatchEmbedding>(systems[i], positions, inner);
     if (options.method == InteriorMethod::Relaxation)
     {
-      patch.relax(options, smallest);
+      patches[i]->relax(options, smallest);
     }
     else if (rigid)
     {
-      patch.startRigid();
+      patches[i]->startRigid();
     }
     else
     {
-      patch.solveLaplacian();
+      patches[i]->solveLaplacian();
+    }
+    if (!kept && !rigid)
+    {
+      systems[i].forgetFactors();
     }
   });
-  if (rigid)
+  const auto running = [](const auto& patch) { return patch->running(); };
+  while (going && std::any_of(patches.begin(), patches.end(), running))
   {
-    const auto running = [](const PatchEmbedding& patch) { return patch.running(); };
-    while (going && std::any_of(patches.begin(), patches.end(), running))
-    {
-      going = eachPatch([&](PatchEmbedding& patch) { patch.iterateRigid(options); });
-    }
+    going = eachPatch([&](Index i) {
+      patches[i]->iterateRigid(options);
+      if (!kept && !patches[i]->running())
+      {
+        systems[i].forgetFactors();
+      }
+    });
   }
   if (!going)
   {
+    systems.clear();
     result.status = { StatusCode::Cancelled, "cancelled while placing the interior", {} };
     return result;
   }
-  for (const PatchEmbedding& patch : patches)
+  for (const auto& patch : patches)
   {
-    patch.writeBack(positions);
+    patch->writeBack(positions);
   }
   summarize(patches, result);
   return result;

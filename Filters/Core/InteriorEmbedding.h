@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Execution.h"
-#include "WireNetwork.h"
+#include "InteriorSystem.h"
 
 namespace flattening
 {
@@ -34,10 +33,13 @@ struct InteriorResult
 };
 
 /// Places the vertices inside each wire-patch; those of the wires stay. Wire-patches are
-/// independent and run in parallel. \param positions per piece vertex, in and out.
+/// independent and run in parallel. \param positions per piece vertex, in and out. \param kept
+/// where to find and leave the factors for other runs of the same piece; null: they are given back
+/// at once.
 ///
 /// Errors: InvalidOption; Cancelled (positions as they came in); NumericalFailure and NotConverged (ids:
 /// wire-patches).
 InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
-  const InteriorOptions& options, const Execution& execution, Points2& positions);
+  const InteriorOptions& options, const Execution& execution, Points2& positions,
+  InteriorSystems* kept = nullptr);
 }

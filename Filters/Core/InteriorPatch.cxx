@@ -97,8 +97,7 @@ std::vector<InteriorPatch> collectInteriorPatches(
 }
 
 PatchMatrix::PatchMatrix(const InteriorPatch& patch)
-  : Patch(&patch)
-  , Matrix(patch.freeCount, patch.freeCount)
+  : Matrix(patch.freeCount, patch.freeCount)
   , EdgePlace(patch.triangles.size(), Triangle{ none, none, none })
 {
   // An inner edge comes from two triangles, so each vertex has at most this many neighbours.
@@ -148,7 +147,8 @@ PatchMatrix::PatchMatrix(const InteriorPatch& patch)
   std::copy(inner.begin(), inner.end(), this->Matrix.innerIndexPtr());
 }
 
-const SparseMatrix& PatchMatrix::assemble(const std::vector<EdgeWeights>& weights)
+const SparseMatrix& PatchMatrix::assemble(
+  const InteriorPatch& patch, const std::vector<EdgeWeights>& weights)
 {
   double* values = this->Matrix.valuePtr();
   std::fill(values, values + this->Matrix.nonZeros(), 0.0);
@@ -160,8 +160,8 @@ const SparseMatrix& PatchMatrix::assemble(const std::vector<EdgeWeights>& weight
       const double weight = weights[t][k];
       for (int end = 1; end <= 2; ++end)
       {
-        const Index v = this->Patch->triangles[t][(k + end) % 3];
-        if (v < this->Patch->freeCount)
+        const Index v = patch.triangles[t][(k + end) % 3];
+        if (v < patch.freeCount)
         {
           values[outer[v]] += weight;
         }
@@ -173,51 +173,5 @@ const SparseMatrix& PatchMatrix::assemble(const std::vector<EdgeWeights>& weight
     }
   }
   return this->Matrix;
-}
-
-std::vector<EdgeWeights> inverseLengthWeights(const InteriorPatch& patch, const TriangleMesh& mesh)
-{
-  std::vector<EdgeWeights> weights(patch.triangles.size());
-  for (std::size_t t = 0; t < weights.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index a = patch.vertices[patch.triangles[t][(k + 1) % 3]];
-      const Index b = patch.vertices[patch.triangles[t][(k + 2) % 3]];
-      weights[t][k] = 0.5 / (mesh.point(a) - mesh.point(b)).norm();
-    }
-  }
-  return weights;
-}
-
-LinearSolver makePatchSolver(
-  const InteriorPatch& patch, const TriangleMesh& mesh, const Execution& execution)
-{
-  Points3 positions;
-  positions.reserve(patch.freeCount);
-  for (Index v = 0; v < patch.freeCount; ++v)
-  {
-    positions.push_back(mesh.point(patch.vertices[v]));
-  }
-  Triangles cliques;
-  cliques.reserve(patch.triangles.size());
-  for (const Triangle& t : patch.triangles)
-  {
-    Triangle clique{ none, none, none };
-    int count = 0;
-    for (Index v : t)
-    {
-      if (v < patch.freeCount)
-      {
-        clique[count++] = v;
-      }
-    }
-    if (count > 1)
-    {
-      clique[2] = count == 3 ? clique[2] : clique[0];
-      cliques.push_back(clique);
-    }
-  }
-  return { dissect(cliques, positions), execution };
 }
 }

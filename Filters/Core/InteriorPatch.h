@@ -34,20 +34,11 @@ public:
   explicit PatchMatrix(const InteriorPatch& patch);
 
   /// The lower triangle.
-  const SparseMatrix& assemble(const std::vector<EdgeWeights>& weights);
+  const SparseMatrix& assemble(const InteriorPatch& patch, const std::vector<EdgeWeights>& weights);
 
 private:
-  const InteriorPatch* Patch;
   SparseMatrix Matrix;
   /// Places in Matrix.valuePtr(): of the edge opposite to each corner, none at a wire vertex.
   Triangles EdgePlace;
 };
-
-/// Weights of Eq. 11, 1 / |v_i v_j|, half of it from each triangle at the edge.
-std::vector<EdgeWeights> inverseLengthWeights(const InteriorPatch& patch, const TriangleMesh& mesh);
-
-/// A solver for the matrices of a patch, their order of elimination found from where its vertices
-/// are on the surface.
-LinearSolver makePatchSolver(
-  const InteriorPatch& patch, const TriangleMesh& mesh, const Execution& execution);
 }

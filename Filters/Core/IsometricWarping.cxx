@@ -34,7 +34,7 @@ public:
   {
     IsometricSolution solution;
     this->X = std::move(x);
-    this->Solver = LinearSolver(this->Model.eliminationOrder(this->X), this->Run);
+    this->Solver = LinearSolver(this->Model.eliminationOrder(this->X));
     this->holdAtBounds();
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
     bool converged = false;
@@ -152,7 +152,7 @@ private:
         this->Model.hold(static_cast<Index>(k));
       }
     }
-    return !this->Run.cancelled() && this->Solver.factorize(this->Model.kkt()) &&
+    return !this->Run.cancelled() && this->Solver.factorize(this->Model.kkt(), this->Run) &&
       this->Solver.positive() == this->Unknowns;
   }
 

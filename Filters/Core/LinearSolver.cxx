@@ -35,7 +35,7 @@ struct LinearSolver::Backend
 {
   virtual ~Backend() = default;
   virtual void analyze(const SparseMatrix& matrix) = 0;
-  virtual bool factorize(const SparseMatrix& matrix) = 0;
+  virtual bool factorize(const SparseMatrix& matrix, const Execution& execution) = 0;
   virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const = 0;
   /// Entries of D, or nothing.
   virtual Eigen::VectorXd diagonal() const { return {}; }
@@ -50,7 +50,7 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   Factorization solver;
 
   void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
-  bool factorize(const SparseMatrix& matrix) override
+  bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
   {
     if constexpr (std::is_same_v<Factorization, Eigen::SuperLU<SparseMatrix>>)
     {
@@ -87,7 +87,6 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
 {
   MultifrontalFactorization solver;
   Dissection dissection;
-  Execution execution;
 
   void analyze(const SparseMatrix& matrix) override
   {
@@ -102,9 +101,9 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
     }
     this->solver.analyze(matrix, this->dissection);
   }
-  bool factorize(const SparseMatrix& matrix) override
+  bool factorize(const SparseMatrix& matrix, const Execution& execution) override
   {
-    return this->solver.factorize(matrix, this->execution);
+    return this->solver.factorize(matrix, execution);
   }
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
   {
@@ -154,12 +153,11 @@ LinearSolver::LinearSolver(LinearMethod method)
   }
 }
 
-LinearSolver::LinearSolver(Dissection order, const Execution& execution)
+LinearSolver::LinearSolver(Dissection order)
   : Method(LinearMethod::Multifrontal)
 {
   auto backend = std::make_unique<MultifrontalBackend>();
   backend->dissection = std::move(order);
-  backend->execution = execution;
   this->Solver = std::move(backend);
 }
 
@@ -191,7 +189,7 @@ bool LinearSolver::analyze(const SparseMatrix& matrix)
   return true;
 }
 
-bool LinearSolver::factorize(const SparseMatrix& matrix)
+bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execution)
 {
   this->Factorized = false;
   if (!this->Analyzed && !this->analyze(matrix))
@@ -206,7 +204,7 @@ bool LinearSolver::factorize(const SparseMatrix& matrix)
   {
     try
     {
-      if (!this->Solver->factorize(matrix))
+      if (!this->Solver->factorize(matrix, execution))
       {
         return false;
       }

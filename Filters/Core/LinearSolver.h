@@ -32,7 +32,7 @@ public:
   explicit LinearSolver(LinearMethod method);
   /// Multifrontal with an order of elimination that the caller knows to be good, of the columns of
   /// the matrix; by itself it takes that of minimum degree, column by column.
-  LinearSolver(Dissection order, const Execution& execution);
+  explicit LinearSolver(Dissection order);
   ~LinearSolver();
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
@@ -43,7 +43,7 @@ public:
   bool analyze(const SparseMatrix& matrix);
   /// Factors a matrix of the pattern given to analyze(). False where a pivot is zero, an entry not
   /// finite, for Cholesky not positive definite, or where memory runs out.
-  bool factorize(const SparseMatrix& matrix);
+  bool factorize(const SparseMatrix& matrix, const Execution& execution = {});
   bool ok() const { return this->Factorized; }
 
   /// Solves for every column of the right-hand side. Empty (no rows) where there is no

@@ -14,18 +14,6 @@ namespace flattening
 {
 namespace
 {
-Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
-{
-  Index count = 0;
-  for (const Triangle& c : mesh.triangles())
-  {
-    const Point2 u = positions[c[1]] - positions[c[0]];
-    const Point2 v = positions[c[2]] - positions[c[0]];
-    count += u.x() * v.y() - u.y() * v.x() > 0.0 ? 0 : 1;
-  }
-  return count;
-}
-
 /// The isometric scheme from where the global scheme and the pinned interior have put the piece.
 void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
   const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
@@ -102,7 +90,7 @@ void mapPieceConformally(const Piece& piece, const CutSurface& cut,
 
 /// Positions from the wires' angles to the whole piece. The report gets what each stage says.
 void placePiece(const Piece& piece, const WireSolution& wires, const FlatteningOptions& options,
-  const Execution& execution, FlatPiece& result)
+  const Execution& execution, InteriorSystems* kept, FlatPiece& result)
 {
   Stopwatch watch;
   PieceReport& report = result.report;
@@ -114,7 +102,7 @@ void placePiece(const Piece& piece, const WireSolution& wires, const FlatteningO
   result.positions = layOutWires(result.network, wires.angles.theta, wires.angles.length).positions;
   result.secondsWires += watch.restart();
   const InteriorResult interior =
-    embedInterior(piece, result.network, options.interior, execution, result.positions);
+    embedInterior(piece, result.network, options.interior, execution, result.positions, kept);
   if (!interior.status.ok() && (report.status.ok() || interior.status.refused()))
   {
     report.status = interior.status;
@@ -152,8 +140,8 @@ void reportWires(const PieceWires& pieceWires, const WireSolution& wires,
 
 /// Key shapes that can be met, but only by wires that fold triangles over, count as incompatible.
 void releaseFoldingKeys(const Piece& piece, const PieceWires& pieceWires,
-  const FlatteningOptions& options, const Execution& execution, WireSolution& wires,
-  FlatPiece& result)
+  const FlatteningOptions& options, const Execution& execution, InteriorSystems* kept,
+  WireSolution& wires, FlatPiece& result)
 {
   const bool folds = wires.status.ok() && wires.problem.locks.lockedCount > 0 &&
     options.interior.method == InteriorMethod::AsRigidAsPossible &&
@@ -167,7 +155,7 @@ void releaseFoldingKeys(const Piece& piece, const PieceWires& pieceWires,
   const auto liesFlat = [&](const WireSolution& candidate) {
     FlatPiece trial;
     trial.network = result.network;
-    placePiece(piece, candidate, pinned, execution, trial);
+    placePiece(piece, candidate, pinned, execution, kept, trial);
     return !trial.report.status.refused() && countFlipped(piece.mesh, trial.positions) == 0;
   };
   WireSolution released = pieceWires.release(wires, liesFlat);
@@ -175,14 +163,14 @@ void releaseFoldingKeys(const Piece& piece, const PieceWires& pieceWires,
   {
     wires = std::move(released);
     reportWires(pieceWires, wires, options, result.report);
-    placePiece(piece, wires, options, execution, result);
+    placePiece(piece, wires, options, execution, kept, result);
   }
 }
 }
 
 FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution)
+  const Execution& execution, InteriorSystems* kept)
 {
   Stopwatch watch;
   FlatPiece result;
@@ -211,8 +199,8 @@ FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   report.constraints = constraints.rowCount();
   reportWires(pieceWires, wires, options, report);
   result.secondsWires = watch.restart();
-  placePiece(piece, wires, options, execution, result);
-  releaseFoldingKeys(piece, pieceWires, options, execution, wires, result);
+  placePiece(piece, wires, options, execution, kept, result);
+  releaseFoldingKeys(piece, pieceWires, options, execution, kept, wires, result);
   return result;
 }
 }

@@ -17,8 +17,9 @@ struct FlatPiece
   double secondsInterior = 0.0;
 };
 
-/// Flattens one piece by the scheme of the options: network, angles, layout, interior.
+/// Flattens one piece by the scheme of the options: network, angles, layout, interior. \param kept
+/// factors of the interior from a run before and for the next one; may be null.
 FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution);
+  const Execution& execution, InteriorSystems* kept);
 }

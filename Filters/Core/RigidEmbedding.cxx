@@ -8,9 +8,6 @@ namespace flattening
 {
 namespace
 {
-/// Triangles slimmer than this (height to longest edge) count as that high: beyond, their stiffness
-/// would cost the others their digits.
-constexpr double slimmest = 1e-6;
 /// An energy below this fraction of the area is zero up to rounding.
 constexpr double nothing = 1e-26;
 constexpr int maximumConjugateGradients = 100;
@@ -47,55 +44,26 @@ struct RigidEmbedding::Linearized
 };
 
 RigidEmbedding::RigidEmbedding(
-  const InteriorPatch& patch, const TriangleMesh& mesh, const Eigen::MatrixXd& positions)
-  : Patch(&patch)
+  InteriorSystem& system, const LinearSolver* preconditioner, const Eigen::MatrixXd& positions)
+  : Patch(&system.patch())
+  , Frames(&system.frames())
+  , Preconditioner(preconditioner)
   , Positions(positions)
 {
-  this->Frames.reserve(patch.triangles.size());
-  for (const Triangle& c : patch.triangles)
+  for (const TriangleFrame& frame : *this->Frames)
   {
-    this->Frames.emplace_back(mesh.point(patch.vertices[c[0]]), mesh.point(patch.vertices[c[1]]),
-      mesh.point(patch.vertices[c[2]]), slimmest);
-    this->Area += this->Frames.back().area;
+    this->Area += frame.area;
   }
-}
-
-std::vector<EdgeWeights> RigidEmbedding::cotangentWeights() const
-{
-  std::vector<EdgeWeights> weights(this->Frames.size());
-  for (std::size_t t = 0; t < weights.size(); ++t)
-  {
-    const auto& g = this->Frames[t].gradient;
-    for (int k = 0; k < 3; ++k)
-    {
-      weights[t][k] =
-        -4.0 * this->Frames[t].area * timesConj(g[(k + 1) % 3], g[(k + 2) % 3]).real();
-    }
-  }
-  return weights;
-}
-
-bool RigidEmbedding::prepare(PatchMatrix& matrix, LinearSolver solver)
-{
-  this->Solver = std::move(solver);
-  return this->Solver.factorize(matrix.assemble(this->cotangentWeights())) &&
-    this->Solver.positive() == this->Patch->freeCount;
-}
-
-void RigidEmbedding::prepare(LinearSolver solver, const Eigen::MatrixXd& positions)
-{
-  this->Solver = std::move(solver);
-  this->Positions = positions;
 }
 
 void RigidEmbedding::linearize(
   const Eigen::MatrixXd& positions, std::vector<Linearized>& state) const
 {
-  state.resize(this->Frames.size());
-  for (std::size_t t = 0; t < this->Frames.size(); ++t)
+  state.resize(this->Frames->size());
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     const Triangle& c = this->Patch->triangles[t];
-    const auto& g = this->Frames[t].gradient;
+    const auto& g = (*this->Frames)[t].gradient;
     const Complex u1(
       positions(c[1], 0) - positions(c[0], 0), positions(c[1], 1) - positions(c[0], 1));
     const Complex u2(
@@ -112,17 +80,17 @@ void RigidEmbedding::linearize(
 double RigidEmbedding::energy(const Eigen::MatrixXd& positions) const
 {
   double sum = 0.0;
-  for (std::size_t t = 0; t < this->Frames.size(); ++t)
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     const Triangle& c = this->Patch->triangles[t];
-    const auto& g = this->Frames[t].gradient;
+    const auto& g = (*this->Frames)[t].gradient;
     const Complex u1(
       positions(c[1], 0) - positions(c[0], 0), positions(c[1], 1) - positions(c[0], 1));
     const Complex u2(
       positions(c[2], 0) - positions(c[0], 0), positions(c[2], 1) - positions(c[0], 1));
     const double size = std::sqrt(std::norm(timesConj(u1, g[1]) + timesConj(u2, g[2])));
     const double beta = std::norm(times(u1, g[1]) + times(u2, g[2]));
-    sum += this->Frames[t].area * ((size - 1.0) * (size - 1.0) + beta);
+    sum += (*this->Frames)[t].area * ((size - 1.0) * (size - 1.0) + beta);
   }
   return sum;
 }
@@ -131,12 +99,12 @@ Eigen::MatrixXd RigidEmbedding::gradient(const std::vector<Linearized>& state) c
 {
   Eigen::MatrixXd sum =
     Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Patch->vertices.size()), 2);
-  for (std::size_t t = 0; t < this->Frames.size(); ++t)
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     const Triangle& c = this->Patch->triangles[t];
-    const auto& g = this->Frames[t].gradient;
-    const Complex a = 2.0 * this->Frames[t].area * (state[t].alpha - state[t].rotation);
-    const Complex b = 2.0 * this->Frames[t].area * state[t].beta;
+    const auto& g = (*this->Frames)[t].gradient;
+    const Complex a = 2.0 * (*this->Frames)[t].area * (state[t].alpha - state[t].rotation);
+    const Complex b = 2.0 * (*this->Frames)[t].area * state[t].beta;
     for (int k = 0; k < 3; ++k)
     {
       const Complex part = times(a, g[k]) + timesConj(b, g[k]);
@@ -154,18 +122,18 @@ Eigen::MatrixXd RigidEmbedding::curvature(
   Eigen::MatrixXd along = Eigen::MatrixXd::Zero(all, 2);
   along.topRows(this->Patch->freeCount) = direction;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(all, 2);
-  for (std::size_t t = 0; t < this->Frames.size(); ++t)
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     const Triangle& c = this->Patch->triangles[t];
-    const auto& g = this->Frames[t].gradient;
+    const auto& g = (*this->Frames)[t].gradient;
     const Complex d1(along(c[1], 0) - along(c[0], 0), along(c[1], 1) - along(c[0], 1));
     const Complex d2(along(c[2], 0) - along(c[0], 0), along(c[2], 1) - along(c[0], 1));
     Complex a = timesConj(d1, g[1]) + timesConj(d2, g[2]);
     // Turning alpha costs less than stretching it, by 1 / |alpha|.
     const double turn = timesConj(a, state[t].rotation).imag() * state[t].slack;
     a -= Complex(-turn * state[t].rotation.imag(), turn * state[t].rotation.real());
-    a *= 2.0 * this->Frames[t].area;
-    const Complex b = 2.0 * this->Frames[t].area * (times(d1, g[1]) + times(d2, g[2]));
+    a *= 2.0 * (*this->Frames)[t].area;
+    const Complex b = 2.0 * (*this->Frames)[t].area * (times(d1, g[1]) + times(d2, g[2]));
     for (int k = 0; k < 3; ++k)
     {
       const Complex part = times(a, g[k]) + timesConj(b, g[k]);
@@ -196,7 +164,7 @@ RigidEmbedding::Direction RigidEmbedding::newtonDirection(
 {
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(descent.rows(), 2);
   Eigen::MatrixXd residual = descent;
-  Eigen::MatrixXd preconditioned = this->Solver.solve(residual);
+  Eigen::MatrixXd preconditioned = this->Preconditioner->solve(residual);
   Eigen::MatrixXd direction = preconditioned;
   double product = dot(residual, preconditioned);
   if (0.5 * conditionBound * product <= enough)
@@ -224,7 +192,7 @@ RigidEmbedding::Direction RigidEmbedding::newtonDirection(
       break;
     }
     residual -= length * bent;
-    preconditioned = this->Solver.solve(residual);
+    preconditioned = this->Preconditioner->solve(residual);
     const double next = dot(residual, preconditioned);
     direction = preconditioned + (next / product) * direction;
     product = next;

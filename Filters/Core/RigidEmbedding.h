@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "InteriorPatch.h"
+#include "InteriorSystem.h"
 
 namespace flattening
 {
@@ -28,16 +28,10 @@ public:
     Failed, ///< no step lowers the energy, though its gradient is not zero
   };
 
-  /// \param positions of the patch's vertices; the interior ones are the start.
+  /// Only refers to the system, whose cotangent factor must be there for iterate(). \param
+  /// positions of the patch's vertices; the interior ones are the start.
   RigidEmbedding(
-    const InteriorPatch& patch, const TriangleMesh& mesh, const Eigen::MatrixXd& positions);
-
-  /// Weights of the preconditioner's edges: half the cotangents of the angles opposite to them.
-  std::vector<EdgeWeights> cotangentWeights() const;
-  /// Factors the preconditioner. \param solver for symmetric matrices.
-  bool prepare(PatchMatrix& matrix, LinearSolver solver);
-  /// Takes a solver that has factored the preconditioner, and a new start.
-  void prepare(LinearSolver solver, const Eigen::MatrixXd& positions);
+    InteriorSystem& system, const LinearSolver* preconditioner, const Eigen::MatrixXd& positions);
 
   /// One Newton step. Converged where the energy falls by less than this fraction of itself.
   State iterate(double energyTolerance);
@@ -68,9 +62,9 @@ private:
     const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const;
 
   const InteriorPatch* Patch;
-  std::vector<TriangleFrame> Frames;
+  const std::vector<TriangleFrame>* Frames;
+  const LinearSolver* Preconditioner;
   double Area = 0.0;
   Eigen::MatrixXd Positions;
-  LinearSolver Solver{ LinearMethod::Cholesky };
 };
 }

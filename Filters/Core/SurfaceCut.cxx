@@ -233,10 +233,22 @@ CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>&
       }
     }
   }
-  cut.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  // Half-edges are twins still unless an end of their edge is split. A cut of a single edge inside
+  // the surface has nothing to open.
+  Indices twins(mesh.halfedgeCount(), none);
+  const auto corner = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
-    // A cut of a single edge inside the surface has nothing to open.
+    const Index twin = mesh.twin(h);
+    if (twin != none && corner(h) == corner(TriangleMesh::next(twin)) &&
+      corner(twin) == corner(TriangleMesh::next(h)))
+    {
+      twins[h] = twin;
+    }
+  }
+  cut.mesh = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
     if (mesh.twin(h) > h && cut.mesh.twin(h) == none)
     {
       cut.seamPairs.push_back({ h, mesh.twin(h), cut.curveOfHalfedge[h] });
@@ -252,6 +264,7 @@ std::vector<Piece> extractPieces(const CutSurface& cut)
   std::vector<Triangles> triangles(cut.pieceCount);
   std::vector<Points3> points(cut.pieceCount);
   Indices local(cut.mesh.vertexCount(), none);
+  Indices localTriangle(cut.mesh.triangleCount(), none);
   for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
   {
     const Index p = cut.pieceOfTriangle[t];
@@ -268,12 +281,23 @@ std::vector<Piece> extractPieces(const CutSurface& cut)
       corners[k] = local[v];
       pieces[p].curveOfHalfedge.push_back(cut.curveOfHalfedge[3 * t + k]);
     }
+    localTriangle[t] = static_cast<Index>(triangles[p].size());
     triangles[p].push_back(corners);
     pieces[p].triangles.push_back(t);
   }
   for (Index p = 0; p < cut.pieceCount; ++p)
   {
-    pieces[p].mesh = TriangleMesh(std::move(points[p]), std::move(triangles[p]));
+    Indices twins;
+    twins.reserve(3 * pieces[p].triangles.size());
+    for (Index t : pieces[p].triangles)
+    {
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index twin = cut.mesh.twin(h);
+        twins.push_back(twin == none ? none : 3 * localTriangle[twin / 3] + twin % 3);
+      }
+    }
+    pieces[p].mesh = TriangleMesh(std::move(points[p]), std::move(triangles[p]), std::move(twins));
   }
   return pieces;
 }

@@ -98,11 +98,12 @@ class Flattening
 {
 public:
   Flattening(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
-    const FlatteningOptions& options, const Execution& execution)
+    const FlatteningOptions& options, const Execution& execution, FlatteningCache* cache)
     : Mesh(mesh)
     , Curves(curves)
     , Options(options)
     , Run(execution)
+    , Cache(cache)
   {
   }
 
@@ -155,6 +156,10 @@ private:
 
   bool flattenPieces()
   {
+    if (this->Cache)
+    {
+      this->Cache->pieces.resize(this->Pieces.size());
+    }
     for (std::size_t p = 0; p < this->Pieces.size(); ++p)
     {
       this->Run.report(
@@ -165,8 +170,8 @@ private:
         this->Result.status = cancelled();
         return false;
       }
-      this->Flat.push_back(
-        flattenPiece(this->Pieces[p], this->Result.cut, this->Curves, this->Options, this->Run));
+      this->Flat.push_back(flattenPiece(this->Pieces[p], this->Result.cut, this->Curves,
+        this->Options, this->Run, this->Cache ? &this->Cache->pieces[p] : nullptr));
       if (this->Flat.back().report.status.refused())
       {
         this->Result.status = this->Flat.back().report.status;
@@ -332,6 +337,7 @@ private:
   const std::vector<FeatureCurve>& Curves;
   const FlatteningOptions& Options;
   const Execution& Run;
+  FlatteningCache* Cache;
   std::vector<Piece> Pieces;
   std::vector<FlatPiece> Flat;
   FlatteningResult Result;
@@ -339,8 +345,8 @@ private:
 }
 
 FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
-  const FlatteningOptions& options, const Execution& execution)
+  const FlatteningOptions& options, const Execution& execution, FlatteningCache* cache)
 {
-  return Flattening(mesh, curves, options, execution).run();
+  return Flattening(mesh, curves, options, execution, cache).run();
 }
 }

@@ -67,9 +67,15 @@ Indices pairHalfedges(Index vertexCount, const Triangles& cells)
 }
 
 TriangleMesh::TriangleMesh(Points3 points, Triangles triangles)
+{
+  Indices twins = pairHalfedges(static_cast<Index>(points.size()), triangles);
+  *this = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+}
+
+TriangleMesh::TriangleMesh(Points3 points, Triangles triangles, Indices twins)
   : Points(std::move(points))
   , Cells(std::move(triangles))
-  , Twins(pairHalfedges(static_cast<Index>(Points.size()), Cells))
+  , Twins(std::move(twins))
   , Outgoing(Points.size(), none)
 {
   for (Index h = 0; h < this->halfedgeCount(); ++h)

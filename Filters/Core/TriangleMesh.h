@@ -16,6 +16,8 @@ public:
   TriangleMesh() = default;
   /// \pre edges are manifold and triangles consistently oriented (see prepareSurface()).
   TriangleMesh(Points3 points, Triangles triangles);
+  /// \param twins of the half-edges, where they are known.
+  TriangleMesh(Points3 points, Triangles triangles, Indices twins);
 
   Index vertexCount() const { return static_cast<Index>(this->Points.size()); }
   Index triangleCount() const { return static_cast<Index>(this->Cells.size()); }
