@@ -4,6 +4,7 @@
 #include "CurvedSurface.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
+#include "KeptRun.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -79,10 +80,18 @@ std::unique_ptr<flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::Loa
   options.split = this->SplitTriangles;
   options.tolerance = this->ImprintTolerance;
   options.snap = this->SnapTolerance;
+  if (!this->Caching)
+  {
+    this->Kept.reset();
+  }
+  else if (!this->Kept)
+  {
+    this->Kept = std::make_unique<flattening::bridge::KeptRun>();
+  }
   auto source = std::make_unique<flattening::bridge::CurvedSurface>(
     flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
       static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
-      flattening::bridge::executionOf(this)));
+      flattening::bridge::executionOf(this), this->Kept.get()));
   if (!this->Conclude(source->outcome))
   {
     return nullptr;
@@ -100,8 +109,9 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
   const auto source = this->LoadInput(inputVector);
   if (source && this->Conclude(source->pinVertices(pins, options.conformal.pins)))
   {
-    const flattening::FlatteningResult result = flattening::flattenSurface(source->imprinted.mesh,
-      source->imprinted.curves, options, flattening::bridge::executionOf(this));
+    const flattening::FlatteningResult result =
+      flattening::flattenSurface(source->imprinted.mesh, source->imprinted.curves, options,
+        flattening::bridge::executionOf(this), this->Kept ? &this->Kept->factors : nullptr);
     if (this->Conclude(source->outcomeOfStage(result.status)))
     {
       flattening::bridge::writeFlattening(*source, result, flat,
@@ -119,4 +129,5 @@ void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SplitTriangles: " << (this->SplitTriangles ? "On" : "Off") << "\n";
   os << indent << "ImprintTolerance: " << this->ImprintTolerance << "\n";
   os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
+  os << indent << "Caching: " << (this->Caching ? "On" : "Off") << "\n";
 }

@@ -43,6 +43,7 @@ namespace flattening
 namespace bridge
 {
 struct CurvedSurface;
+struct KeptRun;
 }
 struct FlatteningOptions;
 }
@@ -128,6 +129,19 @@ public:
   vtkGetMacro(SnapTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Keep between updates what depends on the surface alone: the surface as it was read, and the
+   * factors of the systems that place its inside. An update after a change of a curve's type, shape
+   * or tolerance, or of the scheme, is then faster; the result is the same to the last bit. It
+   * takes about as much memory as the run itself. Off gives it back at the next update. Default:
+   * on.
+   */
+  vtkSetMacro(Caching, bool);
+  vtkGetMacro(Caching, bool);
+  vtkBooleanMacro(Caching, bool);
+  ///@}
+
 protected:
   vtkFeatureCurveAlgorithm();
   ~vtkFeatureCurveAlgorithm() override;
@@ -150,10 +164,13 @@ protected:
   bool SplitTriangles = true;
   double ImprintTolerance = 1e-5;
   double SnapTolerance = 1e-3;
+  bool Caching = true;
 
 private:
   vtkFeatureCurveAlgorithm(const vtkFeatureCurveAlgorithm&) = delete;
   void operator=(const vtkFeatureCurveAlgorithm&) = delete;
+
+  std::unique_ptr<flattening::bridge::KeptRun> Kept;
 };
 
 #endif

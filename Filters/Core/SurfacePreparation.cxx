@@ -86,29 +86,46 @@ struct Side
   Index halfedge;
 };
 
-/// All half-edges, those of one edge next to each other.
-std::vector<Side> sortedSides(const Triangles& triangles)
+/// All half-edges, those of one edge next to each other in ascending order; by a counting sort over
+/// the lower vertex, which takes linear time.
+std::vector<Side> sortedSides(const Triangles& triangles, std::size_t vertexCount)
 {
-  std::vector<Side> sides(3 * triangles.size());
-  for (std::size_t h = 0; h < sides.size(); ++h)
-  {
+  const auto side = [&triangles](std::size_t h) -> Side {
     const Index a = triangles[h / 3][h % 3];
     const Index b = triangles[h / 3][(h + 1) % 3];
-    sides[h] = { std::min(a, b), std::max(a, b), static_cast<Index>(h) };
+    return { std::min(a, b), std::max(a, b), static_cast<Index>(h) };
+  };
+  const std::size_t count = 3 * triangles.size();
+  Indices begin(vertexCount + 1, 0);
+  for (std::size_t h = 0; h < count; ++h)
+  {
+    ++begin[side(h).low + 1];
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.low != b.low ? a.low < b.low
-      : a.high != b.high  ? a.high < b.high
-                          : a.halfedge < b.halfedge;
-  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  Indices place(begin.begin(), begin.end() - 1);
+  std::vector<Side> sides(count);
+  for (std::size_t h = 0; h < count; ++h)
+  {
+    const Side s = side(h);
+    sides[place[s.low]++] = s;
+  }
+  for (std::size_t v = 0; v < vertexCount; ++v)
+  {
+    std::sort(
+      sides.begin() + begin[v], sides.begin() + begin[v + 1], [](const Side& a, const Side& b) {
+        return a.high != b.high ? a.high < b.high : a.halfedge < b.halfedge;
+      });
+  }
   return sides;
 }
 
 /// Turns triangles over until neighbours agree. Returns the triangles of a one-sided band, if any.
-Indices orient(Triangles& triangles, const std::vector<Side>& sides, Indices& reversed)
+/// \param partner the other half-edge of each edge, before that.
+Indices orient(
+  Triangles& triangles, const std::vector<Side>& sides, Indices& partner, Indices& reversed)
 {
   const Index count = static_cast<Index>(triangles.size());
-  Indices partner(3 * triangles.size(), none);
+  partner.assign(3 * triangles.size(), none);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)
   {
     if (sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high)
@@ -170,26 +187,38 @@ Indices orient(Triangles& triangles, const std::vector<Side>& sides, Indices& re
   return {};
 }
 
-/// Triangles that have the same corners as an earlier one, in either orientation.
-Indices findDoubled(const Triangles& triangles)
+/// Triangles that have the same corners as an earlier one, in either orientation: they share edges,
+/// and the corner opposite to each.
+Indices findDoubled(const Triangles& triangles, const std::vector<Side>& sides)
 {
-  std::vector<std::pair<Triangle, Index>> sorted;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    Triangle corners = triangles[t];
-    std::sort(corners.begin(), corners.end());
-    sorted.emplace_back(corners, static_cast<Index>(t));
-  }
-  std::sort(sorted.begin(), sorted.end());
   Indices doubled;
-  for (std::size_t i = 1; i < sorted.size(); ++i)
+  std::vector<std::pair<Index, Index>> around; // corner opposite to an edge, triangle
+  for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    if (sorted[i].first == sorted[i - 1].first)
+    const Side& side = sides[i];
+    const bool first = i == 0 || sides[i - 1].low != side.low || sides[i - 1].high != side.high;
+    if (first)
     {
-      doubled.push_back(sorted[i].second);
+      around.clear();
+    }
+    const Index t = side.halfedge / 3;
+    around.emplace_back(triangles[t][(side.halfedge + 2) % 3], t);
+    const bool last =
+      i + 1 == sides.size() || sides[i + 1].low != side.low || sides[i + 1].high != side.high;
+    if (last && around.size() > 1)
+    {
+      std::sort(around.begin(), around.end());
+      for (std::size_t k = 1; k < around.size(); ++k)
+      {
+        if (around[k].first == around[k - 1].first)
+        {
+          doubled.push_back(around[k].second);
+        }
+      }
     }
   }
   std::sort(doubled.begin(), doubled.end());
+  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
   return doubled;
 }
 
@@ -331,7 +360,8 @@ PreparedSurface prepareSurface(
       bad);
   }
 
-  bad = findDoubled(cells);
+  const std::vector<Side> sides = sortedSides(cells, joined.size());
+  bad = findDoubled(cells, sides);
   if (!bad.empty())
   {
     return refuse(StatusCode::NonManifoldEdge,
@@ -340,7 +370,6 @@ PreparedSurface prepareSurface(
         "thin surface corners of their own",
       bad);
   }
-  const std::vector<Side> sides = sortedSides(cells);
   for (std::size_t i = 0; i + 2 < sides.size(); ++i)
   {
     if (sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high)
@@ -359,7 +388,8 @@ PreparedSurface prepareSurface(
         bad);
     }
   }
-  const Indices oneSided = orient(cells, sides, result.reversedTriangles);
+  Indices partner;
+  const Indices oneSided = orient(cells, sides, partner, result.reversedTriangles);
   if (!oneSided.empty())
   {
     return refuse(StatusCode::NotOrientable,
@@ -367,7 +397,10 @@ PreparedSurface prepareSurface(
         " cannot be oriented alike; cut the band open",
       oneSided);
   }
-  result.mesh = TriangleMesh(std::move(joined), std::move(cells));
+  // Half-edges of a triangle that was turned over have new numbers.
+  result.mesh = result.reversedTriangles.empty()
+    ? TriangleMesh(std::move(joined), std::move(cells), std::move(partner))
+    : TriangleMesh(std::move(joined), std::move(cells));
   for (Index v : findBowTies(result.mesh))
   {
     bad.push_back(result.originalPoint[v]);

@@ -95,11 +95,26 @@ Outcome CurvedSurface::outcomeOfStage(const Status& status) const
 }
 
 CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution)
+  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
+  KeptRun* kept)
 {
   CurvedSurface result;
   result.data = surface;
-  result.surface = loadSurface(surface, coincident);
+  const vtkMTimeType time = surface->GetMTime();
+  if (kept && kept->surfaceTime == time && kept->coincident == coincident)
+  {
+    result.surface = kept->surface;
+  }
+  else
+  {
+    result.surface = loadSurface(surface, coincident);
+    if (kept)
+    {
+      kept->surfaceTime = result.surface.outcome.ok() ? time : 0;
+      kept->coincident = coincident;
+      kept->surface = result.surface;
+    }
+  }
   result.outcome = result.surface.outcome;
   if (!result.outcome.ok())
   {

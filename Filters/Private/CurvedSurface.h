@@ -3,6 +3,7 @@
 
 #include "CurveImprint.h"
 #include "CurveInput.h"
+#include "KeptRun.h"
 #include "SurfaceCut.h"
 #include "SurfaceInput.h"
 
@@ -45,7 +46,9 @@ struct CurvedSurface
   Outcome outcomeOfStage(const Status& status) const;
 };
 
+/// \param kept where to find the surface if it has been loaded before, and to leave it; may be null.
 CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution);
+  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
+  KeptRun* kept = nullptr);
 }
 }
