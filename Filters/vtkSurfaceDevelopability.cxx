@@ -2,6 +2,7 @@
 #include "vtkSurfaceDevelopability.h"
 
 #include "FieldArrays.h"
+#include "FilterExecution.h"
 #include "SurfaceDevelopability.h"
 #include "SurfaceInput.h"
 
@@ -34,7 +35,8 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<double> developability =
-    flattening::surfaceDevelopability(surface.prepared.mesh);
+    flattening::surfaceDevelopability(surface.prepared.mesh,
+      flattening::cornerAngles(surface.prepared.mesh, flattening::bridge::executionOf(this)));
   output->ShallowCopy(input);
   const flattening::Indices& vertexOfPoint = surface.prepared.vertexOfPoint;
   flattening::bridge::addRows<vtkDoubleArray>(

@@ -291,7 +291,19 @@ Eigen::VectorXd DirectionsForm::gradient(const Eigen::VectorXd& x) const
   return g;
 }
 
-Eigen::VectorXd DirectionsForm::closure(const Eigen::VectorXd& x) const
+Points2 DirectionsForm::unitVectors(const Eigen::VectorXd& x) const
+{
+  Points2 units;
+  units.reserve(this->Length.size());
+  for (Index e = 0; e < this->Problem->network->edgeCount(); ++e)
+  {
+    const double psi = this->direction(e, x);
+    units.emplace_back(std::cos(psi), std::sin(psi));
+  }
+  return units;
+}
+
+Eigen::VectorXd DirectionsForm::closure(const Eigen::VectorXd& x, const Points2& units) const
 {
   const WireNetwork& net = *this->Problem->network;
   Eigen::VectorXd c = Eigen::VectorXd::Zero(this->constraintCount());
@@ -299,14 +311,14 @@ Eigen::VectorXd DirectionsForm::closure(const Eigen::VectorXd& x) const
   {
     const Index e = net.edge[side];
     const double l = this->sign(side) * this->Length[e] * this->stretch(e, x);
-    const double psi = this->direction(e, x);
-    c[2 * net.loop[side]] += l * std::cos(psi);
-    c[2 * net.loop[side] + 1] += l * std::sin(psi);
+    c[2 * net.loop[side]] += l * units[e].x();
+    c[2 * net.loop[side] + 1] += l * units[e].y();
   }
   return c;
 }
 
-Eigen::SparseMatrix<double> DirectionsForm::jacobian(const Eigen::VectorXd& x) const
+Eigen::SparseMatrix<double> DirectionsForm::jacobian(
+  const Eigen::VectorXd& x, const Points2& units) const
 {
   const WireNetwork& net = *this->Problem->network;
   std::vector<Eigen::Triplet<double>> entries;
@@ -316,18 +328,17 @@ Eigen::SparseMatrix<double> DirectionsForm::jacobian(const Eigen::VectorXd& x) c
     const Index e = net.edge[side];
     const double l = this->sign(side) * this->Length[e];
     const double stretched = l * this->stretch(e, x);
-    const double psi = this->direction(e, x);
     const Index row = 2 * net.loop[side];
     if (this->UnknownOfEdge[e] != none)
     {
-      entries.emplace_back(row, this->UnknownOfEdge[e], -stretched * std::sin(psi));
-      entries.emplace_back(row + 1, this->UnknownOfEdge[e], stretched * std::cos(psi));
+      entries.emplace_back(row, this->UnknownOfEdge[e], -stretched * units[e].y());
+      entries.emplace_back(row + 1, this->UnknownOfEdge[e], stretched * units[e].x());
     }
     if (this->Problem->stretchGroup[e] != none)
     {
       const Index column = this->Rotations + this->Problem->stretchGroup[e];
-      entries.emplace_back(row, column, l * std::cos(psi));
-      entries.emplace_back(row + 1, column, l * std::sin(psi));
+      entries.emplace_back(row, column, l * units[e].x());
+      entries.emplace_back(row + 1, column, l * units[e].y());
     }
   }
   Eigen::SparseMatrix<double> J(this->constraintCount(), this->unknownCount());
@@ -336,7 +347,7 @@ Eigen::SparseMatrix<double> DirectionsForm::jacobian(const Eigen::VectorXd& x) c
 }
 
 Eigen::SparseMatrix<double> DirectionsForm::hessian(
-  const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const
+  const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& multipliers) const
 {
   const WireNetwork& net = *this->Problem->network;
   std::vector<Eigen::Triplet<double>> entries;
@@ -363,17 +374,16 @@ Eigen::SparseMatrix<double> DirectionsForm::hessian(
       }
     }
     const double l = this->sign(side) * this->Length[e];
-    const double psi = this->direction(e, x);
     const double lx = multipliers[2 * net.loop[side]];
     const double ly = multipliers[2 * net.loop[side] + 1];
     if (out != none)
     {
       entries.emplace_back(
-        out, out, -l * this->stretch(e, x) * (lx * std::cos(psi) + ly * std::sin(psi)));
+        out, out, -l * this->stretch(e, x) * (lx * units[e].x() + ly * units[e].y()));
       if (this->Problem->stretchGroup[e] != none)
       {
         entries.emplace_back(this->Rotations + this->Problem->stretchGroup[e], out,
-          l * (ly * std::cos(psi) - lx * std::sin(psi)));
+          l * (ly * units[e].x() - lx * units[e].y()));
       }
     }
   }

@@ -44,11 +44,17 @@ public:
 
   double objective(const Eigen::VectorXd& x) const;
   Eigen::VectorXd gradient(const Eigen::VectorXd& x) const;
-  Eigen::VectorXd closure(const Eigen::VectorXd& x) const;
-  Eigen::SparseMatrix<double> jacobian(const Eigen::VectorXd& x) const;
+  /// Cosine and sine of each wire edge's direction, which the following take where they are known.
+  Points2 unitVectors(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd closure(const Eigen::VectorXd& x, const Points2& units) const;
+  Eigen::SparseMatrix<double> jacobian(const Eigen::VectorXd& x, const Points2& units) const;
   /// Lower triangle of the Hessian of objective + multipliers . closure.
   Eigen::SparseMatrix<double> hessian(
-    const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const;
+    const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& multipliers) const;
+  Eigen::VectorXd closure(const Eigen::VectorXd& x) const
+  {
+    return this->closure(x, this->unitVectors(x));
+  }
 
   /// Lengths to close with, where they differ from the problem's (the homotopy); per wire edge.
   void setLengths(const std::vector<double>& length);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatteningQuality.h"
 
+#include "SurfaceDevelopability.h"
 #include "TriangleFrame.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ double cornerAngle(const Point2& apex, const Point2& a, const Point2& b)
   return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u.dot(v));
 }
 
-TriangleQuality measureTriangle(const TriangleMesh& mesh, const Points2& positions, Index t)
+TriangleQuality measureTriangle(
+  const TriangleMesh& mesh, const std::vector<double>& angles, const Points2& positions, Index t)
 {
   const Triangle& corner = mesh.triangle(t);
   const TriangleFrame frame(mesh.point(corner[0]), mesh.point(corner[1]), mesh.point(corner[2]));
@@ -44,7 +46,7 @@ TriangleQuality measureTriangle(const TriangleMesh& mesh, const Points2& positio
   }
   for (int k = 0; k < 3; ++k)
   {
-    const double angle = mesh.angle(3 * t + k);
+    const double angle = angles[3 * t + k];
     const double flat = cornerAngle(
       positions[corner[k]], positions[corner[(k + 1) % 3]], positions[corner[(k + 2) % 3]]);
     quality.angleError += angle > 0.0 ? std::abs(flat - angle) / angle / 3.0 : 0.0;
@@ -95,12 +97,18 @@ void summarizeTriangles(
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
   const Indices& edges, const Execution& execution)
 {
+  return measureFlattening(mesh, cornerAngles(mesh, execution), positions, edges, execution);
+}
+
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const std::vector<double>& angles,
+  const Points2& positions, const Indices& edges, const Execution& execution)
+{
   FlatteningQuality quality;
   quality.triangles.resize(mesh.triangleCount());
   execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
     for (Index t = begin; t < end; ++t)
     {
-      quality.triangles[t] = measureTriangle(mesh, positions, t);
+      quality.triangles[t] = measureTriangle(mesh, angles, positions, t);
     }
   });
   // Sums in the order of the triangles do not depend on the threads.

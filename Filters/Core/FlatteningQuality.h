@@ -42,6 +42,9 @@ struct FlatteningQuality
 /// E_len.
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
   const Indices& edges, const Execution& execution);
+/// The same with TriangleMesh::angle() of each half-edge where they are known.
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const std::vector<double>& angles,
+  const Points2& positions, const Indices& edges, const Execution& execution);
 
 /// Triangles that are turned over, or have no area.
 Index countFlipped(const TriangleMesh& mesh, const Points2& positions);

@@ -78,8 +78,9 @@ private:
   {
     this->Objective = this->Form.objective(this->State.x);
     this->Gradient = this->Form.gradient(this->State.x);
-    this->Closure = this->Form.closure(this->State.x);
-    this->Jacobian = this->Form.jacobian(this->State.x);
+    this->Units = this->Form.unitVectors(this->State.x);
+    this->Closure = this->Form.closure(this->State.x, this->Units);
+    this->Jacobian = this->Form.jacobian(this->State.x, this->Units);
   }
 
   /// Largest entry of the gradient of the Lagrangian over the unknowns that are free to move.
@@ -116,7 +117,7 @@ private:
   /// Held stretches are taken out by zeros, so that the pattern stays the one that was analyzed.
   SparseMatrix kktMatrix(double tau) const
   {
-    const SparseMatrix H = this->Form.hessian(this->State.x, this->State.multipliers);
+    const SparseMatrix H = this->Form.hessian(this->State.x, this->Units, this->State.multipliers);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(
       H.nonZeros() + this->Jacobian.nonZeros() + this->Unknowns + this->Constraints));
@@ -292,6 +293,7 @@ private:
   Index Constraints;
   std::vector<char> Held; ///< stretches that sit on their bound
   double Objective = 0.0;
+  Points2 Units; ///< directions of the wire edges
   Eigen::VectorXd Gradient;
   Eigen::VectorXd Closure;
   SparseMatrix Jacobian;

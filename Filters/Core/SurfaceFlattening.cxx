@@ -240,7 +240,8 @@ private:
   {
     const CutSurface& cut = this->Result.cut;
     this->Result.triangles.resize(cut.mesh.triangleCount());
-    this->Result.developability = surfaceDevelopability(cut.mesh);
+    const std::vector<double> angles = this->surfaceAngles();
+    this->Result.developability = surfaceDevelopability(cut.mesh, angles);
     for (Wire& wire : this->Result.wires)
     {
       measureWire(cut, this->Result.positions, wire);
@@ -248,7 +249,7 @@ private:
     this->Result.curves = summarizeCurves(this->Mesh, this->Curves, this->Result.wires);
     for (std::size_t p = 0; p < this->Pieces.size(); ++p)
     {
-      this->measurePiece(p);
+      this->measurePiece(p, angles);
       const std::vector<double>& sensitivity = this->Flat[p].report.advice.sensitivity;
       for (std::size_t c = 0; c < sensitivity.size(); ++c)
       {
@@ -268,7 +269,23 @@ private:
     }
   }
 
-  void measurePiece(std::size_t p)
+  std::vector<double> surfaceAngles() const
+  {
+    const TriangleMesh& mesh = this->Result.cut.mesh;
+    if (!this->Cache)
+    {
+      return cornerAngles(mesh, this->Run);
+    }
+    if (this->Cache->triangles != mesh.triangles() || this->Cache->points != mesh.points())
+    {
+      this->Cache->points = mesh.points();
+      this->Cache->triangles = mesh.triangles();
+      this->Cache->angles = cornerAngles(mesh, this->Run);
+    }
+    return this->Cache->angles;
+  }
+
+  void measurePiece(std::size_t p, const std::vector<double>& angles)
   {
     const Piece& piece = this->Pieces[p];
     Points2 positions;
@@ -277,7 +294,14 @@ private:
       positions.push_back(this->Result.positions[v]);
     }
     const Indices edges = rigidHalfedges(this->Flat[p].network, this->Curves);
-    FlatteningQuality quality = measureFlattening(piece.mesh, positions, edges, this->Run);
+    std::vector<double> pieceAngles;
+    pieceAngles.reserve(3 * piece.triangles.size());
+    for (Index t : piece.triangles)
+    {
+      pieceAngles.insert(pieceAngles.end(), angles.begin() + 3 * t, angles.begin() + 3 * t + 3);
+    }
+    FlatteningQuality quality =
+      measureFlattening(piece.mesh, pieceAngles, positions, edges, this->Run);
     for (std::size_t t = 0; t < piece.triangles.size(); ++t)
     {
       this->Result.triangles[piece.triangles[t]] = quality.triangles[t];

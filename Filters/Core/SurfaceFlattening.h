@@ -112,13 +112,16 @@ struct FlatteningResult
   StageSeconds seconds;
 };
 
-/// What a run leaves for the next one: the factors of the interiors. They are taken over where the
-/// surface and its wires are the same as before, their symbolic part where vertices have moved (in
-/// wire-patches of up to 20,000 interior vertices). The result is the same to the last bit as
-/// without. They take some 100 bytes a triangle.
+/// What a run leaves for the next one: the angles of the surface and the factors of the interiors.
+/// They are taken over where the surface and its wires are the same as before, the symbolic part of
+/// the factors also where vertices have moved (in wire-patches of up to 20,000 interior vertices).
+/// The result is the same to the last bit as without.
 struct FlatteningCache
 {
   std::vector<InteriorSystems> pieces;
+  Points3 points; ///< of the cut surface
+  Triangles triangles;
+  std::vector<double> angles; ///< by half-edge
 };
 
 /// The whole way from a surface and its feature curves to flat pieces. \param cache of earlier

@@ -69,7 +69,7 @@ void measureQuality(const PreparedPiece& p, const Execution& execution)
   }
   benchmark::DoNotOptimize(measureFlattening(p.piece.mesh, p.rigid, edges, execution));
   benchmark::DoNotOptimize(findBoundaryOverlaps(p.piece.mesh, p.rigid, mostOverlaps));
-  benchmark::DoNotOptimize(surfaceDevelopability(p.cut.mesh));
+  benchmark::DoNotOptimize(surfaceDevelopability(p.cut.mesh, cornerAngles(p.cut.mesh, execution)));
 }
 
 /// Times a stage that is free of side effects.

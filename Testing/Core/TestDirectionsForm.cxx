@@ -155,7 +155,7 @@ TEST(DirectionsForm, TheJacobianIsTheDerivativeOfTheClosure)
   const Everything all;
   const DirectionsForm form(all.problem);
   const Eigen::VectorXd x = all.point(form);
-  const Eigen::MatrixXd jacobian(form.jacobian(x));
+  const Eigen::MatrixXd jacobian(form.jacobian(x, form.unitVectors(x)));
   const double step = 1e-5;
   for (Index k = 0; k < form.unknownCount(); ++k)
   {
@@ -171,10 +171,10 @@ TEST(DirectionsForm, TheHessianIsTheDerivativeOfTheLagrangiansGradient)
   const DirectionsForm form(all.problem);
   const Eigen::VectorXd x = all.point(form);
   const Eigen::VectorXd multipliers = randomVector(form.constraintCount(), 1.0);
-  const Eigen::MatrixXd lower(form.hessian(x, multipliers));
+  const Eigen::MatrixXd lower(form.hessian(x, form.unitVectors(x), multipliers));
   const Eigen::MatrixXd hessian(lower.selfadjointView<Eigen::Lower>());
   const auto slope = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
-    return form.gradient(at) + form.jacobian(at).transpose() * multipliers;
+    return form.gradient(at) + form.jacobian(at, form.unitVectors(at)).transpose() * multipliers;
   };
   const double step = 1e-5;
   for (Index k = 0; k < form.unknownCount(); ++k)
