@@ -31,7 +31,8 @@ TriangleQuality measureTriangle(
   }
 
   TriangleQuality quality;
-  quality.largeStretch = std::abs(frame.alpha(image)) + std::abs(frame.beta(image));
+  quality.largeStretch =
+    std::sqrt(std::norm(frame.alpha(image))) + std::sqrt(std::norm(frame.beta(image)));
   if (frame.area > 0.0 && quality.largeStretch > 0.0)
   {
     quality.areaRatio =

@@ -79,6 +79,7 @@ TEST(FlatteningCache, KeepsFactorsWhereTheSurfaceIsTheSameAndTheirPatternWhereIt
   flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
   const LinearSolver* const first = factorOf(cache, InteriorWeights::Cotangent);
   ASSERT_NE(first, nullptr);
+  const Index unknowns = first->positive();
   surface.curves[0].type = CurveType::Key;
   flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
   EXPECT_EQ(factorOf(cache, InteriorWeights::Cotangent), first);
@@ -87,7 +88,8 @@ TEST(FlatteningCache, KeepsFactorsWhereTheSurfaceIsTheSameAndTheirPatternWhereIt
   EXPECT_EQ(factorOf(cache, InteriorWeights::Cotangent), first);
   surface.curves.pop_back();
   flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
-  EXPECT_NE(factorOf(cache, InteriorWeights::Cotangent), first) << "other wire-patches";
+  EXPECT_NE(factorOf(cache, InteriorWeights::Cotangent)->positive(), unknowns)
+    << "other wire-patches";
 }
 
 TEST(FlatteningCache, ServesAfterARunThatWasCancelled)
