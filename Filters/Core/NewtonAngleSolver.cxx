@@ -118,30 +118,38 @@ private:
   SparseMatrix kktMatrix(double tau) const
   {
     const SparseMatrix H = this->Form.hessian(this->State.x, this->Units, this->State.multipliers);
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(
-      H.nonZeros() + this->Jacobian.nonZeros() + this->Unknowns + this->Constraints));
     auto held = [this](Eigen::Index i) {
       return i >= this->Form.rotationCount() && this->Held[i - this->Form.rotationCount()];
     };
-    for (Eigen::Index c = 0; c < this->Unknowns; ++c)
+    // Column by column: the Hessian's rows from the diagonal down, then the Jacobian's.
+    const Index size = this->Unknowns + this->Constraints;
+    SparseMatrix kkt(size, size);
+    kkt.reserve(H.nonZeros() + this->Jacobian.nonZeros() + size);
+    for (Index c = 0; c < this->Unknowns; ++c)
     {
-      entries.emplace_back(c, c, held(c) ? 1.0 : tau);
-      for (SparseMatrix::InnerIterator it(H, c); it; ++it)
+      kkt.startVec(c);
+      SparseMatrix::InnerIterator it(H, c);
+      const bool diagonal = it && it.row() == c;
+      kkt.insertBack(c, c) = held(c) ? 1.0 : tau + (diagonal ? it.value() : 0.0);
+      if (diagonal)
       {
-        entries.emplace_back(it.row(), c, held(it.row()) || held(c) ? 0.0 : it.value());
+        ++it;
       }
-      for (SparseMatrix::InnerIterator it(this->Jacobian, c); it; ++it)
+      for (; it; ++it)
       {
-        entries.emplace_back(this->Unknowns + it.row(), c, held(c) ? 0.0 : it.value());
+        kkt.insertBack(it.row(), c) = held(it.row()) || held(c) ? 0.0 : it.value();
+      }
+      for (SparseMatrix::InnerIterator row(this->Jacobian, c); row; ++row)
+      {
+        kkt.insertBack(this->Unknowns + row.row(), c) = held(c) ? 0.0 : row.value();
       }
     }
-    for (Eigen::Index r = 0; r < this->Constraints; ++r)
+    for (Index r = this->Unknowns; r < size; ++r)
     {
-      entries.emplace_back(this->Unknowns + r, this->Unknowns + r, -regularization);
+      kkt.startVec(r);
+      kkt.insertBack(r, r) = -regularization;
     }
-    SparseMatrix kkt(this->Unknowns + this->Constraints, this->Unknowns + this->Constraints);
-    kkt.setFromTriplets(entries.begin(), entries.end());
+    kkt.finalize();
     return kkt;
   }
 
