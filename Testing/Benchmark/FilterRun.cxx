@@ -62,13 +62,14 @@ vtkSmartPointer<vtkPolyData> curvesOf(const RefinedPiece& piece, vtkPoints* poin
 }
 }
 
-FilterRun::FilterRun(const RefinedPiece& piece)
+FilterRun::FilterRun(const RefinedPiece& piece, int interior, bool caching)
 {
   const vtkSmartPointer<vtkPolyData> surface = surfaceOf(piece);
   this->Filter->SetInputData(surface);
   this->Filter->SetCurvesData(curvesOf(piece, surface->GetPoints()));
   this->Filter->SetSchemeToGlobal();
-  this->Filter->SetInteriorToLaplacian();
+  this->Filter->SetInterior(interior);
+  this->Filter->SetCaching(caching);
   this->Filter->ReleaseKeysOn();
 }
 

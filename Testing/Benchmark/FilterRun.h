@@ -8,13 +8,15 @@
 
 namespace benchmarks
 {
-/// The filter on a surface with curves, global scheme with the Laplacian interior.
+/// The filter on a surface with curves, global scheme.
 class FilterRun
 {
 public:
-  explicit FilterRun(const RefinedPiece& piece);
+  /// \param interior one of the filter's; \param caching whether it keeps what the surface gives.
+  FilterRun(const RefinedPiece& piece, int interior, bool caching);
 
-  /// Runs it anew on one thread. Throws std::runtime_error where it refuses.
+  /// Runs it anew on one thread, as after a change of an option. Throws std::runtime_error where it
+  /// refuses.
   void update();
   /// Seconds of the processor that the last Update() took beyond Core.
   double overheadSeconds() const { return this->Overhead; }

@@ -34,6 +34,7 @@ struct Settings
   std::vector<int> threads{ 2 };
   Repeats repeats;
   int peersUntil = 300000;
+  int isometricUntil = 300000;
   std::string json;
 };
 
@@ -138,6 +139,10 @@ void run(const Settings& settings, int division, ResultTable& table)
   }
   for (const Method& method : methods)
   {
+    if (method.scheme == Scheme::Isometric && piece.mesh.triangleCount() > settings.isometricUntil)
+    {
+      continue;
+    }
     for (const int threads : settings.threads)
     {
       if (wanted(method.name))
@@ -166,6 +171,10 @@ int main(int argc, char** argv)
       "No further run of a method once its runs have taken so long")
     ->capture_default_str();
   app.add_option("--peers-until", settings.peersUntil, "Most triangles for CGAL")
+    ->capture_default_str();
+  app
+    .add_option(
+      "--isometric-until", settings.isometricUntil, "Most triangles for the isometric scheme")
     ->capture_default_str();
   app.add_option("--json", settings.json, "File for the table");
   CLI11_PARSE(app, argc, argv);

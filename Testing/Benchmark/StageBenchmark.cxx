@@ -130,7 +130,20 @@ void addStages(const Settings& settings, int division)
       warpIsometrically(p->piece, p->problem, p->rigid, p->angles.stretch, {}, execution).status);
   });
   add("quality", triangles, [p, execution] { measureQuality(*p, execution); });
-  addFilter(triangles, std::make_shared<FilterRun>(p->surface));
+  for (const auto& [name, interior] :
+    { std::make_pair("Laplacian", vtkWireWarpingFilter::LAPLACIAN),
+      std::make_pair("rigid", vtkWireWarpingFilter::AS_RIGID_AS_POSSIBLE) })
+  {
+    for (const bool caching : { false, true })
+    {
+      const auto filter = std::make_shared<FilterRun>(p->surface, interior, caching);
+      filter->update(); // what is kept is there from the second on
+      add(std::string(caching ? "update again, " : "update, ") + name, triangles,
+        [filter] { filter->update(); });
+    }
+  }
+  addFilter(
+    triangles, std::make_shared<FilterRun>(p->surface, vtkWireWarpingFilter::LAPLACIAN, false));
 }
 }
 
