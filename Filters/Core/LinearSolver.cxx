@@ -2,11 +2,11 @@
 #include "LinearSolver.h"
 
 #include "MultifrontalFactorization.h"
+#include "SuperLUFactorization.h"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
-#include <Eigen/SuperLUSupport>
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +52,7 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
   bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
   {
-    if constexpr (std::is_same_v<Factorization, Eigen::SuperLU<SparseMatrix>>)
-    {
-      this->solver.factorize(withDiagonal(matrix));
-    }
-    else
-    {
-      this->solver.factorize(matrix);
-    }
+    this->solver.factorize(matrix);
     return this->solver.info() == Eigen::Success;
   }
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
@@ -80,6 +73,21 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
     {
       return {};
     }
+  }
+};
+
+struct LinearSolver::SuperLUBackend : LinearSolver::Backend
+{
+  SuperLUFactorization solver;
+
+  void analyze(const SparseMatrix& /*matrix*/) override {}
+  bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
+  {
+    return this->solver.factorize(withDiagonal(matrix));
+  }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  {
+    return this->solver.solve(rightHandSide);
   }
 };
 
@@ -136,7 +144,7 @@ LinearSolver::LinearSolver(LinearMethod method)
   switch (method)
   {
     case LinearMethod::SuperLU:
-      this->Solver = std::make_unique<Backend::Of<Eigen::SuperLU<SparseMatrix>>>();
+      this->Solver = std::make_unique<SuperLUBackend>();
       break;
     case LinearMethod::SparseLU:
       this->Solver = std::make_unique<Backend::Of<Eigen::SparseLU<SparseMatrix>>>();

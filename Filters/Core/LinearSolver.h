@@ -64,6 +64,7 @@ public:
 
 private:
   struct Backend;
+  struct SuperLUBackend;
   struct MultifrontalBackend;
 
   LinearMethod Method;

@@ -5,13 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Where a matrix turns out singular, SuperLU's dgssvx (up to 5.3) returns without freeing the copy
-// that its sp_preorder made: 40 + 8 n bytes that nobody else can free.
-extern "C" const char* __lsan_default_suppressions()
-{
-  return "leak:sp_preorder";
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   hostile::Bytes bytes(data, size);
