@@ -133,9 +133,8 @@ public:
   /**
    * Keep between updates what depends on the surface alone: the surface as it was read, and the
    * factors of the systems that place its inside. An update after a change of a curve's type, shape
-   * or tolerance, or of the scheme, is then faster; the result is the same to the last bit. It
-   * takes about as much memory as the run itself. Off gives it back at the next update. Default:
-   * on.
+   * or tolerance, or of the scheme, is then faster; the result is the same to the last bit.
+   * Off gives the memory back at the next update. Default: on.
    */
   vtkSetMacro(Caching, bool);
   vtkGetMacro(Caching, bool);

@@ -211,22 +211,14 @@ ConformalMap mapConformally(
   const Index unknowns = 2 * free;
   const ConformalEnergy energy(mesh, options.areaNormalized);
   const Dissection vertices = dissect(mesh.triangles(), mesh.points());
-  Dissection order;
-  auto end = vertices.end.begin();
-  for (std::size_t k = 0; k < vertices.order.size(); ++k)
-  {
+  Dissection order = vertices.replaced([&](Index k, Indices& unknownOrder) {
     const Index v = vertices.order[k];
     if (column[v] != none)
     {
-      order.order.push_back(2 * column[v]);
-      order.order.push_back(2 * column[v] + 1);
+      unknownOrder.push_back(2 * column[v]);
+      unknownOrder.push_back(2 * column[v] + 1);
     }
-    if (static_cast<Index>(k) + 1 == *end)
-    {
-      order.endRange();
-      ++end;
-    }
-  }
+  });
   LinearSolver solver(std::move(order));
   const Status failure{ StatusCode::NumericalFailure,
     "the conformal map could not be computed; look for slivers or a part that hangs on one vertex",

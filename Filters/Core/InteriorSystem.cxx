@@ -106,8 +106,8 @@ std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
       else
       {
         // Half of 1 / |v_i v_j| from each triangle at the edge.
-        const Triangle& t3 = this->Patch.triangles[t];
-        result[t][k] = 0.5 / (this->Points[t3[a]] - this->Points[t3[b]]).norm();
+        const Triangle& corner = this->Patch.triangles[t];
+        result[t][k] = 0.5 / (this->Points[corner[a]] - this->Points[corner[b]]).norm();
       }
     }
   }
@@ -116,14 +116,15 @@ std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
 
 const LinearSolver* InteriorSystem::factor(InteriorWeights weights, const Execution& execution)
 {
-  Factor& factor = this->Factors[weights == InteriorWeights::Cotangent ? 1 : 0];
+  Factor& factor = this->factorOf(weights);
   if (!factor.current)
   {
     if (!this->Matrix)
     {
       this->Matrix = std::make_unique<PatchMatrix>(this->Patch);
     }
-    const SparseMatrix& matrix = this->Matrix->assemble(this->Patch, this->edgeWeights(weights));
+    factor.edges = this->edgeWeights(weights);
+    const SparseMatrix& matrix = this->Matrix->assemble(this->Patch, factor.edges);
     if (!factor.solver)
     {
       const Triangles cliques = couplings(this->Patch);
@@ -146,7 +147,7 @@ bool InteriorSystem::solve(
     return false;
   }
   const Index free = this->Patch.freeCount;
-  const std::vector<EdgeWeights> edges = this->edgeWeights(weights);
+  const std::vector<EdgeWeights>& edges = this->factorOf(weights).edges;
   Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(free, 2);
   for (std::size_t t = 0; t < edges.size(); ++t)
   {

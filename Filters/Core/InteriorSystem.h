@@ -45,6 +45,7 @@ private:
   struct Factor
   {
     std::unique_ptr<LinearSolver> solver;
+    std::vector<EdgeWeights> edges;
     bool current = false; ///< of the vertices where they are
   };
 
@@ -52,7 +53,12 @@ private:
   Points3 Points;                    ///< of the patch's vertices on the surface
   std::vector<TriangleFrame> Frames; ///< empty until they are asked for
   std::unique_ptr<PatchMatrix> Matrix;
-  std::array<Factor, 2> Factors;
+  std::array<Factor, 2> Factors; ///< by weights
+
+  Factor& factorOf(InteriorWeights weights)
+  {
+    return this->Factors[weights == InteriorWeights::Cotangent ? 1 : 0];
+  }
 };
 
 /// Those of one piece, by wire-patch.

@@ -349,27 +349,19 @@ Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
     constraintsAfter[std::max({ place[node.before], place[node.at], place[node.after] })].push_back(
       this->lengthCount() + static_cast<Index>(k));
   }
-  Dissection result;
-  auto end = dissection.end.begin();
-  for (std::size_t k = 0; k < vertices.size(); ++k)
-  {
-    result.order.push_back(2 * vertices[k]);
-    result.order.push_back(2 * vertices[k] + 1);
+  Dissection result = dissection.replaced([&](Index k, Indices& order) {
+    order.push_back(2 * vertices[k]);
+    order.push_back(2 * vertices[k] + 1);
     for (Index constraint : constraintsAfter[k])
     {
-      result.order.push_back(this->unknownCount() + constraint);
+      order.push_back(this->unknownCount() + constraint);
     }
-    if (static_cast<Index>(k) + 1 == *end)
-    {
-      result.endRange();
-      ++end;
-    }
-  }
+  });
   for (Index g = 0; g < this->groupCount(); ++g)
   {
     result.order.push_back(this->CoordinateCount + g);
   }
-  result.endRange();
+  result.endRange(static_cast<Index>(result.order.size()));
   return result;
 }
 }

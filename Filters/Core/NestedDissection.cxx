@@ -56,14 +56,6 @@ protected:
     });
   }
 
-  void endRange(Index end)
-  {
-    if (end > (this->Result.end.empty() ? 0 : this->Result.end.back()))
-    {
-      this->Result.end.push_back(end);
-    }
-  }
-
   Indices Begin; ///< neighbours of each vertex, in flat arrays
   Indices Neighbours;
   Dissection Result;
@@ -90,7 +82,7 @@ private:
   {
     if (end - begin <= smallPart)
     {
-      this->endRange(this->placeOf(end));
+      this->Result.endRange(this->placeOf(end));
       return;
     }
     Eigen::AlignedBox3d box;
@@ -117,7 +109,7 @@ private:
     std::rotate(separator, middle, end);
     this->split(begin, begin + leftCount);
     this->split(begin + leftCount, end - separatorCount);
-    this->endRange(this->placeOf(end));
+    this->Result.endRange(this->placeOf(end));
   }
 
   Index placeOf(Iterator place) { return static_cast<Index>(place - this->Result.order.begin()); }
@@ -182,7 +174,7 @@ private:
   {
     if (end - begin <= smallPart)
     {
-      this->endRange(end);
+      this->Result.endRange(end);
       return;
     }
     const auto order = this->Result.order.begin();
@@ -217,7 +209,7 @@ private:
     {
       this->split(leftEnd, rightEnd, order[rightEnd - 1]);
     }
-    this->endRange(end);
+    this->Result.endRange(end);
   }
 
   /// A part that does not hang together.

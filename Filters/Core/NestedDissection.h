@@ -12,14 +12,31 @@ struct Dissection
   Indices order; ///< which vertex is eliminated first, second, ...
   Indices end;
 
-  /// Ends a range after what has been put in order.
-  void endRange()
+  /// Ends a range before a place of the order, unless it is empty.
+  void endRange(Index place)
   {
-    const auto size = static_cast<Index>(this->order.size());
-    if (size > (this->end.empty() ? 0 : this->end.back()))
+    if (place > (this->end.empty() ? 0 : this->end.back()))
     {
-      this->end.push_back(size);
+      this->end.push_back(place);
     }
+  }
+
+  /// The same of other things than vertices: append(k, order) puts those of the k-th in order,
+  /// which stay in its range.
+  template <typename Append>
+  Dissection replaced(const Append& append) const
+  {
+    Dissection result;
+    Index k = 0;
+    for (Index last : this->end)
+    {
+      for (; k < last; ++k)
+      {
+        append(k, result.order);
+      }
+      result.endRange(static_cast<Index>(result.order.size()));
+    }
+    return result;
   }
 };
 

@@ -15,7 +15,8 @@ constexpr int maximumConjugateGradients = 100;
 /// three or four get there. A coarser value saves one of them and costs the next Newton step
 /// digits.
 constexpr double modelAccuracy = 1e-3;
-/// The Hessian's inverse is at most this many times the preconditioner's: in practice two or three.
+/// The Hessian's inverse is taken to be at most this many times the preconditioner's; that three or
+/// four conjugate gradients are enough says that it is less.
 constexpr double conditionBound = 10.0;
 
 /// The operators of std::complex look for infinities; these do not.

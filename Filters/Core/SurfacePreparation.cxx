@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePreparation.h"
 
+#include "EdgeSides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -79,61 +81,11 @@ bool isDegenerate(const Points3& points, const Triangle& t)
   return !(u.cross(v).norm() > flatTriangle * longest * longest);
 }
 
-struct Side
-{
-  Index low;
-  Index high;
-  Index halfedge;
-};
-
-/// All half-edges, those of one edge next to each other in ascending order; by a counting sort over
-/// the lower vertex, which takes linear time.
-std::vector<Side> sortedSides(const Triangles& triangles, std::size_t vertexCount)
-{
-  const auto side = [&triangles](std::size_t h) -> Side {
-    const Index a = triangles[h / 3][h % 3];
-    const Index b = triangles[h / 3][(h + 1) % 3];
-    return { std::min(a, b), std::max(a, b), static_cast<Index>(h) };
-  };
-  const std::size_t count = 3 * triangles.size();
-  Indices begin(vertexCount + 1, 0);
-  for (std::size_t h = 0; h < count; ++h)
-  {
-    ++begin[side(h).low + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  Indices place(begin.begin(), begin.end() - 1);
-  std::vector<Side> sides(count);
-  for (std::size_t h = 0; h < count; ++h)
-  {
-    const Side s = side(h);
-    sides[place[s.low]++] = s;
-  }
-  for (std::size_t v = 0; v < vertexCount; ++v)
-  {
-    std::sort(
-      sides.begin() + begin[v], sides.begin() + begin[v + 1], [](const Side& a, const Side& b) {
-        return a.high != b.high ? a.high < b.high : a.halfedge < b.halfedge;
-      });
-  }
-  return sides;
-}
-
 /// Turns triangles over until neighbours agree. Returns the triangles of a one-sided band, if any.
-/// \param partner the other half-edge of each edge, before that.
-Indices orient(
-  Triangles& triangles, const std::vector<Side>& sides, Indices& partner, Indices& reversed)
+/// \param partner of each half-edge, before that.
+Indices orient(Triangles& triangles, const Indices& partner, Indices& reversed)
 {
   const Index count = static_cast<Index>(triangles.size());
-  partner.assign(3 * triangles.size(), none);
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-  {
-    if (sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high)
-    {
-      partner[sides[i].halfedge] = sides[i + 1].halfedge;
-      partner[sides[i + 1].halfedge] = sides[i].halfedge;
-    }
-  }
   auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
   std::vector<signed char> turn(count, -1); // 0: keep, 1: turn over
   Indices stack;
@@ -189,13 +141,13 @@ Indices orient(
 
 /// Triangles that have the same corners as an earlier one, in either orientation: they share edges,
 /// and the corner opposite to each.
-Indices findDoubled(const Triangles& triangles, const std::vector<Side>& sides)
+Indices findDoubled(const Triangles& triangles, const std::vector<EdgeSide>& sides)
 {
   Indices doubled;
   std::vector<std::pair<Index, Index>> around; // corner opposite to an edge, triangle
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    const Side& side = sides[i];
+    const EdgeSide& side = sides[i];
     const bool first = i == 0 || sides[i - 1].low != side.low || sides[i - 1].high != side.high;
     if (first)
     {
@@ -360,7 +312,7 @@ PreparedSurface prepareSurface(
       bad);
   }
 
-  const std::vector<Side> sides = sortedSides(cells, joined.size());
+  const std::vector<EdgeSide> sides = sortedSides(cells, joined.size());
   bad = findDoubled(cells, sides);
   if (!bad.empty())
   {
@@ -388,8 +340,8 @@ PreparedSurface prepareSurface(
         bad);
     }
   }
-  Indices partner;
-  const Indices oneSided = orient(cells, sides, partner, result.reversedTriangles);
+  Indices partner = pairSides(sides);
+  const Indices oneSided = orient(cells, partner, result.reversedTriangles);
   if (!oneSided.empty())
   {
     return refuse(StatusCode::NotOrientable,

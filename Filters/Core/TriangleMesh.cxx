@@ -1,74 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleMesh.h"
 
+#include "EdgeSides.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace flattening
 {
-namespace
-{
-/// A half-edge under its two vertices in ascending order.
-struct EdgeKey
-{
-  Index low;
-  Index high;
-  Index halfedge;
-
-  bool operator<(const EdgeKey& other) const
-  {
-    return this->low != other.low ? this->low < other.low
-      : this->high != other.high  ? this->high < other.high
-                                  : this->halfedge < other.halfedge;
-  }
-};
-
-/// Pairs half-edges through a counting sort by their lower vertex, which takes linear time.
-Indices pairHalfedges(Index vertexCount, const Triangles& cells)
-{
-  const Index count = static_cast<Index>(3 * cells.size());
-  std::vector<EdgeKey> keys(count);
-  Indices begin(vertexCount + 1, 0);
-  auto key = [&cells](Index h) {
-    const Triangle& cell = cells[h / 3];
-    const Index a = cell[h % 3];
-    const Index b = cell[(h + 1) % 3];
-    return EdgeKey{ std::min(a, b), std::max(a, b), h };
-  };
-  for (Index h = 0; h < count; ++h)
-  {
-    ++begin[key(h).low + 1];
-  }
-  for (Index v = 0; v < vertexCount; ++v)
-  {
-    begin[v + 1] += begin[v];
-  }
-  Indices place(begin.begin(), begin.end() - 1);
-  for (Index h = 0; h < count; ++h)
-  {
-    const EdgeKey k = key(h);
-    keys[place[k.low]++] = k;
-  }
-  Indices twins(count, none);
-  for (Index v = 0; v < vertexCount; ++v)
-  {
-    std::sort(keys.begin() + begin[v], keys.begin() + begin[v + 1]);
-    for (Index i = begin[v]; i + 1 < begin[v + 1]; ++i)
-    {
-      if (keys[i].high == keys[i + 1].high)
-      {
-        twins[keys[i].halfedge] = keys[i + 1].halfedge;
-        twins[keys[i + 1].halfedge] = keys[i].halfedge;
-      }
-    }
-  }
-  return twins;
-}
-}
-
 TriangleMesh::TriangleMesh(Points3 points, Triangles triangles)
 {
-  Indices twins = pairHalfedges(static_cast<Index>(points.size()), triangles);
+  Indices twins = pairSides(sortedSides(triangles, points.size()));
   *this = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
 }
 

@@ -3,12 +3,12 @@
 
 #include "FlatteningQuality.h"
 #include "SurfaceFlattening.h"
+#include "TestThreads.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <thread>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -58,23 +58,6 @@ double largestDistance(const Points2& a, const Points2& b)
     most = std::max(most, (a[i] - b[i]).norm());
   }
   return most;
-}
-
-Execution withThreads(Index count)
-{
-  Execution execution;
-  execution.parallel = [count](Index total, const std::function<void(Index, Index)>& body) {
-    std::vector<std::thread> workers;
-    for (Index k = 0; k < count; ++k)
-    {
-      workers.emplace_back([=, &body] { body(total * k / count, total * (k + 1) / count); });
-    }
-    for (std::thread& worker : workers)
-    {
-      worker.join();
-    }
-  };
-  return execution;
 }
 }
 

@@ -2,12 +2,12 @@
 #include "MultifrontalFactorization.h"
 #include "NestedDissection.h"
 #include "TestMeshes.h"
+#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
-#include <thread>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -43,16 +43,10 @@ KktSystem kktSystem(Index side)
   }
   KktSystem system;
   const Dissection dissection = dissect(triangles, surface.mesh.points());
-  std::size_t begin = 0;
-  for (Index end : dissection.end)
-  {
-    for (; begin < std::size_t(end); ++begin)
-    {
-      system.order.order.push_back(2 * dissection.order[begin]);
-      system.order.order.push_back(2 * dissection.order[begin] + 1);
-    }
-    system.order.endRange();
-  }
+  system.order = dissection.replaced([&](Index k, Indices& order) {
+    order.push_back(2 * dissection.order[k]);
+    order.push_back(2 * dissection.order[k] + 1);
+  });
   Index row = 2 * vertices;
   for (std::size_t t = 0; t < triangles.size(); t += 5, ++row)
   {
@@ -61,27 +55,10 @@ KktSystem kktSystem(Index side)
     entries.emplace_back(row, row, -1e-8);
     system.order.order.push_back(row);
   }
-  system.order.endRange();
+  system.order.endRange(static_cast<Index>(system.order.order.size()));
   system.matrix.resize(row, row);
   system.matrix.setFromTriplets(entries.begin(), entries.end());
   return system;
-}
-
-Execution threads(Index count)
-{
-  Execution execution;
-  execution.parallel = [count](Index size, const std::function<void(Index, Index)>& body) {
-    std::vector<std::thread> pool;
-    for (Index k = 0; k < count; ++k)
-    {
-      pool.emplace_back(body, k * size / count, (k + 1) * size / count);
-    }
-    for (std::thread& thread : pool)
-    {
-      thread.join();
-    }
-  };
-  return execution;
 }
 }
 
@@ -110,7 +87,7 @@ TEST(MultifrontalFactorization, IsTheSameToTheLastBitForAnyNumberOfThreads)
   const Eigen::MatrixXd alone = factorization.solve(rhs);
   for (Index count : { 2, 3, 8 })
   {
-    ASSERT_TRUE(factorization.factorize(system.matrix, threads(count)));
+    ASSERT_TRUE(factorization.factorize(system.matrix, withThreads(count)));
     EXPECT_EQ((factorization.solve(rhs) - alone).cwiseAbs().maxCoeff(), 0.0) << count;
   }
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NestedDissection.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+void expectOrderInRanges(const Dissection& dissection, Index count)
+{
+  Indices sorted = dissection.order;
+  std::sort(sorted.begin(), sorted.end());
+  Indices all(count);
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(sorted, all) << "each vertex once";
+  ASSERT_FALSE(dissection.end.empty());
+  EXPECT_TRUE(std::is_sorted(dissection.end.begin(), dissection.end.end()));
+  EXPECT_EQ(std::adjacent_find(dissection.end.begin(), dissection.end.end()), dissection.end.end());
+  EXPECT_EQ(dissection.end.back(), count);
+}
+}
+
+TEST(NestedDissection, PutsASmallSeparatorThatDividesTheMeshLast)
+{
+  const Surface surface = flatPatch(40, 30);
+  const Triangles& triangles = surface.mesh.triangles();
+  const Index count = surface.mesh.vertexCount();
+  for (const Dissection& dissection :
+    { dissect(triangles, surface.mesh.points()), dissect(triangles, count) })
+  {
+    expectOrderInRanges(dissection, count);
+    const Index begin = dissection.end[dissection.end.size() - 2];
+    EXPECT_LT(count - begin, 100) << "of 1271 vertices";
+    // Without it no part that hangs together has many more than half of the others.
+    std::vector<char> separates(count, 0);
+    for (Index k = begin; k < count; ++k)
+    {
+      separates[dissection.order[k]] = 1;
+    }
+    Indices part(count);
+    std::iota(part.begin(), part.end(), 0);
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      for (const Triangle& t : triangles)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Index a = t[k];
+          const Index b = t[(k + 1) % 3];
+          if (!separates[a] && !separates[b] && part[a] != part[b])
+          {
+            part[a] = part[b] = std::min(part[a], part[b]);
+            changed = true;
+          }
+        }
+      }
+    }
+    Indices size(count, 0);
+    for (Index v = 0; v < count; ++v)
+    {
+      size[part[v]] += separates[v] ? 0 : 1;
+    }
+    EXPECT_LT(*std::max_element(size.begin(), size.end()), 0.65 * count);
+  }
+}
+
+TEST(NestedDissection, TakesPartsThatDoNotHangTogetherAndVerticesAlone)
+{
+  Triangles triangles;
+  for (Index t = 0; t < 30; ++t)
+  {
+    triangles.push_back({ 4 * t, 4 * t + 1, 4 * t + 2 }); // 4 t + 3 is alone
+  }
+  expectOrderInRanges(dissect(triangles, 120), 120);
+  EXPECT_TRUE(dissect({}, Index{ 0 }).order.empty());
+}
