@@ -78,6 +78,7 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   options.isometric.angleWeight = this->AngleWeight;
   options.isometric.maximumIterations = this->IsometricMaximumIterations;
   options.isometric.tolerance = this->IsometricTolerance;
+  options.closeCuts = this->CloseCuts;
   options.releaseKeys = this->ReleaseKeys;
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
@@ -94,6 +95,7 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Solver: " << this->GetSolverAsString() << "\n";
   os << indent << "Interior: " << this->GetInteriorAsString() << "\n";
   os << indent << "ReleaseKeys: " << (this->ReleaseKeys ? "On" : "Off") << "\n";
+  os << indent << "CloseCuts: " << (this->CloseCuts ? "On" : "Off") << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "ClosureTolerance: " << this->ClosureTolerance << "\n";
   os << indent << "OptimalityTolerance: " << this->OptimalityTolerance << "\n";

@@ -55,8 +55,8 @@
  * `RestLength`, `FlatLength` (unit of length), `LengthError` (double; the largest relative error of
  * one of its edges). Field data, one row a feature curve: `CurveNames` (string), `CurveTypes`
  * (int), `CurveRestLengths`, `CurveFlatLengths`, `CurveLengthErrors`, `CurveTolerances` (0 where
- * rigid), `CurveSensitivities` (derivative of the objective by the logarithm of the length)
- * (double); both sides of a cut count once.
+ * rigid), `CurveClosedLengths` (of a cut, see CloseCuts), `CurveSensitivities` (derivative of the
+ * objective by the logarithm of the length) (double); both sides of a cut count once.
  *
  * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
  * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit
@@ -165,6 +165,18 @@ public:
   vtkSetMacro(ReleaseKeys, bool);
   vtkGetMacro(ReleaseKeys, bool);
   vtkBooleanMacro(ReleaseKeys, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Close darts and other cuts as far as their banks would lie over each other, which they do where
+   * the surface is saddle-like: the closed parts of the two banks then lie on each other, at the
+   * price of more distortion, and count as a wire inside the piece. Off: they overlap, and the
+   * status is OVERLAP. Default: off.
+   */
+  vtkSetMacro(CloseCuts, bool);
+  vtkGetMacro(CloseCuts, bool);
+  vtkBooleanMacro(CloseCuts, bool);
   ///@}
 
   ///@{
@@ -344,6 +356,7 @@ private:
   int Solver = NEWTON;
   int Interior = AS_RIGID_AS_POSSIBLE;
   bool ReleaseKeys = false;
+  bool CloseCuts = false;
   int MaximumIterations = 300;
   double ClosureTolerance = 1e-12;
   double OptimalityTolerance = 1e-10;

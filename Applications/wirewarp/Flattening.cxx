@@ -56,6 +56,7 @@ void configure(vtkWireWarpingFilter* filter, const Options& options)
                                                    : vtkWireWarpingFilter::NEWTON);
   filter->SetInterior(interiorValue(options.interior));
   filter->SetReleaseKeys(options.releaseKeys);
+  filter->SetCloseCuts(options.closeCuts);
   filter->SetSheetEnergy(options.energy == "dirichlet" ? vtkWireWarpingFilter::SYMMETRIC_DIRICHLET
                                                        : vtkWireWarpingFilter::RIGID);
   filter->SetAreaBias(options.areaBias);

@@ -104,6 +104,10 @@ void addMethods(CLI::App& app, Options& options)
   app.add_flag("--release-keys", options.releaseKeys, "Treat key curves as accessory curves")
     ->group(group);
   app
+    .add_flag("--close-cuts", options.closeCuts,
+      "Close darts and other cuts as far as their banks would lie over each other")
+    ->group(group);
+  app
     .add_option("--energy", options.energy,
       "isometric: what deforming the sheet costs: rigid (as rigid as possible), dirichlet "
       "(symmetric Dirichlet, which forbids flipped triangles)")

@@ -32,6 +32,7 @@ struct Options
   std::string solver = "newton";
   std::string interior = "arap";
   bool releaseKeys = false;
+  bool closeCuts = false;
   CurveTolerances tolerances;
 
   std::string energy = "rigid";

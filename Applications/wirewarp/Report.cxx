@@ -90,6 +90,7 @@ Json curveReports(const FieldRows& field)
       { "length_2d", field.number("CurveFlatLengths", curve) },
       { "error", field.number("CurveLengthErrors", curve) },
       { "tolerance", field.number("CurveTolerances", curve) },
+      { "closed_length", field.number("CurveClosedLengths", curve) },
       { "sensitivity", field.number("CurveSensitivities", curve) } });
   }
   return curves;

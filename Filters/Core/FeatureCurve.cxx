@@ -18,4 +18,14 @@ const char* curveTypeName(CurveType type)
   }
   return "unknown";
 }
+
+std::string quotedNames(const std::vector<FeatureCurve>& curves, const Indices& ids)
+{
+  std::string text;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    text += (i == 0 ? "\"" : i + 1 == ids.size() ? " and \"" : ", \"") + curves[ids[i]].name + "\"";
+  }
+  return text;
+}
 }

@@ -58,4 +58,7 @@ struct Polyline
 
 /// "accessory", "key", "dart" or "seam".
 const char* curveTypeName(CurveType type);
+
+/// Names of curves for a message, each in quotes.
+std::string quotedNames(const std::vector<FeatureCurve>& curves, const Indices& ids);
 }

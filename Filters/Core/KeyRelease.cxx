@@ -10,16 +10,6 @@ namespace
 /// Sets of more curves than this are not searched; then all are released.
 constexpr std::size_t largestSearchedSet = 2;
 
-std::string quotedNames(const std::vector<FeatureCurve>& curves, const Indices& ids)
-{
-  std::string text;
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    text += (i == 0 ? "\"" : i + 1 == ids.size() ? " and \"" : ", \"") + curves[ids[i]].name + "\"";
-  }
-  return text;
-}
-
 /// Key curves with an edge in the network.
 Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
 {

@@ -2,6 +2,7 @@
 #include "PieceFlattening.h"
 
 #include "ConformalMap.h"
+#include "CutClosure.h"
 #include "FoldoverFree.h"
 #include "PieceWires.h"
 #include "Stopwatch.h"
@@ -166,9 +167,8 @@ void releaseFoldingKeys(const Piece& piece, const PieceWires& pieceWires,
     placePiece(piece, wires, options, execution, kept, result);
   }
 }
-}
 
-FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
+FlatPiece flattenAsCut(const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
   const Execution& execution, InteriorSystems* kept)
 {
@@ -201,6 +201,74 @@ FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
   result.secondsWires = watch.restart();
   placePiece(piece, wires, options, execution, kept, result);
   releaseFoldingKeys(piece, pieceWires, options, execution, kept, wires, result);
+  return result;
+}
+
+/// Takes over a flattening of the piece with some vertices joined.
+void takeOver(FlatPiece joined, const Indices& place, FlatPiece& result)
+{
+  Indices vertexOf(joined.positions.size());
+  for (std::size_t v = 0; v < place.size(); ++v)
+  {
+    vertexOf[place[v]] = static_cast<Index>(v);
+    result.positions[v] = joined.positions[place[v]];
+  }
+  for (WireEdge& edge : joined.network.edges)
+  {
+    edge.from = vertexOf[edge.from];
+    edge.to = vertexOf[edge.to];
+  }
+  joined.report.vertices = result.report.vertices;
+  result.network = std::move(joined.network);
+  result.report = std::move(joined.report);
+}
+
+void closeCuts(const Piece& piece, const CutSurface& cut, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
+{
+  const Index flipped = countFlipped(piece.mesh, result.positions);
+  FlatPiece joinedFlat;
+  Indices place;
+  const auto flatten = [&](const Indices& joined) {
+    JoinedPiece joinedPiece = joinVertices(piece, joined);
+    joinedFlat = flattenAsCut(joinedPiece.piece, cut, curves, options, execution, nullptr);
+    result.secondsWires += joinedFlat.secondsWires;
+    result.secondsInterior += joinedFlat.secondsInterior;
+    place = std::move(joinedPiece.place);
+    Points2 positions;
+    const bool good = joinedFlat.report.status.ok() &&
+      countFlipped(joinedPiece.piece.mesh, joinedFlat.positions) <= flipped;
+    for (std::size_t v = 0; good && v < place.size(); ++v)
+    {
+      positions.push_back(joinedFlat.positions[place[v]]);
+    }
+    return positions;
+  };
+  const CutClosure closure = closeCrossingCuts(piece, cut, result.positions, flatten);
+  if (joinedFlat.report.status.code == StatusCode::Cancelled)
+  {
+    result.report.status = joinedFlat.report.status;
+  }
+  else if (closure.closed && !closure.edges.empty())
+  {
+    takeOver(std::move(joinedFlat), place, result);
+    for (Index h : closure.edges)
+    {
+      result.report.closedEdges.push_back(3 * piece.triangles[h / 3] + h % 3);
+    }
+  }
+}
+}
+
+FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
+  const Execution& execution, InteriorSystems* kept)
+{
+  FlatPiece result = flattenAsCut(piece, cut, curves, options, execution, kept);
+  if (options.closeCuts && result.report.status.ok())
+  {
+    closeCuts(piece, cut, curves, options, execution, result);
+  }
   return result;
 }
 }

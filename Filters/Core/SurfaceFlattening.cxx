@@ -4,6 +4,7 @@
 #include "BoundaryOverlap.h"
 #include "PieceArrangement.h"
 #include "PieceFlattening.h"
+#include "PiecePromises.h"
 #include "Stopwatch.h"
 #include "SurfaceDevelopability.h"
 #include "WireReport.h"
@@ -255,10 +256,15 @@ private:
       {
         this->Result.curves[c].sensitivity += sensitivity[c];
       }
+      for (Index h : this->Flat[p].report.closedEdges)
+      {
+        // Both banks are in the list.
+        this->Result.curves[cut.curveOfHalfedge[h]].closedLength += 0.5 * cut.mesh.length(h);
+      }
     }
     for (FlatPiece& flat : this->Flat)
     {
-      this->judge(flat.report);
+      judgePiece(this->Result.cut, this->Curves, this->Options, flat.report);
       // A piece that did not converge says more than one whose triangles overlap.
       const StatusCode code = flat.report.status.code;
       if (code != StatusCode::Ok && (this->Result.status.ok() || code < this->Result.status.code))
@@ -316,44 +322,6 @@ private:
     {
       const auto halfedge = [&piece](Index h) { return 3 * piece.triangles[h / 3] + h % 3; };
       this->Flat[p].report.overlaps.push_back({ halfedge(pair[0]), halfedge(pair[1]) });
-    }
-  }
-
-  /// Adds the first broken promise to a report that has none yet.
-  void judge(PieceReport& report) const
-  {
-    if (!report.status.ok())
-    {
-      return;
-    }
-    const QualitySummary& quality = report.quality;
-    if (this->Options.scheme != Scheme::Conformal &&
-      !(quality.maximumEdgeLengthError <= this->Options.lengthTolerance))
-    {
-      report.status = { StatusCode::LengthError,
-        "a wire edge misses its length by the fraction " +
-          shortNumber(quality.maximumEdgeLengthError) + "; release a feature curve",
-        {} };
-    }
-    else if (!quality.flipped.empty())
-    {
-      report.status = { StatusCode::FlippedTriangles,
-        std::to_string(quality.flipped.size()) + " triangle(s) are flipped: " +
-          listIds(quality.flipped) + "; add darts or release curves there",
-        quality.flipped };
-    }
-    else if (!report.overlaps.empty())
-    {
-      Indices triangles;
-      for (const auto& pair : report.overlaps)
-      {
-        triangles.push_back(pair[0] / 3);
-        triangles.push_back(pair[1] / 3);
-      }
-      report.status = { StatusCode::Overlap,
-        "the piece overlaps itself at triangles " + listIds(triangles) +
-          "; cut it by a seam or add a dart",
-        triangles };
     }
   }
 

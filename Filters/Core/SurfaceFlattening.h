@@ -26,6 +26,8 @@ struct FlatteningOptions
   InteriorOptions interior;
   IsometricOptions isometric;
   ConformalOptions conformal; ///< pins are vertices of the surface before the cut
+  /// Close cuts as far as their banks would lie over each other (see closeCrossingCuts()).
+  bool closeCuts = false;
   /// Treat key curves as accessory curves.
   bool releaseKeys = false;
   /// Lay the pieces beside each other, grainline up; otherwise each stays where its first wire edge
@@ -69,6 +71,8 @@ struct PieceReport
   QualitySummary quality; ///< flipped: triangles of the cut surface
   /// Pairs of boundary half-edges of the cut surface that cross.
   std::vector<std::array<Index, 2>> overlaps;
+  /// Half-edges of the cut surface on banks of cuts that were closed (see closeCrossingCuts()).
+  Indices closedEdges;
   std::vector<IterationRecord> history;
   /// Which curves to release first; with a trial where the wires' solution is poor.
   ReleaseAdvice advice;
@@ -85,6 +89,8 @@ struct CurveReport
   double flatLength = 0.0;
   double error = 0.0;     ///< largest relative error of one of its edges
   double tolerance = 0.0; ///< of an elastic curve; 0: rigid
+  /// Of a cut: the length along which its banks were closed, on the surface.
+  double closedLength = 0.0;
   /// dF* / d ln(length), summed over the pieces (see ReleaseAdvice).
   double sensitivity = 0.0;
 };

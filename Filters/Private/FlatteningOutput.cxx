@@ -163,6 +163,8 @@ void writeCurves(const std::vector<CurveReport>& curves, vtkFieldData* field)
   addRows<vtkDoubleArray>(
     field, "CurveTolerances", rows, [&](std::size_t row) { return curves[row].tolerance; });
   addRows<vtkDoubleArray>(
+    field, "CurveClosedLengths", rows, [&](std::size_t row) { return curves[row].closedLength; });
+  addRows<vtkDoubleArray>(
     field, "CurveSensitivities", rows, [&](std::size_t row) { return curves[row].sensitivity; });
 }
 

@@ -37,7 +37,8 @@ class Results(command.CommandTest):
         self.assertEqual(piece["free_wire_nodes"], 24)
         self.assertEqual(
             sorted(report["curves"][0]),
-            ["error", "length_2d", "length_3d", "name", "sensitivity", "tolerance", "type"],
+            ["closed_length", "error", "length_2d", "length_3d", "name", "sensitivity", "tolerance",
+             "type"],
         )
 
     def test_the_default_is_isometric_and_the_papers_words_ask_for_its_global_scheme(self):
@@ -160,6 +161,21 @@ class Results(command.CommandTest):
         self.assertEqual(report["exit_code"], 4)
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")
         self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
+
+    def test_darts_that_cross_are_closed_on_request(self):
+        piece = [
+            os.path.join(command.DATA, "wetsuit_upper_front" + end)
+            for end in (".vtp", "_curves.vtp")
+        ]
+        self.assertEqual(self.run_command(*piece, "--output", "open").returncode, 4)
+        self.assertEqual(self.report("open")["status"], "Overlap")
+        closing = self.run_command(*piece, "--output", "closed", "--close-cuts")
+        self.assertEqual(closing.returncode, 0, closing.stderr)
+        report = self.report("closed")
+        self.assertEqual(report["pieces"][0]["overlaps"], 0)
+        self.assertLess(report["pieces"][0]["E_len_max"], 1e-10)
+        for curve in report["curves"]:
+            self.assertEqual(curve["closed_length"] > 0.0, curve["type"] == "dart", curve["name"])
 
     def test_comparison_method_shows_the_length_error_that_it_announces(self):
         piece = self.flatten("lune.obj", "arc.txt", "--scheme", "lscm")["pieces"][0]

@@ -295,7 +295,7 @@ void propertiesAreClampedAndPrinted(Checks& check)
   std::ostringstream print;
   filter->Print(print);
   for (const char* line : { "Scheme: Progressive", "Solver: Sequential", "Interior: Relaxation",
-         "ReleaseKeys: Off", "MaximumIterations: 1", "ClosureTolerance: 1e-12",
+         "ReleaseKeys: Off", "CloseCuts: Off", "MaximumIterations: 1", "ClosureTolerance: 1e-12",
          "OptimalityTolerance: 1e-10", "RelaxationFactor: 1.5", "RelaxationMovement: 1e-05",
          "RelaxationMinimumIterations: 10", "RelaxationMaximumIterations: 100",
          "RigidEnergyTolerance: 1e-09", "RigidMaximumIterations: 200", "ConformalPins: -1 -1",

@@ -134,6 +134,37 @@ void incompatibleKeysAreNamed(Checks& check, const std::string& data)
   check.that(filter->GetStatusCode() != vtkWireWarpingFilter::INCOMPATIBLE_KEYS,
     "released keys are compatible");
 }
+
+// The front of the wetsuit's legs is a saddle at the waist: its darts want more cloth, not less.
+void crossingCutsAreNamedOrClosed(Checks& check, const std::string& data)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(read(data + "/wetsuit_pants_front.vtp"));
+  filter->SetCurvesData(read(data + "/wetsuit_pants_front_curves.vtp"));
+  filter->Update();
+  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::OVERLAP),
+    "status of darts that cross");
+  check.contains(filter->GetStatusMessage(), "waist_dart_left", "message");
+
+  filter->CloseCutsOn();
+  filter->Update();
+  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::OK),
+    "status with the darts closed");
+  check.equal(number(filter->GetOutput(), "Overlaps"), 0.0, "overlaps");
+  check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+  vtkFieldData* curves = filter->GetOutput(1)->GetFieldData();
+  auto* names = vtkStringArray::SafeDownCast(curves->GetAbstractArray("CurveNames"));
+  vtkDataArray* closed = curves->GetArray("CurveClosedLengths");
+  vtkDataArray* rest = curves->GetArray("CurveRestLengths");
+  for (vtkIdType row = 0; row < closed->GetNumberOfTuples(); ++row)
+  {
+    const bool dart = names->GetValue(row).find("waist_dart") == 0;
+    check.equal(closed->GetComponent(row, 0) > 0.0, dart, "closed " + names->GetValue(row));
+    check.that(closed->GetComponent(row, 0) <= rest->GetComponent(row, 0) * (1.0 + 1e-12),
+      "no longer than it");
+  }
+}
 }
 
 int TestWireWarpingFilterPromises(int argc, char* argv[])
@@ -144,5 +175,6 @@ int TestWireWarpingFilterPromises(int argc, char* argv[])
   theIsometricSchemeKeepsLengths(check);
   aRunThatDoesNotConvergeIsMarked(check);
   incompatibleKeysAreNamed(check, dataDirectory(argc, argv));
+  crossingCutsAreNamedOrClosed(check, dataDirectory(argc, argv));
   return check.result();
 }

@@ -242,6 +242,7 @@ HostileCase decodeCase(
   {
     result.polylines = std::move(surface.curves);
   }
+  result.options.closeCuts = bytes.oneIn(3);
   result.points = std::move(surface.points);
   result.triangles = std::move(surface.triangles);
   return result;

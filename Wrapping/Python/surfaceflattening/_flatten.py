@@ -79,6 +79,7 @@ def _flatten(
     solver: str = "newton",
     interior: str = "arap",
     release_keys: bool = False,
+    close_cuts: bool = False,
     energy: str = "rigid",
     area_bias: float = 0.0,
     angle_weight: float = 5.0,
@@ -101,6 +102,7 @@ def _flatten(
         filter_, "coincident_points", "CoincidentPoints", coincident_points, COINCIDENT_POINTS
     )
     _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
+    _set(filter_, "close_cuts", "CloseCuts", bool(close_cuts))
     _set_word(filter_, "energy", "SheetEnergy", energy, ENERGIES)
     _set(filter_, "area_bias", "AreaBias", area_bias)
     _set(filter_, "angle_weight", "AngleWeight", angle_weight)
@@ -128,6 +130,7 @@ def flatten(
     solver: str = "newton",
     interior: str = "arap",
     release_keys: bool = False,
+    close_cuts: bool = False,
     energy: str = "rigid",
     area_bias: float = 0.0,
     angle_weight: float = 5.0,
@@ -202,6 +205,7 @@ def flatten(
         solver=solver,
         interior=interior,
         release_keys=release_keys,
+        close_cuts=close_cuts,
         energy=energy,
         area_bias=area_bias,
         angle_weight=angle_weight,

@@ -173,7 +173,7 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
             {"phase": phases[row], **{key: column[row] for key, column in history.items()}})
     curves = zip(*(_values(curve_field, name) for name in (
         "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
-        "CurveTolerances", "CurveSensitivities")))
+        "CurveTolerances", "CurveClosedLengths", "CurveSensitivities")))
     return {
         "status": _values(field, "RunStatus")[0],
         "message": _values(field, "RunStatusMessage")[0],
@@ -181,8 +181,9 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
         "pieces": pieces,
         "curves": [
             {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
-             "error": error, "tolerance": tolerance, "sensitivity": sensitivity}
-            for name, kind, rest, length, error, tolerance, sensitivity in curves
+             "error": error, "tolerance": tolerance, "closed_length": closed,
+             "sensitivity": sensitivity}
+            for name, kind, rest, length, error, tolerance, closed, sensitivity in curves
         ],
         "seconds": {key: _values(field, name)[0] for key, name in _SECONDS.items()},
     }

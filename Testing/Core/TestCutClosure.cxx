@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CutClosure.h"
+#include "SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr Index spokes = 24;
+
+/// A point at the distance 1 from the apex: on a circular cone for parameters below 0, on one that
+/// waves up and down above.
+Point3 onCone(double parameter, Index spoke)
+{
+  const double t = 2.0 * pi * spoke / spokes;
+  return Point3(
+    std::cos(t), std::sin(t), parameter < 0.0 ? -parameter : parameter * std::sin(2.0 * t))
+    .normalized();
+}
+
+/// The parameter with which the apex is surrounded by an angle.
+double parameterFor(double angle)
+{
+  double low = -10.0;
+  double high = 10.0;
+  for (int step = 0; step < 60; ++step)
+  {
+    const double middle = 0.5 * (low + high);
+    double sum = 0.0;
+    for (Index s = 0; s < spokes; ++s)
+    {
+      sum += std::acos(onCone(middle, s).dot(onCone(middle, s + 1)));
+    }
+    (sum < angle ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Rings around an apex, ring k = 1, 2, ... at the distance k and seen from the apex under the
+/// angle angles[k - 1], cut from the rim to the apex. Vertex 0 is the apex, ring k has the vertices
+/// 1 + spokes (k - 1) to spokes k.
+Surface cutCone(const std::vector<double>& angles)
+{
+  Points3 points{ Point3::Zero() };
+  Triangles triangles;
+  Indices spoke{ 0 };
+  const auto id = [](Index ring, Index s) {
+    return ring == 0 ? 0 : 1 + spokes * (ring - 1) + s % spokes;
+  };
+  for (Index ring = 1; ring <= static_cast<Index>(angles.size()); ++ring)
+  {
+    const double parameter = parameterFor(angles[ring - 1]);
+    spoke.push_back(id(ring, 0));
+    for (Index s = 0; s < spokes; ++s)
+    {
+      points.push_back(ring * onCone(parameter, s));
+      triangles.push_back({ id(ring - 1, s), id(ring, s), id(ring, s + 1) });
+      if (ring > 1)
+      {
+        triangles.push_back({ id(ring - 1, s), id(ring, s + 1), id(ring - 1, s + 1) });
+      }
+    }
+  }
+  return { TriangleMesh(points, triangles), { curveOf(CurveType::Dart, "slit", spoke) }, {} };
+}
+
+FlatteningResult flattened(const Surface& surface, Scheme scheme, bool closeCuts)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.closeCuts = closeCuts;
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+}
+
+TEST(CutClosure, BanksStartAtTheTipAndPairCopiesOfOneVertex)
+{
+  const WiredSurface wired(cutCone({ 6.0, 6.0, 6.0 }));
+  const std::vector<CutBanks> cuts = findCutBanks(wired.piece, wired.cut);
+  ASSERT_EQ(cuts.size(), 1u);
+  EXPECT_EQ(wired.original(cuts[0].tip), 0);
+  ASSERT_EQ(cuts[0].pairs.size(), 3u);
+  for (Index k = 0; k < 3; ++k)
+  {
+    for (Index v : cuts[0].pairs[k])
+    {
+      EXPECT_EQ(wired.original(v), 1 + spokes * k);
+    }
+    EXPECT_NE(cuts[0].pairs[k][0], cuts[0].pairs[k][1]);
+  }
+}
+
+TEST(CutClosure, JoiningAllPairsGivesTheSurfaceBeforeTheCut)
+{
+  const Surface surface = cutCone({ 6.0, 6.0, 6.0 });
+  const WiredSurface wired(surface);
+  Indices joined(wired.piece.mesh.vertexCount());
+  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+  {
+    joined[v] = wired.vertex(wired.original(v));
+  }
+  const JoinedPiece whole = joinVertices(wired.piece, joined);
+  EXPECT_EQ(whole.piece.mesh.vertexCount(), surface.mesh.vertexCount());
+  ASSERT_EQ(whole.piece.mesh.triangleCount(), surface.mesh.triangleCount());
+  for (Index h = 0; h < surface.mesh.halfedgeCount(); ++h)
+  {
+    EXPECT_EQ(whole.piece.mesh.twin(h), surface.mesh.twin(h));
+    EXPECT_EQ(
+      whole.piece.mesh.point(whole.piece.mesh.from(h)), surface.mesh.point(surface.mesh.from(h)));
+  }
+}
+
+TEST(CutClosure, ASaddleConeCutToItsApexOverlapsUnlessTheCutIsClosed)
+{
+  // Around the apex there are 6.6 radians, in the plane 2 pi at the most.
+  const Surface surface = cutCone({ 6.6, 6.6, 6.6, 6.6 });
+  for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
+  {
+    SCOPED_TRACE(static_cast<int>(scheme));
+    const FlatteningResult open = flattened(surface, scheme, false);
+    EXPECT_STREQ(statusName(open.status.code), "Overlap");
+    EXPECT_NE(open.status.message.find("\"slit\""), std::string::npos) << open.status.message;
+    EXPECT_EQ(open.curves[0].closedLength, 0.0);
+
+    const FlatteningResult closed = flattened(surface, scheme, true);
+    EXPECT_STREQ(statusName(closed.status.code), "Ok") << closed.status.message;
+    EXPECT_NEAR(closed.curves[0].closedLength, 4.0, 1e-12);
+    EXPECT_EQ(closed.pieces[0].vertices, open.pieces[0].vertices);
+    for (const SeamPair& pair : closed.cut.seamPairs)
+    {
+      const TriangleMesh& mesh = closed.cut.mesh;
+      EXPECT_EQ(closed.positions[mesh.from(pair.first)], closed.positions[mesh.to(pair.second)]);
+      EXPECT_EQ(closed.positions[mesh.to(pair.first)], closed.positions[mesh.from(pair.second)]);
+    }
+    for (const Wire& wire : closed.wires)
+    {
+      EXPECT_LE(wire.maximumEdgeError, 1e-12);
+    }
+  }
+}
+
+TEST(CutClosure, ACutWhoseBanksOpenIsLeftAsItIs)
+{
+  const Surface surface = cutCone({ 5.5, 5.5, 5.5, 5.5 });
+  const FlatteningResult open = flattened(surface, Scheme::Isometric, false);
+  const FlatteningResult closed = flattened(surface, Scheme::Isometric, true);
+  EXPECT_TRUE(closed.status.ok());
+  EXPECT_EQ(closed.positions, open.positions);
+  EXPECT_TRUE(closed.pieces[0].closedEdges.empty());
+}
+
+TEST(CutClosure, ACutIsClosedOnlyWhereItsBanksCross)
+{
+  // The inner rings ask for an open cut, the outer ones for more cloth than there is.
+  const Surface surface = cutCone({ 5.6, 5.6, 6.6, 7.4, 7.8 });
+  EXPECT_STREQ(statusName(flattened(surface, Scheme::Isometric, false).status.code), "Overlap");
+  const FlatteningResult closed = flattened(surface, Scheme::Isometric, true);
+  EXPECT_STREQ(statusName(closed.status.code), "Ok") << closed.status.message;
+  EXPECT_GT(closed.curves[0].closedLength, 0.0);
+  EXPECT_LT(closed.curves[0].closedLength, closed.curves[0].restLength);
+  for (const Wire& wire : closed.wires)
+  {
+    EXPECT_LE(wire.maximumEdgeError, 1e-12);
+  }
+}
