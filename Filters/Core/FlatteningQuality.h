@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Execution.h"
+#include "TriangleFrame.h"
 #include "TriangleMesh.h"
 
 namespace flattening
@@ -36,14 +37,23 @@ struct FlatteningQuality
   QualitySummary summary;
 };
 
+/// What a flattening is measured by: the surface's own angles and areas.
+struct SurfaceMeasures
+{
+  std::vector<double> angles;        ///< TriangleMesh::angle() of each half-edge
+  std::vector<TriangleFrame> frames; ///< by triangle
+};
+
+SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execution);
+
 /// Measures any flattening of a mesh. Areas are signed as the positions are given: a map that
 /// mirrors the whole surface counts as flipped everywhere, so mirror its positions first. A
 /// triangle without area in space has areaRatio 0. \param edges half-edges whose length counts for
 /// E_len.
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
   const Indices& edges, const Execution& execution);
-/// The same with TriangleMesh::angle() of each half-edge where they are known.
-FlatteningQuality measureFlattening(const TriangleMesh& mesh, const std::vector<double>& angles,
+/// The same where the surface has been measured before.
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasures& surface,
   const Points2& positions, const Indices& edges, const Execution& execution);
 
 /// Triangles that are turned over, or have no area.

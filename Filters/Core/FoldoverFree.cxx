@@ -250,7 +250,7 @@ UntanglingResult untangleInterior(
   {
     return result;
   }
-  for (const InteriorPatch& interior : collectInteriorPatches(piece, network, positions))
+  for (const InteriorPatch& interior : collectInteriorPatches(piece, network))
   {
     PatchUntangling patch(interior, piece.mesh, positions);
     if (!patch.tangled())

@@ -98,7 +98,7 @@ public:
   {
     const Neighbours near =
       collectNeighbours(this->Patch, this->System.edgeWeights(InteriorWeights::InverseLength));
-    this->Local.topRows(this->Patch.freeCount).rowwise() = this->Patch.center.transpose();
+    this->Local.topRows(this->Patch.freeCount).rowwise() = this->wireCenter();
     while (this->Iterations < options.maximumIterations)
     {
       ++this->Iterations;
@@ -188,6 +188,17 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
+  Eigen::RowVector2d wireCenter() const
+  {
+    const Eigen::Index wireCount = this->Local.rows() - this->Patch.freeCount;
+    Eigen::RowVector2d center = Eigen::RowVector2d::Zero();
+    for (Eigen::Index i = this->Patch.freeCount; i < this->Local.rows(); ++i)
+    {
+      center += this->Local.row(i) / static_cast<double>(wireCount);
+    }
+    return center;
+  }
+
   Index flippedCount() const
   {
     return static_cast<Index>(std::count_if(
@@ -293,11 +304,17 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   }
   InteriorSystems own;
   InteriorSystems& systems = kept ? *kept : own;
-  std::vector<InteriorPatch> interiors = collectInteriorPatches(piece, network, positions);
-  systems.resize(interiors.size());
-  const bool alone = interiors.size() == 1;
+  std::vector<InteriorPatch> renewed;
+  const bool renew = !systems.current;
+  if (renew)
+  {
+    renewed = collectInteriorPatches(piece, network);
+    systems.patches.resize(renewed.size());
+    systems.current = true;
+  }
+  const bool alone = systems.patches.size() == 1;
   const Execution inner = alone ? execution : Execution();
-  std::vector<std::unique_ptr<PatchEmbedding>> patches(interiors.size());
+  std::vector<std::unique_ptr<PatchEmbedding>> patches(systems.patches.size());
   const bool rigid = options.method == InteriorMethod::AsRigidAsPossible;
   const double smallest = options.movement * meanWireEdge(network);
   const auto eachPatch = [&](const auto& work) {
@@ -316,8 +333,11 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   };
 
   bool going = eachPatch([&](Index i) {
-    systems[i].update(std::move(interiors[i]), piece.mesh);
-    patches[i] = std::make_unique<PatchEmbedding>(systems[i], positions, inner);
+    if (renew)
+    {
+      systems.patches[i].update(std::move(renewed[i]), piece.mesh);
+    }
+    patches[i] = std::make_unique<PatchEmbedding>(systems.patches[i], positions, inner);
     if (options.method == InteriorMethod::Relaxation)
     {
       patches[i]->relax(options, smallest);
@@ -332,7 +352,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
     }
     if (!kept && !rigid)
     {
-      systems[i].forgetFactors();
+      systems.patches[i].forgetFactors();
     }
   });
   const auto running = [](const auto& patch) { return patch->running(); };
@@ -342,13 +362,13 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
       patches[i]->iterateRigid(options);
       if (!kept && !patches[i]->running())
       {
-        systems[i].forgetFactors();
+        systems.patches[i].forgetFactors();
       }
     });
   }
   if (!going)
   {
-    systems.clear();
+    systems = {};
     result.status = { StatusCode::Cancelled, "cancelled while placing the interior", {} };
     return result;
   }

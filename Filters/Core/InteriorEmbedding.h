@@ -34,8 +34,8 @@ struct InteriorResult
 
 /// Places the vertices inside each wire-patch; those of the wires stay. Wire-patches are
 /// independent and run in parallel. \param positions per piece vertex, in and out. \param kept
-/// where to find and leave the factors for other runs of the same piece; null: they are given back
-/// at once.
+/// where to find and leave the systems for other runs of the same piece; null: their memory is
+/// given back at once.
 ///
 /// Errors: InvalidOption; Cancelled (positions as they came in); NumericalFailure and NotConverged (ids:
 /// wire-patches).

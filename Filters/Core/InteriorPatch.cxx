@@ -34,8 +34,7 @@ struct PatchTriangles
 };
 }
 
-std::vector<InteriorPatch> collectInteriorPatches(
-  const Piece& piece, const WireNetwork& network, const Points2& positions)
+std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const WireNetwork& network)
 {
   const TriangleMesh& mesh = piece.mesh;
   const PatchTriangles byPatch(network);
@@ -67,11 +66,6 @@ std::vector<InteriorPatch> collectInteriorPatches(
       for (std::size_t i = 0; i < patch.vertices.size(); ++i)
       {
         local[patch.vertices[i]] = static_cast<Index>(i);
-      }
-      patch.center = Point2::Zero();
-      for (Index v : pinned)
-      {
-        patch.center += positions[v] / static_cast<double>(pinned.size());
       }
       for (Index i = byPatch.begin[k]; i < byPatch.begin[k + 1]; ++i)
       {

@@ -13,14 +13,13 @@ struct InteriorPatch
 {
   Index patch = none;
   Index freeCount = 0;
-  Indices vertices;    ///< piece vertex of each, the interior ones in ascending order
+  /// Piece vertex of each, first the interior ones, then all of the wire-patch's wires, ascending.
+  Indices vertices;
   Triangles triangles; ///< those with an interior corner
-  Point2 center;       ///< mean of the wire vertices of the whole wire-patch
 };
 
-/// The wire-patches that have interior vertices. \param positions where the wire vertices are.
-std::vector<InteriorPatch> collectInteriorPatches(
-  const Piece& piece, const WireNetwork& network, const Points2& positions);
+/// The wire-patches that have interior vertices.
+std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const WireNetwork& network);
 
 /// Weight of the edge opposite to each corner.
 using EdgeWeights = std::array<double, 3>;

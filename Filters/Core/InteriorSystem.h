@@ -62,5 +62,11 @@ private:
 };
 
 /// Those of one piece, by wire-patch.
-using InteriorSystems = std::vector<InteriorSystem>;
+struct InteriorSystems
+{
+  std::vector<InteriorSystem> patches;
+  /// They are those of the piece and the network that they are used with. Whoever changes one of
+  /// the two says so here; what the systems can take over then they find out themselves.
+  bool current = false;
+};
 }

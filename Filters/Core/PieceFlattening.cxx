@@ -90,9 +90,11 @@ void mapPieceConformally(const Piece& piece, const CutSurface& cut,
 }
 
 /// Positions from the wires' angles to the whole piece. The report gets what each stage says.
-void placePiece(const Piece& piece, const WireSolution& wires, const FlatteningOptions& options,
-  const Execution& execution, InteriorSystems* kept, FlatPiece& result)
+void placePiece(WiredPiece& wired, const WireSolution& wires, const FlatteningOptions& options,
+  const Execution& execution, bool keep, FlatPiece& result)
 {
+  const Piece& piece = wired.piece;
+  const WireNetwork& network = *wired.network;
   Stopwatch watch;
   PieceReport& report = result.report;
   report.status = wires.status;
@@ -100,10 +102,10 @@ void placePiece(const Piece& piece, const WireSolution& wires, const FlatteningO
   {
     return;
   }
-  result.positions = layOutWires(result.network, wires.angles.theta, wires.angles.length).positions;
+  result.positions = layOutWires(network, wires.angles.theta, wires.angles.length).positions;
   result.secondsWires += watch.restart();
-  const InteriorResult interior =
-    embedInterior(piece, result.network, options.interior, execution, result.positions, kept);
+  const InteriorResult interior = embedInterior(piece, network, options.interior, execution,
+    result.positions, keep ? &wired.interiors : nullptr);
   if (!interior.status.ok() && (report.status.ok() || interior.status.refused()))
   {
     report.status = interior.status;
@@ -111,7 +113,7 @@ void placePiece(const Piece& piece, const WireSolution& wires, const FlatteningO
   if (options.interior.method == InteriorMethod::AsRigidAsPossible && !report.status.refused())
   {
     const UntanglingResult untangled =
-      untangleInterior(piece, result.network, execution, result.positions);
+      untangleInterior(piece, network, execution, result.positions);
     if (!untangled.status.ok())
     {
       report.status = untangled.status;
@@ -140,13 +142,14 @@ void reportWires(const PieceWires& pieceWires, const WireSolution& wires,
 }
 
 /// Key shapes that can be met, but only by wires that fold triangles over, count as incompatible.
-void releaseFoldingKeys(const Piece& piece, const PieceWires& pieceWires,
-  const FlatteningOptions& options, const Execution& execution, InteriorSystems* kept,
-  WireSolution& wires, FlatPiece& result)
+void releaseFoldingKeys(WiredPiece& wired, const PieceWires& pieceWires,
+  const FlatteningOptions& options, const Execution& execution, bool keep, WireSolution& wires,
+  FlatPiece& result)
 {
+  const TriangleMesh& mesh = wired.piece.mesh;
   const bool folds = wires.status.ok() && wires.problem.locks.lockedCount > 0 &&
     options.interior.method == InteriorMethod::AsRigidAsPossible &&
-    !result.report.status.refused() && countFlipped(piece.mesh, result.positions) > 0;
+    !result.report.status.refused() && countFlipped(mesh, result.positions) > 0;
   if (!folds)
   {
     return;
@@ -155,33 +158,37 @@ void releaseFoldingKeys(const Piece& piece, const PieceWires& pieceWires,
   pinned.scheme = Scheme::Global;
   const auto liesFlat = [&](const WireSolution& candidate) {
     FlatPiece trial;
-    trial.network = result.network;
-    placePiece(piece, candidate, pinned, execution, kept, trial);
-    return !trial.report.status.refused() && countFlipped(piece.mesh, trial.positions) == 0;
+    placePiece(wired, candidate, pinned, execution, keep, trial);
+    return !trial.report.status.refused() && countFlipped(mesh, trial.positions) == 0;
   };
   WireSolution released = pieceWires.release(wires, liesFlat);
   if (released.status.code == StatusCode::IncompatibleKeys)
   {
     wires = std::move(released);
     reportWires(pieceWires, wires, options, result.report);
-    placePiece(piece, wires, options, execution, kept, result);
+    placePiece(wired, wires, options, execution, keep, result);
   }
 }
 
-FlatPiece flattenAsCut(const Piece& piece, const CutSurface& cut,
+FlatPiece flattenAsCut(WiredPiece& wired, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution, InteriorSystems* kept)
+  const Execution& execution, bool keep)
 {
   Stopwatch watch;
+  const Piece& piece = wired.piece;
+  if (!wired.network)
+  {
+    wired.network = buildWireNetwork(piece);
+  }
+  const WireNetwork& network = *wired.network;
   FlatPiece result;
-  result.network = buildWireNetwork(piece);
   PieceReport& report = result.report;
   report.triangles = piece.mesh.triangleCount();
   report.vertices = piece.mesh.vertexCount();
-  report.wirePatches = result.network.patchCount;
-  report.wireNodes = result.network.nodeCount();
-  report.freeWireNodes = result.network.nodeCount();
-  report.status = result.network.status;
+  report.wirePatches = network.patchCount;
+  report.wireNodes = network.nodeCount();
+  report.freeWireNodes = network.nodeCount();
+  report.status = network.status;
   if (report.status.refused())
   {
     return result;
@@ -192,20 +199,20 @@ FlatPiece flattenAsCut(const Piece& piece, const CutSurface& cut,
     result.secondsInterior = watch.restart();
     return result;
   }
-  const PieceWires pieceWires(piece, result.network, cut, curves, options, execution);
+  const PieceWires pieceWires(piece, network, cut, curves, options, execution);
   WireSolution wires = pieceWires.solve();
   const AngleConstraints constraints(wires.problem);
   report.freeWireNodes = constraints.freeCount();
   report.constraints = constraints.rowCount();
   reportWires(pieceWires, wires, options, report);
   result.secondsWires = watch.restart();
-  placePiece(piece, wires, options, execution, kept, result);
-  releaseFoldingKeys(piece, pieceWires, options, execution, kept, wires, result);
+  placePiece(wired, wires, options, execution, keep, result);
+  releaseFoldingKeys(wired, pieceWires, options, execution, keep, wires, result);
   return result;
 }
 
 /// Takes over a flattening of the piece with some vertices joined.
-void takeOver(FlatPiece joined, const Indices& place, FlatPiece& result)
+void takeOver(FlatPiece joined, WireNetwork network, const Indices& place, FlatPiece& result)
 {
   Indices vertexOf(joined.positions.size());
   for (std::size_t v = 0; v < place.size(); ++v)
@@ -213,13 +220,13 @@ void takeOver(FlatPiece joined, const Indices& place, FlatPiece& result)
     vertexOf[place[v]] = static_cast<Index>(v);
     result.positions[v] = joined.positions[place[v]];
   }
-  for (WireEdge& edge : joined.network.edges)
+  for (WireEdge& edge : network.edges)
   {
     edge.from = vertexOf[edge.from];
     edge.to = vertexOf[edge.to];
   }
   joined.report.vertices = result.report.vertices;
-  result.network = std::move(joined.network);
+  result.joinedNetwork = std::move(network);
   result.report = std::move(joined.report);
 }
 
@@ -227,17 +234,20 @@ void closeCuts(const Piece& piece, const CutSurface& cut, const std::vector<Feat
   const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
 {
   const Index flipped = countFlipped(piece.mesh, result.positions);
+  WiredPiece joinedWired;
   FlatPiece joinedFlat;
   Indices place;
   const auto flatten = [&](const Indices& joined) {
     JoinedPiece joinedPiece = joinVertices(piece, joined);
-    joinedFlat = flattenAsCut(joinedPiece.piece, cut, curves, options, execution, nullptr);
+    joinedWired = {};
+    joinedWired.piece = std::move(joinedPiece.piece);
+    joinedFlat = flattenAsCut(joinedWired, cut, curves, options, execution, false);
     result.secondsWires += joinedFlat.secondsWires;
     result.secondsInterior += joinedFlat.secondsInterior;
     place = std::move(joinedPiece.place);
     Points2 positions;
     const bool good = joinedFlat.report.status.ok() &&
-      countFlipped(joinedPiece.piece.mesh, joinedFlat.positions) <= flipped;
+      countFlipped(joinedWired.piece.mesh, joinedFlat.positions) <= flipped;
     for (std::size_t v = 0; good && v < place.size(); ++v)
     {
       positions.push_back(joinedFlat.positions[place[v]]);
@@ -251,7 +261,7 @@ void closeCuts(const Piece& piece, const CutSurface& cut, const std::vector<Feat
   }
   else if (closure.closed && !closure.edges.empty())
   {
-    takeOver(std::move(joinedFlat), place, result);
+    takeOver(std::move(joinedFlat), std::move(*joinedWired.network), place, result);
     for (Index h : closure.edges)
     {
       result.report.closedEdges.push_back(3 * piece.triangles[h / 3] + h % 3);
@@ -260,14 +270,14 @@ void closeCuts(const Piece& piece, const CutSurface& cut, const std::vector<Feat
 }
 }
 
-FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
+FlatPiece flattenPiece(WiredPiece& wired, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution, InteriorSystems* kept)
+  const Execution& execution, bool keep)
 {
-  FlatPiece result = flattenAsCut(piece, cut, curves, options, execution, kept);
+  FlatPiece result = flattenAsCut(wired, cut, curves, options, execution, keep);
   if (options.closeCuts && result.report.status.ok())
   {
-    closeCuts(piece, cut, curves, options, execution, result);
+    closeCuts(wired.piece, cut, curves, options, execution, result);
   }
   return result;
 }

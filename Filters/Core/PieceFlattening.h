@@ -2,24 +2,25 @@
 #pragma once
 
 #include "SurfaceFlattening.h"
-#include "WireNetwork.h"
 
 namespace flattening
 {
 /// One piece in the plane.
 struct FlatPiece
 {
-  WireNetwork network;
   Points2 positions; ///< per piece vertex
+  /// Of the piece with banks of cuts joined, where they are; its edges end at vertices of the
+  /// piece.
+  std::optional<WireNetwork> joinedNetwork;
   PieceReport
     report; ///< all but quality and overlaps; ids of the status are those of the cut surface
   double secondsWires = 0.0;
   double secondsInterior = 0.0;
 };
 
-/// Flattens one piece by the scheme of the options: network, angles, layout, interior. \param kept
-/// factors of the interior from a run before and for the next one; may be null.
-FlatPiece flattenPiece(const Piece& piece, const CutSurface& cut,
+/// Flattens one piece by the scheme of the options: network, angles, layout, interior. \param keep
+/// whether the factors of the interior stay with the piece.
+FlatPiece flattenPiece(WiredPiece& wired, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution, InteriorSystems* kept);
+  const Execution& execution, bool keep);
 }

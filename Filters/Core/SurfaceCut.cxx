@@ -68,10 +68,9 @@ Status checkProperties(const FeatureCurve& curve, std::size_t id)
   return {};
 }
 
-Status labelHalfedges(
+Status followCurves(
   const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves, Indices& curveOfHalfedge)
 {
-  curveOfHalfedge.assign(mesh.halfedgeCount(), none);
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     const Indices& chain = curves[c].vertices;
@@ -125,12 +124,6 @@ Status labelHalfedges(
   return {};
 }
 
-bool isCut(const std::vector<FeatureCurve>& curves, Index label)
-{
-  return label != none &&
-    (curves[label].type == CurveType::Dart || curves[label].type == CurveType::Seam);
-}
-
 /// Triangles' connected components; numbered by their smallest triangle.
 Index findPieces(const TriangleMesh& mesh, Indices& pieceOfTriangle)
 {
@@ -165,25 +158,41 @@ Index findPieces(const TriangleMesh& mesh, Indices& pieceOfTriangle)
 }
 }
 
-CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
+CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
 {
-  CutSurface cut;
+  CurveLabels labels;
   if (mesh.triangleCount() == 0)
   {
-    cut.status = { StatusCode::EmptySurface,
+    labels.status = { StatusCode::EmptySurface,
       "the surface has no triangles; give a triangulated surface patch", {} };
-    return cut;
+    return labels;
   }
-  cut.status = labelHalfedges(mesh, curves, cut.curveOfHalfedge);
-  if (!cut.status.ok())
+  labels.curveOfHalfedge.assign(mesh.halfedgeCount(), none);
+  for (const FeatureCurve& curve : curves)
   {
+    labels.opens.push_back(curve.type == CurveType::Dart || curve.type == CurveType::Seam);
+  }
+  labels.status = followCurves(mesh, curves, labels.curveOfHalfedge);
+  return labels;
+}
+
+CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
+{
+  CurveLabels labels = labelHalfedges(mesh, curves);
+  if (!labels.status.ok())
+  {
+    CutSurface cut;
+    cut.status = std::move(labels.status);
     return cut;
   }
+  return openCuts(mesh, std::move(labels));
+}
 
+CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
+{
+  CutSurface cut;
   // Crossing an uncut edge keeps a fan's copy of the vertex, so copies are the fans between cuts.
-  auto crossing = [&](Index h) {
-    return mesh.twin(h) == none || isCut(curves, cut.curveOfHalfedge[h]);
-  };
+  auto crossing = [&](Index h) { return mesh.twin(h) == none || labels.opensAt(h); };
   Points3 points = mesh.points();
   Triangles triangles = mesh.triangles();
   cut.originalVertex.resize(points.size());
@@ -247,6 +256,7 @@ CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>&
     }
   }
   cut.mesh = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+  cut.curveOfHalfedge = std::move(labels.curveOfHalfedge);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
     if (mesh.twin(h) > h && cut.mesh.twin(h) == none)

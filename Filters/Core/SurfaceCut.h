@@ -29,15 +29,34 @@ struct CutSurface
   Status status;
 };
 
-/// Opens darts and seams (Definition 3) and finds the pieces.
-///
-/// A vertex gets one copy for each fan of triangles that the cuts leave around it, so a curve that
-/// ends on a cut stays with the copy on its own side. Where curves share an edge, seam goes before
-/// dart, dart before key, key before accessory, and the earlier curve before the later.
+/// What the cut needs to know of the feature curves.
+struct CurveLabels
+{
+  Indices curveOfHalfedge; ///< as in CutSurface
+  std::vector<char> opens; ///< by curve: a dart or a seam
+  Status status;
+
+  bool opensAt(Index halfedge) const
+  {
+    const Index curve = this->curveOfHalfedge[halfedge];
+    return curve != none && this->opens[curve] != 0;
+  }
+};
+
+/// Finds the half-edges of the feature curves. Where curves share an edge, seam goes before dart,
+/// dart before key, key before accessory, and the earlier curve before the later.
 ///
 /// Errors: EmptySurface, CurveTooShort, CurveNotOnEdges (ids: the vertices of the segment that is no
 /// mesh edge), InvalidPointId, InvalidCurve (a tolerance outside [0, 1), or a planar shape that has
 /// not one finite point a vertex; ids: curves).
+CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves);
+
+/// Opens darts and seams (Definition 3) and finds the pieces.
+///
+/// A vertex gets one copy for each fan of triangles that the cuts leave around it, so a curve that
+/// ends on a cut stays with the copy on its own side. \pre the labels are sound.
+CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels);
+/// Both of them. Errors: those of labelHalfedges().
 CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves);
 
 /// One piece as a mesh of its own.

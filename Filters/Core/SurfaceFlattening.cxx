@@ -104,7 +104,8 @@ public:
     , Curves(curves)
     , Options(options)
     , Run(execution)
-    , Cache(cache)
+    , Keep(cache != nullptr)
+    , Kept(cache ? *cache : this->Own)
   {
   }
 
@@ -117,16 +118,19 @@ public:
       return refusal(std::move(valid));
     }
     this->Run.report(0.0, "Cutting darts and seams");
-    this->Result.cut = cutSurface(this->Mesh, this->Curves);
-    if (!this->Result.cut.status.ok())
+    CurveLabels labels = labelHalfedges(this->Mesh, this->Curves);
+    if (!labels.status.ok())
     {
-      return refusal(std::move(this->Result.cut.status));
+      return refusal(std::move(labels.status));
+    }
+    if (!this->Keep || !this->Kept.serves(this->Mesh, labels))
+    {
+      this->Kept.renew(this->Mesh, std::move(labels), this->Keep);
     }
     if (this->Run.cancelled())
     {
       return refusal(cancelled());
     }
-    this->Pieces = extractPieces(this->Result.cut);
     if (!this->flattenPieces())
     {
       return refusal(std::move(this->Result.status));
@@ -139,6 +143,7 @@ public:
       return refusal(cancelled());
     }
     this->measure();
+    this->Result.cut = this->Kept.cut;
     this->Result.seconds.quality = qualityWatch.seconds();
     this->Result.seconds.total = watch.seconds();
     this->Run.report(1.0, "Done");
@@ -157,22 +162,18 @@ private:
 
   bool flattenPieces()
   {
-    if (this->Cache)
-    {
-      this->Cache->pieces.resize(this->Pieces.size());
-    }
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
       this->Run.report(
-        0.05 + 0.8 * static_cast<double>(p) / static_cast<double>(this->Pieces.size()),
+        0.05 + 0.8 * static_cast<double>(p) / static_cast<double>(this->Kept.pieces.size()),
         "Flattening pieces");
       if (this->Run.cancelled())
       {
         this->Result.status = cancelled();
         return false;
       }
-      this->Flat.push_back(flattenPiece(this->Pieces[p], this->Result.cut, this->Curves,
-        this->Options, this->Run, this->Cache ? &this->Cache->pieces[p] : nullptr));
+      this->Flat.push_back(flattenPiece(
+        this->Kept.pieces[p], *this->Kept.cut, this->Curves, this->Options, this->Run, this->Keep));
       if (this->Flat.back().report.status.refused())
       {
         this->Result.status = this->Flat.back().report.status;
@@ -184,20 +185,26 @@ private:
     return true;
   }
 
+  const WireNetwork& networkOf(std::size_t p) const
+  {
+    return this->Flat[p].joinedNetwork ? *this->Flat[p].joinedNetwork
+                                       : *this->Kept.pieces[p].network;
+  }
+
   void placePieces()
   {
-    const CutSurface& cut = this->Result.cut;
+    const CutSurface& cut = *this->Kept.cut;
     this->Result.wires = traceWires(this->Mesh, cut, this->Curves);
     std::vector<Points2> placed;
     if (this->Options.arrange)
     {
-      std::vector<ArrangementPiece> arrangement(this->Pieces.size());
+      std::vector<ArrangementPiece> arrangement(this->Kept.pieces.size());
       Indices local(cut.mesh.vertexCount(), none);
-      for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+      for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
       {
-        for (std::size_t k = 0; k < this->Pieces[p].vertices.size(); ++k)
+        for (std::size_t k = 0; k < this->Kept.pieces[p].piece.vertices.size(); ++k)
         {
-          local[this->Pieces[p].vertices[k]] = static_cast<Index>(k);
+          local[this->Kept.pieces[p].piece.vertices[k]] = static_cast<Index>(k);
         }
         arrangement[p].positions = std::move(this->Flat[p].positions);
         arrangement[p].grain = findGrain(this->Result.wires, static_cast<Index>(p), local);
@@ -214,43 +221,44 @@ private:
     this->Result.positions.assign(cut.mesh.vertexCount(), Point2::Zero());
     this->Result.patchOfTriangle.assign(cut.mesh.triangleCount(), none);
     Index firstPatch = 0;
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
-      const Piece& piece = this->Pieces[p];
+      const Piece& piece = this->Kept.pieces[p].piece;
+      const WireNetwork& network = this->networkOf(p);
       for (std::size_t k = 0; k < piece.vertices.size(); ++k)
       {
         this->Result.positions[piece.vertices[k]] = placed[p][k];
       }
       for (std::size_t t = 0; t < piece.triangles.size(); ++t)
       {
-        this->Result.patchOfTriangle[piece.triangles[t]] =
-          firstPatch + this->Flat[p].network.patchOfTriangle[t];
+        this->Result.patchOfTriangle[piece.triangles[t]] = firstPatch + network.patchOfTriangle[t];
       }
       for (Index& patch : this->Flat[p].report.warpingOrder)
       {
         patch += firstPatch;
       }
-      firstPatch += this->Flat[p].network.patchCount;
-      const std::vector<Wire> connectors =
-        traceConnectors(this->Flat[p].network, piece, static_cast<Index>(p));
+      firstPatch += network.patchCount;
+      const std::vector<Wire> connectors = traceConnectors(network, piece, static_cast<Index>(p));
       this->Result.wires.insert(this->Result.wires.end(), connectors.begin(), connectors.end());
     }
   }
 
   void measure()
   {
-    const CutSurface& cut = this->Result.cut;
-    this->Result.triangles.resize(cut.mesh.triangleCount());
-    const std::vector<double> angles = this->surfaceAngles();
-    this->Result.developability = surfaceDevelopability(cut.mesh, angles);
+    const CutSurface& cut = *this->Kept.cut;
+    if (this->Kept.pieces.size() > 1)
+    {
+      this->Result.triangles.resize(cut.mesh.triangleCount());
+    }
+    this->Result.developability.assign(cut.mesh.vertexCount(), 0.0);
     for (Wire& wire : this->Result.wires)
     {
       measureWire(cut, this->Result.positions, wire);
     }
     this->Result.curves = summarizeCurves(this->Mesh, this->Curves, this->Result.wires);
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
+    for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
-      this->measurePiece(p, angles);
+      this->measurePiece(p);
       const std::vector<double>& sensitivity = this->Flat[p].report.advice.sensitivity;
       for (std::size_t c = 0; c < sensitivity.size(); ++c)
       {
@@ -264,7 +272,7 @@ private:
     }
     for (FlatPiece& flat : this->Flat)
     {
-      judgePiece(this->Result.cut, this->Curves, this->Options, flat.report);
+      judgePiece(cut, this->Curves, this->Options, flat.report);
       // A piece that did not converge says more than one whose triangles overlap.
       const StatusCode code = flat.report.status.code;
       if (code != StatusCode::Ok && (this->Result.status.ok() || code < this->Result.status.code))
@@ -275,42 +283,39 @@ private:
     }
   }
 
-  std::vector<double> surfaceAngles() const
+  void measurePiece(std::size_t p)
   {
-    const TriangleMesh& mesh = this->Result.cut.mesh;
-    if (!this->Cache)
+    WiredPiece& wired = this->Kept.pieces[p];
+    const Piece& piece = wired.piece;
+    if (!wired.measures)
     {
-      return cornerAngles(mesh, this->Run);
+      wired.measures = measureSurface(piece.mesh, this->Run);
     }
-    if (this->Cache->triangles != mesh.triangles() || this->Cache->points != mesh.points())
+    const std::vector<double> developability =
+      surfaceDevelopability(piece.mesh, wired.measures->angles);
+    for (std::size_t k = 0; k < piece.vertices.size(); ++k)
     {
-      this->Cache->points = mesh.points();
-      this->Cache->triangles = mesh.triangles();
-      this->Cache->angles = cornerAngles(mesh, this->Run);
+      this->Result.developability[piece.vertices[k]] = developability[k];
     }
-    return this->Cache->angles;
-  }
-
-  void measurePiece(std::size_t p, const std::vector<double>& angles)
-  {
-    const Piece& piece = this->Pieces[p];
     Points2 positions;
+    positions.reserve(piece.vertices.size());
     for (Index v : piece.vertices)
     {
       positions.push_back(this->Result.positions[v]);
     }
-    const Indices edges = rigidHalfedges(this->Flat[p].network, this->Curves);
-    std::vector<double> pieceAngles;
-    pieceAngles.reserve(3 * piece.triangles.size());
-    for (Index t : piece.triangles)
-    {
-      pieceAngles.insert(pieceAngles.end(), angles.begin() + 3 * t, angles.begin() + 3 * t + 3);
-    }
+    const Indices edges = rigidHalfedges(this->networkOf(p), this->Curves);
     FlatteningQuality quality =
-      measureFlattening(piece.mesh, pieceAngles, positions, edges, this->Run);
-    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+      measureFlattening(piece.mesh, *wired.measures, positions, edges, this->Run);
+    if (this->Kept.pieces.size() == 1)
     {
-      this->Result.triangles[piece.triangles[t]] = quality.triangles[t];
+      this->Result.triangles = std::move(quality.triangles);
+    }
+    else
+    {
+      for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+      {
+        this->Result.triangles[piece.triangles[t]] = quality.triangles[t];
+      }
     }
     for (Index& t : quality.summary.flipped)
     {
@@ -329,8 +334,9 @@ private:
   const std::vector<FeatureCurve>& Curves;
   const FlatteningOptions& Options;
   const Execution& Run;
-  FlatteningCache* Cache;
-  std::vector<Piece> Pieces;
+  const bool Keep;
+  FlatteningCache Own;
+  FlatteningCache& Kept;
   std::vector<FlatPiece> Flat;
   FlatteningResult Result;
 };

@@ -3,11 +3,12 @@
 
 #include "AngleSolver.h"
 #include "ConformalMap.h"
-#include "FlatteningQuality.h"
+#include "FlatteningCache.h"
 #include "InteriorEmbedding.h"
 #include "IsometricWarping.h"
 #include "ReleaseAdvice.h"
-#include "SurfaceCut.h"
+
+#include <memory>
 
 namespace flattening
 {
@@ -107,7 +108,8 @@ struct FlatteningResult
 {
   /// A refusal (then all else is empty), or Ok, or the worst broken promise of a piece.
   Status status;
-  CutSurface cut;
+  /// Never null. Shared with the cache, which makes another for another surface.
+  std::shared_ptr<const CutSurface> cut = std::make_shared<const CutSurface>();
   Points2 positions;       ///< per vertex of the cut surface
   Indices patchOfTriangle; ///< wire-patch, numbered through all pieces
   std::vector<TriangleQuality> triangles;
@@ -116,18 +118,6 @@ struct FlatteningResult
   std::vector<PieceReport> pieces;
   std::vector<CurveReport> curves;
   StageSeconds seconds;
-};
-
-/// What a run leaves for the next one: the angles of the surface and the factors of the interiors.
-/// They are taken over where the surface and its wires are the same as before, the symbolic part of
-/// the factors also where vertices have moved (in wire-patches of up to 20,000 interior vertices).
-/// The result is the same to the last bit as without.
-struct FlatteningCache
-{
-  std::vector<InteriorSystems> pieces;
-  Points3 points; ///< of the cut surface
-  Triangles triangles;
-  std::vector<double> angles; ///< by half-edge
 };
 
 /// The whole way from a surface and its feature curves to flat pieces. \param cache of earlier

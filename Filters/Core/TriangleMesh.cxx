@@ -2,6 +2,7 @@
 #include "TriangleMesh.h"
 
 #include "EdgeSides.h"
+#include "SameBits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,12 @@ bool TriangleMesh::onBoundary(Index vertex) const
 {
   const Index h = this->Outgoing[vertex];
   return h != none && this->Twins[h] == none;
+}
+
+bool TriangleMesh::identical(const TriangleMesh& other) const
+{
+  return sameBits(this->Points, other.Points) && this->Cells == other.Cells &&
+    this->Twins == other.Twins;
 }
 
 double TriangleMesh::angle(Index h) const

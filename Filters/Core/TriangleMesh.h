@@ -45,6 +45,9 @@ public:
   Index find(Index fromVertex, Index toVertex) const;
   bool onBoundary(Index vertex) const;
 
+  /// Whether the two are the same to the last bit.
+  bool identical(const TriangleMesh& other) const;
+
   double length(Index h) const
   {
     return (this->point(this->to(h)) - this->point(this->from(h))).norm();

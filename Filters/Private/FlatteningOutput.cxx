@@ -92,7 +92,7 @@ void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
   vtkNew<vtkIdTypeArray> edges;
   edges->SetName("OverlapEdges");
   edges->SetNumberOfComponents(5);
-  const TriangleMesh& mesh = result.cut.mesh;
+  const TriangleMesh& mesh = result.cut->mesh;
   for (std::size_t p = 0; p < result.pieces.size(); ++p)
   {
     for (const std::array<Index, 2>& pair : result.pieces[p].overlaps)
@@ -230,14 +230,14 @@ void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>&
 void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
   vtkPolyData* wires, vtkPolyData* cut)
 {
-  writeCutSurface(source, result.cut, makePoints(result.positions), flat);
+  writeCutSurface(source, *result.cut, makePoints(result.positions), flat);
   writeTriangleQuality(result.triangles, flat);
   writePatches(result, flat->GetCellData());
   addRows<vtkDoubleArray>(flat->GetPointData(), "Developability", result.developability.size(),
     [&](std::size_t v) { return result.developability[v]; });
 
   // In space the same data over the original points.
-  cut->SetPoints(makePoints(result.cut.mesh.points()));
+  cut->SetPoints(makePoints(result.cut->mesh.points()));
   cut->SetPolys(flat->GetPolys());
   cut->GetPointData()->ShallowCopy(flat->GetPointData());
   cut->GetCellData()->ShallowCopy(flat->GetCellData());
@@ -250,7 +250,7 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   vtkFieldData* field = flat->GetFieldData();
   writePieces(source, result.pieces, field);
   writeHistory(result.pieces, field);
-  writeSeamPairs(result.cut, flat);
+  writeSeamPairs(*result.cut, flat);
   writeOverlapEdges(result, field);
   writeSeconds(result.seconds, field);
 }

@@ -130,9 +130,9 @@ TEST(CutClosure, ASaddleConeCutToItsApexOverlapsUnlessTheCutIsClosed)
     EXPECT_STREQ(statusName(closed.status.code), "Ok") << closed.status.message;
     EXPECT_NEAR(closed.curves[0].closedLength, 4.0, 1e-12);
     EXPECT_EQ(closed.pieces[0].vertices, open.pieces[0].vertices);
-    for (const SeamPair& pair : closed.cut.seamPairs)
+    for (const SeamPair& pair : closed.cut->seamPairs)
     {
-      const TriangleMesh& mesh = closed.cut.mesh;
+      const TriangleMesh& mesh = closed.cut->mesh;
       EXPECT_EQ(closed.positions[mesh.from(pair.first)], closed.positions[mesh.to(pair.second)]);
       EXPECT_EQ(closed.positions[mesh.to(pair.first)], closed.positions[mesh.from(pair.second)]);
     }

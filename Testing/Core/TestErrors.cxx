@@ -167,7 +167,7 @@ TEST(Errors, BrokenPromisesKeepAResult)
 {
   const auto run = [](const Surface& surface, const FlatteningOptions& options) {
     FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
-    EXPECT_EQ(result.positions.size(), static_cast<std::size_t>(result.cut.mesh.vertexCount()));
+    EXPECT_EQ(result.positions.size(), static_cast<std::size_t>(result.cut->mesh.vertexCount()));
     return result.status.code;
   };
   FlatteningOptions few;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <tuple>
+
 using namespace flattening;
 using namespace testmeshes;
 
@@ -27,6 +30,16 @@ FlatteningOptions optionsOf(Scheme scheme, InteriorMethod method)
   return options;
 }
 
+std::vector<std::tuple<CurveType, Indices, double, double>> wiresOf(const FlatteningResult& result)
+{
+  std::vector<std::tuple<CurveType, Indices, double, double>> wires;
+  for (const Wire& wire : result.wires)
+  {
+    wires.emplace_back(wire.type, wire.vertices, wire.restLength, wire.flatLength);
+  }
+  return wires;
+}
+
 /// A run with the cache gives the bits of a run without.
 void expectTheSame(const Surface& surface, const FlatteningOptions& options, FlatteningCache& cache)
 {
@@ -34,20 +47,51 @@ void expectTheSame(const Surface& surface, const FlatteningOptions& options, Fla
   const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, options, {});
   ASSERT_FALSE(without.status.refused());
   EXPECT_EQ(with.status.code, without.status.code);
+  EXPECT_TRUE(with.cut->mesh.identical(without.cut->mesh));
+  EXPECT_EQ(with.cut->originalVertex, without.cut->originalVertex);
+  EXPECT_EQ(with.cut->curveOfHalfedge, without.cut->curveOfHalfedge);
+  EXPECT_EQ(with.cut->pieceOfTriangle, without.cut->pieceOfTriangle);
+  EXPECT_EQ(with.patchOfTriangle, without.patchOfTriangle);
   EXPECT_EQ(with.positions, without.positions);
   EXPECT_EQ(with.developability, without.developability);
+  EXPECT_EQ(wiresOf(with), wiresOf(without));
   ASSERT_EQ(with.pieces.size(), without.pieces.size());
   for (std::size_t p = 0; p < with.pieces.size(); ++p)
   {
     EXPECT_EQ(with.pieces[p].quality.angleError, without.pieces[p].quality.angleError);
     EXPECT_EQ(
       with.pieces[p].quality.globalHomogeneity, without.pieces[p].quality.globalHomogeneity);
+    EXPECT_EQ(with.pieces[p].quality.areaError, without.pieces[p].quality.areaError);
   }
+}
+
+/// The same vertices in the same places, joined by other triangles, as many.
+Surface otherDiagonals(const Surface& surface)
+{
+  Triangles triangles = surface.mesh.triangles();
+  // A quad between the curves.
+  const Triangle first = triangles[0];
+  const Triangle second = triangles[1];
+  triangles[0] = { first[0], first[1], second[2] };
+  triangles[1] = { first[1], first[2], second[2] };
+  Surface other = surface;
+  other.mesh = TriangleMesh(surface.mesh.points(), std::move(triangles));
+  return other;
+}
+
+/// The same triangles over the same vertices, one of which lies elsewhere.
+Surface withPoint(const Surface& surface, Index vertex, const Point3& place)
+{
+  Points3 points = surface.mesh.points();
+  points[vertex] = place;
+  Surface other = surface;
+  other.mesh = TriangleMesh(std::move(points), surface.mesh.triangles());
+  return other;
 }
 
 const LinearSolver* factorOf(FlatteningCache& cache, InteriorWeights weights)
 {
-  return cache.pieces.at(0).at(0).factor(weights, {});
+  return cache.pieces.at(0).interiors.patches.at(0).factor(weights, {});
 }
 }
 
@@ -69,6 +113,73 @@ TEST(FlatteningCache, ChangesNoBitOfAnyResult)
     expectTheSame(curvedCushion(0.1), optionsOf(Scheme::Global, method), cache);
     expectTheSame(curvedCushion(), optionsOf(Scheme::Global, method), cache);
   }
+}
+
+TEST(FlatteningCache, NoticesWhatHasChanged)
+{
+  const FlatteningOptions options = optionsOf(Scheme::Global, InteriorMethod::AsRigidAsPossible);
+  const Surface surface = curvedCushion();
+  std::vector<Surface> changed(5, surface);
+  changed[0].curves[0] = rowCurve(24, 8); // as long as the one before
+  changed[1].curves[0].type = CurveType::Dart;
+  changed[2].curves[1].type = CurveType::Seam;
+  changed[3].curves[0].tolerance = 0.05;
+  std::swap(changed[4].curves[0], changed[4].curves[1]);
+  changed.push_back(otherDiagonals(surface));
+  const Point3 inside = surface.mesh.point(30);
+  changed.push_back(
+    withPoint(surface, 30, { inside.x(), inside.y(), std::nextafter(inside.z(), 1.0) }));
+  changed.push_back(withPoint(surface, 0, surface.mesh.point(0) + Point3(0.0, 0.0, 0.01)));
+  for (const Surface& other : changed)
+  {
+    FlatteningCache cache;
+    expectTheSame(surface, options, cache);
+    expectTheSame(other, options, cache);
+    expectTheSame(surface, options, cache);
+  }
+}
+
+TEST(FlatteningCache, TellsSignedZerosApart)
+{
+  FlatteningCache cache;
+  Surface surface = flatPatch(6, 4);
+  surface.curves = { rowCurve(6, 2) };
+  surface = withPoint(surface, 0, { 0.0, 0.0, 0.0 });
+  flattenSurface(surface.mesh, surface.curves, {}, {}, &cache);
+  surface = withPoint(surface, 0, { -0.0, 0.0, 0.0 });
+  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {}, &cache);
+  EXPECT_TRUE(std::signbit(result.cut->mesh.point(0).x()));
+}
+
+TEST(FlatteningCache, CutsAgainOnlyWhereSurfaceOrCutsAreOthers)
+{
+  FlatteningCache cache;
+  Surface surface = curvedCushion();
+  const auto cutOf = [&](const FlatteningOptions& options) {
+    return flattenSurface(surface.mesh, surface.curves, options, {}, &cache).cut;
+  };
+  const FlatteningOptions options = optionsOf(Scheme::Global, InteriorMethod::Laplacian);
+  const auto first = cutOf(options);
+  surface.curves[0].type = CurveType::Key;
+  surface.curves[0].keyShape = KeyShape::Straight;
+  surface.curves[1].tolerance = 0.05;
+  EXPECT_EQ(cutOf(optionsOf(Scheme::Isometric, InteriorMethod::AsRigidAsPossible)), first);
+  surface.curves[0].type = CurveType::Dart;
+  const auto second = cutOf(options);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(first->mesh.vertexCount(), surface.mesh.vertexCount()) << "a result stays as it is";
+  EXPECT_GT(second->mesh.vertexCount(), surface.mesh.vertexCount());
+}
+
+TEST(FlatteningCache, ServesAfterARefusal)
+{
+  FlatteningCache cache;
+  const Surface surface = curvedCushion();
+  Surface refused = surface;
+  refused.curves[0].vertices = { 0, 100 };
+  expectTheSame(surface, {}, cache);
+  EXPECT_TRUE(flattenSurface(refused.mesh, refused.curves, {}, {}, &cache).status.refused());
+  expectTheSame(surface, {}, cache);
 }
 
 TEST(FlatteningCache, KeepsFactorsWhereTheSurfaceIsTheSameAndTheirPatternWhereItMoves)

@@ -43,9 +43,9 @@ Points2 corners(const FlatteningResult& result, const Indices& triangleOrder, In
   Points2 points;
   for (const Index t : triangleOrder)
   {
-    if (result.cut.pieceOfTriangle[t] == piece)
+    if (result.cut->pieceOfTriangle[t] == piece)
     {
-      for (const Index v : result.cut.mesh.triangle(t))
+      for (const Index v : result.cut->mesh.triangle(t))
       {
         points.push_back(result.positions[v]);
       }
@@ -81,13 +81,13 @@ void expectSame(const FlatteningResult& first, const FlatteningResult& second, c
   ASSERT_FALSE(second.status.refused());
   EXPECT_EQ(first.status.code, second.status.code);
   ASSERT_EQ(first.pieces.size(), second.pieces.size());
-  for (Index p = 0; p < first.cut.pieceCount; ++p)
+  for (Index p = 0; p < first.cut->pieceCount; ++p)
   {
-    Points2 a = corners(first, identity(first.cut.mesh.triangleCount()), p);
+    Points2 a = corners(first, identity(first.cut->mesh.triangleCount()), p);
     Index other = none;
-    for (Index t = 0; t < first.cut.mesh.triangleCount() && other == none; ++t)
+    for (Index t = 0; t < first.cut->mesh.triangleCount() && other == none; ++t)
     {
-      other = first.cut.pieceOfTriangle[t] == p ? second.cut.pieceOfTriangle[order[t]] : none;
+      other = first.cut->pieceOfTriangle[t] == p ? second.cut->pieceOfTriangle[order[t]] : none;
     }
     Points2 b = corners(second, order, other);
     for (Point2& point : b)

@@ -95,14 +95,14 @@ FlatteningResult flatten(const Surface& surface, Scheme scheme)
 double worstPiece(const Surface& surface, const FlatteningResult& result)
 {
   double worst = 0.0;
-  for (const Piece& piece : extractPieces(result.cut))
+  for (const Piece& piece : extractPieces(*result.cut))
   {
     Points2 flat;
     Points2 unrolled;
     for (const Index v : piece.vertices)
     {
       flat.push_back(result.positions[v]);
-      unrolled.push_back(surface.unrolled[result.cut.originalVertex[v]]);
+      unrolled.push_back(surface.unrolled[result.cut->originalVertex[v]]);
     }
     worst = std::max(worst, rigidDistance(flat, unrolled));
   }
@@ -224,7 +224,7 @@ TEST(FlatteningTopology, SeamsCutAClosedSurfaceIntoFlatPieces)
   const FlatteningResult result = flattenSurface(cube, seams, options, {});
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_EQ(result.pieces.size(), 1U);
-  EXPECT_EQ(result.cut.seamPairs.size(), 7U);
+  EXPECT_EQ(result.cut->seamPairs.size(), 7U);
   EXPECT_LT(result.pieces.front().objective, 1e-20);
   for (const TriangleQuality& triangle : result.triangles)
   {

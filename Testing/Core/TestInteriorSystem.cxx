@@ -11,8 +11,7 @@ namespace
 {
 InteriorPatch patchOf(const WiredSurface& wired)
 {
-  const Points2 anywhere(wired.piece.mesh.vertexCount(), Point2::Zero());
-  return collectInteriorPatches(wired.piece, wired.network, anywhere).front();
+  return collectInteriorPatches(wired.piece, wired.network).front();
 }
 
 /// A factorization that is begun under it gives nothing.

@@ -73,14 +73,14 @@ TEST(RandomCurves, FlatSurfacesFlattenToThemselves)
     {
       EXPECT_LT(piece.objective, 1e-20);
     }
-    for (const Piece& piece : extractPieces(result.cut))
+    for (const Piece& piece : extractPieces(*result.cut))
     {
       Points2 flat;
       Points2 unrolled;
       for (const Index v : piece.vertices)
       {
         flat.push_back(result.positions[v]);
-        unrolled.push_back(surface.unrolled[result.cut.originalVertex[v]]);
+        unrolled.push_back(surface.unrolled[result.cut->originalVertex[v]]);
       }
       EXPECT_LT(rigidDistance(flat, unrolled), 1e-9);
     }

@@ -31,7 +31,7 @@ struct Problem
     {
       flat.emplace_back(1.1 * p.x() + 0.2 * p.y() + place(random), 0.8 * p.y() + place(random));
     }
-    this->patch = collectInteriorPatches(this->wired.piece, this->wired.network, flat).front();
+    this->patch = collectInteriorPatches(this->wired.piece, this->wired.network).front();
     this->system.update(this->patch, this->mesh());
     this->positions.resize(static_cast<Eigen::Index>(this->patch.vertices.size()), 2);
     for (std::size_t i = 0; i < this->patch.vertices.size(); ++i)

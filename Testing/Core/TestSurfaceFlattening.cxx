@@ -40,7 +40,7 @@ void expectEmpty(const FlatteningResult& result)
 {
   EXPECT_TRUE(result.status.refused());
   EXPECT_FALSE(result.status.message.empty());
-  EXPECT_EQ(result.cut.mesh.vertexCount(), 0);
+  EXPECT_EQ(result.cut->mesh.vertexCount(), 0);
   EXPECT_TRUE(result.positions.empty());
   EXPECT_TRUE(result.triangles.empty());
   EXPECT_TRUE(result.wires.empty());
@@ -130,7 +130,7 @@ TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
       const FlatteningResult result =
         flatten(surface, optionsOf(scheme, InteriorMethod::AsRigidAsPossible));
       ASSERT_TRUE(result.status.ok()) << result.status.message;
-      EXPECT_LT(rigidDistance(result.positions, unrolledCopies(surface, result.cut)), 1e-10);
+      EXPECT_LT(rigidDistance(result.positions, unrolledCopies(surface, *result.cut)), 1e-10);
       EXPECT_LT(result.pieces.front().objective, 1e-20);
       EXPECT_NEAR(result.pieces.front().quality.globalHomogeneity, 1.0, 1e-9);
     }
@@ -169,9 +169,9 @@ TEST(SurfaceFlattening, EdgesToBeSewnHaveOneLengthInThePlane)
   const FlatteningResult result = flatten(surface, optionsOf(Scheme::Global));
   ASSERT_FALSE(result.status.refused()) << result.status.message;
   EXPECT_EQ(result.pieces.size(), 2U);
-  EXPECT_EQ(result.cut.seamPairs.size(), 8U + 2U + 2U);
-  const TriangleMesh& mesh = result.cut.mesh;
-  for (const SeamPair& pair : result.cut.seamPairs)
+  EXPECT_EQ(result.cut->seamPairs.size(), 8U + 2U + 2U);
+  const TriangleMesh& mesh = result.cut->mesh;
+  for (const SeamPair& pair : result.cut->seamPairs)
   {
     const auto length = [&](Index h) {
       return (result.positions[mesh.to(h)] - result.positions[mesh.from(h)]).norm();
@@ -269,7 +269,7 @@ TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
   surface.curves[0].type = CurveType::Seam;
   const FlatteningResult result = flatten(surface, optionsOf(Scheme::Progressive));
   ASSERT_EQ(result.pieces.size(), 2U);
-  const std::vector<Piece> pieces = extractPieces(result.cut);
+  const std::vector<Piece> pieces = extractPieces(*result.cut);
   std::set<Index> patches;
   for (std::size_t p = 0; p < 2; ++p)
   {
@@ -284,7 +284,7 @@ TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
     {
       for (Index v = 0; v < pieces[p].mesh.vertexCount(); ++v)
       {
-        if (result.cut.originalVertex[pieces[p].vertices[v]] == original)
+        if (result.cut->originalVertex[pieces[p].vertices[v]] == original)
         {
           row.vertices.push_back(v);
         }
@@ -321,11 +321,11 @@ TEST(SurfaceFlattening, ArrangedPiecesAreMovedRigidlyAndLieApart)
   {
     Points2 before;
     Points2 after;
-    for (Index t = 0; t < arranged.cut.mesh.triangleCount(); ++t)
+    for (Index t = 0; t < arranged.cut->mesh.triangleCount(); ++t)
     {
-      for (const Index v : arranged.cut.mesh.triangle(t))
+      for (const Index v : arranged.cut->mesh.triangle(t))
       {
-        if (arranged.cut.pieceOfTriangle[t] == p)
+        if (arranged.cut->pieceOfTriangle[t] == p)
         {
           before.push_back(apart.positions[v]);
           after.push_back(arranged.positions[v]);

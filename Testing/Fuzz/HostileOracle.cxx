@@ -42,7 +42,7 @@ void checkStatus(const Status& status, Checks& checks)
 void checkRefusal(const FlatteningResult& result, Checks& checks)
 {
   checks.require(result.positions.empty() && result.pieces.empty() && result.wires.empty() &&
-      result.triangles.empty() && result.curves.empty() && result.cut.mesh.triangleCount() == 0,
+      result.triangles.empty() && result.curves.empty() && result.cut->mesh.triangleCount() == 0,
     "a refusal with a result");
 }
 
@@ -56,10 +56,10 @@ double flatLength(const FlatteningResult& result, Index a, Index b)
 void checkLengths(
   const std::vector<FeatureCurve>& curves, const FlatteningResult& result, Checks& checks)
 {
-  const TriangleMesh& mesh = result.cut.mesh;
+  const TriangleMesh& mesh = result.cut->mesh;
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
-    const Index curve = result.cut.curveOfHalfedge[h];
+    const Index curve = result.cut->curveOfHalfedge[h];
     if (curve == none && mesh.twin(h) != none)
     {
       continue;
@@ -67,7 +67,7 @@ void checkLengths(
     const double length = flatLength(result, mesh.from(h), mesh.to(h));
     const double error = std::abs(length - mesh.length(h)) / mesh.length(h);
     const double band = curve == none ? 0.0 : curves[curve].tolerance;
-    const PieceReport& piece = result.pieces[result.cut.pieceOfTriangle[h / 3]];
+    const PieceReport& piece = result.pieces[result.cut->pieceOfTriangle[h / 3]];
     if (piece.status.ok() && !(error <= band + lengthPromise))
     {
       std::ostringstream text;
@@ -82,13 +82,13 @@ void checkLengths(
 void checkFlips(const FlatteningResult& result, Checks& checks)
 {
   std::vector<Index> clear(result.pieces.size(), 0);
-  for (Index t = 0; t < result.cut.mesh.triangleCount(); ++t)
+  for (Index t = 0; t < result.cut->mesh.triangleCount(); ++t)
   {
-    const Triangle& c = result.cut.mesh.triangle(t);
+    const Triangle& c = result.cut->mesh.triangle(t);
     const Point2 u = result.positions[c[1]] - result.positions[c[0]];
     const Point2 v = result.positions[c[2]] - result.positions[c[0]];
     const double size = std::max({ u.norm(), v.norm(), (v - u).norm() });
-    clear[result.cut.pieceOfTriangle[t]] += u.x() * v.y() - u.y() * v.x() < -1e-9 * size * size;
+    clear[result.cut->pieceOfTriangle[t]] += u.x() * v.y() - u.y() * v.x() < -1e-9 * size * size;
   }
   for (std::size_t p = 0; p < result.pieces.size(); ++p)
   {
@@ -110,13 +110,13 @@ double side(const Point2& a, const Point2& b, const Point2& p)
 /// Boundary edges that cross by a clear distance, each with each.
 void checkOverlaps(const FlatteningResult& result, Checks& checks)
 {
-  const TriangleMesh& mesh = result.cut.mesh;
+  const TriangleMesh& mesh = result.cut->mesh;
   std::vector<Indices> borders(result.pieces.size());
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
     if (mesh.twin(h) == none)
     {
-      borders[result.cut.pieceOfTriangle[h / 3]].push_back(h);
+      borders[result.cut->pieceOfTriangle[h / 3]].push_back(h);
     }
   }
   for (std::size_t p = 0; p < borders.size(); ++p)
@@ -200,12 +200,12 @@ void checkResult(const std::vector<FeatureCurve>& curves, const FlatteningOption
     checkRefusal(result, checks);
     return;
   }
-  const auto vertices = static_cast<std::size_t>(result.cut.mesh.vertexCount());
-  const auto triangles = static_cast<std::size_t>(result.cut.mesh.triangleCount());
+  const auto vertices = static_cast<std::size_t>(result.cut->mesh.vertexCount());
+  const auto triangles = static_cast<std::size_t>(result.cut->mesh.triangleCount());
   checks.require(triangles > 0 && result.positions.size() == vertices &&
       result.developability.size() == vertices && result.triangles.size() == triangles &&
       result.patchOfTriangle.size() == triangles && result.curves.size() == curves.size() &&
-      static_cast<Index>(result.pieces.size()) == result.cut.pieceCount,
+      static_cast<Index>(result.pieces.size()) == result.cut->pieceCount,
     "an array of the wrong size");
   if (!checks.fault().empty())
   {
