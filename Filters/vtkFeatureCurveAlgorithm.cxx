@@ -63,7 +63,7 @@ int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::LoadInput(
+std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::LoadInput(
   vtkInformationVector** inputVector)
 {
   std::vector<vtkPolyData*> curves;
@@ -87,16 +87,14 @@ std::unique_ptr<flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::Loa
   else if (!this->Kept)
   {
     this->Kept = std::make_unique<flattening::bridge::KeptRun>();
+    this->Kept->source = std::make_shared<flattening::bridge::CurvedSurface>();
   }
-  auto source = std::make_unique<flattening::bridge::CurvedSurface>(
-    flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
-      static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
-      flattening::bridge::executionOf(this), this->Kept.get()));
-  if (!this->Conclude(source->outcome))
-  {
-    return nullptr;
-  }
-  return source;
+  const auto source =
+    this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedSurface>();
+  flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
+    static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
+    flattening::bridge::executionOf(this), *source);
+  return this->Conclude(source->outcome) ? source : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +109,7 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
   {
     const flattening::FlatteningResult result =
       flattening::flattenSurface(source->imprinted.mesh, source->imprinted.curves, options,
-        flattening::bridge::executionOf(this), this->Kept ? &this->Kept->factors : nullptr);
+        flattening::bridge::executionOf(this), this->Kept ? &this->Kept->pieces : nullptr);
     if (this->Conclude(source->outcomeOfStage(result.status)))
     {
       flattening::bridge::writeFlattening(*source, result, flat,

@@ -131,10 +131,11 @@ public:
 
   ///@{
   /**
-   * Keep between updates what depends on the surface alone: the surface as it was read, and the
-   * factors of the systems that place its inside. An update after a change of a curve's type, shape
-   * or tolerance, or of the scheme, is then faster; the result is the same to the last bit.
-   * Off gives the memory back at the next update. Default: on.
+   * Keep between updates what depends on the surface and the place of its curves alone: the
+   * surface as it was read, the curves imprinted on it, and, until other curves are cut, the
+   * pieces, their wires, measures and the factors of the systems that place their inside. An update
+   * after a change of a curve's type, shape or tolerance, or of the scheme, is then faster; the
+   * result is the same to the last bit. Off gives the memory back at the next update. Default: on.
    */
   vtkSetMacro(Caching, bool);
   vtkGetMacro(Caching, bool);
@@ -150,7 +151,8 @@ protected:
   /**
    * Reads surface and curves. Null after a refusal, which has been told then.
    */
-  std::unique_ptr<flattening::bridge::CurvedSurface> LoadInput(vtkInformationVector** inputVector);
+  std::shared_ptr<const flattening::bridge::CurvedSurface> LoadInput(
+    vtkInformationVector** inputVector);
 
   /**
    * Flattens surface and curves into the three outputs that vtkWireWarpingFilter documents. The

@@ -78,17 +78,16 @@ public:
 
   ImprintedSurface run()
   {
-    Points3 queries;
-    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+    Status sound = checkPolylines(this->Polylines);
+    if (!sound.ok())
     {
-      Status status = checkPolyline(this->Polylines[c], c);
-      if (!status.ok())
-      {
-        return refuse(std::move(status));
-      }
+      return refuse(std::move(sound));
+    }
+    Points3 queries;
+    for (const Polyline& polyline : this->Polylines)
+    {
       this->First.push_back(queries.size());
-      queries.insert(
-        queries.end(), this->Polylines[c].points.begin(), this->Polylines[c].points.end());
+      queries.insert(queries.end(), polyline.points.begin(), polyline.points.end());
     }
     this->match(queries);
     std::vector<Route> routes(this->Polylines.size());
@@ -107,7 +106,7 @@ public:
     if (all)
     {
       ImprintedSurface result = keepMesh(this->Mesh);
-      return this->collect(std::move(result), routes);
+      return this->collect(std::move(result), std::move(routes));
     }
     return this->split(routes, alongEdges);
   }
@@ -268,7 +267,7 @@ private:
         result.mesh = std::move(surface.mesh);
         result.vertexSource = std::move(surface.vertexSource);
         result.originalTriangle = std::move(surface.originalTriangle);
-        return this->collect(std::move(result), routes);
+        return this->collect(std::move(result), std::move(routes));
       }
       for (Index t : failed)
       {
@@ -354,20 +353,14 @@ private:
     }
   }
 
-  ImprintedSurface collect(ImprintedSurface result, const std::vector<Route>& routes) const
+  ImprintedSurface collect(ImprintedSurface result, std::vector<Route> routes) const
   {
-    for (std::size_t c = 0; c < routes.size(); ++c)
+    Status status = assembleCurves(result.mesh, this->Polylines, routes, result.curves);
+    if (!status.ok())
     {
-      FeatureCurve curve = assembleCurve(result.mesh, this->Polylines[c], routes[c]);
-      if (curve.vertices.size() < 2)
-      {
-        return refuse({ StatusCode::CurveTooShort,
-          curveName(this->Polylines[c], c) +
-            " has fewer than two different points; remove it or draw it again",
-          { static_cast<Index>(c) } });
-      }
-      result.curves.push_back(std::move(curve));
+      return refuse(std::move(status));
     }
+    result.routes = std::move(routes);
     return result;
   }
 
@@ -398,5 +391,19 @@ ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyl
       "the snap distance is " + text(options.snap) + "; give a fraction from 0 to 0.5", {} });
   }
   return Imprinter(mesh, polylines, options, execution).run();
+}
+
+void describeCurves(ImprintedSurface& imprinted, const std::vector<Polyline>& polylines)
+{
+  imprinted.curves.clear();
+  Status status = checkPolylines(polylines);
+  if (status.ok())
+  {
+    status = assembleCurves(imprinted.mesh, polylines, imprinted.routes, imprinted.curves);
+  }
+  if (!status.ok())
+  {
+    imprinted = refuse(std::move(status));
+  }
 }
 }

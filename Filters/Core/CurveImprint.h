@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CurveRoute.h"
 #include "Execution.h"
 #include "FeatureCurve.h"
 #include "TriangleMesh.h"
@@ -32,6 +33,7 @@ struct ImprintedSurface
 {
   TriangleMesh mesh;
   std::vector<FeatureCurve> curves;
+  std::vector<Route> routes; ///< by curve
   /// Per vertex; the first ones are the vertices of the mesh before, unchanged.
   std::vector<VertexSource> vertexSource;
   /// Per triangle the triangle before that it is a part of.
@@ -59,4 +61,8 @@ struct ImprintedSurface
 /// triangles too thin to split); Cancelled.
 ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
   const ImprintOptions& options, const Execution& execution = {});
+
+/// The curves anew where at most names, types, shapes and tolerances of the polylines are others
+/// than those that were imprinted. The result is the same as that of imprintCurves().
+void describeCurves(ImprintedSurface& imprinted, const std::vector<Polyline>& polylines);
 }

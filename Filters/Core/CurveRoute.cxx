@@ -5,6 +5,40 @@
 
 namespace flattening
 {
+namespace
+{
+Status checkPolyline(const Polyline& polyline, std::size_t id)
+{
+  Indices bad;
+  for (std::size_t i = 0; i < polyline.points.size(); ++i)
+  {
+    // Eigen's allFinite() raises a floating-point exception.
+    const Point3& p = polyline.points[i];
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    {
+      bad.push_back(pointId(polyline, i));
+    }
+  }
+  if (!bad.empty())
+  {
+    return { StatusCode::NonFinitePoint,
+      curveName(polyline, id) + ": points " + listIds(bad) +
+        " have a coordinate that is not a finite number; mend or remove them",
+      bad };
+  }
+  if (polyline.keyShape == KeyShape::Planar &&
+    polyline.planarShape.size() != polyline.points.size())
+  {
+    return { StatusCode::InvalidCurve,
+      curveName(polyline, id) + " has " + std::to_string(polyline.points.size()) +
+        " points, its planar shape " + std::to_string(polyline.planarShape.size()) +
+        "; give one planar point for each point",
+      { static_cast<Index>(id) } };
+  }
+  return {};
+}
+}
+
 FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, const Route& route)
 {
   FeatureCurve curve;
@@ -52,33 +86,33 @@ FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, c
   return curve;
 }
 
-Status checkPolyline(const Polyline& polyline, std::size_t id)
+Status assembleCurves(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
+  const std::vector<Route>& routes, std::vector<FeatureCurve>& curves)
 {
-  Indices bad;
-  for (std::size_t i = 0; i < polyline.points.size(); ++i)
+  for (std::size_t c = 0; c < routes.size(); ++c)
   {
-    // Eigen's allFinite() raises a floating-point exception.
-    const Point3& p = polyline.points[i];
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    FeatureCurve curve = assembleCurve(mesh, polylines[c], routes[c]);
+    if (curve.vertices.size() < 2)
     {
-      bad.push_back(pointId(polyline, i));
+      return { StatusCode::CurveTooShort,
+        curveName(polylines[c], c) +
+          " has fewer than two different points; remove it or draw it again",
+        { static_cast<Index>(c) } };
     }
+    curves.push_back(std::move(curve));
   }
-  if (!bad.empty())
+  return {};
+}
+
+Status checkPolylines(const std::vector<Polyline>& polylines)
+{
+  for (std::size_t c = 0; c < polylines.size(); ++c)
   {
-    return { StatusCode::NonFinitePoint,
-      curveName(polyline, id) + ": points " + listIds(bad) +
-        " have a coordinate that is not a finite number; mend or remove them",
-      bad };
-  }
-  if (polyline.keyShape == KeyShape::Planar &&
-    polyline.planarShape.size() != polyline.points.size())
-  {
-    return { StatusCode::InvalidCurve,
-      curveName(polyline, id) + " has " + std::to_string(polyline.points.size()) +
-        " points, its planar shape " + std::to_string(polyline.planarShape.size()) +
-        "; give one planar point for each point",
-      { static_cast<Index>(id) } };
+    Status status = checkPolyline(polylines[c], c);
+    if (!status.ok())
+    {
+      return status;
+    }
   }
   return {};
 }

@@ -19,9 +19,12 @@ struct Route
 /// Puts the stretches of a polyline together and gives each vertex its planar point. The mesh is
 /// the one that the route's vertices are of. No vertices where the route has no start.
 FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, const Route& route);
+/// One curve a polyline. Errors: CurveTooShort.
+Status assembleCurves(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
+  const std::vector<Route>& routes, std::vector<FeatureCurve>& curves);
 
-/// Finite points, and a planar point for each where the key shape wants them.
-Status checkPolyline(const Polyline& polyline, std::size_t id);
+/// Finite points, and a planar point for each where the key shape wants them. The first defect.
+Status checkPolylines(const std::vector<Polyline>& polylines);
 /// How messages call a polyline: by its name, or by its number.
 std::string curveName(const Polyline& polyline, std::size_t id);
 /// Id of a point in the caller's data.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedSurface.h"
 
+#include "SameBits.h"
+
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 namespace flattening
 {
@@ -32,6 +36,32 @@ bool concernsTriangles(StatusCode code)
 {
   return code == StatusCode::ClosedSurface || code == StatusCode::Handle ||
     code == StatusCode::FlippedTriangles || code == StatusCode::Overlap;
+}
+
+/// Loads the surface of the data unless it has been.
+void loadSurfaceAnew(CoincidentPoints coincident, CurvedSurface& source)
+{
+  const vtkMTimeType time = source.data->GetMTime();
+  if (source.surfaceTime == time && source.coincident == coincident)
+  {
+    return;
+  }
+  source.imprintedBy.reset();
+  source.surface = loadSurface(source.data, coincident);
+  source.surfaceTime = source.surface.outcome.ok() ? time : 0;
+  source.coincident = coincident;
+}
+
+bool sameOptions(const ImprintOptions& a, const ImprintOptions& b)
+{
+  return a.split == b.split && a.tolerance == b.tolerance && a.snap == b.snap;
+}
+
+/// Whether polylines run through the same points.
+bool samePlaces(const std::vector<Polyline>& a, const std::vector<Polyline>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const Polyline& p, const Polyline& q) { return sameBits(p.points, q.points); });
 }
 }
 
@@ -94,46 +124,46 @@ Outcome CurvedSurface::outcomeOfStage(const Status& status) const
   return { status.code, status.message, {} };
 }
 
-CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
+void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
   CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
-  KeptRun* kept)
+  CurvedSurface& source)
 {
-  CurvedSurface result;
-  result.data = surface;
-  const vtkMTimeType time = surface->GetMTime();
-  if (kept && kept->surfaceTime == time && kept->coincident == coincident)
+  source.data = surface;
+  loadSurfaceAnew(coincident, source);
+  source.outcome = source.surface.outcome;
+  if (!source.outcome.ok())
   {
-    result.surface = kept->surface;
+    return;
   }
-  else
-  {
-    result.surface = loadSurface(surface, coincident);
-    if (kept)
-    {
-      kept->surfaceTime = result.surface.outcome.ok() ? time : 0;
-      kept->coincident = coincident;
-      kept->surface = result.surface;
-    }
-  }
-  result.outcome = result.surface.outcome;
-  if (!result.outcome.ok())
-  {
-    return result;
-  }
-  bool sound = readCurves(surface, result.curves);
+  CurveInput read;
+  bool sound = readCurves(surface, read);
   for (vtkPolyData* data : curves)
   {
-    sound = sound && readCurves(data, result.curves);
+    sound = sound && readCurves(data, read);
   }
   if (!sound)
   {
-    result.outcome = result.curves.outcome;
-    return result;
+    source.outcome = std::move(read.outcome);
+    return;
   }
-  result.imprinted =
-    imprintCurves(result.surface.prepared.mesh, result.curves.polylines, options, execution);
-  result.outcome = outcomeOfImprint(result.imprinted.status, result.curves, result.surface.input);
-  return result;
+  const bool imprinted = source.imprintedBy && sameOptions(*source.imprintedBy, options) &&
+    samePlaces(source.curves.polylines, read.polylines);
+  source.curves = std::move(read);
+  if (imprinted)
+  {
+    describeCurves(source.imprinted, source.curves.polylines);
+  }
+  else
+  {
+    source.imprinted =
+      imprintCurves(source.surface.prepared.mesh, source.curves.polylines, options, execution);
+  }
+  source.imprintedBy.reset();
+  if (source.imprinted.status.ok())
+  {
+    source.imprintedBy = options;
+  }
+  source.outcome = outcomeOfImprint(source.imprinted.status, source.curves, source.surface.input);
 }
 }
 }

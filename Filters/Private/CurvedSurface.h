@@ -3,11 +3,12 @@
 
 #include "CurveImprint.h"
 #include "CurveInput.h"
-#include "KeptRun.h"
 #include "SurfaceCut.h"
 #include "SurfaceInput.h"
 
-#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <optional>
 
 namespace flattening
 {
@@ -26,11 +27,17 @@ namespace bridge
 /// cutSurface(); after it curves (IncompatibleKeys), triangles, or nothing that the caller knows.
 struct CurvedSurface
 {
-  vtkSmartPointer<vtkPolyData> data;
+  vtkPolyData* data = nullptr; ///< the input, of this run only
   LoadedSurface surface;
   CurveInput curves;
   ImprintedSurface imprinted;
   Outcome outcome;
+
+  /// Of the data that `surface` was loaded from; times are unique among all objects. 0: none.
+  vtkMTimeType surfaceTime = 0;
+  CoincidentPoints coincident = CoincidentPoints::Automatic;
+  /// How `curves` were imprinted on `surface`; none where they have not been.
+  std::optional<ImprintOptions> imprintedBy;
 
   /// Cell of the input that a triangle of the imprinted (or cut) surface is a part of.
   vtkIdType cellOf(Index triangle) const;
@@ -46,9 +53,11 @@ struct CurvedSurface
   Outcome outcomeOfStage(const Status& status) const;
 };
 
-/// \param kept where to find the surface if it has been loaded before, and to leave it; may be null.
-CurvedSurface loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
+/// Loads the surface with its curves. What the source holds of a run before is taken over where it
+/// is made from the same: the surface and, where the points of the curves are the same, the
+/// imprint.
+void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
   CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
-  KeptRun* kept = nullptr);
+  CurvedSurface& source);
 }
 }

@@ -288,6 +288,19 @@ inline bool isEmpty(vtkPolyData* data)
 {
   return data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
 }
+/// Equal to the last bit.
+inline void samePoints(Checks& check, vtkPolyData* a, vtkPolyData* b, const std::string& what)
+{
+  check.equal(a->GetNumberOfPoints(), b->GetNumberOfPoints(), what + ": points");
+  for (vtkIdType p = 0; p < std::min(a->GetNumberOfPoints(), b->GetNumberOfPoints()); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      check.equal(a->GetPoints()->GetData()->GetComponent(p, k),
+        b->GetPoints()->GetData()->GetComponent(p, k), what + ": coordinate");
+    }
+  }
+}
 }
 
 #endif
