@@ -9,7 +9,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 namespace flattening
 {
@@ -23,15 +26,19 @@ vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataTypeToDouble();
   result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
+  auto* out = static_cast<double*>(result->GetVoidPointer(0));
+  for (const auto& p : points)
   {
-    const auto& p = points[i];
-    double z = 0.0;
+    *out++ = p[0];
+    *out++ = p[1];
     if constexpr (Points::value_type::RowsAtCompileTime == 3)
     {
-      z = p[2];
+      *out++ = p[2];
     }
-    result->SetPoint(static_cast<vtkIdType>(i), p[0], p[1], z);
+    else
+    {
+      *out++ = 0.0;
+    }
   }
   return result;
 }
@@ -45,7 +52,8 @@ void copyPointData(const CurvedSurface& source, const Indices& originalVertex, v
   to->InterpolateAllocate(from, count);
   vtkNew<vtkIdList> sourcePoints;
   double weights[3];
-  for (Index v = 0; v < count; ++v)
+  const bool any = from->GetNumberOfArrays() > 0;
+  for (Index v = 0; any && v < count; ++v)
   {
     const Index vertex = originalVertex[v];
     const vtkIdType point = source.pointOf(vertex);
@@ -81,13 +89,22 @@ vtkSmartPointer<vtkPoints> makePoints(const Points2& points)
 
 vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
 {
-  auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->AllocateExact(
-    static_cast<vtkIdType>(triangles.size()), 3 * static_cast<vtkIdType>(triangles.size()));
+  const vtkIdType count = static_cast<vtkIdType>(triangles.size());
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType t = 0; t <= count; ++t)
+  {
+    offsets->SetValue(t, 3 * t);
+  }
+  vtkNew<vtkTypeInt64Array> corners;
+  corners->SetNumberOfValues(3 * count);
+  vtkTypeInt64* out = corners->GetPointer(0);
   for (const Triangle& t : triangles)
   {
-    result->InsertNextCell({ t[0], t[1], t[2] });
+    out = std::copy(t.begin(), t.end(), out);
   }
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->SetData(offsets, corners);
   return result;
 }
 
@@ -97,7 +114,8 @@ void copyCellData(
   vtkCellData* cells = output->GetCellData();
   cells->CopyGlobalIdsOff(); // a triangle can be one of several of its cell
   cells->CopyAllocate(input->GetCellData(), static_cast<vtkIdType>(cellOfTriangle.size()));
-  for (std::size_t t = 0; t < cellOfTriangle.size(); ++t)
+  const bool any = input->GetCellData()->GetNumberOfArrays() > 0;
+  for (std::size_t t = 0; any && t < cellOfTriangle.size(); ++t)
   {
     cells->CopyData(input->GetCellData(), cellOfTriangle[t], static_cast<vtkIdType>(t));
   }
@@ -112,6 +130,7 @@ void writeSurface(const CurvedSurface& source, const Triangles& triangles,
   output->SetPolys(makeTriangles(triangles));
   copyPointData(source, originalVertex, output);
   std::vector<vtkIdType> cellOfTriangle;
+  cellOfTriangle.reserve(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     cellOfTriangle.push_back(source.cellOf(static_cast<Index>(t)));
