@@ -50,4 +50,46 @@ Indices pairSides(const std::vector<EdgeSide>& sides)
   }
   return partner;
 }
+
+Indices pairOrientedSides(const Triangles& triangles, std::size_t vertexCount)
+{
+  // Sides that leave or reach a vertex from one with a greater id, as a list a vertex.
+  constexpr int longestList = 64;
+  const Index count = 3 * static_cast<Index>(triangles.size());
+  Indices first(vertexCount, none);
+  Indices following(count, none);
+  Indices high(count, none);
+  Indices partner(count, none);
+  for (Index h = 0; h < count; ++h)
+  {
+    const Triangle& corner = triangles[h / 3];
+    const Index from = corner[h % 3];
+    const Index to = corner[(h + 1) % 3];
+    const Index low = std::min(from, to);
+    high[h] = std::max(from, to);
+    Index other = first[low];
+    for (int steps = 0; other != none && high[other] != high[h]; other = following[other])
+    {
+      if (++steps > longestList)
+      {
+        return {};
+      }
+    }
+    if (other == none)
+    {
+      following[h] = first[low];
+      first[low] = h;
+      continue;
+    }
+    const Triangle& opposite = triangles[other / 3];
+    if (partner[other] != none || opposite[other % 3] == from ||
+      opposite[(other + 2) % 3] == corner[(h + 2) % 3])
+    {
+      return {};
+    }
+    partner[h] = other;
+    partner[other] = h;
+  }
+  return partner;
+}
 }

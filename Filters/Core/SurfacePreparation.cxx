@@ -68,6 +68,14 @@ bool isDegenerate(const Points3& points, const Triangle& t)
   const Point3& a = points[t[0]];
   const Point3& b = points[t[1]];
   const Point3& c = points[t[2]];
+  const double longestSquare =
+    std::max({ (b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm() });
+  const double crossSquare = (b - a).cross(c - a).squaredNorm();
+  // Most triangles are far from it, and from where squares underflow.
+  if (longestSquare > 1e-100 && crossSquare > 1e-20 * longestSquare * longestSquare)
+  {
+    return false;
+  }
   // Scaled by the largest difference, so that no product over- or underflows.
   const double size = std::max({ (b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff(),
     (c - b).cwiseAbs().maxCoeff() });
@@ -204,6 +212,50 @@ Indices findBowTies(const TriangleMesh& mesh)
   return bowTies;
 }
 
+/// Pairs the half-edges of any triangles and turns over those that run the wrong way. \param
+/// partner of each half-edge, before that. Errors: NonManifoldEdge, NotOrientable.
+Status mendOrientation(PreparedSurface& result, Triangles& cells, Indices& partner)
+{
+  const std::vector<EdgeSide> sides = sortedSides(cells, result.originalPoint.size());
+  Indices bad = findDoubled(cells, sides);
+  if (!bad.empty())
+  {
+    return { StatusCode::NonManifoldEdge,
+      "triangles " + listIds(bad) +
+        " have the same three corners as another; remove the doubles, or give the two sides of a "
+        "thin surface corners of their own",
+      bad };
+  }
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i)
+  {
+    if (sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high)
+    {
+      for (std::size_t k = i;
+           k < sides.size() && sides[k].low == sides[i].low && sides[k].high == sides[i].high; ++k)
+      {
+        bad.push_back(sides[k].halfedge / 3);
+      }
+      return { StatusCode::NonManifoldEdge,
+        "the edge between points " + std::to_string(result.originalPoint[sides[i].low]) + " and " +
+          std::to_string(result.originalPoint[sides[i].high]) + " belongs to triangles " +
+          listIds(bad) +
+          "; an edge can join two at most: remove doubled triangles, or give the "
+          "sheets as surfaces of their own",
+        bad };
+    }
+  }
+  partner = pairSides(sides);
+  const Indices oneSided = orient(cells, partner, result.reversedTriangles);
+  if (!oneSided.empty())
+  {
+    return { StatusCode::NotOrientable,
+      "the surface is one-sided (a Moebius band): triangles " + listIds(oneSided) +
+        " cannot be oriented alike; cut the band open",
+      oneSided };
+  }
+  return {};
+}
+
 /// Hardly any two triangles share a point, so that they hang together by coordinates only.
 bool isSoup(std::size_t usedPoints, std::size_t triangles)
 {
@@ -260,6 +312,8 @@ PreparedSurface prepareSurface(
 
   Points3 candidates;
   Indices candidateIds;
+  candidates.reserve(points.size());
+  candidateIds.reserve(points.size());
   for (Index p = 0; p < pointCount; ++p)
   {
     if (used[p])
@@ -276,6 +330,8 @@ PreparedSurface prepareSurface(
   const Indices coincident = findCoincident(candidates, coincidentPoints);
   result.vertexOfPoint.assign(points.size(), none);
   Points3 joined;
+  joined.reserve(candidates.size());
+  result.originalPoint.reserve(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     if (coincident[i] == static_cast<Index>(i))
@@ -312,42 +368,14 @@ PreparedSurface prepareSurface(
       bad);
   }
 
-  const std::vector<EdgeSide> sides = sortedSides(cells, joined.size());
-  bad = findDoubled(cells, sides);
-  if (!bad.empty())
+  Indices partner = pairOrientedSides(cells, joined.size());
+  if (partner.empty())
   {
-    return refuse(StatusCode::NonManifoldEdge,
-      "triangles " + listIds(bad) +
-        " have the same three corners as another; remove the doubles, or give the two sides of a "
-        "thin surface corners of their own",
-      bad);
-  }
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i)
-  {
-    if (sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high)
+    Status status = mendOrientation(result, cells, partner);
+    if (!status.ok())
     {
-      for (std::size_t k = i;
-           k < sides.size() && sides[k].low == sides[i].low && sides[k].high == sides[i].high; ++k)
-      {
-        bad.push_back(sides[k].halfedge / 3);
-      }
-      return refuse(StatusCode::NonManifoldEdge,
-        "the edge between points " + std::to_string(result.originalPoint[sides[i].low]) + " and " +
-          std::to_string(result.originalPoint[sides[i].high]) + " belongs to triangles " +
-          listIds(bad) +
-          "; an edge can join two at most: remove doubled triangles, or give the "
-          "sheets as surfaces of their own",
-        bad);
+      return refuse(status.code, std::move(status.message), std::move(status.ids));
     }
-  }
-  Indices partner = pairSides(sides);
-  const Indices oneSided = orient(cells, partner, result.reversedTriangles);
-  if (!oneSided.empty())
-  {
-    return refuse(StatusCode::NotOrientable,
-      "the surface is one-sided (a Moebius band): triangles " + listIds(oneSided) +
-        " cannot be oriented alike; cut the band open",
-      oneSided);
   }
   // Half-edges of a triangle that was turned over have new numbers.
   result.mesh = result.reversedTriangles.empty()
