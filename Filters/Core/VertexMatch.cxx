@@ -29,11 +29,17 @@ struct CellHash
 class QueryGrid
 {
 public:
-  QueryGrid(const Eigen::AlignedBox3d& bounds, double radius)
+  QueryGrid(const Eigen::AlignedBox3d& bounds, double radius, std::size_t queryCount)
     : Origin(bounds.min())
     // Balls of one radius touch eight cells at most; the floor keeps cell numbers in range.
     , Size(std::max(2.0 * radius, 1e-9 * bounds.diagonal().norm()))
   {
+    std::size_t places = 1024;
+    while (places < 32 * queryCount)
+    {
+      places *= 2;
+    }
+    this->Occupied.assign(places, 0);
   }
 
   void insert(Index query, const Point3& point, double radius)
@@ -46,7 +52,9 @@ public:
       {
         for (std::int64_t k = low[2]; k <= high[2]; ++k)
         {
-          this->Queries[{ i, j, k }].push_back(query);
+          const Cell cell{ i, j, k };
+          this->Occupied[this->placeOf(cell)] = 1;
+          this->Queries[cell].push_back(query);
         }
       }
     }
@@ -54,7 +62,12 @@ public:
 
   const Indices* near(const Point3& point) const
   {
-    const auto found = this->Queries.find(this->cell(point));
+    const Cell cell = this->cell(point);
+    if (!this->Occupied[this->placeOf(cell)])
+    {
+      return nullptr;
+    }
+    const auto found = this->Queries.find(cell);
     return found == this->Queries.end() ? nullptr : &found->second;
   }
 
@@ -62,13 +75,24 @@ private:
   Cell cell(const Point3& point) const
   {
     const Point3 c = (point - this->Origin) / this->Size;
-    return { static_cast<std::int64_t>(std::floor(c.x())),
-      static_cast<std::int64_t>(std::floor(c.y())), static_cast<std::int64_t>(std::floor(c.z())) };
+    return { roundDown(c.x()), roundDown(c.y()), roundDown(c.z()) };
+  }
+
+  static std::int64_t roundDown(double x)
+  {
+    const auto towardsZero = static_cast<std::int64_t>(x);
+    return x < static_cast<double>(towardsZero) ? towardsZero - 1 : towardsZero;
+  }
+
+  std::size_t placeOf(const Cell& cell) const
+  {
+    return CellHash()(cell) & (this->Occupied.size() - 1);
   }
 
   Point3 Origin;
   double Size;
   std::unordered_map<Cell, Indices, CellHash> Queries;
+  std::vector<char> Occupied; ///< by hash of a cell: most vertices are near no query
 };
 }
 
@@ -87,7 +111,7 @@ std::vector<Indices> matchVertices(const TriangleMesh& mesh, const Points3& quer
   {
     return nearest;
   }
-  QueryGrid grid(bounds, radius);
+  QueryGrid grid(bounds, radius, queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i)
   {
     if (bounds.exteriorDistance(queries[i]) <= radius)
