@@ -167,3 +167,21 @@ TEST(CutClosure, ACutIsClosedOnlyWhereItsBanksCross)
     EXPECT_LE(wire.maximumEdgeError, 1e-12);
   }
 }
+
+TEST(CutClosure, JoinedBanksLeaveNothingInTheCache)
+{
+  const Surface surface = cutCone({ 5.6, 5.6, 6.6, 7.4, 7.8 });
+  FlatteningOptions options;
+  options.scheme = Scheme::Isometric;
+  FlatteningCache cache;
+  for (const bool closeCuts : { false, true, true, false })
+  {
+    options.closeCuts = closeCuts;
+    const FlatteningResult with = flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
+    const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, options, {});
+    EXPECT_EQ(with.positions, without.positions);
+    EXPECT_EQ(with.patchOfTriangle, without.patchOfTriangle);
+    EXPECT_EQ(with.pieces[0].closedEdges, without.pieces[0].closedEdges);
+    EXPECT_EQ(with.pieces[0].closedEdges.empty(), !closeCuts);
+  }
+}
