@@ -18,9 +18,15 @@ std::string lowerCaseExtension(const std::string& path);
 class LineReader
 {
 public:
+  /// \param text may begin with the byte order mark that some editors put before UTF-8.
   explicit LineReader(std::string_view text)
     : Rest(text)
   {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.substr(0, mark.size()) == mark)
+    {
+      this->Rest.remove_prefix(mark.size());
+    }
   }
   /// False at the end. The line has no line break and no carriage return.
   bool next(std::string& line);

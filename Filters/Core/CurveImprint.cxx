@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 
 namespace flattening
 {
@@ -21,13 +19,6 @@ ImprintedSurface refuse(Status status)
   ImprintedSurface result;
   result.status = std::move(status);
   return result;
-}
-
-std::string text(double value)
-{
-  std::ostringstream stream;
-  stream << std::setprecision(4) << value;
-  return stream.str();
 }
 
 double diagonal(const TriangleMesh& mesh)
@@ -224,8 +215,9 @@ private:
       return {};
     }
     return { StatusCode::CurvePointOffSurface,
-      curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + text(farthest) +
-        " off the surface, more than the tolerance of " + text(this->Reach) +
+      curveName(polyline, c) + ": points " + listIds(off) + " lie " +
+        (std::isfinite(farthest) ? "up to " + shortNumber(farthest) : "too far to measure") +
+        " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
         "; project them onto the surface, or raise the tolerance",
       off };
   }
@@ -332,7 +324,8 @@ private:
     const Point3& at = path.points.back().position;
     const std::string between = curveName(polyline, c) + ": between points " +
       std::to_string(ids[0]) + " and " + std::to_string(ids[1]);
-    const std::string place = " (" + text(at.x()) + ", " + text(at.y()) + ", " + text(at.z()) + ")";
+    const std::string place =
+      " (" + shortNumber(at.x()) + ", " + shortNumber(at.y()) + ", " + shortNumber(at.z()) + ")";
     const char* defect = path.atBoundary ? " the curve leaves the surface at"
                                          : " the curve cannot be followed over the surface from";
     return { StatusCode::CurveLeavesSurface,
@@ -382,13 +375,15 @@ ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyl
   if (!(options.tolerance >= 0.0 && options.tolerance <= 1.0))
   {
     return refuse({ StatusCode::InvalidOption,
-      "the imprint tolerance is " + text(options.tolerance) + "; give a fraction from 0 to 1",
+      "the imprint tolerance is " + shortNumber(options.tolerance) +
+        "; give a fraction from 0 to 1",
       {} });
   }
   if (!(options.snap >= 0.0 && options.snap <= 0.5))
   {
     return refuse({ StatusCode::InvalidOption,
-      "the snap distance is " + text(options.snap) + "; give a fraction from 0 to 0.5", {} });
+      "the snap distance is " + shortNumber(options.snap) + "; give a fraction from 0 to 0.5",
+      {} });
   }
   return Imprinter(mesh, polylines, options, execution).run();
 }

@@ -2,7 +2,6 @@
 #include "PiecePromises.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace flattening
 {
@@ -10,10 +9,8 @@ namespace
 {
 Status lengthError(double error)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", error);
   return { StatusCode::LengthError,
-    std::string("a wire edge misses its length by the fraction ") + text +
+    "a wire edge misses its length by the fraction " + shortNumber(error) +
       "; release a feature curve",
     {} };
 }

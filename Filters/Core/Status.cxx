@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Status.h"
 
+#include <cstdio>
+
 #include <algorithm>
 
 namespace flattening
@@ -70,6 +72,13 @@ std::string listIds(const Indices& ids, std::size_t most)
   {
     text += " and " + std::to_string(ids.size() - most) + " more";
   }
+  return text;
+}
+
+std::string shortNumber(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
 }

@@ -59,4 +59,6 @@ struct Status
 
 /// The first few ids as text, "3, 7, 12 and 5 more".
 std::string listIds(const Indices& ids, std::size_t most = 5);
+/// A number for a message, with four digits.
+std::string shortNumber(double value);
 }

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace flattening
@@ -19,13 +18,6 @@ namespace flattening
 namespace
 {
 constexpr std::size_t mostOverlaps = 1000;
-
-std::string shortNumber(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 Status checkOptions(const FlatteningOptions& options)
 {

@@ -60,6 +60,15 @@ class Readers(command.CommandTest):
         self.write("plain.obj", command.obj(self.points, self.triangles))
         self.assertEqual(self.measures("odd.obj"), self.measures("plain.obj"))
 
+    def test_a_byte_order_mark_before_the_text_is_no_part_of_it(self):
+        plain = command.obj(self.points, self.triangles)
+        arc = "accessory arc " + " ".join(map(str, self.arc)) + "\n"
+        self.write("plain.obj", plain)
+        self.write("marked.obj", "\ufeff" + plain)
+        self.write("marked.txt", "\ufeff" + arc)
+        self.assertEqual(
+            self.measures("marked.obj", "marked.txt"), self.measures("plain.obj", "arc.txt"))
+
     def test_lines_of_an_obj_are_feature_curves(self):
         lines = "l " + " ".join(str(v + 1) for v in self.arc) + "\n"
         self.write("lines.obj", command.obj(self.points, self.triangles) + lines)

@@ -210,6 +210,14 @@ TEST(CurveImprint, PointsOffTheSurfaceAreRefusedWithTheirIds)
   EXPECT_EQ(result.status.ids, (Indices{ 101, 102 }));
 }
 
+TEST(CurveImprint, ThePlaceOfAPointTooFarToMeasureIsNoNumber)
+{
+  const auto result =
+    imprintCurves(grid(4), { polyline({ Point3(0, 0, 0), Point3(1, 1e200, 0) }) }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurvePointOffSurface);
+  EXPECT_EQ(result.status.message.find("inf"), std::string::npos) << result.status.message;
+}
+
 TEST(CurveImprint, ACurveWithoutTwoDifferentPointsIsRefusedWithItsId)
 {
   const Polyline good = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
