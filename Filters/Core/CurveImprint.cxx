@@ -215,10 +215,9 @@ private:
       return {};
     }
     return { StatusCode::CurvePointOffSurface,
-      curveName(polyline, c) + ": points " + listIds(off) + " lie " +
-        (std::isfinite(farthest) ? "up to " + shortNumber(farthest) : "too far to measure") +
-        " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
-        "; project them onto the surface, or raise the tolerance",
+      curveName(polyline, c) + ": points " + listIds(off) + " lie " + "up to " +
+        shortNumber(farthest) + " off the surface, more than the tolerance of " +
+        shortNumber(this->Reach) + "; project them onto the surface, or raise the tolerance",
       off };
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveRoute.h"
 
+#include "Coordinates.h"
+
 #include <cmath>
 
 namespace flattening
@@ -12,9 +14,7 @@ Status checkPolyline(const Polyline& polyline, std::size_t id)
   Indices bad;
   for (std::size_t i = 0; i < polyline.points.size(); ++i)
   {
-    // Eigen's allFinite() raises a floating-point exception.
-    const Point3& p = polyline.points[i];
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    if (!isUsable(polyline.points[i]))
     {
       bad.push_back(pointId(polyline, i));
     }
@@ -23,7 +23,7 @@ Status checkPolyline(const Polyline& polyline, std::size_t id)
   {
     return { StatusCode::NonFinitePoint,
       curveName(polyline, id) + ": points " + listIds(bad) +
-        " have a coordinate that is not a finite number; mend or remove them",
+        " have a coordinate that is not a finite number, or beyond 1e60; mend or remove them",
       bad };
   }
   if (polyline.keyShape == KeyShape::Planar &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePreparation.h"
 
+#include "Coordinates.h"
 #include "EdgeSides.h"
 
 #include <algorithm>
@@ -14,26 +15,11 @@ namespace
 /// Height over longest edge below which a triangle has no area in double precision.
 constexpr double flatTriangle = 1e-12;
 
-/// Coordinates beyond it, and triangles smaller than one by it, are refused: squares of areas and
-/// what is summed of them would over- or underflow.
-constexpr double largest = 1e60;
-
 PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
 {
   PreparedSurface result;
   result.status = { code, std::move(message), std::move(ids) };
   return result;
-}
-
-/// Raises no floating-point exception, unlike Eigen's allFinite() and a comparison with a NaN.
-bool isUsable(double x)
-{
-  return std::isfinite(x) && std::abs(x) <= largest;
-}
-
-bool isUsable(const Point3& p)
-{
-  return isUsable(p.x()) && isUsable(p.y()) && isUsable(p.z());
 }
 
 /// Per point the first point with the same coordinates; the point itself where they are kept apart.
@@ -79,7 +65,7 @@ bool isDegenerate(const Points3& points, const Triangle& t)
   // Scaled by the largest difference, so that no product over- or underflows.
   const double size = std::max({ (b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff(),
     (c - b).cwiseAbs().maxCoeff() });
-  if (size < 1.0 / largest)
+  if (size < 1.0 / largestCoordinate)
   {
     return true;
   }
