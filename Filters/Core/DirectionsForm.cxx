@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionsForm.h"
 
+#include "ChainOrder.h"
 #include "LinearSolver.h"
 
 #include <algorithm>
@@ -47,22 +48,25 @@ double DirectionsForm::sign(Index side) const
 void DirectionsForm::projectAngles()
 {
   // Least squares: theta = alpha + C' y with C C' y = b - C alpha; C holds the loops and the
-  // interior vertices, two ones a column at the most.
+  // interior vertices, two ones a column
   const WireNetwork& net = *this->Problem->network;
+  // at the most. Vertices go first, so that eliminating them fills in between loops alone.
   const Index loops = net.loopCount();
   Indices vertexRow(net.hostVertices.size(), none);
-  Index rows = loops;
+  Index rows = 0;
   for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
   {
     vertexRow[host] = net.interior[host] ? rows++ : none;
   }
+  const Index loopRow = rows;
+  rows += loops;
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(rows);
   std::vector<Eigen::Triplet<double>> entries;
   for (Index loop = 0; loop < loops; ++loop)
   {
     const Index count = net.loopBegin[loop + 1] - net.loopBegin[loop];
-    missing[loop] = (count - 2) * pi;
-    entries.emplace_back(loop, loop, count);
+    missing[loopRow + loop] = (count - 2) * pi;
+    entries.emplace_back(loopRow + loop, loopRow + loop, count);
   }
   for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
   {
@@ -76,16 +80,16 @@ void DirectionsForm::projectAngles()
   for (Index i = 0; i < net.nodeCount(); ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
-    missing[net.loop[i]] -= net.alpha[i];
+    missing[loopRow + net.loop[i]] -= net.alpha[i];
     if (row != none)
     {
       missing[row] -= net.alpha[i];
-      entries.emplace_back(row, net.loop[i], 1.0);
+      entries.emplace_back(loopRow + net.loop[i], row, 1.0);
     }
   }
   SparseMatrix normal(rows, rows);
   normal.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LinearMethod::LDLT);
+  LinearSolver solver(LinearMethod::OrderedLDLT);
   this->Projected = net.alpha;
   if (!solver.factorize(normal))
   {
@@ -95,7 +99,7 @@ void DirectionsForm::projectAngles()
   for (Index i = 0; i < net.nodeCount() && y.rows() == rows; ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
-    this->Projected[i] += y(net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
+    this->Projected[i] += y(loopRow + net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
   }
 }
 
@@ -179,6 +183,18 @@ void DirectionsForm::formRuns(const std::vector<double>& psi)
   }
   const auto fixed =
     static_cast<Index>(std::max_element(runSize.begin(), runSize.end()) - runSize.begin());
+  // Single edges along wires first, see ChainOrder.
+  const ChainOrder order(net);
+  std::vector<char> late(runSize.size(), 0);
+  for (Index e = 0; e < edges; ++e)
+  {
+    if (runSize[run[e]] > 1 || order.atJunction[e])
+    {
+      late[run[e]] = 1;
+    }
+  }
+  late[fixed] = 1;
+  const Indices rank = markedLast(late);
   this->UnknownOfEdge.assign(edges, none);
   this->Rotations = static_cast<Index>(runSize.size()) - 1;
   for (Index e = 0; e < edges; ++e)
@@ -189,7 +205,7 @@ void DirectionsForm::formRuns(const std::vector<double>& psi)
     }
     else
     {
-      this->UnknownOfEdge[e] = run[e] < fixed ? run[e] : run[e] - 1;
+      this->UnknownOfEdge[e] = rank[run[e]] < rank[fixed] ? rank[run[e]] : rank[run[e]] - 1;
     }
   }
 }

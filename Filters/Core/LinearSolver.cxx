@@ -18,6 +18,8 @@ namespace flattening
 {
 namespace
 {
+using OrderedLDLT = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
 /// The matrix with every diagonal entry stored, zero or not. SuperLU (up to 7.0) writes out of
 /// bounds where elimination leaves a column without any stored entry to choose as pivot; a stored
 /// diagonal rules that out for every matrix, and one that is singular is then told from the values.
@@ -61,7 +63,8 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   }
   Eigen::VectorXd diagonal() const override
   {
-    if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLDLT<SparseMatrix>>)
+    if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLDLT<SparseMatrix>> ||
+      std::is_same_v<Factorization, OrderedLDLT>)
     {
       return this->solver.vectorD();
     }
@@ -151,6 +154,9 @@ LinearSolver::LinearSolver(LinearMethod method)
       break;
     case LinearMethod::LDLT:
       this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLDLT<SparseMatrix>>>();
+      break;
+    case LinearMethod::OrderedLDLT:
+      this->Solver = std::make_unique<Backend::Of<OrderedLDLT>>();
       break;
     case LinearMethod::Cholesky:
       this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLLT<SparseMatrix>>>();

@@ -17,6 +17,7 @@ enum class LinearMethod
   SuperLU,      ///< LU with partial pivoting by the SuperLU library; any square matrix
   SparseLU,     ///< LU with partial pivoting by Eigen; any square matrix
   LDLT,         ///< L D L^T without pivoting; symmetric, quasi-definite or definite
+  OrderedLDLT,  ///< the same in the order of the columns, which the caller has chosen well
   Cholesky,     ///< L L^T; symmetric positive definite
   Multifrontal, ///< LDLT by dense blocks on several threads; for large systems
 };
@@ -75,8 +76,8 @@ private:
 
   bool symmetric() const
   {
-    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::Cholesky ||
-      this->Method == LinearMethod::Multifrontal;
+    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::OrderedLDLT ||
+      this->Method == LinearMethod::Cholesky || this->Method == LinearMethod::Multifrontal;
   }
   Index count(int sign) const;
 };

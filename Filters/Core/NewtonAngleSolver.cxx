@@ -306,7 +306,7 @@ private:
   Eigen::VectorXd Closure;
   SparseMatrix Jacobian;
   SparseMatrix Kkt;
-  LinearSolver Solver{ LinearMethod::LDLT };
+  LinearSolver Solver{ LinearMethod::OrderedLDLT };
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
   double Penalty = 0.0;

@@ -2,6 +2,7 @@
 #include "WireLayout.h"
 
 #include "AngleProblem.h"
+#include "ChainOrder.h"
 #include "LinearSolver.h"
 
 #include <algorithm>
@@ -85,25 +86,26 @@ double largestMiss(const WireNetwork& network, const Points2& positions, const P
 }
 
 /// Positions whose edges come nearest to the vectors in the least squares sense; the first stays.
-void spreadMisses(const WireNetwork& network, const Points2& vectors, Points2& positions)
+void spreadMisses(
+  const WireNetwork& network, const Points2& vectors, const Indices& rankOfHost, Points2& positions)
 {
   const auto count = static_cast<Eigen::Index>(positions.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
-    const Index a = network.hostOfVertex[network.edges[e].from];
-    const Index b = network.hostOfVertex[network.edges[e].to];
+    const Index a = rankOfHost[network.hostOfVertex[network.edges[e].from]];
+    const Index b = rankOfHost[network.hostOfVertex[network.edges[e].to]];
     entries.emplace_back(a, a, 1.0);
     entries.emplace_back(b, b, 1.0);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
     rhs.row(b) += vectors[e].transpose();
     rhs.row(a) -= vectors[e].transpose();
   }
-  entries.emplace_back(0, 0, 1.0);
+  entries.emplace_back(rankOfHost[0], rankOfHost[0], 1.0);
   SparseMatrix laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LinearMethod::Cholesky);
+  LinearSolver solver(LinearMethod::OrderedLDLT);
   if (!solver.factorize(laplacian))
   {
     return;
@@ -111,7 +113,7 @@ void spreadMisses(const WireNetwork& network, const Points2& vectors, Points2& p
   const Eigen::MatrixXd x = solver.solveRefined(laplacian, rhs);
   for (Eigen::Index k = 0; k < count && x.rows() == count; ++k)
   {
-    positions[k] = x.row(k).transpose();
+    positions[k] = x.row(rankOfHost[k]).transpose();
   }
 }
 
@@ -131,9 +133,10 @@ double largestLengthError(
 }
 
 /// One step of Newton's method on all lengths with the least change of the positions. A small block
-/// on the normal matrix serves networks that carry a self-stress.
-bool correctLengths(
-  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
+/// on the normal matrix serves networks that carry a self-stress. \param solver of an earlier step,
+/// whose pattern is the same
+bool correctLengths(const WireNetwork& network, const std::vector<double>& length,
+  const Indices& rankOfEdge, LinearSolver& solver, Points2& positions)
 {
   const auto edges = static_cast<Eigen::Index>(network.edges.size());
   const auto count = static_cast<Eigen::Index>(positions.size());
@@ -149,11 +152,12 @@ bool correctLengths(
     {
       return false;
     }
-    residual[e] = length[e] - l;
+    const Index row = rankOfEdge[e];
+    residual[row] = length[e] - l;
     for (int k = 0; k < 2; ++k)
     {
-      entries.emplace_back(e, 2 * a + k, -d[k] / l);
-      entries.emplace_back(e, 2 * b + k, d[k] / l);
+      entries.emplace_back(row, 2 * a + k, -d[k] / l);
+      entries.emplace_back(row, 2 * b + k, d[k] / l);
     }
   }
   SparseMatrix J(edges, 2 * count);
@@ -164,7 +168,6 @@ bool correctLengths(
   {
     regular.coeffRef(e, e) += 1e-10;
   }
-  LinearSolver solver(LinearMethod::Cholesky);
   if (!solver.factorize(regular))
   {
     return false;
@@ -183,14 +186,15 @@ bool correctLengths(
 }
 
 /// \param positions per host vertex. \return the largest relative error that is left.
-double makeLengthsExact(
-  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
+double makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
+  const Indices& rankOfEdge, Points2& positions)
 {
+  LinearSolver solver(LinearMethod::OrderedLDLT);
   double error = largestLengthError(network, positions, length);
   for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
   {
     Points2 corrected = positions;
-    if (!correctLengths(network, length, corrected))
+    if (!correctLengths(network, length, rankOfEdge, solver, corrected))
     {
       break;
     }
@@ -211,6 +215,7 @@ WireLayout layOutWires(
 {
   WireLayout layout;
   const Points2 vectors = edgeVectors(network, theta, length);
+  const ChainOrder order(network);
   Points2 positions = placeAlongTree(network, vectors);
   double size = 0.0;
   for (double l : length)
@@ -219,9 +224,9 @@ WireLayout layOutWires(
   }
   if (largestMiss(network, positions, vectors) > 1e-14 * size)
   {
-    spreadMisses(network, vectors, positions);
+    spreadMisses(network, vectors, order.rankOfHost, positions);
   }
-  const double error = makeLengthsExact(network, length, positions);
+  const double error = makeLengthsExact(network, length, order.rankOfEdge, positions);
   layout.maximumLengthError = error;
   layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
   for (std::size_t k = 0; k < positions.size(); ++k)
@@ -239,7 +244,7 @@ double correctWireLengths(
   {
     hosts[k] = positions[network.hostVertices[k]];
   }
-  const double error = makeLengthsExact(network, length, hosts);
+  const double error = makeLengthsExact(network, length, ChainOrder(network).rankOfEdge, hosts);
   for (std::size_t k = 0; k < hosts.size(); ++k)
   {
     positions[network.hostVertices[k]] = hosts[k];

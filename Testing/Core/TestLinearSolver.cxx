@@ -87,7 +87,7 @@ TEST(LinearSolver, AllMethodsAgreeOnAPositiveDefiniteSystem)
   const SparseMatrix matrix = gridLaplacian(20);
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
   for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
-         LinearMethod::Cholesky, LinearMethod::Multifrontal })
+         LinearMethod::OrderedLDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.analyze(matrix));
@@ -136,7 +136,7 @@ TEST(LinearSolver, OneAnalysisServesManyFactorizations)
   SparseMatrix matrix = gridLaplacian(15);
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
   for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
-         LinearMethod::Cholesky, LinearMethod::Multifrontal })
+         LinearMethod::OrderedLDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.analyze(matrix));
@@ -167,8 +167,8 @@ TEST(LinearSolver, SymmetricMethodsReadTheLowerTriangleOnly)
   const SparseMatrix matrix = gridLaplacian(8);
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (LinearMethod method :
-    { LinearMethod::LDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
+  for (LinearMethod method : { LinearMethod::LDLT, LinearMethod::OrderedLDLT,
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.factorize(lower));
@@ -191,7 +191,7 @@ TEST(LinearSolver, RefusesWhatItCannotFactor)
   SparseMatrix rectangular(4, 5);
   SparseMatrix empty(16, 16);
   for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
-         LinearMethod::Cholesky, LinearMethod::Multifrontal })
+         LinearMethod::OrderedLDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     for (const SparseMatrix* matrix : { &singular, &empty, &notFinite, &rectangular })
     {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "WireNetwork.h"
+
+namespace flattening
+{
+/// Orders of elimination for matrices that couple neighbours along wires. Vertices and edges follow
+/// each other along a wire by their numbers, so that each in turn leaves one neighbour only; what
+/// is at a junction of wires goes last. As good as minimum degree, and found by counting.
+struct ChainOrder
+{
+  explicit ChainOrder(const WireNetwork& network);
+
+  Indices rankOfHost; ///< per entry of hostVertices
+  Indices rankOfEdge;
+  std::vector<char> atJunction; ///< per edge, at one of its ends
+};
+
+/// Ranks of items in their order, those marked behind the others.
+Indices markedLast(const std::vector<char>& marked);
+}
