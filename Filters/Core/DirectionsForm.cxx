@@ -40,9 +40,10 @@ void DirectionsForm::setLengths(const std::vector<double>& length)
   }
 }
 
-double DirectionsForm::sign(Index side) const
+double DirectionsForm::signedLength(Index side) const
 {
-  return this->Problem->network->alongEdge(side) ? 1.0 : -1.0;
+  const WireNetwork& net = *this->Problem->network;
+  return net.alongEdge(side) ? this->Length[net.edge[side]] : -this->Length[net.edge[side]];
 }
 
 void DirectionsForm::projectAngles()
@@ -326,89 +327,10 @@ Eigen::VectorXd DirectionsForm::closure(const Eigen::VectorXd& x, const Points2&
   for (Index side = 0; side < net.nodeCount(); ++side)
   {
     const Index e = net.edge[side];
-    const double l = this->sign(side) * this->Length[e] * this->stretch(e, x);
+    const double l = this->signedLength(side) * this->stretch(e, x);
     c[2 * net.loop[side]] += l * units[e].x();
     c[2 * net.loop[side] + 1] += l * units[e].y();
   }
   return c;
-}
-
-Eigen::SparseMatrix<double> DirectionsForm::jacobian(
-  const Eigen::VectorXd& x, const Points2& units) const
-{
-  const WireNetwork& net = *this->Problem->network;
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(4 * static_cast<std::size_t>(net.nodeCount()));
-  for (Index side = 0; side < net.nodeCount(); ++side)
-  {
-    const Index e = net.edge[side];
-    const double l = this->sign(side) * this->Length[e];
-    const double stretched = l * this->stretch(e, x);
-    const Index row = 2 * net.loop[side];
-    if (this->UnknownOfEdge[e] != none)
-    {
-      entries.emplace_back(row, this->UnknownOfEdge[e], -stretched * units[e].y());
-      entries.emplace_back(row + 1, this->UnknownOfEdge[e], stretched * units[e].x());
-    }
-    if (this->Problem->stretchGroup[e] != none)
-    {
-      const Index column = this->Rotations + this->Problem->stretchGroup[e];
-      entries.emplace_back(row, column, l * units[e].x());
-      entries.emplace_back(row + 1, column, l * units[e].y());
-    }
-  }
-  Eigen::SparseMatrix<double> J(this->constraintCount(), this->unknownCount());
-  J.setFromTriplets(entries.begin(), entries.end());
-  return J;
-}
-
-Eigen::SparseMatrix<double> DirectionsForm::hessian(
-  const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& multipliers) const
-{
-  const WireNetwork& net = *this->Problem->network;
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(4 * static_cast<std::size_t>(net.nodeCount()));
-  for (Index side = 0; side < net.nodeCount(); ++side)
-  {
-    const Index e = net.edge[side];
-    const Index out = this->UnknownOfEdge[e];
-    const Index in = this->UnknownOfEdge[net.edge[net.previous[side]]];
-    const double w = this->Problem->weight[side];
-    if (in != out)
-    {
-      if (in != none)
-      {
-        entries.emplace_back(in, in, w);
-      }
-      if (out != none)
-      {
-        entries.emplace_back(out, out, w);
-      }
-      if (in != none && out != none)
-      {
-        entries.emplace_back(std::max(in, out), std::min(in, out), -w);
-      }
-    }
-    const double l = this->sign(side) * this->Length[e];
-    const double lx = multipliers[2 * net.loop[side]];
-    const double ly = multipliers[2 * net.loop[side] + 1];
-    if (out != none)
-    {
-      entries.emplace_back(
-        out, out, -l * this->stretch(e, x) * (lx * units[e].x() + ly * units[e].y()));
-      if (this->Problem->stretchGroup[e] != none)
-      {
-        entries.emplace_back(this->Rotations + this->Problem->stretchGroup[e], out,
-          l * (ly * units[e].x() - lx * units[e].y()));
-      }
-    }
-  }
-  for (Index g = 0; g < this->groupCount(); ++g)
-  {
-    entries.emplace_back(this->Rotations + g, this->Rotations + g, this->Problem->groups[g].weight);
-  }
-  Eigen::SparseMatrix<double> H(this->unknownCount(), this->unknownCount());
-  H.setFromTriplets(entries.begin(), entries.end());
-  return H;
 }
 }

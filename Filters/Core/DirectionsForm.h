@@ -25,6 +25,17 @@ public:
   Index rotationCount() const { return this->Rotations; }
   Index groupCount() const { return static_cast<Index>(this->Problem->groups.size()); }
   Index constraintCount() const { return 2 * this->Problem->network->loopCount(); }
+  const AngleProblem& problem() const { return *this->Problem; }
+  /// The unknown rotation of an edge; none where it stays fixed.
+  Index rotation(Index edge) const { return this->UnknownOfEdge[edge]; }
+  /// Length of a side in units, negative where it runs back along its edge.
+  double signedLength(Index side) const;
+  /// Factor 1 + h of an edge's length.
+  double stretch(Index edge, const Eigen::VectorXd& x) const
+  {
+    const Index group = this->Problem->stretchGroup[edge];
+    return group == none ? 1.0 : 1.0 + x[this->Rotations + group];
+  }
   /// Unit of length of the constraints.
   double unit() const { return this->Unit; }
   /// Nodes where locked angles contradict each other around a loop or a vertex; empty where they
@@ -44,13 +55,9 @@ public:
 
   double objective(const Eigen::VectorXd& x) const;
   Eigen::VectorXd gradient(const Eigen::VectorXd& x) const;
-  /// Cosine and sine of each wire edge's direction, which the following take where they are known.
+  /// Cosine and sine of each wire edge's direction.
   Points2 unitVectors(const Eigen::VectorXd& x) const;
   Eigen::VectorXd closure(const Eigen::VectorXd& x, const Points2& units) const;
-  Eigen::SparseMatrix<double> jacobian(const Eigen::VectorXd& x, const Points2& units) const;
-  /// Lower triangle of the Hessian of objective + multipliers . closure.
-  Eigen::SparseMatrix<double> hessian(
-    const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& multipliers) const;
   Eigen::VectorXd closure(const Eigen::VectorXd& x) const
   {
     return this->closure(x, this->unitVectors(x));
@@ -68,13 +75,6 @@ private:
     const Index unknown = this->UnknownOfEdge[edge];
     return this->Offset[edge] + (unknown == none ? 0.0 : x[unknown]);
   }
-  double stretch(Index edge, const Eigen::VectorXd& x) const
-  {
-    const Index group = this->Problem->stretchGroup[edge];
-    return group == none ? 1.0 : 1.0 + x[this->Rotations + group];
-  }
-  /// +1 where the side runs along its edge, -1 where it runs back.
-  double sign(Index side) const;
 
   const AngleProblem* Problem;
   std::vector<double> Projected;

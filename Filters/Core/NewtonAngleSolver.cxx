@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NewtonAngleSolver.h"
 
+#include "DirectionsKkt.h"
 #include "LinearSolver.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ public:
     , Unknowns(form.unknownCount())
     , Constraints(form.constraintCount())
     , Held(form.groupCount(), 0)
+    , Kkt(form)
   {
     if (this->State.multipliers.size() != this->Constraints)
     {
@@ -80,13 +82,18 @@ private:
     this->Gradient = this->Form.gradient(this->State.x);
     this->Units = this->Form.unitVectors(this->State.x);
     this->Closure = this->Form.closure(this->State.x, this->Units);
-    this->Jacobian = this->Form.jacobian(this->State.x, this->Units);
+  }
+
+  Eigen::VectorXd lagrangianGradient() const
+  {
+    return this->Gradient +
+      this->Kkt.transposedJacobianTimes(this->State.x, this->Units, this->State.multipliers);
   }
 
   /// Largest entry of the gradient of the Lagrangian over the unknowns that are free to move.
   double optimality() const
   {
-    Eigen::VectorXd g = this->Gradient + this->Jacobian.transpose() * this->State.multipliers;
+    Eigen::VectorXd g = this->lagrangianGradient();
     for (std::size_t k = 0; k < this->Held.size(); ++k)
     {
       if (this->Held[k])
@@ -100,7 +107,7 @@ private:
   /// Frees stretches that sit on a bound but pull inwards; true where there was one.
   bool releaseHeld()
   {
-    const Eigen::VectorXd g = this->Gradient + this->Jacobian.transpose() * this->State.multipliers;
+    const Eigen::VectorXd g = this->lagrangianGradient();
     bool released = false;
     for (std::size_t k = 0; k < this->Held.size(); ++k)
     {
@@ -114,50 +121,10 @@ private:
     return released;
   }
 
-  /// Held stretches are taken out by zeros, so that the pattern stays the one that was analyzed.
-  SparseMatrix kktMatrix(double tau) const
-  {
-    const SparseMatrix H = this->Form.hessian(this->State.x, this->Units, this->State.multipliers);
-    auto held = [this](Eigen::Index i) {
-      return i >= this->Form.rotationCount() && this->Held[i - this->Form.rotationCount()];
-    };
-    // Column by column: the Hessian's rows from the diagonal down, then the Jacobian's.
-    const Index size = this->Unknowns + this->Constraints;
-    SparseMatrix kkt(size, size);
-    kkt.reserve(H.nonZeros() + this->Jacobian.nonZeros() + size);
-    for (Index c = 0; c < this->Unknowns; ++c)
-    {
-      kkt.startVec(c);
-      SparseMatrix::InnerIterator it(H, c);
-      const bool diagonal = it && it.row() == c;
-      kkt.insertBack(c, c) = held(c) ? 1.0 : tau + (diagonal ? it.value() : 0.0);
-      if (diagonal)
-      {
-        ++it;
-      }
-      for (; it; ++it)
-      {
-        kkt.insertBack(it.row(), c) = held(it.row()) || held(c) ? 0.0 : it.value();
-      }
-      for (SparseMatrix::InnerIterator row(this->Jacobian, c); row; ++row)
-      {
-        kkt.insertBack(this->Unknowns + row.row(), c) = held(c) ? 0.0 : row.value();
-      }
-    }
-    for (Index r = this->Unknowns; r < size; ++r)
-    {
-      kkt.startVec(r);
-      kkt.insertBack(r, r) = -regularization;
-    }
-    kkt.finalize();
-    return kkt;
-  }
-
   /// Residual of the true KKT system (without the -delta block) for a solution of it.
-  Eigen::VectorXd kktResidual(
-    const SparseMatrix& kkt, const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) const
+  Eigen::VectorXd kktResidual(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) const
   {
-    Eigen::VectorXd r = rhs - kkt.selfadjointView<Eigen::Lower>() * x;
+    Eigen::VectorXd r = rhs - this->Kkt.matrix().selfadjointView<Eigen::Lower>() * x;
     r.tail(this->Constraints) -= regularization * x.tail(this->Constraints);
     return r;
   }
@@ -167,7 +134,7 @@ private:
     Eigen::VectorXd x = this->Solver.solve(rhs);
     for (int refinement = 0; refinement < 2 && x.size() == rhs.size(); ++refinement)
     {
-      const Eigen::MatrixXd change = this->Solver.solve(this->kktResidual(this->Kkt, x, rhs));
+      const Eigen::MatrixXd change = this->Solver.solve(this->kktResidual(x, rhs));
       if (change.rows() != x.size())
       {
         break;
@@ -181,16 +148,18 @@ private:
   /// space.
   bool factorize()
   {
+    this->Kkt.fill(this->State.x, this->Units, this->State.multipliers, this->Held, regularization);
     double tau = 0.0;
     for (int attempt = 0; attempt < 40; ++attempt)
     {
-      this->Kkt = this->kktMatrix(tau);
-      if (this->Solver.factorize(this->Kkt) && this->Solver.positive() == this->Unknowns)
+      if (this->Solver.factorize(this->Kkt.matrix()) && this->Solver.positive() == this->Unknowns)
       {
         this->LastTau = tau;
         return true;
       }
-      tau = tau > 0.0 ? 4.0 * tau : std::max(1e-4, this->LastTau / 4.0);
+      const double larger = tau > 0.0 ? 4.0 * tau : std::max(1e-4, this->LastTau / 4.0);
+      this->Kkt.shift(larger - tau);
+      tau = larger;
     }
     return false;
   }
@@ -300,12 +269,11 @@ private:
   Index Unknowns;
   Index Constraints;
   std::vector<char> Held; ///< stretches that sit on their bound
+  DirectionsKkt Kkt;
   double Objective = 0.0;
   Points2 Units; ///< directions of the wire edges
   Eigen::VectorXd Gradient;
   Eigen::VectorXd Closure;
-  SparseMatrix Jacobian;
-  SparseMatrix Kkt;
   LinearSolver Solver{ LinearMethod::OrderedLDLT };
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;

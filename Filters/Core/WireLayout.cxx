@@ -132,69 +132,108 @@ double largestLengthError(
   return worst;
 }
 
-/// One step of Newton's method on all lengths with the least change of the positions. A small block
-/// on the normal matrix serves networks that carry a self-stress. \param solver of an earlier step,
-/// whose pattern is the same
-bool correctLengths(const WireNetwork& network, const std::vector<double>& length,
-  const Indices& rankOfEdge, LinearSolver& solver, Points2& positions)
+/// Newton's method on all lengths with the least change of the positions. A small block on the
+/// normal matrix serves networks that carry a self-stress.
+class LengthCorrection
 {
-  const auto edges = static_cast<Eigen::Index>(network.edges.size());
-  const auto count = static_cast<Eigen::Index>(positions.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd residual(edges);
-  for (Eigen::Index e = 0; e < edges; ++e)
+public:
+  LengthCorrection(
+    const WireNetwork& network, const std::vector<double>& length, const Indices& rankOfEdge)
+    : Network(network)
+    , Length(length)
+    , RankOfEdge(rankOfEdge)
   {
-    const Index a = network.hostOfVertex[network.edges[e].from];
-    const Index b = network.hostOfVertex[network.edges[e].to];
-    const Point2 d = positions[b] - positions[a];
-    const double l = d.norm();
-    if (!(l > 0.0))
+  }
+
+  /// Takes the derivatives at positions, which then serve for steps from all places nearby.
+  bool linearize(const Points2& positions)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * this->Length.size());
+    for (std::size_t e = 0; e < this->Length.size(); ++e)
+    {
+      const auto [a, b] = this->ends(e);
+      const Point2 d = positions[b] - positions[a];
+      const double l = d.norm();
+      if (!(l > 0.0))
+      {
+        return false;
+      }
+      for (int k = 0; k < 2; ++k)
+      {
+        entries.emplace_back(this->RankOfEdge[e], 2 * a + k, -d[k] / l);
+        entries.emplace_back(this->RankOfEdge[e], 2 * b + k, d[k] / l);
+      }
+    }
+    const auto edges = static_cast<Eigen::Index>(this->Length.size());
+    this->Jacobian.resize(edges, 2 * static_cast<Eigen::Index>(positions.size()));
+    this->Jacobian.setFromTriplets(entries.begin(), entries.end());
+    this->Normal = this->Jacobian * this->Jacobian.transpose();
+    SparseMatrix regular = this->Normal;
+    for (Eigen::Index e = 0; e < edges; ++e)
+    {
+      regular.coeffRef(e, e) += 1e-10;
+    }
+    return this->Solver.factorize(regular);
+  }
+
+  bool step(Points2& positions) const
+  {
+    Eigen::VectorXd residual(static_cast<Eigen::Index>(this->Length.size()));
+    for (std::size_t e = 0; e < this->Length.size(); ++e)
+    {
+      const auto [a, b] = this->ends(e);
+      residual[this->RankOfEdge[e]] = this->Length[e] - (positions[b] - positions[a]).norm();
+    }
+    const Eigen::MatrixXd y = this->Solver.solveRefined(this->Normal, residual);
+    if (y.rows() != residual.size())
     {
       return false;
     }
-    const Index row = rankOfEdge[e];
-    residual[row] = length[e] - l;
-    for (int k = 0; k < 2; ++k)
+    const Eigen::VectorXd change = this->Jacobian.transpose() * y.col(0);
+    for (std::size_t k = 0; k < positions.size(); ++k)
     {
-      entries.emplace_back(row, 2 * a + k, -d[k] / l);
-      entries.emplace_back(row, 2 * b + k, d[k] / l);
+      positions[k] += change.segment<2>(2 * static_cast<Eigen::Index>(k));
     }
+    return true;
   }
-  SparseMatrix J(edges, 2 * count);
-  J.setFromTriplets(entries.begin(), entries.end());
-  SparseMatrix normal = J * J.transpose();
-  SparseMatrix regular = normal;
-  for (Eigen::Index e = 0; e < edges; ++e)
+
+private:
+  std::array<Index, 2> ends(std::size_t e) const
   {
-    regular.coeffRef(e, e) += 1e-10;
+    return { this->Network.hostOfVertex[this->Network.edges[e].from],
+      this->Network.hostOfVertex[this->Network.edges[e].to] };
   }
-  if (!solver.factorize(regular))
-  {
-    return false;
-  }
-  const Eigen::MatrixXd y = solver.solveRefined(normal, residual);
-  if (y.rows() != edges)
-  {
-    return false;
-  }
-  const Eigen::VectorXd change = J.transpose() * y.col(0);
-  for (Eigen::Index k = 0; k < count; ++k)
-  {
-    positions[k] += change.segment<2>(2 * k);
-  }
-  return true;
-}
+
+  const WireNetwork& Network;
+  const std::vector<double>& Length;
+  const Indices& RankOfEdge;
+  SparseMatrix Jacobian;
+  SparseMatrix Normal;
+  LinearSolver Solver{ LinearMethod::OrderedLDLT };
+};
 
 /// \param positions per host vertex. \return the largest relative error that is left.
 double makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
   const Indices& rankOfEdge, Points2& positions)
 {
-  LinearSolver solver(LinearMethod::OrderedLDLT);
+  // Below it one step with the derivatives of a place nearby leaves nothing but rounding.
+  constexpr double near = 1e-7;
+  LengthCorrection correction(network, length, rankOfEdge);
   double error = largestLengthError(network, positions, length);
+  bool linearized = false;
   for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
   {
+    if (!linearized || error > near)
+    {
+      if (!correction.linearize(positions))
+      {
+        break;
+      }
+      linearized = true;
+    }
     Points2 corrected = positions;
-    if (!correctLengths(network, length, rankOfEdge, solver, corrected))
+    if (!correction.step(corrected))
     {
       break;
     }

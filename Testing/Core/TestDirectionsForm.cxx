@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionsForm.h"
+#include "DirectionsKkt.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -150,39 +151,57 @@ TEST(DirectionsForm, TheGradientIsTheDerivativeOfTheObjective)
   }
 }
 
-TEST(DirectionsForm, TheJacobianIsTheDerivativeOfTheClosure)
-{
-  const Everything all;
-  const DirectionsForm form(all.problem);
-  const Eigen::VectorXd x = all.point(form);
-  const Eigen::MatrixXd jacobian(form.jacobian(x, form.unitVectors(x)));
-  const double step = 1e-5;
-  for (Index k = 0; k < form.unknownCount(); ++k)
-  {
-    const Eigen::VectorXd e = step * Eigen::VectorXd::Unit(form.unknownCount(), k);
-    const Eigen::VectorXd difference = (form.closure(x + e) - form.closure(x - e)) / (2.0 * step);
-    EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "unknown " << k;
-  }
-}
-
-TEST(DirectionsForm, TheHessianIsTheDerivativeOfTheLagrangiansGradient)
+TEST(DirectionsForm, TheKktMatrixHoldsTheDerivativesOfClosureAndLagrangian)
 {
   const Everything all;
   const DirectionsForm form(all.problem);
   const Eigen::VectorXd x = all.point(form);
   const Eigen::VectorXd multipliers = randomVector(form.constraintCount(), 1.0);
-  const Eigen::MatrixXd lower(form.hessian(x, form.unitVectors(x), multipliers));
-  const Eigen::MatrixXd hessian(lower.selfadjointView<Eigen::Lower>());
+  const Index unknowns = form.unknownCount();
+  const std::vector<char> held(form.groupCount(), 0);
+  DirectionsKkt kkt(form);
+  kkt.fill(x, form.unitVectors(x), multipliers, held, 0.25);
+  const Eigen::MatrixXd matrix(Eigen::MatrixXd(kkt.matrix()).selfadjointView<Eigen::Lower>());
   const auto slope = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
-    return form.gradient(at) + form.jacobian(at, form.unitVectors(at)).transpose() * multipliers;
+    return form.gradient(at) + kkt.transposedJacobianTimes(at, form.unitVectors(at), multipliers);
   };
   const double step = 1e-5;
-  for (Index k = 0; k < form.unknownCount(); ++k)
+  for (Index k = 0; k < unknowns; ++k)
   {
-    const Eigen::VectorXd e = step * Eigen::VectorXd::Unit(form.unknownCount(), k);
-    const Eigen::VectorXd difference = (slope(x + e) - slope(x - e)) / (2.0 * step);
-    EXPECT_LT((hessian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "unknown " << k;
+    const Eigen::VectorXd e = step * Eigen::VectorXd::Unit(unknowns, k);
+    const Eigen::VectorXd closure = (form.closure(x + e) - form.closure(x - e)) / (2.0 * step);
+    EXPECT_LT((matrix.col(k).tail(closure.size()) - closure).cwiseAbs().maxCoeff(), 1e-8) << k;
+    const Eigen::VectorXd curvature = (slope(x + e) - slope(x - e)) / (2.0 * step);
+    EXPECT_LT((matrix.col(k).head(unknowns) - curvature).cwiseAbs().maxCoeff(), 1e-8) << k;
   }
+  const Eigen::MatrixXd corner = matrix.bottomRightCorner(multipliers.size(), multipliers.size());
+  EXPECT_EQ(corner, -0.25 * Eigen::MatrixXd::Identity(multipliers.size(), multipliers.size()));
+  const Eigen::VectorXd product = matrix.topRightCorner(unknowns, multipliers.size()) * multipliers;
+  EXPECT_LT((product - kkt.transposedJacobianTimes(x, form.unitVectors(x), multipliers))
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-12);
+}
+
+TEST(DirectionsForm, AHeldStretchIsTakenOutOfTheKktMatrixAndAShiftLeavesItAlone)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  ASSERT_GT(form.groupCount(), 0);
+  const Eigen::VectorXd x = all.point(form);
+  std::vector<char> held(form.groupCount(), 0);
+  held[0] = 1;
+  DirectionsKkt kkt(form);
+  kkt.fill(x, form.unitVectors(x), randomVector(form.constraintCount(), 1.0), held, 0.0);
+  const Eigen::MatrixXd before(Eigen::MatrixXd(kkt.matrix()).selfadjointView<Eigen::Lower>());
+  kkt.shift(2.0);
+  const Eigen::MatrixXd after(Eigen::MatrixXd(kkt.matrix()).selfadjointView<Eigen::Lower>());
+  const Index at = form.rotationCount();
+  EXPECT_EQ(after.col(at), Eigen::VectorXd(Eigen::VectorXd::Unit(after.rows(), at)));
+  Eigen::VectorXd shift = Eigen::VectorXd::Zero(after.rows());
+  shift.head(form.unknownCount()).setConstant(2.0);
+  shift[at] = 0.0;
+  EXPECT_LT((after - before - Eigen::MatrixXd(shift.asDiagonal())).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(DirectionsForm, KeysThatEncloseACurvedRegionContradictEachOther)
