@@ -110,6 +110,9 @@ void IsometricModel::declareEntries()
 {
   const Index n = this->unknownCount();
   this->Assembler = SymmetricAssembler(n + this->constraintCount());
+  this->Assembler.reserve(21 * (this->Cells.size() + this->Nodes.size()) +
+    15 * this->LengthEdges.size() + 27 * this->LockedNodes.size() +
+    2 * static_cast<std::size_t>(n + this->constraintCount()));
   auto declareBlock = [this](const Index* unknown, int size) {
     for (int a = 0; a < size; ++a)
     {

@@ -14,6 +14,13 @@ namespace
 constexpr double regularization = 1e-8; ///< delta of the constraint block
 constexpr double constraintTolerance = 1e-10;
 
+IsometricSolution cancelledSolution()
+{
+  IsometricSolution solution;
+  solution.status = { StatusCode::Cancelled, "cancelled while solving for the piece", {} };
+  return solution;
+}
+
 class IsometricIterations
 {
 public:
@@ -34,6 +41,10 @@ public:
   {
     IsometricSolution solution;
     this->X = std::move(x);
+    if (this->Run.cancelled())
+    {
+      return cancelledSolution();
+    }
     this->Solver = LinearSolver(this->Model.eliminationOrder(this->X));
     this->holdAtBounds();
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
@@ -45,8 +56,7 @@ public:
     {
       if (this->Run.cancelled())
       {
-        solution.status = { StatusCode::Cancelled, "cancelled while solving for the piece", {} };
-        return solution;
+        return cancelledSolution();
       }
       this->Terms = this->Model.objective(this->X, this->Run);
       if (!std::isfinite(this->Terms.total) || !this->solve(exact))
@@ -75,8 +85,7 @@ public:
     }
     if (!converged && this->Run.cancelled())
     {
-      solution.status = { StatusCode::Cancelled, "cancelled while solving for the piece", {} };
-      return solution;
+      return cancelledSolution();
     }
     this->Terms = this->Model.objective(this->X, this->Run);
     solution.positions = this->Model.positions(this->X);
@@ -169,7 +178,7 @@ private:
       }
       factored = this->factorize(IsometricModel::Curvature::Convex, tau);
     }
-    if (!factored)
+    if (!factored || this->Run.cancelled())
     {
       return false;
     }
@@ -269,6 +278,10 @@ private:
 
   bool advance(double& moved)
   {
+    if (this->Run.cancelled())
+    {
+      return false;
+    }
     const double violation = this->Point.constraints.lpNorm<1>();
     this->Penalty = std::max(this->Penalty, 1.2 * largest(this->NewMultipliers) + 1e-3);
     const double before = this->Terms.total + this->Penalty * violation;
@@ -328,6 +341,10 @@ IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& prob
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution)
 {
+  if (execution.cancelled())
+  {
+    return cancelledSolution();
+  }
   IsometricModel model(piece, problem, options.energy, options.angleWeight);
   IsometricSolution solution = IsometricIterations(model, problem, options, execution)
                                  .run(model.unknowns(start, startStretch));

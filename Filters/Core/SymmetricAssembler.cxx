@@ -9,7 +9,8 @@ void SymmetricAssembler::finish()
 {
   // Entries by column, then by row within each, through counting sorts.
   const auto count = static_cast<Index>(this->Rows.size());
-  auto sorted = [this, count](const Indices& order, const Indices& key) {
+  // An empty order is that of the numbers.
+  auto sorted = [this, count](Indices order, const Indices& key) {
     Indices begin(this->Size + 1, 0);
     for (Index k : key)
     {
@@ -20,21 +21,18 @@ void SymmetricAssembler::finish()
       begin[k + 1] += begin[k];
     }
     Indices result(count);
-    for (Index entry : order)
+    for (Index k = 0; k < count; ++k)
     {
+      const Index entry = order.empty() ? k : order[k];
       result[begin[key[entry]]++] = entry;
     }
     return result;
   };
-  Indices order(count);
-  for (Index k = 0; k < count; ++k)
-  {
-    order[k] = k;
-  }
-  order = sorted(sorted(order, this->Rows), this->Columns);
+  const Indices order = sorted(sorted({}, this->Rows), this->Columns);
 
   this->Slots.resize(count);
   Indices rows;
+  rows.reserve(count);
   Indices columnBegin(this->Size + 1, 0);
   Index lastRow = none;
   Index lastColumn = none;
@@ -53,9 +51,11 @@ void SymmetricAssembler::finish()
   {
     columnBegin[k + 1] += columnBegin[k];
   }
-  const std::vector<double> values(rows.size(), 0.0);
-  this->Matrix = Eigen::Map<const Eigen::SparseMatrix<double>>(this->Size, this->Size,
-    static_cast<Eigen::Index>(rows.size()), columnBegin.data(), rows.data(), values.data());
+  this->Matrix.resize(this->Size, this->Size);
+  this->Matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+  std::copy(columnBegin.begin(), columnBegin.end(), this->Matrix.outerIndexPtr());
+  std::copy(rows.begin(), rows.end(), this->Matrix.innerIndexPtr());
+  this->clear();
   this->Rows.clear();
   this->Rows.shrink_to_fit();
   this->Columns.clear();

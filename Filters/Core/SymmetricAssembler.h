@@ -20,6 +20,12 @@ public:
     : Size(size)
   {
   }
+  /// Makes room for so many entries.
+  void reserve(std::size_t count)
+  {
+    this->Rows.reserve(count);
+    this->Columns.reserve(count);
+  }
   /// Declares an entry; the larger index is its row. Returns its number.
   Index declare(Index i, Index j)
   {
