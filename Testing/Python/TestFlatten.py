@@ -96,6 +96,16 @@ class Developables(unittest.TestCase):
 
 
 class Results(unittest.TestCase):
+    def test_darts_that_cross_are_warned_of_or_closed(self):
+        surface, curves = read("wetsuit_upper_front"), read("wetsuit_upper_front_curves")
+        with self.assertWarnsRegex(sf.FlatteningWarning, "waist_dart_left"):
+            self.assertGreater(len(sf.flatten_polydata(surface, curves).overlap_edges), 0)
+        report = sf.flatten_polydata(surface, curves, close_cuts=True).report
+        self.assertEqual(report["status"], "Ok")
+        closed = {curve["name"]: curve["closed_length"] for curve in report["curves"]}
+        self.assertGreater(closed["waist_dart_left"], 0.0)
+        self.assertEqual(closed["bust_dart_left"], 0.0)
+
     def test_a_seam_divides_and_its_sides_are_paired(self):
         points, triangles = grid()
         seam = sf.Curve([2, 7, 12, 17], type="seam", name="middle")
