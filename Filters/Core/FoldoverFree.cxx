@@ -84,12 +84,12 @@ public:
       {
         return false;
       }
-      const double before = this->energy(epsilon, this->X);
-      if (!this->step(epsilon))
+      double before = 0.0;
+      double after = 0.0;
+      if (!this->step(epsilon, before, after))
       {
         break;
       }
-      const double after = this->energy(epsilon, this->X);
       const Index flipped = this->flips(this->X);
       if (flipped < fewest || (flipped == 0 && fewest == 0))
       {
@@ -163,12 +163,13 @@ private:
     this->Assembler.finish();
   }
 
-  /// One projected Newton step with backtracking; false where it leads nowhere.
-  bool step(double epsilon)
+  /// One projected Newton step with backtracking; false where it leads nowhere. Gives the energy
+  /// on both sides of it.
+  bool step(double epsilon, double& before, double& after)
   {
     const Eigen::Index unknowns = 2 * this->Patch.freeCount;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknowns);
-    double sum = 0.0;
+    before = 0.0;
     this->Assembler.clear();
     Index entry = 0;
     for (std::size_t t = 0; t < this->Frames.size(); ++t)
@@ -177,7 +178,7 @@ private:
       const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
       const Eigen::Vector4d at = this->parts(t, this->X);
       const SheetEnergyValue value = expandNormDet(density(epsilon, at), at, true);
-      sum += area * value.value;
+      before += area * value.value;
       const Eigen::Matrix<double, 6, 1> g = area * (derivative.transpose() * value.gradient);
       const Eigen::Matrix<double, 6, 6> H =
         area * (derivative.transpose() * value.hessian * derivative);
@@ -212,7 +213,8 @@ private:
     {
       Eigen::VectorXd trial = this->X;
       trial.head(unknowns) += scale * direction.col(0);
-      if (this->energy(epsilon, trial) < sum + 1e-4 * scale * slope)
+      after = this->energy(epsilon, trial);
+      if (after < before + 1e-4 * scale * slope)
       {
         this->X = std::move(trial);
         return true;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SheetEnergy.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,13 +12,18 @@ namespace
 /// The rotation of a collapsed triangle is undefined; below this |q| it is taken as it comes.
 constexpr double smallest = 1e-12;
 
+/// The direction of a vector of known length; any where it has none.
+Eigen::Vector2d unitAlong(const Eigen::Vector2d& vector, double length)
+{
+  return length > smallest ? Eigen::Vector2d(vector / length) : Eigen::Vector2d::UnitX();
+}
+
 SheetEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, bool convex)
 {
   const Eigen::Vector2d q = parts.head<2>();
   const Eigen::Vector2d p = parts.tail<2>();
   const double length = std::max(q.norm(), smallest);
-  const Eigen::Vector2d along =
-    q.norm() > smallest ? Eigen::Vector2d(q / length) : Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d along = unitAlong(q, length);
   const Eigen::Vector2d across(-along.y(), along.x());
   const double stiffArea = 1.0 + bias;
   const double stiffAngle = 1.0 - bias;
@@ -38,6 +41,27 @@ SheetEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, bool c
     stiffArea * (along * along.transpose() + turning * (across * across.transpose()));
   result.hessian.bottomRightCorner<2, 2>() = stiffAngle * Eigen::Matrix2d::Identity();
   return result;
+}
+
+/// The nearest positive semidefinite matrix to a symmetric one.
+Eigen::Matrix2d withoutNegativeEigenvalues(const Eigen::Matrix2d& matrix)
+{
+  const double mean = 0.5 * (matrix(0, 0) + matrix(1, 1));
+  const double half = 0.5 * (matrix(0, 0) - matrix(1, 1));
+  const double radius = std::hypot(half, matrix(0, 1));
+  if (mean >= radius)
+  {
+    return matrix;
+  }
+  if (mean <= -radius)
+  {
+    return Eigen::Matrix2d::Zero();
+  }
+  const double cosine = half / radius;
+  const double sine = matrix(0, 1) / radius;
+  Eigen::Matrix2d projector;
+  projector << 1.0 + cosine, sine, sine, 1.0 - cosine;
+  return 0.5 * (mean + radius) * projector;
 }
 
 /// |J|^2 (1 + 1 / det^2) - 4 as a sum of squares, since it is nearly zero where little is deformed.
@@ -95,17 +119,33 @@ SheetEnergyValue expandNormDet(
   Eigen::Vector4d gradDet = 0.5 * parts;
   gradDet.tail<2>() *= -1.0;
   result.gradient = density.byNorm * parts + density.byDet * gradDet;
-  const Eigen::Vector4d hessDet(0.5, 0.5, -0.5, -0.5);
-  result.hessian = density.byNorm * Eigen::Matrix4d::Identity();
-  result.hessian += density.byDet * Eigen::Matrix4d(hessDet.asDiagonal());
-  result.hessian += density.byNormDet * (parts * gradDet.transpose() + gradDet * parts.transpose());
-  result.hessian += density.byDet2 * gradDet * gradDet.transpose();
+
+  // The density depends on |q| and |p| alone: along them the Hessian couples both, across them it
+  // has its eigenvectors.
+  const double q = parts.head<2>().norm();
+  const double p = parts.tail<2>().norm();
+  const Eigen::Vector2d alongQ = unitAlong(parts.head<2>(), q);
+  const Eigen::Vector2d alongP = unitAlong(parts.tail<2>(), p);
+  double acrossQ = density.byNorm + 0.5 * density.byDet;
+  double acrossP = density.byNorm - 0.5 * density.byDet;
+  Eigen::Matrix2d along;
+  along(0, 0) = acrossQ + q * q * (density.byNormDet + 0.25 * density.byDet2);
+  along(1, 1) = acrossP + p * p * (0.25 * density.byDet2 - density.byNormDet);
+  along(0, 1) = along(1, 0) = -0.25 * q * p * density.byDet2;
   if (convex)
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(result.hessian);
-    result.hessian = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-      eigen.eigenvectors().transpose();
+    acrossQ = std::max(0.0, acrossQ);
+    acrossP = std::max(0.0, acrossP);
+    along = withoutNegativeEigenvalues(along);
   }
+  const Eigen::Matrix2d radialQ = alongQ * alongQ.transpose();
+  const Eigen::Matrix2d radialP = alongP * alongP.transpose();
+  result.hessian.topLeftCorner<2, 2>() =
+    along(0, 0) * radialQ + acrossQ * (Eigen::Matrix2d::Identity() - radialQ);
+  result.hessian.bottomRightCorner<2, 2>() =
+    along(1, 1) * radialP + acrossP * (Eigen::Matrix2d::Identity() - radialP);
+  result.hessian.topRightCorner<2, 2>() = along(0, 1) * alongQ * alongP.transpose();
+  result.hessian.bottomLeftCorner<2, 2>() = result.hessian.topRightCorner<2, 2>().transpose();
   return result;
 }
 
