@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveImprint.h"
 
-#include "CurveRoute.h"
+#include "CurvePlacement.h"
 #include "SurfaceSplit.h"
 #include "SurfaceTrace.h"
-#include "VertexMatch.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace flattening
 {
@@ -19,19 +16,6 @@ ImprintedSurface refuse(Status status)
   ImprintedSurface result;
   result.status = std::move(status);
   return result;
-}
-
-double diagonal(const TriangleMesh& mesh)
-{
-  Eigen::AlignedBox3d bounds;
-  for (const Triangle& t : mesh.triangles())
-  {
-    for (Index v : t)
-    {
-      bounds.extend(mesh.point(v));
-    }
-  }
-  return bounds.isEmpty() ? 0.0 : bounds.diagonal().norm();
 }
 
 /// Identity: the mesh as it is.
@@ -62,8 +46,7 @@ public:
     , Polylines(polylines)
     , Options(options)
     , Execute(execution)
-    , Reach(options.tolerance * diagonal(mesh))
-    , AtVertex(mesh, std::max(0.01, options.snap))
+    , Placement(mesh, polylines, options)
   {
   }
 
@@ -74,13 +57,7 @@ public:
     {
       return refuse(std::move(sound));
     }
-    Points3 queries;
-    for (const Polyline& polyline : this->Polylines)
-    {
-      this->First.push_back(queries.size());
-      queries.insert(queries.end(), polyline.points.begin(), polyline.points.end());
-    }
-    this->match(queries);
+    this->Placement.findVertices();
     std::vector<Route> routes(this->Polylines.size());
     std::vector<char> alongEdges(this->Polylines.size(), 0);
     bool all = true;
@@ -103,35 +80,6 @@ public:
   }
 
 private:
-  void match(const Points3& queries)
-  {
-    std::vector<Indices> candidates = matchVertices(this->Mesh, queries, this->Reach);
-    this->keepNearVertices(queries, candidates);
-    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
-    {
-      const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(this->First[c]);
-      const Indices chosen = chooseVertices(this->Mesh,
-        { first, first + static_cast<std::ptrdiff_t>(this->Polylines[c].points.size()) });
-      this->Vertices.insert(this->Vertices.end(), chosen.begin(), chosen.end());
-    }
-  }
-
-  /// The tolerance says how far from the surface a point may be. Where triangles can be split, it
-  /// must not drag points along the surface to vertices that are not meant.
-  void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates)
-  {
-    for (std::size_t i = 0; i < queries.size() && this->Options.split; ++i)
-    {
-      Indices& near = candidates[i];
-      near.erase(std::remove_if(near.begin(), near.end(),
-                   [&](Index vertex) {
-                     return (this->Mesh.point(vertex) - queries[i]).norm() >
-                       this->AtVertex.ofVertex(vertex);
-                   }),
-        near.end());
-    }
-  }
-
   /// A polyline whose points are vertices joined by edges, the case that changes nothing.
   Status followEdges(std::size_t c, Route& route)
   {
@@ -139,7 +87,7 @@ private:
     Indices off;
     for (std::size_t i = 0; i < polyline.points.size(); ++i)
     {
-      const Index vertex = this->Vertices[this->First[c] + i];
+      const Index vertex = this->Placement.vertex(c, i);
       if (vertex == none)
       {
         off.push_back(pointId(polyline, i));
@@ -180,7 +128,7 @@ private:
     if (!this->Options.split)
     {
       std::vector<ClosestPoint> closest;
-      Status status = this->locate(c, closest);
+      Status status = this->Placement.locate(c, closest);
       if (!status.ok())
       {
         return status;
@@ -192,41 +140,12 @@ private:
       points };
   }
 
-  Status locate(std::size_t c, std::vector<ClosestPoint>& closest)
-  {
-    if (!this->Locator)
-    {
-      this->Locator.emplace(this->Mesh);
-    }
-    const Polyline& polyline = this->Polylines[c];
-    Indices off;
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < polyline.points.size(); ++i)
-    {
-      closest.push_back(this->Locator->closest(polyline.points[i]));
-      if (closest.back().triangle == none || closest.back().distance > this->Reach)
-      {
-        off.push_back(pointId(polyline, i));
-        farthest = std::max(farthest, closest.back().distance);
-      }
-    }
-    if (off.empty())
-    {
-      return {};
-    }
-    return { StatusCode::CurvePointOffSurface,
-      curveName(polyline, c) + ": points " + listIds(off) + " lie " + "up to " +
-        shortNumber(farthest) + " off the surface, more than the tolerance of " +
-        shortNumber(this->Reach) + "; project them onto the surface, or raise the tolerance",
-      off };
-  }
-
   ImprintedSurface split(const std::vector<Route>& edgeRoutes, const std::vector<char>& alongEdges)
   {
     std::vector<std::vector<ClosestPoint>> located(this->Polylines.size());
     for (std::size_t c = 0; c < this->Polylines.size(); ++c)
     {
-      Status status = alongEdges[c] ? Status() : this->locate(c, located[c]);
+      Status status = alongEdges[c] ? Status() : this->Placement.locate(c, located[c]);
       if (!status.ok())
       {
         return refuse(std::move(status));
@@ -295,7 +214,7 @@ private:
       {
         return { StatusCode::Cancelled, "cancelled", {} };
       }
-      const Index vertex = this->Vertices[this->First[c] + i];
+      const Index vertex = this->Placement.vertex(c, i);
       const SurfacePoint here =
         vertex != none ? vertexPoint(this->Mesh, vertex) : snapToMesh(this->Mesh, snap, located[i]);
       const bool same = i > 0 && here.carrier == last.carrier && here.id == last.id &&
@@ -360,11 +279,7 @@ private:
   const std::vector<Polyline>& Polylines;
   const ImprintOptions& Options;
   const Execution& Execute;
-  double Reach;          ///< greatest distance of a point from the surface
-  SnapDistance AtVertex; ///< greatest distance of a point from the vertex that it is
-  std::vector<std::size_t> First;
-  Indices Vertices; ///< per point of all polylines
-  std::optional<SurfaceLocator> Locator;
+  CurvePlacement Placement;
 };
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceSplit.h"
 
-#include "EdgeNodes.h"
 #include "FaceTriangulation.h"
+#include "SplitNodes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
-#include <tuple>
 
 namespace flattening
 {
@@ -40,7 +37,7 @@ public:
   Splitter(const TriangleMesh& mesh, const SnapDistance& snap)
     : Mesh(mesh)
     , Snap(snap)
-    , VertexCount(mesh.vertexCount())
+    , Nodes(mesh, snap)
   {
   }
 
@@ -53,7 +50,7 @@ public:
     {
       const Index node = this->nodeOf(path.points[i + 1]);
       Stretch stretch{ last, node };
-      stretch.edge = commonEdge(this->Mesh, this->node(last), this->node(node));
+      stretch.edge = commonEdge(this->Mesh, this->Nodes.point(last), this->Nodes.point(node));
       last = node;
       if (stretch.from == stretch.to)
       {
@@ -72,7 +69,6 @@ public:
   SplitSurface run()
   {
     SplitSurface result;
-    this->Alias.assign(this->Nodes.size(), none);
     for (FaceTask& task : this->Tasks)
     {
       if (!this->triangulate(task))
@@ -80,7 +76,7 @@ public:
         result.failed.push_back(task.triangle);
       }
     }
-    this->numberVertices(result);
+    result.vertexSource = this->Nodes.numberVertices();
     this->collectTriangles(result);
     if (result.failed.empty())
     {
@@ -96,18 +92,6 @@ public:
   }
 
 private:
-  SurfacePoint node(Index id) const
-  {
-    return id < this->VertexCount ? vertexPoint(this->Mesh, id)
-                                  : this->Nodes[id - this->VertexCount];
-  }
-
-  Index addNode(const SurfacePoint& point)
-  {
-    this->Nodes.push_back(point);
-    return this->VertexCount + static_cast<Index>(this->Nodes.size()) - 1;
-  }
-
   Index taskOf(Index triangle)
   {
     const auto [place, isNew] =
@@ -122,40 +106,19 @@ private:
 
   Index nodeOf(const SurfacePoint& point)
   {
-    if (point.carrier == Carrier::Vertex)
+    const SplitNodes::Place place = this->Nodes.place(point);
+    if (place.isNew && point.carrier == Carrier::Face)
     {
-      return point.id;
+      this->Tasks[this->taskOf(point.id)].points.push_back(place.node);
     }
-    const auto [known, isNew] =
-      this->Known.emplace(std::make_tuple(point.carrier, point.id, point.weights), none);
-    if (isNew)
+    else if (place.isNew)
     {
-      known->second = this->placeNode(point);
+      for (Index t : trianglesAround(this->Mesh, point))
+      {
+        this->taskOf(t);
+      }
     }
-    return known->second;
-  }
-
-  Index placeNode(const SurfacePoint& point)
-  {
-    if (point.carrier == Carrier::Face)
-    {
-      const Index id = this->addNode(point);
-      this->Tasks[this->taskOf(point.id)].points.push_back(id);
-      return id;
-    }
-    const double near = this->Snap.ofEdge(point.id) / this->Mesh.length(point.id);
-    const Index known = this->OnEdge.nearest(point.id, point.weights[1], near);
-    if (known != none)
-    {
-      return known;
-    }
-    const Index id = this->addNode(point);
-    this->OnEdge.insert(point.id, point.weights[1], id);
-    for (Index t : trianglesAround(this->Mesh, point))
-    {
-      this->taskOf(t);
-    }
-    return id;
+    return place.node;
   }
 
   bool triangulate(FaceTask& task)
@@ -172,7 +135,7 @@ private:
     }
     for (int k = 0; k < 3; ++k)
     {
-      for (const NodeOnEdge& node : this->OnEdge.along(this->Mesh, 3 * t + k))
+      for (const NodeOnEdge& node : this->Nodes.along(3 * t + k))
       {
         local[node.node] = triangulation.addSidePoint(k, node.fraction);
         task.nodeOfVertex.push_back(node.node);
@@ -181,11 +144,11 @@ private:
     triangulation.refine();
     for (Index id : task.points)
     {
-      const Index vertex = triangulation.addPoint(this->node(id).weights);
+      const Index vertex = triangulation.addPoint(this->Nodes.point(id).weights);
       local[id] = vertex;
       if (vertex < static_cast<Index>(task.nodeOfVertex.size()))
       {
-        this->Alias[id - this->VertexCount] = task.nodeOfVertex[vertex];
+        this->Nodes.merge(id, task.nodeOfVertex[vertex]);
       }
       else
       {
@@ -203,50 +166,10 @@ private:
          ++v)
     {
       task.nodeOfVertex.push_back(
-        this->addNode({ Carrier::Face, t, triangulation.weights(v), Point3::Zero() }));
-      this->Alias.push_back(none);
+        this->Nodes.add({ Carrier::Face, t, triangulation.weights(v), Point3::Zero() }));
     }
     task.triangulation.emplace(std::move(triangulation));
     return ok;
-  }
-
-  Index resolve(Index node) const
-  {
-    while (node >= this->VertexCount && this->Alias[node - this->VertexCount] != none)
-    {
-      node = this->Alias[node - this->VertexCount];
-    }
-    return node;
-  }
-
-  void numberVertices(SplitSurface& result)
-  {
-    result.vertexSource.resize(this->VertexCount);
-    for (Index v = 0; v < this->VertexCount; ++v)
-    {
-      result.vertexSource[v].vertices = { v, v, v };
-    }
-    this->VertexOfNode.assign(this->Nodes.size(), none);
-    for (std::size_t i = 0; i < this->Nodes.size(); ++i)
-    {
-      if (this->Alias[i] != none)
-      {
-        continue;
-      }
-      const SurfacePoint& point = this->Nodes[i];
-      const bool onEdge = point.carrier == Carrier::Edge;
-      const Index from = onEdge ? this->Mesh.from(point.id) : none;
-      this->VertexOfNode[i] = static_cast<Index>(result.vertexSource.size());
-      result.vertexSource.push_back(
-        { onEdge ? Triangle{ from, this->Mesh.to(point.id), from } : this->Mesh.triangle(point.id),
-          point.weights });
-    }
-  }
-
-  Index vertexOf(Index node) const
-  {
-    const Index id = this->resolve(node);
-    return id < this->VertexCount ? id : this->VertexOfNode[id - this->VertexCount];
   }
 
   Point3 position(const VertexSource& source) const
@@ -278,7 +201,7 @@ private:
         std::array<Point3, 3> p;
         for (int k = 0; k < 3; ++k)
         {
-          corners[k] = this->vertexOf(task.nodeOfVertex[cell[k]]);
+          corners[k] = this->Nodes.vertex(task.nodeOfVertex[cell[k]]);
           p[k] = this->position(result.vertexSource[corners[k]]);
         }
         good = good && hasArea(p, normal);
@@ -316,14 +239,14 @@ private:
   {
     for (std::size_t p = 0; p < this->Paths.size(); ++p)
     {
-      Indices chain{ this->vertexOf(this->Starts[p]) };
+      Indices chain{ this->Nodes.vertex(this->Starts[p]) };
       for (const Stretch& stretch : this->Paths[p])
       {
         for (Index node : this->nodesOf(stretch))
         {
-          if (this->vertexOf(node) != chain.back())
+          if (this->Nodes.vertex(node) != chain.back())
           {
-            chain.push_back(this->vertexOf(node));
+            chain.push_back(this->Nodes.vertex(node));
           }
         }
       }
@@ -349,7 +272,7 @@ private:
     const double from = this->fractionAlong(low, stretch.from);
     const double to = this->fractionAlong(low, stretch.to);
     nodes.push_back(stretch.from);
-    std::vector<NodeOnEdge> between = this->OnEdge.along(this->Mesh, low);
+    std::vector<NodeOnEdge> between = this->Nodes.along(low);
     if (from > to)
     {
       std::reverse(between.begin(), between.end());
@@ -367,7 +290,7 @@ private:
 
   double fractionAlong(Index low, Index id) const
   {
-    const SurfacePoint point = this->node(id);
+    const SurfacePoint point = this->Nodes.point(id);
     return point.carrier == Carrier::Edge ? point.weights[1]
       : id == this->Mesh.from(low)        ? 0.0
                                           : 1.0;
@@ -375,12 +298,7 @@ private:
 
   const TriangleMesh& Mesh;
   const SnapDistance& Snap;
-  Index VertexCount;
-  std::vector<SurfacePoint> Nodes; ///< those after the vertices
-  Indices Alias;                   ///< the node that a node became one with
-  Indices VertexOfNode;
-  EdgeNodes OnEdge;
-  std::map<std::tuple<Carrier, Index, std::array<double, 3>>, Index> Known;
+  SplitNodes Nodes;
   std::unordered_map<Index, Index> TaskOfTriangle;
   std::vector<FaceTask> Tasks;
   std::vector<std::vector<Stretch>> Paths;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceDrawing.h"
 
+#include "ClothOutline.h"
 #include "PieceTexts.h"
 #include "SeamAllowance.h"
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace flattening
 {
@@ -21,24 +23,20 @@ public:
     : All(all)
     , Piece(piece)
     , Loops(all.loops[piece])
+    , Cloth(all, all.loops[piece])
     , Drawing(drawing)
   {
   }
 
   PatternStatus draw()
   {
-    if (this->All.options.darts == DartStyle::Folded)
-    {
-      this->Darts = findDarts(this->All.source, this->Loops, this->All.wires, this->All.partners);
-    }
-    this->markFolded();
     PatternStatus status = this->drawCutLine();
     if (!status.ok())
     {
       return status;
     }
     this->drawWires();
-    for (const Dart& dart : this->Darts)
+    for (const Dart& dart : this->Cloth.darts())
     {
       this->drawDart(dart);
     }
@@ -50,102 +48,20 @@ public:
   }
 
 private:
-  double allowanceOf(Index from, Index to) const
-  {
-    const PatternOptions& options = this->All.options;
-    const std::size_t wire = wireOf(this->All.source, this->All.wires, from, to);
-    const bool known = wire < this->All.source.wires.size();
-    const auto found =
-      options.allowanceOfCurve.find(known ? this->All.source.wires[wire].name : "boundary");
-    return found == options.allowanceOfCurve.end() ? options.allowance : found->second;
-  }
-
-  void markFolded()
-  {
-    for (const Dart& dart : this->Darts)
-    {
-      const Indices& loop = this->Loops[dart.loop];
-      for (std::size_t k = dart.firstEdge; k < dart.firstEdge + dart.edges; ++k)
-      {
-        this->Folded[edgeKey(loop[k % loop.size()], loop[(k + 1) % loop.size()])] = true;
-      }
-    }
-  }
-  bool isFolded(Index from, Index to) const
-  {
-    return this->Folded.count(edgeKey(from, to)) + this->Folded.count(edgeKey(to, from)) > 0;
-  }
-
-  /// One loop with the mouths of its darts closed by their roofs.
-  AllowancePolygon clothPolygon(std::size_t l) const
-  {
-    const Indices& loop = this->Loops[l];
-    const std::size_t count = loop.size();
-    const auto point = [&loop, count](std::size_t k) { return loop[k % count]; };
-    AllowancePolygon polygon;
-    const auto add = [&polygon](const Point2& p, double allowance) {
-      polygon.points.push_back(p);
-      polygon.allowance.push_back(allowance);
-    };
-    std::size_t start = 0; // outside the darts
-    while (start < count && this->isFolded(point(start), point(start + 1)))
-    {
-      ++start;
-    }
-    for (std::size_t k = start; k < start + count;)
-    {
-      const auto dart = std::find_if(this->Darts.begin(), this->Darts.end(),
-        [&](const Dart& d) { return d.loop == l && d.firstEdge == k % count; });
-      if (dart == this->Darts.end())
-      {
-        add(this->All.at(point(k)), this->allowanceOf(point(k), point(k + 1)));
-        ++k;
-        continue;
-      }
-      const std::size_t end = k + dart->edges;
-      const double before = this->allowanceOf(point(k + count - 1), point(k));
-      const double after = this->allowanceOf(point(end), point(end + 1));
-      Point2 corner;
-      add(this->All.at(point(k)), before);
-      if (this->roof(*dart, corner))
-      {
-        add(corner, after);
-      }
-      k = end;
-    }
-    return polygon;
-  }
-
-  bool roof(const Dart& dart, Point2& corner) const
-  {
-    const Indices& loop = this->Loops[dart.loop];
-    const std::size_t count = loop.size();
-    const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
-    const std::size_t end = dart.firstEdge + dart.edges;
-    return dartRoof(this->All.at(dart.tip), { at(dart.firstEdge), at(end) },
-      { at(dart.firstEdge + count - 1), at(end + 1) }, corner);
-  }
-
   PatternStatus drawCutLine()
   {
-    std::vector<AllowancePolygon> polygons;
-    for (std::size_t l = 0; l < this->Loops.size(); ++l)
+    for (const Indices& loop : this->Loops)
     {
       Points2 points;
-      for (const Index v : this->Loops[l])
+      for (const Index v : loop)
       {
         points.push_back(this->All.at(v));
       }
       addSegments(points, true, this->Boundary);
-      const bool isDart = std::any_of(this->Darts.begin(), this->Darts.end(),
-        [l](const Dart& dart) { return dart.loop == l && dart.otherTip != none; });
-      if (!isDart)
-      {
-        polygons.push_back(this->clothPolygon(l));
-      }
     }
     std::vector<Points2> borders;
-    PatternStatus status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+    PatternStatus status =
+      addAllowance(this->Cloth.polygons(), this->All.options.mitreLimit, borders);
     for (std::size_t b = 0; b < borders.size(); ++b)
     {
       addSegments(borders[b], true, this->CutLine);
@@ -163,8 +79,8 @@ private:
     switch (wire.type)
     {
       case WireType::Dart:
-        return this->isFolded(wire.points[0], wire.points[1]) ? LineKind::DartLeg
-                                                              : LineKind::SewLine;
+        return this->Cloth.isFolded(wire.points[0], wire.points[1]) ? LineKind::DartLeg
+                                                                    : LineKind::SewLine;
       case WireType::Key:
         return LineKind::KeyCurve;
       case WireType::Accessory:
@@ -295,8 +211,7 @@ private:
     {
       const Index from = place.edge[0];
       const Index to = place.edge[1];
-      const auto mine = this->pieceOf(from, to);
-      if (!mine)
+      if (!this->isOnLoop(from, to))
       {
         continue;
       }
@@ -305,7 +220,7 @@ private:
       const Point2 outward = Point2(along.y(), -along.x()).normalized();
       const std::string& name = source.wires[place.wire].name;
       const double arcLength = this->All.scale() * place.arcLength;
-      if (!this->isFolded(from, to))
+      if (!this->Cloth.isFolded(from, to))
       {
         this->addNotch(foot, outward, arcLength, name);
         continue;
@@ -322,7 +237,7 @@ private:
     }
   }
 
-  bool pieceOf(Index from, Index to)
+  bool isOnLoop(Index from, Index to)
   {
     if (this->Edges.empty())
     {
@@ -330,7 +245,7 @@ private:
       {
         for (std::size_t k = 0; k < loop.size(); ++k)
         {
-          this->Edges[edgeKey(loop[k], loop[(k + 1) % loop.size()])] = true;
+          this->Edges.insert(edgeKey(loop[k], loop[(k + 1) % loop.size()]));
         }
       }
     }
@@ -417,10 +332,9 @@ private:
   const DrawingSource& All;
   std::size_t Piece;
   const std::vector<Indices>& Loops;
+  ClothOutline Cloth;
   PatternPiece& Drawing;
-  std::vector<Dart> Darts;
-  std::unordered_map<std::uint64_t, bool> Folded;
-  std::unordered_map<std::uint64_t, bool> Edges;
+  std::unordered_set<std::uint64_t> Edges; ///< of the loops
   Segments Boundary;
   Segments CutLine;
 };
