@@ -5,21 +5,22 @@
     measures.py --check    compares the tables with what the command gives
     measures.py --write    writes them anew
 
-The environment variable WIREWARP names the command; by default it is that of build/.
+Both check the numbers in the sentences of these pages, of tutorial.md and of README.md. The environment
+variable WIREWARP names the command; by default it is that of build/.
 """
 
 import argparse
 import json
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-DATA = os.path.join(HERE, "..", "Data")
+from pages import HERE, between_marks, filled, table, unsaid, write
+
+DATA = os.path.normpath(os.path.join(HERE, "..", "Data"))
 COMMAND = os.environ.get("WIREWARP", os.path.join(HERE, "..", "build", "bin", "wirewarp"))
-BEGIN, END = "<!-- measures -->\n", "<!-- /measures -->\n"
-METHODS = ("lscm", "progressive", "global", "isometric")
 PIECES = {  # and what they are
     "quarter_sphere": "90 degree lune of a sphere",
     "shirt_front": "loose shirt, front",
@@ -37,55 +38,156 @@ PIECES = {  # and what they are
     "cone": "developable",
     "tangent_developable": "developable",
 }
-COMPARED = tuple(PIECES)[:11]
+CURVED = [name for name, what in PIECES.items() if what != "developable"]
+METHODS = {  # and the options that ask for them
+    "lscm": ("--scheme", "lscm"),
+    "progressive, Laplacian": ("--scheme", "progressive", "--interior", "laplacian"),
+    "progressive, rigid": ("--scheme", "progressive", "--interior", "arap"),
+    "global, Laplacian": ("--scheme", "global", "--interior", "laplacian"),
+    "global, rigid": ("--scheme", "global", "--interior", "arap"),
+    "isometric": ("--scheme", "isometric"),
+}
+NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+           "eleven", "twelve")
 
 
-def measure(name, method):
-    """The report's rows, one a piece."""
+def run(*arguments):
+    ended = subprocess.run([COMMAND, *arguments, "--quiet"], capture_output=True, text=True, check=False)
+    if ended.returncode not in (0, 4):  # 4: a broken promise, which the table shows
+        raise RuntimeError(ended.stderr)
+
+
+def report(folder):
+    """The rows of the folder's report, one a piece."""
+    with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
+        return json.load(file)["pieces"]
+
+
+def flatten_all(method):
+    """The report of each surface of Data/ by its name."""
     with tempfile.TemporaryDirectory() as folder:
-        run = subprocess.run(
-            [COMMAND, f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--scheme", method,
-             "--quiet", "--output", folder], capture_output=True, text=True, check=False)
-        if run.returncode not in (0, 4):  # 4: a broken promise, which the table shows
-            raise RuntimeError(run.stderr)
-        with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
-            return json.load(file)["pieces"]
+        names = os.path.join(folder, "list.txt")
+        with open(names, "w", encoding="utf-8") as file:
+            file.writelines(f'"{DATA}/{name}.vtp" "{DATA}/{name}_curves.vtp"\n' for name in PIECES)
+        run("--batch", names, *METHODS[method], "--output", folder)
+        return {name: report(os.path.join(folder, name)) for name in PIECES}
 
 
-def row(cells):
-    return "| " + " | ".join(cells) + " |\n"
+def worst(pieces):
+    """Of a surface's pieces the worst measures, and counts of all."""
+    result = {key: max(piece[key] for piece in pieces) for key in ("E_len", "E_len_max", "E_ang", "E_area")}
+    result.update({key: min(piece[key] for piece in pieces) for key in ("E_h", "E_r")})
+    result.update({key: sum(piece[key] for piece in pieces) for key in ("triangles", "flipped", "overlaps")})
+    result["pieces"] = len(pieces)
+    result["released"] = any(piece["status"] == "IncompatibleKeys" for piece in pieces)
+    return result
 
 
 def thousandths(value):
     return f"{1e3 * abs(value):.2f}"
 
 
-def gallery():
-    text = row(("piece", "what", "triangles", "pieces", "E_ang x 1e3", "E_h", "E_area", "overlaps"))
-    text += row(["---"] * 8)
+def gallery(measures):
+    rows = []
     for name, what in PIECES.items():
-        pieces = measure(name, "isometric")
-        text += row((
-            f"`{name}`", what, str(sum(piece["triangles"] for piece in pieces)), str(len(pieces)),
-            thousandths(max(piece["E_ang"] for piece in pieces)),
-            f"{min(piece['E_h'] for piece in pieces):.3f}",
-            f"{abs(max(piece['E_area'] for piece in pieces)):.4f}",
-            str(sum(piece["overlaps"] for piece in pieces))))
-    return text
+        of = measures["isometric"][name]
+        rows.append((f"`{name}`", what, of["triangles"], of["pieces"], thousandths(of["E_ang"]),
+                     f"{of['E_h']:.3f}", f"{abs(of['E_area']):.4f}", of["overlaps"]))
+    return table(("piece", "what", "triangles", "pieces", "E_ang x 1e3", "E_h", "E_area", "overlaps"), rows)
 
 
-def comparison():
-    text = row(("piece", "method", "E_len x 1e3", "E_ang x 1e3", "E_h", "E_r", "E_area", "flips",
-                "overlaps"))
-    text += row(["---"] * 9)
-    for name in COMPARED:
+def comparison(measures):
+    rows = []
+    for name in PIECES:
         for method in METHODS:
-            piece, = measure(name, method)
-            text += row((
-                f"`{name}`" if method == METHODS[0] else "", method, thousandths(piece["E_len"]),
-                thousandths(piece["E_ang"]), f"{piece['E_h']:.3f}", f"{piece['E_r']:.3f}",
-                f"{piece['E_area']:.4f}", str(piece["flipped"]), str(piece["overlaps"])))
-    return text
+            of = measures[method][name]
+            rows.append((
+                f"`{name}`" if method == next(iter(METHODS)) else "",
+                method + (" (key released)" if of["released"] else ""), thousandths(of["E_len"]),
+                thousandths(of["E_ang"]), f"{of['E_h']:.3f}", f"{of['E_r']:.3f}",
+                f"{abs(of['E_area']):.4f}", of["flipped"], of["overlaps"]))
+    return table(("piece", "method", "E_len x 1e3", "E_ang x 1e3", "E_h", "E_r", "E_area", "flips",
+                  "overlaps"), rows)
+
+
+def area_shares(measures, method):
+    """The isometric scheme's area error as a share of the method's, sorted, on the curved pieces."""
+    return sorted(measures["isometric"][name]["E_area"] / measures[method][name]["E_area"] for name in CURVED)
+
+
+def shares(measures):
+    rows = []
+    for method in list(METHODS)[:-1]:
+        of = area_shares(measures, method)
+        rows.append((method, *(f"{value:.2f}" for value in (of[0], statistics.median(of), of[-1]))))
+    return table(("method", "least", "median", "greatest"), rows)
+
+
+def best(measures, key, better):
+    """How many curved pieces each method has the best value on."""
+    winners = [better(METHODS, key=lambda method: measures[method][name][key]) for name in CURVED]
+    return {method: NUMBERS[winners.count(method)] for method in METHODS}
+
+
+def percent(value):
+    return f"{100 * value:.{0 if value >= 0.01 else 1}f}"
+
+
+def sentences(measures):
+    """What the pages must say, a list a page; what does not hold is worded otherwise."""
+    isometric, rigid, lscm = (measures[method] for method in ("isometric", "global, rigid", "lscm"))
+    all_curved = NUMBERS[len(CURVED)]
+    flips = sum(of["flipped"] for of in isometric.values())
+    exact = all(of["E_len_max"] < 1e-12 for method in METHODS if method != "lscm"
+                for of in measures[method].values())
+    lengths = [lscm[name]["E_len"] for name in CURVED]
+    more_homogeneous = sum(isometric[name]["E_h"] > lscm[name]["E_h"] for name in CURVED)
+    less_homogeneous = [
+        f"`{name}` ({isometric[name]['E_h']:.3f} against {rigid[name]['E_h']:.3f})"
+        for name in CURVED if round(isometric[name]["E_h"], 3) < round(rigid[name]["E_h"], 3)]
+    greater_angles = [f"`{name}`" for name in CURVED if isometric[name]["E_ang"] > rigid[name]["E_ang"]]
+    distorted = {method: [f"`{name}`" for name in PIECES if name not in CURVED
+                          and max(measures[method][name]["E_ang"], measures[method][name]["E_len"]) > 1e-9]
+                 for method in METHODS}
+    unrolled = all(bool(names) == method.endswith("Laplacian") for method, names in distorted.items())
+    flipped = [f"{of['flipped']} by {method}, on `{name}`" for method in METHODS
+               for name, of in measures[method].items() if of["flipped"]]
+    median = {method: f"{statistics.median(area_shares(measures, method)):.2f}" for method in METHODS}
+    aspect_ratio = best(measures, "E_r", max)
+    return {
+        "comparison.md": [
+            f"by LSCM a wire edge is off by {percent(min(lengths))} to {percent(max(lengths))} % in the mean",
+            "exact to rounding" if exact else "not exact",
+            f"LSCM is best at, on all {best(measures, 'E_ang', min)['lscm']} curved pieces",
+            f"least E_area of all methods on all {best(measures, 'E_area', min)['isometric']}",
+            f"and a better E_h than LSCM on all {NUMBERS[more_homogeneous]}",
+            f"the isometric scheme is best on {aspect_ratio['isometric']} of the curved pieces, LSCM on "
+            f"{aspect_ratio['lscm']}",
+            f"E_ang is smaller on all but {' and '.join(greater_angles)}",
+            f"to three digits E_h is worse on {' and '.join(less_homogeneous)} alone",
+            f"flipped: {'; '.join(flipped)}.",
+            f"The Laplacian interior distorts even {' and '.join(sorted(distorted['global, Laplacian']))}."
+            + (" All other methods unroll the developable pieces exactly." if unrolled else ""),
+        ],
+        "gallery.md": ["to rounding, no triangle is flipped" if exact and not flips else "flipped"],
+        "../README.md": [
+            f"On the {all_curved} curved pieces of `Data/` it "
+            + ("flips no triangle" if not flips else f"flips {flips} triangles"),
+            f"in the median {median['global, Laplacian']} of the area error of the paper's global scheme",
+            f"{median['global, rigid']} of that of `--scheme global`",
+            f"{median['lscm']} of that of a least squares conformal map",
+        ],
+        "tutorial.md": tutorial_sentences(),
+    }
+
+
+def tutorial_sentences():
+    areas = []
+    for curves in ([], [os.path.join(HERE, "tutorial_curves.txt")]):
+        with tempfile.TemporaryDirectory() as folder:
+            run(f"{DATA}/shirt_front.vtp", *curves, "--scheme", "isometric", "--output", folder)
+            areas.append(f"{100 * worst(report(folder))['E_area']:.1f}")
+    return [f"{areas[0]} % of the area had to come or go", f"took the area error down to {areas[1]} %"]
 
 
 def differences(old, new):
@@ -96,7 +198,9 @@ def differences(old, new):
     if [len(line) for line in old_cells] != [len(line) for line in new_cells]:
         return ["the tables have not the same rows"]
     found = []
+    name = ""
     for line, other in zip(old_cells, new_cells):
+        name = other[1] or name
         for cell, now in zip(line, other):
             if cell == now:
                 continue
@@ -106,31 +210,37 @@ def differences(old, new):
             except ValueError:
                 same = False
             if not same:
-                found.append(f"{' '.join(line).strip()}: {cell} is {now} now")
+                found.append(f"{name}, {' '.join(line[2:]).strip()}: {cell} is {now} now")
     return found
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--check", action="store_true")
     what.add_argument("--write", action="store_true")
     options = parser.parse_args()
 
+    measures = {
+        method: {name: worst(pieces) for name, pieces in flatten_all(method).items()} for method in METHODS}
+    tables = {
+        "gallery.md": {"measures": gallery(measures)},
+        "comparison.md": {"shares": shares(measures), "measures": comparison(measures)},
+    }
     found = []
-    for page, table in (("gallery.md", gallery), ("comparison.md", comparison)):
-        path = os.path.join(HERE, page)
-        with open(path, encoding="utf-8") as file:
-            before, rest = file.read().split(BEGIN)
-        old, after = rest.split(END)
-        new = table()
-        if options.check:
-            found += [f"{page}: {text}" for text in differences(old, new)]
-        else:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(before + BEGIN + new + END + after)
+    for page, new in tables.items():
+        if options.write:
+            write(page, filled(page, new))
+            continue
+        for mark, text in new.items():
+            found += [f"{page}: {fault}" for fault in differences(between_marks(page, mark), text)]
     if found:
-        sys.exit("\n".join(found + ["measures.py --write writes the tables anew"]))
+        found.append("measures.py --write writes the tables anew")
+    for page, wanted in sentences(measures).items():
+        found += unsaid(page, wanted)
+    if found:
+        sys.exit("\n".join(found))
 
 
 if __name__ == "__main__":
