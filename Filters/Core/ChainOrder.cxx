@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChainOrder.h"
 
+#include <algorithm>
+
 namespace flattening
 {
 ChainOrder::ChainOrder(const WireNetwork& network)
@@ -21,6 +23,9 @@ ChainOrder::ChainOrder(const WireNetwork& network)
     this->atJunction.push_back(
       junction[network.hostOfVertex[edge.from]] | junction[network.hostOfVertex[edge.to]]);
   }
+  this->hostsAlong = static_cast<Index>(std::count(junction.begin(), junction.end(), 0));
+  this->edgesAlong =
+    static_cast<Index>(std::count(this->atJunction.begin(), this->atJunction.end(), 0));
   this->rankOfHost = markedLast(junction);
   this->rankOfEdge = markedLast(this->atJunction);
 }

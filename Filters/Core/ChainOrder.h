@@ -7,13 +7,15 @@ namespace flattening
 {
 /// Orders of elimination for matrices that couple neighbours along wires. Vertices and edges follow
 /// each other along a wire by their numbers, so that each in turn leaves one neighbour only; what
-/// is at a junction of wires goes last. As good as minimum degree, and found by counting.
+/// is at a junction of wires goes last, and is left to LinearSolver to order.
 struct ChainOrder
 {
   explicit ChainOrder(const WireNetwork& network);
 
   Indices rankOfHost; ///< per entry of hostVertices
   Indices rankOfEdge;
+  Index hostsAlong; ///< how many lie along wires and come first
+  Index edgesAlong;
   std::vector<char> atJunction; ///< per edge, at one of its ends
 };
 

@@ -49,9 +49,9 @@ double DirectionsForm::signedLength(Index side) const
 void DirectionsForm::projectAngles()
 {
   // Least squares: theta = alpha + C' y with C C' y = b - C alpha; C holds the loops and the
-  // interior vertices, two ones a column
+  // interior vertices, two ones a column at the most. Vertices go first: eliminating them fills in
+  // between loops alone.
   const WireNetwork& net = *this->Problem->network;
-  // at the most. Vertices go first, so that eliminating them fills in between loops alone.
   const Index loops = net.loopCount();
   Indices vertexRow(net.hostVertices.size(), none);
   Index rows = 0;
@@ -90,7 +90,7 @@ void DirectionsForm::projectAngles()
   }
   SparseMatrix normal(rows, rows);
   normal.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LinearMethod::OrderedLDLT);
+  LinearSolver solver(LeadingColumns{ loopRow });
   this->Projected = net.alpha;
   if (!solver.factorize(normal))
   {
@@ -196,6 +196,7 @@ void DirectionsForm::formRuns(const std::vector<double>& psi)
   }
   late[fixed] = 1;
   const Indices rank = markedLast(late);
+  this->RotationsAlong = static_cast<Index>(std::count(late.begin(), late.end(), 0));
   this->UnknownOfEdge.assign(edges, none);
   this->Rotations = static_cast<Index>(runSize.size()) - 1;
   for (Index e = 0; e < edges; ++e)

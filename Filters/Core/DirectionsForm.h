@@ -23,6 +23,9 @@ public:
 
   Index unknownCount() const { return this->Rotations + this->groupCount(); }
   Index rotationCount() const { return this->Rotations; }
+  /// The first so many rotations are those of single edges along wires, in an order in which each
+  /// is soon eliminated (ChainOrder).
+  Index rotationsAlongWires() const { return this->RotationsAlong; }
   Index groupCount() const { return static_cast<Index>(this->Problem->groups.size()); }
   Index constraintCount() const { return 2 * this->Problem->network->loopCount(); }
   const AngleProblem& problem() const { return *this->Problem; }
@@ -82,6 +85,7 @@ private:
   std::vector<double> Offset; ///< per edge, its direction within its run
   Indices UnknownOfEdge;      ///< none for the fixed run
   Index Rotations = 0;
+  Index RotationsAlong = 0;
   Indices Contradictions;
   std::vector<double> Length; ///< per edge, in units
   double Unit = 1.0;

@@ -20,17 +20,16 @@ DirectionsKkt::DirectionsKkt(const DirectionsForm& form)
       problem.weight[side], form.signedLength(side), edge });
     this->declare(this->Sides.back());
   }
-  Index entry = none;
+  // Entries are counted in the order of their declaration.
   for (Index g = form.rotationCount(); g < this->Unknowns; ++g)
   {
-    entry = this->Assembler.declare(g, g);
-    this->GroupEntries = entry - (g - form.rotationCount());
+    const Index entry = this->Assembler.declare(g, g);
+    this->GroupEntries = g == form.rotationCount() ? entry : this->GroupEntries;
   }
-  const Index size = this->Unknowns + form.constraintCount();
-  for (Index k = 0; k < size; ++k)
+  for (Index k = 0; k < this->Unknowns + form.constraintCount(); ++k)
   {
-    entry = this->Assembler.declare(k, k);
-    this->DiagonalEntries = entry - k;
+    const Index entry = this->Assembler.declare(k, k);
+    this->DiagonalEntries = k == 0 ? entry : this->DiagonalEntries;
   }
   this->Assembler.finish();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearSolver.h"
 
+#include "LeadingElimination.h"
 #include "MultifrontalFactorization.h"
 #include "SuperLUFactorization.h"
 
@@ -18,8 +19,6 @@ namespace flattening
 {
 namespace
 {
-using OrderedLDLT = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
 /// The matrix with every diagonal entry stored, zero or not. SuperLU (up to 7.0) writes out of
 /// bounds where elimination leaves a column without any stored entry to choose as pivot; a stored
 /// diagonal rules that out for every matrix, and one that is singular is then told from the values.
@@ -63,8 +62,7 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   }
   Eigen::VectorXd diagonal() const override
   {
-    if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLDLT<SparseMatrix>> ||
-      std::is_same_v<Factorization, OrderedLDLT>)
+    if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLDLT<SparseMatrix>>)
     {
       return this->solver.vectorD();
     }
@@ -123,6 +121,59 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
   Eigen::VectorXd diagonal() const override { return this->solver.diagonal(); }
 };
 
+struct LinearSolver::LeadingBackend : LinearSolver::Backend
+{
+  /// So few columns cost less than to order them, even where they all become coupled.
+  static constexpr Index fewColumns = 128;
+
+  Index leading = 0;
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> solver;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> placeOfColumn; ///< empty: identity
+
+  void analyze(const SparseMatrix& matrix) override
+  {
+    this->placeOfColumn.resize(0);
+    if (matrix.cols() - this->leading > fewColumns)
+    {
+      const Indices order = leadingColumnsFirst(matrix, this->leading);
+      this->placeOfColumn.resize(static_cast<Eigen::Index>(order.size()));
+      for (std::size_t k = 0; k < order.size(); ++k)
+      {
+        this->placeOfColumn.indices()[order[k]] = static_cast<Index>(k);
+      }
+    }
+    this->solver.analyzePattern(this->permuted(matrix));
+  }
+  bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
+  {
+    this->solver.factorize(this->permuted(matrix));
+    return this->solver.info() == Eigen::Success;
+  }
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  {
+    if (this->placeOfColumn.size() == 0)
+    {
+      return this->solver.solve(rightHandSide);
+    }
+    return this->placeOfColumn.transpose() *
+      Eigen::MatrixXd(this->solver.solve(this->placeOfColumn * rightHandSide));
+  }
+  Eigen::VectorXd diagonal() const override { return this->solver.vectorD(); }
+
+private:
+  SparseMatrix permuted(const SparseMatrix& matrix) const
+  {
+    if (this->placeOfColumn.size() == 0)
+    {
+      return matrix;
+    }
+    SparseMatrix result(matrix.rows(), matrix.cols());
+    result.selfadjointView<Eigen::Lower>() =
+      matrix.selfadjointView<Eigen::Lower>().twistedBy(this->placeOfColumn);
+    return result;
+  }
+};
+
 namespace
 {
 bool allFinite(const SparseMatrix& matrix)
@@ -155,9 +206,6 @@ LinearSolver::LinearSolver(LinearMethod method)
     case LinearMethod::LDLT:
       this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLDLT<SparseMatrix>>>();
       break;
-    case LinearMethod::OrderedLDLT:
-      this->Solver = std::make_unique<Backend::Of<OrderedLDLT>>();
-      break;
     case LinearMethod::Cholesky:
       this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLLT<SparseMatrix>>>();
       break;
@@ -172,6 +220,14 @@ LinearSolver::LinearSolver(Dissection order)
 {
   auto backend = std::make_unique<MultifrontalBackend>();
   backend->dissection = std::move(order);
+  this->Solver = std::move(backend);
+}
+
+LinearSolver::LinearSolver(LeadingColumns leading)
+  : Method(LinearMethod::LDLT)
+{
+  auto backend = std::make_unique<LeadingBackend>();
+  backend->leading = leading.count;
   this->Solver = std::move(backend);
 }
 

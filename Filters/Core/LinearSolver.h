@@ -17,9 +17,15 @@ enum class LinearMethod
   SuperLU,      ///< LU with partial pivoting by the SuperLU library; any square matrix
   SparseLU,     ///< LU with partial pivoting by Eigen; any square matrix
   LDLT,         ///< L D L^T without pivoting; symmetric, quasi-definite or definite
-  OrderedLDLT,  ///< the same in the order of the columns, which the caller has chosen well
   Cholesky,     ///< L L^T; symmetric positive definite
   Multifrontal, ///< LDLT by dense blocks on several threads; for large systems
+};
+
+/// How many columns an LDLT eliminates first, in the order that the caller has chosen well; the
+/// others follow in the order of minimum degree of what is left.
+struct LeadingColumns
+{
+  Index count;
 };
 
 /// One face for the direct solvers of sparse linear systems.
@@ -34,6 +40,7 @@ public:
   /// Multifrontal with an order of elimination that the caller knows to be good, of the columns of
   /// the matrix; by itself it takes that of minimum degree, column by column.
   explicit LinearSolver(Dissection order);
+  explicit LinearSolver(LeadingColumns leading);
   ~LinearSolver();
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
@@ -67,6 +74,7 @@ private:
   struct Backend;
   struct SuperLUBackend;
   struct MultifrontalBackend;
+  struct LeadingBackend;
 
   LinearMethod Method;
   std::unique_ptr<Backend> Solver;
@@ -76,8 +84,8 @@ private:
 
   bool symmetric() const
   {
-    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::OrderedLDLT ||
-      this->Method == LinearMethod::Cholesky || this->Method == LinearMethod::Multifrontal;
+    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::Cholesky ||
+      this->Method == LinearMethod::Multifrontal;
   }
   Index count(int sign) const;
 };

@@ -25,6 +25,7 @@ public:
     , Constraints(form.constraintCount())
     , Held(form.groupCount(), 0)
     , Kkt(form)
+    , Solver(LeadingColumns{ form.rotationsAlongWires() })
   {
     if (this->State.multipliers.size() != this->Constraints)
     {
@@ -274,7 +275,7 @@ private:
   Points2 Units; ///< directions of the wire edges
   Eigen::VectorXd Gradient;
   Eigen::VectorXd Closure;
-  LinearSolver Solver{ LinearMethod::OrderedLDLT };
+  LinearSolver Solver;
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
   double Penalty = 0.0;

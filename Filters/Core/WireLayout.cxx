@@ -87,25 +87,25 @@ double largestMiss(const WireNetwork& network, const Points2& positions, const P
 
 /// Positions whose edges come nearest to the vectors in the least squares sense; the first stays.
 void spreadMisses(
-  const WireNetwork& network, const Points2& vectors, const Indices& rankOfHost, Points2& positions)
+  const WireNetwork& network, const Points2& vectors, const ChainOrder& order, Points2& positions)
 {
   const auto count = static_cast<Eigen::Index>(positions.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
-    const Index a = rankOfHost[network.hostOfVertex[network.edges[e].from]];
-    const Index b = rankOfHost[network.hostOfVertex[network.edges[e].to]];
+    const Index a = order.rankOfHost[network.hostOfVertex[network.edges[e].from]];
+    const Index b = order.rankOfHost[network.hostOfVertex[network.edges[e].to]];
     entries.emplace_back(a, a, 1.0);
     entries.emplace_back(b, b, 1.0);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
     rhs.row(b) += vectors[e].transpose();
     rhs.row(a) -= vectors[e].transpose();
   }
-  entries.emplace_back(rankOfHost[0], rankOfHost[0], 1.0);
+  entries.emplace_back(order.rankOfHost[0], order.rankOfHost[0], 1.0);
   SparseMatrix laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LinearMethod::OrderedLDLT);
+  LinearSolver solver(LeadingColumns{ order.hostsAlong });
   if (!solver.factorize(laplacian))
   {
     return;
@@ -113,7 +113,7 @@ void spreadMisses(
   const Eigen::MatrixXd x = solver.solveRefined(laplacian, rhs);
   for (Eigen::Index k = 0; k < count && x.rows() == count; ++k)
   {
-    positions[k] = x.row(rankOfHost[k]).transpose();
+    positions[k] = x.row(order.rankOfHost[k]).transpose();
   }
 }
 
@@ -138,10 +138,11 @@ class LengthCorrection
 {
 public:
   LengthCorrection(
-    const WireNetwork& network, const std::vector<double>& length, const Indices& rankOfEdge)
+    const WireNetwork& network, const std::vector<double>& length, const ChainOrder& order)
     : Network(network)
     , Length(length)
-    , RankOfEdge(rankOfEdge)
+    , RankOfEdge(order.rankOfEdge)
+    , Solver(LeadingColumns{ order.edgesAlong })
   {
   }
 
@@ -210,16 +211,16 @@ private:
   const Indices& RankOfEdge;
   SparseMatrix Jacobian;
   SparseMatrix Normal;
-  LinearSolver Solver{ LinearMethod::OrderedLDLT };
+  LinearSolver Solver;
 };
 
 /// \param positions per host vertex. \return the largest relative error that is left.
 double makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
-  const Indices& rankOfEdge, Points2& positions)
+  const ChainOrder& order, Points2& positions)
 {
   // Below it one step with the derivatives of a place nearby leaves nothing but rounding.
   constexpr double near = 1e-7;
-  LengthCorrection correction(network, length, rankOfEdge);
+  LengthCorrection correction(network, length, order);
   double error = largestLengthError(network, positions, length);
   bool linearized = false;
   for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
@@ -263,9 +264,9 @@ WireLayout layOutWires(
   }
   if (largestMiss(network, positions, vectors) > 1e-14 * size)
   {
-    spreadMisses(network, vectors, order.rankOfHost, positions);
+    spreadMisses(network, vectors, order, positions);
   }
-  const double error = makeLengthsExact(network, length, order.rankOfEdge, positions);
+  const double error = makeLengthsExact(network, length, order, positions);
   layout.maximumLengthError = error;
   layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
   for (std::size_t k = 0; k < positions.size(); ++k)
@@ -283,7 +284,7 @@ double correctWireLengths(
   {
     hosts[k] = positions[network.hostVertices[k]];
   }
-  const double error = makeLengthsExact(network, length, ChainOrder(network).rankOfEdge, hosts);
+  const double error = makeLengthsExact(network, length, ChainOrder(network), hosts);
   for (std::size_t k = 0; k < hosts.size(); ++k)
   {
     positions[network.hostVertices[k]] = hosts[k];

@@ -11,7 +11,6 @@ struct WireLayout
   Points2 positions;
   /// Largest relative error of a wire edge's length.
   double maximumLengthError = 0.0;
-  Status status;
 };
 
 /// Places all wire vertices in the plane by the planar angles (Eqs. 3 and 8): along a spanning

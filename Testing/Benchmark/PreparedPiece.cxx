@@ -43,7 +43,6 @@ PreparedPiece::PreparedPiece(RefinedPiece source, const Execution& execution)
   this->angles = solveAngles(this->problem, {}, execution);
   require(this->angles.status);
   const WireLayout layout = layOutWires(this->network, this->angles.theta, this->angles.length);
-  require(layout.status);
   this->wires = layout.positions;
   this->rigid = this->wires;
   require(embedInterior(this->piece, this->network, {}, execution, this->rigid).status);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChainOrder.h"
+#include "DirectionsKkt.h"
+#include "LeadingElimination.h"
+#include "LinearSolver.h"
 #include "WiredSurface.h"
 
 #include <Eigen/SparseCholesky>
@@ -27,24 +30,43 @@ WiredSurface wiredPatch(Index columns, Index rows)
   return WiredSurface(surface);
 }
 
-/// Entries of the factor of the wires' graph Laplacian with its vertices in an order.
-template <typename Ordering>
-Eigen::Index entriesOfFactor(const WireNetwork& network, const Indices& rank)
+/// Entries of the factor of a symmetric matrix, and of the same with minimum degree throughout.
+struct Fill
 {
-  const auto count = static_cast<Eigen::Index>(rank.size());
+  Eigen::Index ours;
+  Eigen::Index minimumDegree;
+};
+
+Fill fillOf(const SparseMatrix& lower, Index leading)
+{
+  const Indices order = leadingColumnsFirst(lower, leading);
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> column(lower.cols());
+  std::copy(order.begin(), order.end(), column.indices().data());
+  SparseMatrix ordered(lower.rows(), lower.cols());
+  ordered.selfadjointView<Eigen::Lower>() =
+    lower.selfadjointView<Eigen::Lower>().twistedBy(column.transpose());
+  const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> ours(
+    ordered);
+  const Eigen::SimplicialLDLT<SparseMatrix> theirs(lower);
+  return { SparseMatrix(ours.matrixL()).nonZeros(), SparseMatrix(theirs.matrixL()).nonZeros() };
+}
+
+/// The graph Laplacian of the wires.
+SparseMatrix laplacian(const WireNetwork& network, const ChainOrder& order)
+{
+  const auto count = static_cast<Eigen::Index>(order.rankOfHost.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (const WireEdge& edge : network.edges)
   {
-    const Index a = rank[network.hostOfVertex[edge.from]];
-    const Index b = rank[network.hostOfVertex[edge.to]];
+    const Index a = order.rankOfHost[network.hostOfVertex[edge.from]];
+    const Index b = order.rankOfHost[network.hostOfVertex[edge.to]];
     entries.emplace_back(a, a, 1.5);
     entries.emplace_back(b, b, 1.5);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
   }
-  Eigen::SparseMatrix<double> matrix(count, count);
+  SparseMatrix matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Ordering> factor(matrix);
-  return Eigen::SparseMatrix<double>(factor.matrixL()).nonZeros();
+  return matrix;
 }
 }
 
@@ -70,10 +92,23 @@ TEST(ChainOrder, PutsJunctionsBehindWhatLiesAlongWires)
   }
 }
 
-TEST(ChainOrder, FillsInLittleMoreThanMinimumDegree)
+TEST(ChainOrder, FillsInLittleMoreThanMinimumDegreeHoweverManyPatchesThereAre)
 {
-  const WiredSurface wired = wiredPatch(40, 32);
-  const ChainOrder order(wired.network);
-  EXPECT_LE(entriesOfFactor<Eigen::NaturalOrdering<int>>(wired.network, order.rankOfHost),
-    1.2 * entriesOfFactor<Eigen::AMDOrdering<int>>(wired.network, order.rankOfHost));
+  for (Index side : { 12, 40, 80 })
+  {
+    const WiredSurface wired = wiredPatch(side, side);
+    SCOPED_TRACE(std::to_string(wired.network.loopCount()) + " patches");
+    const ChainOrder order(wired.network);
+    const Fill ofPlaces = fillOf(laplacian(wired.network, order), order.hostsAlong);
+    EXPECT_LE(ofPlaces.ours, 1.2 * ofPlaces.minimumDegree);
+
+    const AngleProblem problem = wired.problem();
+    const DirectionsForm form(problem);
+    const Eigen::VectorXd x = form.unknowns(form.projectedAngles());
+    DirectionsKkt kkt(form);
+    kkt.fill(x, form.unitVectors(x), Eigen::VectorXd::Zero(form.constraintCount()), {}, 1e-8);
+    kkt.shift(1.0);
+    const Fill ofAngles = fillOf(kkt.matrix(), form.rotationsAlongWires());
+    EXPECT_LE(ofAngles.ours, 1.2 * ofAngles.minimumDegree);
+  }
 }

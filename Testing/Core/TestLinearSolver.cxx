@@ -87,7 +87,7 @@ TEST(LinearSolver, AllMethodsAgreeOnAPositiveDefiniteSystem)
   const SparseMatrix matrix = gridLaplacian(20);
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
   for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
-         LinearMethod::OrderedLDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.analyze(matrix));
@@ -136,7 +136,7 @@ TEST(LinearSolver, OneAnalysisServesManyFactorizations)
   SparseMatrix matrix = gridLaplacian(15);
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
   for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
-         LinearMethod::OrderedLDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.analyze(matrix));
@@ -167,8 +167,8 @@ TEST(LinearSolver, SymmetricMethodsReadTheLowerTriangleOnly)
   const SparseMatrix matrix = gridLaplacian(8);
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (LinearMethod method : { LinearMethod::LDLT, LinearMethod::OrderedLDLT,
-         LinearMethod::Cholesky, LinearMethod::Multifrontal })
+  for (LinearMethod method :
+    { LinearMethod::LDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     LinearSolver solver(method);
     ASSERT_TRUE(solver.factorize(lower));
@@ -191,7 +191,7 @@ TEST(LinearSolver, RefusesWhatItCannotFactor)
   SparseMatrix rectangular(4, 5);
   SparseMatrix empty(16, 16);
   for (LinearMethod method : { LinearMethod::SuperLU, LinearMethod::SparseLU, LinearMethod::LDLT,
-         LinearMethod::OrderedLDLT, LinearMethod::Cholesky, LinearMethod::Multifrontal })
+         LinearMethod::Cholesky, LinearMethod::Multifrontal })
   {
     for (const SparseMatrix* matrix : { &singular, &empty, &notFinite, &rectangular })
     {
@@ -212,4 +212,27 @@ TEST(LinearSolver, SolvesTheEmptySystem)
   EXPECT_TRUE(solver.factorize(SparseMatrix(0, 0)));
   EXPECT_EQ(solver.negative(), 0);
   EXPECT_EQ(solver.solve(Eigen::MatrixXd(0, 2)).rows(), 0);
+}
+
+TEST(LinearSolver, LeadingColumnsAreEliminatedFirstAndChangeTheSolutionByRoundingOnly)
+{
+  // Few columns left stay as they are, many are ordered.
+  for (int side : { 8, 20 })
+  {
+    const SparseMatrix matrix = gridLaplacian(side);
+    const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
+    for (Index leading : { 0, side, static_cast<int>(matrix.rows()) })
+    {
+      LinearSolver solver(LeadingColumns{ leading });
+      const SparseMatrix& given = leading == side ? matrix : lower; // the upper one is not read
+      for (double factor : { 1.0, 3.0 })
+      {
+        ASSERT_TRUE(solver.factorize(factor * given));
+        EXPECT_LT((factor * matrix * solver.solve(rhs) - rhs).norm(), 1e-12 * rhs.norm())
+          << side << " " << leading;
+      }
+      EXPECT_EQ(solver.positive(), matrix.rows());
+    }
+  }
 }
