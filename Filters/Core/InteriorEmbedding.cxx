@@ -310,7 +310,6 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   {
     renewed = collectInteriorPatches(piece, network);
     systems.patches.resize(renewed.size());
-    systems.current = true;
   }
   const bool alone = systems.patches.size() == 1;
   const Execution inner = alone ? execution : Execution();
@@ -355,6 +354,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
       systems.patches[i].forgetFactors();
     }
   });
+  systems.current = going;
   const auto running = [](const auto& patch) { return patch->running(); };
   while (going && std::any_of(patches.begin(), patches.end(), running))
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InteriorSystem.h"
 
+#include "SameBits.h"
+
 namespace flattening
 {
 namespace
@@ -48,7 +50,7 @@ void InteriorSystem::update(InteriorPatch patch, const TriangleMesh& mesh)
   {
     points.push_back(mesh.point(v));
   }
-  const bool samePoints = samePattern && points == this->Points;
+  const bool samePoints = samePattern && sameBits(points, this->Points);
   this->Patch = std::move(patch);
   if (samePoints)
   {

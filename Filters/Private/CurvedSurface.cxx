@@ -41,15 +41,19 @@ bool concernsTriangles(StatusCode code)
 /// Loads the surface of the data unless it has been.
 void loadSurfaceAnew(CoincidentPoints coincident, CurvedSurface& source)
 {
-  const vtkMTimeType time = source.data->GetMTime();
-  if (source.surfaceTime == time && source.coincident == coincident)
+  const SurfaceOrigin origin(source.data);
+  if (source.origin.sameAs(origin) && source.coincident == coincident)
   {
     return;
   }
   source.imprintedBy.reset();
+  source.origin = {};
   source.surface = loadSurface(source.data, coincident);
-  source.surfaceTime = source.surface.outcome.ok() ? time : 0;
   source.coincident = coincident;
+  if (source.surface.outcome.ok())
+  {
+    source.origin = origin;
+  }
 }
 
 bool sameOptions(const ImprintOptions& a, const ImprintOptions& b)
@@ -63,6 +67,19 @@ bool samePlaces(const std::vector<Polyline>& a, const std::vector<Polyline>& b)
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
     [](const Polyline& p, const Polyline& q) { return sameBits(p.points, q.points); });
 }
+}
+
+SurfaceOrigin::SurfaceOrigin(vtkPolyData* data)
+  : Time(data->GetMTime())
+  , Points(data->GetPoints())
+  , Cells{ data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() }
+{
+}
+
+bool SurfaceOrigin::sameAs(const SurfaceOrigin& other) const
+{
+  return this->Time != 0 && this->Time == other.Time && this->Points == other.Points &&
+    this->Cells == other.Cells;
 }
 
 vtkIdType CurvedSurface::cellOf(Index triangle) const
@@ -148,6 +165,8 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   }
   const bool imprinted = source.imprintedBy && sameOptions(*source.imprintedBy, options) &&
     samePlaces(source.curves.polylines, read.polylines);
+  // Should something be thrown, the next run starts anew.
+  source.imprintedBy.reset();
   source.curves = std::move(read);
   if (imprinted)
   {
@@ -158,7 +177,6 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
     source.imprinted =
       imprintCurves(source.surface.prepared.mesh, source.curves.polylines, options, execution);
   }
-  source.imprintedBy.reset();
   if (source.imprinted.status.ok())
   {
     source.imprintedBy = options;

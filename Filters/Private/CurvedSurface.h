@@ -6,7 +6,10 @@
 #include "SurfaceCut.h"
 #include "SurfaceInput.h"
 
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <optional>
 
@@ -14,6 +17,24 @@ namespace flattening
 {
 namespace bridge
 {
+/// What a surface was read from: the parts of a data set, which several data sets may share, and
+/// its time, which is that of the part that was modified last.
+class SurfaceOrigin
+{
+public:
+  /// Nothing: no data is the same.
+  SurfaceOrigin() = default;
+  explicit SurfaceOrigin(vtkPolyData* data);
+
+  /// Whether the data has the same parts, and none was modified in between.
+  bool sameAs(const SurfaceOrigin& other) const;
+
+private:
+  vtkMTimeType Time = 0;
+  vtkWeakPointer<vtkPoints> Points;
+  std::array<vtkWeakPointer<vtkCellArray>, 4> Cells; ///< verts and lines count in cell ids
+};
+
 /// A surface with its feature curves imprinted, and the way back from Core's ids to the input's:
 ///
 ///     vertex of the cut surface -> CutSurface::originalVertex -> vertex of imprinted.mesh
@@ -33,8 +54,8 @@ struct CurvedSurface
   ImprintedSurface imprinted;
   Outcome outcome;
 
-  /// Of the data that `surface` was loaded from; times are unique among all objects. 0: none.
-  vtkMTimeType surfaceTime = 0;
+  /// Of the data that `surface` was loaded from.
+  SurfaceOrigin origin;
   CoincidentPoints coincident = CoincidentPoints::Automatic;
   /// How `curves` were imprinted on `surface`; none where they have not been.
   std::optional<ImprintOptions> imprintedBy;
