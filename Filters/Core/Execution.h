@@ -27,6 +27,19 @@ struct Execution
       this->progress(fraction, phase);
     }
   }
+  /// The same for a part of the run: its fractions of 0 to 1 are those from begin to end of the
+  /// whole.
+  Execution part(double begin, double end) const
+  {
+    Execution inner = *this;
+    if (this->progress)
+    {
+      inner.progress = [outer = this->progress, begin, end](double fraction, const char* phase) {
+        outer(begin + fraction * (end - begin), phase);
+      };
+    }
+    return inner;
+  }
   bool cancelled() const { return this->cancel && this->cancel(); }
   void parallelFor(Index count, const std::function<void(Index, Index)>& body) const
   {

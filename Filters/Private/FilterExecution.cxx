@@ -5,18 +5,47 @@
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"
 
+#include <chrono>
+#include <memory>
+
 namespace flattening
 {
 namespace bridge
 {
+namespace
+{
+/// What the observers of an algorithm's progress know, and since when.
+struct Told
+{
+  using Clock = std::chrono::steady_clock;
+
+  double fraction = 0.0;
+  Clock::time_point when = Clock::now();
+
+  bool isLongAgo() const { return Clock::now() - this->when > std::chrono::milliseconds(50); }
+  void tell(vtkAlgorithm* algorithm, double newFraction)
+  {
+    this->fraction = newFraction;
+    algorithm->UpdateProgress(newFraction);
+    this->when = Clock::now();
+  }
+};
+}
+
 Execution executionOf(vtkAlgorithm* algorithm)
 {
+  const auto told = std::make_shared<Told>();
   Execution execution;
-  execution.progress = [algorithm](double fraction, const char* phase) {
+  execution.progress = [algorithm, told](double fraction, const char* phase) {
     algorithm->SetProgressText(phase);
-    algorithm->UpdateProgress(fraction);
+    told->tell(algorithm, fraction);
   };
-  execution.cancel = [algorithm]() {
+  execution.cancel = [algorithm, told]() {
+    // Who watches progress may want to end the run, however long a phase takes.
+    if (told->isLongAgo())
+    {
+      told->tell(algorithm, told->fraction);
+    }
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
     return algorithm->CheckAbort();
 #else

@@ -9,8 +9,8 @@ namespace flattening
 {
 namespace bridge
 {
-/// Progress to UpdateProgress with the phase as its text, cancel from the abort flag, loops by
-/// vtkSMPTools.
+/// Progress to UpdateProgress with the phase as its text, also each 50 ms in between so that an
+/// observer can end the run; cancel from the abort flag, loops by vtkSMPTools.
 Execution executionOf(vtkAlgorithm* algorithm);
 }
 }

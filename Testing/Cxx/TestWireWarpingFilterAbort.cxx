@@ -40,12 +40,16 @@ vtkSmartPointer<vtkPolyData> makeLargePiece()
   return piece;
 }
 
-/// Aborts the filter at its first progress past the start, and tells when.
+/// Aborts the filter at its first progress past the start, or, where it is to wait, at the first
+/// one after so many seconds; and tells since when the abort was wanted.
 class Aborter
 {
 public:
-  explicit Aborter(vtkAlgorithm* algorithm)
+  explicit Aborter(vtkAlgorithm* algorithm, double wait)
     : Algorithm(algorithm)
+    , Wanted(Clock::now() +
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait)))
+    , Waits(wait > 0.0)
   {
     this->Tag = algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::onProgress);
   }
@@ -53,29 +57,32 @@ public:
   bool aborted() const { return this->Aborted; }
   double secondsSince() const
   {
-    return std::chrono::duration<double>(Clock::now() - this->When).count();
+    return std::chrono::duration<double>(Clock::now() - this->Wanted).count();
   }
 
 private:
   void onProgress()
   {
-    if (!this->Aborted && this->Algorithm->GetProgress() > 0.0)
+    const bool due =
+      this->Waits ? Clock::now() >= this->Wanted : this->Algorithm->GetProgress() > 0.0;
+    if (!this->Aborted && due)
     {
       this->Aborted = true;
-      this->When = Clock::now();
+      this->Wanted = this->Waits ? this->Wanted : Clock::now();
       this->Algorithm->SetAbortExecute(1);
     }
   }
   vtkAlgorithm* Algorithm;
   unsigned long Tag = 0;
   bool Aborted = false;
-  Clock::time_point When;
+  Clock::time_point Wanted;
+  bool Waits;
 };
 
-double abortedRun(Checks& check, vtkWireWarpingFilter* filter)
+double abortedRun(Checks& check, vtkWireWarpingFilter* filter, double wait)
 {
   filter->Modified();
-  const Aborter aborter(filter);
+  const Aborter aborter(filter, wait);
   filter->Update();
   const double seconds = aborter.secondsSince();
   check.that(aborter.aborted(), "the run has been aborted");
@@ -100,14 +107,23 @@ int TestWireWarpingFilterAbort(int, char*[])
   {
     filter->SetScheme(scheme);
     // The best of three, because the machine may be busy with other tests.
-    double seconds = abortedRun(check, filter);
+    double seconds = abortedRun(check, filter, 0.0);
     for (int again = 0; again < 2 && seconds >= 0.2; ++again)
     {
-      seconds = std::min(seconds, abortedRun(check, filter));
+      seconds = std::min(seconds, abortedRun(check, filter, 0.0));
     }
     std::cout << "scheme " << scheme << ": " << seconds << " s from the abort to the end\n";
     check.that(seconds < 0.2, "scheme " + std::to_string(scheme) + " ends soon after the abort");
   }
+  // An observer of progress that makes up its mind within a long phase is asked in time.
+  filter->SetSchemeToIsometric();
+  double seconds = abortedRun(check, filter, 1.5);
+  for (int again = 0; again < 2 && seconds >= 0.3; ++again)
+  {
+    seconds = std::min(seconds, abortedRun(check, filter, 1.5));
+  }
+  std::cout << seconds << " s from the wish to abort to the end\n";
+  check.that(seconds < 0.3, "the run ends soon after an observer wishes it");
   check.equal(messages.errors.size() + messages.warnings.size(), std::size_t{ 0 },
     "messages of aborted runs");
   return check.result();
