@@ -13,6 +13,8 @@ namespace
 {
 constexpr double regularization = 1e-8; ///< delta of the constraint block
 constexpr double constraintTolerance = 1e-10;
+/// A whole Newton step that moves no vertex by more, in units of the mean edge, is the last.
+constexpr double shortestStep = 1e-10;
 
 IsometricSolution cancelledSolution()
 {
@@ -58,6 +60,8 @@ public:
       {
         return cancelledSolution();
       }
+      // Most pieces take about five.
+      this->Run.report(1.0 - std::pow(0.8, iteration), "Warping wires and interior together");
       this->Terms = this->Model.objective(this->X, this->Run);
       if (!std::isfinite(this->Terms.total) || !this->solve(exact))
       {
@@ -68,9 +72,11 @@ public:
       solution.history.push_back(
         { this->Terms.total, violation, optimality, moved, this->UsedExact });
       solution.iterations = iteration;
+      // Slivers and elastic curves at their bound leave rounding in the gradient, not in the steps.
+      const bool still = this->TookWholeStep && moved <= shortestStep;
       // A developable piece has no energy; the floor is what rounding leaves of the gradient.
       const double scale = std::max(std::sqrt(this->Terms.total), 1e-2);
-      const bool stationary = optimality <= this->Options.tolerance * scale ||
+      const bool stationary = still || optimality <= this->Options.tolerance * scale ||
         this->promise() <= this->Options.tolerance * this->Options.tolerance * this->Terms.total;
       if (violation <= constraintTolerance && stationary && !this->releaseHeld())
       {
@@ -169,6 +175,7 @@ private:
   bool solve(bool exact)
   {
     this->UsedExact = exact && this->factorize(IsometricModel::Curvature::Exact, 0.0);
+    this->Shift = 0.0;
     bool factored = this->UsedExact;
     for (double tau = 0.0; !factored && tau < 1e6; tau = std::max(1e-4, 10.0 * tau))
     {
@@ -177,6 +184,7 @@ private:
         return false;
       }
       factored = this->factorize(IsometricModel::Curvature::Convex, tau);
+      this->Shift = tau;
     }
     if (!factored || this->Run.cancelled())
     {
@@ -311,6 +319,7 @@ private:
   bool accept(const Eigen::VectorXd& x, double scale, double& moved)
   {
     moved = largest(x - this->X);
+    this->TookWholeStep = scale == 1.0 && this->Shift == 0.0;
     this->X = x;
     this->Multipliers += scale * (this->NewMultipliers - this->Multipliers);
     this->holdAtBounds();
@@ -331,6 +340,8 @@ private:
   IsometricModel::Linearization Point;
   LinearSolver Solver{ LinearMethod::Multifrontal };
   bool UsedExact = false;
+  double Shift = 0.0; ///< tau of the last factorization
+  bool TookWholeStep = false;
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
   double Penalty = 0.0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsometricWarping.h"
 
+#include "CurveImprint.h"
 #include "SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <thread>
 
 using namespace flattening;
@@ -195,6 +197,48 @@ TEST(IsometricWarping, DevelopablesUnrollExactly)
     const FlatteningResult result = flatten(surface);
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     EXPECT_LT(rigidDistance(surface.unrolled, result.positions), 1e-10);
+  }
+}
+
+TEST(IsometricWarping, StopsWhereSliversLeaveOnlyRoundingInTheGradient)
+{
+  // Curves between places inside triangles divide these into thin ones.
+  const Surface panel = cone(12, 10);
+  std::mt19937 random(5);
+  const auto place = [&] {
+    const Index t = static_cast<Index>(random() % panel.mesh.triangleCount());
+    const Triangle& corners = panel.mesh.triangle(t);
+    const double a = random() / 4294967296.0;
+    const double b = (1.0 - a) * (random() / 4294967296.0);
+    return Point3(a * panel.mesh.point(corners[0]) + b * panel.mesh.point(corners[1]) +
+      (1.0 - a - b) * panel.mesh.point(corners[2]));
+  };
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    Polyline line;
+    line.name = "across";
+    line.points = { place(), place() };
+    const ImprintedSurface imprinted = imprintCurves(panel.mesh, { line }, {});
+    if (!imprinted.status.ok())
+    {
+      continue; // the section may leave the panel
+    }
+    const FlatteningResult result = flatten({ imprinted.mesh, imprinted.curves, {} });
+    EXPECT_TRUE(result.status.ok()) << trial << ": " << result.status.message;
+    EXPECT_LT(result.pieces[0].iterations, 20) << trial;
+    EXPECT_NEAR(result.pieces[0].quality.globalHomogeneity, 1.0, 1e-6) << trial;
+  }
+}
+
+TEST(IsometricWarping, StopsWhereAnElasticCurveSitsOnItsBound)
+{
+  for (double tolerance : { 0.05, 0.08, 0.1, 0.12, 0.15 })
+  {
+    Surface surface = quarterSphere();
+    surface.curves[0].tolerance = tolerance;
+    const FlatteningResult result = flatten(surface);
+    EXPECT_TRUE(result.status.ok()) << tolerance << ": " << result.status.message;
+    EXPECT_LT(result.pieces[0].iterations, 20) << tolerance;
   }
 }
 
