@@ -5,6 +5,9 @@
 
 namespace flattening
 {
+/// Of a piece more overlaps than these are not asked for.
+constexpr std::size_t mostOverlaps = 1000;
+
 /// Pairs of boundary half-edges at which a flattened surface covers a part of the plane twice, each
 /// pair once and in ascending order; at most `most` of them. One piece without flipped triangles is
 /// free of overlap exactly where there is none.

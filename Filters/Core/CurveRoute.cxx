@@ -126,5 +126,4 @@ Index pointId(const Polyline& polyline, std::size_t point)
 {
   return point < polyline.pointIds.size() ? polyline.pointIds[point] : static_cast<Index>(point);
 }
-
 }

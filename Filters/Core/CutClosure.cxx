@@ -10,18 +10,19 @@ namespace flattening
 {
 namespace
 {
-constexpr std::size_t mostOverlaps = 1000;
-
 Point2 turnedLeft(const Point2& v)
 {
   return { -v.y(), v.x() };
 }
+
+using Pairs = std::vector<std::array<Index, 2>>;
 
 class Closing
 {
 public:
   Closing(const Piece& piece, const CutSurface& cut, Points2 positions)
     : Subject(piece)
+    , Cut(cut)
     , Cuts(findCutBanks(piece, cut))
   {
     this->Result.positions = std::move(positions);
@@ -31,7 +32,7 @@ public:
 
   CutClosure run(const JoinedFlattening& flatten)
   {
-    while (!this->Cuts.empty())
+    for (;;)
     {
       const std::vector<char> crossing = this->crossingVertices();
       if (std::find(crossing.begin(), crossing.end(), 1) == crossing.end())
@@ -39,11 +40,17 @@ public:
         this->Result.closed = true;
         break;
       }
-      if (!this->joinCrossed(crossing) && !this->joinCrossing(crossing))
+      if (!this->join(this->crossedPairs(crossing)) && !this->join(this->crossingPairs(crossing)) &&
+        !this->join(this->wholeCuts(crossing)))
       {
         break;
       }
       Points2 positions = flatten(this->Result.joined);
+      // A piece that cannot be flattened with its cuts closed in part may be with whole ones.
+      while (positions.empty() && this->join(this->wholeCuts(crossing)))
+      {
+        positions = flatten(this->Result.joined);
+      }
       if (positions.empty())
       {
         break;
@@ -64,6 +71,7 @@ private:
       for (Index h : pair)
       {
         crossing[mesh.from(h)] = crossing[mesh.to(h)] = 1;
+        crossing[this->Result.joined[mesh.from(h)]] = crossing[this->Result.joined[mesh.to(h)]] = 1;
       }
     }
     return crossing;
@@ -83,15 +91,20 @@ private:
     return across.dot(at[cut.pairs[k][0]] - at[cut.pairs[k][1]]);
   }
 
-  /// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
-  bool joinCrossed(const std::vector<char>& crossing)
+  bool takesPart(const CutBanks& cut, const std::vector<char>& crossing) const
   {
-    std::vector<std::array<Index, 2>> crossed;
+    return crossing[cut.tip] ||
+      std::any_of(cut.pairs.begin(), cut.pairs.end(),
+        [&](const auto& pair) { return crossing[pair[0]] || crossing[pair[1]]; });
+  }
+
+  /// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
+  Pairs crossedPairs(const std::vector<char>& crossing) const
+  {
+    Pairs crossed;
     for (const CutBanks& cut : this->Cuts)
     {
-      const bool takesPart = std::any_of(cut.pairs.begin(), cut.pairs.end(),
-        [&](const auto& pair) { return crossing[pair[0]] || crossing[pair[1]]; });
-      for (std::size_t k = 0; takesPart && k < cut.pairs.size(); ++k)
+      for (std::size_t k = 0; this->takesPart(cut, crossing) && k < cut.pairs.size(); ++k)
       {
         if (this->gap(cut, k) < 0.0)
         {
@@ -99,64 +112,129 @@ private:
         }
       }
     }
-    return this->join(crossed);
+    return crossed;
   }
 
   /// The pairs at the ends of edges that cross although no pair is on the wrong side.
-  bool joinCrossing(const std::vector<char>& crossing)
+  Pairs crossingPairs(const std::vector<char>& crossing) const
   {
-    std::vector<std::array<Index, 2>> ends;
+    Pairs ends;
     for (const CutBanks& cut : this->Cuts)
     {
       std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
         [&](const auto& pair) { return crossing[pair[0]] || crossing[pair[1]]; });
     }
-    return this->join(ends);
+    return ends;
+  }
+
+  /// All pairs of the cuts that take part in a crossing.
+  Pairs wholeCuts(const std::vector<char>& crossing) const
+  {
+    Pairs all;
+    for (const CutBanks& cut : this->Cuts)
+    {
+      if (this->takesPart(cut, crossing))
+      {
+        all.insert(all.end(), cut.pairs.begin(), cut.pairs.end());
+      }
+    }
+    return all;
+  }
+
+  bool joinPair(const std::array<Index, 2>& pair)
+  {
+    Indices& joined = this->Result.joined;
+    const Index from = std::max(joined[pair[0]], joined[pair[1]]);
+    const Index to = std::min(joined[pair[0]], joined[pair[1]]);
+    if (from != to)
+    {
+      std::replace(joined.begin(), joined.end(), from, to);
+    }
+    return from != to;
   }
 
   /// \return whether one of the pairs was not joined yet.
-  bool join(const std::vector<std::array<Index, 2>>& pairs)
+  bool join(const Pairs& pairs)
   {
-    Indices& joined = this->Result.joined;
     bool grown = false;
     for (const auto& pair : pairs)
     {
-      const Index from = std::max(joined[pair[0]], joined[pair[1]]);
-      const Index to = std::min(joined[pair[0]], joined[pair[1]]);
-      if (from != to)
+      grown = this->joinPair(pair) || grown;
+    }
+    if (grown)
+    {
+      while (this->joinNextToLonePairs())
       {
-        std::replace(joined.begin(), joined.end(), from, to);
-        grown = true;
+      }
+      this->findCutsAnew();
+    }
+    return grown;
+  }
+
+  /// A pair joined by itself holds two fans of triangles together at one vertex: the pair next to
+  /// it towards the tip is joined as well.
+  bool joinNextToLonePairs()
+  {
+    Indices& joined = this->Result.joined;
+    const JoinedPiece now = joinVertices(this->Subject, joined);
+    const TriangleMesh& mesh = now.piece.mesh;
+    Indices fans(mesh.vertexCount(), 0);
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+    {
+      fans[mesh.from(h)] += mesh.twin(h) == none ? 1 : 0;
+    }
+    bool grown = false;
+    for (const CutBanks& cut : this->Cuts)
+    {
+      for (std::size_t k = 1; k < cut.pairs.size(); ++k)
+      {
+        const auto [a, b] = cut.pairs[k];
+        if (joined[a] == joined[b] && fans[now.place[a]] > 1)
+        {
+          grown = this->joinPair(cut.pairs[k - 1]) || grown;
+        }
       }
     }
     return grown;
   }
 
+  /// Where cuts meet, one that is closed up to there makes a tip of another.
+  void findCutsAnew()
+  {
+    const JoinedPiece now = joinVertices(this->Subject, this->Result.joined);
+    Indices before(now.piece.mesh.vertexCount());
+    for (std::size_t v = 0; v < now.place.size(); ++v)
+    {
+      before[now.place[v]] = this->Result.joined[v];
+    }
+    std::vector<CutBanks> cuts = findCutBanks(now.piece, this->Cut);
+    for (CutBanks& cut : cuts)
+    {
+      cut.tip = before[cut.tip];
+      for (auto& pair : cut.pairs)
+      {
+        pair = { before[pair[0]], before[pair[1]] };
+      }
+    }
+    this->Cuts = std::move(cuts);
+  }
+
   void findClosedEdges()
   {
     const TriangleMesh& mesh = this->Subject.mesh;
-    const Indices& joined = this->Result.joined;
-    for (const CutBanks& cut : this->Cuts)
+    const JoinedPiece now = joinVertices(this->Subject, this->Result.joined);
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
     {
-      std::array<Index, 2> inner{ cut.tip, cut.tip };
-      for (const auto& pair : cut.pairs)
+      if (mesh.twin(h) == none && now.piece.mesh.twin(h) != none)
       {
-        if (joined[inner[0]] == joined[inner[1]] && joined[pair[0]] == joined[pair[1]])
-        {
-          this->Result.edges.push_back(mesh.find(pair[0], inner[0]));
-          this->Result.edges.push_back(mesh.find(inner[1], pair[1]));
-        }
-        inner = pair;
+        this->Result.edges.push_back(h);
       }
     }
-    // A cut with two tips is found from each.
-    std::sort(this->Result.edges.begin(), this->Result.edges.end());
-    this->Result.edges.erase(
-      std::unique(this->Result.edges.begin(), this->Result.edges.end()), this->Result.edges.end());
   }
 
   const Piece& Subject;
-  std::vector<CutBanks> Cuts;
+  const CutSurface& Cut;
+  std::vector<CutBanks> Cuts; ///< with what is joined left out
   CutClosure Result;
 };
 }

@@ -69,6 +69,31 @@ void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
   }
 }
 
+/// What the isometric scheme left flipped, with the wires where it has put them.
+void untangleAfter(
+  const Piece& piece, const WireNetwork& network, const Execution& execution, FlatPiece& result)
+{
+  if (result.report.status.refused())
+  {
+    return;
+  }
+  const Index flipped = countFlipped(piece.mesh, result.positions);
+  if (flipped == 0)
+  {
+    return;
+  }
+  Points2 positions = result.positions;
+  const UntanglingResult untangled = untangleInterior(piece, network, execution, positions);
+  if (untangled.status.refused())
+  {
+    result.report.status = untangled.status;
+  }
+  else if (countFlipped(piece.mesh, positions) < flipped)
+  {
+    result.positions = std::move(positions);
+  }
+}
+
 void mapPieceConformally(const Piece& piece, const CutSurface& cut,
   const FlatteningOptions& options, const Execution& execution, FlatPiece& result)
 {
@@ -102,6 +127,7 @@ void placePiece(WiredPiece& wired, const WireSolution& wires, const FlatteningOp
   {
     return;
   }
+  execution.report(0.1, "Placing the interior");
   result.positions = layOutWires(network, wires.angles.theta, wires.angles.length).positions;
   result.secondsWires += watch.restart();
   const InteriorResult interior = embedInterior(piece, network, options.interior, execution,
@@ -121,7 +147,8 @@ void placePiece(WiredPiece& wired, const WireSolution& wires, const FlatteningOp
   }
   if (options.scheme == Scheme::Isometric && !report.status.refused())
   {
-    warpPieceIsometrically(piece, wires, options, execution, result);
+    warpPieceIsometrically(piece, wires, options, execution.part(0.2, 1.0), result);
+    untangleAfter(piece, network, execution, result);
   }
   result.secondsInterior += watch.restart();
 }
@@ -241,12 +268,13 @@ void closeCuts(const Piece& piece, const CutSurface& cut, const std::vector<Feat
     JoinedPiece joinedPiece = joinVertices(piece, joined);
     joinedWired = {};
     joinedWired.piece = std::move(joinedPiece.piece);
-    joinedFlat = flattenAsCut(joinedWired, cut, curves, options, execution, false);
+    joinedFlat = flattenAsCut(joinedWired, cut, curves, options, execution.part(1.0, 1.0), false);
     result.secondsWires += joinedFlat.secondsWires;
     result.secondsInterior += joinedFlat.secondsInterior;
     place = std::move(joinedPiece.place);
     Points2 positions;
-    const bool good = joinedFlat.report.status.ok() &&
+    const Status& status = joinedFlat.report.status;
+    const bool good = (status.ok() || status.code == result.report.status.code) &&
       countFlipped(joinedWired.piece.mesh, joinedFlat.positions) <= flipped;
     for (std::size_t v = 0; good && v < place.size(); ++v)
     {
@@ -266,6 +294,7 @@ void closeCuts(const Piece& piece, const CutSurface& cut, const std::vector<Feat
     {
       result.report.closedEdges.push_back(3 * piece.triangles[h / 3] + h % 3);
     }
+    std::sort(result.report.closedEdges.begin(), result.report.closedEdges.end());
   }
 }
 }
@@ -275,7 +304,7 @@ FlatPiece flattenPiece(WiredPiece& wired, const CutSurface& cut,
   const Execution& execution, bool keep)
 {
   FlatPiece result = flattenAsCut(wired, cut, curves, options, execution, keep);
-  if (options.closeCuts && result.report.status.ok())
+  if (options.closeCuts && !result.report.status.refused())
   {
     closeCuts(wired.piece, cut, curves, options, execution, result);
   }

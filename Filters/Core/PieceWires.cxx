@@ -30,6 +30,10 @@ void addStretchGroups(
       problem.stretchGroup[e] = static_cast<Index>(problem.groups.size());
       problem.groups.push_back({ connectorTolerance, stretchWeight });
     }
+    else if (edge.curve != none && curves[edge.curve].stretch)
+    {
+      problem.length[e] *= 1.0 + *curves[edge.curve].stretch;
+    }
     else if (edge.curve != none && curves[edge.curve].tolerance > 0.0)
     {
       Index& group = groupOfCurve[edge.curve];

@@ -135,6 +135,7 @@ public:
     , Known(problem.locks.locked)
     , Theta(problem.locks.angle)
     , Done(Net.loopCount(), 0)
+    , Failed(Net.loopCount(), 0)
   {
   }
 
@@ -204,6 +205,7 @@ private:
       this->Known[begin + k] = 1;
     }
     this->Done[loop] = 1;
+    this->Failed[loop] = solution.status.ok() ? 0 : 1;
     this->Result.warpingOrder.push_back(loop);
     this->Result.angles.iterations += solution.iterations;
     IterationRecord record = solution.history.empty() ? IterationRecord{} : solution.history.back();
@@ -300,7 +302,13 @@ private:
   void repair()
   {
     AngleProblem nearest = this->Problem;
-    nearest.target = this->Theta;
+    for (Index i = 0; i < this->Net.nodeCount(); ++i)
+    {
+      // What a patch that did not close was left with, or a vertex got by Eq. 9, may be many turns.
+      const bool meant =
+        !this->Failed[this->Net.loop[i]] && this->Theta[i] > 0.0 && this->Theta[i] < 2.0 * pi;
+      nearest.target[i] = meant ? this->Theta[i] : this->Problem.target[i];
+    }
     AngleSolution solution = solveAngles(nearest, this->Options, this->Run);
     if (!solution.status.ok() && solution.status.code != StatusCode::Cancelled)
     {
@@ -322,6 +330,7 @@ private:
   std::vector<char> Known;
   std::vector<double> Theta;
   std::vector<char> Done;
+  std::vector<char> Failed; ///< wire-patches that could not be closed
   ProgressiveSolution Result;
 };
 }

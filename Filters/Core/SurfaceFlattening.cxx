@@ -2,6 +2,7 @@
 #include "SurfaceFlattening.h"
 
 #include "BoundaryOverlap.h"
+#include "ElasticSeams.h"
 #include "PieceArrangement.h"
 #include "PieceFlattening.h"
 #include "PiecePromises.h"
@@ -17,8 +18,6 @@ namespace flattening
 {
 namespace
 {
-constexpr std::size_t mostOverlaps = 1000;
-
 Status checkOptions(const FlatteningOptions& options)
 {
   struct Range
@@ -154,25 +153,66 @@ private:
 
   bool flattenPieces()
   {
+    const double share = 0.8 / static_cast<double>(this->Kept.pieces.size());
     for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
-      this->Run.report(
-        0.05 + 0.8 * static_cast<double>(p) / static_cast<double>(this->Kept.pieces.size()),
-        "Flattening pieces");
-      if (this->Run.cancelled())
+      const double begin = 0.05 + share * static_cast<double>(p);
+      if (!this->flattenPieceOf(p, this->Curves, this->Run.part(begin, begin + share)))
       {
-        this->Result.status = cancelled();
         return false;
       }
-      this->Flat.push_back(flattenPiece(
-        this->Kept.pieces[p], *this->Kept.cut, this->Curves, this->Options, this->Run, this->Keep));
-      if (this->Flat.back().report.status.refused())
+    }
+    return this->agreeOnStretches();
+  }
+
+  bool flattenPieceOf(
+    std::size_t p, const std::vector<FeatureCurve>& curves, const Execution& execution)
+  {
+    execution.report(0.0, "Flattening pieces");
+    if (execution.cancelled())
+    {
+      this->Result.status = cancelled();
+      return false;
+    }
+    this->Flat.resize(this->Kept.pieces.size());
+    FlatPiece& flat = this->Flat[p];
+    flat = flattenPiece(
+      this->Kept.pieces[p], *this->Kept.cut, curves, this->Options, execution, this->Keep);
+    this->Result.seconds.wires += flat.secondsWires;
+    this->Result.seconds.interior += flat.secondsInterior;
+    if (flat.report.status.refused())
+    {
+      this->Result.status = flat.report.status;
+      return false;
+    }
+    return true;
+  }
+
+  /// Pieces that share elastic curves are flattened anew with common lengths.
+  bool agreeOnStretches()
+  {
+    std::vector<CurveStretches> stretches;
+    if (this->Options.scheme == Scheme::Conformal)
+    {
+      return true;
+    }
+    for (std::size_t p = 0; p < this->Flat.size(); ++p)
+    {
+      const Points2& positions = this->Flat[p].positions;
+      stretches.push_back(stretchesIn(this->networkOf(p), positions, this->Curves));
+    }
+    const std::vector<FeatureCurve> decided = flattening::agreeOnStretches(this->Curves, stretches);
+    for (std::size_t p = 0; p < this->Flat.size() && !decided.empty(); ++p)
+    {
+      bool shares = false;
+      for (std::size_t c = 0; c < decided.size(); ++c)
       {
-        this->Result.status = this->Flat.back().report.status;
+        shares = shares || (decided[c].stretch && stretches[p][c]);
+      }
+      if (shares && !this->flattenPieceOf(p, decided, this->Run.part(0.85, 0.85)))
+      {
         return false;
       }
-      this->Result.seconds.wires += this->Flat.back().secondsWires;
-      this->Result.seconds.interior += this->Flat.back().secondsInterior;
     }
     return true;
   }
@@ -261,6 +301,7 @@ private:
         // Both banks are in the list.
         this->Result.curves[cut.curveOfHalfedge[h]].closedLength += 0.5 * cut.mesh.length(h);
       }
+      noteClosedEdges(cut.mesh, this->Flat[p].report.closedEdges, this->Result.wires);
     }
     for (FlatPiece& flat : this->Flat)
     {

@@ -135,6 +135,22 @@ std::vector<Wire> traceWires(
   return wires;
 }
 
+void noteClosedEdges(const TriangleMesh& cut, const Indices& closedEdges, std::vector<Wire>& wires)
+{
+  const auto isClosed = [&](Index halfedge) {
+    return halfedge != none && std::binary_search(closedEdges.begin(), closedEdges.end(), halfedge);
+  };
+  for (Wire& wire : wires)
+  {
+    for (std::size_t k = 0; !closedEdges.empty() && k + 1 < wire.vertices.size(); ++k)
+    {
+      const Index a = wire.vertices[k];
+      const Index b = wire.vertices[k + 1];
+      wire.boundary = wire.boundary && !isClosed(cut.find(a, b)) && !isClosed(cut.find(b, a));
+    }
+  }
+}
+
 std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece, Index pieceId)
 {
   std::vector<Wire> wires;

@@ -12,6 +12,10 @@ namespace flattening
 std::vector<Wire> traceWires(
   const TriangleMesh& original, const CutSurface& cut, const std::vector<FeatureCurve>& curves);
 
+/// Wires that are closed in the plane, in part or wholly, do not bound their piece. \param
+/// closedEdges half-edges of the cut surface in ascending order
+void noteClosedEdges(const TriangleMesh& cut, const Indices& closedEdges, std::vector<Wire>& wires);
+
 /// The connectors of a piece as polylines.
 std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece, Index pieceId);
 

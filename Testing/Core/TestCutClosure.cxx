@@ -168,6 +168,57 @@ TEST(CutClosure, ACutIsClosedOnlyWhereItsBanksCross)
   }
 }
 
+TEST(CutClosure, WhereOnlyTheMouthCrossesNoTwoFansOfTrianglesAreHeldTogetherAtAVertex)
+{
+  for (double inner : { 4.9, 5.3, 5.7 })
+  {
+    for (double outer : { 6.8, 7.6, 8.4, 9.2 })
+    {
+      const Surface surface = cutCone({ inner, inner, inner, inner, outer });
+      if (flattened(surface, Scheme::Isometric, false).status.ok())
+      {
+        continue;
+      }
+      SCOPED_TRACE(std::to_string(inner) + " inside, " + std::to_string(outer) + " at the rim");
+      const FlatteningResult closed = flattened(surface, Scheme::Isometric, true);
+      EXPECT_STREQ(statusName(closed.status.code), "Ok") << closed.status.message;
+      // A closed pair of vertices has a closed edge beside it.
+      const TriangleMesh& mesh = closed.cut->mesh;
+      for (const SeamPair& pair : closed.cut->seamPairs)
+      {
+        const Index ends[2][2] = { { mesh.from(pair.first), mesh.to(pair.second) },
+          { mesh.to(pair.first), mesh.from(pair.second) } };
+        for (const auto& end : ends)
+        {
+          if (end[0] == end[1] || closed.positions[end[0]] != closed.positions[end[1]])
+          {
+            continue;
+          }
+          const std::vector<Index>& edges = closed.pieces[0].closedEdges;
+          EXPECT_TRUE(std::any_of(edges.begin(), edges.end(),
+            [&](Index h) { return mesh.from(h) == end[0] || mesh.to(h) == end[0]; }));
+        }
+      }
+    }
+  }
+}
+
+TEST(CutClosure, ClosedBanksDoNotBoundTheirPiece)
+{
+  const Surface surface = cutCone({ 6.6, 6.6, 6.6, 6.6 });
+  for (const bool closeCuts : { false, true })
+  {
+    const FlatteningResult result = flattened(surface, Scheme::Isometric, closeCuts);
+    Index banks = 0;
+    for (const Wire& wire : result.wires)
+    {
+      banks += wire.curve == 0 ? 1 : 0;
+      EXPECT_EQ(wire.boundary, wire.curve != 0 || !closeCuts);
+    }
+    EXPECT_EQ(banks, 2);
+  }
+}
+
 TEST(CutClosure, JoinedBanksLeaveNothingInTheCache)
 {
   const Surface surface = cutCone({ 5.6, 5.6, 6.6, 7.4, 7.8 });

@@ -74,3 +74,33 @@ TEST(ElasticCurves, OfAFlatSurfaceKeepTheirLength)
   EXPECT_LT(result.curves[0].error, 1e-10);
   EXPECT_LT(rigidDistance(result.positions, surface.unrolled), 1e-9);
 }
+
+TEST(ElasticCurves, ASeamBetweenTwoPiecesIsAsLongOnBothSides)
+{
+  // One half of the surface is curved more than the other, so each by itself would choose another
+  // length.
+  Surface surface = cushion(10, 8, 0.5);
+  surface.curves = { columnCurve(10, 8, 3), rowCurve(10, 4) };
+  surface.curves[0].type = CurveType::Seam;
+  surface.curves[0].tolerance = 0.05;
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    SCOPED_TRACE(static_cast<int>(scheme));
+    FlatteningOptions options;
+    options.scheme = scheme;
+    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    ASSERT_FALSE(result.status.refused()) << result.status.message;
+    ASSERT_EQ(result.pieces.size(), 2U);
+    const TriangleMesh& mesh = result.cut->mesh;
+    const auto length = [&](Index h) {
+      return (result.positions[mesh.to(h)] - result.positions[mesh.from(h)]).norm();
+    };
+    for (const SeamPair& pair : result.cut->seamPairs)
+    {
+      EXPECT_NEAR(length(pair.first) / length(pair.second), 1.0, 1e-12);
+    }
+    EXPECT_LE(result.curves[0].error, 0.05 * (1.0 + 1e-9));
+    EXPECT_GT(result.curves[0].error, 1e-4) << "the band is of use here";
+    EXPECT_LT(result.curves[1].error, 1e-12);
+  }
+}
