@@ -7,7 +7,7 @@
  *
  * | port | what | used of it |
  * |---|---|---|
- * | 0 | the flat pieces, triangles counter-clockwise, z ignored | cell array `PieceId` (absent: one piece); field data `SeamPairs` (absent: no notches, no darts to fold) |
+ * | 0 | the flat pieces, triangles counter-clockwise, z ignored | cell array `PieceId` (absent: one piece); field data `SeamPairs` (absent: no notches, no darts to fold), `SeamClosed` (absent: no cut was closed) |
  * | 1, optional | the flat wires over the points of port 0 | cell arrays `CurveType`, `CurveId`, `CurveName`, `PieceId`, `Connector`; absent: outlines only |
  * | 2, optional | the cut surface in space, point for point like port 0 | lengths on the surface, for notches and for `data-length`; absent: the flat lengths |
  *
@@ -32,7 +32,8 @@
  *
  * The cut line is the union of the piece with the strips of its seam allowance (Clipper), with
  * mitred corners of limited length. A folded dart's mouth gets a roof, so that the folded cloth
- * reaches the cut line.
+ * reaches the cut line. Where the flattening has closed a cut, the cloth is whole: nothing is drawn
+ * there.
  *
  * **Errors**: nothing to draw, broken input, an invalid option, a pattern too large for the pages,
  * a file that cannot be written. One vtkErrorMacro says what and the way out, Write() returns 0,

@@ -45,13 +45,16 @@
  *
  * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
  * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a
- * row of output 1's field data. **One row a pair of boundary edges that cross**: `OverlapEdges`
- * (id, 5 components): the points of both edges, the piece. Point ids are those of output 0.
+ * row of output 1's field data; `SeamClosed` (unsigned char): 1 where CloseCuts has closed the cut
+ * between them, so that they lie on each other. **One row a pair of boundary edges that cross**:
+ * `OverlapEdges` (id, 5 components): the points of both edges, the piece. Point ids are those of
+ * output 0.
  *
  * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays:
  * `CurveType` (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1),
- * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the wire bounds its
- * piece), `Connector` (unsigned char, 1 where it joins a loose loop and its length is free),
+ * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the whole wire bounds its
+ * piece; 0 also where CloseCuts has closed a part of it), `Connector` (unsigned char, 1 where it
+ * joins a loose loop and its length is free),
  * `RestLength`, `FlatLength` (unit of length), `LengthError` (double; the largest relative error of
  * one of its edges). Field data, one row a feature curve: `CurveNames` (string), `CurveTypes`
  * (int), `CurveRestLengths`, `CurveFlatLengths`, `CurveLengthErrors`, `CurveTolerances` (0 where
@@ -171,7 +174,7 @@ public:
   /**
    * Close darts and other cuts as far as their banks would lie over each other, which they do where
    * the surface is saddle-like: the closed parts of the two banks then lie on each other, at the
-   * price of more distortion, and count as a wire inside the piece. Off: they overlap, and the
+   * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they overlap, and the
    * status is OVERLAP. Default: off.
    */
   vtkSetMacro(CloseCuts, bool);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternBuilder.h"
 
+#include "ClosedCuts.h"
 #include "PatternText.h"
 #include "PieceDrawing.h"
 
@@ -134,19 +135,21 @@ PatternStatus buildPattern(
   {
     status = checkOptions(source, options);
   }
-  DrawingSource all{ source, options, {}, {}, {}, {} };
-  if (status.ok())
-  {
-    status = findLoops(source, pieces, all.loops);
-  }
   if (!status.ok())
   {
     return status;
   }
-  all.partners = sewnPartners(source);
-  all.wires = wiresOfEdges(source);
+  const PatternSource whole = withoutClosedCuts(source);
+  DrawingSource all{ whole, options, {}, {}, {}, {} };
+  status = findLoops(whole, pieces, all.loops);
+  if (!status.ok())
+  {
+    return status;
+  }
+  all.partners = sewnPartners(whole);
+  all.wires = wiresOfEdges(whole);
   status =
-    placeNotches(source, all.loops, all.partners, options.notchSpacing / all.scale(), all.notches);
+    placeNotches(whole, all.loops, all.partners, options.notchSpacing / all.scale(), all.notches);
 
   pattern.name = cleanText(options.name);
   pattern.unit = options.unit;

@@ -37,6 +37,7 @@ struct SewnEdges
 {
   std::array<Index, 2> a{ none, none };
   std::array<Index, 2> b{ none, none };
+  bool closed = false; ///< they lie on each other: the cut was closed, the cloth is whole there
 };
 
 /// A flattening, in the unit of its surface.

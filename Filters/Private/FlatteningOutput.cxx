@@ -178,6 +178,22 @@ void writeFlatLengths(const std::vector<Wire>& wires, vtkCellData* cells)
     cells, "LengthError", wires.size(), [&](std::size_t w) { return wires[w].maximumEdgeError; });
 }
 
+/// Per row of SeamPairs whether the two edges lie on each other because their cut was closed.
+void writeClosedSeams(const FlatteningResult& result, vtkFieldData* field)
+{
+  std::vector<char> closed(result.cut->mesh.halfedgeCount(), 0);
+  for (const PieceReport& piece : result.pieces)
+  {
+    for (Index h : piece.closedEdges)
+    {
+      closed[h] = 1;
+    }
+  }
+  const std::vector<SeamPair>& pairs = result.cut->seamPairs;
+  addRows<vtkUnsignedCharArray>(field, "SeamClosed", pairs.size(),
+    [&](std::size_t i) { return static_cast<unsigned char>(closed[pairs[i].first]); });
+}
+
 /// The flat positions as active texture coordinates; those of the input stay among the point data.
 void writeTextureCoordinates(const Points2& positions, vtkPointData* points)
 {
@@ -251,6 +267,7 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   writePieces(source, result.pieces, field);
   writeHistory(result.pieces, field);
   writeSeamPairs(*result.cut, flat);
+  writeClosedSeams(result, field);
   writeOverlapEdges(result, field);
   writeSeconds(result.seconds, field);
 }

@@ -144,6 +144,7 @@ PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
   {
     return {};
   }
+  vtkDataArray* closed = flat->GetFieldData()->GetArray("SeamClosed");
   for (vtkIdType row = 0; row < pairs->GetNumberOfTuples(); ++row)
   {
     std::array<Index, 4> ids{};
@@ -157,7 +158,9 @@ PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
       }
       ids[static_cast<std::size_t>(k)] = static_cast<Index>(id);
     }
-    source.sewn.push_back({ { ids[0], ids[1] }, { ids[2], ids[3] } });
+    const bool isClosed =
+      closed && row < closed->GetNumberOfTuples() && closed->GetComponent(row, 0) != 0.0;
+    source.sewn.push_back({ { ids[0], ids[1] }, { ids[2], ids[3] }, isClosed });
   }
   return {};
 }
