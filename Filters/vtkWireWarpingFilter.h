@@ -52,14 +52,14 @@
  *
  * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays:
  * `CurveType` (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1),
- * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the whole wire bounds its
- * piece; 0 also where CloseCuts has closed a part of it), `Connector` (unsigned char, 1 where it
- * joins a loose loop and its length is free),
- * `RestLength`, `FlatLength` (unit of length), `LengthError` (double; the largest relative error of
- * one of its edges). Field data, one row a feature curve: `CurveNames` (string), `CurveTypes`
- * (int), `CurveRestLengths`, `CurveFlatLengths`, `CurveLengthErrors`, `CurveTolerances` (0 where
- * rigid), `CurveClosedLengths` (of a cut, see CloseCuts), `CurveSensitivities` (derivative of the
- * objective by the logarithm of the length) (double); both sides of a cut count once.
+ * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the whole wire bounds
+ * its piece; 0 also where CloseCuts has closed a part of it), `Connector` (unsigned char, 1 where
+ * it joins a loose loop and its length is free), `RestLength`, `FlatLength` (unit of length),
+ * `LengthError` (double; the largest relative error of one of its edges). Field data, one row a
+ * feature curve: `CurveNames` (string), `CurveTypes` (int), `CurveRestLengths`, `CurveFlatLengths`,
+ * `CurveLengthErrors`, `CurveTolerances` (0 where rigid), `CurveClosedLengths` (of a cut, see
+ * CloseCuts), `CurveSensitivities` (derivative of the objective by the logarithm of the length)
+ * (double); both sides of a cut count once.
  *
  * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
  * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit
@@ -174,8 +174,8 @@ public:
   /**
    * Close darts and other cuts as far as their banks would lie over each other, which they do where
    * the surface is saddle-like: the closed parts of the two banks then lie on each other, at the
-   * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they overlap, and the
-   * status is OVERLAP. Default: off.
+   * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they
+   * overlap, and the status is OVERLAP. Default: off.
    */
   vtkSetMacro(CloseCuts, bool);
   vtkGetMacro(CloseCuts, bool);
