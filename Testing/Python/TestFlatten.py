@@ -100,11 +100,17 @@ class Results(unittest.TestCase):
         surface, curves = read("wetsuit_upper_front"), read("wetsuit_upper_front_curves")
         with self.assertWarnsRegex(sf.FlatteningWarning, "waist_dart_left"):
             self.assertGreater(len(sf.flatten_polydata(surface, curves).overlap_edges), 0)
-        report = sf.flatten_polydata(surface, curves, close_cuts=True).report
+        result = sf.flatten_polydata(surface, curves, close_cuts=True)
+        report = result.report
         self.assertEqual(report["status"], "Ok")
         closed = {curve["name"]: curve["closed_length"] for curve in report["curves"]}
         self.assertGreater(closed["waist_dart_left"], 0.0)
         self.assertEqual(closed["bust_dart_left"], 0.0)
+        pairs = result.seam_pairs[result.seam_closed]
+        np.testing.assert_array_equal(result.positions[pairs[:, 0]], result.positions[pairs[:, 2]])
+        np.testing.assert_array_equal(result.positions[pairs[:, 1]], result.positions[pairs[:, 3]])
+        lengths = np.linalg.norm(result.points[pairs[:, 1]] - result.points[pairs[:, 0]], axis=1)
+        self.assertAlmostEqual(lengths.sum(), sum(closed.values()), 9)
 
     def test_a_seam_divides_and_its_sides_are_paired(self):
         points, triangles = grid()

@@ -92,6 +92,8 @@ class Flattening(NamedTuple):
     #: Cut edges that are sewn together: points a, b, c, d and the curve, edge ab to edge cd, a to c
     #: and b to d; int64, shape (k, 5).
     seam_pairs: NDArray[np.int64]
+    #: Whether such a pair lies on each other because close_cuts closed the cut; bool, shape (k,).
+    seam_closed: NDArray[np.bool_]
     #: Boundary edges that cross in the plane: points a, b and c, d and the piece; int64, (k, 5).
     overlap_edges: NDArray[np.int64]
     #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
@@ -200,6 +202,7 @@ def make_result(flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData) -> Flat
         cell_arrays=_arrays(flat.GetCellData()),
         wires=_wires(wires),
         seam_pairs=_rows(flat.GetFieldData(), "SeamPairs", 5),
+        seam_closed=np.array(_values(flat.GetFieldData(), "SeamClosed"), np.bool_),
         overlap_edges=_rows(flat.GetFieldData(), "OverlapEdges", 5),
         report=_report(flat, wires),
     )
