@@ -150,8 +150,8 @@ public:
   ///@{
   /**
    * How the points between the wires are placed: LAPLACIAN, Eq. 11 solved directly; RELAXATION, the
-   * paper's iteration for it (Eq. 12); AS_RIGID_AS_POSSIBLE, from there on with the wires pinned.
-   * Scheme ISOMETRIC only starts there. Default: AS_RIGID_AS_POSSIBLE.
+   * paper's iteration for it (Eq. 12); AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires
+   * pinned. Scheme ISOMETRIC only starts there. Default: AS_RIGID_AS_POSSIBLE.
    */
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);
@@ -298,8 +298,10 @@ public:
 
   ///@{
   /**
-   * ISOMETRIC: most iterations, and the size of the relative gradient of the Lagrangian at which it
-   * stops. Default: 100 and 1e-9. Range: from 1, and from 0.
+   * ISOMETRIC: most iterations, and the tolerance at which it stops: one that the gradient of the
+   * Lagrangian, relative to the root of the energy, is below, or whose square is above the share of
+   * the energy that another step promises. It stops as well where a whole step moves no point by
+   * more than 1e-10 of the mean edge. Default: 100 and 1e-9. Range: from 1, and from 0.
    */
   vtkSetClampMacro(IsometricMaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(IsometricMaximumIterations, int);
