@@ -8,6 +8,7 @@
 
 #include <fstream>
 #include <limits>
+#include <random>
 #include <sstream>
 
 using namespace flattening;
@@ -135,6 +136,67 @@ TEST(Errors, OfTheCurves)
   across.keyShape = KeyShape::Planar;
   across.planarShape = { Point2(0, 0) };
   EXPECT_EQ(imprintCurves(prepared.mesh, { across }, {}).status.code, StatusCode::InvalidCurve);
+}
+
+TEST(Errors, OfTrianglesTooThinToBeSplit)
+{
+  // Sheets with rows 1e-11 high, and curves between places in their triangles.
+  std::mt19937 random(1);
+  const auto fraction = [&] { return random() / 4294967296.0; };
+  Index failures = 0;
+  Index helped = 0;
+  for (Index trial = 0; trial < 3000; ++trial)
+  {
+    const double thin = std::pow(10.0, -10.0 - 1.9 * fraction());
+    Points3 points;
+    Triangles triangles;
+    double y = 0.0;
+    for (Index j = 0; j < 5; ++j, y += random() % 2 == 0 ? thin : 1.0)
+    {
+      for (Index i = 0; i < 5; ++i)
+      {
+        points.push_back(Point3(i + 0.2 * fraction(), y, 0.1 * std::sin(i * y)));
+        if (i > 0 && j > 0)
+        {
+          const Index a = 5 * (j - 1) + i - 1;
+          triangles.push_back({ a, a + 1, a + 6 });
+          triangles.push_back({ a, a + 6, a + 5 });
+        }
+      }
+    }
+    const PreparedSurface sheet = prepareSurface(points, triangles);
+    if (!sheet.status.ok())
+    {
+      continue;
+    }
+    Polyline line;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Triangle& corners = sheet.mesh.triangle(random() % sheet.mesh.triangleCount());
+      const double a = fraction();
+      const double b = (1.0 - a) * fraction();
+      line.points.push_back(a * sheet.mesh.point(corners[0]) + b * sheet.mesh.point(corners[1]) +
+        (1.0 - a - b) * sheet.mesh.point(corners[2]));
+    }
+    ImprintOptions options;
+    options.snap = 0.0;
+    const Status status = imprintCurves(sheet.mesh, { line }, options).status;
+    if (status.code != StatusCode::NumericalFailure)
+    {
+      continue;
+    }
+    ++failures;
+    ASSERT_FALSE(status.ids.empty());
+    EXPECT_LT(status.ids.front(), sheet.mesh.triangleCount());
+    // The way out that the message names.
+    options.snap = 0.5;
+    const Status snapped = imprintCurves(sheet.mesh, { line }, options).status;
+    helped += snapped.ok() ? 1 : 0;
+    if (!snapped.ok())
+      std::printf("%s\n", statusName(snapped.code));
+  }
+  EXPECT_GT(failures, 0);
+  EXPECT_GT(2 * helped, failures);
 }
 
 TEST(Errors, OfOptionsAndCancelledRuns)
