@@ -145,7 +145,7 @@ TEST(Errors, OfTrianglesTooThinToBeSplit)
   const auto fraction = [&] { return random() / 4294967296.0; };
   Index failures = 0;
   Index helped = 0;
-  for (Index trial = 0; trial < 3000; ++trial)
+  for (Index trial = 0; trial < 1000; ++trial)
   {
     const double thin = std::pow(10.0, -10.0 - 1.9 * fraction());
     Points3 points;
@@ -190,13 +190,10 @@ TEST(Errors, OfTrianglesTooThinToBeSplit)
     EXPECT_LT(status.ids.front(), sheet.mesh.triangleCount());
     // The way out that the message names.
     options.snap = 0.5;
-    const Status snapped = imprintCurves(sheet.mesh, { line }, options).status;
-    helped += snapped.ok() ? 1 : 0;
-    if (!snapped.ok())
-      std::printf("%s\n", statusName(snapped.code));
+    helped += imprintCurves(sheet.mesh, { line }, options).status.ok() ? 1 : 0;
   }
   EXPECT_GT(failures, 0);
-  EXPECT_GT(2 * helped, failures);
+  EXPECT_GT(2 * helped, failures) << "the way out seldom is one";
 }
 
 TEST(Errors, OfOptionsAndCancelledRuns)
