@@ -228,11 +228,12 @@ public:
 
   ///@{
   /**
-   * RELAXATION: fewest and most iterations. Default: 10 and 100. Range: from 0.
+   * RELAXATION: fewest and most iterations. Default: 10 and 100. Range: from 0, and from 1; a
+   * minimum above the maximum is refused (INVALID_OPTION).
    */
   vtkSetClampMacro(RelaxationMinimumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(RelaxationMinimumIterations, int);
-  vtkSetClampMacro(RelaxationMaximumIterations, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(RelaxationMaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(RelaxationMaximumIterations, int);
   ///@}
 
@@ -247,9 +248,9 @@ public:
 
   ///@{
   /**
-   * AS_RIGID_AS_POSSIBLE: most iterations. Default: 200. Range: from 0.
+   * AS_RIGID_AS_POSSIBLE: most iterations. Default: 200. Range: from 1.
    */
-  vtkSetClampMacro(RigidMaximumIterations, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(RigidMaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(RigidMaximumIterations, int);
   ///@}
 

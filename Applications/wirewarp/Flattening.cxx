@@ -51,6 +51,7 @@ int interiorValue(const std::string& name)
 
 void configure(vtkWireWarpingFilter* filter, const Options& options)
 {
+  filter->CachingOff(); // it runs once
   filter->SetScheme(schemeValue(options.scheme));
   filter->SetSolver(options.solver == "sequential" ? vtkWireWarpingFilter::SEQUENTIAL
                                                    : vtkWireWarpingFilter::NEWTON);

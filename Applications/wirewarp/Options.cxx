@@ -37,8 +37,9 @@ surface in space, point for point like flat.vtp), report.json (all measures), an
 pattern.svg, pattern.pdf, pattern.dxf. Earlier ones are replaced. With --batch they are written to
 DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
 
-Exit codes: 0 done; 2 bad usage; 3 input refused, no result; 4 flattened, but a promise is broken (not
-converged, a length error above --max-length-error, a flipped triangle, an overlap): files are written.
+Exit codes: 0 done; 2 bad usage; 3 input refused, no result, or files or the table cannot be written;
+4 flattened, but a promise is broken (not converged, a length error above --max-length-error, a flipped
+triangle, an overlap): files are written.
 
 Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --output shirt)";
 
@@ -197,12 +198,12 @@ void addLimits(CLI::App& app, Options& options)
   addNumber("--relaxation-movement", options.relaxationMovement, 0.0, large, "[0, inf)",
     "relaxation: stop when no point moves farther, as a fraction of the mean wire edge");
   addCount("--relaxation-min-iterations", options.relaxationMinimumIterations, 0,
-    "relaxation: fewest iterations");
-  addCount("--relaxation-max-iterations", options.relaxationMaximumIterations, 0,
+    "relaxation: fewest iterations; more than --relaxation-max-iterations are refused");
+  addCount("--relaxation-max-iterations", options.relaxationMaximumIterations, 1,
     "relaxation: most iterations");
   addNumber("--rigid-tolerance", options.rigidTolerance, 0.0, large, "[0, inf)",
     "arap: stop when the energy falls by less than this fraction of itself");
-  addCount("--rigid-iterations", options.rigidMaximumIterations, 0, "arap: most iterations");
+  addCount("--rigid-iterations", options.rigidMaximumIterations, 1, "arap: most iterations");
   addNumber("--isometric-tolerance", options.isometricTolerance, 0.0, large, "[0, inf)",
     "isometric: stop when the relative gradient of the Lagrangian is smaller");
   addCount(

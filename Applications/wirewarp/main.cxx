@@ -7,12 +7,31 @@
 
 #include <vtkSMPTools.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <optional>
+#include <system_error>
 
 namespace
 {
 using namespace wirewarp;
+
+/// Throws InputError where what was printed did not arrive.
+void finishOutput()
+{
+  errno = 0;
+  std::cout.flush();
+  if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+  {
+    return;
+  }
+  const std::string reason = errno != 0 ? std::generic_category().message(errno) : "";
+  throw InputError("standard output", "cannot be written" +
+      (reason.empty() ? "" : " (" + reason + ")") +
+      "; send it elsewhere, or leave the table out with --quiet");
+}
 
 void say(const Options& options, const FilesOfFlattening& written)
 {
@@ -66,6 +85,8 @@ int run(const Options& options)
 
 int main(int argc, char** argv)
 {
+  // Then a file beyond the limit of the shell fails like one on a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   int exitCode = Done;
   try
   {
@@ -73,6 +94,7 @@ int main(int argc, char** argv)
     {
       exitCode = run(*options);
     }
+    finishOutput();
   }
   catch (const InputError& error)
   {

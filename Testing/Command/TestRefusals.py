@@ -2,6 +2,7 @@
 import json
 import os
 import resource
+import subprocess
 
 import command
 
@@ -236,14 +237,23 @@ class Refusals(command.CommandTest):
 
         before = self.flatten("good.obj")
         files = os.listdir(self.path("out"))
-        # Python ignores SIGXFSZ, and so does the command then: writing fails as on a full disk.
-        run = self.run_command(
-            "good.obj", "--output", "out", preexec_fn=limit_files, restore_signals=False
-        )
+        # The command starts with the default action of SIGXFSZ, which would end it.
+        run = self.run_command("good.obj", "--output", "out", preexec_fn=limit_files)
         self.assertEqual(run.returncode, 3, run.stderr)
         self.assertIn("flat.vtp", command.error_lines(run)[0])
         self.assertEqual(os.listdir(self.path("out")), files)
         self.assertEqual(self.report("out"), before)
+
+    def test_a_table_that_cannot_be_printed_is_no_success(self):
+        self.write("list.txt", "good.obj\n")
+        for arguments in (("good.obj",), ("--batch", "list.txt"), ("--help",), ("--version",)):
+            with self.subTest(arguments), open("/dev/full", "w", encoding="utf-8") as full:
+                run = subprocess.run(
+                    [command.EXECUTABLE, *arguments], cwd=self.folder, stdout=full,
+                    stderr=subprocess.PIPE, text=True, timeout=120, check=False)
+                self.assertEqual(run.returncode, 3, run.stderr)
+                self.assertIn("standard output", command.error_lines(run)[0])
+                self.assertIn("--quiet", command.error_lines(run)[0])
 
     def test_an_input_is_neither_replaced_nor_removed(self):
         os.mkdir(self.path("out"))

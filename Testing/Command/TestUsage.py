@@ -40,9 +40,30 @@ class Usage(command.CommandTest):
             ("--relaxation-factor", "2"),
             ("--relaxation-factor", "0"),
             ("--imprint-tolerance", "1.5"),
+            ("--rigid-iterations", "0"),
+            ("--relaxation-max-iterations", "0"),
         ):
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.assert_usage_error("a.obj", option, value))
+
+    def test_the_fewest_iterations_are_valid(self):
+        points, triangles, _ = command.quarter_sphere()
+        self.write("a.obj", command.obj(points, triangles))
+        for option in ("--rigid-iterations", "--relaxation-max-iterations"):
+            interior = "relaxation" if "relaxation" in option else "arap"
+            more = ("--relaxation-min-iterations", "0") if interior == "relaxation" else ()
+            with self.subTest(option):
+                run = self.run_command("a.obj", "--interior", interior, option, "1", *more)
+                self.assertIn(run.returncode, (0, 4), run.stderr)
+
+    def test_fewest_above_most_iterations_of_the_relaxation_are_refused(self):
+        points, triangles, _ = command.quarter_sphere()
+        self.write("a.obj", command.obj(points, triangles))
+        run = self.run_command(
+            "a.obj", "--interior", "relaxation", "--relaxation-min-iterations", "20",
+            "--relaxation-max-iterations", "10")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("minimum <= maximum", command.error_lines(run)[0])
 
     def test_option_without_its_value_is_bad_usage(self):
         self.assert_usage_error("a.obj", "--output")

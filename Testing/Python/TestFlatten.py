@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """flatten() gives the paper's numbers, exact unrollings, and arrays that fit together."""
 
+import inspect
 import json
 import unittest
 import warnings
@@ -230,6 +231,13 @@ class Results(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             sf.flatten(points, triangles, [arc])
+
+
+class Help(unittest.TestCase):
+    def test_every_option_of_flatten_is_told_in_its_help(self):
+        told = [line.strip().split(":")[0] for line in inspect.getdoc(sf.flatten).splitlines()]
+        for option in inspect.signature(sf.flatten).parameters:
+            self.assertIn(option, told)
 
 
 if __name__ == "__main__":

@@ -95,6 +95,7 @@ def _flatten(
     progress: Optional[Callable[[float], Any]] = None,
 ) -> Flattening:
     filter_ = vtkWireWarpingFilter()
+    filter_.CachingOff()  # it runs once
     _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
     _set_word(filter_, "solver", "Solver", solver, SOLVERS)
     _set_word(filter_, "interior", "Interior", interior, INTERIORS)
@@ -164,6 +165,8 @@ def flatten(
             "laplacian", Eq. 11; "relaxation", the paper's iteration for it. "isometric" only
             starts there.
         release_keys: treat key curves as accessory curves.
+        close_cuts: close darts and other cuts as far as their banks would lie over each other, at
+            the price of more distortion; False: they overlap, which breaks a promise.
         energy: "isometric": what deforming the sheet costs: "rigid", as rigid as possible, or
             "dirichlet", symmetric Dirichlet, which forbids flipped triangles.
         area_bias: "isometric" with "rigid": above 0 a change of area costs more than one of angle
