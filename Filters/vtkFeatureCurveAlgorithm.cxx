@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveAlgorithm.h"
 
+#include "CurveTolerances.h"
 #include "CurvedSurface.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
@@ -9,6 +10,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
@@ -41,6 +44,20 @@ void vtkFeatureCurveAlgorithm::SetCurvesData(vtkPolyData* curves)
 void vtkFeatureCurveAlgorithm::RemoveAllCurves()
 {
   this->RemoveAllInputConnections(1);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::SetCurveTolerance(const std::string& curve, double tolerance)
+{
+  this->CurveTolerances[curve] = tolerance;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
+{
+  this->CurveTolerances.clear();
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +111,11 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
     static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
     flattening::bridge::executionOf(this), *source);
-  return this->Conclude(source->outcome) ? source : nullptr;
+  const auto blamed = std::find(curves.begin(), curves.end(), source->outcome.curves);
+  this->StatusConnection = blamed == curves.end() ? -1 : static_cast<int>(blamed - curves.begin());
+  const bool loaded = this->Conclude(source->outcome) &&
+    this->Conclude(flattening::bridge::applyTolerances(this->CurveTolerances, *source));
+  return loaded ? source : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -127,5 +148,9 @@ void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SplitTriangles: " << (this->SplitTriangles ? "On" : "Off") << "\n";
   os << indent << "ImprintTolerance: " << this->ImprintTolerance << "\n";
   os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
+  for (const auto& entry : this->CurveTolerances)
+  {
+    os << indent << "CurveTolerance " << entry.first << ": " << entry.second << "\n";
+  }
   os << indent << "Caching: " << (this->Caching ? "On" : "Off") << "\n";
 }

@@ -36,7 +36,9 @@
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkFlatteningAlgorithm.h"
 
+#include <map>    // for the tolerances
 #include <memory> // for the loaded input
+#include <string> // for their names
 
 namespace flattening
 {
@@ -131,6 +133,22 @@ public:
 
   ///@{
   /**
+   * Length tolerance of all curves of a name, in place of `LengthTolerance`. The name may also be
+   * the "curve N" that a curve without a name is given. Default: none. Range: [0, 1); a value
+   * outside and a name that no curve has are refused (INVALID_OPTION).
+   */
+  void SetCurveTolerance(const std::string& curve, double tolerance);
+  void RemoveAllCurveTolerances();
+  ///@}
+
+  /**
+   * The connection of port 1 whose data set holds the curve for which the last run was refused,
+   * from 0; -1 where that was no curve, or one of the surface's own data set.
+   */
+  int GetStatusConnection() const { return this->StatusConnection; }
+
+  ///@{
+  /**
    * Keep between updates what depends on the surface and the place of its curves alone: the
    * surface as it was read, the curves imprinted on it, and, until other curves are cut, the
    * pieces, their wires, measures and the factors of the systems that place their inside. An update
@@ -166,12 +184,14 @@ protected:
   double ImprintTolerance = 1e-5;
   double SnapTolerance = 1e-3;
   bool Caching = true;
+  std::map<std::string, double> CurveTolerances;
 
 private:
   vtkFeatureCurveAlgorithm(const vtkFeatureCurveAlgorithm&) = delete;
   void operator=(const vtkFeatureCurveAlgorithm&) = delete;
 
   std::unique_ptr<flattening::bridge::KeptRun> Kept;
+  int StatusConnection = -1;
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
+#include "FlagNames.h"
 #include "InputError.h"
 #include "Progress.h"
 #include "ReadCurves.h"
@@ -12,7 +13,6 @@
 #include <vtkWireWarpingFilter.h>
 
 #include <chrono>
-#include <set>
 
 namespace wirewarp
 {
@@ -86,18 +86,16 @@ void readInput(const Options& options, vtkWireWarpingFilter* filter)
 {
   const vtkSmartPointer<vtkPolyData> surface = readSurface(options.surface);
   filter->SetInputData(surface);
-  std::set<std::string> names;
-  std::vector<vtkPolyData*> data{ surface };
-  std::vector<vtkSmartPointer<vtkPolyData>> held;
   for (const std::string& path : options.curves)
   {
     vtkNew<vtkTrivialProducer> producer;
-    held.push_back(readCurves(path, surface, names));
-    data.push_back(held.back());
-    producer->SetOutput(held.back());
+    producer->SetOutput(readCurves(path, surface));
     filter->AddCurvesConnection(producer->GetOutputPort());
   }
-  applyTolerances(options.tolerances, data);
+  for (const auto& [curve, tolerance] : options.tolerances)
+  {
+    filter->SetCurveTolerance(curve, tolerance);
+  }
 }
 
 void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
@@ -111,7 +109,7 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.wires = filter->GetOutput(1);
   result.cut = filter->GetOutput(2);
   result.status = filter->GetStatusName();
-  result.message = filter->GetStatusMessage();
+  result.message = withFlags(filter->GetStatusMessage());
   vtkIdTypeArray* const ids = filter->GetStatusIds();
   for (vtkIdType k = 0; k < ids->GetNumberOfValues(); ++k)
   {
@@ -146,7 +144,9 @@ Flattening flattenOne(const Options& options)
     run(filter, options.quiet, result);
     if (result.refused())
     {
-      result.message = options.surface + ": " + result.message;
+      const int curves = filter->GetStatusConnection();
+      const std::string& file = curves < 0 ? options.surface : options.curves[curves];
+      result.message = file + ": " + result.message;
     }
   }
   catch (const InputError& error)

@@ -28,6 +28,8 @@ a comment:
     TYPE NAME v0 v1 ...
 TYPE is accessory (length kept), key (length and shape kept), dart (cut open) or seam (cut through);
 v0 v1 ... are vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too.
+Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a
+name, options that take a NAME mean all of them.
 
 Units: lengths are in the unit of SURFACE, angles in radians, times in seconds.
 Coordinates are read in double precision where the file holds them (STL holds single precision).
@@ -65,7 +67,7 @@ CLI::Validator wholeNumber(long long least, long long most, const std::string& r
     range);
 }
 
-void addTolerance(const std::string& entry, CurveTolerances& tolerances)
+void addTolerance(const std::string& entry, std::map<std::string, double>& tolerances)
 {
   // The last sign, because a name may hold one.
   const std::size_t sign = entry.rfind('=');

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurveTolerances.h"
 #include "Patterns.h"
 #include "Picture.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ struct Options
   std::string interior = "arap";
   bool releaseKeys = false;
   bool closeCuts = false;
-  CurveTolerances tolerances;
+  std::map<std::string, double> tolerances; ///< of length, by name of curve
 
   std::string energy = "rigid";
   double areaBias = 0.0;

@@ -66,8 +66,7 @@ struct CurveReader
   }
 };
 
-vtkSmartPointer<vtkPolyData> readCurveText(
-  const std::string& path, vtkPolyData* surface, std::set<std::string>& names)
+vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData* surface)
 {
   const std::string text = readWholeFile(path);
   vtkNew<vtkCellArray> polylines;
@@ -97,10 +96,6 @@ vtkSmartPointer<vtkPolyData> readCurveText(
     {
       reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
     }
-    if (!names.insert(name).second)
-    {
-      reader.refuse("a second curve is named " + inQuotes(name) + "; give each its own name");
-    }
     const std::vector<vtkIdType> ids = reader.readIds(rest, name);
     polylines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     curveType->InsertNextValue(type);
@@ -117,13 +112,12 @@ vtkSmartPointer<vtkPolyData> readCurveText(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readCurves(
-  const std::string& path, vtkPolyData* surface, std::set<std::string>& names)
+vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* surface)
 {
   const std::string extension = lowerCaseExtension(path);
   if (extension != ".vtp" && extension != ".vtk")
   {
-    return readCurveText(path, surface, names);
+    return readCurveText(path, surface);
   }
   vtkSmartPointer<vtkPolyData> curves = readPolyData(path);
   if (curves->GetNumberOfLines() == 0)

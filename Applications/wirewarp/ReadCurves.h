@@ -4,7 +4,6 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <set>
 #include <string>
 
 namespace wirewarp
@@ -15,7 +14,6 @@ namespace wirewarp
 ///     TYPE NAME v0 v1 ...      # TYPE is accessory, key, dart or seam
 ///
 /// with 0-based vertex ids of the surface's file. Text curves come back as polylines on the
-/// surface's points. \param names of the text curves so far: names must differ. Throws InputError.
-vtkSmartPointer<vtkPolyData> readCurves(
-  const std::string& path, vtkPolyData* surface, std::set<std::string>& names);
+/// surface's points. Throws InputError.
+vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* surface);
 }

@@ -2,6 +2,7 @@
 #include "Report.h"
 
 #include "FieldRows.h"
+#include "FlagNames.h"
 #include "SeamReport.h"
 
 #include <nlohmann/json.hpp>
@@ -61,7 +62,7 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
       { "E_area", field.number("AreaError", piece) },
       { "flipped", field.integer("FlippedTriangles", piece) },
       { "overlaps", field.integer("Overlaps", piece) }, { "status", field.text("Status", piece) },
-      { "message", field.text("StatusMessage", piece) },
+      { "message", withFlags(field.text("StatusMessage", piece)) },
       { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() } });
   }
   for (vtkIdType row = 0; row < field.count("HistoryPiece"); ++row)

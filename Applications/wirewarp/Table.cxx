@@ -2,6 +2,7 @@
 #include "Table.h"
 
 #include "FieldRows.h"
+#include "FlagNames.h"
 #include "Report.h"
 
 #include <algorithm>
@@ -136,7 +137,7 @@ std::string brokenPromises(const Flattening& result, const std::string& where)
     if (field.text("Status", piece) != "Ok")
     {
       text += "wirewarp: broken promise: " + where + "piece " + std::to_string(piece) + ": " +
-        field.text("StatusMessage", piece) + '\n';
+        withFlags(field.text("StatusMessage", piece)) + '\n';
     }
   }
   return text.empty() ? "wirewarp: broken promise: " + where + result.message + '\n' : text;

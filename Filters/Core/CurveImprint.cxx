@@ -11,6 +11,14 @@ namespace flattening
 {
 namespace
 {
+ImprintedSurface refuse(Status status, std::size_t curve)
+{
+  ImprintedSurface result;
+  status.curve = static_cast<Index>(curve);
+  result.status = std::move(status);
+  return result;
+}
+
 ImprintedSurface refuse(Status status)
 {
   ImprintedSurface result;
@@ -68,7 +76,7 @@ public:
       all = all && status.ok();
       if (!status.ok() && !this->Options.split)
       {
-        return refuse(std::move(status));
+        return refuse(std::move(status), c);
       }
     }
     if (all)
@@ -148,7 +156,7 @@ private:
       Status status = alongEdges[c] ? Status() : this->Placement.locate(c, located[c]);
       if (!status.ok())
       {
-        return refuse(std::move(status));
+        return refuse(std::move(status), c);
       }
     }
     // Rounding alone asks for some distance.
@@ -165,7 +173,7 @@ private:
                                       : this->trace(c, located[c], snap, routes[c], paths);
         if (!status.ok())
         {
-          return refuse(std::move(status));
+          return refuse(std::move(status), c);
         }
       }
       SplitSurface surface = splitSurface(this->Mesh, snap, paths);

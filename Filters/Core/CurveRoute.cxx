@@ -97,7 +97,7 @@ Status assembleCurves(const TriangleMesh& mesh, const std::vector<Polyline>& pol
       return { StatusCode::CurveTooShort,
         curveName(polylines[c], c) +
           " has fewer than two different points; remove it or draw it again",
-        { static_cast<Index>(c) } };
+        { static_cast<Index>(c) }, static_cast<Index>(c) };
     }
     curves.push_back(std::move(curve));
   }
@@ -111,6 +111,7 @@ Status checkPolylines(const std::vector<Polyline>& polylines)
     Status status = checkPolyline(polylines[c], c);
     if (!status.ok())
     {
+      status.curve = static_cast<Index>(c);
       return status;
     }
   }

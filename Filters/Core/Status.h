@@ -48,6 +48,7 @@ struct Status
   StatusCode code = StatusCode::Ok;
   std::string message;
   Indices ids;
+  Index curve = none; ///< the polyline that is to blame, where it is one
 
   bool ok() const { return this->code == StatusCode::Ok; }
   /// True where there is no result at all.

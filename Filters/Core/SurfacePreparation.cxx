@@ -236,7 +236,8 @@ Status mendOrientation(PreparedSurface& result, Triangles& cells, Indices& partn
   {
     return { StatusCode::NotOrientable,
       "the surface is one-sided (a Moebius band): triangles " + listIds(oneSided) +
-        " cannot be oriented alike; cut the band open",
+        " cannot be oriented alike; cut the mesh through across the band, each point of the cut "
+        "twice (a seam comes too late for that)",
       oneSided };
   }
   return {};

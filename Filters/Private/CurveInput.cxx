@@ -61,7 +61,7 @@ public:
 private:
   bool refuse(StatusCode code, const std::string& message, std::vector<vtkIdType> ids)
   {
-    this->Curves.outcome = { code, message, std::move(ids) };
+    this->Curves.outcome = { code, message, std::move(ids), this->Data };
     return false;
   }
 
@@ -84,6 +84,16 @@ private:
       if (!this->hasShape(array, 1, this->Data->GetNumberOfCells(), "cell"))
       {
         return false;
+      }
+    }
+    for (vtkAbstractArray* array : { this->Shape, this->Tolerance, this->Planar })
+    {
+      if (array && !array->IsNumeric())
+      {
+        return this->refuse(StatusCode::InvalidCurve,
+          std::string("the array ") + array->GetName() +
+            " of the curves holds no numbers; write it as numbers",
+          {});
       }
     }
     return this->hasShape(this->Planar, 2, this->Data->GetNumberOfPoints(), "point");

@@ -22,7 +22,10 @@ Outcome outcomeOfImprint(
   }
   const bool ofCurves =
     status.code == StatusCode::CurveTooShort || status.code == StatusCode::InvalidCurve;
-  return ofCurves ? outcomeOf(status, "cells", curves.cellOfPolyline) : outcomeOf(status);
+  Outcome outcome =
+    ofCurves ? outcomeOf(status, "cells", curves.cellOfPolyline) : outcomeOf(status);
+  outcome.curves = status.curve == none ? nullptr : curves.dataOfPolyline[status.curve];
+  return outcome;
 }
 
 /// Of the cut.

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
 namespace flattening
 {
 namespace bridge
@@ -18,6 +20,7 @@ struct Outcome
   StatusCode code = StatusCode::Ok;
   std::string message;
   std::vector<vtkIdType> ids;
+  vtkPolyData* curves = nullptr; ///< the data set of the curve that is to blame
 
   bool ok() const { return this->code == StatusCode::Ok; }
 };

@@ -32,6 +32,10 @@ class Refusals(command.CommandTest):
             self.assertEqual(report["status"], status)
         return report
 
+    def report_of(self, *arguments):
+        self.run_command(*arguments, "--output", "out")
+        return self.report("out")
+
     def refuse_surface(self, points, triangles, status, *says):
         self.write("bad.obj", command.obj(points, triangles))
         return self.refuse("bad.obj", says=("bad.obj", *says), status=status)
@@ -156,7 +160,15 @@ class Refusals(command.CommandTest):
 
     def test_moebius_band(self):
         points, triangles = command.moebius_band()
-        self.refuse_surface(points, triangles, "NotOrientable")
+        self.refuse_surface(points, triangles, "NotOrientable", "each point of the cut twice")
+
+    def test_the_way_out_of_a_moebius_band_leads_out(self):
+        points, triangles = command.moebius_band()
+        # The points of the first cross-section once more, for the last triangles.
+        cut = [tuple({0: 24, 1: 25}.get(v, v) for v in triangle) for triangle in triangles[-2:]]
+        self.write("cut.obj", command.obj([*points, points[0], points[1]], [*triangles[:-2], *cut]))
+        report = self.report_of("cut.obj")
+        self.assertEqual(report["status"], "Ok")
 
     def test_closed_surface(self):
         points = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
@@ -177,12 +189,49 @@ class Refusals(command.CommandTest):
         self.refuse_curves("key k 0 1.5\n", ":1:", "'1.5'")
         self.refuse_curves("key k 0 1 2x\n", ":1:", "'2x'")
         self.refuse_curves("key k 0\n", ":1:", "'k'", "two vertices")
-        self.refuse_curves("key k 0 1\ndart k 2 7\n", ":2:", "second curve", "'k'")
 
-    def test_names_differ_over_all_text_files(self):
-        self.write("one.txt", "key k 0 1\n")
-        self.write("two.txt", "key k 5 6\n")
-        self.refuse("good.obj", "one.txt", "two.txt", says=("two.txt:1:", "'k'"))
+    def test_a_defect_of_a_curve_is_blamed_on_the_file_of_the_curve(self):
+        self.write("fine.vtk", command.legacy_curves(self.points, [(0, "fine", [6, 7, 8])]))
+        loose = [*self.points]
+        loose[12] = (3.0, 3.0, 3.0)
+        for points, curve in (
+            (self.points, (7, "odd", [11, 12, 13])),
+            (loose, (0, "loose", [11, 12, 13])),
+            (self.points, (0, "point", [11, 11, 11])),
+        ):
+            with self.subTest(curve[1]):
+                self.write("bad.vtk", command.legacy_curves(points, [curve]))
+                self.refuse("good.obj", "fine.vtk", "bad.vtk", says=("error: bad.vtk: ",))
+
+    def test_a_defect_of_the_surface_s_own_curve_is_blamed_on_the_surface(self):
+        text = command.legacy(self.points, self.triangles, [[11, 11, 11]])
+        self.write("own.vtk", text)
+        self.write("fine.vtk", command.legacy_curves(self.points, [(0, "fine", [6, 7, 8])]))
+        self.refuse("own.vtk", "fine.vtk", says=("error: own.vtk: ",), status="CurveTooShort")
+
+    def test_the_way_out_names_options_of_the_command(self):
+        loose = [*self.points]
+        loose[12] = (3.0, 3.0, 3.0)
+        self.write("loose.vtk", command.legacy_curves(loose, [(0, "loose", [11, 12, 13])]))
+        self.write("across.txt", "accessory far 5 12\n")
+        for arguments, option in (
+            (("loose.vtk",), "raise --imprint-tolerance"),
+            (("across.txt", "--no-split"), "leave out --no-split"),
+            (("--scheme", "lscm", "--pins", "3", "77"), "--pins"),
+            (("--tolerance", "belt=0.1"), "for --tolerance"),
+            (
+                ("--interior", "relaxation", "--relaxation-min-iterations", "200"),
+                "--relaxation-min-iterations <= --relaxation-max-iterations",
+            ),
+        ):
+            with self.subTest(option):
+                self.refuse("good.obj", *arguments, says=(option,))
+
+    def test_a_planar_shape_of_words_is_refused(self):
+        text = command.legacy_curves(self.points, [(1, "k", [11, 12, 13])])
+        text += "POINT_DATA %d\nFIELD FieldData 1\nPlanarShape 2 %d string\n" % ((len(self.points),) * 2)
+        self.write("words.vtk", text + "x\ny\n" * len(self.points))
+        self.refuse("good.obj", "words.vtk", says=("words.vtk", "PlanarShape", "numbers"))
 
     def test_curves_file_without_polyline(self):
         self.write("curves.vtk", command.legacy(self.points))

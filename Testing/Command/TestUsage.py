@@ -63,7 +63,7 @@ class Usage(command.CommandTest):
             "a.obj", "--interior", "relaxation", "--relaxation-min-iterations", "20",
             "--relaxation-max-iterations", "10")
         self.assertEqual(run.returncode, 3)
-        self.assertIn("minimum <= maximum", command.error_lines(run)[0])
+        self.assertIn("--relaxation-min-iterations <= ", command.error_lines(run)[0])
 
     def test_option_without_its_value_is_bad_usage(self):
         self.assert_usage_error("a.obj", "--output")

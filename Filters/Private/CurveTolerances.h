@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurvedSurface.h"
+
+#include <map>
+#include <string>
+
+namespace flattening
+{
+namespace bridge
+{
+/// Gives the curves of each name their length tolerance. InvalidOption where no curve has the name,
+/// or the tolerance lies outside [0, 1).
+Outcome applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source);
+}
+}
