@@ -33,15 +33,21 @@
  * a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of
  * area) (double); `Status`, `StatusMessage` (string). Scheme ISOMETRIC: `SheetEnergy` and
  * `AngleEnergy`, the two terms of its energy in units of the mean triangle area (double). Where to
- * start if a piece is poor: `ReleaseFirst` (id; the curve whose length costs most, -1 where there
- * is none) and `ObjectiveWithoutFirst` (double; Objective without it where that was tried, else
- * -1).
+ * start if a piece is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is
+ * none) and `ObjectiveWithoutFirst` (double; its `ReleaseObjective`).
  *
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
  * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds().
  *
  * **One row an iteration**: `HistoryPiece`, `HistoryPhase` (string), `HistoryObjective`,
  * `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`, `HistoryStep` (radians).
+ *
+ * **One row a piece and curve that may be released**, for each piece the best first:
+ * `ReleasePiece`, `ReleaseCurve` (id), `ReleaseShape` (int; 1: of a key curve its shape alone, so
+ * that it becomes an accessory curve; 0: the curve as a whole), `ReleaseObjective` (double;
+ * Objective without that; -1 where it was not tried). Releases are tried in pieces that lie poorly:
+ * GlobalHomogeneity below 0.4, flipped triangles, or an angle changed by more than 0.7 radians.
+ * Curves that were not tried follow by the magnitude of their sensitivity.
  *
  * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
  * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a
@@ -59,7 +65,8 @@
  * feature curve: `CurveNames` (string), `CurveTypes` (int), `CurveRestLengths`, `CurveFlatLengths`,
  * `CurveLengthErrors`, `CurveTolerances` (0 where rigid), `CurveClosedLengths` (of a cut, see
  * CloseCuts), `CurveSensitivities` (derivative of the objective by the logarithm of the length)
- * (double); both sides of a cut count once.
+ * (double), `CurveReleased` (int; 1 where a key curve's shape was given up, by ReleaseKeys or
+ * because it clashes with others); both sides of a cut count once.
  *
  * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
  * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit

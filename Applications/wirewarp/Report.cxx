@@ -15,7 +15,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/// What releasing the first curve of the ranking would bring; null where there is none to release.
+/// Curves to release, the best first, and what that would bring; null where there is none.
 Json releaseAdvice(const FieldRows& field, const FieldRows& wires, vtkIdType piece)
 {
   const vtkIdType curve = field.integer("ReleaseFirst", piece);
@@ -24,8 +24,21 @@ Json releaseAdvice(const FieldRows& field, const FieldRows& wires, vtkIdType pie
     return nullptr;
   }
   const double without = field.number("ObjectiveWithoutFirst", piece);
+  Json ranking = Json::array();
+  for (vtkIdType row = 0; row < field.count("ReleasePiece"); ++row)
+  {
+    if (field.integer("ReleasePiece", row) == piece)
+    {
+      const vtkIdType id = field.integer("ReleaseCurve", row);
+      const double objective = field.number("ReleaseObjective", row);
+      ranking.push_back({ { "curve", wires.text("CurveNames", id) },
+        { "release", field.integer("ReleaseShape", row) != 0 ? "shape" : "curve" },
+        { "objective_without", objective >= 0.0 ? Json(objective) : Json(nullptr) } });
+    }
+  }
   return { { "first", wires.text("CurveNames", curve) },
-    { "objective_without_first", without >= 0.0 ? Json(without) : Json(nullptr) } };
+    { "objective_without_first", without >= 0.0 ? Json(without) : Json(nullptr) },
+    { "ranking", ranking } };
 }
 
 Json seamReports(const Flattening& result)
@@ -92,7 +105,8 @@ Json curveReports(const FieldRows& field)
       { "error", field.number("CurveLengthErrors", curve) },
       { "tolerance", field.number("CurveTolerances", curve) },
       { "closed_length", field.number("CurveClosedLengths", curve) },
-      { "sensitivity", field.number("CurveSensitivities", curve) } });
+      { "sensitivity", field.number("CurveSensitivities", curve) },
+      { "released", field.integer("CurveReleased", curve) != 0 } });
   }
   return curves;
 }

@@ -49,6 +49,17 @@ std::string layOut(const std::vector<Row>& rows, std::size_t left)
   }
   return text;
 }
+
+/// Whether the first curve to release in a piece is a key curve that gives up its shape alone.
+bool releasesShapeFirst(const FieldRows& field, vtkIdType piece)
+{
+  vtkIdType row = 0;
+  while (row < field.count("ReleasePiece") && field.integer("ReleasePiece", row) != piece)
+  {
+    ++row;
+  }
+  return field.integer("ReleaseShape", row) != 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +112,8 @@ std::string curveTable(const Flattening& result)
         format("%.10g", field.number("CurveFlatLengths", curve)),
         format("%.1e", field.number("CurveLengthErrors", curve)),
         format("%.3g", field.number("CurveTolerances", curve)),
-        curveTypeName(field.integer("CurveTypes", curve)) });
+        curveTypeName(field.integer("CurveTypes", curve)) +
+          (field.integer("CurveReleased", curve) != 0 ? " (released)" : "") });
   }
   return layOut(rows, 1);
 }
@@ -118,10 +130,14 @@ std::string releaseAdvice(const Flattening& result)
     const double without = field.number("ObjectiveWithoutFirst", piece);
     if (without >= 0.0 && without < objective)
     {
-      text += "piece " + std::to_string(piece) + " has no good exact solution: without the curve " +
-        wires.text("CurveNames", field.integer("ReleaseFirst", piece)) +
+      const vtkIdType curve = field.integer("ReleaseFirst", piece);
+      const bool key = releasesShapeFirst(field, piece);
+      text += "piece " + std::to_string(piece) + " has no good exact solution: without " +
+        (key ? "the shape of the key curve " : "the curve ") + wires.text("CurveNames", curve) +
         " the objective would fall from " + format("%.4g", objective) + " to " +
-        format("%.4g", without) + "; remove it, or make it elastic with --tolerance\n";
+        format("%.4g", without) +
+        (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
+             : "; remove it, or make it elastic with --tolerance\n");
     }
   }
   return text;

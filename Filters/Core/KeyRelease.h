@@ -7,18 +7,23 @@
 
 namespace flattening
 {
+/// Key curves with an edge in the network, ascending.
+Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves);
+
 struct KeyRelease
 {
   AngleSolution solution; ///< with the suggested curves released
   Indices released;       ///< curves
   NodeLocks locks;        ///< of the other key curves
-  /// IncompatibleKeys with the names of all key curves concerned and of those to release (ids:
+  /// IncompatibleKeys with the names of the key curves that clash and of those to release (ids:
   /// curves); the failed solution's own status where releasing all keys does not help.
   Status status;
 };
 
-/// Finds the least set of key curves whose release makes the others compatible: each one alone,
-/// then pairs, up to all; among sets of one size the one with the least objective.
+/// Finds the least set of key curves whose release makes the others compatible, among several the
+/// one with the least objective (of 32 that are compared). Where that takes more than 100
+/// solutions, as it does where many keys clash with each other: a set of which no curve can be
+/// kept.
 /// \param failed the solution with all keys; \param solve solves for given locks.
 KeyRelease releaseKeys(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const AngleSolution& failed,

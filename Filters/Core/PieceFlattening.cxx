@@ -44,6 +44,10 @@ void warpPieceIsometrically(const Piece& piece, const WireSolution& wires,
     still.maximumIterations = 0;
     still.energy.kind = SheetEnergyKind::AsRigidAsPossible;
     solution = warp(still);
+    solution.status = { StatusCode::NotConverged,
+      "the isometric scheme found nothing better than where the wires' own angles put the piece; "
+      "mend slivers there",
+      {} };
   }
   PieceReport& report = result.report;
   for (const IsometricIteration& iteration : solution.history)
@@ -153,8 +157,7 @@ void placePiece(WiredPiece& wired, const WireSolution& wires, const FlatteningOp
   result.secondsInterior += watch.restart();
 }
 
-void reportWires(const PieceWires& pieceWires, const WireSolution& wires,
-  const FlatteningOptions& options, PieceReport& report)
+void reportWires(const WireSolution& wires, PieceReport& report)
 {
   report.status = wires.status;
   report.warpingOrder = wires.warpingOrder;
@@ -162,10 +165,7 @@ void reportWires(const PieceWires& pieceWires, const WireSolution& wires,
   report.objective = wires.angles.objective;
   report.closureResidual = wires.angles.closure;
   report.history = wires.angles.history;
-  if (options.scheme != Scheme::Progressive && !report.status.refused())
-  {
-    report.advice = pieceWires.advise(wires);
-  }
+  report.released = wires.released;
 }
 
 /// Key shapes that can be met, but only by wires that fold triangles over, count as incompatible.
@@ -192,7 +192,7 @@ void releaseFoldingKeys(WiredPiece& wired, const PieceWires& pieceWires,
   if (released.status.code == StatusCode::IncompatibleKeys)
   {
     wires = std::move(released);
-    reportWires(pieceWires, wires, options, result.report);
+    reportWires(wires, result.report);
     placePiece(wired, wires, options, execution, keep, result);
   }
 }
@@ -215,6 +215,9 @@ FlatPiece flattenAsCut(WiredPiece& wired, const CutSurface& cut,
   report.wirePatches = network.patchCount;
   report.wireNodes = network.nodeCount();
   report.freeWireNodes = network.nodeCount();
+  report.boundaryLoops = static_cast<Index>(piece.mesh.boundaryLoops().size());
+  report.wired = std::any_of(piece.curveOfHalfedge.begin(), piece.curveOfHalfedge.end(),
+    [](Index curve) { return curve != none; });
   report.status = network.status;
   if (report.status.refused())
   {
@@ -231,10 +234,16 @@ FlatPiece flattenAsCut(WiredPiece& wired, const CutSurface& cut,
   const AngleConstraints constraints(wires.problem);
   report.freeWireNodes = constraints.freeCount();
   report.constraints = constraints.rowCount();
-  reportWires(pieceWires, wires, options, report);
+  reportWires(wires, report);
   result.secondsWires = watch.restart();
   placePiece(wired, wires, options, execution, keep, result);
   releaseFoldingKeys(wired, pieceWires, options, execution, keep, wires, result);
+  if (options.scheme != Scheme::Progressive && !report.status.refused())
+  {
+    watch.restart();
+    report.advice = pieceWires.advise(wires, liesPoorly(piece.mesh, result.positions));
+    result.secondsWires += watch.restart();
+  }
   return result;
 }
 

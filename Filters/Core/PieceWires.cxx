@@ -96,12 +96,15 @@ PieceWires::PieceWires(const Piece& piece, const WireNetwork& network, const Cut
 WireSolution PieceWires::solve() const
 {
   NodeLocks locks = lockKeyCurves(this->Network, this->Subject, this->Cut, this->Curves);
+  Indices released;
   if (this->Options.releaseKeys)
   {
     std::fill(locks.locked.begin(), locks.locked.end(), 0);
     locks.lockedCount = 0;
+    released = keyCurves(this->Network, this->Curves);
   }
   WireSolution wires = this->solveFor(locks);
+  wires.released = std::move(released);
   const bool canRelease =
     locks.lockedCount > 0 && !wires.status.ok() && wires.status.code != StatusCode::Cancelled;
   return canRelease ? this->release(std::move(wires), {}) : wires;
@@ -127,15 +130,21 @@ WireSolution PieceWires::release(WireSolution failed, const Acceptance& accepts)
   }
   WireSolution wires = this->solveFor(release.locks);
   wires.status = std::move(release.status);
+  wires.released = std::move(release.released);
   return wires;
 }
 
-ReleaseAdvice PieceWires::advise(const WireSolution& wires) const
+ReleaseAdvice PieceWires::advise(const WireSolution& wires, bool poor) const
 {
-  const bool poor =
+  const bool turned =
     !wires.status.ok() || largestAngleChange(wires.problem, wires.angles.theta) > poorAngleChange;
-  return adviseRelease(this->Network, this->Subject, this->Cut, this->Curves, wires.angles,
-    this->Options.angles, poor, this->Execute);
+  std::vector<FeatureCurve> curves = this->Curves;
+  for (Index c : wires.released)
+  {
+    curves[c].type = CurveType::Accessory;
+  }
+  return adviseRelease(this->Network, this->Subject, this->Cut, curves, wires.angles,
+    this->Options.angles, poor || turned, this->Execute);
 }
 
 WireSolution PieceWires::solveFor(const NodeLocks& locks) const

@@ -15,6 +15,7 @@ struct WireSolution
   AngleProblem problem;
   AngleSolution angles;
   Indices warpingOrder; ///< wire-patches, where they are warped progressively
+  Indices released;     ///< key curves whose shape was given up
   Status status;        ///< of the angles, or IncompatibleKeys with the released curves
 };
 
@@ -35,8 +36,9 @@ public:
   /// Releases the least set of key curves with which the solution is accepted. \return the failed
   /// solution where none is.
   WireSolution release(WireSolution failed, const Acceptance& accepts) const;
-  /// Which curves to release for smaller changes of angles.
-  ReleaseAdvice advise(const WireSolution& wires) const;
+  /// Which curves to release for smaller changes of angles. \param poor whether the piece lies
+  /// badly; so it does anyway where angles change by much.
+  ReleaseAdvice advise(const WireSolution& wires, bool poor) const;
 
 private:
   WireSolution solveFor(const NodeLocks& locks) const;

@@ -296,6 +296,10 @@ private:
       {
         this->Result.curves[c].sensitivity += sensitivity[c];
       }
+      for (Index c : this->Flat[p].report.released)
+      {
+        this->Result.curves[c].released = true;
+      }
       for (Index h : this->Flat[p].report.closedEdges)
       {
         // Both banks are in the list.

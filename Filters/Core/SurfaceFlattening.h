@@ -75,6 +75,9 @@ struct PieceReport
   /// Half-edges of the cut surface on banks of cuts that were closed (see closeCrossingCuts()).
   Indices closedEdges;
   std::vector<IterationRecord> history;
+  Indices released; ///< key curves whose shape was given up
+  Index boundaryLoops = 1;
+  bool wired = false; ///< a feature curve lies in it or bounds it
   /// Which curves to release first; with a trial where the wires' solution is poor.
   ReleaseAdvice advice;
   /// Progressive scheme: wire-patches (ids as in patchOfTriangle) in the order of warping.
@@ -94,6 +97,8 @@ struct CurveReport
   double closedLength = 0.0;
   /// dF* / d ln(length), summed over the pieces (see ReleaseAdvice).
   double sensitivity = 0.0;
+  /// A key curve whose shape was given up, for ReleaseKeys or because it clashes with others.
+  bool released = false;
 };
 
 struct StageSeconds

@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+
 namespace flattening
 {
 namespace bridge
@@ -49,7 +51,7 @@ void writePieces(
     return ranking.empty() ? none : ranking.front();
   });
   addRows<vtkDoubleArray>(field, "ObjectiveWithoutFirst", rows,
-    [&](std::size_t row) { return pieces[row].advice.objectiveWithoutFirst; });
+    [&](std::size_t row) { return pieces[row].advice.objectiveWithoutFirst(); });
   std::vector<QualitySummary> summaries;
   summaries.reserve(pieces.size());
   for (const PieceReport& piece : pieces)
@@ -85,6 +87,38 @@ void writeHistory(const std::vector<PieceReport>& pieces, vtkFieldData* field)
     field, "HistoryOptimality", rows, [&](std::size_t row) { return records[row].optimality; });
   addRows<vtkDoubleArray>(
     field, "HistoryStep", rows, [&](std::size_t row) { return records[row].step; });
+}
+
+/// Per piece the curves to release, the best first.
+void writeReleases(const FlatteningResult& result, vtkFieldData* field)
+{
+  const std::vector<PieceReport>& pieces = result.pieces;
+  std::vector<vtkIdType> pieceOfRow;
+  Indices curves;
+  std::vector<double> objectives;
+  std::vector<int> shapes;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const ReleaseAdvice& advice = pieces[p].advice;
+    curves.insert(curves.end(), advice.ranking.begin(), advice.ranking.end());
+    objectives.insert(
+      objectives.end(), advice.objectiveWithout.begin(), advice.objectiveWithout.end());
+    pieceOfRow.resize(curves.size(), static_cast<vtkIdType>(p));
+    for (const Index c : advice.ranking)
+    {
+      const Indices& free = pieces[p].released;
+      const bool released = std::find(free.begin(), free.end(), c) != free.end();
+      shapes.push_back(result.curves[c].type == CurveType::Key && !released ? 1 : 0);
+    }
+  }
+  const std::size_t rows = curves.size();
+  addRows<vtkIntArray>(field, "ReleaseShape", rows, [&](std::size_t row) { return shapes[row]; });
+  addRows<vtkIdTypeArray>(
+    field, "ReleasePiece", rows, [&](std::size_t row) { return pieceOfRow[row]; });
+  addRows<vtkIdTypeArray>(
+    field, "ReleaseCurve", rows, [&](std::size_t row) { return vtkIdType{ curves[row] }; });
+  addRows<vtkDoubleArray>(
+    field, "ReleaseObjective", rows, [&](std::size_t row) { return objectives[row]; });
 }
 
 void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
@@ -166,6 +200,8 @@ void writeCurves(const std::vector<CurveReport>& curves, vtkFieldData* field)
     field, "CurveClosedLengths", rows, [&](std::size_t row) { return curves[row].closedLength; });
   addRows<vtkDoubleArray>(
     field, "CurveSensitivities", rows, [&](std::size_t row) { return curves[row].sensitivity; });
+  addRows<vtkIntArray>(
+    field, "CurveReleased", rows, [&](std::size_t row) { return curves[row].released ? 1 : 0; });
 }
 
 void writeFlatLengths(const std::vector<Wire>& wires, vtkCellData* cells)
@@ -266,6 +302,7 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   vtkFieldData* field = flat->GetFieldData();
   writePieces(source, result.pieces, field);
   writeHistory(result.pieces, field);
+  writeReleases(result, field);
   writeSeamPairs(*result.cut, flat);
   writeClosedSeams(result, field);
   writeOverlapEdges(result, field);

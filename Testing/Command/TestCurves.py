@@ -108,6 +108,86 @@ class Curves(command.CommandTest):
         # A piece that lies well is left alone.
         self.assertNotIn("without the curve", self.run_command("lune.obj", "arc.txt").stdout)
 
+    def test_of_keys_that_cannot_keep_their_shape_the_others_are_kept(self):
+        columns = 13
+        points = [(i, j, 0.02 * i * j) for j in range(columns + 1) for i in range(columns + 1)]
+
+        def vertex(j, i):
+            return j * (columns + 1) + i
+
+        triangles = []
+        for j in range(columns):
+            for i in range(columns):
+                a, b, c, d = vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + 1), vertex(j + 1, i)
+                triangles += [(a, b, c), (a, c, d)]
+        # No closed curve is straight.
+        curves = [
+            (1, name, [vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + 1), vertex(j + 1, i), vertex(j, i)])
+            for name, j, i in (("bad0", 2, 2), ("bad1", 2, 7), ("bad2", 5, 2))
+        ]
+        curves.append((1, "good", [vertex(12, i) for i in range(columns + 1)]))
+        text = command.legacy_curves(points, curves).replace("FieldData 2", "FieldData 3")
+        self.write("keys.vtk", text + "KeyShape 1 4 int\n1 1 1 1\n")
+        self.write("sheet.obj", command.obj(points, triangles))
+        report = self.flatten("sheet.obj", "keys.vtk", code=4)
+        self.assertEqual((report["status"], report["ids"]), ("IncompatibleKeys", [0, 1, 2]))
+        self.assertIn('release "bad0", "bad1" and "bad2" into', report["message"])
+        self.assertIn('kept: "good"', report["message"])
+        self.assertEqual([curve["released"] for curve in report["curves"]], [True, True, True, False])
+        run = self.run_command("sheet.obj", "keys.vtk", "--output", "out", "--list-curves")
+        self.assertEqual(run.stdout.count("key (released)"), 3)
+        report = self.flatten("sheet.obj", "keys.vtk", "--release-keys")
+        self.assertEqual({curve["released"] for curve in report["curves"]}, {True})
+
+    def test_a_key_whose_shape_keeps_the_piece_from_lying_well_is_the_first_to_release(self):
+        points, triangles = dome()
+        zigzag = [at(i, 3 + i % 2) for i in range(SIZE + 1)]
+        middle = [at(4, j) for j in range(SIZE + 1)]
+        curves = [(1, "zigzag", zigzag), (0, "middle", middle)]
+        straight = "KeyShape 1 2 int\n1 0\n"
+        self.write("dome.obj", command.obj(points, triangles))
+        text = command.legacy_curves(points, curves).replace("FieldData 2", "FieldData 3")
+        self.write("curves.vtk", text + straight)
+        run = self.run_command("dome.obj", "curves.vtk", "--output", "out")
+        self.assertIn("without the shape of the key curve zigzag", run.stdout)
+        piece = self.report("out")["pieces"][0]
+        self.assertEqual(piece["release"]["first"], "zigzag")
+        ranking = piece["release"]["ranking"]
+        self.assertEqual([entry["curve"] for entry in ranking], ["zigzag", "middle"])
+        self.assertEqual([entry["release"] for entry in ranking], ["shape", "curve"])
+        self.assertLess(ranking[0]["objective_without"], ranking[1]["objective_without"])
+        # The advice is true.
+        self.write("freed.vtk", command.legacy_curves(points, [(0, "zigzag", zigzag), curves[1]]))
+        freed = self.flatten("dome.obj", "freed.vtk")["pieces"][0]
+        self.assertAlmostEqual(freed["objective"], ranking[0]["objective_without"], delta=1e-8)
+        self.assertLess(piece["E_h"], 0.4)
+        self.assertGreater(freed["E_h"], 0.8)
+
+    def test_a_tube_is_to_be_cut_open_and_lies_well_then(self):
+        count = 12
+        points = [
+            (math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count), float(j))
+            for j in range(5)
+            for i in range(count)
+        ]
+        triangles = []
+        for j in range(4):
+            for i in range(count):
+                a, b = count * j + i, count * j + (i + 1) % count
+                triangles += [(a, b, b + count), (a, b + count, a + count)]
+        self.write("tube.obj", command.obj(points, triangles))
+        report = self.flatten("tube.obj", code=4)
+        self.assertEqual(report["status"], "NotConverged")
+        self.assertEqual(len(report["ids"]), report["pieces"][0]["flipped"])
+        self.assertGreater(len(report["ids"]), 0)
+        self.assertIn("flipped", report["message"])
+        self.assertIn("seam from one boundary loop to the next", report["message"])
+        self.assertNotIn("release", report["message"])
+        self.assertNotIn(" 0 iterations", report["message"])
+        self.write("seam.txt", "seam s " + " ".join(str(count * j) for j in range(5)) + "\n")
+        report = self.flatten("tube.obj", "seam.txt")
+        self.assertGreater(report["pieces"][0]["E_h"], 0.999)
+
     def test_the_t_shirt_comes_out_as_four_pieces_whose_seams_have_equal_lengths(self):
         surface, curves = (os.path.join(command.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp"))
         report = self.flatten(surface, curves)

@@ -37,8 +37,8 @@ class Results(command.CommandTest):
         self.assertEqual(piece["free_wire_nodes"], 24)
         self.assertEqual(
             sorted(report["curves"][0]),
-            ["closed_length", "error", "length_2d", "length_3d", "name", "sensitivity", "tolerance",
-             "type"],
+            ["closed_length", "error", "length_2d", "length_3d", "name", "released", "sensitivity",
+             "tolerance", "type"],
         )
 
     def test_the_default_is_isometric_and_the_papers_words_ask_for_its_global_scheme(self):

@@ -5,6 +5,7 @@
 
 #include "vtkFeatureEdges.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkTrivialProducer.h"
 #include "vtkWireWarpingFilter.h"
 
@@ -116,6 +117,63 @@ void namesKeepTwoPointLinesApart(Checks& check)
   check.near(number(filter->GetOutput(1), "CurveRestLengths", 1), 0.5, 1e-12, "its length");
 }
 
+// By the names of the report, also where the caller gave none; an update takes them back.
+void tolerancesMayBeGivenByName(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const auto curves = makeCurves(grid, { { 10, 11 }, { 11, 12 }, { 2, 7, 12 } });
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(grid);
+  filter->SetCurvesData(curves);
+  filter->SetCurveTolerance("curve 1", 0.02);
+  filter->Update();
+  check.equal(curveCount(filter), 2, "number of curves");
+  check.equal(number(filter->GetOutput(1), "CurveTolerances", 0), 0.0, "the other's tolerance");
+  check.equal(number(filter->GetOutput(1), "CurveTolerances", 1), 0.02, "tolerance");
+  filter->RemoveAllCurveTolerances();
+  filter->Update();
+  check.equal(number(filter->GetOutput(1), "CurveTolerances", 1), 0.0, "tolerance, removed");
+  for (const double tolerance : { 1.0, -0.1, vtkMath::Nan() })
+  {
+    filter->SetCurveTolerance("curve 1", tolerance);
+    filter->Update();
+    check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a tolerance out of range");
+  }
+  filter->RemoveAllCurveTolerances();
+  filter->SetCurveTolerance("belt", 0.1);
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a name of no curve");
+  check.contains(filter->GetStatusMessage(), "the curves are curve 0, curve 1", "message");
+}
+
+void theConnectionOfARefusedCurveIsTold(Checks& check)
+{
+  const auto grid = makeGrid(4, 4);
+  const auto sound = makeCurves(grid, { { 10, 11, 12 } });
+  const auto unknown = makeCurves(grid, { { 2, 7, 12 } }, { 7 });
+  const auto tooShort = makeCurves(grid, { { 7, 7, 7 } });
+  for (vtkPolyData* bad : { unknown.Get(), tooShort.Get() })
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    const Messages messages(filter);
+    filter->SetInputData(grid);
+    for (vtkPolyData* curves : { sound.Get(), bad })
+    {
+      vtkNew<vtkTrivialProducer> producer;
+      producer->SetOutput(curves);
+      filter->AddCurvesConnection(producer->GetOutputPort());
+    }
+    filter->Update();
+    check.that(filter->IsRefused(), "is refused");
+    check.equal(filter->GetStatusConnection(), 1, "connection");
+    filter->RemoveAllCurves();
+    filter->Update();
+    check.equal(std::string(filter->GetStatusName()), "Ok", "status without curves");
+    check.equal(filter->GetStatusConnection(), -1, "connection without curves");
+  }
+}
+
 // A closed curve, once as one polyline and once as its edges.
 void aClosedCurveMayComeInEdges(Checks& check)
 {
@@ -199,6 +257,8 @@ int TestFeatureCurveInput(int, char*[])
   curvesComeFromSeveralDataSets(check);
   twoPointLinesAreJoined(check);
   namesKeepTwoPointLinesApart(check);
+  tolerancesMayBeGivenByName(check);
+  theConnectionOfARefusedCurveIsTold(check);
   aClosedCurveMayComeInEdges(check);
   featureEdgesAreCurves(check);
   keyShapesAreRead(check);

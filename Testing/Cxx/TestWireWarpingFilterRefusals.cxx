@@ -216,6 +216,14 @@ void curvesAreRefused(Refusals& refusals)
   curves->GetPointData()->AddArray(planar);
   refusals.expect("a planar shape with a gap", grid, curves, "InvalidCurve", { 11 }, "PlanarShape");
 
+  curves = makeCurves(grid, { { 10, 11, 12 } }, { 1 });
+  vtkNew<vtkStringArray> words;
+  words->SetName("PlanarShape");
+  words->SetNumberOfComponents(2);
+  words->SetNumberOfTuples(25);
+  curves->GetPointData()->AddArray(words);
+  refusals.expect("a planar shape of words", grid, curves, "InvalidCurve", {}, "no numbers");
+
   curves = makeCurves(grid, { { 10, 11, 99 } });
   refusals.expect("a curve with a wrong point id", grid, curves, "InvalidPointId", { 0 }, "0..24");
   curves = makePolyData({ { 0, 0.5, 0 }, { 0.25, std::nan(""), 0 }, { 1, 0.5, 0 } }, {});

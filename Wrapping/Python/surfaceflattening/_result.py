@@ -167,7 +167,13 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     for piece, first, without in zip(
             pieces, _values(field, "ReleaseFirst"), _values(field, "ObjectiveWithoutFirst")):
         piece["release"] = None if first < 0 else {
-            "first": names[first], "objective_without_first": without if without >= 0.0 else None}
+            "first": names[first], "objective_without_first": without if without >= 0.0 else None,
+            "ranking": []}
+    for row, curve, shape, without in zip(*(_values(field, name) for name in (
+            "ReleasePiece", "ReleaseCurve", "ReleaseShape", "ReleaseObjective"))):
+        pieces[row]["release"]["ranking"].append(
+            {"curve": names[curve], "release": "shape" if shape else "curve",
+             "objective_without": without if without >= 0.0 else None})
     history = {key: _values(field, name) for key, name in _HISTORY_NUMBERS.items()}
     phases = _values(field, "HistoryPhase")
     for row, piece in enumerate(_values(field, "HistoryPiece")):
@@ -175,7 +181,7 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
             {"phase": phases[row], **{key: column[row] for key, column in history.items()}})
     curves = zip(*(_values(curve_field, name) for name in (
         "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
-        "CurveTolerances", "CurveClosedLengths", "CurveSensitivities")))
+        "CurveTolerances", "CurveClosedLengths", "CurveSensitivities", "CurveReleased")))
     return {
         "status": _values(field, "RunStatus")[0],
         "message": _values(field, "RunStatusMessage")[0],
@@ -184,8 +190,8 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
         "curves": [
             {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
              "error": error, "tolerance": tolerance, "closed_length": closed,
-             "sensitivity": sensitivity}
-            for name, kind, rest, length, error, tolerance, closed, sensitivity in curves
+             "sensitivity": sensitivity, "released": bool(released)}
+            for name, kind, rest, length, error, tolerance, closed, sensitivity, released in curves
         ],
         "seconds": {key: _values(field, name)[0] for key, name in _SECONDS.items()},
     }
