@@ -38,7 +38,7 @@ AngleSolution finish(
   else if (!state.converged)
   {
     solution.status = { StatusCode::NotConverged,
-      "the wires' angles did not converge; release a key curve or a feature curve", {} };
+      "the wires' angles did not converge; allow more iterations", {} };
   }
   return solution;
 }

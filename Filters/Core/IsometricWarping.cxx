@@ -102,7 +102,7 @@ public:
     {
       solution.status = { StatusCode::NotConverged,
         "the isometric scheme did not converge in " + std::to_string(solution.iterations) +
-          " iterations; allow more, or release a feature curve",
+          " iterations; allow more",
         {} };
     }
     return solution;

@@ -69,11 +69,37 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
     : "; divide it by a seam";
   return { StatusCode::Overlap, message, triangles };
 }
+
+/// A piece that is not at a minimum: what is wrong with it, and what fits it as a way out.
+void explain(const FlatteningOptions& options, PieceReport& report)
+{
+  Status& status = report.status;
+  const bool sequential = options.angles.method == AngleMethod::Sequential;
+  if (report.boundaryLoops > 1)
+  {
+    status.message += ", or cut it open by a seam from one boundary loop to the next";
+  }
+  if (report.wired && !sequential)
+  {
+    status.message += ", or release a feature curve";
+  }
+  const Indices& flipped = report.quality.flipped;
+  status.ids = flipped;
+  if (!flipped.empty())
+  {
+    status.message +=
+      " (" + std::to_string(flipped.size()) + " triangle(s) are flipped: " + listIds(flipped) + ")";
+  }
+}
 }
 
 void judgePiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, PieceReport& report)
 {
+  if (report.status.code == StatusCode::NotConverged)
+  {
+    explain(options, report);
+  }
   if (!report.status.ok())
   {
     return;

@@ -184,7 +184,7 @@ AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& opt
   {
     solution.status = { StatusCode::NotConverged,
       "the sequential iteration did not converge in " + std::to_string(solution.iterations) +
-        " iterations; use the Newton solver, or release a key curve",
+        " iterations; use the Newton solver",
       {} };
   }
   return solution;

@@ -38,7 +38,8 @@ bool concernsVertices(StatusCode code)
 bool concernsTriangles(StatusCode code)
 {
   return code == StatusCode::ClosedSurface || code == StatusCode::Handle ||
-    code == StatusCode::FlippedTriangles || code == StatusCode::Overlap;
+    code == StatusCode::NotConverged || code == StatusCode::FlippedTriangles ||
+    code == StatusCode::Overlap;
 }
 
 /// Loads the surface of the data unless it has been.
