@@ -28,8 +28,8 @@ void finishOutput()
     return;
   }
   const std::string reason = errno != 0 ? std::generic_category().message(errno) : "";
-  throw InputError("standard output", "cannot be written" +
-      (reason.empty() ? "" : " (" + reason + ")") +
+  throw InputError("standard output",
+    "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") +
       "; send it elsewhere, or leave the table out with --quiet");
 }
 
