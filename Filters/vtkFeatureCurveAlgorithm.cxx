@@ -47,7 +47,7 @@ void vtkFeatureCurveAlgorithm::RemoveAllCurves()
 }
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::SetCurveTolerance(const std::string& curve, double tolerance)
+void vtkFeatureCurveAlgorithm::AddCurveTolerance(const std::string& curve, double tolerance)
 {
   this->CurveTolerances[curve] = tolerance;
   this->Modified();

@@ -137,7 +137,7 @@ public:
    * the "curve N" that a curve without a name is given. Default: none. Range: [0, 1); a value
    * outside and a name that no curve has are refused (INVALID_OPTION).
    */
-  void SetCurveTolerance(const std::string& curve, double tolerance);
+  void AddCurveTolerance(const std::string& curve, double tolerance);
   void RemoveAllCurveTolerances();
   ///@}
 

@@ -94,7 +94,7 @@ void readInput(const Options& options, vtkWireWarpingFilter* filter)
   }
   for (const auto& [curve, tolerance] : options.tolerances)
   {
-    filter->SetCurveTolerance(curve, tolerance);
+    filter->AddCurveTolerance(curve, tolerance);
   }
 }
 

@@ -126,7 +126,7 @@ void tolerancesMayBeGivenByName(Checks& check)
   const Messages messages(filter);
   filter->SetInputData(grid);
   filter->SetCurvesData(curves);
-  filter->SetCurveTolerance("curve 1", 0.02);
+  filter->AddCurveTolerance("curve 1", 0.02);
   filter->Update();
   check.equal(curveCount(filter), 2, "number of curves");
   check.equal(number(filter->GetOutput(1), "CurveTolerances", 0), 0.0, "the other's tolerance");
@@ -136,12 +136,12 @@ void tolerancesMayBeGivenByName(Checks& check)
   check.equal(number(filter->GetOutput(1), "CurveTolerances", 1), 0.0, "tolerance, removed");
   for (const double tolerance : { 1.0, -0.1, vtkMath::Nan() })
   {
-    filter->SetCurveTolerance("curve 1", tolerance);
+    filter->AddCurveTolerance("curve 1", tolerance);
     filter->Update();
     check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a tolerance out of range");
   }
   filter->RemoveAllCurveTolerances();
-  filter->SetCurveTolerance("belt", 0.1);
+  filter->AddCurveTolerance("belt", 0.1);
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a name of no curve");
   check.contains(filter->GetStatusMessage(), "the curves are curve 0, curve 1", "message");
