@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -13,8 +14,10 @@ namespace
 {
 constexpr double regularization = 1e-8; ///< delta of the constraint block
 constexpr double constraintTolerance = 1e-10;
-/// A whole Newton step that moves no vertex by more, in units of the mean edge, is the last.
+/// A whole Newton step that moves no vertex by more, in units of the mean edge, is the last; what
+/// it leaves of the lengths' errors is taken out by correctWireLengths().
 constexpr double shortestStep = 1e-10;
+constexpr double stillTolerance = 1e-8;
 
 IsometricSolution cancelledSolution()
 {
@@ -78,7 +81,8 @@ public:
       const double scale = std::max(std::sqrt(this->Terms.total), 1e-2);
       const bool stationary = still || optimality <= this->Options.tolerance * scale ||
         this->promise() <= this->Options.tolerance * this->Options.tolerance * this->Terms.total;
-      if (violation <= constraintTolerance && stationary && !this->releaseHeld())
+      const double allowed = still ? stillTolerance : constraintTolerance;
+      if (violation <= allowed && stationary && !this->releaseHeld())
       {
         converged = true;
         break;
@@ -294,7 +298,11 @@ private:
     this->Penalty = std::max(this->Penalty, 1.2 * largest(this->NewMultipliers) + 1e-3);
     const double before = this->Terms.total + this->Penalty * violation;
     const double slope = this->Point.gradient.dot(this->Step) - this->Penalty * violation;
-    const double noise = 1e-13 * (1.0 + std::abs(before));
+    // Below this a change of the merit function is rounding: that of the energy, and of lengths
+    // between points as far from the origin as these.
+    const double rounding = std::numeric_limits<double>::epsilon() * largest(this->X);
+    const double noise = 1e-13 * (1.0 + std::abs(before)) +
+      this->Penalty * rounding * static_cast<double>(this->Constraints);
     double scale = 1.0;
     for (int halving = 0; halving < 40; ++halving, scale *= 0.5)
     {
