@@ -230,6 +230,30 @@ TEST(IsometricWarping, StopsWhereSliversLeaveOnlyRoundingInTheGradient)
   }
 }
 
+TEST(IsometricWarping, StopsOnAFineMeshWhereTheRoundingOfAllLengthsIsWhatIsLeft)
+{
+  constexpr Index n = 99;
+  const auto place = [](double i, double j) {
+    const double x = 10.0 * i / n;
+    const double y = 10.0 * j / n;
+    return Point3(x, y, 0.3 * std::sin(0.5 * x) * std::cos(0.4 * y) + 0.2 * std::sin(x * y / 3.0));
+  };
+  const Surface sheet = patch(n, n, place);
+  Polyline row;
+  for (Index i = 0; i <= n; ++i)
+  {
+    row.points.push_back(place(i, 50));
+  }
+  Polyline across;
+  across.points = { place(5, 5), place(33, 50), place(6, 90) };
+  const ImprintedSurface imprinted = imprintCurves(sheet.mesh, { row, across }, {});
+  ASSERT_TRUE(imprinted.status.ok()) << imprinted.status.message;
+  const FlatteningResult result = flatten({ imprinted.mesh, imprinted.curves, {} });
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.pieces[0].iterations, 20);
+  EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-11);
+}
+
 TEST(IsometricWarping, StopsWhereAnElasticCurveSitsOnItsBound)
 {
   for (double tolerance : { 0.05, 0.08, 0.1, 0.12, 0.15 })
