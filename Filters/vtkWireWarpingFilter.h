@@ -46,8 +46,9 @@
  * `ReleasePiece`, `ReleaseCurve` (id), `ReleaseShape` (int; 1: of a key curve its shape alone, so
  * that it becomes an accessory curve; 0: the curve as a whole), `ReleaseObjective` (double;
  * Objective without that; -1 where it was not tried). Releases are tried in pieces that lie poorly:
- * GlobalHomogeneity below 0.4, flipped triangles, or an angle changed by more than 0.7 radians.
- * Curves that were not tried follow by the magnitude of their sensitivity.
+ * an angle changed by more than 0.7 radians or, with Interior AS_RIGID_AS_POSSIBLE,
+ * GlobalHomogeneity below 0.4 or flipped triangles. Curves that were not tried follow by the
+ * magnitude of their sensitivity.
  *
  * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
  * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a

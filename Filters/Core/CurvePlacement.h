@@ -23,9 +23,9 @@ public:
   {
     return this->Vertices[this->First[polyline] + point];
   }
-  /// The nearest point of the surface per point of a polyline. Errors: CurvePointOffSurface (ids:
+  /// The nearest point of the surface per point of polyline c. Errors: CurvePointOffSurface (ids:
   /// points of the polyline).
-  Status locate(std::size_t polyline, std::vector<ClosestPoint>& closest);
+  Status locate(std::size_t c, std::vector<ClosestPoint>& closest);
 
 private:
   void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const;

@@ -91,7 +91,7 @@ public:
     }
     while (!this->Cancelled && this->Tried.size() <= mostSolves)
     {
-      const Indices found = this->tryLeastSets();
+      Indices found = this->tryLeastSets();
       if (!found.empty())
       {
         return found;

@@ -241,7 +241,10 @@ FlatPiece flattenAsCut(WiredPiece& wired, const CutSurface& cut,
   if (options.scheme != Scheme::Progressive && !report.status.refused())
   {
     watch.restart();
-    report.advice = pieceWires.advise(wires, liesPoorly(piece.mesh, result.positions));
+    // The Laplacian interior distorts by itself, whatever the wires.
+    const bool poor = options.interior.method == InteriorMethod::AsRigidAsPossible &&
+      liesPoorly(piece.mesh, result.positions);
+    report.advice = pieceWires.advise(wires, poor);
     result.secondsWires += watch.restart();
   }
   return result;
