@@ -213,6 +213,7 @@ TEST(IsometricWarping, StopsWhereSliversLeaveOnlyRoundingInTheGradient)
     return Point3(a * panel.mesh.point(corners[0]) + b * panel.mesh.point(corners[1]) +
       (1.0 - a - b) * panel.mesh.point(corners[2]));
   };
+  int imprintedOnes = 0;
   for (int trial = 0; trial < 20; ++trial)
   {
     Polyline line;
@@ -223,11 +224,13 @@ TEST(IsometricWarping, StopsWhereSliversLeaveOnlyRoundingInTheGradient)
     {
       continue; // the section may leave the panel
     }
+    ++imprintedOnes;
     const FlatteningResult result = flatten({ imprinted.mesh, imprinted.curves, {} });
     EXPECT_TRUE(result.status.ok()) << trial << ": " << result.status.message;
     EXPECT_LT(result.pieces[0].iterations, 20) << trial;
     EXPECT_NEAR(result.pieces[0].quality.globalHomogeneity, 1.0, 1e-6) << trial;
   }
+  EXPECT_GE(imprintedOnes, 10);
 }
 
 TEST(IsometricWarping, StopsOnAFineMeshWhereTheRoundingOfAllLengthsIsWhatIsLeft)
@@ -252,18 +255,6 @@ TEST(IsometricWarping, StopsOnAFineMeshWhereTheRoundingOfAllLengthsIsWhatIsLeft)
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LT(result.pieces[0].iterations, 20);
   EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-11);
-}
-
-TEST(IsometricWarping, StopsWhereAnElasticCurveSitsOnItsBound)
-{
-  for (double tolerance : { 0.05, 0.08, 0.1, 0.12, 0.15 })
-  {
-    Surface surface = quarterSphere();
-    surface.curves[0].tolerance = tolerance;
-    const FlatteningResult result = flatten(surface);
-    EXPECT_TRUE(result.status.ok()) << tolerance << ": " << result.status.message;
-    EXPECT_LT(result.pieces[0].iterations, 20) << tolerance;
-  }
 }
 
 TEST(IsometricWarping, SymmetricDirichletNeverFlipsAndAgreesOnDevelopables)

@@ -117,10 +117,10 @@ int TestWireWarpingFilterAbort(int, char*[])
   }
   // An observer of progress that makes up its mind within a long phase is asked in time.
   filter->SetSchemeToIsometric();
-  double seconds = abortedRun(check, filter, 1.5);
+  double seconds = abortedRun(check, filter, 0.5);
   for (int again = 0; again < 2 && seconds >= 0.3; ++again)
   {
-    seconds = std::min(seconds, abortedRun(check, filter, 1.5));
+    seconds = std::min(seconds, abortedRun(check, filter, 0.5));
   }
   std::cout << seconds << " s from the wish to abort to the end\n";
   check.that(seconds < 0.3, "the run ends soon after an observer wishes it");
