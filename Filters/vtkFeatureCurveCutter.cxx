@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveCutter.h"
 
+#include "Flattening/WireReport.h"
 #include "FlatteningOutput.h"
 #include "SurfaceOutput.h"
-#include "WireReport.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlatteningAlgorithm.h"
 
+#include "Base/Status.h"
 #include "FieldArrays.h"
 #include "Outcome.h"
-#include "Status.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"

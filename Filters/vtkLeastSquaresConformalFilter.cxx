@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLeastSquaresConformalFilter.h"
 
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -3,7 +3,7 @@
 
 #include "FieldArrays.h"
 #include "FilterExecution.h"
-#include "SurfaceDevelopability.h"
+#include "Quality/SurfaceDevelopability.h"
 #include "SurfaceInput.h"
 
 #include "vtkDoubleArray.h"

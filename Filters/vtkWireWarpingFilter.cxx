@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWireWarpingFilter.h"
 
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -42,10 +42,10 @@ const char* vtkWireWarpingFilter::GetInteriorAsString() const
 }
 
 //------------------------------------------------------------------------------
-const char* vtkWireWarpingFilter::GetSheetEnergyAsString() const
+const char* vtkWireWarpingFilter::GetDistortionEnergyAsString() const
 {
   static const char* const names[] = { "Rigid", "SymmetricDirichlet" };
-  return names[this->SheetEnergy];
+  return names[this->DistortionEnergy];
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +58,8 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   static_assert(
     static_cast<int>(flattening::InteriorMethod::AsRigidAsPossible) == AS_RIGID_AS_POSSIBLE, "");
   static_assert(
-    static_cast<int>(flattening::SheetEnergyKind::SymmetricDirichlet) == SYMMETRIC_DIRICHLET, "");
+    static_cast<int>(flattening::DistortionEnergyKind::SymmetricDirichlet) == SYMMETRIC_DIRICHLET,
+    "");
 
   flattening::FlatteningOptions options;
   options.scheme = static_cast<flattening::Scheme>(this->Scheme);
@@ -73,7 +74,8 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   options.interior.maximumIterations = this->RelaxationMaximumIterations;
   options.interior.energyTolerance = this->RigidEnergyTolerance;
   options.interior.maximumRigidIterations = this->RigidMaximumIterations;
-  options.isometric.energy.kind = static_cast<flattening::SheetEnergyKind>(this->SheetEnergy);
+  options.isometric.energy.kind =
+    static_cast<flattening::DistortionEnergyKind>(this->DistortionEnergy);
   options.isometric.energy.bias = this->AreaBias;
   options.isometric.angleWeight = this->AngleWeight;
   options.isometric.maximumIterations = this->IsometricMaximumIterations;
@@ -105,7 +107,7 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelaxationMaximumIterations: " << this->RelaxationMaximumIterations << "\n";
   os << indent << "RigidEnergyTolerance: " << this->RigidEnergyTolerance << "\n";
   os << indent << "RigidMaximumIterations: " << this->RigidMaximumIterations << "\n";
-  os << indent << "SheetEnergy: " << this->GetSheetEnergyAsString() << "\n";
+  os << indent << "DistortionEnergy: " << this->GetDistortionEnergyAsString() << "\n";
   os << indent << "AreaBias: " << this->AreaBias << "\n";
   os << indent << "AngleWeight: " << this->AngleWeight << "\n";
   os << indent << "IsometricMaximumIterations: " << this->IsometricMaximumIterations << "\n";

@@ -31,7 +31,7 @@
  * `ClosureResidual` (unit of length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
  * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max
  * a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of
- * area) (double); `Status`, `StatusMessage` (string). Scheme ISOMETRIC: `SheetEnergy` and
+ * area) (double); `Status`, `StatusMessage` (string). Scheme ISOMETRIC: `DistortionEnergy` and
  * `AngleEnergy`, the two terms of its energy in units of the mean triangle area (double). Where to
  * start if a piece is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is
  * none) and `ObjectiveWithoutFirst` (double; its `ReleaseObjective`).
@@ -277,11 +277,11 @@ public:
    * the map of each triangle from the nearest rotation; SYMMETRIC_DIRICHLET: grows without bound
    * where a triangle collapses, so that none is flipped. Default: RIGID.
    */
-  vtkSetClampMacro(SheetEnergy, int, RIGID, SYMMETRIC_DIRICHLET);
-  vtkGetMacro(SheetEnergy, int);
-  void SetSheetEnergyToRigid() { this->SetSheetEnergy(RIGID); }
-  void SetSheetEnergyToSymmetricDirichlet() { this->SetSheetEnergy(SYMMETRIC_DIRICHLET); }
-  const char* GetSheetEnergyAsString() const;
+  vtkSetClampMacro(DistortionEnergy, int, RIGID, SYMMETRIC_DIRICHLET);
+  vtkGetMacro(DistortionEnergy, int);
+  void SetDistortionEnergyToRigid() { this->SetDistortionEnergy(RIGID); }
+  void SetDistortionEnergyToSymmetricDirichlet() { this->SetDistortionEnergy(SYMMETRIC_DIRICHLET); }
+  const char* GetDistortionEnergyAsString() const;
   ///@}
 
   ///@{
@@ -380,7 +380,7 @@ private:
   int RelaxationMaximumIterations = 100;
   double RigidEnergyTolerance = 1e-9;
   int RigidMaximumIterations = 200;
-  int SheetEnergy = RIGID;
+  int DistortionEnergy = RIGID;
   double AreaBias = 0.0;
   double AngleWeight = 5.0;
   int IsometricMaximumIterations = 100;

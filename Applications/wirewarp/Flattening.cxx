@@ -58,8 +58,9 @@ void configure(vtkWireWarpingFilter* filter, const Options& options)
   filter->SetInterior(interiorValue(options.interior));
   filter->SetReleaseKeys(options.releaseKeys);
   filter->SetCloseCuts(options.closeCuts);
-  filter->SetSheetEnergy(options.energy == "dirichlet" ? vtkWireWarpingFilter::SYMMETRIC_DIRICHLET
-                                                       : vtkWireWarpingFilter::RIGID);
+  filter->SetDistortionEnergy(options.energy == "dirichlet"
+      ? vtkWireWarpingFilter::SYMMETRIC_DIRICHLET
+      : vtkWireWarpingFilter::RIGID);
   filter->SetAreaBias(options.areaBias);
   filter->SetAngleWeight(options.angleWeight);
   filter->SetIsometricMaximumIterations(options.isometricMaximumIterations);

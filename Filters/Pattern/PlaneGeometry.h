@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Types.h"
+#include "Base/Types.h"
 
 #include <utility>
 

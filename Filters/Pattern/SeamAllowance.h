@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Types.h"
 #include "PatternStatus.h"
-#include "Types.h"
 
 #include <vector>
 

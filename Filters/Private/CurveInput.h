@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FeatureCurve.h"
 #include "Outcome.h"
+#include "Surface/FeatureCurve.h"
 
 class vtkPolyData;
 

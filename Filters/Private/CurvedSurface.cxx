@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedSurface.h"
 
-#include "SameBits.h"
+#include "Base/SameBits.h"
 
 #include "vtkPolyData.h"
 

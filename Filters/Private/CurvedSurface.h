@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurveImprint.h"
 #include "CurveInput.h"
-#include "SurfaceCut.h"
+#include "Cut/SurfaceCut.h"
+#include "Imprint/CurveImprint.h"
 #include "SurfaceInput.h"
 
 #include "vtkCellArray.h"

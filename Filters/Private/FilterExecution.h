@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Execution.h"
+#include "Base/Execution.h"
 
 class vtkAlgorithm;
 

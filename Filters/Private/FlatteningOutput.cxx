@@ -43,7 +43,7 @@ void writePieces(
   addRows<vtkDoubleArray>(
     field, "ClosureResidual", rows, [&](std::size_t row) { return pieces[row].closureResidual; });
   addRows<vtkDoubleArray>(
-    field, "SheetEnergy", rows, [&](std::size_t row) { return pieces[row].sheetEnergy; });
+    field, "DistortionEnergy", rows, [&](std::size_t row) { return pieces[row].distortionEnergy; });
   addRows<vtkDoubleArray>(
     field, "AngleEnergy", rows, [&](std::size_t row) { return pieces[row].angleEnergy; });
   addRows<vtkIdTypeArray>(field, "ReleaseFirst", rows, [&](std::size_t row) {

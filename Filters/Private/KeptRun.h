@@ -2,7 +2,7 @@
 #pragma once
 
 #include "CurvedSurface.h"
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 
 #include <memory>
 

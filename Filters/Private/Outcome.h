@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Status.h"
+#include "Base/Status.h"
 
 #include "vtkType.h"
 

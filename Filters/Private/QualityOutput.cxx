@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QualityOutput.h"
 
-#include "BoundaryOverlap.h"
+#include "Quality/BoundaryOverlap.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"

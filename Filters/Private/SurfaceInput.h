@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Outcome.h"
-#include "SurfacePreparation.h"
+#include "Surface/SurfacePreparation.h"
 
 class vtkPolyData;
 

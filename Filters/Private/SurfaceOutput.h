@@ -3,7 +3,7 @@
 
 #include "CurvedSurface.h"
 #include "FieldArrays.h"
-#include "FlatteningQuality.h"
+#include "Quality/FlatteningQuality.h"
 
 class vtkCellArray;
 class vtkPoints;

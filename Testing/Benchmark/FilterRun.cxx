@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterRun.h"
 
-#include "Stopwatch.h"
+#include "Base/Stopwatch.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

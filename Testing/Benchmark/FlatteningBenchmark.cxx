@@ -6,9 +6,9 @@
 #include "RefinedPiece.h"
 #include "ResultTable.h"
 
-#include "Stopwatch.h"
-#include "SurfaceFlattening.h"
-#include "WireNetwork.h"
+#include "Base/Stopwatch.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Wires/WireNetwork.h"
 
 #include <CLI/CLI.hpp>
 

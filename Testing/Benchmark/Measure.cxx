@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measure.h"
 
-#include "Stopwatch.h"
+#include "Base/Stopwatch.h"
 
 #include <malloc.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Surface/TriangleMesh.h"
 
 namespace benchmarks
 {

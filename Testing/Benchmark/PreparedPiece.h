@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "AngleSolver.h"
-#include "Execution.h"
+#include "Angles/AngleSolver.h"
+#include "Base/Execution.h"
+#include "Cut/SurfaceCut.h"
 #include "RefinedPiece.h"
-#include "SurfaceCut.h"
 
 namespace benchmarks
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RefinedPiece.h"
 
-#include "CurveImprint.h"
+#include "Imprint/CurveImprint.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

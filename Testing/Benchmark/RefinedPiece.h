@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FeatureCurve.h"
-#include "TriangleMesh.h"
+#include "Surface/FeatureCurve.h"
+#include "Surface/TriangleMesh.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FlatteningQuality.h"
 #include "Measure.h"
+#include "Quality/FlatteningQuality.h"
 
 #include <string>
 #include <vector>

@@ -6,12 +6,12 @@
 #include "GrowthReporter.h"
 #include "PreparedPiece.h"
 
-#include "BoundaryOverlap.h"
-#include "FlatteningQuality.h"
-#include "InteriorEmbedding.h"
-#include "IsometricWarping.h"
-#include "SurfaceDevelopability.h"
-#include "WireLayout.h"
+#include "Embedding/InteriorEmbedding.h"
+#include "Embedding/WireLayout.h"
+#include "Isometric/IsometricWarping.h"
+#include "Quality/BoundaryOverlap.h"
+#include "Quality/FlatteningQuality.h"
+#include "Quality/SurfaceDevelopability.h"
 
 #include <vtkSMPTools.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AngleProblem.h"
+#include "Angles/AngleProblem.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

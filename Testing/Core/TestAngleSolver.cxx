@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AngleSolver.h"
+#include "Angles/AngleSolver.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

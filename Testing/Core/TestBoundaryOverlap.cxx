@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BoundaryOverlap.h"
+#include "Quality/BoundaryOverlap.h"
 
-#include "Orientation.h"
+#include "Base/Orientation.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

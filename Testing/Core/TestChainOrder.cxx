@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ChainOrder.h"
-#include "DirectionsKkt.h"
-#include "LeadingElimination.h"
-#include "LinearSolver.h"
+#include "Angles/DirectionsKkt.h"
+#include "Sparse/LeadingElimination.h"
+#include "Sparse/LinearSolver.h"
 #include "WiredSurface.h"
+#include "Wires/ChainOrder.h"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>

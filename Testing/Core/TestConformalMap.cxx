@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ConformalMap.h"
+#include "Embedding/ConformalMap.h"
 
-#include "FlatteningQuality.h"
+#include "Quality/FlatteningQuality.h"
 #include "WiredSurface.h"
 
 #include <Eigen/QR>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveImprint.h"
+#include "Imprint/CurveImprint.h"
 
-#include "SurfacePreparation.h"
+#include "Surface/SurfacePreparation.h"
 
 #include <gtest/gtest.h>
 

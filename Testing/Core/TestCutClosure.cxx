@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CutClosure.h"
-#include "SurfaceFlattening.h"
+#include "Cut/CutClosure.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

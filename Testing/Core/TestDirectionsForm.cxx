@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DirectionsForm.h"
-#include "DirectionsKkt.h"
+#include "Angles/DirectionsForm.h"
+#include "Angles/DirectionsKkt.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveImprint.h"
-#include "SurfaceFlattening.h"
-#include "SurfacePreparation.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Imprint/CurveImprint.h"
+#include "Surface/SurfacePreparation.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must not change a result: where the surface lies, its unit, the order of its parts, threads.
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

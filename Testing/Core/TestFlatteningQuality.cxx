@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlatteningQuality.h"
+#include "Quality/FlatteningQuality.h"
 
 #include "TestMeshes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves anywhere on a surface: holes, darts that meet, wires that end or float inside.
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

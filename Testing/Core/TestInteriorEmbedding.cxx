@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InteriorEmbedding.h"
+#include "Embedding/InteriorEmbedding.h"
 
-#include "FlatteningQuality.h"
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Quality/FlatteningQuality.h"
 #include "TestThreads.h"
 #include "WiredSurface.h"
 

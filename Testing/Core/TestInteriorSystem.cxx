@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InteriorSystem.h"
+#include "Embedding/InteriorSystem.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

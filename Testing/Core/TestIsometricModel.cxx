@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "IsometricModel.h"
-#include "WireLayout.h"
+#include "Embedding/WireLayout.h"
+#include "Isometric/IsometricModel.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -55,17 +55,17 @@ struct Example
   }
 };
 
-std::vector<SheetEnergy> energies()
+std::vector<DistortionEnergy> energies()
 {
-  return { { SheetEnergyKind::AsRigidAsPossible, 0.3 },
-    { SheetEnergyKind::SymmetricDirichlet, 0.0 } };
+  return { { DistortionEnergyKind::AsRigidAsPossible, 0.3 },
+    { DistortionEnergyKind::SymmetricDirichlet, 0.0 } };
 }
 }
 
 TEST(IsometricModel, GradientIsThatOfFiniteDifferences)
 {
   const Example example;
-  for (const SheetEnergy& energy : energies())
+  for (const DistortionEnergy& energy : energies())
   {
     IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
     const Eigen::VectorXd x = example.point(model);
@@ -88,7 +88,7 @@ TEST(IsometricModel, GradientIsThatOfFiniteDifferences)
 TEST(IsometricModel, HessianOfTheLagrangianAndJacobianAreThoseOfFiniteDifferences)
 {
   const Example example;
-  for (const SheetEnergy& energy : energies())
+  for (const DistortionEnergy& energy : energies())
   {
     IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
     const Eigen::VectorXd x = example.point(model);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "IsometricWarping.h"
+#include "Isometric/IsometricWarping.h"
 
-#include "CurveImprint.h"
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Imprint/CurveImprint.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ FlatteningResult flatten(
   return flattenSurface(surface.mesh, surface.curves, options, {});
 }
 
-FlatteningOptions isometricWith(SheetEnergy energy, double angleWeight = 5.0)
+FlatteningOptions isometricWith(DistortionEnergy energy, double angleWeight = 5.0)
 {
   FlatteningOptions options;
   options.scheme = Scheme::Isometric;
@@ -43,7 +43,7 @@ Surface cushionWithCurves()
 
 double energyOf(const PieceReport& report)
 {
-  return report.sheetEnergy + report.angleEnergy;
+  return report.distortionEnergy + report.angleEnergy;
 }
 }
 
@@ -260,7 +260,7 @@ TEST(IsometricWarping, StopsOnAFineMeshWhereTheRoundingOfAllLengthsIsWhatIsLeft)
 TEST(IsometricWarping, SymmetricDirichletNeverFlipsAndAgreesOnDevelopables)
 {
   const FlatteningResult result =
-    flatten(cushionWithCurves(), isometricWith({ SheetEnergyKind::SymmetricDirichlet, 0.0 }));
+    flatten(cushionWithCurves(), isometricWith({ DistortionEnergyKind::SymmetricDirichlet, 0.0 }));
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
   EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
@@ -270,7 +270,7 @@ TEST(IsometricWarping, ABiasTowardsAreaLowersTheAreaErrorAndTowardsAngleTheAngle
 {
   const Surface surface = cushionWithCurves();
   const auto quality = [&](double bias) {
-    return flatten(surface, isometricWith({ SheetEnergyKind::AsRigidAsPossible, bias }))
+    return flatten(surface, isometricWith({ DistortionEnergyKind::AsRigidAsPossible, bias }))
       .pieces[0]
       .quality;
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "KeyRelease.h"
+#include "Angles/KeyRelease.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

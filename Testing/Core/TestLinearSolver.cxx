@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LinearSolver.h"
+#include "Sparse/LinearSolver.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

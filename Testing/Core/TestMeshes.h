@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "SurfaceCut.h"
-#include "TriangleMesh.h"
+#include "Cut/SurfaceCut.h"
+#include "Surface/TriangleMesh.h"
 
 #include <cmath>
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MultifrontalFactorization.h"
-#include "NestedDissection.h"
+#include "Sparse/MultifrontalFactorization.h"
+#include "Sparse/NestedDissection.h"
 #include "TestMeshes.h"
 #include "TestThreads.h"
 

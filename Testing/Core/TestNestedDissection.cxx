@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "NestedDissection.h"
+#include "Sparse/NestedDissection.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Orientation.h"
+#include "Base/Orientation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PieceArrangement.h"
+#include "Flattening/PieceArrangement.h"
 
 #include "WiredSurface.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ProgressiveWarping.h"
+#include "Angles/ProgressiveWarping.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

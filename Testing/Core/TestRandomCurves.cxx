@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seeded random curve sets of all types on one surface.
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReleaseAdvice.h"
-#include "SurfaceFlattening.h"
+#include "Angles/ReleaseAdvice.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RigidEmbedding.h"
+#include "Embedding/RigidEmbedding.h"
 
 #include "WiredSurface.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Status.h"
+#include "Base/Status.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceCut.h"
+#include "Cut/SurfaceCut.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceDevelopability.h"
+#include "Quality/SurfaceDevelopability.h"
 
 #include "TestMeshes.h"
 

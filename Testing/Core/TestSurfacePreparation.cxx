@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfacePreparation.h"
+#include "Surface/SurfacePreparation.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>

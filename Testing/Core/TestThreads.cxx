@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several pieces and wire-patches on several threads. Built with -fsanitize=thread it also shows
 // that the threads do not race (see Testing/Fuzz/README.md).
-#include "SurfaceFlattening.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

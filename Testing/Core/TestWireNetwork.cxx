@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WireNetwork.h"
 #include "WiredSurface.h"
+#include "Wires/WireNetwork.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WireReport.h"
+#include "Flattening/WireReport.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

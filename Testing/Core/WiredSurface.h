@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "AngleSolver.h"
+#include "Angles/AngleSolver.h"
 #include "TestMeshes.h"
-#include "WireNetwork.h"
+#include "Wires/WireNetwork.h"
 
 #include <algorithm>
 #include <complex>

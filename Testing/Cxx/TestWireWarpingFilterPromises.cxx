@@ -66,14 +66,14 @@ void theIsometricSchemeKeepsLengths(Checks& check)
       filter->SetInputData(surface);
       filter->SetCurvesData(makeQuarterSphereArc(surface));
       filter->SetSchemeToIsometric();
-      filter->SetSheetEnergy(energy);
+      filter->SetDistortionEnergy(energy);
       filter->SetAngleWeight(weight);
       filter->Update();
       vtkPolyData* flat = filter->GetOutput();
       check.equal(std::string(filter->GetStatusName()), "Ok", "status");
       check.near(number(flat, "MaxEdgeLengthError"), 0.0, 1e-12, "E_len_max");
       check.equal(number(flat, "FlippedTriangles"), 0.0, "FlippedTriangles");
-      check.that(number(flat, "SheetEnergy") > 0.0, "SheetEnergy is told");
+      check.that(number(flat, "DistortionEnergy") > 0.0, "DistortionEnergy is told");
       check.that(number(flat, "AngleEnergy") > 0.0, "AngleEnergy is told");
       angleChange[weight > 5.0] = number(flat, "AngleEnergy") / weight;
     }

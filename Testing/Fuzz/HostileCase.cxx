@@ -187,8 +187,8 @@ void makeOptions(Bytes& bytes, HostileCase& result)
   if (bytes.oneIn(8))
   {
     options.isometric.angleWeight = 100.0 * bytes.unit();
-    options.isometric.energy.kind =
-      bytes.oneIn(2) ? SheetEnergyKind::SymmetricDirichlet : SheetEnergyKind::AsRigidAsPossible;
+    options.isometric.energy.kind = bytes.oneIn(2) ? DistortionEnergyKind::SymmetricDirichlet
+                                                   : DistortionEnergyKind::AsRigidAsPossible;
     options.isometric.energy.bias = 1.98 * bytes.unit() - 0.99;
     options.interior.relaxation = 2.0 * bytes.unit();
     options.interior.energyTolerance = std::pow(10.0, -16.0 * bytes.unit());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurveImprint.h"
-#include "SurfaceFlattening.h"
-#include "SurfacePreparation.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Imprint/CurveImprint.h"
+#include "Surface/SurfacePreparation.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -182,7 +182,7 @@ void checkNumbers(const FlatteningResult& result, Checks& checks)
     const QualitySummary& quality = piece.quality;
     checks.finite(piece.objective, "an objective");
     checks.finite(piece.closureResidual, "a closure");
-    checks.finite(piece.sheetEnergy + piece.angleEnergy, "an energy");
+    checks.finite(piece.distortionEnergy + piece.angleEnergy, "an energy");
     checks.finite(quality.edgeLengthError + quality.maximumEdgeLengthError, "E_len");
     checks.finite(quality.angleError, "E_ang");
     checks.finite(quality.globalHomogeneity, "E_h");

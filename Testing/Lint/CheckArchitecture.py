@@ -10,6 +10,9 @@ import sys
 
 from Sources import ROOT, cxx_files, read, tracked_files
 
+# The rooms of Filters/Core, the uppermost first: each includes itself and what stands below.
+ROOMS = ("Flattening", "Isometric", "Embedding", "Angles", "Wires", "Cut", "Imprint", "Quality", "Sparse",
+         "Surface", "Base")
 LINES_OF_A_LONG_FILE = 400
 SHARE_OF_LONG_FILES = 0.1
 
@@ -65,6 +68,44 @@ def floors_are_one_way():
         for number, quoted, header in includes(name):
             if quoted and pathlib.PurePath(header).name in forbidden:
                 yield f"{name}:{number}: {floor} includes {header}"
+
+
+def rooms_of_core_are_one_way():
+    """Each room of Core includes only rooms below, written with the room: "Wires/WireNetwork.h"."""
+    for name in cxx_files("Filters/Core/"):
+        room = pathlib.PurePath(name).relative_to("Filters/Core").parts[0]
+        if room not in ROOMS:
+            yield f"{name}: not in one of the rooms {', '.join(ROOMS)}"
+            continue
+        for number, quoted, header in includes(name):
+            if not quoted:
+                continue
+            other = pathlib.PurePath(header).parts[0]
+            if other not in ROOMS or "/" not in header:
+                yield f"{name}:{number}: {header} is written without its room"
+            elif ROOMS.index(other) < ROOMS.index(room):
+                yield f"{name}:{number}: {room} includes {header}, which stands above"
+
+
+def units_of_core_make_no_circles():
+    """Header and source of a unit together include no unit that includes them."""
+    below = {}
+    for name in cxx_files("Filters/Core/"):
+        unit = str(pathlib.PurePath(name).relative_to("Filters/Core").with_suffix(""))
+        below.setdefault(unit, set()).update(
+            header.removesuffix(".h") for _, quoted, header in includes(name) if quoted)
+    for units in below.values():
+        units.intersection_update(below)
+    for unit, units in below.items():
+        units.discard(unit)
+    # What is left when units that include nothing more are taken away, again and again.
+    while True:
+        lowest = {unit for unit, units in below.items() if not units}
+        if not lowest:
+            break
+        below = {unit: units - lowest for unit, units in below.items() if unit not in lowest}
+    for unit, units in sorted(below.items()):
+        yield f"Filters/Core/{unit}: in or above a circle with {', '.join(sorted(units))}"
 
 
 def core_neither_prints_nor_throws():
@@ -145,6 +186,8 @@ def the_paper_is_mapped_to_functions():
 CHECKS = {check.__name__: check for check in (
     core_includes_no_vtk,
     floors_are_one_way,
+    rooms_of_core_are_one_way,
+    units_of_core_make_no_circles,
     core_neither_prints_nor_throws,
     there_is_one_vtk_module,
     every_source_is_built,

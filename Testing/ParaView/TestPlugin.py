@@ -57,7 +57,7 @@ class Plugin(unittest.TestCase):
         filter_.Scheme = "Least squares conformal"
         self.assertGreater(values(fetch(filter_), "EdgeLengthError")[0], 1e-3)
         filter_.Scheme = "Isometric"
-        self.assertTrue(fetch(filter_).GetFieldData().HasArray("SheetEnergy"))
+        self.assertTrue(fetch(filter_).GetFieldData().HasArray("DistortionEnergy"))
         self.assertLess(values(fetch(filter_), "MaxEdgeLengthError")[0], 1e-9)
 
     def test_outputs_have_names(self):

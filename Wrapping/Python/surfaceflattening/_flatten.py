@@ -104,7 +104,7 @@ def _flatten(
     )
     _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
     _set(filter_, "close_cuts", "CloseCuts", bool(close_cuts))
-    _set_word(filter_, "energy", "SheetEnergy", energy, ENERGIES)
+    _set_word(filter_, "energy", "DistortionEnergy", energy, ENERGIES)
     _set(filter_, "area_bias", "AreaBias", area_bias)
     _set(filter_, "angle_weight", "AngleWeight", angle_weight)
     _set(filter_, "split_triangles", "SplitTriangles", bool(split_triangles))

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Wires/KeyCurveLocks.h"
+
+#include <Eigen/SparseCore>
+
+#include <functional>
+
+namespace flattening
+{
+/// Wire edges that stretch together by an unknown factor 1 + h.
+struct StretchGroup
+{
+  double tolerance = 0.0; ///< |h| stays within it
+  double weight = 1.0;    ///< of h^2 / 2 in the objective
+};
+
+/// A flattening from elsewhere to start from: closed loops of other lengths.
+struct AngleStart
+{
+  std::vector<double> theta;  ///< per node
+  std::vector<double> length; ///< per wire edge
+};
+
+/// The constrained optimization of Eq. 13 (of Eq. 2 where the network is a single wire-patch):
+/// least change of the angles of all free wire-nodes, under the turning of each loop (2 pi), the
+/// closure of each loop, and the sum of 2 pi around each interior vertex.
+struct AngleProblem
+{
+  const WireNetwork* network = nullptr;
+  std::vector<double> target; ///< per node: alpha of the paper
+  std::vector<double> weight; ///< per node, in the objective; 0 around holes
+  NodeLocks locks;
+  std::vector<double> length; ///< per wire edge: the length to close with
+  Indices stretchGroup;       ///< per wire edge; none where the length is rigid
+  std::vector<StretchGroup> groups;
+  /// Makes a second start, for where the one from the surface angles ends badly; may be empty.
+  std::function<AngleStart()> alternativeStart;
+};
+
+/// The problem of a network: targets are the surface angles, lengths those on the surface.
+AngleProblem makeAngleProblem(const WireNetwork& network, NodeLocks locks);
+
+/// 1/2 sum w (theta - alpha)^2 over the free nodes (Eq. 13).
+double angleObjective(const AngleProblem& problem, const std::vector<double>& theta);
+
+/// Direction phi of each side by Eq. 3, each loop on its own with phi = pi - theta at its first
+/// node.
+std::vector<double> sideDirections(const WireNetwork& network, const std::vector<double>& theta);
+
+/// Direction of each wire edge by Eq. 3, from the first side on over all loops and across edges;
+/// one frame for all where the angles meet the turning and 2 pi constraints.
+std::vector<double> edgeDirections(const WireNetwork& network, const std::vector<double>& theta);
+
+/// Rows: the turning of each loop, x and y closure of each loop, then the sum at each interior
+/// vertex that has a free node (the order of Eq. 15). Columns: the free nodes.
+class AngleConstraints
+{
+public:
+  explicit AngleConstraints(const AngleProblem& problem);
+
+  Index rowCount() const { return this->Rows; }
+  Index freeCount() const { return static_cast<Index>(this->FreeNodes.size()); }
+  const Indices& freeNodes() const { return this->FreeNodes; }
+
+  /// Values of the constraints, zero where they hold (the negative of Eqs. 21 and 22).
+  Eigen::VectorXd residual(const std::vector<double>& theta) const;
+  /// Their derivative by the free angles, H of Eqs. 16 to 19.
+  Eigen::SparseMatrix<double> jacobian(const std::vector<double>& theta) const;
+
+private:
+  const AngleProblem* Problem;
+  Indices FreeNodes;
+  Indices ColumnOfNode;
+  Indices VertexRow; ///< per host vertex, else none
+  Index Rows = 0;
+};
+
+/// Largest distance by which a loop misses its start when its sides are laid one after the other.
+/// \param length per wire edge.
+double closureResidual(
+  const WireNetwork& network, const std::vector<double>& theta, const std::vector<double>& length);
+
+/// Sum of the lengths of the outer boundary, the measure of closure residuals.
+double perimeter(const AngleProblem& problem);
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Angles/AngleSolver.h"
+
+#include "Angles/NewtonAngleSolver.h"
+#include "Angles/SequentialAngleSolver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Steps of the homotopy from the alternative start's lengths to the true ones.
+constexpr int homotopySteps = 5;
+
+AngleSolution finish(
+  const AngleProblem& problem, const DirectionsForm& form, const NewtonState& state)
+{
+  AngleSolution solution;
+  solution.theta = form.angles(state.x);
+  solution.sideDirection = form.directions(state.x);
+  solution.length = form.lengths(state.x);
+  solution.stretch = form.stretches(state.x);
+  const Index loops = problem.network->loopCount();
+  const double unit = form.unit();
+  for (Index loop = 0; loop < loops; ++loop)
+  {
+    solution.multiplierX.push_back(state.multipliers[2 * loop] / unit);
+    solution.multiplierY.push_back(state.multipliers[2 * loop + 1] / unit);
+  }
+  solution.objective = angleObjective(problem, solution.theta);
+  solution.closure = closureResidual(*problem.network, solution.theta, solution.length);
+  if (state.cancelled)
+  {
+    solution.status = { StatusCode::Cancelled, "cancelled while solving for the wires", {} };
+  }
+  else if (!state.converged)
+  {
+    solution.status = { StatusCode::NotConverged,
+      "the wires' angles did not converge; allow more iterations", {} };
+  }
+  return solution;
+}
+
+/// Follows the minimum from the lengths of the alternative start to the true ones.
+NewtonState followLengths(const AngleProblem& problem, DirectionsForm& form,
+  const AngleSolverOptions& options, const Execution& execution,
+  std::vector<IterationRecord>& history)
+{
+  const AngleStart start = problem.alternativeStart();
+  NewtonState state;
+  state.x = form.unknowns(start.theta);
+  for (int step = 0; step <= homotopySteps; ++step)
+  {
+    const double t = static_cast<double>(step) / homotopySteps;
+    std::vector<double> length(problem.length.size());
+    for (std::size_t e = 0; e < length.size(); ++e)
+    {
+      length[e] = (1.0 - t) * start.length[e] + t * problem.length[e];
+    }
+    form.setLengths(length);
+    AngleSolverOptions rough = options;
+    if (step < homotopySteps)
+    {
+      // On the way it is enough to stay near the minimum.
+      rough.maximumIterations = std::min(options.maximumIterations, 20);
+      rough.closureTolerance = rough.optimalityTolerance = 1e-6;
+    }
+    state.converged = false;
+    state =
+      solveAnglesByNewton(form, problem, std::move(state), rough, execution, "homotopy", history);
+    if (state.cancelled)
+    {
+      break;
+    }
+  }
+  return state;
+}
+
+bool better(const AngleSolution& a, const AngleSolution& b, const AngleProblem& problem)
+{
+  if (a.status.ok() != b.status.ok())
+  {
+    return a.status.ok();
+  }
+  const bool foldedA = std::isinf(largestAngleChange(problem, a.theta));
+  const bool foldedB = std::isinf(largestAngleChange(problem, b.theta));
+  return foldedA != foldedB ? foldedB : a.objective < b.objective;
+}
+
+AngleSolution solveByNewton(
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+{
+  DirectionsForm form(problem);
+  std::vector<IterationRecord> history;
+  NewtonState start;
+  start.x = form.unknowns(form.projectedAngles());
+  const NewtonState plain =
+    solveAnglesByNewton(form, problem, start, options, execution, "newton", history);
+  AngleSolution solution = finish(problem, form, plain);
+  const bool suspicious =
+    !solution.status.ok() || largestAngleChange(problem, solution.theta) > poorAngleChange;
+  if (suspicious && problem.alternativeStart && solution.status.code != StatusCode::Cancelled)
+  {
+    const NewtonState other = followLengths(problem, form, options, execution, history);
+    AngleSolution second = finish(problem, form, other);
+    if (second.status.code == StatusCode::Cancelled || better(second, solution, problem))
+    {
+      solution = std::move(second);
+    }
+  }
+  solution.iterations = static_cast<int>(std::count_if(
+    history.begin(), history.end(), [](const IterationRecord& r) { return r.step > 0.0; }));
+  solution.history = std::move(history);
+  if (!form.contradictions().empty() && solution.status.code != StatusCode::Cancelled)
+  {
+    solution.status = { StatusCode::IncompatibleKeys,
+      "the angles that key curves prescribe contradict each other", form.contradictions() };
+  }
+  return solution;
+}
+}
+
+AngleSolution solveAngles(
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+{
+  if (options.method == AngleMethod::Sequential && problem.groups.empty())
+  {
+    return problem.network->loopCount() == 1 ? solveLoopSequentially(problem, options, execution)
+                                             : solveAnglesSequentially(problem, options, execution);
+  }
+  return solveByNewton(problem, options, execution);
+}
+
+double largestAngleChange(const AngleProblem& problem, const std::vector<double>& theta)
+{
+  // A dart's tip where the surface is saddle-like has an angle near or above 2 pi of its own.
+  constexpr double nearFull = 2.0 * pi - 0.2;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < theta.size(); ++i)
+  {
+    if (problem.locks.locked[i] || problem.weight[i] == 0.0)
+    {
+      continue;
+    }
+    const bool tip = problem.target[i] > nearFull;
+    if (!(theta[i] > 0.0 && (theta[i] < 2.0 * pi || tip)))
+    {
+      return HUGE_VAL;
+    }
+    worst = std::max(worst, std::abs(theta[i] - problem.target[i]));
+  }
+  return worst;
+}
+
+std::vector<double> lengthSensitivity(const WireNetwork& network, const AngleSolution& solution)
+{
+  std::vector<double> sensitivity(network.edges.size(), 0.0);
+  for (Index side = 0; side < network.nodeCount(); ++side)
+  {
+    const Index loop = network.loop[side];
+    const double phi = solution.sideDirection[side];
+    sensitivity[network.edge[side]] +=
+      solution.multiplierX[loop] * std::cos(phi) + solution.multiplierY[loop] * std::sin(phi);
+  }
+  return sensitivity;
+}
+}

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Angles/DirectionsForm.h"
+
+#include "Sparse/LinearSolver.h"
+#include "Wires/ChainOrder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Locked angles that miss each other by more than this contradict each other, in radians.
+constexpr double contradiction = 1e-9;
+}
+
+DirectionsForm::DirectionsForm(const AngleProblem& problem)
+  : Problem(&problem)
+{
+  double sum = 0.0;
+  for (double l : problem.length)
+  {
+    sum += l;
+  }
+  this->Unit = sum / static_cast<double>(std::max<std::size_t>(1, problem.length.size()));
+  this->setLengths(problem.length);
+  this->projectAngles();
+  const std::vector<double> psi = edgeDirections(*problem.network, this->Projected);
+  this->fixBranches(psi);
+  this->formRuns(psi);
+}
+
+void DirectionsForm::setLengths(const std::vector<double>& length)
+{
+  this->Length.resize(length.size());
+  for (std::size_t e = 0; e < length.size(); ++e)
+  {
+    this->Length[e] = length[e] / this->Unit;
+  }
+}
+
+double DirectionsForm::signedLength(Index side) const
+{
+  const WireNetwork& net = *this->Problem->network;
+  return net.alongEdge(side) ? this->Length[net.edge[side]] : -this->Length[net.edge[side]];
+}
+
+void DirectionsForm::projectAngles()
+{
+  // Least squares: theta = alpha + C' y with C C' y = b - C alpha; C holds the loops and the
+  // interior vertices, two ones a column at the most. Vertices go first: eliminating them fills in
+  // between loops alone.
+  const WireNetwork& net = *this->Problem->network;
+  const Index loops = net.loopCount();
+  Indices vertexRow(net.hostVertices.size(), none);
+  Index rows = 0;
+  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+  {
+    vertexRow[host] = net.interior[host] ? rows++ : none;
+  }
+  const Index loopRow = rows;
+  rows += loops;
+  Eigen::VectorXd missing = Eigen::VectorXd::Zero(rows);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index loop = 0; loop < loops; ++loop)
+  {
+    const Index count = net.loopBegin[loop + 1] - net.loopBegin[loop];
+    missing[loopRow + loop] = (count - 2) * pi;
+    entries.emplace_back(loopRow + loop, loopRow + loop, count);
+  }
+  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+  {
+    if (vertexRow[host] != none)
+    {
+      missing[vertexRow[host]] = 2.0 * pi;
+      entries.emplace_back(vertexRow[host], vertexRow[host],
+        net.vertexNodeBegin[host + 1] - net.vertexNodeBegin[host]);
+    }
+  }
+  for (Index i = 0; i < net.nodeCount(); ++i)
+  {
+    const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
+    missing[loopRow + net.loop[i]] -= net.alpha[i];
+    if (row != none)
+    {
+      missing[row] -= net.alpha[i];
+      entries.emplace_back(loopRow + net.loop[i], row, 1.0);
+    }
+  }
+  SparseMatrix normal(rows, rows);
+  normal.setFromTriplets(entries.begin(), entries.end());
+  LinearSolver solver(LeadingColumns{ loopRow });
+  this->Projected = net.alpha;
+  if (!solver.factorize(normal))
+  {
+    return;
+  }
+  const Eigen::MatrixXd y = solver.solve(missing);
+  for (Index i = 0; i < net.nodeCount() && y.rows() == rows; ++i)
+  {
+    const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
+    this->Projected[i] += y(loopRow + net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
+  }
+}
+
+void DirectionsForm::fixBranches(const std::vector<double>& psi)
+{
+  const WireNetwork& net = *this->Problem->network;
+  this->Branch.resize(net.nodeCount());
+  for (Index i = 0; i < net.nodeCount(); ++i)
+  {
+    const double difference = psi[net.edge[net.previous[i]]] - psi[net.edge[i]];
+    this->Branch[i] = pi * std::round((this->Projected[i] - difference) / pi);
+  }
+}
+
+void DirectionsForm::formRuns(const std::vector<double>& psi)
+{
+  const WireNetwork& net = *this->Problem->network;
+  const Index edges = net.edgeCount();
+  // Edges joined by locked nodes, with psi[edge] = offset[edge] + rotation of the run.
+  std::vector<std::vector<Index>> lockedNodes(edges);
+  for (Index i = 0; i < net.nodeCount(); ++i)
+  {
+    if (this->Problem->locks.locked[i])
+    {
+      lockedNodes[net.edge[i]].push_back(i);
+      lockedNodes[net.edge[net.previous[i]]].push_back(i);
+    }
+  }
+  Indices run(edges, none);
+  this->Offset.assign(edges, 0.0);
+  Indices runSize;
+  std::vector<double> runRotation;
+  std::vector<Index> stack;
+  for (Index seed = 0; seed < edges; ++seed)
+  {
+    if (run[seed] != none)
+    {
+      continue;
+    }
+    const auto id = static_cast<Index>(runSize.size());
+    run[seed] = id;
+    runSize.push_back(0);
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const Index e = stack.back();
+      stack.pop_back();
+      ++runSize[id];
+      for (Index node : lockedNodes[e])
+      {
+        // theta = c + psi_in - psi_out
+        const Index in = net.edge[net.previous[node]];
+        const Index out = net.edge[node];
+        const double inMinusOut = this->Problem->locks.angle[node] - this->Branch[node];
+        const Index other = in == e ? out : in;
+        const double offset = in == e ? this->Offset[e] - inMinusOut : this->Offset[e] + inMinusOut;
+        if (in == out)
+        {
+          continue; // the tip of a wire: 2 pi whatever its direction
+        }
+        if (run[other] == none)
+        {
+          run[other] = id;
+          this->Offset[other] = offset;
+          stack.push_back(other);
+        }
+        else if (std::abs(this->Offset[other] - offset) > contradiction)
+        {
+          this->Contradictions.push_back(node);
+        }
+      }
+    }
+    runRotation.push_back(0.0);
+  }
+  std::sort(this->Contradictions.begin(), this->Contradictions.end());
+  this->Contradictions.erase(std::unique(this->Contradictions.begin(), this->Contradictions.end()),
+    this->Contradictions.end());
+  for (Index e = 0; e < edges; ++e)
+  {
+    runRotation[run[e]] += (psi[e] - this->Offset[e]) / runSize[run[e]];
+  }
+  const auto fixed =
+    static_cast<Index>(std::max_element(runSize.begin(), runSize.end()) - runSize.begin());
+  // Single edges along wires first, see ChainOrder.
+  const ChainOrder order(net);
+  std::vector<char> late(runSize.size(), 0);
+  for (Index e = 0; e < edges; ++e)
+  {
+    if (runSize[run[e]] > 1 || order.atJunction[e])
+    {
+      late[run[e]] = 1;
+    }
+  }
+  late[fixed] = 1;
+  const Indices rank = markedLast(late);
+  this->RotationsAlong = static_cast<Index>(std::count(late.begin(), late.end(), 0));
+  this->UnknownOfEdge.assign(edges, none);
+  this->Rotations = static_cast<Index>(runSize.size()) - 1;
+  for (Index e = 0; e < edges; ++e)
+  {
+    if (run[e] == fixed)
+    {
+      this->Offset[e] += runRotation[fixed];
+    }
+    else
+    {
+      this->UnknownOfEdge[e] = rank[run[e]] < rank[fixed] ? rank[run[e]] : rank[run[e]] - 1;
+    }
+  }
+}
+
+Eigen::VectorXd DirectionsForm::unknowns(const std::vector<double>& theta) const
+{
+  const std::vector<double> psi = edgeDirections(*this->Problem->network, theta);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(this->unknownCount());
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(this->Rotations);
+  double turn = 0.0;
+  double fixedCount = 0.0;
+  for (std::size_t e = 0; e < psi.size(); ++e)
+  {
+    const Index unknown = this->UnknownOfEdge[e];
+    (unknown == none ? fixedCount : count[unknown]) += 1.0;
+    (unknown == none ? turn : x[unknown]) += psi[e] - this->Offset[e];
+  }
+  for (Index r = 0; r < this->Rotations; ++r)
+  {
+    x[r] = x[r] / count[r] - turn / fixedCount;
+  }
+  return x;
+}
+
+std::vector<double> DirectionsForm::angles(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem->network;
+  std::vector<double> theta(net.nodeCount());
+  for (Index i = 0; i < net.nodeCount(); ++i)
+  {
+    theta[i] = this->Problem->locks.locked[i] && this->Contradictions.empty()
+      ? this->Problem->locks.angle[i]
+      : this->Branch[i] + this->direction(net.edge[net.previous[i]], x) -
+        this->direction(net.edge[i], x);
+  }
+  return theta;
+}
+
+std::vector<double> DirectionsForm::directions(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem->network;
+  std::vector<double> phi(net.nodeCount());
+  for (Index side = 0; side < net.nodeCount(); ++side)
+  {
+    phi[side] = this->direction(net.edge[side], x) + (net.alongEdge(side) ? 0.0 : pi);
+  }
+  return phi;
+}
+
+std::vector<double> DirectionsForm::stretches(const Eigen::VectorXd& x) const
+{
+  return { x.data() + this->Rotations, x.data() + this->unknownCount() };
+}
+
+std::vector<double> DirectionsForm::lengths(const Eigen::VectorXd& x) const
+{
+  std::vector<double> result(this->Length.size());
+  for (std::size_t e = 0; e < result.size(); ++e)
+  {
+    result[e] = this->Problem->length[e] * this->stretch(static_cast<Index>(e), x);
+  }
+  return result;
+}
+
+double DirectionsForm::objective(const Eigen::VectorXd& x) const
+{
+  double sum = angleObjective(*this->Problem, this->angles(x));
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    const double h = x[this->Rotations + g];
+    sum += 0.5 * this->Problem->groups[g].weight * h * h;
+  }
+  return sum;
+}
+
+Eigen::VectorXd DirectionsForm::gradient(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem->network;
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(this->unknownCount());
+  const std::vector<double> theta = this->angles(x);
+  for (Index i = 0; i < net.nodeCount(); ++i)
+  {
+    const Index in = this->UnknownOfEdge[net.edge[net.previous[i]]];
+    const Index out = this->UnknownOfEdge[net.edge[i]];
+    const double d = this->Problem->weight[i] * (theta[i] - this->Problem->target[i]);
+    if (in != none)
+    {
+      g[in] += d;
+    }
+    if (out != none)
+    {
+      g[out] -= d;
+    }
+  }
+  for (Index k = 0; k < this->groupCount(); ++k)
+  {
+    g[this->Rotations + k] = this->Problem->groups[k].weight * x[this->Rotations + k];
+  }
+  return g;
+}
+
+Points2 DirectionsForm::unitVectors(const Eigen::VectorXd& x) const
+{
+  Points2 units;
+  units.reserve(this->Length.size());
+  for (Index e = 0; e < this->Problem->network->edgeCount(); ++e)
+  {
+    const double psi = this->direction(e, x);
+    units.emplace_back(std::cos(psi), std::sin(psi));
+  }
+  return units;
+}
+
+Eigen::VectorXd DirectionsForm::closure(const Eigen::VectorXd& x, const Points2& units) const
+{
+  const WireNetwork& net = *this->Problem->network;
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(this->constraintCount());
+  for (Index side = 0; side < net.nodeCount(); ++side)
+  {
+    const Index e = net.edge[side];
+    const double l = this->signedLength(side) * this->stretch(e, x);
+    c[2 * net.loop[side]] += l * units[e].x();
+    c[2 * net.loop[side] + 1] += l * units[e].y();
+  }
+  return c;
+}
+}

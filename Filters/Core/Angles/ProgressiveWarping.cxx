@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Angles/ProgressiveWarping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace flattening
+{
+namespace
+{
+/// A loop of a network as a network of its own, whose nodes are in the same order. A wire with the
+/// loop on both sides stays one wire; a vertex is interior where all angles around it are the
+/// loop's.
+class SingleLoop
+{
+public:
+  SingleLoop(const WireNetwork& network, Index loop)
+    : Whole(network)
+    , Loop(loop)
+    , Begin(network.loopBegin[loop])
+    , Count(network.loopBegin[loop + 1] - Begin)
+  {
+  }
+
+  WireNetwork build()
+  {
+    this->collectHosts();
+    WireNetwork& single = this->Single;
+    for (Index k = 0; k < this->Count; ++k)
+    {
+      const Index side = this->Begin + k;
+      single.previous.push_back(k == 0 ? this->Count - 1 : k - 1);
+      single.next.push_back(k + 1 == this->Count ? 0 : k + 1);
+      single.loop.push_back(0);
+      single.halfedge.push_back(this->Whole.halfedge[side]);
+      single.alpha.push_back(this->Whole.alpha[side]);
+      this->addSide(k);
+    }
+    single.loopBegin = { 0, this->Count };
+    single.patchOfLoop = { this->Whole.patchOfLoop[this->Loop] };
+    single.patchCount = 1;
+    return std::move(single);
+  }
+
+private:
+  /// Vertices are numbered as hosts, in the order of the whole network.
+  void collectHosts()
+  {
+    WireNetwork& single = this->Single;
+    single.vertex.assign(this->Count, none);
+    Indices hosts;
+    for (Index k = 0; k < this->Count; ++k)
+    {
+      hosts.push_back(this->Whole.hostOfVertex[this->Whole.vertex[this->Begin + k]]);
+    }
+    std::sort(hosts.begin(), hosts.end());
+    hosts.erase(std::unique(hosts.begin(), hosts.end()), hosts.end());
+    for (Index host : hosts)
+    {
+      const auto id = static_cast<Index>(single.hostVertices.size());
+      bool enclosed = this->Whole.interior[host] != 0;
+      single.vertexNodeBegin.push_back(static_cast<Index>(single.vertexNodes.size()));
+      for (Index n = this->Whole.vertexNodeBegin[host]; n < this->Whole.vertexNodeBegin[host + 1];
+           ++n)
+      {
+        const Index node = this->Whole.vertexNodes[n];
+        if (this->Whole.loop[node] == this->Loop)
+        {
+          single.vertexNodes.push_back(node - this->Begin);
+          single.vertex[node - this->Begin] = id;
+        }
+        else
+        {
+          enclosed = false;
+        }
+      }
+      single.hostVertices.push_back(id);
+      single.hostOfVertex.push_back(id);
+      single.interior.push_back(enclosed ? 1 : 0);
+    }
+    single.vertexNodeBegin.push_back(this->Count);
+  }
+
+  void addSide(Index k)
+  {
+    WireNetwork& single = this->Single;
+    const Index twin = this->Whole.twin[this->Begin + k];
+    const bool bothSides = twin != none && this->Whole.loop[twin] == this->Loop;
+    single.twin.push_back(bothSides ? twin - this->Begin : none);
+    if (bothSides && twin - this->Begin < k)
+    {
+      single.edge.push_back(single.edge[twin - this->Begin]);
+      single.edges[single.edge.back()].otherSide = k;
+      return;
+    }
+    WireEdge edge;
+    edge.from = single.vertex[k];
+    edge.to = single.vertex[single.next[k]];
+    edge.side = k;
+    edge.length = this->Whole.length(this->Begin + k);
+    single.edge.push_back(single.edgeCount());
+    single.edges.push_back(edge);
+  }
+
+  const WireNetwork& Whole;
+  Index Loop;
+  Index Begin;
+  Index Count;
+  WireNetwork Single;
+};
+
+/// A wire-patch in the heap of Algorithm 2, keyed by its shape-evidence factor (Eq. 10).
+struct HeapEntry
+{
+  double evidence;
+  Index loop;
+
+  bool operator<(const HeapEntry& other) const
+  {
+    return this->evidence != other.evidence ? this->evidence < other.evidence
+                                            : this->loop > other.loop;
+  }
+};
+
+class Warping
+{
+public:
+  Warping(
+    const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+    : Problem(problem)
+    , Net(*problem.network)
+    , Options(options)
+    , Run(execution)
+    , Known(problem.locks.locked)
+    , Theta(problem.locks.angle)
+    , Done(Net.loopCount(), 0)
+    , Failed(Net.loopCount(), 0)
+  {
+  }
+
+  ProgressiveSolution run()
+  {
+    std::priority_queue<HeapEntry> heap;
+    for (Index loop = 0; loop < this->Net.loopCount(); ++loop)
+    {
+      if (!this->Net.isHole(loop)) // what a hole is follows from the patches around it
+      {
+        heap.push({ this->evidence(loop), loop });
+      }
+    }
+    while (!heap.empty())
+    {
+      const HeapEntry top = heap.top();
+      heap.pop();
+      if (this->Done[top.loop] || top.evidence != this->evidence(top.loop))
+      {
+        continue; // an entry from before its neighbours were warped
+      }
+      if (!this->warp(top.loop))
+      {
+        return std::move(this->Result);
+      }
+      for (Index loop : this->updateNeighbours(top.loop))
+      {
+        heap.push({ this->evidence(loop), loop });
+      }
+    }
+    this->finish();
+    return std::move(this->Result);
+  }
+
+private:
+  double evidence(Index loop) const
+  {
+    const auto begin = this->Known.begin() + this->Net.loopBegin[loop];
+    const auto end = this->Known.begin() + this->Net.loopBegin[loop + 1];
+    return static_cast<double>(std::count(begin, end, 1)) / static_cast<double>(end - begin);
+  }
+
+  bool warp(Index loop)
+  {
+    const WireNetwork single = SingleLoop(this->Net, loop).build();
+    const Index begin = this->Net.loopBegin[loop];
+    NodeLocks locks;
+    locks.locked.assign(
+      this->Known.begin() + begin, this->Known.begin() + begin + single.nodeCount());
+    locks.angle.assign(
+      this->Theta.begin() + begin, this->Theta.begin() + begin + single.nodeCount());
+    AngleProblem problem = makeAngleProblem(single, std::move(locks));
+    for (Index k = 0; k < single.nodeCount(); ++k)
+    {
+      problem.target[k] = this->Problem.target[begin + k];
+      problem.length[single.edge[k]] = this->Problem.length[this->Net.edge[begin + k]];
+    }
+    const AngleSolution solution = solveAngles(problem, this->Options, this->Run);
+    if (solution.status.code == StatusCode::Cancelled)
+    {
+      this->Result.angles.status = solution.status;
+      return false;
+    }
+    for (Index k = 0; k < single.nodeCount(); ++k)
+    {
+      this->Theta[begin + k] = solution.theta[k];
+      this->Known[begin + k] = 1;
+    }
+    this->Done[loop] = 1;
+    this->Failed[loop] = solution.status.ok() ? 0 : 1;
+    this->Result.warpingOrder.push_back(loop);
+    this->Result.angles.iterations += solution.iterations;
+    IterationRecord record = solution.history.empty() ? IterationRecord{} : solution.history.back();
+    record.phase = "wire-patch";
+    this->Result.angles.history.push_back(record);
+    return true;
+  }
+
+  /// Lines 7 to 12 of Algorithm 2. Returns the loops whose evidence may have changed.
+  Indices updateNeighbours(Index loop)
+  {
+    Indices changed;
+    for (Index i = this->Net.loopBegin[loop]; i < this->Net.loopBegin[loop + 1]; ++i)
+    {
+      const Index host = this->Net.hostOfVertex[this->Net.vertex[i]];
+      if (!this->Net.interior[host])
+      {
+        continue;
+      }
+      Index unknown = none;
+      Index unknownCount = 0;
+      double sum = 0.0;
+      for (Index k = this->Net.vertexNodeBegin[host]; k < this->Net.vertexNodeBegin[host + 1]; ++k)
+      {
+        const Index node = this->Net.vertexNodes[k];
+        if (this->Known[node])
+        {
+          sum += this->Theta[node];
+        }
+        else
+        {
+          unknown = node;
+          ++unknownCount;
+        }
+      }
+      if (unknownCount == 1)
+      {
+        this->Theta[unknown] = 2.0 * pi - sum; // Eq. 9
+        this->Known[unknown] = 1;
+        changed.push_back(this->Net.loop[unknown]);
+      }
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    changed.erase(std::remove_if(changed.begin(), changed.end(),
+                    [this](Index l) { return this->Done[l] || this->Net.isHole(l); }),
+      changed.end());
+    return changed;
+  }
+
+  /// How far the turning and 2 pi constraints are from holding.
+  double angularResidual() const
+  {
+    double worst = 0.0;
+    for (Index loop = 0; loop < this->Net.loopCount(); ++loop)
+    {
+      const Index count = this->Net.loopBegin[loop + 1] - this->Net.loopBegin[loop];
+      double sum = (count - 2) * pi;
+      for (Index i = this->Net.loopBegin[loop]; i < this->Net.loopBegin[loop + 1]; ++i)
+      {
+        sum -= this->Theta[i];
+      }
+      worst = std::max(worst, std::abs(sum));
+    }
+    for (std::size_t host = 0; host < this->Net.hostVertices.size(); ++host)
+    {
+      double sum = this->Net.interior[host] ? 2.0 * pi : 0.0;
+      for (Index k = this->Net.vertexNodeBegin[host];
+           this->Net.interior[host] && k < this->Net.vertexNodeBegin[host + 1]; ++k)
+      {
+        sum -= this->Theta[this->Net.vertexNodes[k]];
+      }
+      worst = std::max(worst, std::abs(sum));
+    }
+    return worst;
+  }
+
+  void finish()
+  {
+    AngleSolution& angles = this->Result.angles;
+    angles.length = this->Problem.length;
+    const double size = perimeter(this->Problem);
+    angles.closure = closureResidual(this->Net, this->Theta, this->Problem.length);
+    if (this->angularResidual() > 1e-10 || angles.closure > this->Options.closureTolerance * size)
+    {
+      this->repair();
+      return;
+    }
+    angles.theta = this->Theta;
+    angles.objective = angleObjective(this->Problem, this->Theta);
+  }
+
+  /// The last patches could not close: the angles nearest to the progressive ones that can.
+  void repair()
+  {
+    AngleProblem nearest = this->Problem;
+    for (Index i = 0; i < this->Net.nodeCount(); ++i)
+    {
+      // What a patch that did not close was left with, or a vertex got by Eq. 9, may be many turns.
+      const bool meant =
+        !this->Failed[this->Net.loop[i]] && this->Theta[i] > 0.0 && this->Theta[i] < 2.0 * pi;
+      nearest.target[i] = meant ? this->Theta[i] : this->Problem.target[i];
+    }
+    AngleSolution solution = solveAngles(nearest, this->Options, this->Run);
+    if (!solution.status.ok() && solution.status.code != StatusCode::Cancelled)
+    {
+      // From wild angles the iteration may fail where that from the surface angles does not.
+      solution = solveAngles(this->Problem, this->Options, this->Run);
+    }
+    solution.objective = angleObjective(this->Problem, solution.theta);
+    solution.iterations += this->Result.angles.iterations;
+    solution.history.insert(solution.history.begin(), this->Result.angles.history.begin(),
+      this->Result.angles.history.end());
+    this->Result.angles = std::move(solution);
+    this->Result.repaired = true;
+  }
+
+  const AngleProblem& Problem;
+  const WireNetwork& Net;
+  const AngleSolverOptions& Options;
+  const Execution& Run;
+  std::vector<char> Known;
+  std::vector<double> Theta;
+  std::vector<char> Done;
+  std::vector<char> Failed; ///< wire-patches that could not be closed
+  ProgressiveSolution Result;
+};
+}
+
+ProgressiveSolution warpProgressively(
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+{
+  return Warping(problem, options, execution).run();
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+#include <functional>
+
+namespace flattening
+{
+/// How a run talks to its caller: progress out, cancel in, and who runs loops in parallel.
+/// The default reports nothing, is never cancelled and runs every loop on the calling thread.
+struct Execution
+{
+  /// Called with a fraction in [0, 1] and the name of the phase, on the calling thread only.
+  std::function<void(double, const char*)> progress;
+  /// Asked from time to time, on the calling thread only; true ends the run with
+  /// StatusCode::Cancelled.
+  std::function<bool()> cancel;
+  /// Runs body(begin, end) over disjoint ranges that cover [0, count), in any order and on any
+  /// thread. Bodies write to disjoint places only, so that results do not depend on it.
+  std::function<void(Index count, const std::function<void(Index, Index)>& body)> parallel;
+
+  void report(double fraction, const char* phase) const
+  {
+    if (this->progress)
+    {
+      this->progress(fraction, phase);
+    }
+  }
+  /// The same for a part of the run: its fractions of 0 to 1 are those from begin to end of the
+  /// whole.
+  Execution part(double begin, double end) const
+  {
+    Execution inner = *this;
+    if (this->progress)
+    {
+      inner.progress = [outer = this->progress, begin, end](double fraction, const char* phase) {
+        outer(begin + fraction * (end - begin), phase);
+      };
+    }
+    return inner;
+  }
+  bool cancelled() const { return this->cancel && this->cancel(); }
+  void parallelFor(Index count, const std::function<void(Index, Index)>& body) const
+  {
+    if (this->parallel)
+    {
+      this->parallel(count, body);
+    }
+    else if (count > 0)
+    {
+      body(0, count);
+    }
+  }
+};
+}

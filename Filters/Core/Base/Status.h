@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+#include <string>
+
+namespace flattening
+{
+/// What a stage has to say of its result. Codes up to LastRefusal mean that there is no result;
+/// later ones that there is one, but that a promise is broken.
+enum class StatusCode
+{
+  Ok,
+  // No result: the input is refused or the run was cancelled.
+  Cancelled,
+  EmptySurface,
+  NonFinitePoint,
+  InvalidPointId,
+  DegenerateTriangle,
+  NonManifoldEdge,
+  NonManifoldVertex,
+  NotOrientable,
+  ClosedSurface,
+  Handle,
+  CurveTooShort,
+  CurvePointOffSurface,
+  CurveLeavesSurface,
+  CurveNotOnEdges,
+  InvalidCurve,
+  InvalidOption,
+  NumericalFailure,
+  LastRefusal = NumericalFailure,
+  // A result, with a broken promise.
+  NotConverged,
+  IncompatibleKeys,
+  LengthError,
+  FlippedTriangles,
+  Overlap,
+};
+
+/// Short fixed name of a code ("NonManifoldEdge"), for reports and tests.
+const char* statusName(StatusCode code);
+
+/// Outcome of a stage: the defect, the first offending element ids, and the way out in words.
+struct Status
+{
+  StatusCode code = StatusCode::Ok;
+  std::string message;
+  Indices ids;
+  Index curve = none; ///< the polyline that is to blame, where it is one
+
+  bool ok() const { return this->code == StatusCode::Ok; }
+  /// True where there is no result at all.
+  bool refused() const
+  {
+    return this->code != StatusCode::Ok && this->code <= StatusCode::LastRefusal;
+  }
+};
+
+/// The first few ids as text, "3, 7, 12 and 5 more".
+std::string listIds(const Indices& ids, std::size_t most = 5);
+/// A number for a message, with four digits.
+std::string shortNumber(double value);
+}

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cut/SurfaceCut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Which of two curves an edge belongs to: the higher rank.
+int rank(CurveType type)
+{
+  switch (type)
+  {
+    case CurveType::Seam:
+      return 4;
+    case CurveType::Dart:
+      return 3;
+    case CurveType::Key:
+      return 2;
+    case CurveType::Accessory:
+      return 1;
+  }
+  return 0;
+}
+
+std::string curveName(const FeatureCurve& curve, std::size_t id)
+{
+  return curve.name.empty() ? "curve " + std::to_string(id) : "curve \"" + curve.name + "\"";
+}
+
+/// What the stages after the cut take for granted of a curve's properties.
+Status checkProperties(const FeatureCurve& curve, std::size_t id)
+{
+  if (!std::isfinite(curve.tolerance) || curve.tolerance < 0.0 || curve.tolerance >= 1.0)
+  {
+    return { StatusCode::InvalidCurve,
+      curveName(curve, id) + " has a length tolerance outside 0..1; give a fraction of its length",
+      { static_cast<Index>(id) } };
+  }
+  if (curve.type == CurveType::Key && curve.keyShape == KeyShape::Planar)
+  {
+    // Up to 1e300 differences are finite as well.
+    const auto usable = [](double x) { return std::isfinite(x) && std::abs(x) <= 1e300; };
+    const auto finite = [&usable](const Point2& p) { return usable(p.x()) && usable(p.y()); };
+    if (curve.planarShape.size() != curve.vertices.size() ||
+      !std::all_of(curve.planarShape.begin(), curve.planarShape.end(), finite))
+    {
+      return { StatusCode::InvalidCurve,
+        curveName(curve, id) + " has a planar shape of " +
+          std::to_string(curve.planarShape.size()) + " points for " +
+          std::to_string(curve.vertices.size()) +
+          " vertices, or a coordinate that is no number or beyond 1e300; give a finite point for "
+          "each",
+        { static_cast<Index>(id) } };
+    }
+    const auto same = std::adjacent_find(curve.planarShape.begin(), curve.planarShape.end());
+    if (same != curve.planarShape.end())
+    {
+      return { StatusCode::InvalidCurve,
+        curveName(curve, id) +
+          " has a planar shape with successive points in one place, which make no angle; move them "
+          "apart",
+        { static_cast<Index>(id) } };
+    }
+  }
+  return {};
+}
+
+Status followCurves(
+  const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves, Indices& curveOfHalfedge)
+{
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    const Indices& chain = curves[c].vertices;
+    if (chain.size() < 2)
+    {
+      return { StatusCode::CurveTooShort,
+        curveName(curves[c], c) + " has fewer than two points; remove it or draw it again", chain };
+    }
+    for (Index v : chain)
+    {
+      if (v < 0 || v >= mesh.vertexCount())
+      {
+        return { StatusCode::InvalidPointId,
+          curveName(curves[c], c) + " uses vertex " + std::to_string(v) +
+            ", which the surface does not have",
+          { v } };
+      }
+    }
+    Status properties = checkProperties(curves[c], c);
+    if (!properties.ok())
+    {
+      return properties;
+    }
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    {
+      const Index forward = mesh.find(chain[i], chain[i + 1]);
+      const Index backward = mesh.find(chain[i + 1], chain[i]);
+      if (forward == none && backward == none)
+      {
+        return { StatusCode::CurveNotOnEdges,
+          curveName(curves[c], c) +
+            " has a segment that is no edge of the mesh, between vertices " +
+            std::to_string(chain[i]) + " and " + std::to_string(chain[i + 1]) +
+            "; imprint the curve, or draw it along edges",
+          { chain[i], chain[i + 1] } };
+      }
+      for (Index h : { forward, backward })
+      {
+        if (h == none)
+        {
+          continue;
+        }
+        Index& label = curveOfHalfedge[h];
+        if (label == none || rank(curves[c].type) > rank(curves[label].type))
+        {
+          label = static_cast<Index>(c);
+        }
+      }
+    }
+  }
+  return {};
+}
+
+/// Triangles' connected components; numbered by their smallest triangle.
+Index findPieces(const TriangleMesh& mesh, Indices& pieceOfTriangle)
+{
+  pieceOfTriangle.assign(mesh.triangleCount(), none);
+  Index count = 0;
+  Indices stack;
+  for (Index seed = 0; seed < mesh.triangleCount(); ++seed)
+  {
+    if (pieceOfTriangle[seed] != none)
+    {
+      continue;
+    }
+    pieceOfTriangle[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const Index t = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index other = mesh.twin(h);
+        if (other != none && pieceOfTriangle[other / 3] == none)
+        {
+          pieceOfTriangle[other / 3] = count;
+          stack.push_back(other / 3);
+        }
+      }
+    }
+    ++count;
+  }
+  return count;
+}
+}
+
+CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
+{
+  CurveLabels labels;
+  if (mesh.triangleCount() == 0)
+  {
+    labels.status = { StatusCode::EmptySurface,
+      "the surface has no triangles; give a triangulated surface patch", {} };
+    return labels;
+  }
+  labels.curveOfHalfedge.assign(mesh.halfedgeCount(), none);
+  for (const FeatureCurve& curve : curves)
+  {
+    labels.opens.push_back(curve.type == CurveType::Dart || curve.type == CurveType::Seam);
+  }
+  labels.status = followCurves(mesh, curves, labels.curveOfHalfedge);
+  return labels;
+}
+
+CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
+{
+  CurveLabels labels = labelHalfedges(mesh, curves);
+  if (!labels.status.ok())
+  {
+    CutSurface cut;
+    cut.status = std::move(labels.status);
+    return cut;
+  }
+  return openCuts(mesh, std::move(labels));
+}
+
+CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
+{
+  CutSurface cut;
+  // Crossing an uncut edge keeps a fan's copy of the vertex, so copies are the fans between cuts.
+  auto crossing = [&](Index h) { return mesh.twin(h) == none || labels.opensAt(h); };
+  Points3 points = mesh.points();
+  Triangles triangles = mesh.triangles();
+  cut.originalVertex.resize(points.size());
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    cut.originalVertex[v] = v;
+    const Index anchor = mesh.outgoing(v);
+    if (anchor == none)
+    {
+      continue;
+    }
+    // Start behind a cut or at the boundary, so that no fan is met in two parts.
+    Index start = none;
+    for (Index h = anchor; h != none;)
+    {
+      if (crossing(h))
+      {
+        start = h;
+        break;
+      }
+      h = mesh.counterClockwise(h);
+      if (h == anchor)
+      {
+        break;
+      }
+    }
+    if (start == none)
+    {
+      continue;
+    }
+    Index copy = v;
+    bool firstFan = true;
+    for (Index h = start; h != none;)
+    {
+      if (crossing(h) && !firstFan)
+      {
+        copy = static_cast<Index>(points.size());
+        points.push_back(mesh.point(v));
+        cut.originalVertex.push_back(v);
+      }
+      firstFan = false;
+      triangles[h / 3][h % 3] = copy;
+      h = mesh.counterClockwise(h);
+      if (h == start)
+      {
+        break;
+      }
+    }
+  }
+  // Half-edges are twins still unless an end of their edge is split. A cut of a single edge inside
+  // the surface has nothing to open.
+  Indices twins(mesh.halfedgeCount(), none);
+  const auto corner = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    const Index twin = mesh.twin(h);
+    if (twin != none && corner(h) == corner(TriangleMesh::next(twin)) &&
+      corner(twin) == corner(TriangleMesh::next(h)))
+    {
+      twins[h] = twin;
+    }
+  }
+  cut.mesh = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+  cut.curveOfHalfedge = std::move(labels.curveOfHalfedge);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) > h && cut.mesh.twin(h) == none)
+    {
+      cut.seamPairs.push_back({ h, mesh.twin(h), cut.curveOfHalfedge[h] });
+    }
+  }
+  cut.pieceCount = findPieces(cut.mesh, cut.pieceOfTriangle);
+  return cut;
+}
+
+std::vector<Piece> extractPieces(const CutSurface& cut)
+{
+  std::vector<Piece> pieces(cut.pieceCount);
+  std::vector<Triangles> triangles(cut.pieceCount);
+  std::vector<Points3> points(cut.pieceCount);
+  Indices local(cut.mesh.vertexCount(), none);
+  Indices localTriangle(cut.mesh.triangleCount(), none);
+  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  {
+    const Index p = cut.pieceOfTriangle[t];
+    Triangle corners{};
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index v = cut.mesh.triangle(t)[k];
+      if (local[v] == none)
+      {
+        local[v] = static_cast<Index>(points[p].size());
+        points[p].push_back(cut.mesh.point(v));
+        pieces[p].vertices.push_back(v);
+      }
+      corners[k] = local[v];
+      pieces[p].curveOfHalfedge.push_back(cut.curveOfHalfedge[3 * t + k]);
+    }
+    localTriangle[t] = static_cast<Index>(triangles[p].size());
+    triangles[p].push_back(corners);
+    pieces[p].triangles.push_back(t);
+  }
+  for (Index p = 0; p < cut.pieceCount; ++p)
+  {
+    Indices twins;
+    twins.reserve(3 * pieces[p].triangles.size());
+    for (Index t : pieces[p].triangles)
+    {
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index twin = cut.mesh.twin(h);
+        twins.push_back(twin == none ? none : 3 * localTriangle[twin / 3] + twin % 3);
+      }
+    }
+    pieces[p].mesh = TriangleMesh(std::move(points[p]), std::move(triangles[p]), std::move(twins));
+  }
+  return pieces;
+}
+}

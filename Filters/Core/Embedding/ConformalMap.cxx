@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Embedding/ConformalMap.h"
+
+#include "Sparse/LinearSolver.h"
+#include "Surface/TriangleFrame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+using TripletList = std::vector<Eigen::Triplet<double>>;
+
+/// The two vertices that are farthest apart; ties, up to rounding, go to the smallest ids.
+///
+/// In the order of their distance from the mean, no pair whose distances from it sum to less than
+/// the best so far can be better, which leaves few pairs to look at.
+std::array<Index, 2> farthestPair(const TriangleMesh& mesh, const Indices& vertices)
+{
+  constexpr double tie = 1e-12;
+  Point3 mean = Point3::Zero();
+  for (Index v : vertices)
+  {
+    mean += mesh.point(v) / static_cast<double>(vertices.size());
+  }
+  std::vector<std::pair<double, Index>> byRadius;
+  byRadius.reserve(vertices.size());
+  for (Index v : vertices)
+  {
+    byRadius.emplace_back(-(mesh.point(v) - mean).norm(), v);
+  }
+  std::sort(byRadius.begin(), byRadius.end());
+
+  std::array<Index, 2> best{ none, none };
+  double most = 0.0;
+  for (std::size_t i = 0; i < byRadius.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (-byRadius[i].first - byRadius[j].first < most * (1.0 - tie))
+      {
+        break;
+      }
+      const std::array<Index, 2> pair{ std::min(byRadius[i].second, byRadius[j].second),
+        std::max(byRadius[i].second, byRadius[j].second) };
+      const double distance = (mesh.point(pair[0]) - mesh.point(pair[1])).norm();
+      if (distance > most * (1.0 + tie) || (distance >= most * (1.0 - tie) && pair < best))
+      {
+        most = std::max(most, distance);
+        best = pair;
+      }
+    }
+  }
+  return best;
+}
+
+/// The conformal energy sum w |beta|^2 as a quadratic form of the free vertices.
+class ConformalEnergy
+{
+public:
+  ConformalEnergy(const TriangleMesh& mesh, bool areaNormalized)
+    : Mesh(mesh)
+  {
+    double largest = 0.0;
+    this->Frames.reserve(mesh.triangleCount());
+    for (const Triangle& c : mesh.triangles())
+    {
+      this->Frames.emplace_back(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]), 1e-9);
+      largest = std::max(largest, this->Frames.back().area);
+    }
+    // Levy's row of a triangle is 4 A beta, or that divided by sqrt(2 A).
+    for (const TriangleFrame& frame : this->Frames)
+    {
+      const double a = frame.area;
+      this->Weights.push_back(areaNormalized ? a : a * (a / largest));
+    }
+  }
+
+  /// Hessian over the unknowns: x and y of vertex v are unknowns 2 column[v] and 2 column[v] + 1.
+  SparseMatrix hessian(const Indices& column, Index unknowns) const
+  {
+    TripletList entries;
+    entries.reserve(static_cast<std::size_t>(this->Mesh.triangleCount()) * 21);
+    for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
+    {
+      const auto& g = this->Frames[t].gradient;
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int l = 0; l < 3; ++l)
+        {
+          const Index row = column[this->Mesh.triangle(t)[k]];
+          const Index col = column[this->Mesh.triangle(t)[l]];
+          if (row == none || col == none || row < col)
+          {
+            continue;
+          }
+          // d|beta|^2 along u_l, seen from u_k: conj(c_k) c_l as a 2 x 2 matrix
+          const Complex m = this->Weights[t] * std::conj(g[k]) * g[l];
+          entries.emplace_back(2 * row, 2 * col, m.real());
+          entries.emplace_back(2 * row + 1, 2 * col + 1, m.real());
+          entries.emplace_back(2 * row + 1, 2 * col, m.imag());
+          if (row != col)
+          {
+            entries.emplace_back(2 * row, 2 * col + 1, -m.imag());
+          }
+        }
+      }
+    }
+    SparseMatrix matrix(unknowns, unknowns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  }
+
+  /// Half the negative gradient, through beta of each triangle: this loses half the digits that
+  /// hessian times positions would.
+  Eigen::VectorXd descent(
+    const std::vector<Complex>& positions, const Indices& column, Index unknowns) const
+  {
+    Eigen::VectorXd down = Eigen::VectorXd::Zero(unknowns);
+    for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
+    {
+      const Triangle& c = this->Mesh.triangle(t);
+      const Complex beta = this->Weights[t] *
+        this->Frames[t].beta({ positions[c[0]], positions[c[1]], positions[c[2]] });
+      for (int k = 0; k < 3; ++k)
+      {
+        if (column[c[k]] != none)
+        {
+          const Eigen::Index x = 2 * Eigen::Index(column[c[k]]);
+          const Complex part = beta * std::conj(this->Frames[t].gradient[k]);
+          down[x] -= part.real();
+          down[x + 1] -= part.imag();
+        }
+      }
+    }
+    return down;
+  }
+
+private:
+  const TriangleMesh& Mesh;
+  std::vector<TriangleFrame> Frames;
+  std::vector<double> Weights;
+};
+
+Status checkPins(const TriangleMesh& mesh, const std::array<Index, 2>& pins)
+{
+  for (Index pin : pins)
+  {
+    if (pin < 0 || pin >= mesh.vertexCount() || mesh.outgoing(pin) == none)
+    {
+      return { StatusCode::InvalidOption,
+        "pin " + std::to_string(pin) + " is no vertex of the surface; name two of its vertices",
+        { pin } };
+    }
+  }
+  if (!((mesh.point(pins[0]) - mesh.point(pins[1])).norm() > 0.0))
+  {
+    return { StatusCode::InvalidOption,
+      "the two pins are the same point; name two different vertices", { pins[0], pins[1] } };
+  }
+  return {};
+}
+}
+
+ConformalMap mapConformally(
+  const TriangleMesh& mesh, const ConformalOptions& options, const Execution& execution)
+{
+  ConformalMap map;
+  Indices boundary;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      boundary.push_back(h);
+    }
+  }
+  if (boundary.empty())
+  {
+    map.status = { mesh.triangleCount() == 0 ? StatusCode::EmptySurface : StatusCode::ClosedSurface,
+      "the surface has no boundary; cut it open with a seam or a dart", {} };
+    return map;
+  }
+  std::array<Index, 2> pins = options.pins;
+  if (pins[0] == none && pins[1] == none)
+  {
+    Indices vertices;
+    for (Index h : boundary)
+    {
+      vertices.push_back(mesh.from(h));
+    }
+    pins = farthestPair(mesh, vertices);
+  }
+  map.status = checkPins(mesh, pins);
+  if (!map.status.ok())
+  {
+    return map;
+  }
+
+  Indices column(mesh.vertexCount(), none);
+  Index free = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (mesh.outgoing(v) != none && v != pins[0] && v != pins[1])
+    {
+      column[v] = free++;
+    }
+  }
+  const Index unknowns = 2 * free;
+  const ConformalEnergy energy(mesh, options.areaNormalized);
+  const Dissection vertices = dissect(mesh.triangles(), mesh.points());
+  Dissection order = vertices.replaced([&](Index k, Indices& unknownOrder) {
+    const Index v = vertices.order[k];
+    if (column[v] != none)
+    {
+      unknownOrder.push_back(2 * column[v]);
+      unknownOrder.push_back(2 * column[v] + 1);
+    }
+  });
+  LinearSolver solver(std::move(order));
+  const Status failure{ StatusCode::NumericalFailure,
+    "the conformal map could not be computed; look for slivers or a part that hangs on one vertex",
+    {} };
+  const Status cancelled{ StatusCode::Cancelled, "cancelled while mapping conformally", {} };
+  const SparseMatrix hessian = energy.hessian(column, unknowns);
+  if (execution.cancelled() || !solver.analyze(hessian) || execution.cancelled() ||
+    !solver.factorize(hessian, execution))
+  {
+    map.status = execution.cancelled() ? cancelled : failure;
+    return map;
+  }
+
+  std::vector<Complex> positions(mesh.vertexCount());
+  positions[pins[1]] = (mesh.point(pins[1]) - mesh.point(pins[0])).norm();
+  // The first pass solves, the others refine: normal equations square the condition number, but
+  // their residual does not where it is computed row by row.
+  for (int pass = 0; pass < 3; ++pass)
+  {
+    if (execution.cancelled())
+    {
+      map.status = cancelled;
+      return map;
+    }
+    const Eigen::VectorXd step = solver.solve(energy.descent(positions, column, unknowns));
+    if (step.rows() != unknowns)
+    {
+      map.status = failure;
+      return map;
+    }
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (column[v] != none)
+      {
+        const Eigen::Index x = 2 * Eigen::Index(column[v]);
+        positions[v] += Complex(step[x], step[x + 1]);
+      }
+    }
+  }
+
+  double perimeter = 0.0;
+  double flat = 0.0;
+  for (Index h : boundary)
+  {
+    perimeter += mesh.length(h);
+    flat += std::abs(positions[mesh.to(h)] - positions[mesh.from(h)]);
+  }
+  const double scale = perimeter / flat;
+  if (!std::isfinite(scale))
+  {
+    map.status = failure;
+    return map;
+  }
+  map.positions.reserve(positions.size());
+  for (const Complex& p : positions)
+  {
+    map.positions.emplace_back(scale * p.real(), scale * p.imag());
+  }
+  return map;
+}
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Embedding/InteriorSystem.h"
+
+#include "Base/SameBits.h"
+
+namespace flattening
+{
+namespace
+{
+/// Triangles slimmer than this (height to longest edge) count as that high: beyond, their stiffness
+/// would cost the others their digits.
+constexpr double slimmest = 1e-6;
+/// In larger patches planes make much less fill-in than the pattern's levels, which is worth more
+/// than an order that stays when vertices move.
+constexpr Index largePatch = 20000;
+
+/// Interior vertices of the patch that are coupled.
+Triangles couplings(const InteriorPatch& patch)
+{
+  Triangles cliques;
+  cliques.reserve(patch.triangles.size());
+  for (const Triangle& t : patch.triangles)
+  {
+    Triangle clique{ none, none, none };
+    int count = 0;
+    for (Index v : t)
+    {
+      if (v < patch.freeCount)
+      {
+        clique[count++] = v;
+      }
+    }
+    if (count > 1)
+    {
+      clique[2] = count == 3 ? clique[2] : clique[0];
+      cliques.push_back(clique);
+    }
+  }
+  return cliques;
+}
+}
+
+void InteriorSystem::update(InteriorPatch patch, const TriangleMesh& mesh)
+{
+  const bool samePattern =
+    patch.freeCount == this->Patch.freeCount && patch.triangles == this->Patch.triangles;
+  Points3 points;
+  points.reserve(patch.vertices.size());
+  for (Index v : patch.vertices)
+  {
+    points.push_back(mesh.point(v));
+  }
+  const bool samePoints = samePattern && sameBits(points, this->Points);
+  this->Patch = std::move(patch);
+  if (samePoints)
+  {
+    return;
+  }
+  this->Points = std::move(points);
+  this->Frames.clear();
+  for (Factor& factor : this->Factors)
+  {
+    factor.current = false;
+  }
+  if (!samePattern || this->Patch.freeCount > largePatch)
+  {
+    this->forgetFactors();
+  }
+}
+
+const std::vector<TriangleFrame>& InteriorSystem::frames()
+{
+  if (this->Frames.empty())
+  {
+    this->Frames.reserve(this->Patch.triangles.size());
+    for (const Triangle& t : this->Patch.triangles)
+    {
+      this->Frames.emplace_back(
+        this->Points[t[0]], this->Points[t[1]], this->Points[t[2]], slimmest);
+    }
+  }
+  return this->Frames;
+}
+
+void InteriorSystem::forgetFactors()
+{
+  this->Factors = {};
+  this->Matrix.reset();
+}
+
+std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
+{
+  std::vector<EdgeWeights> result(this->Patch.triangles.size());
+  const TriangleFrame* const frame =
+    weights == InteriorWeights::Cotangent ? this->frames().data() : nullptr;
+  for (std::size_t t = 0; t < result.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = (k + 1) % 3;
+      const int b = (k + 2) % 3;
+      if (frame)
+      {
+        const auto& g = frame[t].gradient;
+        result[t][k] =
+          -4.0 * frame[t].area * (g[a].real() * g[b].real() + g[a].imag() * g[b].imag());
+      }
+      else
+      {
+        // Half of 1 / |v_i v_j| from each triangle at the edge.
+        const Triangle& corner = this->Patch.triangles[t];
+        result[t][k] = 0.5 / (this->Points[corner[a]] - this->Points[corner[b]]).norm();
+      }
+    }
+  }
+  return result;
+}
+
+const LinearSolver* InteriorSystem::factor(InteriorWeights weights, const Execution& execution)
+{
+  Factor& factor = this->factorOf(weights);
+  if (!factor.current)
+  {
+    if (!this->Matrix)
+    {
+      this->Matrix = std::make_unique<PatchMatrix>(this->Patch);
+    }
+    factor.edges = this->edgeWeights(weights);
+    const SparseMatrix& matrix = this->Matrix->assemble(this->Patch, factor.edges);
+    if (!factor.solver)
+    {
+      const Triangles cliques = couplings(this->Patch);
+      factor.solver = std::make_unique<LinearSolver>(this->Patch.freeCount > largePatch
+          ? dissect(cliques, { this->Points.begin(), this->Points.begin() + this->Patch.freeCount })
+          : dissect(cliques, this->Patch.freeCount));
+    }
+    factor.current = factor.solver->factorize(matrix, execution) &&
+      factor.solver->positive() == this->Patch.freeCount;
+  }
+  return factor.current ? factor.solver.get() : nullptr;
+}
+
+bool InteriorSystem::solve(
+  InteriorWeights weights, const Execution& execution, Eigen::MatrixXd& positions)
+{
+  const LinearSolver* const solver = this->factor(weights, execution);
+  if (!solver)
+  {
+    return false;
+  }
+  const Index free = this->Patch.freeCount;
+  const std::vector<EdgeWeights>& edges = this->factorOf(weights).edges;
+  Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(free, 2);
+  for (std::size_t t = 0; t < edges.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index a = this->Patch.triangles[t][(k + 1) % 3];
+      const Index b = this->Patch.triangles[t][(k + 2) % 3];
+      if (a < free && b >= free)
+      {
+        pull.row(a) += edges[t][k] * positions.row(b);
+      }
+      if (b < free && a >= free)
+      {
+        pull.row(b) += edges[t][k] * positions.row(a);
+      }
+    }
+  }
+  const Eigen::MatrixXd solution = solver->solve(pull);
+  if (solution.rows() != free)
+  {
+    return false;
+  }
+  positions.topRows(free) = solution;
+  return true;
+}
+}

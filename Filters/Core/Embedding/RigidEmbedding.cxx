@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Embedding/RigidEmbedding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// An energy below this fraction of the area is zero up to rounding.
+constexpr double nothing = 1e-26;
+constexpr int maximumConjugateGradients = 100;
+/// Conjugate gradients stop when one lowers the model by less than this fraction of what all did;
+/// three or four get there. A coarser value saves one of them and costs the next Newton step
+/// digits.
+constexpr double modelAccuracy = 1e-3;
+/// The Hessian's inverse is taken to be at most this many times the preconditioner's; that three or
+/// four conjugate gradients are enough says that it is less.
+constexpr double conditionBound = 10.0;
+
+/// The operators of std::complex look for infinities; these do not.
+Complex times(const Complex& a, const Complex& b)
+{
+  return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
+}
+Complex timesConj(const Complex& a, const Complex& b)
+{
+  return { a.real() * b.real() + a.imag() * b.imag(), a.imag() * b.real() - a.real() * b.imag() };
+}
+
+double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+  return a.cwiseProduct(b).sum();
+}
+}
+
+/// What the energy's derivatives need of a triangle.
+struct RigidEmbedding::Linearized
+{
+  Complex alpha;
+  Complex beta;
+  Complex rotation;   ///< alpha / |alpha|
+  double slack = 0.0; ///< 1 / |alpha|
+};
+
+RigidEmbedding::RigidEmbedding(
+  InteriorSystem& system, const LinearSolver* preconditioner, const Eigen::MatrixXd& positions)
+  : Patch(&system.patch())
+  , Frames(&system.frames())
+  , Preconditioner(preconditioner)
+  , Positions(positions)
+{
+  for (const TriangleFrame& frame : *this->Frames)
+  {
+    this->Area += frame.area;
+  }
+}
+
+void RigidEmbedding::linearize(
+  const Eigen::MatrixXd& positions, std::vector<Linearized>& state) const
+{
+  state.resize(this->Frames->size());
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
+  {
+    const Triangle& c = this->Patch->triangles[t];
+    const auto& g = (*this->Frames)[t].gradient;
+    const Complex u1(
+      positions(c[1], 0) - positions(c[0], 0), positions(c[1], 1) - positions(c[0], 1));
+    const Complex u2(
+      positions(c[2], 0) - positions(c[0], 0), positions(c[2], 1) - positions(c[0], 1));
+    Linearized& s = state[t];
+    s.alpha = timesConj(u1, g[1]) + timesConj(u2, g[2]);
+    s.beta = times(u1, g[1]) + times(u2, g[2]);
+    const double size = std::sqrt(std::norm(s.alpha));
+    s.rotation = size > 0.0 ? s.alpha / size : Complex(1.0, 0.0);
+    s.slack = 1.0 / std::max(size, 1e-8);
+  }
+}
+
+double RigidEmbedding::energy(const Eigen::MatrixXd& positions) const
+{
+  double sum = 0.0;
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
+  {
+    const Triangle& c = this->Patch->triangles[t];
+    const auto& g = (*this->Frames)[t].gradient;
+    const Complex u1(
+      positions(c[1], 0) - positions(c[0], 0), positions(c[1], 1) - positions(c[0], 1));
+    const Complex u2(
+      positions(c[2], 0) - positions(c[0], 0), positions(c[2], 1) - positions(c[0], 1));
+    const double size = std::sqrt(std::norm(timesConj(u1, g[1]) + timesConj(u2, g[2])));
+    const double beta = std::norm(times(u1, g[1]) + times(u2, g[2]));
+    sum += (*this->Frames)[t].area * ((size - 1.0) * (size - 1.0) + beta);
+  }
+  return sum;
+}
+
+Eigen::MatrixXd RigidEmbedding::gradient(const std::vector<Linearized>& state) const
+{
+  Eigen::MatrixXd sum =
+    Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Patch->vertices.size()), 2);
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
+  {
+    const Triangle& c = this->Patch->triangles[t];
+    const auto& g = (*this->Frames)[t].gradient;
+    const Complex a = 2.0 * (*this->Frames)[t].area * (state[t].alpha - state[t].rotation);
+    const Complex b = 2.0 * (*this->Frames)[t].area * state[t].beta;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Complex part = times(a, g[k]) + timesConj(b, g[k]);
+      sum(c[k], 0) += part.real();
+      sum(c[k], 1) += part.imag();
+    }
+  }
+  return sum.topRows(this->Patch->freeCount);
+}
+
+Eigen::MatrixXd RigidEmbedding::curvature(
+  const std::vector<Linearized>& state, const Eigen::MatrixXd& direction) const
+{
+  const auto all = static_cast<Eigen::Index>(this->Patch->vertices.size());
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(all, 2);
+  along.topRows(this->Patch->freeCount) = direction;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(all, 2);
+  for (std::size_t t = 0; t < this->Frames->size(); ++t)
+  {
+    const Triangle& c = this->Patch->triangles[t];
+    const auto& g = (*this->Frames)[t].gradient;
+    const Complex d1(along(c[1], 0) - along(c[0], 0), along(c[1], 1) - along(c[0], 1));
+    const Complex d2(along(c[2], 0) - along(c[0], 0), along(c[2], 1) - along(c[0], 1));
+    Complex a = timesConj(d1, g[1]) + timesConj(d2, g[2]);
+    // Turning alpha costs less than stretching it, by 1 / |alpha|.
+    const double turn = timesConj(a, state[t].rotation).imag() * state[t].slack;
+    a -= Complex(-turn * state[t].rotation.imag(), turn * state[t].rotation.real());
+    a *= 2.0 * (*this->Frames)[t].area;
+    const Complex b = 2.0 * (*this->Frames)[t].area * (times(d1, g[1]) + times(d2, g[2]));
+    for (int k = 0; k < 3; ++k)
+    {
+      const Complex part = times(a, g[k]) + timesConj(b, g[k]);
+      sum(c[k], 0) += part.real();
+      sum(c[k], 1) += part.imag();
+    }
+  }
+  return sum.topRows(this->Patch->freeCount);
+}
+
+Eigen::MatrixXd RigidEmbedding::gradient(const Eigen::MatrixXd& positions) const
+{
+  std::vector<Linearized> state;
+  this->linearize(positions, state);
+  return this->gradient(state);
+}
+
+Eigen::MatrixXd RigidEmbedding::curvature(
+  const Eigen::MatrixXd& positions, const Eigen::MatrixXd& direction) const
+{
+  std::vector<Linearized> state;
+  this->linearize(positions, state);
+  return this->curvature(state, direction);
+}
+
+RigidEmbedding::Direction RigidEmbedding::newtonDirection(
+  const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const
+{
+  Eigen::MatrixXd step = Eigen::MatrixXd::Zero(descent.rows(), 2);
+  Eigen::MatrixXd residual = descent;
+  Eigen::MatrixXd preconditioned = this->Preconditioner->solve(residual);
+  Eigen::MatrixXd direction = preconditioned;
+  double product = dot(residual, preconditioned);
+  if (0.5 * conditionBound * product <= enough)
+  {
+    return { preconditioned, true };
+  }
+  double modelDecrease = 0.0;
+  for (int iteration = 0; iteration < maximumConjugateGradients; ++iteration)
+  {
+    const Eigen::MatrixXd bent = this->curvature(state, direction);
+    const double curvatureAlong = dot(direction, bent);
+    if (!(curvatureAlong > 0.0))
+    {
+      return { iteration == 0 ? direction : step, false };
+    }
+    const double length = product / curvatureAlong;
+    step += length * direction;
+    // The model falls by this much; when that is little beside what it fell before, enough is done
+    // (S. G. Nash, A. Sofer, "Assessing a search direction within a truncated-Newton method",
+    // Operations Research Letters 9(4), 1990).
+    const double fall = 0.5 * length * product;
+    modelDecrease += fall;
+    if (fall <= modelAccuracy * modelDecrease)
+    {
+      break;
+    }
+    residual -= length * bent;
+    preconditioned = this->Preconditioner->solve(residual);
+    const double next = dot(residual, preconditioned);
+    direction = preconditioned + (next / product) * direction;
+    product = next;
+  }
+  return { step, false };
+}
+
+RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
+{
+  std::vector<Linearized> state;
+  this->linearize(this->Positions, state);
+  const double before = this->energy(this->Positions);
+  if (before <= nothing * this->Area)
+  {
+    return State::Converged;
+  }
+  const Eigen::MatrixXd descent = -this->gradient(state);
+  const auto [step, last] = this->newtonDirection(state, descent, energyTolerance * before);
+  const double slope = dot(descent, step);
+  if (!(slope > 0.0))
+  {
+    return slope == 0.0 ? State::Converged : State::Failed;
+  }
+  const Index free = this->Patch->freeCount;
+  Eigen::MatrixXd trial = this->Positions;
+  double scale = 1.0;
+  for (int halving = 0; halving < 40; ++halving, scale *= 0.5)
+  {
+    trial.topRows(free) = this->Positions.topRows(free) + scale * step;
+    const double after = this->energy(trial);
+    if (after <= before - 1e-4 * scale * slope)
+    {
+      this->Positions.swap(trial);
+      const bool small = last || before - after <= energyTolerance * before;
+      return small || after <= nothing * this->Area ? State::Converged : State::Running;
+    }
+    if (scale * slope <= 1e-12 * before)
+    {
+      return State::Converged; // up to the rounding of the energy
+    }
+  }
+  return State::Failed;
+}
+}

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Embedding/Untangling.h"
+
+#include "Embedding/DistortionEnergy.h"
+#include "Embedding/InteriorPatch.h"
+#include "Quality/FlatteningQuality.h"
+#include "Sparse/SymmetricAssembler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shape term
+constexpr int mostIterations = 200;
+
+double determinant(const Eigen::Vector4d& parts)
+{
+  return 0.25 * (parts.head<2>().squaredNorm() - parts.tail<2>().squaredNorm());
+}
+
+/// A positive stand-in for the determinant.
+double regularized(double epsilon, double det)
+{
+  const double root = std::sqrt(epsilon * epsilon + det * det);
+  // Without cancellation where det < 0.
+  return det >= 0.0 ? 0.5 * (det + root) : 0.5 * epsilon * epsilon / (root - det);
+}
+
+/// (|J|^2 + w (det^2 + 1)) / chi(epsilon, det)
+NormDetDensity density(double epsilon, const Eigen::Vector4d& parts)
+{
+  const double norm = 0.5 * parts.squaredNorm();
+  const double det = determinant(parts);
+  const double root = std::sqrt(epsilon * epsilon + det * det);
+  const double chi = std::max(regularized(epsilon, det), 1e-150);
+  const double slope = chi / root;
+  const double bend = 0.5 * epsilon * epsilon / (root * root * root);
+  const double top = norm + areaWeight * (det * det + 1.0);
+  const double topByDet = 2.0 * areaWeight * det;
+  const double r = slope / chi; // chi' / chi
+  NormDetDensity d;
+  d.value = top / chi;
+  d.byNorm = 1.0 / chi;
+  d.byDet = (topByDet - top * r) / chi;
+  d.byNormDet = -r / chi;
+  d.byDet2 = (2.0 * areaWeight - 2.0 * topByDet * r - top * (bend / chi - 2.0 * r * r)) / chi;
+  return d;
+}
+
+class PatchUntangling
+{
+public:
+  PatchUntangling(const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions)
+    : Patch(patch)
+    , X(2 * static_cast<Eigen::Index>(patch.vertices.size()))
+    , Assembler(2 * patch.freeCount)
+  {
+    for (std::size_t i = 0; i < patch.vertices.size(); ++i)
+    {
+      this->X.segment<2>(2 * static_cast<Eigen::Index>(i)) = positions[patch.vertices[i]];
+    }
+    for (const Triangle& c : patch.triangles)
+    {
+      this->Frames.emplace_back(mesh.point(patch.vertices[c[0]]), mesh.point(patch.vertices[c[1]]),
+        mesh.point(patch.vertices[c[2]]));
+    }
+  }
+
+  bool tangled() const { return this->flips(this->X) > 0; }
+
+  /// True where the run was not cancelled.
+  bool run(const Execution& execution)
+  {
+    this->declareEntries();
+    Eigen::VectorXd best = this->X;
+    Index fewest = this->flips(best);
+    double epsilon = 1.0;
+    for (int iteration = 0; iteration < mostIterations; ++iteration)
+    {
+      if (execution.cancelled())
+      {
+        return false;
+      }
+      double before = 0.0;
+      double after = 0.0;
+      if (!this->step(epsilon, before, after))
+      {
+        break;
+      }
+      const Index flipped = this->flips(this->X);
+      if (flipped < fewest || (flipped == 0 && fewest == 0))
+      {
+        fewest = flipped;
+        best = this->X;
+      }
+      if (flipped == 0 && before - after <= 1e-4 * before)
+      {
+        break;
+      }
+      epsilon = this->nextEpsilon(epsilon, before, after);
+    }
+    this->X = best;
+    return true;
+  }
+
+  void writeBack(Points2& positions) const
+  {
+    for (Index i = 0; i < this->Patch.freeCount; ++i)
+    {
+      positions[this->Patch.vertices[i]] = this->X.segment<2>(2 * i);
+    }
+  }
+
+private:
+  Eigen::Vector4d parts(std::size_t t, const Eigen::VectorXd& x) const
+  {
+    Eigen::Matrix<double, 6, 1> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.segment<2>(2 * k) = x.segment<2>(2 * this->Patch.triangles[t][k]);
+    }
+    return mapPartsDerivative(this->Frames[t]) * corners;
+  }
+
+  Index flips(const Eigen::VectorXd& x) const
+  {
+    Index count = 0;
+    for (std::size_t t = 0; t < this->Frames.size(); ++t)
+    {
+      count += determinant(this->parts(t, x)) <= 0.0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  double energy(double epsilon, const Eigen::VectorXd& x) const
+  {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < this->Frames.size(); ++t)
+    {
+      sum += this->Frames[t].area * density(epsilon, this->parts(t, x)).value;
+    }
+    return sum;
+  }
+
+  void declareEntries()
+  {
+    for (const Triangle& c : this->Patch.triangles)
+    {
+      for (int a = 0; a < 6; ++a)
+      {
+        for (int b = 0; b <= a; ++b)
+        {
+          if (c[a / 2] < this->Patch.freeCount && c[b / 2] < this->Patch.freeCount)
+          {
+            this->Assembler.declare(2 * c[a / 2] + a % 2, 2 * c[b / 2] + b % 2);
+          }
+        }
+      }
+    }
+    this->Assembler.finish();
+  }
+
+  /// One projected Newton step with backtracking; false where it leads nowhere. Gives the energy
+  /// on both sides of it.
+  bool step(double epsilon, double& before, double& after)
+  {
+    const Eigen::Index unknowns = 2 * this->Patch.freeCount;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknowns);
+    before = 0.0;
+    this->Assembler.clear();
+    Index entry = 0;
+    for (std::size_t t = 0; t < this->Frames.size(); ++t)
+    {
+      const double area = this->Frames[t].area;
+      const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
+      const Eigen::Vector4d at = this->parts(t, this->X);
+      const DistortionEnergyValue value = expandNormDet(density(epsilon, at), at, true);
+      before += area * value.value;
+      const Eigen::Matrix<double, 6, 1> g = area * (derivative.transpose() * value.gradient);
+      const Eigen::Matrix<double, 6, 6> H =
+        area * (derivative.transpose() * value.hessian * derivative);
+      const Triangle& c = this->Patch.triangles[t];
+      for (int a = 0; a < 6; ++a)
+      {
+        if (c[a / 2] < this->Patch.freeCount)
+        {
+          gradient[2 * c[a / 2] + a % 2] += g[a];
+        }
+        for (int b = 0; b <= a; ++b)
+        {
+          if (c[a / 2] < this->Patch.freeCount && c[b / 2] < this->Patch.freeCount)
+          {
+            this->Assembler.add(entry++, H(a, b));
+          }
+        }
+      }
+    }
+    if (!this->Solver.factorize(this->Assembler.matrix()))
+    {
+      return false;
+    }
+    const Eigen::MatrixXd direction = this->Solver.solve(-gradient);
+    if (direction.rows() != unknowns)
+    {
+      return false;
+    }
+    const double slope = gradient.dot(direction.col(0));
+    double scale = 1.0;
+    for (int halving = 0; halving < 40; ++halving, scale *= 0.5)
+    {
+      Eigen::VectorXd trial = this->X;
+      trial.head(unknowns) += scale * direction.col(0);
+      after = this->energy(epsilon, trial);
+      if (after < before + 1e-4 * scale * slope)
+      {
+        this->X = std::move(trial);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The rule of the method: as small as the worst triangle and the progress allow.
+  double nextEpsilon(double epsilon, double before, double after) const
+  {
+    double worst = determinant(this->parts(0, this->X));
+    for (std::size_t t = 1; t < this->Frames.size(); ++t)
+    {
+      worst = std::min(worst, determinant(this->parts(t, this->X)));
+    }
+    const double sigma = std::max(1.0 - after / before, 0.1);
+    const double goal = (1.0 - sigma) * regularized(epsilon, worst);
+    return worst < goal ? 2.0 * std::sqrt(goal * (goal - worst)) : 1e-10;
+  }
+
+  const InteriorPatch& Patch;
+  Eigen::VectorXd X;
+  std::vector<TriangleFrame> Frames;
+  SymmetricAssembler Assembler;
+  LinearSolver Solver{ LinearMethod::Cholesky };
+};
+}
+
+UntanglingResult untangleInterior(
+  const Piece& piece, const WireNetwork& network, const Execution& execution, Points2& positions)
+{
+  UntanglingResult result;
+  if (countFlipped(piece.mesh, positions) == 0)
+  {
+    return result;
+  }
+  for (const InteriorPatch& interior : collectInteriorPatches(piece, network))
+  {
+    PatchUntangling patch(interior, piece.mesh, positions);
+    if (!patch.tangled())
+    {
+      continue;
+    }
+    result.patches.push_back(interior.patch);
+    if (!patch.run(execution))
+    {
+      result.status = { StatusCode::Cancelled, "cancelled while untangling", {} };
+      return result;
+    }
+    patch.writeBack(positions);
+    if (patch.tangled())
+    {
+      result.tangled.push_back(interior.patch);
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/FeatureCurve.h"
+#include "Wires/WireNetwork.h"
+
+#include <optional>
+
+namespace flattening
+{
+/// By curve; none where it is rigid or not in the piece.
+using CurveStretches = std::vector<std::optional<double>>;
+
+/// By how much the elastic curves are longer in a flat piece than on the surface, as fractions.
+CurveStretches stretchesIn(
+  const WireNetwork& network, const Points2& positions, const std::vector<FeatureCurve>& curves);
+
+/// Each piece chooses the lengths of its elastic curves by itself, but what is sewn together must
+/// be equally long: decides for the mean where a curve lies in several pieces.
+/// \return the curves with FeatureCurve::stretch where it is decided; none where all pieces agree
+std::vector<FeatureCurve> agreeOnStretches(
+  const std::vector<FeatureCurve>& curves, const std::vector<CurveStretches>& pieces);
+}

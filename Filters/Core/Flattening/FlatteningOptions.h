@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Angles/AngleSolver.h"
+#include "Embedding/ConformalMap.h"
+#include "Embedding/InteriorEmbedding.h"
+#include "Isometric/IsometricWarping.h"
+
+namespace flattening
+{
+enum class Scheme
+{
+  Progressive, ///< patch by patch, Algorithm 2
+  Global,      ///< all patches together, Eq. 13
+  Isometric,   ///< wires and interior together
+  Conformal,   ///< LSCM, for comparison: keeps no length
+};
+
+struct FlatteningOptions
+{
+  Scheme scheme = Scheme::Global;
+  AngleSolverOptions angles;
+  InteriorOptions interior;
+  IsometricOptions isometric;
+  ConformalOptions conformal; ///< pins are vertices of the surface before the cut
+  /// Close cuts as far as their banks would lie over each other (see closeCrossingCuts()).
+  bool closeCuts = false;
+  /// Treat key curves as accessory curves.
+  bool releaseKeys = false;
+  /// Lay the pieces beside each other, grainline up; otherwise each stays where its first wire edge
+  /// put it.
+  bool arrange = true;
+  /// Space between arranged pieces, as a fraction of the largest extent of a piece, 0 to 1e6.
+  double spacing = 0.05;
+  /// A wire edge whose relative length error is larger breaks the promise.
+  double lengthTolerance = 1e-9;
+};
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Angles/AngleSolution.h"
+#include "Angles/ReleaseAdvice.h"
+#include "Cut/SurfaceCut.h"
+#include "Quality/FlatteningQuality.h"
+
+#include <memory>
+
+namespace flattening
+{
+/// A wire in the result: a stretch of one feature curve, or a boundary loop.
+struct Wire
+{
+  CurveType type = CurveType::Accessory;
+  Index curve = none;    ///< none: boundary of the surface, or a connector
+  bool boundary = false; ///< bounds its piece: so do the banks of a cut
+  bool connector = false;
+  Index piece = 0;
+  Indices vertices;        ///< of the cut surface
+  double restLength = 0.0; ///< on the surface
+  double flatLength = 0.0;
+  double maximumEdgeError = 0.0; ///< largest relative error of one of its edges
+};
+
+struct PieceReport
+{
+  Index triangles = 0;
+  Index vertices = 0;
+  Index wirePatches = 0;
+  Index wireNodes = 0;
+  Index freeWireNodes = 0;
+  Index constraints = 0;
+  int iterations = 0;
+  double objective = 0.0;
+  double closureResidual = 0.0;
+  /// Isometric scheme: its energy's two terms, sheet and wire angles, in units of the mean triangle
+  /// area.
+  double distortionEnergy = 0.0;
+  double angleEnergy = 0.0;
+  QualitySummary quality; ///< flipped: triangles of the cut surface
+  /// Pairs of boundary half-edges of the cut surface that cross.
+  std::vector<std::array<Index, 2>> overlaps;
+  /// Half-edges of the cut surface on banks of cuts that were closed (see closeCrossingCuts()).
+  Indices closedEdges;
+  std::vector<IterationRecord> history;
+  Indices released; ///< key curves whose shape was given up
+  Index boundaryLoops = 1;
+  bool wired = false; ///< a feature curve lies in it or bounds it
+  /// Which curves to release first; with a trial where the wires' solution is poor.
+  ReleaseAdvice advice;
+  /// Progressive scheme: wire-patches (ids as in patchOfTriangle) in the order of warping.
+  Indices warpingOrder;
+  Status status;
+};
+
+struct CurveReport
+{
+  std::string name;
+  CurveType type = CurveType::Accessory;
+  double restLength = 0.0; ///< of all its wires; a cut curve counts once
+  double flatLength = 0.0;
+  double error = 0.0;     ///< largest relative error of one of its edges
+  double tolerance = 0.0; ///< of an elastic curve; 0: rigid
+  /// Of a cut: the length along which its banks were closed, on the surface.
+  double closedLength = 0.0;
+  /// dF* / d ln(length), summed over the pieces (see ReleaseAdvice).
+  double sensitivity = 0.0;
+  /// A key curve whose shape was given up, for ReleaseKeys or because it clashes with others.
+  bool released = false;
+};
+
+struct StageSeconds
+{
+  double wires = 0.0;
+  double interior = 0.0;
+  double quality = 0.0;
+  double total = 0.0;
+};
+
+struct FlatteningResult
+{
+  /// A refusal (then all else is empty), or Ok, or the worst broken promise of a piece.
+  Status status;
+  /// Never null. Shared with the cache, which makes another for another surface.
+  std::shared_ptr<const CutSurface> cut = std::make_shared<const CutSurface>();
+  Points2 positions;       ///< per vertex of the cut surface
+  Indices patchOfTriangle; ///< wire-patch, numbered through all pieces
+  std::vector<TriangleQuality> triangles;
+  std::vector<double> developability; ///< per vertex of the cut surface, Eq. 25
+  std::vector<Wire> wires;
+  std::vector<PieceReport> pieces;
+  std::vector<CurveReport> curves;
+  StageSeconds seconds;
+};
+}

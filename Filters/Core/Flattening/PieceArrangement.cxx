@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/PieceArrangement.h"
+
+#include "Base/Orientation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+/// Differences below this fraction are rounding and must not decide anything.
+constexpr double rounding = 1e-9;
+/// A sheet wider than high reads well on a screen.
+constexpr double sheetAspect = 1.6;
+
+using Box = Eigen::AlignedBox2d;
+
+Box boundingBox(const Points2& points)
+{
+  Box box;
+  for (const Point2& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
+/// The points that are not well inside the octagon of those farthest out in eight directions; only
+/// these can be on the hull (S. G. Akl, G. T. Toussaint, "A fast convex hull algorithm", 1978).
+Indices outerPoints(const Points2& points)
+{
+  const std::array<Point2, 8> directions{ Point2(1, 0), Point2(1, 1), Point2(0, 1), Point2(-1, 1),
+    Point2(-1, 0), Point2(-1, -1), Point2(0, -1), Point2(1, -1) };
+  std::array<std::size_t, 8> corner{};
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t k = 0; k < corner.size(); ++k)
+    {
+      const Point2 d = points[i] - points[corner[k]];
+      corner[k] = d.dot(directions[k]) > 0.0 ? i : corner[k];
+    }
+  }
+  std::vector<Eigen::Hyperplane<double, 2>> sides;
+  for (std::size_t k = 0; k < corner.size(); ++k)
+  {
+    const Point2& from = points[corner[k]];
+    const Point2 along = points[corner[(k + 1) % corner.size()]] - from;
+    if (along.squaredNorm() > 0.0)
+    {
+      sides.emplace_back(Point2(-along.y(), along.x()).normalized(), from);
+    }
+  }
+  const double margin = points.empty() ? 0.0
+                                       : rounding * (points[corner[0]] - points[corner[4]]).norm() +
+      rounding * (points[corner[2]] - points[corner[6]]).norm();
+  Indices outer;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const bool inside = !sides.empty() &&
+      std::all_of(sides.begin(), sides.end(),
+        [&](const auto& side) { return side.signedDistance(points[i]) > margin; });
+    if (!inside)
+    {
+      outer.push_back(static_cast<Index>(i));
+    }
+  }
+  return outer;
+}
+
+/// Convex hull, anti-clockwise, as indices (Andrew's monotone chain).
+Indices convexHull(const Points2& points)
+{
+  Indices order = outerPoints(points);
+  std::sort(order.begin(), order.end(), [&points](Index a, Index b) {
+    const Point2& p = points[a];
+    const Point2& q = points[b];
+    return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a < b;
+  });
+  Indices hull;
+  const auto extend = [&](std::size_t keep, Index i) {
+    while (hull.size() > keep &&
+      orientation(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
+    {
+      hull.pop_back();
+    }
+    hull.push_back(i);
+  };
+  for (Index i : order)
+  {
+    extend(1, i);
+  }
+  const std::size_t lower = hull.size();
+  for (auto i = order.rbegin() + (order.empty() ? 0 : 1); i != order.rend(); ++i)
+  {
+    extend(lower, *i);
+  }
+  if (hull.size() > 1)
+  {
+    hull.pop_back();
+  }
+  return hull;
+}
+
+/// Direction of the long side of the smallest rectangle around the points. One of its sides lies on
+/// the convex hull; of equal ones that at the smallest vertex counts.
+Point2 longDirection(const Points2& points)
+{
+  const Indices hull = convexHull(points);
+  double smallest = std::numeric_limits<double>::max();
+  Index chosen = none;
+  Point2 direction(0.0, 1.0);
+  for (std::size_t k = 0; k < hull.size(); ++k)
+  {
+    const Index first = hull[k];
+    Point2 along = points[hull[(k + 1) % hull.size()]] - points[first];
+    const double length = along.norm();
+    if (!(length > 0.0))
+    {
+      continue;
+    }
+    along /= length;
+    const Point2 across(-along.y(), along.x());
+    Box box;
+    for (Index i : hull)
+    {
+      const Point2 d = points[i] - points[first];
+      box.extend(Point2(d.dot(along), d.dot(across)));
+    }
+    const Point2 sides = box.sizes();
+    const double area = sides.x() * sides.y();
+    const bool less = area < smallest * (1.0 - rounding);
+    const bool equal = !less && area <= smallest * (1.0 + rounding);
+    if (less || (equal && first < chosen))
+    {
+      smallest = std::min(smallest, area);
+      chosen = first;
+      direction = sides.x() >= sides.y() * (1.0 - rounding) ? along : across;
+    }
+  }
+  return direction;
+}
+
+/// The piece turned so that a direction points up.
+Points2 turned(const Points2& points, const Point2& up)
+{
+  const Point2 y = up.normalized();
+  const Point2 x(y.y(), -y.x());
+  // Around the first point, so that a piece far from the origin keeps its digits.
+  Points2 result;
+  result.reserve(points.size());
+  for (const Point2& p : points)
+  {
+    const Point2 d = p - points.front();
+    result.emplace_back(d.dot(x), d.dot(y));
+  }
+  return result;
+}
+
+Points2 upright(const ArrangementPiece& piece)
+{
+  if (piece.positions.empty())
+  {
+    return {};
+  }
+  if (piece.grain[0] != none && piece.grain[1] != none)
+  {
+    const Point2 grain = piece.positions[piece.grain[1]] - piece.positions[piece.grain[0]];
+    if (grain.squaredNorm() > 0.0)
+    {
+      return turned(piece.positions, grain);
+    }
+  }
+  Points2 result = turned(piece.positions, longDirection(piece.positions));
+  // Of the two ways up, the one with the first vertex off the middle below it.
+  const Box box = boundingBox(result);
+  const double middle = box.center().y();
+  const double tie = 1e-6 * box.diagonal().norm();
+  const auto first = std::find_if(
+    result.begin(), result.end(), [&](const Point2& p) { return std::abs(p.y() - middle) > tie; });
+  if (first != result.end() && first->y() > middle)
+  {
+    for (Point2& p : result)
+    {
+      p = -p;
+    }
+  }
+  return result;
+}
+}
+
+std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing)
+{
+  std::vector<Points2> placed;
+  std::vector<Box> boxes;
+  double largest = 0.0;
+  double widest = 0.0;
+  for (const ArrangementPiece& piece : pieces)
+  {
+    placed.push_back(upright(piece));
+    boxes.push_back(boundingBox(placed.back()));
+    if (!placed.back().empty())
+    {
+      largest = std::max(largest, boxes.back().sizes().maxCoeff());
+      widest = std::max(widest, boxes.back().sizes().x());
+    }
+  }
+  const double gap = spacing * largest;
+  double area = 0.0;
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    if (!placed[i].empty())
+    {
+      area += (boxes[i].sizes().x() + gap) * (boxes[i].sizes().y() + gap);
+    }
+  }
+  const double width = std::max(widest, sheetAspect * std::sqrt(area)) * (1.0 + rounding);
+
+  Point2 corner = Point2::Zero();
+  double rowHeight = 0.0;
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    if (placed[i].empty())
+    {
+      continue;
+    }
+    const Point2 size = boxes[i].sizes();
+    if (corner.x() > 0.0 && corner.x() + size.x() > width)
+    {
+      corner = Point2(0.0, corner.y() + rowHeight + gap);
+      rowHeight = 0.0;
+    }
+    const Point2 shift = corner - boxes[i].min();
+    for (Point2& p : placed[i])
+    {
+      p += shift;
+    }
+    corner.x() += size.x() + gap;
+    rowHeight = std::max(rowHeight, size.y());
+  }
+  return placed;
+}
+}

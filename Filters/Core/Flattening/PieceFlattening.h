@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening/FlatteningCache.h"
+#include "Flattening/FlatteningOptions.h"
+#include "Flattening/FlatteningResult.h"
+
+namespace flattening
+{
+/// One piece in the plane.
+struct FlatPiece
+{
+  Points2 positions; ///< per piece vertex
+  /// Of the piece with banks of cuts joined, where they are; its edges end at vertices of the
+  /// piece.
+  std::optional<WireNetwork> joinedNetwork;
+  PieceReport
+    report; ///< all but quality and overlaps; ids of the status are those of the cut surface
+  double secondsWires = 0.0;
+  double secondsInterior = 0.0;
+};
+
+/// Flattens one piece by the scheme of the options: network, angles, layout, interior. \param keep
+/// whether the factors of the interior stay with the piece.
+FlatPiece flattenPiece(WiredPiece& wired, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
+  const Execution& execution, bool keep);
+}

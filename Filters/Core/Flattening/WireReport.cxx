@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/WireReport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// The copies of one segment of a curve in the cut surface: one, or two where it was cut.
+std::vector<std::array<Index, 2>> segmentCopies(
+  const TriangleMesh& original, const TriangleMesh& cut, Index from, Index to)
+{
+  std::vector<std::array<Index, 2>> copies;
+  const Index forward = original.find(from, to);
+  const Index backward = original.find(to, from);
+  if (forward != none)
+  {
+    copies.push_back({ cut.from(forward), cut.to(forward) });
+  }
+  if (backward != none)
+  {
+    const std::array<Index, 2> copy{ cut.to(backward), cut.from(backward) };
+    if (copies.empty() || copies.front() != copy)
+    {
+      copies.push_back(copy);
+    }
+  }
+  return copies;
+}
+
+Index pieceOfVertex(const CutSurface& cut, Index vertex)
+{
+  return cut.pieceOfTriangle[cut.mesh.outgoing(vertex) / 3];
+}
+
+void traceCurve(const TriangleMesh& original, const CutSurface& cut, const FeatureCurve& curve,
+  Index id, std::vector<Wire>& wires)
+{
+  std::vector<std::size_t> open; // wires that the next segment may go on
+  for (std::size_t k = 0; k + 1 < curve.vertices.size(); ++k)
+  {
+    std::vector<std::size_t> stillOpen;
+    for (const auto& copy :
+      segmentCopies(original, cut.mesh, curve.vertices[k], curve.vertices[k + 1]))
+    {
+      const auto goesOn = std::find_if(open.begin(), open.end(),
+        [&](std::size_t w) { return wires[w].vertices.back() == copy[0]; });
+      std::size_t at = wires.size();
+      if (goesOn != open.end())
+      {
+        at = *goesOn;
+        open.erase(goesOn);
+      }
+      else
+      {
+        Wire wire;
+        wire.type = curve.type;
+        wire.curve = id;
+        wire.piece = pieceOfVertex(cut, copy[0]);
+        wire.vertices.push_back(copy[0]);
+        wires.push_back(std::move(wire));
+      }
+      wires[at].vertices.push_back(copy[1]);
+      stillOpen.push_back(at);
+    }
+    open = std::move(stillOpen);
+  }
+}
+
+void traceBoundary(const CutSurface& cut, std::vector<Wire>& wires)
+{
+  for (const Indices& loop : cut.mesh.boundaryLoops())
+  {
+    // Start where a stretch begins, so that none is met in two parts.
+    std::size_t start = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      if (cut.curveOfHalfedge[loop[k]] != none)
+      {
+        start = k + 1;
+        break;
+      }
+    }
+    bool going = false;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      const Index h = loop[(start + k) % loop.size()];
+      if (cut.curveOfHalfedge[h] != none)
+      {
+        going = false;
+        continue;
+      }
+      if (!going)
+      {
+        Wire wire;
+        wire.piece = cut.pieceOfTriangle[h / 3];
+        wire.vertices.push_back(cut.mesh.from(h));
+        wires.push_back(std::move(wire));
+        going = true;
+      }
+      wires.back().vertices.push_back(cut.mesh.to(h));
+    }
+  }
+}
+
+/// Whether it bounds its piece, and its length.
+void completeWire(const TriangleMesh& cut, Wire& wire)
+{
+  wire.boundary = true;
+  for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
+  {
+    const Index a = wire.vertices[k];
+    const Index b = wire.vertices[k + 1];
+    wire.boundary = wire.boundary && (cut.find(a, b) == none || cut.find(b, a) == none);
+    wire.restLength += (cut.point(b) - cut.point(a)).norm();
+  }
+}
+}
+
+std::vector<Wire> traceWires(
+  const TriangleMesh& original, const CutSurface& cut, const std::vector<FeatureCurve>& curves)
+{
+  std::vector<Wire> wires;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    traceCurve(original, cut, curves[c], static_cast<Index>(c), wires);
+  }
+  traceBoundary(cut, wires);
+  for (Wire& wire : wires)
+  {
+    completeWire(cut.mesh, wire);
+  }
+  return wires;
+}
+
+void noteClosedEdges(const TriangleMesh& cut, const Indices& closedEdges, std::vector<Wire>& wires)
+{
+  const auto isClosed = [&](Index halfedge) {
+    return halfedge != none && std::binary_search(closedEdges.begin(), closedEdges.end(), halfedge);
+  };
+  for (Wire& wire : wires)
+  {
+    for (std::size_t k = 0; !closedEdges.empty() && k + 1 < wire.vertices.size(); ++k)
+    {
+      const Index a = wire.vertices[k];
+      const Index b = wire.vertices[k + 1];
+      wire.boundary = wire.boundary && !isClosed(cut.find(a, b)) && !isClosed(cut.find(b, a));
+    }
+  }
+}
+
+std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece, Index pieceId)
+{
+  std::vector<Wire> wires;
+  for (const WireEdge& edge : network.edges)
+  {
+    if (!edge.connector)
+    {
+      continue;
+    }
+    const Index a = piece.vertices[edge.from];
+    const Index b = piece.vertices[edge.to];
+    Wire wire;
+    wire.connector = true;
+    wire.piece = pieceId;
+    wire.vertices = { a, b };
+    wires.push_back(std::move(wire));
+  }
+  return wires;
+}
+
+void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire)
+{
+  wire.restLength = wire.flatLength = wire.maximumEdgeError = 0.0;
+  for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
+  {
+    const Index a = wire.vertices[k];
+    const Index b = wire.vertices[k + 1];
+    const double rest = (cut.mesh.point(b) - cut.mesh.point(a)).norm();
+    const double flat = (positions[b] - positions[a]).norm();
+    wire.restLength += rest;
+    wire.flatLength += flat;
+    wire.maximumEdgeError = std::max(wire.maximumEdgeError, std::abs(flat - rest) / rest);
+  }
+}
+
+std::vector<CurveReport> summarizeCurves(const TriangleMesh& original,
+  const std::vector<FeatureCurve>& curves, const std::vector<Wire>& wires)
+{
+  std::vector<CurveReport> reports(curves.size());
+  for (const Wire& wire : wires)
+  {
+    if (wire.curve != none)
+    {
+      reports[wire.curve].restLength += wire.restLength;
+      reports[wire.curve].flatLength += wire.flatLength;
+      reports[wire.curve].error = std::max(reports[wire.curve].error, wire.maximumEdgeError);
+    }
+  }
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    CurveReport& report = reports[c];
+    report.name = curves[c].name;
+    report.type = curves[c].type;
+    report.tolerance = curves[c].tolerance;
+    double length = 0.0;
+    for (std::size_t k = 0; k + 1 < curves[c].vertices.size(); ++k)
+    {
+      length +=
+        (original.point(curves[c].vertices[k + 1]) - original.point(curves[c].vertices[k])).norm();
+    }
+    // Both banks of a cut are wires, but the curve is one.
+    report.flatLength *= length / report.restLength;
+    report.restLength = length;
+  }
+  return reports;
+}
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Imprint/SurfaceLocator.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+constexpr Index leafSize = 4;
+
+std::array<double, 3> along(int from, int to, double fraction)
+{
+  std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
+  weights[from] = 1.0 - fraction;
+  weights[to] = fraction;
+  return weights;
+}
+
+/// Barycentric coordinates of the closest point of a triangle, by its Voronoi regions
+/// (C. Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
+std::array<double, 3> closestWeights(
+  const Point3& a, const Point3& b, const Point3& c, const Point3& p)
+{
+  const Point3 ab = b - a;
+  const Point3 ac = c - a;
+  const double d1 = ab.dot(p - a);
+  const double d2 = ac.dot(p - a);
+  if (d1 <= 0.0 && d2 <= 0.0)
+  {
+    return along(0, 1, 0.0);
+  }
+  const double d3 = ab.dot(p - b);
+  const double d4 = ac.dot(p - b);
+  if (d3 >= 0.0 && d4 <= d3)
+  {
+    return along(1, 2, 0.0);
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3)
+  {
+    return along(0, 1, d1 / (d1 - d3));
+  }
+  const double d5 = ab.dot(p - c);
+  const double d6 = ac.dot(p - c);
+  if (d6 >= 0.0 && d5 <= d6)
+  {
+    return along(2, 0, 0.0);
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6)
+  {
+    return along(0, 2, d2 / (d2 - d6));
+  }
+  const double va = d3 * d6 - d5 * d4;
+  const double toC = d4 - d3;
+  const double toB = d5 - d6;
+  const double sum = va + vb + vc;
+  if ((va <= 0.0 && toC >= 0.0 && toB >= 0.0 && toC + toB > 0.0) || !(sum > 0.0))
+  {
+    const double whole = toC + toB;
+    return along(1, 2, whole > 0.0 ? std::clamp(toC / whole, 0.0, 1.0) : 0.0);
+  }
+  return { va / sum, vb / sum, vc / sum };
+}
+}
+
+SurfaceLocator::SurfaceLocator(const TriangleMesh& mesh)
+  : Mesh(mesh)
+  , Order(mesh.triangleCount())
+{
+  std::iota(this->Order.begin(), this->Order.end(), 0);
+  Points3 centers(mesh.triangleCount());
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangle(t);
+    centers[t] = (mesh.point(c[0]) + mesh.point(c[1]) + mesh.point(c[2])) / 3.0;
+  }
+  if (!this->Order.empty())
+  {
+    this->Nodes.reserve(this->Order.size());
+    this->build(0, mesh.triangleCount(), centers);
+  }
+}
+
+Index SurfaceLocator::build(Index begin, Index end, const Points3& centers)
+{
+  const Index id = static_cast<Index>(this->Nodes.size());
+  this->Nodes.emplace_back();
+  this->Nodes[id].begin = begin;
+  this->Nodes[id].end = end;
+  Eigen::AlignedBox3d box;
+  if (end - begin <= leafSize)
+  {
+    for (Index i = begin; i < end; ++i)
+    {
+      for (Index v : this->Mesh.triangle(this->Order[i]))
+      {
+        box.extend(this->Mesh.point(v));
+      }
+    }
+    this->Nodes[id].box = box;
+    return id;
+  }
+  for (Index i = begin; i < end; ++i)
+  {
+    box.extend(centers[this->Order[i]]);
+  }
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const Index middle = begin + (end - begin) / 2;
+  std::nth_element(this->Order.begin() + begin, this->Order.begin() + middle,
+    this->Order.begin() + end, [&centers, axis](Index s, Index t) {
+      return centers[s][axis] != centers[t][axis] ? centers[s][axis] < centers[t][axis] : s < t;
+    });
+  const Index left = this->build(begin, middle, centers);
+  const Index right = this->build(middle, end, centers);
+  this->Nodes[id].box = this->Nodes[left].box.merged(this->Nodes[right].box);
+  this->Nodes[id].right = right;
+  return id;
+}
+
+ClosestPoint SurfaceLocator::closest(const Point3& point) const
+{
+  ClosestPoint best;
+  if (this->Nodes.empty())
+  {
+    return best;
+  }
+  double bestSquared = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, Index>> stack;
+  stack.emplace_back(this->Nodes[0].box.squaredExteriorDistance(point), 0);
+  while (!stack.empty())
+  {
+    const auto [bound, id] = stack.back();
+    stack.pop_back();
+    if (bound > bestSquared)
+    {
+      continue;
+    }
+    const Node& node = this->Nodes[id];
+    if (node.right != none)
+    {
+      std::pair<double, Index> left{ this->Nodes[id + 1].box.squaredExteriorDistance(point),
+        id + 1 };
+      std::pair<double, Index> right{ this->Nodes[node.right].box.squaredExteriorDistance(point),
+        node.right };
+      const bool leftFirst = left.first <= right.first;
+      stack.push_back(leftFirst ? right : left);
+      stack.push_back(leftFirst ? left : right);
+      continue;
+    }
+    for (Index i = node.begin; i < node.end; ++i)
+    {
+      const Index t = this->Order[i];
+      const Triangle& c = this->Mesh.triangle(t);
+      const Point3& a = this->Mesh.point(c[0]);
+      const Point3& b = this->Mesh.point(c[1]);
+      const Point3& d = this->Mesh.point(c[2]);
+      const std::array<double, 3> w = closestWeights(a, b, d, point);
+      const Point3 position = w[0] * a + w[1] * b + w[2] * d;
+      const double squared = (position - point).squaredNorm();
+      if (squared < bestSquared || (squared == bestSquared && t < best.triangle))
+      {
+        bestSquared = squared;
+        best = { t, w, position, 0.0 };
+      }
+    }
+  }
+  best.distance = (best.position - point).norm();
+  return best;
+}
+}

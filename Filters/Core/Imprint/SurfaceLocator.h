@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// A point of the surface as a mean of a triangle's corners.
+struct ClosestPoint
+{
+  Index triangle = none;
+  std::array<double, 3> weights{ 1.0, 0.0, 0.0 };
+  Point3 position = Point3::Zero();
+  double distance = 0.0;
+};
+
+/// Finds the point of a surface that is closest to a point in space, with a tree of bounding boxes:
+/// n log n to build, log n a query where the point is near the surface.
+class SurfaceLocator
+{
+public:
+  /// The mesh must outlive the locator.
+  explicit SurfaceLocator(const TriangleMesh& mesh);
+
+  /// The smallest triangle id among equally close ones.
+  ClosestPoint closest(const Point3& point) const;
+
+private:
+  struct Node
+  {
+    Eigen::AlignedBox3d box;
+    Index begin = 0; ///< range in Order; only leaves use it
+    Index end = 0;
+    Index right = none; ///< the left child follows its parent; none in leaves
+  };
+
+  Index build(Index begin, Index end, const Points3& centers);
+
+  const TriangleMesh& Mesh;
+  Indices Order;
+  std::vector<Node> Nodes;
+};
+}

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Imprint/SurfacePoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+SnapDistance::SnapDistance(const TriangleMesh& mesh, double fraction)
+  : Mesh(mesh)
+  , Fraction(fraction)
+{
+  Index edges = 0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (edgeOf(mesh, h) == h)
+    {
+      this->Mean += mesh.length(h);
+      ++edges;
+    }
+  }
+  this->Mean /= std::max<Index>(edges, 1);
+}
+
+double SnapDistance::longestEdge(Index triangle) const
+{
+  return std::max({ this->Mesh.length(3 * triangle), this->Mesh.length(3 * triangle + 1),
+    this->Mesh.length(3 * triangle + 2) });
+}
+
+double SnapDistance::ofFace(Index triangle) const
+{
+  const double longest = this->longestEdge(triangle);
+  const double distance = this->Fraction * std::min(this->Mean, longest);
+  const auto factor = this->Factors.find(triangle);
+  return factor == this->Factors.end() ? distance
+                                       : std::min(distance * factor->second, 0.5 * longest);
+}
+
+double SnapDistance::ofEdge(Index halfedge) const
+{
+  const Index twin = this->Mesh.twin(halfedge);
+  const double here = this->ofFace(halfedge / 3);
+  return twin == none ? here : std::max(here, this->ofFace(twin / 3));
+}
+
+double SnapDistance::ofVertex(Index vertex) const
+{
+  double distance = 0.0;
+  for (Index t : trianglesAround(this->Mesh, vertexPoint(this->Mesh, vertex)))
+  {
+    distance = std::max(distance, this->ofFace(t));
+  }
+  return distance;
+}
+
+void SnapDistance::enlarge(Index triangle)
+{
+  this->Factors.emplace(triangle, 1.0).first->second *= 8.0;
+}
+
+Index edgeOf(const TriangleMesh& mesh, Index halfedge)
+{
+  const Index twin = mesh.twin(halfedge);
+  return twin == none ? halfedge : std::min(halfedge, twin);
+}
+
+SurfacePoint vertexPoint(const TriangleMesh& mesh, Index vertex)
+{
+  return { Carrier::Vertex, vertex, { 1.0, 0.0, 0.0 }, mesh.point(vertex) };
+}
+
+SurfacePoint edgePoint(const TriangleMesh& mesh, Index halfedge, double fraction)
+{
+  const Point3 position =
+    (1.0 - fraction) * mesh.point(mesh.from(halfedge)) + fraction * mesh.point(mesh.to(halfedge));
+  return { Carrier::Edge, halfedge, { 1.0 - fraction, fraction, 0.0 }, position };
+}
+
+SurfacePoint snapToMesh(
+  const TriangleMesh& mesh, const SnapDistance& snap, const ClosestPoint& closest)
+{
+  const Index t = closest.triangle;
+  const Triangle& corners = mesh.triangle(t);
+  auto distanceTo = [&](Index v) { return (mesh.point(v) - closest.position).norm(); };
+  const Index nearest = *std::min_element(corners.begin(), corners.end(),
+    [&](Index v, Index w) { return distanceTo(v) < distanceTo(w); });
+  if (distanceTo(nearest) <= snap.ofVertex(nearest))
+  {
+    return vertexPoint(mesh, nearest);
+  }
+  Index edge = none;
+  double fraction = 0.0;
+  double least = 0.0;
+  for (Index h = 3 * t; h < 3 * t + 3; ++h)
+  {
+    const Point3& from = mesh.point(mesh.from(h));
+    const Point3 side = mesh.point(mesh.to(h)) - from;
+    const double s = std::clamp(side.dot(closest.position - from) / side.squaredNorm(), 0.0, 1.0);
+    const double distance = (from + s * side - closest.position).norm();
+    if (distance <= snap.ofEdge(h) && (edge == none || distance < least))
+    {
+      edge = h;
+      fraction = s;
+      least = distance;
+    }
+  }
+  if (edge == none)
+  {
+    return { Carrier::Face, t, closest.weights, closest.position };
+  }
+  const Index low = edgeOf(mesh, edge);
+  const SurfacePoint point = edgePoint(mesh, low, low == edge ? fraction : 1.0 - fraction);
+  const double length = mesh.length(low);
+  const bool atFrom = point.weights[1] < 0.5;
+  const Index end = atFrom ? mesh.from(low) : mesh.to(low);
+  const double toEnd = length * (atFrom ? point.weights[1] : point.weights[0]);
+  return toEnd <= snap.ofVertex(end) ? vertexPoint(mesh, end) : point;
+}
+
+Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  Indices triangles;
+  if (point.carrier == Carrier::Face)
+  {
+    triangles.push_back(point.id);
+  }
+  else if (point.carrier == Carrier::Edge)
+  {
+    triangles.push_back(point.id / 3);
+    if (mesh.twin(point.id) != none)
+    {
+      triangles.push_back(mesh.twin(point.id) / 3);
+    }
+  }
+  else
+  {
+    const Index first = mesh.outgoing(point.id);
+    for (Index h = first; h != none;)
+    {
+      triangles.push_back(h / 3);
+      h = mesh.counterClockwise(h);
+      if (h == first)
+      {
+        break;
+      }
+    }
+  }
+  return triangles;
+}
+
+bool contains(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point)
+{
+  switch (point.carrier)
+  {
+    case Carrier::Face:
+      return point.id == triangle;
+    case Carrier::Edge:
+      return point.id / 3 == triangle ||
+        (mesh.twin(point.id) != none && mesh.twin(point.id) / 3 == triangle);
+    case Carrier::Vertex:
+      break;
+  }
+  const Triangle& corners = mesh.triangle(triangle);
+  return std::find(corners.begin(), corners.end(), point.id) != corners.end();
+}
+
+Index commonEdge(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  if (a.carrier == Carrier::Face || b.carrier == Carrier::Face)
+  {
+    return none;
+  }
+  if (a.carrier == Carrier::Vertex && b.carrier == Carrier::Vertex)
+  {
+    const Index h = mesh.find(a.id, b.id);
+    return h != none ? h : mesh.find(b.id, a.id);
+  }
+  if (a.carrier == Carrier::Edge && b.carrier == Carrier::Edge)
+  {
+    return a.id == b.id ? a.id : none;
+  }
+  const Index vertex = a.carrier == Carrier::Vertex ? a.id : b.id;
+  const Index edge = a.carrier == Carrier::Vertex ? b.id : a.id;
+  return mesh.from(edge) == vertex || mesh.to(edge) == vertex ? edge : none;
+}
+
+Index commonTriangle(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
+{
+  for (Index t : trianglesAround(mesh, a))
+  {
+    if (contains(mesh, t, b))
+    {
+      return t;
+    }
+  }
+  return none;
+}
+
+Point3 triangleNormal(const TriangleMesh& mesh, Index triangle)
+{
+  const Triangle& c = mesh.triangle(triangle);
+  return areaVector(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])).stableNormalized();
+}
+
+Point3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  Point3 normal = Point3::Zero();
+  for (Index t : trianglesAround(mesh, point))
+  {
+    double weight = 1.0;
+    if (point.carrier == Carrier::Vertex)
+    {
+      const Triangle& c = mesh.triangle(t);
+      const auto corner = std::find(c.begin(), c.end(), point.id) - c.begin();
+      weight = mesh.angle(3 * t + static_cast<Index>(corner));
+    }
+    normal += weight * triangleNormal(mesh, t);
+  }
+  const double size = normal.norm();
+  return size > 0.0 ? Point3(normal / size) : triangleNormal(mesh, trianglesAround(mesh, point)[0]);
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Imprint/SurfaceLocator.h"
+#include "Surface/TriangleMesh.h"
+
+#include <unordered_map>
+
+namespace flattening
+{
+/// The smallest element of the mesh that a point of the surface lies on.
+enum class Carrier
+{
+  Vertex,
+  Edge,
+  Face,
+};
+
+/// A point of the surface, tied to the mesh by ids, not by coordinates alone.
+struct SurfacePoint
+{
+  Carrier carrier = Carrier::Vertex;
+  /// A vertex; a half-edge, the smaller one of its edge; a triangle.
+  Index id = none;
+  /// Weights of the vertex; of from() and to() of the half-edge; of the corners of the triangle.
+  std::array<double, 3> weights{ 1.0, 0.0, 0.0 };
+  Point3 position = Point3::Zero();
+};
+
+/// How near to an element of the mesh a point has to be to move onto it: a fraction of the mean
+/// edge length, or of the local edge length where that is less.
+class SnapDistance
+{
+public:
+  SnapDistance(const TriangleMesh& mesh, double fraction);
+
+  double ofVertex(Index vertex) const;
+  double ofEdge(Index halfedge) const;
+  double ofFace(Index triangle) const;
+  /// Snaps more in a triangle so thin that its parts would have no area.
+  void enlarge(Index triangle);
+
+private:
+  double longestEdge(Index triangle) const;
+
+  const TriangleMesh& Mesh;
+  double Fraction;
+  double Mean = 0.0;
+  std::unordered_map<Index, double> Factors;
+};
+
+/// The smaller half-edge of an edge stands for both.
+Index edgeOf(const TriangleMesh& mesh, Index halfedge);
+SurfacePoint vertexPoint(const TriangleMesh& mesh, Index vertex);
+/// \pre halfedge is the smaller one of its edge.
+SurfacePoint edgePoint(const TriangleMesh& mesh, Index halfedge, double fraction);
+/// The point with what lies within the snap distance taken for its carrier.
+SurfacePoint snapToMesh(
+  const TriangleMesh& mesh, const SnapDistance& snap, const ClosestPoint& closest);
+
+/// The triangles around a point: one, two, or a vertex's fan.
+Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point);
+/// True where the point lies in the closed triangle.
+bool contains(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point);
+/// A half-edge whose closed edge holds both points; none if there is none.
+Index commonEdge(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+/// A triangle that holds both points; none if there is none.
+Index commonTriangle(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+/// Unit normal; at vertices the mean of the triangles' normals weighted by their angles.
+Point3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point);
+Point3 triangleNormal(const TriangleMesh& mesh, Index triangle);
+}

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Imprint/SurfaceSplit.h"
+
+#include "Imprint/ConstrainedDelaunay.h"
+#include "Imprint/SplitNodes.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace flattening
+{
+namespace
+{
+/// What crosses one triangle of the mesh before.
+struct FaceTask
+{
+  Index triangle = none;
+  Indices points; ///< nodes inside
+  std::vector<std::array<Index, 2>> segments;
+  Indices nodeOfVertex; ///< per vertex of the triangulation
+  std::unordered_map<Index, Index> vertexOfNode;
+  std::optional<ConstrainedDelaunay> triangulation;
+};
+
+/// One stretch of a path: along an edge of the mesh before, or through one of its triangles.
+struct Stretch
+{
+  Index from;
+  Index to;
+  Index edge = none;
+  Index task = none;
+};
+
+class Splitter
+{
+public:
+  Splitter(const TriangleMesh& mesh, const SnapDistance& snap)
+    : Mesh(mesh)
+    , Snap(snap)
+    , Nodes(mesh, snap)
+  {
+  }
+
+  void addPath(const SurfacePath& path)
+  {
+    std::vector<Stretch> stretches;
+    Index last = this->nodeOf(path.points[0]);
+    this->Starts.push_back(last);
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    {
+      const Index node = this->nodeOf(path.points[i + 1]);
+      Stretch stretch{ last, node };
+      stretch.edge = commonEdge(this->Mesh, this->Nodes.point(last), this->Nodes.point(node));
+      last = node;
+      if (stretch.from == stretch.to)
+      {
+        continue;
+      }
+      if (stretch.edge == none)
+      {
+        stretch.task = this->taskOf(path.triangles[i]);
+        this->Tasks[stretch.task].segments.push_back({ stretch.from, stretch.to });
+      }
+      stretches.push_back(stretch);
+    }
+    this->Paths.push_back(std::move(stretches));
+  }
+
+  SplitSurface run()
+  {
+    SplitSurface result;
+    for (FaceTask& task : this->Tasks)
+    {
+      if (!this->triangulate(task))
+      {
+        result.failed.push_back(task.triangle);
+      }
+    }
+    result.vertexSource = this->Nodes.numberVertices();
+    this->collectTriangles(result);
+    if (result.failed.empty())
+    {
+      this->collectChains(result);
+      Points3 points = this->Mesh.points();
+      for (std::size_t v = points.size(); v < result.vertexSource.size(); ++v)
+      {
+        points.push_back(this->position(result.vertexSource[v]));
+      }
+      result.mesh = TriangleMesh(std::move(points), std::move(this->Cells));
+    }
+    return result;
+  }
+
+private:
+  Index taskOf(Index triangle)
+  {
+    const auto [place, isNew] =
+      this->TaskOfTriangle.emplace(triangle, static_cast<Index>(this->Tasks.size()));
+    if (isNew)
+    {
+      this->Tasks.emplace_back();
+      this->Tasks.back().triangle = triangle;
+    }
+    return place->second;
+  }
+
+  Index nodeOf(const SurfacePoint& point)
+  {
+    const SplitNodes::Place place = this->Nodes.place(point);
+    if (place.isNew && point.carrier == Carrier::Face)
+    {
+      this->Tasks[this->taskOf(point.id)].points.push_back(place.node);
+    }
+    else if (place.isNew)
+    {
+      for (Index t : trianglesAround(this->Mesh, point))
+      {
+        this->taskOf(t);
+      }
+    }
+    return place.node;
+  }
+
+  bool triangulate(FaceTask& task)
+  {
+    const Index t = task.triangle;
+    const Triangle& corners = this->Mesh.triangle(t);
+    ConstrainedDelaunay triangulation(this->Mesh.point(corners[0]), this->Mesh.point(corners[1]),
+      this->Mesh.point(corners[2]), this->Snap.ofFace(t));
+    std::unordered_map<Index, Index>& local = task.vertexOfNode;
+    for (int k = 0; k < 3; ++k)
+    {
+      local[corners[k]] = k;
+      task.nodeOfVertex.push_back(corners[k]);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      for (const NodeOnEdge& node : this->Nodes.along(3 * t + k))
+      {
+        local[node.node] = triangulation.addSidePoint(k, node.fraction);
+        task.nodeOfVertex.push_back(node.node);
+      }
+    }
+    triangulation.refine();
+    for (Index id : task.points)
+    {
+      const Index vertex = triangulation.addPoint(this->Nodes.point(id).weights);
+      local[id] = vertex;
+      if (vertex < static_cast<Index>(task.nodeOfVertex.size()))
+      {
+        this->Nodes.merge(id, task.nodeOfVertex[vertex]);
+      }
+      else
+      {
+        task.nodeOfVertex.push_back(id);
+      }
+    }
+    bool ok = true;
+    for (std::array<Index, 2>& segment : task.segments)
+    {
+      segment = { local[segment[0]], local[segment[1]] };
+      ok = ok && triangulation.addSegment(segment[0], segment[1]);
+    }
+    triangulation.refine();
+    for (Index v = static_cast<Index>(task.nodeOfVertex.size()); v < triangulation.vertexCount();
+         ++v)
+    {
+      task.nodeOfVertex.push_back(
+        this->Nodes.add({ Carrier::Face, t, triangulation.weights(v), Point3::Zero() }));
+    }
+    task.triangulation.emplace(std::move(triangulation));
+    return ok;
+  }
+
+  Point3 position(const VertexSource& source) const
+  {
+    Point3 sum = Point3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += source.weights[k] * this->Mesh.point(source.vertices[k]);
+    }
+    return sum;
+  }
+
+  void collectTriangles(SplitSurface& result)
+  {
+    this->Cells = this->Mesh.triangles();
+    result.originalTriangle.resize(this->Cells.size());
+    for (std::size_t t = 0; t < this->Cells.size(); ++t)
+    {
+      result.originalTriangle[t] = static_cast<Index>(t);
+    }
+    for (const FaceTask& task : this->Tasks)
+    {
+      const Point3 normal = triangleNormal(this->Mesh, task.triangle);
+      bool first = true;
+      bool good = true;
+      for (const Triangle& cell : task.triangulation->triangles())
+      {
+        Triangle corners;
+        std::array<Point3, 3> p;
+        for (int k = 0; k < 3; ++k)
+        {
+          corners[k] = this->Nodes.vertex(task.nodeOfVertex[cell[k]]);
+          p[k] = this->position(result.vertexSource[corners[k]]);
+        }
+        good = good && hasArea(p, normal);
+        if (first)
+        {
+          this->Cells[task.triangle] = corners;
+          first = false;
+          continue;
+        }
+        this->Cells.push_back(corners);
+        result.originalTriangle.push_back(task.triangle);
+      }
+      if (!good && task.triangulation->triangles().size() > 1)
+      {
+        result.failed.push_back(task.triangle);
+      }
+    }
+  }
+
+  /// Height over longest edge above what prepareSurface() takes for a triangle without area.
+  static bool hasArea(const std::array<Point3, 3>& p, const Point3& normal)
+  {
+    const double longest =
+      std::max({ (p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm() });
+    if (!(longest > 0.0))
+    {
+      return false;
+    }
+    const Point3 u = (p[1] - p[0]) / longest;
+    const Point3 v = (p[2] - p[0]) / longest;
+    return u.cross(v).norm() > 1.01e-12 && u.cross(v).dot(normal) > 0.0;
+  }
+
+  void collectChains(SplitSurface& result) const
+  {
+    for (std::size_t p = 0; p < this->Paths.size(); ++p)
+    {
+      Indices chain{ this->Nodes.vertex(this->Starts[p]) };
+      for (const Stretch& stretch : this->Paths[p])
+      {
+        for (Index node : this->nodesOf(stretch))
+        {
+          if (this->Nodes.vertex(node) != chain.back())
+          {
+            chain.push_back(this->Nodes.vertex(node));
+          }
+        }
+      }
+      result.chains.push_back(std::move(chain));
+    }
+  }
+
+  /// All nodes along a stretch, with both ends.
+  Indices nodesOf(const Stretch& stretch) const
+  {
+    Indices nodes;
+    if (stretch.edge == none)
+    {
+      const FaceTask& task = this->Tasks[stretch.task];
+      const std::unordered_map<Index, Index>& local = task.vertexOfNode;
+      for (Index v : task.triangulation->chain(local.at(stretch.from), local.at(stretch.to)))
+      {
+        nodes.push_back(task.nodeOfVertex[v]);
+      }
+      return nodes;
+    }
+    const Index low = edgeOf(this->Mesh, stretch.edge);
+    const double from = this->fractionAlong(low, stretch.from);
+    const double to = this->fractionAlong(low, stretch.to);
+    nodes.push_back(stretch.from);
+    std::vector<NodeOnEdge> between = this->Nodes.along(low);
+    if (from > to)
+    {
+      std::reverse(between.begin(), between.end());
+    }
+    for (const NodeOnEdge& node : between)
+    {
+      if (node.fraction > std::min(from, to) && node.fraction < std::max(from, to))
+      {
+        nodes.push_back(node.node);
+      }
+    }
+    nodes.push_back(stretch.to);
+    return nodes;
+  }
+
+  double fractionAlong(Index low, Index id) const
+  {
+    const SurfacePoint point = this->Nodes.point(id);
+    return point.carrier == Carrier::Edge ? point.weights[1]
+      : id == this->Mesh.from(low)        ? 0.0
+                                          : 1.0;
+  }
+
+  const TriangleMesh& Mesh;
+  const SnapDistance& Snap;
+  SplitNodes Nodes;
+  std::unordered_map<Index, Index> TaskOfTriangle;
+  std::vector<FaceTask> Tasks;
+  std::vector<std::vector<Stretch>> Paths;
+  Indices Starts;
+  Triangles Cells;
+};
+}
+
+SplitSurface splitSurface(
+  const TriangleMesh& mesh, const SnapDistance& snap, const std::vector<SurfacePath>& paths)
+{
+  Splitter splitter(mesh, snap);
+  for (const SurfacePath& path : paths)
+  {
+    splitter.addPath(path);
+  }
+  return splitter.run();
+}
+}

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Imprint/SurfaceTrace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+namespace flattening
+{
+namespace
+{
+/// Walks along one plane section after the other, each from the last vertex met to the end.
+///
+/// Seen along the walk, vertices left of the plane have negative, those right of it positive
+/// heights; zero counts as positive, so that each section crosses edges only and a walk cannot
+/// branch. What is near a vertex is snapped to it afterwards.
+class SectionWalk
+{
+public:
+  SectionWalk(const TriangleMesh& mesh, const SnapDistance& snap, const SurfacePoint& end,
+    const Point3& normal)
+    : Mesh(mesh)
+    , Snap(snap)
+    , End(end)
+    , Normal(normal)
+  {
+  }
+
+  SurfacePath run(const SurfacePoint& start)
+  {
+    this->Path.points = { start };
+    while (this->advance())
+    {
+    }
+    return std::move(this->Path);
+  }
+
+private:
+  struct Exit
+  {
+    Index halfedge = none; ///< crossed by the section
+    Index vertex = none;   ///< or gone to
+  };
+
+  double height(Index v) const { return this->Plane.dot(this->Mesh.point(v) - this->Anchor); }
+  bool rightOf(Index v) const { return this->height(v) >= 0.0; }
+  bool crossesForward(Index h) const
+  {
+    return this->rightOf(this->Mesh.from(h)) && !this->rightOf(this->Mesh.to(h));
+  }
+
+  Point3 crossing(Index h) const
+  {
+    const double s = this->fraction(h);
+    return (1.0 - s) * this->Mesh.point(this->Mesh.from(h)) +
+      s * this->Mesh.point(this->Mesh.to(h));
+  }
+
+  double fraction(Index h) const
+  {
+    const double from = this->height(this->Mesh.from(h));
+    const double to = this->height(this->Mesh.to(h));
+    return from / (from - to);
+  }
+
+  void push(const SurfacePoint& point, Index triangle)
+  {
+    this->Path.points.push_back(point);
+    this->Path.triangles.push_back(triangle);
+  }
+
+  bool finish(Index triangle)
+  {
+    this->push(this->End, triangle);
+    this->Path.arrived = true;
+    return false;
+  }
+
+  /// The vertex of the edge that the section passes within the snap distance, if any; none that
+  /// lies behind, so that the path never turns back.
+  Index vertexNear(Index h) const
+  {
+    const Point3& last = this->Path.points.back().position;
+    const Point3 cross = this->crossing(h);
+    Index near = none;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index v : { this->Mesh.from(h), this->Mesh.to(h) })
+    {
+      const Point3& point = this->Mesh.point(v);
+      const double distance = (point - cross).norm();
+      if (std::abs(this->height(v)) <= this->Snap.ofVertex(v) && distance < least &&
+        (point - last).dot(cross - last) > 0.0)
+      {
+        near = v;
+        least = distance;
+      }
+    }
+    return near;
+  }
+
+  /// One section, up to the end or to a vertex; false where the walk is over.
+  bool advance()
+  {
+    const SurfacePoint here = this->Path.points.back();
+    const Index shared = commonTriangle(this->Mesh, here, this->End);
+    if (shared != none)
+    {
+      return this->finish(shared);
+    }
+    const Point3 plane = (this->End.position - here.position).cross(this->Normal);
+    const double size = plane.norm();
+    if (!(size > 1e-6 * (this->End.position - here.position).norm()))
+    {
+      return false;
+    }
+    this->Plane = plane / size;
+    this->Anchor = here.position;
+
+    Index triangle = none;
+    Exit exit = this->leave(here, triangle);
+    for (Index steps = 0; steps <= this->Mesh.halfedgeCount(); ++steps)
+    {
+      const Index h = exit.halfedge;
+      const Index vertex = h == none ? exit.vertex : this->vertexNear(h);
+      if (vertex != none)
+      {
+        this->push(vertexPoint(this->Mesh, vertex), triangle);
+        return this->Visited.insert(vertex).second;
+      }
+      if (h == none)
+      {
+        this->Path.atBoundary = this->onBoundary(here);
+        return false;
+      }
+      const Index low = edgeOf(this->Mesh, h);
+      const double s = this->fraction(h);
+      this->push(edgePoint(this->Mesh, low, low == h ? s : 1.0 - s), triangle);
+      const Index entry = this->Mesh.twin(h);
+      if (entry == none)
+      {
+        this->Path.atBoundary = true;
+        return false;
+      }
+      triangle = entry / 3;
+      if (contains(this->Mesh, triangle, this->End))
+      {
+        return this->finish(triangle);
+      }
+      const Index next = TriangleMesh::next(entry);
+      exit.halfedge = this->crossesForward(next) ? next : TriangleMesh::next(next);
+    }
+    return false;
+  }
+
+  bool onBoundary(const SurfacePoint& point) const
+  {
+    switch (point.carrier)
+    {
+      case Carrier::Vertex:
+        return this->Mesh.onBoundary(point.id);
+      case Carrier::Edge:
+        return this->Mesh.twin(point.id) == none;
+      case Carrier::Face:
+        break;
+    }
+    return false;
+  }
+
+  /// How the section leaves the triangles around a point, most nearly in the walk's direction.
+  Exit leave(const SurfacePoint& here, Index& triangle) const
+  {
+    const Point3 forward = normalAt(this->Mesh, here).cross(this->Plane);
+    auto progress = [&forward, &here](const Point3& to) {
+      const Point3 way = to - here.position;
+      const double length = way.norm();
+      return length > 0.0 ? forward.dot(way) / length : -2.0;
+    };
+    Exit best;
+    double most = -2.0;
+    const Indices around = trianglesAround(this->Mesh, here);
+    for (Index t : around)
+    {
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        if (this->crossesForward(h) && !this->carries(h, here) &&
+          progress(this->crossing(h)) > most)
+        {
+          most = progress(this->crossing(h));
+          best.halfedge = h;
+          triangle = t;
+        }
+      }
+    }
+    if (best.halfedge != none)
+    {
+      return best;
+    }
+    // On the boundary, rounding can put the section outside of the surface all along an edge.
+    most = 0.0;
+    for (Index t : around)
+    {
+      for (Index v : this->Mesh.triangle(t))
+      {
+        const Point3& point = this->Mesh.point(v);
+        if (std::abs(this->height(v)) <= this->Snap.ofVertex(v) && progress(point) > most)
+        {
+          most = progress(point);
+          best.vertex = v;
+          triangle = t;
+        }
+      }
+    }
+    return best;
+  }
+
+  bool carries(Index h, const SurfacePoint& point) const
+  {
+    switch (point.carrier)
+    {
+      case Carrier::Vertex:
+        return this->Mesh.from(h) == point.id || this->Mesh.to(h) == point.id;
+      case Carrier::Edge:
+        return edgeOf(this->Mesh, h) == point.id;
+      case Carrier::Face:
+        break;
+    }
+    return false;
+  }
+
+  const TriangleMesh& Mesh;
+  const SnapDistance& Snap;
+  const SurfacePoint& End;
+  Point3 Normal;
+  Point3 Plane = Point3::Zero();
+  Point3 Anchor = Point3::Zero();
+  std::unordered_set<Index> Visited;
+  SurfacePath Path;
+};
+}
+
+SurfacePath traceSegment(const TriangleMesh& mesh, const SnapDistance& snap,
+  const SurfacePoint& start, const SurfacePoint& end)
+{
+  const Point3 atStart = normalAt(mesh, start);
+  const Point3 atEnd = normalAt(mesh, end);
+  const Point3 along = end.position - start.position;
+  const Point3 sideways = along.norm() > 0.0 ? along.unitOrthogonal() : atStart;
+  SurfacePath first;
+  for (const Point3& normal : { Point3(atStart + atEnd), atStart, atEnd, sideways })
+  {
+    const double size = normal.norm();
+    if (!(size > 1e-6))
+    {
+      continue;
+    }
+    SurfacePath path = SectionWalk(mesh, snap, end, normal / size).run(start);
+    if (path.arrived)
+    {
+      return path;
+    }
+    if (first.points.empty())
+    {
+      first = std::move(path);
+    }
+  }
+  if (first.points.empty())
+  {
+    first.points = { start };
+  }
+  return first;
+}
+}

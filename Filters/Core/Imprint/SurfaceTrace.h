@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Imprint/SurfacePoint.h"
+
+namespace flattening
+{
+/// A path over the surface, straight in each triangle.
+struct SurfacePath
+{
+  std::vector<SurfacePoint> points;
+  /// triangles[i] holds points[i] and points[i + 1].
+  Indices triangles;
+  bool arrived = false;
+  /// It did not arrive, because it met the boundary at points.back().
+  bool atBoundary = false;
+};
+
+/// Lays a straight segment onto the surface: the section of the surface with the plane through both
+/// ends and the surface's normal there (the mean of both; where that fails, that at one end, or
+/// sideways). In one triangle it is the straight segment itself.
+///
+/// A section that passes a vertex within the snap distance goes through the vertex.
+SurfacePath traceSegment(const TriangleMesh& mesh, const SnapDistance& snap,
+  const SurfacePoint& start, const SurfacePoint& end);
+}

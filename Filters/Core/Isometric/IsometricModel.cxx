@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isometric/IsometricModel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Weight of the angles in a piece of so many triangles. The energy of one bend is in units of the
+/// mean triangle, so halving all edges would make wires eight times as easy to bend, until they
+/// crumple; above this count they stay as stiff as with it.
+double scaledAngleWeight(double weight, double triangles)
+{
+  constexpr double referenceCount = 3000.0;
+  return weight * std::pow(std::max(1.0, triangles / referenceCount), 1.5);
+}
+
+Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
+{
+  return x.segment<2>(2 * v);
+}
+}
+
+IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
+  const DistortionEnergy& energy, double angleWeight)
+  : Problem(problem)
+  , Cells(piece.mesh.triangles())
+  , Energy(energy)
+  , AngleWeight(scaledAngleWeight(angleWeight, piece.mesh.triangleCount()))
+  , CoordinateCount(2 * piece.mesh.vertexCount())
+  , Assembler(0)
+{
+  const TriangleMesh& mesh = piece.mesh;
+  double sum = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    sum += mesh.area(t);
+  }
+  const double mean = sum / mesh.triangleCount();
+  this->Unit = std::sqrt(mean);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangle(t);
+    this->Frames.emplace_back(
+      mesh.point(c[0]) / this->Unit, mesh.point(c[1]) / this->Unit, mesh.point(c[2]) / this->Unit);
+  }
+  const WireNetwork& net = *problem.network;
+  for (Index e = 0; e < net.edgeCount(); ++e)
+  {
+    if (!net.edges[e].connector)
+    {
+      this->LengthEdges.push_back(e);
+      this->Length.push_back(problem.length[e] / this->Unit);
+    }
+  }
+  double farthest = -1.0;
+  this->FixedVertices[0] = net.vertex.front();
+  for (Index v : net.hostVertices)
+  {
+    const double d = (mesh.point(v) - mesh.point(this->FixedVertices[0])).squaredNorm();
+    if (d > farthest)
+    {
+      farthest = d;
+      this->FixedVertices[1] = v;
+    }
+  }
+  this->addNodes();
+  this->declareEntries();
+}
+
+void IsometricModel::addNodes()
+{
+  const WireNetwork& net = *this->Problem.network;
+  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+  {
+    // Where all nodes of an interior vertex are locked, the last follows from the others.
+    Index lockedHere = 0;
+    const Index count = net.vertexNodeBegin[host + 1] - net.vertexNodeBegin[host];
+    for (Index k = net.vertexNodeBegin[host]; k < net.vertexNodeBegin[host + 1]; ++k)
+    {
+      const Index i = net.vertexNodes[k];
+      const Index in = net.edge[net.previous[i]];
+      const Index out = net.edge[i];
+      if (in == out || net.edges[in].connector || net.edges[out].connector)
+      {
+        continue;
+      }
+      Node node{ net.vertex[net.previous[i]], net.vertex[i], net.endVertex(i),
+        this->Problem.target[i], this->Problem.weight[i] * this->AngleWeight };
+      if (this->Problem.locks.locked[i])
+      {
+        ++lockedHere;
+        if (!net.interior[host] || lockedHere < count)
+        {
+          node.target = this->Problem.locks.angle[i];
+          this->LockedNodes.push_back(node);
+        }
+      }
+      else if (node.weight > 0.0)
+      {
+        this->Nodes.push_back(node);
+      }
+    }
+  }
+}
+
+void IsometricModel::declareEntries()
+{
+  const Index n = this->unknownCount();
+  this->Assembler = SymmetricAssembler(n + this->constraintCount());
+  this->Assembler.reserve(21 * (this->Cells.size() + this->Nodes.size()) +
+    15 * this->LengthEdges.size() + 27 * this->LockedNodes.size() +
+    2 * static_cast<std::size_t>(n + this->constraintCount()));
+  auto declareBlock = [this](const Index* unknown, int size) {
+    for (int a = 0; a < size; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        this->Assembler.declare(unknown[a], unknown[b]);
+      }
+    }
+  };
+  Index next = 0;
+  this->TriangleEntries = next;
+  for (const Triangle& c : this->Cells)
+  {
+    const Index unknown[6] = { 2 * c[0], 2 * c[0] + 1, 2 * c[1], 2 * c[1] + 1, 2 * c[2],
+      2 * c[2] + 1 };
+    declareBlock(unknown, 6);
+    next += 21;
+  }
+  auto nodeUnknowns = [](const Node& node) {
+    return std::array<Index, 6>{ 2 * node.before, 2 * node.before + 1, 2 * node.at, 2 * node.at + 1,
+      2 * node.after, 2 * node.after + 1 };
+  };
+  this->NodeEntries = next;
+  for (const Node& node : this->Nodes)
+  {
+    declareBlock(nodeUnknowns(node).data(), 6);
+    next += 21;
+  }
+  const WireNetwork& net = *this->Problem.network;
+  this->LengthEntries = next;
+  for (std::size_t c = 0; c < this->LengthEdges.size(); ++c)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[c]];
+    const Index unknown[4] = { 2 * edge.from, 2 * edge.from + 1, 2 * edge.to, 2 * edge.to + 1 };
+    const Index row = n + static_cast<Index>(c);
+    declareBlock(unknown, 4);
+    for (Index u : unknown)
+    {
+      this->Assembler.declare(row, u);
+    }
+    const Index group = this->Problem.stretchGroup[this->LengthEdges[c]];
+    this->Assembler.declare(row, group == none ? row : this->CoordinateCount + group);
+    next += 15;
+  }
+  this->LockedEntries = next;
+  for (std::size_t c = 0; c < this->LockedNodes.size(); ++c)
+  {
+    const auto unknown = nodeUnknowns(this->LockedNodes[c]);
+    declareBlock(unknown.data(), 6);
+    for (Index u : unknown)
+    {
+      this->Assembler.declare(n + this->lengthCount() + static_cast<Index>(c), u);
+    }
+    next += 27;
+  }
+  this->GroupEntries = next;
+  next += this->groupCount();
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    this->Assembler.declare(this->CoordinateCount + g, this->CoordinateCount + g);
+  }
+  this->DiagonalEntries = next;
+  for (Index k = 0; k < n + this->constraintCount(); ++k)
+  {
+    this->Assembler.declare(k, k);
+  }
+  next += n + this->constraintCount();
+  this->MotionEntries = next;
+  const Index far = this->FixedVertices[1];
+  const Index across[2] = { 2 * far, 2 * far + 1 };
+  declareBlock(across, 2);
+  this->Assembler.finish();
+  this->TriangleValues.resize(this->Cells.size());
+  this->TriangleGradients.resize(this->Cells.size());
+  this->LengthRows.resize(this->LengthEdges.size());
+  this->LockedRows.resize(this->LockedNodes.size());
+}
+
+Eigen::VectorXd IsometricModel::unknowns(
+  const Points2& positions, const std::vector<double>& stretch) const
+{
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(this->unknownCount());
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    x.segment<2>(2 * static_cast<Eigen::Index>(v)) = positions[v] / this->Unit;
+  }
+  for (std::size_t g = 0; g < stretch.size(); ++g)
+  {
+    x[this->CoordinateCount + static_cast<Eigen::Index>(g)] = stretch[g];
+  }
+  return x;
+}
+
+Points2 IsometricModel::positions(const Eigen::VectorXd& x) const
+{
+  Points2 result(this->CoordinateCount / 2);
+  for (std::size_t v = 0; v < result.size(); ++v)
+  {
+    result[v] = this->Unit * pointOf(x, static_cast<Index>(v));
+  }
+  return result;
+}
+
+std::vector<double> IsometricModel::stretches(const Eigen::VectorXd& x) const
+{
+  return { x.data() + this->CoordinateCount, x.data() + this->unknownCount() };
+}
+
+Eigen::Vector4d IsometricModel::mapParts(Index t, const Eigen::VectorXd& x) const
+{
+  Eigen::Matrix<double, 6, 1> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.segment<2>(2 * k) = pointOf(x, this->Cells[t][k]);
+  }
+  return mapPartsDerivative(this->Frames[t]) * corners;
+}
+
+/// The interior angle to the left of the path before - at - after, on the branch next to its
+/// target.
+double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) const
+{
+  const Eigen::Vector2d in = pointOf(x, node.at) - pointOf(x, node.before);
+  const Eigen::Vector2d out = pointOf(x, node.after) - pointOf(x, node.at);
+  const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+  const double angle = pi - turn;
+  return angle + 2.0 * pi * std::round((node.target - angle) / (2.0 * pi));
+}
+
+IsometricModel::Terms IsometricModel::objective(
+  const Eigen::VectorXd& x, const Execution& execution) const
+{
+  // Summed in the triangles' order, whatever the threads.
+  std::vector<double> density(this->Cells.size());
+  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      density[t] =
+        this->Frames[t].area * distortionEnergyDensity(this->Energy, this->mapParts(t, x));
+    }
+  });
+  Terms terms;
+  for (double d : density)
+  {
+    terms.sheet += d;
+  }
+  for (const Node& node : this->Nodes)
+  {
+    const double d = this->nodeAngle(node, x) - node.target;
+    terms.angles += node.weight * d * d;
+  }
+  terms.total = terms.sheet + terms.angles;
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    const double h = x[this->CoordinateCount + g];
+    terms.total += 0.5 * this->Problem.groups[g].weight * h * h;
+  }
+  return terms;
+}
+
+Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem.network;
+  Eigen::VectorXd c(this->constraintCount());
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
+    const double stretch = group == none ? 1.0 : 1.0 + x[this->CoordinateCount + group];
+    c[k] = (pointOf(x, edge.to) - pointOf(x, edge.from)).norm() - stretch * this->Length[k];
+  }
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    c[this->lengthCount() + static_cast<Index>(k)] =
+      this->nodeAngle(this->LockedNodes[k], x) - this->LockedNodes[k].target;
+  }
+  return c;
+}
+
+void IsometricModel::shift(double tau)
+{
+  for (Index k = 0; k < this->CoordinateCount; ++k)
+  {
+    this->Assembler.add(this->DiagonalEntries + k, tau);
+  }
+}
+
+void IsometricModel::fixMotion(const Eigen::VectorXd& x)
+{
+  const Index near = this->FixedVertices[0];
+  const Eigen::Vector2d d = pointOf(x, this->FixedVertices[1]) - pointOf(x, near);
+  const Eigen::Vector2d across = Eigen::Vector2d(-d.y(), d.x()).normalized();
+  this->Assembler.add(this->DiagonalEntries + 2 * near, 1.0);
+  this->Assembler.add(this->DiagonalEntries + 2 * near + 1, 1.0);
+  this->Assembler.add(this->MotionEntries, across.x() * across.x());
+  this->Assembler.add(this->MotionEntries + 1, across.x() * across.y());
+  this->Assembler.add(this->MotionEntries + 2, across.y() * across.y());
+}
+
+void IsometricModel::hold(Index group)
+{
+  this->Assembler.add(this->GroupEntries + group, heldStiffness);
+}
+
+Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
+{
+  const WireNetwork& net = *this->Problem.network;
+  // The ends of a wire-node's two edges are coupled as if a triangle joined them.
+  Triangles cliques = this->Cells;
+  for (const std::vector<Node>* nodes : { &this->Nodes, &this->LockedNodes })
+  {
+    for (const Node& node : *nodes)
+    {
+      cliques.push_back({ node.before, node.at, node.after });
+    }
+  }
+  Points3 positions;
+  for (Index v = 0; v < this->CoordinateCount / 2; ++v)
+  {
+    positions.emplace_back(x[2 * v], x[2 * v + 1], 0.0);
+  }
+  const Dissection dissection = dissect(cliques, positions);
+  const Indices& vertices = dissection.order;
+  Indices place(vertices.size());
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+  {
+    place[vertices[k]] = static_cast<Index>(k);
+  }
+  std::vector<Indices> constraintsAfter(vertices.size());
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    constraintsAfter[std::max(place[edge.from], place[edge.to])].push_back(k);
+  }
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    const Node& node = this->LockedNodes[k];
+    constraintsAfter[std::max({ place[node.before], place[node.at], place[node.after] })].push_back(
+      this->lengthCount() + static_cast<Index>(k));
+  }
+  Dissection result = dissection.replaced([&](Index k, Indices& order) {
+    order.push_back(2 * vertices[k]);
+    order.push_back(2 * vertices[k] + 1);
+    for (Index constraint : constraintsAfter[k])
+    {
+      order.push_back(this->unknownCount() + constraint);
+    }
+  });
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    result.order.push_back(this->CoordinateCount + g);
+  }
+  result.endRange(static_cast<Index>(result.order.size()));
+  return result;
+}
+}

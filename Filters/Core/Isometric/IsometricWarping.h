@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Cut/SurfaceCut.h"
+#include "Isometric/IsometricModel.h"
+
+namespace flattening
+{
+struct IsometricOptions
+{
+  DistortionEnergy energy;
+  /// Weight w of the wires' angles against the sheet's energy, 0 to 100: what a squared change of a
+  /// wire-node's angle by one radian costs, in the energy of a triangle of mean area. Lengths alone
+  /// would let wires buckle between their nodes; the larger it is, the nearer are the wires' angles
+  /// to those on the surface. In pieces of more than 3000 triangles it grows with their number to
+  /// the power 1.5, so that a finer mesh of the same surface gives the same shape.
+  double angleWeight = 5.0;
+  int maximumIterations = 100;
+  /// Stop when lengths hold to 1e-10 of the mean edge and the gradient of the Lagrangian, relative
+  /// to the root of the energy, is below the tolerance, or the energy that a further step promises,
+  /// relative to the energy, below its square; or when a whole Newton step moved no vertex by more
+  /// than 1e-10 of the mean edge and left lengths to 1e-8.
+  double tolerance = 1e-9;
+};
+
+struct IsometricIteration
+{
+  double energy = 0.0;
+  double constraint = 0.0; ///< largest length error, in units of the mean edge
+  double optimality = 0.0; ///< largest entry of the gradient of the Lagrangian
+  double step = 0.0;       ///< largest move of a vertex, in the same unit
+  bool exact = false;      ///< exact Hessian, or its convex part
+};
+
+struct IsometricSolution
+{
+  Points2 positions;
+  std::vector<double> stretch;   ///< h per stretch group
+  double distortionEnergy = 0.0; ///< sum of the density times area over the mean area
+  double angleEnergy = 0.0;      ///< w sum (theta - alpha)^2
+  int iterations = 0;
+  std::vector<IsometricIteration> history;
+  /// Ok, NotConverged (the positions are the best found), Cancelled.
+  Status status;
+};
+
+/// Solves for wires and interior together: all vertices move, every rigid wire edge keeps its
+/// length.
+///
+/// Sequential quadratic programming from the given positions, which the other schemes provide: the
+/// exact Hessian of the Lagrangian where it is convex on the tangent space of the constraints (read
+/// from the inertia of the KKT matrix), its convex part where not, an L1 merit function with
+/// second-order correction, and last a minimum-norm Newton iteration on the lengths alone.
+IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,
+  const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
+  const Execution& execution);
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Quality/FlatteningQuality.h"
+
+#include "Quality/SurfaceDevelopability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+/// Angles of a triangle in the plane, whichever way it turns.
+std::array<double, 3> cornerAngles(const Point2& a, const Point2& b, const Point2& c)
+{
+  // Edge k lies opposite to corner k.
+  const std::array<Point2, 3> edge{ c - b, a - c, b - a };
+  const auto angle = [&edge](int k) {
+    const Point2& u = edge[(k + 1) % 3];
+    const Point2& v = edge[(k + 2) % 3];
+    return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), -u.dot(v));
+  };
+  // The largest angle, of pi / 3 or more, loses nothing as what the others leave of pi.
+  int largest = edge[1].squaredNorm() > edge[0].squaredNorm() ? 1 : 0;
+  largest = edge[2].squaredNorm() > edge[largest].squaredNorm() ? 2 : largest;
+  const int next = (largest + 1) % 3;
+  const int last = (largest + 2) % 3;
+  std::array<double, 3> angles{};
+  angles[next] = angle(next);
+  angles[last] = angle(last);
+  const bool collapsed = !(angles[next] > 0.0 && angles[last] > 0.0);
+  angles[largest] = collapsed ? angle(largest) : pi - angles[next] - angles[last];
+  return angles;
+}
+
+TriangleQuality measureTriangle(
+  const TriangleMesh& mesh, const SurfaceMeasures& surface, const Points2& positions, Index t)
+{
+  const Triangle& corner = mesh.triangle(t);
+  const TriangleFrame& frame = surface.frames[t];
+  std::array<Complex, 3> image;
+  for (int k = 0; k < 3; ++k)
+  {
+    image[k] = Complex(positions[corner[k]].x(), positions[corner[k]].y());
+  }
+
+  TriangleQuality quality;
+  quality.largeStretch =
+    std::sqrt(std::norm(frame.alpha(image))) + std::sqrt(std::norm(frame.beta(image)));
+  if (frame.area > 0.0 && quality.largeStretch > 0.0)
+  {
+    quality.areaRatio =
+      0.5 * (std::conj(image[1] - image[0]) * (image[2] - image[0])).imag() / frame.area;
+    // |alpha| - |beta| would lose all digits of a collapsed triangle.
+    quality.smallStretch = quality.areaRatio / quality.largeStretch;
+    quality.aspectRatio = quality.smallStretch / quality.largeStretch;
+  }
+  if (quality.areaRatio > 0.0)
+  {
+    quality.homogeneity = quality.areaRatio < 1.0 ? quality.areaRatio : 1.0 / quality.areaRatio;
+  }
+  const std::array<double, 3> flat =
+    cornerAngles(positions[corner[0]], positions[corner[1]], positions[corner[2]]);
+  for (int k = 0; k < 3; ++k)
+  {
+    const double angle = surface.angles[3 * t + k];
+    quality.angleError += angle > 0.0 ? std::abs(flat[k] - angle) / angle / 3.0 : 0.0;
+  }
+  return quality;
+}
+
+void summarizeTriangles(const std::vector<TriangleFrame>& frames,
+  const std::vector<TriangleQuality>& triangles, QualitySummary& summary)
+{
+  double smallestArea = std::numeric_limits<double>::max();
+  double largestArea = std::numeric_limits<double>::lowest();
+  double smallestStretch = std::numeric_limits<double>::max();
+  double largestStretch = 0.0;
+  double area = 0.0;
+  double change = 0.0;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const TriangleQuality& q = triangles[t];
+    smallestArea = std::min(smallestArea, q.areaRatio);
+    largestArea = std::max(largestArea, q.areaRatio);
+    smallestStretch = std::min(smallestStretch, q.smallStretch);
+    largestStretch = std::max(largestStretch, q.largeStretch);
+    const double a = frames[t].area;
+    area += a;
+    change += a * std::abs(q.areaRatio - 1.0);
+    summary.angleError += q.angleError;
+    if (!(q.areaRatio > 0.0))
+    {
+      summary.flipped.push_back(static_cast<Index>(t));
+    }
+  }
+  summary.angleError /= static_cast<double>(std::max<std::size_t>(triangles.size(), 1));
+  if (area > 0.0)
+  {
+    summary.areaError = change / area;
+  }
+  if (largestStretch > 0.0)
+  {
+    // Where all triangles are turned over there is no positive ratio to divide by.
+    const double scale = largestArea > 0.0 ? largestArea : std::abs(smallestArea);
+    summary.globalHomogeneity = scale > 0.0 ? smallestArea / scale : 0.0;
+    summary.globalAspectRatio = smallestStretch / largestStretch;
+  }
+}
+}
+
+SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execution)
+{
+  SurfaceMeasures measures;
+  measures.angles = cornerAngles(mesh, execution);
+  measures.frames.resize(mesh.triangleCount());
+  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      const Triangle& c = mesh.triangle(t);
+      measures.frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+    }
+  });
+  return measures;
+}
+
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
+  const Indices& edges, const Execution& execution)
+{
+  return measureFlattening(mesh, measureSurface(mesh, execution), positions, edges, execution);
+}
+
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasures& surface,
+  const Points2& positions, const Indices& edges, const Execution& execution)
+{
+  FlatteningQuality quality;
+  quality.triangles.resize(mesh.triangleCount());
+  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      quality.triangles[t] = measureTriangle(mesh, surface, positions, t);
+    }
+  });
+  // Sums in the order of the triangles do not depend on the threads.
+  summarizeTriangles(surface.frames, quality.triangles, quality.summary);
+  for (Index h : edges)
+  {
+    const double length = mesh.length(h);
+    const double flat = (positions[mesh.to(h)] - positions[mesh.from(h)]).norm();
+    const double error = length > 0.0 ? std::abs(flat - length) / length : 0.0;
+    quality.summary.edgeLengthError += error;
+    quality.summary.maximumEdgeLengthError =
+      std::max(quality.summary.maximumEdgeLengthError, error);
+  }
+  quality.summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
+  return quality;
+}
+
+Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
+{
+  Index count = 0;
+  for (const Triangle& c : mesh.triangles())
+  {
+    const Point2 u = positions[c[1]] - positions[c[0]];
+    const Point2 v = positions[c[2]] - positions[c[0]];
+    count += u.x() * v.y() - u.y() * v.x() > 0.0 ? 0 : 1;
+  }
+  return count;
+}
+}

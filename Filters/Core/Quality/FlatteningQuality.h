@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+#include "Surface/TriangleFrame.h"
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// Measures of one flat triangle. J maps the triangle's plane in space to the plane, S >= s are its
+/// singular values.
+struct TriangleQuality
+{
+  double areaRatio = 0.0;    ///< a = A2D / A3D, signed
+  double homogeneity = 0.0;  ///< min(a, 1 / a); 0 where a <= 0
+  double aspectRatio = 0.0;  ///< s / S, negative where flipped
+  double angleError = 0.0;   ///< mean of |angle2D - angle3D| / angle3D over its corners
+  double smallStretch = 0.0; ///< s, negative where flipped
+  double largeStretch = 0.0; ///< S
+};
+
+/// Measures of a flattening as a whole (Eqs. 26, 27).
+struct QualitySummary
+{
+  double edgeLengthError = 0.0;        ///< E_len, Eq. 26, over the given edges
+  double maximumEdgeLengthError = 0.0; ///< largest |l - l0| / l0
+  double angleError = 0.0;             ///< E_ang, Eq. 27
+  double globalHomogeneity = 0.0; ///< E_h = min a / max a, not positive where a triangle is flipped
+  double globalAspectRatio = 0.0; ///< E_r = min s / max S
+  double areaError = 0.0;         ///< E_area = sum |A2D - A3D| / sum A3D
+  Indices flipped;                ///< triangles with a <= 0
+};
+
+struct FlatteningQuality
+{
+  std::vector<TriangleQuality> triangles;
+  QualitySummary summary;
+};
+
+/// What a flattening is measured by: the surface's own angles and areas.
+struct SurfaceMeasures
+{
+  std::vector<double> angles;        ///< TriangleMesh::angle() of each half-edge
+  std::vector<TriangleFrame> frames; ///< by triangle
+};
+
+SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execution);
+
+/// Measures any flattening of a mesh. Areas are signed as the positions are given: a map that
+/// mirrors the whole surface counts as flipped everywhere, so mirror its positions first. A
+/// triangle without area in space has areaRatio 0. \param edges half-edges whose length counts for
+/// E_len.
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& positions,
+  const Indices& edges, const Execution& execution);
+/// The same where the surface has been measured before.
+FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasures& surface,
+  const Points2& positions, const Indices& edges, const Execution& execution);
+
+/// Triangles that are turned over, or have no area.
+Index countFlipped(const TriangleMesh& mesh, const Points2& positions);
+}

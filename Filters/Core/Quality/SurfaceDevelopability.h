@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// E_dev of Eq. 25, in radians: how far the sum of the angles around each interior vertex is from
+/// 2 pi; 0 on the boundary, where any sum can lie flat.
+/// \param angles TriangleMesh::angle() of each half-edge.
+std::vector<double> surfaceDevelopability(
+  const TriangleMesh& mesh, const std::vector<double>& angles);
+
+/// TriangleMesh::angle() of each half-edge, in radians.
+std::vector<double> cornerAngles(const TriangleMesh& mesh, const Execution& execution);
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+
+#include <Eigen/Core>
+
+namespace flattening
+{
+/// The columns of one supernode, one after the other, of which the lower triangle counts.
+template <typename Value>
+struct FrontColumns
+{
+  Value* values = nullptr;
+  Index size = 0;    ///< rows, those of the diagonal block included
+  Index columns = 0; ///< of the diagonal block
+
+  Index rows() const { return this->size - this->columns; } ///< below the diagonal block
+  Value* column(Index k) const { return this->values + std::size_t(k) * std::size_t(this->size); }
+};
+using DenseFront = FrontColumns<double>;
+using ConstDenseFront = FrontColumns<const double>;
+
+/// L D L^T of the columns of a front in place, D on the diagonal, and what they do to the rows
+/// below: their lower triangle is subtracted from `update`, rows x rows. False where a pivot is
+/// zero or not finite.
+bool eliminateFront(const DenseFront& front, double* update, const Execution& execution);
+
+/// Right-hand sides that are solved together, so that L is read once; each as long as the front.
+using FrontVectors = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+/// Solves L x = w in the columns of a front and takes them out of the rows below.
+void substituteForward(const ConstDenseFront& front, FrontVectors w);
+/// Solves L^T x = w in the columns of a front, the rows below being known.
+void substituteBackward(const ConstDenseFront& front, FrontVectors w);
+}

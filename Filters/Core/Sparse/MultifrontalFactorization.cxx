@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sparse/MultifrontalFactorization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+constexpr std::size_t taskCount = 16;
+constexpr std::size_t roundSize = 4; ///< tasks between two questions whether to go on
+
+double work(const SupernodalStructure::Supernode& node)
+{
+  const double front = node.frontSize();
+  return front * front * node.columnCount();
+}
+
+}
+
+void MultifrontalFactorization::analyze(
+  const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection)
+{
+  this->Structure = SupernodalStructure(matrix, dissection);
+  this->Diagonal.resize(this->Structure.size());
+  this->chooseTasks();
+}
+
+/// Takes the subtrees with the most work apart until there is enough to share out.
+void MultifrontalFactorization::chooseTasks()
+{
+  const std::vector<Supernode>& nodes = this->Structure.supernodes();
+  std::vector<double> subtree(nodes.size());
+  Indices roots;
+  double total = 0.0;
+  for (std::size_t s = 0; s < nodes.size(); ++s)
+  {
+    subtree[s] = work(nodes[s]);
+    for (Index child : nodes[s].children)
+    {
+      subtree[s] += subtree[child];
+    }
+    if (nodes[s].parent == none)
+    {
+      roots.push_back(static_cast<Index>(s));
+      total += subtree[s];
+    }
+  }
+  const auto lighter = [&subtree](Index a, Index b) {
+    return subtree[a] != subtree[b] ? subtree[a] < subtree[b] : a > b;
+  };
+  this->Top.clear();
+  std::make_heap(roots.begin(), roots.end(), lighter);
+  while (!roots.empty() && subtree[roots.front()] > total / (4.0 * taskCount) &&
+    !nodes[roots.front()].children.empty())
+  {
+    std::pop_heap(roots.begin(), roots.end(), lighter);
+    const Index node = roots.back();
+    roots.pop_back();
+    this->Top.push_back(node);
+    for (Index child : nodes[node].children)
+    {
+      roots.push_back(child);
+      std::push_heap(roots.begin(), roots.end(), lighter);
+    }
+  }
+  std::sort(this->Top.begin(), this->Top.end());
+  // The heaviest subtrees first, each to the task that has least.
+  std::sort(roots.begin(), roots.end(), [&](Index a, Index b) { return lighter(b, a); });
+  Indices taskOf(nodes.size(), none);
+  std::vector<double> load(taskCount, 0.0);
+  for (Index root : roots)
+  {
+    const auto least = std::min_element(load.begin(), load.end());
+    *least += subtree[root];
+    taskOf[root] = static_cast<Index>(least - load.begin());
+  }
+  for (auto s = static_cast<Index>(nodes.size()); s-- > 0;)
+  {
+    if (taskOf[s] == none && nodes[s].parent != none)
+    {
+      taskOf[s] = taskOf[nodes[s].parent]; // none below the top
+    }
+  }
+  this->Tasks.assign(taskCount, {});
+  for (std::size_t s = 0; s < nodes.size(); ++s)
+  {
+    if (taskOf[s] != none)
+    {
+      this->Tasks[taskOf[s]].push_back(static_cast<Index>(s));
+    }
+  }
+}
+
+bool MultifrontalFactorization::factorize(
+  const Eigen::SparseMatrix<double>& matrix, const Execution& execution)
+{
+  this->Blocks.assign(this->Structure.blocksSize(), 0.0);
+  this->Updates.assign(this->Structure.supernodes().size(), {});
+  const std::vector<std::size_t>& places = this->Structure.entryPlaces();
+  std::size_t next = 0;
+  for (Index column = 0; column < matrix.outerSize(); ++column)
+  {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      if (entry.row() >= column)
+      {
+        if (next == places.size())
+        {
+          return false;
+        }
+        this->Blocks[places[next++]] += entry.value();
+      }
+    }
+  }
+  std::vector<char> sound(this->Tasks.size(), 1);
+  for (std::size_t done = 0; done < this->Tasks.size(); done += roundSize)
+  {
+    if (execution.cancelled())
+    {
+      return false;
+    }
+    execution.parallelFor(roundSize, [&](Index first, Index last) {
+      for (std::size_t task = done + first; task < done + last; ++task)
+      {
+        for (Index s : this->Tasks[task])
+        {
+          sound[task] = sound[task] && this->eliminate(s, {}) ? 1 : 0;
+        }
+      }
+    });
+  }
+  bool all = next == places.size() &&
+    std::all_of(sound.begin(), sound.end(), [](char good) { return good != 0; });
+  for (std::size_t k = 0; all && k < this->Top.size(); ++k)
+  {
+    all = !execution.cancelled() && this->eliminate(this->Top[k], execution);
+  }
+  this->Updates.clear();
+  return all;
+}
+
+DenseFront MultifrontalFactorization::front(const Supernode& node)
+{
+  return { this->Blocks.data() + node.block, node.frontSize(), node.columnCount() };
+}
+
+ConstDenseFront MultifrontalFactorization::front(const Supernode& node) const
+{
+  return { this->Blocks.data() + node.block, node.frontSize(), node.columnCount() };
+}
+
+/// Adds what a child left of its rows to the front of its parent.
+void MultifrontalFactorization::addChild(
+  const Supernode& node, Index child, std::vector<double>& update)
+{
+  const Supernode& below = this->Structure.supernodes()[child];
+  const DenseFront own = this->front(node);
+  const Index size = below.rowCount();
+  const Index* const place = this->Structure.placesInParent(below);
+  for (Index b = 0; b < size; ++b)
+  {
+    // The update has the rows below the columns alone.
+    double* const to = place[b] < own.columns
+      ? own.column(place[b])
+      : update.data() + std::size_t(place[b] - own.columns) * std::size_t(own.rows()) - own.columns;
+    const double* const values = this->Updates[child].data() + std::size_t(b) * std::size_t(size);
+    for (Index a = b; a < size; ++a)
+    {
+      to[place[a]] += values[a];
+    }
+  }
+  this->Updates[child] = std::vector<double>(); // = {} would keep its memory
+}
+
+bool MultifrontalFactorization::eliminate(Index s, const Execution& execution)
+{
+  const Supernode& node = this->Structure.supernodes()[s];
+  std::vector<double> update(std::size_t(node.rowCount()) * std::size_t(node.rowCount()), 0.0);
+  for (Index child : node.children)
+  {
+    this->addChild(node, child, update);
+  }
+  const DenseFront own = this->front(node);
+  const bool sound = eliminateFront(own, update.data(), execution);
+  for (Index k = 0; k < own.columns; ++k)
+  {
+    this->Diagonal[node.first + k] = own.column(k)[k];
+  }
+  this->Updates[s] = std::move(update);
+  return sound;
+}
+
+void MultifrontalFactorization::substitute(Eigen::Ref<Eigen::MatrixXd> x) const
+{
+  const std::vector<Supernode>& nodes = this->Structure.supernodes();
+  Eigen::MatrixXd work(this->Structure.largestFront(), x.cols());
+  const auto vectors = [&work](const ConstDenseFront& front) {
+    return FrontVectors(work.data(), front.size, work.cols(), Eigen::OuterStride<>(work.rows()));
+  };
+  for (const Supernode& node : nodes)
+  {
+    const ConstDenseFront front = this->front(node);
+    const Index* const rows = this->Structure.rows(node);
+    FrontVectors w = vectors(front);
+    w.topRows(front.columns) = x.middleRows(node.first, front.columns);
+    w.bottomRows(front.rows()).setZero();
+    substituteForward(front, w);
+    x.middleRows(node.first, front.columns) = w.topRows(front.columns);
+    for (Index c = 0; c < x.cols(); ++c)
+    {
+      for (Index k = 0; k < front.rows(); ++k)
+      {
+        x(rows[k], c) += w(front.columns + k, c);
+      }
+    }
+  }
+  x.array().colwise() /= this->Diagonal.array();
+  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+  {
+    const ConstDenseFront front = this->front(*node);
+    const Index* const rows = this->Structure.rows(*node);
+    FrontVectors w = vectors(front);
+    w.topRows(front.columns) = x.middleRows(node->first, front.columns);
+    for (Index c = 0; c < x.cols(); ++c)
+    {
+      for (Index k = 0; k < front.rows(); ++k)
+      {
+        w(front.columns + k, c) = x(rows[k], c);
+      }
+    }
+    substituteBackward(front, w);
+    x.middleRows(node->first, front.columns) = w.topRows(front.columns);
+  }
+}
+
+Eigen::MatrixXd MultifrontalFactorization::solve(const Eigen::MatrixXd& rightHandSide) const
+{
+  const Indices& order = this->Structure.order();
+  Eigen::MatrixXd x(rightHandSide.rows(), rightHandSide.cols());
+  for (Eigen::Index c = 0; c < x.cols(); ++c)
+  {
+    for (Index k = 0; k < this->Structure.size(); ++k)
+    {
+      x(k, c) = rightHandSide(order[k], c);
+    }
+  }
+  this->substitute(x);
+  Eigen::MatrixXd result(x.rows(), x.cols());
+  for (Eigen::Index c = 0; c < x.cols(); ++c)
+  {
+    for (Index k = 0; k < this->Structure.size(); ++k)
+    {
+      result(order[k], c) = x(k, c);
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Sparse/DenseFront.h"
+#include "Sparse/SupernodalStructure.h"
+
+namespace flattening
+{
+/// L D L^T of a sparse symmetric matrix without pivoting, by dense blocks: the multifrontal method
+/// (J. W. H. Liu, "The multifrontal method for sparse matrix solution", SIAM Review 34(1), 1992).
+///
+/// For quasi-definite matrices, such as KKT matrices with a small -delta I block, where any order
+/// of elimination works. Subtrees of the elimination run in parallel; the result does not depend on
+/// the number of threads.
+class MultifrontalFactorization
+{
+public:
+  /// Finds the structure for the pattern of a symmetric matrix; the lower triangle is read.
+  /// \param dissection of its columns.
+  void analyze(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection);
+  /// Factors a matrix of that pattern. False where it is of another, a pivot is zero or not finite,
+  /// or the run is cancelled.
+  bool factorize(const Eigen::SparseMatrix<double>& matrix, const Execution& execution);
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;
+  /// Entries of D in the order of elimination.
+  const Eigen::VectorXd& diagonal() const { return this->Diagonal; }
+
+private:
+  using Supernode = SupernodalStructure::Supernode;
+
+  void chooseTasks();
+  bool eliminate(Index s, const Execution& execution);
+  void addChild(const Supernode& node, Index child, std::vector<double>& update);
+  void substitute(Eigen::Ref<Eigen::MatrixXd> x) const;
+  DenseFront front(const Supernode& node);
+  ConstDenseFront front(const Supernode& node) const;
+
+  SupernodalStructure Structure;
+  std::vector<Indices> Tasks; ///< supernodes of subtrees that are independent of each other
+  Indices Top;                ///< the others
+  std::vector<double> Blocks; ///< L below the diagonal; column by column for each supernode
+  std::vector<std::vector<double>>
+    Updates; ///< of supernodes whose parent has not taken them yet, rows x rows
+  Eigen::VectorXd Diagonal;
+};
+}

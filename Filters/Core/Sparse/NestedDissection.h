@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+namespace flattening
+{
+/// An order of elimination, and the ranges of it that hang together: the vertices of range k are
+/// order[end[k - 1]] .. order[end[k] - 1].
+struct Dissection
+{
+  Indices order; ///< which vertex is eliminated first, second, ...
+  Indices end;
+
+  /// Ends a range before a place of the order, unless it is empty.
+  void endRange(Index place)
+  {
+    if (place > (this->end.empty() ? 0 : this->end.back()))
+    {
+      this->end.push_back(place);
+    }
+  }
+
+  /// The same of other things than vertices: append(k, order) puts those of the k-th in order,
+  /// which stay in its range.
+  template <typename Append>
+  Dissection replaced(const Append& append) const
+  {
+    Dissection result;
+    Index k = 0;
+    for (Index last : this->end)
+    {
+      for (; k < last; ++k)
+      {
+        append(k, result.order);
+      }
+      result.endRange(static_cast<Index>(result.order.size()));
+    }
+    return result;
+  }
+};
+
+/// An order of elimination with little fill-in for matrices with the pattern of a triangle mesh:
+/// nested dissection (A. George, "Nested dissection of a regular finite element mesh", 1973). A
+/// plane across the longest extent of a part halves it; the vertices next to the plane come last.
+/// The ranges are these separators and the parts that are not divided any more.
+/// \param cliques vertices that are coupled with each other, such as the corners of each triangle;
+/// a vertex may come twice. \param positions per vertex.
+Dissection dissect(const Triangles& cliques, const Points3& positions);
+
+/// The same by the pattern alone, so that the order stays when vertices move: parts are halved by
+/// their level structure (A. George, J. W. H. Liu, "Computer Solution of Large Sparse Positive
+/// Definite Systems", 1981, chapter 8), where the vertices at the middle distance from an end of
+/// the part, counted in edges, come last. A little more fill-in in small meshes, much in large
+/// ones.
+/// \param count of the vertices.
+Dissection dissect(const Triangles& cliques, Index count);
+}

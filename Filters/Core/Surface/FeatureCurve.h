@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+#include <optional>
+#include <string>
+
+namespace flattening
+{
+/// Role of a feature curve (Definitions 2 and 3 of the paper; a seam separates pieces).
+enum class CurveType
+{
+  Accessory = 0,
+  Key = 1,
+  Dart = 2,
+  Seam = 3,
+};
+
+/// What prescribes the planar shape of a key curve.
+enum class KeyShape
+{
+  Surface = 0,  ///< the angles that it has on the surface, Eq. 1
+  Straight = 1, ///< a straight line
+  Planar = 2,   ///< the turning angles of FeatureCurve::planarShape
+};
+
+/// A feature curve as a chain of mesh vertices, each two neighbours joined by a mesh edge.
+struct FeatureCurve
+{
+  std::string name;
+  CurveType type = CurveType::Accessory;
+  KeyShape keyShape = KeyShape::Surface;
+  /// Elastic curves: how far each length may go from that on the surface, as a fraction; 0 is
+  /// rigid.
+  double tolerance = 0.0;
+  /// Of an elastic curve where it is decided: every edge gets its length times 1 + this.
+  std::optional<double> stretch;
+  Indices vertices;
+  /// As many points as vertices, where keyShape is Planar.
+  Points2 planarShape;
+
+  bool closed() const
+  {
+    return this->vertices.size() > 2 && this->vertices.front() == this->vertices.back();
+  }
+};
+
+/// A feature curve as it comes in: points in space on or near the surface.
+struct Polyline
+{
+  std::string name;
+  CurveType type = CurveType::Accessory;
+  KeyShape keyShape = KeyShape::Surface;
+  double tolerance = 0.0;
+  Points3 points;
+  Points2 planarShape;
+  /// Ids of the points in the caller's data, for messages.
+  Indices pointIds;
+};
+
+/// "accessory", "key", "dart" or "seam".
+const char* curveTypeName(CurveType type);
+
+/// Names of curves for a message, each in quotes.
+std::string quotedNames(const std::vector<FeatureCurve>& curves, const Indices& ids);
+}

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface/SurfacePreparation.h"
+
+#include "Surface/Coordinates.h"
+#include "Surface/EdgeSides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+/// Height over longest edge below which a triangle has no area in double precision.
+constexpr double flatTriangle = 1e-12;
+
+PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
+{
+  PreparedSurface result;
+  result.status = { code, std::move(message), std::move(ids) };
+  return result;
+}
+
+/// Per point the first point with the same coordinates; the point itself where they are kept apart.
+Indices findCoincident(const Points3& points, CoincidentPoints coincident)
+{
+  Indices order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (coincident == CoincidentPoints::Keep)
+  {
+    return order;
+  }
+  auto less = [&points](Index i, Index j) {
+    const Point3& a = points[i];
+    const Point3& b = points[j];
+    return a.x() != b.x() ? a.x() < b.x()
+      : a.y() != b.y()    ? a.y() < b.y()
+      : a.z() != b.z()    ? a.z() < b.z()
+                          : i < j;
+  };
+  std::sort(order.begin(), order.end(), less);
+  Indices first(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+bool isDegenerate(const Points3& points, const Triangle& t)
+{
+  const Point3& a = points[t[0]];
+  const Point3& b = points[t[1]];
+  const Point3& c = points[t[2]];
+  const double longestSquare =
+    std::max({ (b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm() });
+  const double crossSquare = (b - a).cross(c - a).squaredNorm();
+  // Most triangles are far from it, and from where squares underflow.
+  if (longestSquare > 1e-100 && crossSquare > 1e-20 * longestSquare * longestSquare)
+  {
+    return false;
+  }
+  // Scaled by the largest difference, so that no product over- or underflows.
+  const double size = std::max({ (b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff(),
+    (c - b).cwiseAbs().maxCoeff() });
+  if (size < 1.0 / largestCoordinate)
+  {
+    return true;
+  }
+  const Point3 u = (b - a) / size;
+  const Point3 v = (c - a) / size;
+  const double longest = std::max({ u.norm(), v.norm(), (u - v).norm() });
+  return !(u.cross(v).norm() > flatTriangle * longest * longest);
+}
+
+/// Turns triangles over until neighbours agree. Returns the triangles of a one-sided band, if any.
+/// \param partner of each half-edge, before that.
+Indices orient(Triangles& triangles, const Indices& partner, Indices& reversed)
+{
+  const Index count = static_cast<Index>(triangles.size());
+  auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
+  std::vector<signed char> turn(count, -1); // 0: keep, 1: turn over
+  Indices stack;
+  for (Index seed = 0; seed < count; ++seed)
+  {
+    if (turn[seed] != -1)
+    {
+      continue;
+    }
+    Indices component;
+    turn[seed] = 0;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const Index t = stack.back();
+      stack.pop_back();
+      component.push_back(t);
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index other = partner[h];
+        if (other == none)
+        {
+          continue;
+        }
+        // Consistent neighbours run along their common edge in opposite directions.
+        const signed char wanted = start(h) == start(other) ? 1 - turn[t] : turn[t];
+        if (turn[other / 3] == -1)
+        {
+          turn[other / 3] = wanted;
+          stack.push_back(other / 3);
+        }
+        else if (turn[other / 3] != wanted)
+        {
+          return { std::min(t, other / 3), std::max(t, other / 3) };
+        }
+      }
+    }
+    const auto turned =
+      std::count_if(component.begin(), component.end(), [&turn](Index t) { return turn[t] == 1; });
+    const signed char minority = 2 * turned > static_cast<std::ptrdiff_t>(component.size()) ? 0 : 1;
+    for (Index t : component)
+    {
+      if (turn[t] == minority)
+      {
+        std::swap(triangles[t][1], triangles[t][2]);
+        reversed.push_back(t);
+      }
+    }
+  }
+  std::sort(reversed.begin(), reversed.end());
+  return {};
+}
+
+/// Triangles that have the same corners as an earlier one, in either orientation: they share edges,
+/// and the corner opposite to each.
+Indices findDoubled(const Triangles& triangles, const std::vector<EdgeSide>& sides)
+{
+  Indices doubled;
+  std::vector<std::pair<Index, Index>> around; // corner opposite to an edge, triangle
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const EdgeSide& side = sides[i];
+    const bool first = i == 0 || sides[i - 1].low != side.low || sides[i - 1].high != side.high;
+    if (first)
+    {
+      around.clear();
+    }
+    const Index t = side.halfedge / 3;
+    around.emplace_back(triangles[t][(side.halfedge + 2) % 3], t);
+    const bool last =
+      i + 1 == sides.size() || sides[i + 1].low != side.low || sides[i + 1].high != side.high;
+    if (last && around.size() > 1)
+    {
+      std::sort(around.begin(), around.end());
+      for (std::size_t k = 1; k < around.size(); ++k)
+      {
+        if (around[k].first == around[k - 1].first)
+        {
+          doubled.push_back(around[k].second);
+        }
+      }
+    }
+  }
+  std::sort(doubled.begin(), doubled.end());
+  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
+  return doubled;
+}
+
+/// Vertices whose triangles form more than one fan.
+Indices findBowTies(const TriangleMesh& mesh)
+{
+  Indices corners(mesh.vertexCount(), 0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    ++corners[mesh.from(h)];
+  }
+  Indices bowTies;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    Index seen = 0;
+    const Index first = mesh.outgoing(v);
+    for (Index h = first; h != none;)
+    {
+      ++seen;
+      h = mesh.counterClockwise(h);
+      if (h == first)
+      {
+        break;
+      }
+    }
+    if (seen != corners[v])
+    {
+      bowTies.push_back(v);
+    }
+  }
+  return bowTies;
+}
+
+/// Pairs the half-edges of any triangles and turns over those that run the wrong way. \param
+/// partner of each half-edge, before that. Errors: NonManifoldEdge, NotOrientable.
+Status mendOrientation(PreparedSurface& result, Triangles& cells, Indices& partner)
+{
+  const std::vector<EdgeSide> sides = sortedSides(cells, result.originalPoint.size());
+  Indices bad = findDoubled(cells, sides);
+  if (!bad.empty())
+  {
+    return { StatusCode::NonManifoldEdge,
+      "triangles " + listIds(bad) +
+        " have the same three corners as another; remove the doubles, or give the two sides of a "
+        "thin surface corners of their own",
+      bad };
+  }
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i)
+  {
+    if (sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high)
+    {
+      for (std::size_t k = i;
+           k < sides.size() && sides[k].low == sides[i].low && sides[k].high == sides[i].high; ++k)
+      {
+        bad.push_back(sides[k].halfedge / 3);
+      }
+      return { StatusCode::NonManifoldEdge,
+        "the edge between points " + std::to_string(result.originalPoint[sides[i].low]) + " and " +
+          std::to_string(result.originalPoint[sides[i].high]) + " belongs to triangles " +
+          listIds(bad) +
+          "; an edge can join two at most: remove doubled triangles, or give the "
+          "sheets as surfaces of their own",
+        bad };
+    }
+  }
+  partner = pairSides(sides);
+  const Indices oneSided = orient(cells, partner, result.reversedTriangles);
+  if (!oneSided.empty())
+  {
+    return { StatusCode::NotOrientable,
+      "the surface is one-sided (a Moebius band): triangles " + listIds(oneSided) +
+        " cannot be oriented alike; cut the mesh through across the band, each point of the cut "
+        "twice (a seam comes too late for that)",
+      oneSided };
+  }
+  return {};
+}
+
+/// Hardly any two triangles share a point, so that they hang together by coordinates only.
+bool isSoup(std::size_t usedPoints, std::size_t triangles)
+{
+  return triangles > 1 && usedPoints >= 2 * triangles;
+}
+}
+
+PreparedSurface prepareSurface(
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincidentPoints)
+{
+  if (triangles.empty())
+  {
+    return refuse(StatusCode::EmptySurface,
+      "the surface has no triangles; give a triangulated surface patch", {});
+  }
+  const Index pointCount = static_cast<Index>(points.size());
+  Indices bad;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Triangle& c = triangles[t];
+    if (std::any_of(c.begin(), c.end(), [pointCount](Index p) { return p < 0 || p >= pointCount; }))
+    {
+      bad.push_back(static_cast<Index>(t));
+    }
+  }
+  if (!bad.empty())
+  {
+    return refuse(StatusCode::InvalidPointId,
+      "triangles " + listIds(bad) + " use a point id outside 0.." + std::to_string(pointCount - 1) +
+        "; write the file again",
+      bad);
+  }
+
+  PreparedSurface result;
+  std::vector<char> used(points.size(), 0);
+  for (const Triangle& c : triangles)
+  {
+    used[c[0]] = used[c[1]] = used[c[2]] = 1;
+  }
+  for (Index p = 0; p < pointCount; ++p)
+  {
+    if (used[p] && !isUsable(points[p]))
+    {
+      bad.push_back(p);
+    }
+  }
+  if (!bad.empty())
+  {
+    return refuse(StatusCode::NonFinitePoint,
+      "points " + listIds(bad) +
+        " have a coordinate that is not a finite number, or beyond 1e60; mend or remove them",
+      bad);
+  }
+
+  Points3 candidates;
+  Indices candidateIds;
+  candidates.reserve(points.size());
+  candidateIds.reserve(points.size());
+  for (Index p = 0; p < pointCount; ++p)
+  {
+    if (used[p])
+    {
+      candidates.push_back(points[p]);
+      candidateIds.push_back(p);
+    }
+  }
+  if (coincidentPoints == CoincidentPoints::Automatic)
+  {
+    coincidentPoints =
+      isSoup(candidates.size(), triangles.size()) ? CoincidentPoints::Join : CoincidentPoints::Keep;
+  }
+  const Indices coincident = findCoincident(candidates, coincidentPoints);
+  result.vertexOfPoint.assign(points.size(), none);
+  Points3 joined;
+  joined.reserve(candidates.size());
+  result.originalPoint.reserve(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (coincident[i] == static_cast<Index>(i))
+    {
+      result.vertexOfPoint[candidateIds[i]] = static_cast<Index>(joined.size());
+      result.originalPoint.push_back(candidateIds[i]);
+      joined.push_back(candidates[i]);
+    }
+    else
+    {
+      result.vertexOfPoint[candidateIds[i]] = result.vertexOfPoint[candidateIds[coincident[i]]];
+    }
+  }
+  Triangles cells(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      cells[t][k] = result.vertexOfPoint[triangles[t][k]];
+    }
+    const bool repeats =
+      cells[t][0] == cells[t][1] || cells[t][1] == cells[t][2] || cells[t][2] == cells[t][0];
+    if (repeats || isDegenerate(joined, cells[t]))
+    {
+      bad.push_back(static_cast<Index>(t));
+    }
+  }
+  if (!bad.empty())
+  {
+    return refuse(StatusCode::DegenerateTriangle,
+      "triangles " + listIds(bad) +
+        " have no area (two corners in one place, or three in a line; less than 1e-60 is nothing); "
+        "collapse them or remesh",
+      bad);
+  }
+
+  Indices partner = pairOrientedSides(cells, joined.size());
+  if (partner.empty())
+  {
+    Status status = mendOrientation(result, cells, partner);
+    if (!status.ok())
+    {
+      return refuse(status.code, std::move(status.message), std::move(status.ids));
+    }
+  }
+  // Half-edges of a triangle that was turned over have new numbers.
+  result.mesh = result.reversedTriangles.empty()
+    ? TriangleMesh(std::move(joined), std::move(cells), std::move(partner))
+    : TriangleMesh(std::move(joined), std::move(cells));
+  for (Index v : findBowTies(result.mesh))
+  {
+    bad.push_back(result.originalPoint[v]);
+  }
+  if (!bad.empty())
+  {
+    return refuse(StatusCode::NonManifoldVertex,
+      "at points " + listIds(bad) +
+        " parts of the surface touch in a single point; separate them by doubling the point, "
+        "slightly apart, or join them by an edge",
+      bad);
+  }
+  return result;
+}
+}

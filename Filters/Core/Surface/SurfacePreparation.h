@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// A surface as it came in, made into a mesh or refused.
+struct PreparedSurface
+{
+  /// Triangle k is the k-th triangle of the input; its corners may be reversed (see below).
+  TriangleMesh mesh;
+  /// Per mesh vertex the first input point that became it.
+  Indices originalPoint;
+  /// Per input point its mesh vertex; none for a point that no triangle uses.
+  Indices vertexOfPoint;
+  /// Triangles that were turned over to agree with the majority of their component.
+  Indices reversedTriangles;
+  Status status;
+};
+
+enum class CoincidentPoints
+{
+  /// Joined where the triangles are separate, each or two by two with points of their own (as STL
+  /// has them); else kept, because the edges of a surface may meet in space without being sewn.
+  Automatic,
+  Join, ///< points with equal coordinates are one
+  Keep, ///< each point is a vertex of its own: a surface that is cut open stays so
+};
+
+/// Joins coincident points as asked, orients triangles consistently, and checks that the result
+/// is a manifold surface of finite coordinates and of triangles with area.
+///
+/// Errors (ids): EmptySurface; InvalidPointId (triangles); NonFinitePoint (points);
+/// DegenerateTriangle (triangles whose height is below 1e-12 of their longest edge, or with a
+/// corner twice); NonManifoldEdge (the triangles at one edge, or those that have the same
+/// corners as another); NonManifoldVertex (points);
+/// NotOrientable (triangles along a one-sided band). Ids are those of the input.
+PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles,
+  CoincidentPoints coincident = CoincidentPoints::Automatic);
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface/TriangleMesh.h"
+
+#include "Base/SameBits.h"
+#include "Surface/EdgeSides.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+TriangleMesh::TriangleMesh(Points3 points, Triangles triangles)
+{
+  Indices twins = pairSides(sortedSides(triangles, points.size()));
+  *this = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+}
+
+TriangleMesh::TriangleMesh(Points3 points, Triangles triangles, Indices twins)
+  : Points(std::move(points))
+  , Cells(std::move(triangles))
+  , Twins(std::move(twins))
+  , Outgoing(Points.size(), none)
+{
+  for (Index h = 0; h < this->halfedgeCount(); ++h)
+  {
+    Index& outgoing = this->Outgoing[this->from(h)];
+    if (outgoing == none || this->Twins[h] == none)
+    {
+      outgoing = h;
+    }
+  }
+}
+
+Index TriangleMesh::find(Index fromVertex, Index toVertex) const
+{
+  const Index first = this->Outgoing[fromVertex];
+  for (Index h = first; h != none;)
+  {
+    if (this->to(h) == toVertex)
+    {
+      return h;
+    }
+    h = this->counterClockwise(h);
+    if (h == first)
+    {
+      break;
+    }
+  }
+  return none;
+}
+
+bool TriangleMesh::onBoundary(Index vertex) const
+{
+  const Index h = this->Outgoing[vertex];
+  return h != none && this->Twins[h] == none;
+}
+
+bool TriangleMesh::identical(const TriangleMesh& other) const
+{
+  return sameBits(this->Points, other.Points) && this->Cells == other.Cells &&
+    this->Twins == other.Twins;
+}
+
+double TriangleMesh::angle(Index h) const
+{
+  const Point3& apex = this->point(this->from(h));
+  const Point3 a = this->point(this->to(h)) - apex;
+  const Point3 b = this->point(this->from(previous(h))) - apex;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double TriangleMesh::area(Index t) const
+{
+  const Triangle& c = this->Cells[t];
+  return 0.5 * areaVector(this->point(c[0]), this->point(c[1]), this->point(c[2])).norm();
+}
+
+std::vector<Indices> TriangleMesh::boundaryLoops() const
+{
+  std::vector<Indices> loops;
+  std::vector<double> lengths;
+  std::vector<char> seen(this->halfedgeCount(), 0);
+  for (Index start = 0; start < this->halfedgeCount(); ++start)
+  {
+    if (this->Twins[start] != none || seen[start])
+    {
+      continue;
+    }
+    Indices loop;
+    double length = 0.0;
+    for (Index h = start; !seen[h]; h = this->Outgoing[this->to(h)])
+    {
+      seen[h] = 1;
+      loop.push_back(h);
+      length += this->length(h);
+    }
+    loops.push_back(std::move(loop));
+    lengths.push_back(length);
+  }
+  const auto longest = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
+  if (!loops.empty())
+  {
+    std::rotate(loops.begin(), loops.begin() + longest, loops.begin() + longest + 1);
+  }
+  return loops;
+}
+
+Index eulerCharacteristic(const TriangleMesh& mesh)
+{
+  Index vertices = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    vertices += mesh.outgoing(v) != none ? 1 : 0;
+  }
+  Index boundary = 0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    boundary += mesh.twin(h) == none ? 1 : 0;
+  }
+  const Index edges = (mesh.halfedgeCount() + boundary) / 2;
+  return vertices - edges + mesh.triangleCount();
+}
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Base/Types.h"
+
+namespace flattening
+{
+/// A manifold, oriented triangle mesh as compact half-edges over flat arrays.
+///
+/// Half-edge h = 3 t + k runs in triangle t from its corner k to corner (k + 1) mod 3, the triangle
+/// on its left. Half-edges keep their ids when a mesh is cut, because a cut changes vertices only.
+class TriangleMesh
+{
+public:
+  TriangleMesh() = default;
+  /// \pre edges are manifold and triangles consistently oriented (see prepareSurface()).
+  TriangleMesh(Points3 points, Triangles triangles);
+  /// \param twins of the half-edges, where they are known.
+  TriangleMesh(Points3 points, Triangles triangles, Indices twins);
+
+  Index vertexCount() const { return static_cast<Index>(this->Points.size()); }
+  Index triangleCount() const { return static_cast<Index>(this->Cells.size()); }
+  Index halfedgeCount() const { return 3 * this->triangleCount(); }
+
+  const Points3& points() const { return this->Points; }
+  const Triangles& triangles() const { return this->Cells; }
+  const Point3& point(Index vertex) const { return this->Points[vertex]; }
+  const Triangle& triangle(Index t) const { return this->Cells[t]; }
+
+  Index from(Index h) const { return this->Cells[h / 3][h % 3]; }
+  Index to(Index h) const { return this->from(next(h)); }
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  /// The same edge seen from the other side; none on the boundary.
+  Index twin(Index h) const { return this->Twins[h]; }
+  /// A half-edge that leaves the vertex: on the boundary the one that has no twin, so that
+  /// counterClockwise() from it visits the whole fan. none for an unused vertex.
+  Index outgoing(Index vertex) const { return this->Outgoing[vertex]; }
+  /// The next half-edge that leaves from(h), counter-clockwise; none past the end of a boundary
+  /// fan.
+  Index counterClockwise(Index h) const { return this->Twins[previous(h)]; }
+  /// The half-edge from one vertex to another, none where the mesh has no such edge in this
+  /// direction.
+  Index find(Index fromVertex, Index toVertex) const;
+  bool onBoundary(Index vertex) const;
+
+  /// Whether the two are the same to the last bit.
+  bool identical(const TriangleMesh& other) const;
+
+  double length(Index h) const
+  {
+    return (this->point(this->to(h)) - this->point(this->from(h))).norm();
+  }
+  /// Interior angle of the triangle of h at from(h), in radians.
+  double angle(Index h) const;
+  double area(Index t) const;
+
+  /// Boundary loops as half-edges in order, the surface on their left; first the longest in length.
+  std::vector<Indices> boundaryLoops() const;
+
+private:
+  Points3 Points;
+  Triangles Cells;
+  Indices Twins;
+  Indices Outgoing;
+};
+
+/// V - E + F of the mesh (vertices that no triangle uses do not count).
+Index eulerCharacteristic(const TriangleMesh& mesh);
+
+/// Twice the area is the length of this vector, the orientation its direction.
+inline Point3 areaVector(const Point3& a, const Point3& b, const Point3& c)
+{
+  return (b - a).cross(c - a);
+}
+}

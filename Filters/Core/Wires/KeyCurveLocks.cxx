@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Wires/KeyCurveLocks.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Nodes that a shaped key curve leaves on one side of it at a vertex, and the angle they must sum
+/// to.
+struct SideSum
+{
+  Indices nodes;
+  double angle;
+};
+
+/// The wire-nodes at a vertex from the wire edge towards one neighbour, counter-clockwise, to the
+/// wire edge towards another; empty where the surface ends in between.
+Indices nodesBetween(const WireNetwork& network, Index startSide, Index endVertex)
+{
+  Indices nodes;
+  Index side = startSide;
+  do
+  {
+    nodes.push_back(side);
+    const Index incoming = network.previous[side];
+    if (network.vertex[incoming] == endVertex)
+    {
+      return nodes;
+    }
+    side = network.twin[incoming];
+  } while (side != none && side != startSide);
+  return {};
+}
+
+/// Least change of the angles, relative to their size, that meets all sums; with one sum a side
+/// this divides each side in proportion.
+void meetSums(const Indices& nodes, const std::vector<SideSum>& sums, std::vector<double>& angle)
+{
+  // The angle of a hole can be zero or less on the surface.
+  auto weight = [](double surfaceAngle) { return std::max(surfaceAngle, 1e-3); };
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sums.size()), n);
+  Eigen::VectorXd b(static_cast<Eigen::Index>(sums.size()));
+  for (std::size_t r = 0; r < sums.size(); ++r)
+  {
+    const auto row = static_cast<Eigen::Index>(r);
+    b[row] = sums[r].angle;
+    for (Eigen::Index c = 0; c < n; ++c)
+    {
+      const Index node = nodes[c];
+      for (Index member : sums[r].nodes)
+      {
+        if (member == node)
+        {
+          A(row, c) = std::sqrt(weight(angle[node]));
+          b[row] -= angle[node];
+        }
+      }
+    }
+  }
+  const Eigen::VectorXd x = A.completeOrthogonalDecomposition().solve(b);
+  for (Eigen::Index c = 0; c < n; ++c)
+  {
+    angle[nodes[c]] += std::sqrt(weight(angle[nodes[c]])) * x[c];
+  }
+}
+
+double turningAngle(const Point2& a, const Point2& b, const Point2& c)
+{
+  // Scaled, so that no product over- or underflows.
+  const Point2 u = (b - a) / (b - a).cwiseAbs().maxCoeff();
+  const Point2 v = (c - b) / (c - b).cwiseAbs().maxCoeff();
+  return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+}
+
+/// Sums that the planar shapes of the key curves through each host vertex prescribe.
+std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, const Piece& piece,
+  const CutSurface& cut, const std::vector<FeatureCurve>& curves)
+{
+  auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
+  std::vector<std::vector<SideSum>> sums(network.hostVertices.size());
+  for (const FeatureCurve& curve : curves)
+  {
+    if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Surface)
+    {
+      continue;
+    }
+    // Position in the chain of each original vertex, to find where the curve passes through.
+    Indices placeOf(cut.mesh.vertexCount(), none);
+    for (std::size_t k = 0; k < curve.vertices.size(); ++k)
+    {
+      placeOf[curve.vertices[k]] = static_cast<Index>(k);
+    }
+    const auto count = static_cast<Index>(curve.vertices.size());
+    for (std::size_t host = 0; host < network.hostVertices.size(); ++host)
+    {
+      const Index k = placeOf[original(network.hostVertices[host])];
+      if (k == none || (!curve.closed() && (k == 0 || k == count - 1)))
+      {
+        continue;
+      }
+      const Index before = k == 0 || k == count - 1 ? count - 2 : k - 1;
+      const Index after = k == count - 1 ? 1 : k + 1;
+      double turn = 0.0;
+      if (curve.keyShape == KeyShape::Planar)
+      {
+        turn =
+          turningAngle(curve.planarShape[before], curve.planarShape[k], curve.planarShape[after]);
+      }
+      Index forward = none;
+      Index backward = none;
+      Index forwardVertex = none;
+      Index backwardVertex = none;
+      for (Index n = network.vertexNodeBegin[host]; n < network.vertexNodeBegin[host + 1]; ++n)
+      {
+        const Index side = network.vertexNodes[n];
+        const Index incoming = network.previous[side];
+        if (original(network.endVertex(side)) == curve.vertices[after])
+        {
+          forward = side;
+          forwardVertex = network.endVertex(side);
+        }
+        if (original(network.endVertex(side)) == curve.vertices[before])
+        {
+          backward = side;
+          backwardVertex = network.endVertex(side);
+        }
+        if (original(network.vertex[incoming]) == curve.vertices[after])
+        {
+          forwardVertex = network.vertex[incoming];
+        }
+        if (original(network.vertex[incoming]) == curve.vertices[before])
+        {
+          backwardVertex = network.vertex[incoming];
+        }
+      }
+      if (forward != none && backwardVertex != none)
+      {
+        sums[host].push_back({ nodesBetween(network, forward, backwardVertex), pi - turn });
+      }
+      if (backward != none && forwardVertex != none)
+      {
+        sums[host].push_back({ nodesBetween(network, backward, forwardVertex), pi + turn });
+      }
+    }
+  }
+  return sums;
+}
+}
+
+NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves)
+{
+  NodeLocks locks;
+  locks.locked.assign(network.nodeCount(), 0);
+  locks.angle = network.alpha;
+  const auto sideSums = collectSideSums(network, piece, cut, curves);
+
+  // A curve that keeps its angles on the surface holds every node at each of its vertices.
+  std::vector<char> held(network.hostVertices.size(), 0);
+  for (const WireEdge& edge : network.edges)
+  {
+    if (edge.curve != none && curves[edge.curve].type == CurveType::Key &&
+      curves[edge.curve].keyShape == KeyShape::Surface)
+    {
+      held[network.hostOfVertex[edge.from]] = held[network.hostOfVertex[edge.to]] = 1;
+    }
+  }
+  for (std::size_t host = 0; host < network.hostVertices.size(); ++host)
+  {
+    std::vector<SideSum> sums;
+    for (const SideSum& sum : sideSums[host])
+    {
+      if (!sum.nodes.empty())
+      {
+        sums.push_back(sum);
+      }
+    }
+    if (!held[host] && sums.empty())
+    {
+      continue;
+    }
+    const Indices nodes(network.vertexNodes.begin() + network.vertexNodeBegin[host],
+      network.vertexNodes.begin() + network.vertexNodeBegin[host + 1]);
+    if (network.interior[host])
+    {
+      double sum = 0.0;
+      for (Index node : nodes)
+      {
+        sum += network.alpha[node];
+      }
+      for (Index node : nodes)
+      {
+        locks.angle[node] = 2.0 * pi * network.alpha[node] / sum; // Eq. 1
+      }
+    }
+    if (!sums.empty())
+    {
+      if (network.interior[host])
+      {
+        sums.push_back({ nodes, 2.0 * pi });
+      }
+      meetSums(nodes, sums, locks.angle);
+    }
+    for (Index node : nodes)
+    {
+      locks.locked[node] = 1;
+      ++locks.lockedCount;
+    }
+  }
+  return locks;
+}
+}

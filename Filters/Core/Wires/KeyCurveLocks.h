@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Wires/WireNetwork.h"
+
+namespace flattening
+{
+/// A wire-node's angle where a key curve prescribes it.
+struct NodeLocks
+{
+  std::vector<char> locked;
+  std::vector<double> angle;
+  Index lockedCount = 0;
+};
+
+/// Angles of the nodes on key curves: Eq. 1, or the curve's own planar shape, which divides the
+/// angle on each side of the curve in proportion to the angles on the surface.
+/// \param piece the piece of the network; \param cut the surface it comes from.
+NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves);
+}
