@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/NestedDissection.h"
+#include "TestGraphs.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -80,4 +81,43 @@ TEST(NestedDissection, TakesPartsThatDoNotHangTogetherAndVerticesAlone)
   }
   expectOrderInRanges(dissect(triangles, 120), 120);
   EXPECT_TRUE(dissect({}, Index{ 0 }).order.empty());
+}
+
+TEST(NestedDissection, EndsWithEachVertexOnceForGraphsOfEveryShape)
+{
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  const std::vector<testgraphs::Graph> graphs = testgraphs::graphs();
+  ASSERT_GT(graphs.size(), 50U);
+  for (const testgraphs::Graph& graph : graphs)
+  {
+    SCOPED_TRACE(graph.name);
+    expectOrderInRanges(dissect(graph.cliques, graph.count), graph.count);
+    Points3 positions(graph.count);
+    std::generate(positions.begin(), positions.end(),
+      [&] { return Point3(place(generator), place(generator), 0.0); });
+    expectOrderInRanges(dissect(graph.cliques, positions), graph.count);
+  }
+}
+
+TEST(NestedDissection, PutsTheHubOfAWideFanLastAndNoneOfItsRing)
+{
+  const testgraphs::Graph fan = testgraphs::dome(20000, 1);
+  Points3 positions(fan.count, Point3::Zero());
+  for (Index v = 1; v < fan.count; ++v)
+  {
+    const double angle = 2.0 * pi * v / (fan.count - 1);
+    positions[v] = Point3(std::cos(angle), std::sin(angle), 0.0);
+  }
+  for (const Dissection& dissection :
+    { dissect(fan.cliques, fan.count), dissect(fan.cliques, positions) })
+  {
+    EXPECT_EQ(dissection.order.back(), 0);
+    Index begin = 0;
+    for (Index end : dissection.end)
+    {
+      EXPECT_LE(end - begin, 12) << "a range of the ring as large as a part that is not divided";
+      begin = end;
+    }
+  }
 }

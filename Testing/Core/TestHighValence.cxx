@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces with vertices of many triangles: domes with a pole, cones, fans.
+#include "Flattening/SurfaceFlattening.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace flattening;
+
+namespace
+{
+/// Meridians from a pole through parallels, sagging by a height.
+TriangleMesh dome(Index meridians, Index parallels, double height)
+{
+  Points3 points{ { 0.0, 0.0, height } };
+  Triangles triangles;
+  for (Index j = 1; j <= parallels; ++j)
+  {
+    const double r = static_cast<double>(j) / parallels;
+    for (Index i = 0; i < meridians; ++i)
+    {
+      const double a = 2.0 * pi * i / meridians;
+      points.emplace_back(r * std::cos(a), r * std::sin(a), height * std::cos(1.3 * r));
+    }
+  }
+  const auto id = [=](Index j, Index i) { return 1 + j * meridians + i % meridians; };
+  for (Index i = 0; i < meridians; ++i)
+  {
+    triangles.push_back({ 0, id(0, i), id(0, i + 1) });
+    for (Index j = 1; j < parallels; ++j)
+    {
+      triangles.push_back({ id(j - 1, i), id(j, i), id(j, i + 1) });
+      triangles.push_back({ id(j - 1, i), id(j, i + 1), id(j - 1, i + 1) });
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// Of the boundary edges, between the surface and the plane.
+double greatestLengthError(const FlatteningResult& result)
+{
+  const TriangleMesh& mesh = result.cut->mesh;
+  double greatest = 0.0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      const double flat = (result.positions[mesh.to(h)] - result.positions[mesh.from(h)]).norm();
+      greatest = std::max(greatest, std::abs(flat - mesh.length(h)) / mesh.length(h));
+    }
+  }
+  return greatest;
+}
+}
+
+TEST(HighValence, DomesWithAPoleKeepTheirBoundarysLengthInEveryScheme)
+{
+  for (const auto& [meridians, parallels] :
+    std::vector<std::pair<Index, Index>>{ { 13, 2 }, { 32, 6 }, { 100, 3 }, { 1000, 2 } })
+  {
+    const TriangleMesh mesh = dome(meridians, parallels, 0.4);
+    for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
+    {
+      FlatteningOptions options;
+      options.scheme = scheme;
+      const FlatteningResult result = flattenSurface(mesh, {}, options, {});
+      EXPECT_TRUE(result.status.ok()) << meridians << ": " << result.status.message;
+      ASSERT_EQ(result.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
+      EXPECT_LT(greatestLengthError(result), 1e-9) << meridians;
+    }
+  }
+}
