@@ -40,6 +40,7 @@ static_assert(
 static_assert(same(vtkFlatteningAlgorithm::CURVE_NOT_ON_EDGES, StatusCode::CurveNotOnEdges), "");
 static_assert(same(vtkFlatteningAlgorithm::INVALID_CURVE, StatusCode::InvalidCurve), "");
 static_assert(same(vtkFlatteningAlgorithm::INVALID_OPTION, StatusCode::InvalidOption), "");
+static_assert(same(vtkFlatteningAlgorithm::OUT_OF_MEMORY, StatusCode::OutOfMemory), "");
 static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::NumericalFailure), "");
 static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::LastRefusal), "");
 static_assert(same(vtkFlatteningAlgorithm::NOT_CONVERGED, StatusCode::NotConverged), "");

@@ -45,6 +45,8 @@ const char* statusName(StatusCode code)
       return "InvalidCurve";
     case StatusCode::InvalidOption:
       return "InvalidOption";
+    case StatusCode::OutOfMemory:
+      return "OutOfMemory";
     case StatusCode::NumericalFailure:
       return "NumericalFailure";
     case StatusCode::NotConverged:

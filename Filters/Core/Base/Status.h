@@ -29,6 +29,7 @@ enum class StatusCode
   CurveNotOnEdges,
   InvalidCurve,
   InvalidOption,
+  OutOfMemory,
   NumericalFailure,
   LastRefusal = NumericalFailure,
   // A result, with a broken promise.
