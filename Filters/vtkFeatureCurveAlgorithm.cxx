@@ -131,8 +131,13 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
     const flattening::FlatteningResult result =
       flattening::flattenSurface(source->imprinted.mesh, source->imprinted.curves, options,
         flattening::bridge::executionOf(this), this->Kept ? &this->Kept->pieces : nullptr);
-    if (this->Conclude(source->outcomeOfStage(result.status)))
+    if (this->Conclude(source->outcomeOfStage(
+          result.status, result.status.refused() ? nullptr : result.cut.get())))
     {
+      if (!result.leftOut.empty())
+      {
+        this->Warn(flattening::bridge::describeLeftOut(*source, result));
+      }
       flattening::bridge::writeFlattening(*source, result, flat,
         vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
     }

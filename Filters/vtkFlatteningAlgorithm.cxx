@@ -82,6 +82,7 @@ void vtkFlatteningAlgorithm::Begin(vtkInformationVector* outputVector)
 {
   this->StatusCode = OK;
   this->StatusMessage.clear();
+  this->Warnings.clear();
   // A new array: the caller may have kept the one of the last run.
   this->StatusIds = vtkSmartPointer<vtkIdTypeArray>::New();
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
@@ -116,6 +117,13 @@ bool vtkFlatteningAlgorithm::Conclude(const flattening::bridge::Outcome& outcome
 }
 
 //------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::Warn(const std::string& message)
+{
+  this->Warnings.push_back(message);
+  vtkWarningMacro(<< message);
+}
+
+//------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
 {
   vtkFieldData* field = output->GetFieldData();
@@ -125,6 +133,7 @@ void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
   ids->DeepCopy(this->StatusIds);
   ids->SetName("RunStatusIds");
   field->AddArray(ids);
+  flattening::bridge::addStrings(field, "RunWarnings", this->Warnings);
 }
 
 //------------------------------------------------------------------------------
@@ -134,4 +143,5 @@ void vtkFlatteningAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Status: " << this->GetStatusName() << "\n";
   os << indent << "StatusMessage: " << this->StatusMessage << "\n";
   os << indent << "StatusIds: " << this->StatusIds->GetNumberOfValues() << " ids\n";
+  os << indent << "Warnings: " << this->Warnings.size() << "\n";
 }

@@ -12,6 +12,10 @@
  * - **Broken promise** (codes from NOT_CONVERGED on): the outputs are complete, and a
  *   vtkWarningMacro says what is not as it should be.
  *
+ * A vtkWarningMacro also says what the filter left out of an input that it can use, such as an
+ * array that is too short; the status is OK then, and the field data `RunWarnings` (string), where
+ * a filter documents a `RunStatus` array, has a row for each.
+ *
  * The status of the last run can be read from the filter after Update(). With composite input the
  * filter runs once a block, and the status is that of the block that ran last; those filters that
  * document a `RunStatus` array leave each block's own status in the field data of its output.
@@ -26,6 +30,7 @@
 #include "vtkSmartPointer.h" // for the ids
 
 #include <string> // for the message
+#include <vector> // for the warnings
 
 class vtkIdTypeArray;
 
@@ -113,7 +118,12 @@ protected:
   bool Conclude(const flattening::bridge::Outcome& outcome);
 
   /**
-   * Adds the field data `RunStatus`, `RunStatusMessage` and `RunStatusIds`.
+   * Gives a warning of something that the status does not say, and keeps it for `RunWarnings`.
+   */
+  void Warn(const std::string& message);
+
+  /**
+   * Adds the field data `RunStatus`, `RunStatusMessage`, `RunStatusIds` and `RunWarnings`.
    */
   void WriteRunStatus(vtkPolyData* output) const;
 
@@ -124,6 +134,7 @@ private:
   int StatusCode = OK;
   std::string StatusMessage;
   vtkSmartPointer<vtkIdTypeArray> StatusIds;
+  std::vector<std::string> Warnings;
 };
 
 #endif

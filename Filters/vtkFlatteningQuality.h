@@ -18,9 +18,9 @@
  * (double), `Flipped` (unsigned char), `vtkOriginalCellIds` (id). Field data, one row: `Triangles`,
  * `Vertices`, `FlippedTriangles`, `Overlaps` (id), `EdgeLengthError`, `MaxEdgeLengthError`,
  * `AngleErrorMean`, `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError` (double), `Mirrored` (id,
- * 1 where the map turned the surface over), `RunStatus`, `RunStatusMessage` (string);
- * `RunStatusIds` (id); `OverlapEdges` (id, 4 components: the points of two boundary edges that
- * cross, a row a pair; at most MaximumOverlaps). Meanings: see vtkWireWarpingFilter. Flips and
+ * 1 where the map turned the surface over), `RunStatus`, `RunStatusMessage`, `RunWarnings`
+ * (string); `RunStatusIds` (id); `OverlapEdges` (id, 4 components: the points of two boundary edges
+ * that cross, a row a pair; at most MaximumOverlaps). Meanings: see vtkWireWarpingFilter. Flips and
  * overlaps are a result here, not a broken promise.
  *
  * @sa vtkWireWarpingFilter vtkLeastSquaresConformalFilter

@@ -26,6 +26,7 @@ int vtkLeastSquaresConformalFilter::RequestData(vtkInformation* vtkNotUsed(reque
   flattening::FlatteningOptions options;
   options.scheme = flattening::Scheme::Conformal;
   options.conformal.areaNormalized = this->AreaNormalized;
+  options.skipClosed = this->SkipClosed;
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
   this->Flatten(inputVector, outputVector, options, this->Pins);
@@ -38,6 +39,7 @@ void vtkLeastSquaresConformalFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Pins: " << this->Pins[0] << " " << this->Pins[1] << "\n";
   os << indent << "AreaNormalized: " << (this->AreaNormalized ? "On" : "Off") << "\n";
+  os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
 }

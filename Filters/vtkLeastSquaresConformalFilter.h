@@ -51,6 +51,17 @@ public:
 
   ///@{
   /**
+   * Leave out pieces that cannot be laid flat, since they have no boundary or have handles, and
+   * flatten the others; a warning and the field data `LeftOutCells` name them. Off: the surface is
+   * refused for them (CLOSED_SURFACE, HANDLE), as it is where nothing would remain. Default: off.
+   */
+  vtkSetMacro(SkipClosed, bool);
+  vtkGetMacro(SkipClosed, bool);
+  vtkBooleanMacro(SkipClosed, bool);
+  ///@}
+
+  ///@{
+  /**
    * Lay the pieces beside each other, see vtkWireWarpingFilter::SetArrange(). Default: on.
    */
   vtkSetMacro(Arrange, bool);
@@ -79,6 +90,7 @@ private:
 
   vtkIdType Pins[2] = { -1, -1 };
   bool AreaNormalized = true;
+  bool SkipClosed = false;
   bool Arrange = true;
   double Spacing = 0.05;
 };

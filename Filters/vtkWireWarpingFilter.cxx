@@ -81,6 +81,7 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   options.isometric.maximumIterations = this->IsometricMaximumIterations;
   options.isometric.tolerance = this->IsometricTolerance;
   options.closeCuts = this->CloseCuts;
+  options.skipClosed = this->SkipClosed;
   options.releaseKeys = this->ReleaseKeys;
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
@@ -98,6 +99,7 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Interior: " << this->GetInteriorAsString() << "\n";
   os << indent << "ReleaseKeys: " << (this->ReleaseKeys ? "On" : "Off") << "\n";
   os << indent << "CloseCuts: " << (this->CloseCuts ? "On" : "Off") << "\n";
+  os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "ClosureTolerance: " << this->ClosureTolerance << "\n";
   os << indent << "OptimalityTolerance: " << this->OptimalityTolerance << "\n";

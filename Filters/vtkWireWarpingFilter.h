@@ -39,6 +39,10 @@
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
  * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds().
  *
+ * **One row a warning**: `RunWarnings` (string). **One row a piece that SkipClosed left out**,
+ * whose points and cells no output has: `LeftOutCells` (id; the first of its cells in the input),
+ * `LeftOutTriangles` (id), `LeftOutReasons` (string; `ClosedSurface` or `Handle`).
+ *
  * **One row an iteration**: `HistoryPiece`, `HistoryPhase` (string), `HistoryObjective`,
  * `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`, `HistoryStep` (radians).
  *
@@ -74,9 +78,9 @@
  * of length, so that a pattern keeps its scale).
  *
  * After a refusal all outputs are without points and cells, and the field data of output 0 has
- * `RunStatus`, `RunStatusMessage` and `RunStatusIds` alone. Promises whose breach is told as a
- * warning and in `Status`: the solver converged, key curves are compatible, no wire edge is off by
- * more than MaximumLengthError, no triangle is flipped, no piece overlaps itself.
+ * `RunStatus`, `RunStatusMessage`, `RunStatusIds` and `RunWarnings` alone. Promises whose breach is
+ * told as a warning and in `Status`: the solver converged, key curves are compatible, no wire edge
+ * is off by more than MaximumLengthError, no triangle is flipped, no piece overlaps itself.
  *
  * The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening approach with
  * length-preserved feature curves", Computer-Aided Design 40(3), 2008,
@@ -188,6 +192,17 @@ public:
   vtkSetMacro(CloseCuts, bool);
   vtkGetMacro(CloseCuts, bool);
   vtkBooleanMacro(CloseCuts, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Leave out pieces that cannot be laid flat, since they have no boundary or have handles, and
+   * flatten the others; a warning and the field data `LeftOutCells` name them. Off: the surface is
+   * refused for them (CLOSED_SURFACE, HANDLE), as it is where nothing would remain. Default: off.
+   */
+  vtkSetMacro(SkipClosed, bool);
+  vtkGetMacro(SkipClosed, bool);
+  vtkBooleanMacro(SkipClosed, bool);
   ///@}
 
   ///@{
@@ -371,6 +386,7 @@ private:
   int Interior = AS_RIGID_AS_POSSIBLE;
   bool ReleaseKeys = false;
   bool CloseCuts = false;
+  bool SkipClosed = false;
   int MaximumIterations = 300;
   double ClosureTolerance = 1e-12;
   double OptimalityTolerance = 1e-10;

@@ -107,14 +107,14 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
     result.status = "UnwritableOutput";
     result.message = error.what();
   }
-  std::string complaint;
+  std::string complaint = warnings(result, entry.folder + ": ");
   if (result.refused())
   {
-    complaint = "wirewarp: error: " + result.message + '\n';
+    complaint += "wirewarp: error: " + result.message + '\n';
   }
   else if (result.exitCode == PromiseBroken)
   {
-    complaint = brokenPromises(result, entry.folder + ": ");
+    complaint += brokenPromises(result, entry.folder + ": ");
   }
   const FieldRows flat(result.flat);
   const double total = secondsSince(start);

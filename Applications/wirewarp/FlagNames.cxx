@@ -13,11 +13,12 @@ struct Words
   const char* command;
 };
 
-constexpr std::array<Words, 9> dictionary{ {
+constexpr std::array<Words, 10> dictionary{ {
   { "raise the imprint tolerance", "raise --imprint-tolerance" },
   { "raise the snap distance", "raise --snap-tolerance" },
   { "allow triangles to be split", "leave out --no-split" },
   { "(option close cuts)", "(--close-cuts)" },
+  { "(option skip closed)", "(--skip-closed)" },
   { "use the Newton solver", "use --solver newton" },
   { "the relaxation needs 0 <= minimum <= maximum iterations",
     "the relaxation needs --relaxation-min-iterations <= --relaxation-max-iterations" },

@@ -58,6 +58,7 @@ void configure(vtkWireWarpingFilter* filter, const Options& options)
   filter->SetInterior(interiorValue(options.interior));
   filter->SetReleaseKeys(options.releaseKeys);
   filter->SetCloseCuts(options.closeCuts);
+  filter->SetSkipClosed(options.skipClosed);
   filter->SetDistortionEnergy(options.energy == "dirichlet"
       ? vtkWireWarpingFilter::SYMMETRIC_DIRICHLET
       : vtkWireWarpingFilter::RIGID);

@@ -111,6 +111,12 @@ void addMethods(CLI::App& app, Options& options)
       "Close darts and other cuts as far as their banks would lie over each other")
     ->group(group);
   app
+    .add_flag("--skip-closed", options.skipClosed,
+      "Leave out pieces without boundary or with handles, which cannot be laid flat, and flatten "
+      "the "
+      "others; without it such a surface is refused")
+    ->group(group);
+  app
     .add_option("--energy", options.energy,
       "isometric: what deforming the sheet costs: rigid (as rigid as possible), dirichlet "
       "(symmetric Dirichlet, which forbids flipped triangles)")
@@ -240,7 +246,8 @@ void addOutput(CLI::App& app, Options& options)
   app
     .add_flag("--list-curves", options.listCurves, "Print the length of each feature curve as well")
     ->group(group);
-  app.add_flag("-q,--quiet", options.quiet, "Print errors and broken promises only")->group(group);
+  app.add_flag("-q,--quiet", options.quiet, "Print errors, warnings and broken promises only")
+    ->group(group);
 }
 }
 

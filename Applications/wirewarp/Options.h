@@ -33,6 +33,7 @@ struct Options
   std::string interior = "arap";
   bool releaseKeys = false;
   bool closeCuts = false;
+  bool skipClosed = false;
   std::map<std::string, double> tolerances; ///< of length, by name of curve
 
   std::string energy = "rigid";

@@ -15,6 +15,16 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
+Json texts(const FieldRows& field, const char* array)
+{
+  Json rows = Json::array();
+  for (vtkIdType row = 0; row < field.count(array); ++row)
+  {
+    rows.push_back(field.text(array, row));
+  }
+  return rows;
+}
+
 /// Curves to release, the best first, and what that would bring; null where there is none.
 Json releaseAdvice(const FieldRows& field, const FieldRows& wires, vtkIdType piece)
 {
@@ -93,6 +103,19 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
   return pieces;
 }
 
+/// Pieces that --skip-closed left out.
+Json leftOutReports(const FieldRows& field)
+{
+  Json pieces = Json::array();
+  for (vtkIdType row = 0; row < field.count("LeftOutCells"); ++row)
+  {
+    pieces.push_back({ { "reason", field.text("LeftOutReasons", row) },
+      { "cell", field.integer("LeftOutCells", row) },
+      { "triangles", field.integer("LeftOutTriangles", row) } });
+  }
+  return pieces;
+}
+
 Json curveReports(const FieldRows& field)
 {
   Json curves = Json::array();
@@ -126,10 +149,12 @@ std::string makeReport(const Options& options, const Flattening& result)
   const FieldRows wires(result.wires);
   const Json report = { { "surface", options.surface }, { "curve_files", options.curves },
     { "scheme", options.scheme }, { "solver", options.solver }, { "interior", options.interior },
-    { "release_keys", options.releaseKeys }, { "version", WIREWARP_VERSION },
-    { "exit_code", result.exitCode }, { "status", result.status }, { "message", result.message },
-    { "ids", result.ids }, { "pieces", pieceReports(flat, wires) },
-    { "curves", curveReports(wires) }, { "seams", seamReports(result) },
+    { "release_keys", options.releaseKeys }, { "skip_closed", options.skipClosed },
+    { "version", WIREWARP_VERSION }, { "exit_code", result.exitCode }, { "status", result.status },
+    { "message", result.message }, { "ids", result.ids },
+    { "warnings", texts(flat, "RunWarnings") }, { "pieces", pieceReports(flat, wires) },
+    { "left_out", leftOutReports(flat) }, { "curves", curveReports(wires) },
+    { "seams", seamReports(result) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },
         { "wires", flat.number("SecondsWires", 0) },

@@ -87,7 +87,14 @@ std::string pieceTable(const Flattening& result)
       std::to_string(field.integer("Iterations", piece)), pieces == 1 ? optimized : "-",
       pieces == 1 ? all : "-", field.text("Status", piece) });
   }
-  if (pieces != 1)
+  for (vtkIdType row = 0; row < field.count("LeftOutCells"); ++row)
+  {
+    Row leftOut(rows.front().size(), "-");
+    leftOut[1] = std::to_string(field.integer("LeftOutTriangles", row));
+    leftOut.back() = field.text("LeftOutReasons", row) + ", left out";
+    rows.push_back(leftOut);
+  }
+  if (rows.size() != 2)
   {
     Row total(rows.front().size());
     total.front() = "all";
@@ -139,6 +146,18 @@ std::string releaseAdvice(const Flattening& result)
         (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
              : "; remove it, or make it elastic with --tolerance\n");
     }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string warnings(const Flattening& result, const std::string& where)
+{
+  const FieldRows field(result.flat);
+  std::string text;
+  for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
+  {
+    text += "wirewarp: warning: " + where + withFlags(field.text("RunWarnings", row)) + '\n';
   }
   return text;
 }

@@ -16,6 +16,9 @@ std::string curveTable(const Flattening& result);
 /// Where a piece has no good exact solution: which curve to release first, and what that brings.
 std::string releaseAdvice(const Flattening& result);
 
+/// What was left out of an input that could be used, a line each. \param where stands before each
+std::string warnings(const Flattening& result, const std::string& where = "");
+
 /// Broken promises, a line a piece. \param where stands before each piece
 std::string brokenPromises(const Flattening& result, const std::string& where = "");
 }

@@ -74,9 +74,10 @@ int run(const Options& options)
   {
     say(options, written);
   }
+  std::cout.flush();
+  std::cerr << warnings(written.result);
   if (written.result.exitCode == PromiseBroken)
   {
-    std::cout.flush();
     std::cerr << brokenPromises(written.result);
   }
   return written.result.exitCode;

@@ -118,7 +118,7 @@ Outcome CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 
     { points[0], points[1] } };
 }
 
-Outcome CurvedSurface::outcomeOfStage(const Status& status) const
+Outcome CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut) const
 {
   if (status.code == StatusCode::IncompatibleKeys)
   {
@@ -135,9 +135,10 @@ Outcome CurvedSurface::outcomeOfStage(const Status& status) const
   }
   if (concernsTriangles(status.code))
   {
-    for (Index t = 0; t < this->imprinted.mesh.triangleCount(); ++t)
+    const TriangleMesh& mesh = cut ? cut->mesh : this->imprinted.mesh;
+    for (Index t = 0; t < mesh.triangleCount(); ++t)
     {
-      inputId.push_back(this->cellOf(t));
+      inputId.push_back(this->cellOf(cut ? cut->originalTriangle(t) : t));
     }
     return outcomeOf(status, "cells", inputId);
   }

@@ -39,7 +39,7 @@ private:
 ///
 ///     vertex of the cut surface -> CutSurface::originalVertex -> vertex of imprinted.mesh
 ///       -> imprinted.vertexSource -> vertex of surface.prepared.mesh -> originalPoint -> point of the input
-///     triangle of the cut surface = triangle of imprinted.mesh
+///     triangle of the cut surface -> CutSurface::originalTriangle() -> triangle of imprinted.mesh
 ///       -> imprinted.originalTriangle -> triangle of the input -> cellOfTriangle -> cell of the input
 ///
 /// The ids of a stage's Status are: those of the input in readTriangles() and readCurves();
@@ -60,7 +60,7 @@ struct CurvedSurface
   /// How `curves` were imprinted on `surface`; none where they have not been.
   std::optional<ImprintOptions> imprintedBy;
 
-  /// Cell of the input that a triangle of the imprinted (or cut) surface is a part of.
+  /// Cell of the input that a triangle of the imprinted surface is a part of.
   vtkIdType cellOf(Index triangle) const;
   /// Point of the input that a vertex of the imprinted surface is; -1 where imprinting made it.
   vtkIdType pointOf(Index vertex) const;
@@ -70,8 +70,9 @@ struct CurvedSurface
   /// The vertices of two points of the input; none for -1. Refuses points that no triangle uses,
   /// one pin alone, and twice the same.
   Outcome pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const;
-  /// The outcome of a stage after imprinting.
-  Outcome outcomeOfStage(const Status& status) const;
+  /// The outcome of a stage after imprinting. \param cut where its triangles are those of a cut
+  /// surface that may lack some; null: those of the imprinted surface
+  Outcome outcomeOfStage(const Status& status, const CutSurface* cut = nullptr) const;
 };
 
 /// Loads the surface with its curves. What the source holds of a run before is taken over where it

@@ -21,9 +21,9 @@ namespace bridge
 {
 namespace
 {
-void writePieces(
-  const CurvedSurface& source, const std::vector<PieceReport>& pieces, vtkFieldData* field)
+void writePieces(const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field)
 {
+  const std::vector<PieceReport>& pieces = result.pieces;
   const std::size_t rows = pieces.size();
   auto addIds = [&](const char* name, auto PieceReport::*member) {
     addRows<vtkIdTypeArray>(
@@ -61,8 +61,21 @@ void writePieces(
   writeSummaries(summaries, field);
   addRows<vtkStringArray>(
     field, "Status", rows, [&](std::size_t row) { return statusName(pieces[row].status.code); });
-  addRows<vtkStringArray>(field, "StatusMessage", rows,
-    [&](std::size_t row) { return source.outcomeOfStage(pieces[row].status).message; });
+  addRows<vtkStringArray>(field, "StatusMessage", rows, [&](std::size_t row) {
+    return source.outcomeOfStage(pieces[row].status, result.cut.get()).message;
+  });
+}
+
+/// Pieces that cannot be laid flat and were skipped.
+void writeLeftOut(
+  const CurvedSurface& source, const std::vector<PieceDefect>& leftOut, vtkFieldData* field)
+{
+  addRows<vtkIdTypeArray>(field, "LeftOutCells", leftOut.size(),
+    [&](std::size_t row) { return source.cellOf(leftOut[row].triangle); });
+  addRows<vtkIdTypeArray>(field, "LeftOutTriangles", leftOut.size(),
+    [&](std::size_t row) { return vtkIdType{ leftOut[row].triangles }; });
+  addRows<vtkStringArray>(field, "LeftOutReasons", leftOut.size(),
+    [&](std::size_t row) { return statusName(leftOut[row].code()); });
 }
 
 void writeHistory(const std::vector<PieceReport>& pieces, vtkFieldData* field)
@@ -279,6 +292,30 @@ void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>&
     cells, "RestLength", count, [&](std::size_t w) { return wires[w].restLength; });
 }
 
+std::string describeLeftOut(const CurvedSurface& source, const FlatteningResult& result)
+{
+  Indices closed;
+  Indices handled;
+  for (const PieceDefect& defect : result.leftOut)
+  {
+    const auto cell = static_cast<Index>(source.cellOf(defect.triangle));
+    (defect.closed ? closed : handled).push_back(cell);
+  }
+  std::string text = std::to_string(result.leftOut.size()) + " of " +
+    std::to_string(result.leftOut.size() + result.pieces.size()) +
+    " pieces cannot be laid flat and were left out:";
+  if (!closed.empty())
+  {
+    text += " without boundary those of cells " + listIds(closed);
+  }
+  if (!handled.empty())
+  {
+    text +=
+      std::string(closed.empty() ? "" : ",") + " with handles those of cells " + listIds(handled);
+  }
+  return text;
+}
+
 void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
   vtkPolyData* wires, vtkPolyData* cut)
 {
@@ -300,7 +337,8 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   writeCurves(result.curves, wires->GetFieldData());
 
   vtkFieldData* field = flat->GetFieldData();
-  writePieces(source, result.pieces, field);
+  writePieces(source, result, field);
+  writeLeftOut(source, result.leftOut, field);
   writeHistory(result.pieces, field);
   writeReleases(result, field);
   writeSeamPairs(*result.cut, flat);

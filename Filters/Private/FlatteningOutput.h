@@ -12,6 +12,9 @@ namespace bridge
 void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
   vtkPolyData* wires, vtkPolyData* cut);
 
+/// A sentence that names the pieces that were left out, by cells of the input.
+std::string describeLeftOut(const CurvedSurface& source, const FlatteningResult& result);
+
 /// Writes wires as polylines over the points and point data of `surface`, with the cell arrays
 /// `CurveType`, `CurveId`, `CurveName`, `PieceId`, `Boundary` and `RestLength`.
 void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>& curves,

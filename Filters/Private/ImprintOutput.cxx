@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace flattening
 {
@@ -132,10 +131,7 @@ void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData*
 
 void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves)
 {
-  const TriangleMesh& mesh = source.imprinted.mesh;
-  Indices vertices(mesh.vertexCount());
-  std::iota(vertices.begin(), vertices.end(), 0);
-  writeSurface(source, mesh.triangles(), vertices, makePoints(mesh.points()), surface);
+  writeImprintedSurface(source, surface);
   writeCurves(source, surface, curves);
 }
 }

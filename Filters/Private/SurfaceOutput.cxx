@@ -13,6 +13,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace flattening
 {
@@ -75,6 +76,20 @@ void copyPointData(const CurvedSurface& source, const Indices& originalVertex, v
     to->InterpolatePoint(from, v, sourcePoints, weights);
   }
 }
+
+/// Triangles over points, each a copy of a vertex of the imprinted surface, with the input's data.
+void writeSurface(const CurvedSurface& source, const Triangles& triangles,
+  const std::vector<vtkIdType>& cellOfTriangle, const Indices& originalVertex, vtkPoints* points,
+  vtkPolyData* output)
+{
+  output->SetPoints(points);
+  output->SetPolys(makeTriangles(triangles));
+  copyPointData(source, originalVertex, output);
+  copyCellData(source.data, cellOfTriangle, output);
+  output->GetFieldData()->PassData(source.data->GetFieldData());
+  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", originalVertex.size(),
+    [&](std::size_t v) { return source.pointOf(originalVertex[v]); });
+}
 }
 
 vtkSmartPointer<vtkPoints> makePoints(const Points3& points)
@@ -123,28 +138,31 @@ void copyCellData(
     [&](std::size_t t) { return cellOfTriangle[t]; });
 }
 
-void writeSurface(const CurvedSurface& source, const Triangles& triangles,
-  const Indices& originalVertex, vtkPoints* points, vtkPolyData* output)
+void writeImprintedSurface(const CurvedSurface& source, vtkPolyData* output)
 {
-  output->SetPoints(points);
-  output->SetPolys(makeTriangles(triangles));
-  copyPointData(source, originalVertex, output);
+  const TriangleMesh& mesh = source.imprinted.mesh;
+  Indices vertices(mesh.vertexCount());
+  std::iota(vertices.begin(), vertices.end(), 0);
   std::vector<vtkIdType> cellOfTriangle;
-  cellOfTriangle.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  cellOfTriangle.reserve(mesh.triangleCount());
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    cellOfTriangle.push_back(source.cellOf(static_cast<Index>(t)));
+    cellOfTriangle.push_back(source.cellOf(t));
   }
-  copyCellData(source.data, cellOfTriangle, output);
-  output->GetFieldData()->PassData(source.data->GetFieldData());
-  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", originalVertex.size(),
-    [&](std::size_t v) { return source.pointOf(originalVertex[v]); });
+  writeSurface(
+    source, mesh.triangles(), cellOfTriangle, vertices, makePoints(mesh.points()), output);
 }
 
 void writeCutSurface(
   const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output)
 {
-  writeSurface(source, cut.mesh.triangles(), cut.originalVertex, points, output);
+  std::vector<vtkIdType> cellOfTriangle;
+  cellOfTriangle.reserve(cut.mesh.triangleCount());
+  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  {
+    cellOfTriangle.push_back(source.cellOf(cut.originalTriangle(t)));
+  }
+  writeSurface(source, cut.mesh.triangles(), cellOfTriangle, cut.originalVertex, points, output);
   addRows<vtkIdTypeArray>(output->GetCellData(), "PieceId", cut.pieceOfTriangle.size(),
     [&](std::size_t t) { return cut.pieceOfTriangle[t]; });
 }

@@ -23,13 +23,11 @@ vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
 void copyCellData(
   vtkPolyData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output);
 
-/// Fills a data set with the triangles of the imprinted surface over the given points, each of them
-/// a copy of a vertex of it, with the input's point and cell data (interpolated at points made by
-/// imprinting) and field data, `vtkOriginalCellIds` and `vtkOriginalPointIds`.
-void writeSurface(const CurvedSurface& source, const Triangles& triangles,
-  const Indices& originalVertex, vtkPoints* points, vtkPolyData* output);
+/// Fills a data set with the imprinted surface, with the input's point and cell data (interpolated
+/// at points made by imprinting) and field data, `vtkOriginalCellIds` and `vtkOriginalPointIds`.
+void writeImprintedSurface(const CurvedSurface& source, vtkPolyData* output);
 
-/// The same for a cut surface, with `PieceId`.
+/// The same for a cut surface over the given points, with `PieceId`.
 void writeCutSurface(
   const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output);
 

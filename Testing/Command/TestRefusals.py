@@ -171,13 +171,20 @@ class Refusals(command.CommandTest):
         self.assertEqual(report["status"], "Ok")
 
     def test_closed_surface(self):
-        points = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
-        triangles = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
-        self.refuse_surface(points, triangles, "ClosedSurface")
+        self.refuse_surface(*command.TETRAHEDRON, "ClosedSurface")
 
     def test_handle(self):
         points, triangles = command.torus()
         self.refuse_surface(points, triangles[1:], "Handle")
+
+    def test_every_piece_that_cannot_be_laid_flat_is_named_at_once(self):
+        points, triangles = command.together(
+            command.sheet(), command.TETRAHEDRON, (command.torus()[0], command.torus()[1][1:]),
+            command.TETRAHEDRON)
+        report = self.refuse_surface(
+            points, triangles, "ClosedSurface", "32, 107", "36", "(--skip-closed)")
+        self.assertEqual(report["ids"], [32, 36, 107])
+        self.assertEqual(report["left_out"], [])
 
     # Curves
 

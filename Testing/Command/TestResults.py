@@ -41,6 +41,42 @@ class Results(command.CommandTest):
              "tolerance", "type"],
         )
 
+    def test_what_is_skipped_is_in_report_table_and_warning(self):
+        self.write("shirt.obj", command.obj(*command.together(
+            (self.points, self.triangles), command.TETRAHEDRON,
+            (command.torus()[0], command.torus()[1][1:]))))
+        run = self.run_command("shirt.obj", "arc.txt", "--skip-closed", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = self.report("out")
+        self.assertEqual(report["status"], "Ok")
+        self.assertTrue(report["skip_closed"])
+        self.assertEqual(report["left_out"], [
+            {"reason": "ClosedSurface", "cell": 56, "triangles": 4},
+            {"reason": "Handle", "cell": 60, "triangles": 71}])
+        self.assertEqual(len(report["warnings"]), 1)
+        warning = ("2 of 3 pieces cannot be laid flat and were left out: without boundary those of cells "
+                   "56, with handles those of cells 60")
+        self.assertEqual(report["warnings"], [warning])
+        self.assertEqual(run.stderr.splitlines()[-1], "wirewarp: warning: " + warning)
+        rows = [line.split() for line in run.stdout.splitlines()]
+        self.assertIn(("-", "4", "ClosedSurface,"), [(row[0], row[1], row[-3]) for row in rows if len(row) > 3])
+        self.assertIn(("-", "71", "Handle,"), [(row[0], row[1], row[-3]) for row in rows if len(row) > 3])
+
+        # The rest is what it would be alone.
+        alone = self.flatten("lune.obj", "arc.txt")
+        self.assertEqual((alone["left_out"], alone["warnings"]), ([], []))
+        for key in ("E_len", "E_ang", "E_h", "E_area", "objective"):
+            self.assertEqual(report["pieces"][0][key], alone["pieces"][0][key], key)
+        self.assertEqual(report["curves"], alone["curves"])
+
+    def test_a_batch_says_what_it_skips(self):
+        self.write("shirt.obj", command.obj(*command.together(
+            (self.points, self.triangles), command.TETRAHEDRON)))
+        self.write("list.txt", "shirt.obj\n")
+        run = self.run_command("--batch", "list.txt", "--skip-closed", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("wirewarp: warning: shirt: 1 of 2 pieces", run.stderr)
+
     def test_the_default_is_isometric_and_the_papers_words_ask_for_its_global_scheme(self):
         for options, scheme in (
             ((), "isometric"),

@@ -110,6 +110,19 @@ def sheet(columns=4, rows=4):
     return points, triangles
 
 
+TETRAHEDRON = ([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)],
+               [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
+
+
+def together(*surfaces):
+    """Surfaces as one, each of points and triangles, their triangles in this order."""
+    points, triangles = [], []
+    for part_points, part_triangles in surfaces:
+        triangles += [tuple(v + len(points) for v in t) for t in part_triangles]
+        points += part_points
+    return points, triangles
+
+
 def moebius_band(count=12):
     """A band of two rows with half a twist, one-sided."""
     points = []

@@ -66,7 +66,8 @@ TEST(WireReport, ADartHasTwoBanksOfOneLength)
   }
   EXPECT_DOUBLE_EQ(banks[0].restLength, banks[1].restLength);
   // The curve counts once.
-  const std::vector<CurveReport> reports = summarizeCurves(surface.mesh, surface.curves, banks);
+  const std::vector<CurveReport> reports =
+    summarizeCurves(surface.mesh, cut, surface.curves, banks);
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_EQ(reports[0].name, "dart");
   EXPECT_NEAR(reports[0].restLength, banks[0].restLength, 1e-15);

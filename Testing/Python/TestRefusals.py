@@ -49,6 +49,30 @@ class Refused(unittest.TestCase):
         error = self.refuse(Codes.CLOSED_SURFACE, points, triangles)
         self.assertEqual(error.name, "ClosedSurface")
 
+    def test_what_is_skipped_is_warned_of_and_reported(self):
+        points, triangles = grid()
+        button = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]) + len(points)
+        all_points = np.concatenate([points, [[9, 0, 0], [10, 0, 0], [9, 1, 0], [9, 0, 1]]])
+        all_triangles = np.concatenate([triangles, button])
+        first = len(triangles)
+        error = self.refuse(Codes.CLOSED_SURFACE, all_points, all_triangles)
+        self.assertEqual(error.ids, [first])
+        lines = []
+        with standard_error(lines), warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = sf.flatten(all_points, all_triangles, skip_closed=True)
+        self.assertEqual(lines, [])
+        self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])
+        self.assertEqual(caught[0].filename, __file__)
+        self.assertEqual(result.report["warnings"], [str(caught[0].message)])
+        self.assertEqual(result.report["left_out"],
+                         [{"reason": "ClosedSurface", "cell": first, "triangles": 4}])
+        self.assertEqual(result.report["status"], "Ok")
+        alone = sf.flatten(points, triangles)
+        self.assertEqual((alone.report["warnings"], alone.report["left_out"]), ([], []))
+        np.testing.assert_array_equal(result.positions, alone.positions)
+        np.testing.assert_array_equal(result.cell_arrays["vtkOriginalCellIds"], np.arange(first))
+
     def test_an_edge_of_three_triangles(self):
         points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]]
         error = self.refuse(Codes.NON_MANIFOLD_EDGE, points, [[0, 1, 2], [0, 1, 3], [1, 0, 4]])

@@ -196,6 +196,7 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
   Points3 points = mesh.points();
   Triangles triangles = mesh.triangles();
   cut.originalVertex.resize(points.size());
+  cut.originalVertexCount = mesh.vertexCount();
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
     cut.originalVertex[v] = v;

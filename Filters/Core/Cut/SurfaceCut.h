@@ -14,11 +14,16 @@ struct SeamPair
   Index curve = none;  ///< the dart or seam
 };
 
-/// A surface whose darts and seams are open. Triangles and half-edges keep their ids.
+/// A surface whose darts and seams are open. Triangles and half-edges keep their ids, unless pieces
+/// were left out (see withoutPieces()).
 struct CutSurface
 {
   TriangleMesh mesh;
   Indices originalVertex;
+  Index originalVertexCount = 0; ///< of the surface before the cut
+  /// Per triangle its id before the cut, where pieces were left out; else empty, because all have
+  /// kept theirs.
+  Indices keptTriangles;
   /// Per half-edge the feature curve that it lies on, else none. Both sides of an edge agree, also
   /// where the edge was cut.
   Indices curveOfHalfedge;
@@ -27,6 +32,12 @@ struct CutSurface
   Indices pieceOfTriangle;
   Index pieceCount = 0;
   Status status;
+
+  /// The triangle's id before the cut.
+  Index originalTriangle(Index triangle) const
+  {
+    return this->keptTriangles.empty() ? triangle : this->keptTriangles[triangle];
+  }
 };
 
 /// What the cut needs to know of the feature curves.

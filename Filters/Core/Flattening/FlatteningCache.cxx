@@ -3,18 +3,47 @@
 
 namespace flattening
 {
-bool FlatteningCache::serves(const TriangleMesh& surface, const CurveLabels& labels) const
+bool FlatteningCache::serves(
+  const TriangleMesh& surface, const CurveLabels& labels, bool skip) const
 {
-  return this->cut && this->opens == labels.opens &&
-    this->cut->curveOfHalfedge == labels.curveOfHalfedge && this->mesh.identical(surface);
+  const bool whole = this->leftOut.empty();
+  const bool asAsked = skip ? this->topology.ok() : whole;
+  return this->cut && asAsked && this->opens == labels.opens &&
+    (whole ? this->cut->curveOfHalfedge : this->curveOfHalfedge) == labels.curveOfHalfedge &&
+    this->mesh.identical(surface);
 }
 
-void FlatteningCache::renew(const TriangleMesh& surface, CurveLabels labels, bool keep)
+void FlatteningCache::renew(const TriangleMesh& surface, CurveLabels labels, bool skip, bool keep)
 {
   this->mesh = {};
   this->opens = labels.opens;
-  this->cut = std::make_shared<const CutSurface>(openCuts(surface, std::move(labels)));
-  std::vector<Piece> renewed = extractPieces(*this->cut);
+  this->curveOfHalfedge.clear();
+  this->leftOut.clear();
+  CutSurface opened = openCuts(surface, std::move(labels));
+  std::vector<Piece> renewed = extractPieces(opened);
+  const std::vector<std::optional<PieceDefect>> defects = findDefects(renewed);
+  this->topology = refusalOf(defects);
+  std::vector<char> out;
+  for (const std::optional<PieceDefect>& defect : defects)
+  {
+    out.push_back(defect ? 1 : 0);
+    if (skip && defect)
+    {
+      this->leftOut.push_back(*defect);
+    }
+  }
+  if (this->leftOut.size() == renewed.size())
+  {
+    this->leftOut.clear(); // nothing would remain
+  }
+  if (!this->leftOut.empty())
+  {
+    this->topology = {};
+    this->curveOfHalfedge = opened.curveOfHalfedge;
+    opened = withoutPieces(opened, out);
+    renewed = extractPieces(opened);
+  }
+  this->cut = std::make_shared<const CutSurface>(std::move(opened));
   this->pieces.resize(renewed.size());
   for (std::size_t p = 0; p < renewed.size(); ++p)
   {

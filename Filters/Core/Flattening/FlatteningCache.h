@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Cut/SurfaceCut.h"
+#include "Cut/PieceTopology.h"
 #include "Embedding/InteriorSystem.h"
 #include "Quality/FlatteningQuality.h"
 #include "Wires/WireNetwork.h"
@@ -29,12 +29,18 @@ struct FlatteningCache
 {
   TriangleMesh mesh;       ///< the surface before the cut
   std::vector<char> opens; ///< by curve, as in CurveLabels
+  Indices curveOfHalfedge; ///< of the surface before the cut, where pieces were left out
   std::shared_ptr<const CutSurface> cut;
   std::vector<WiredPiece> pieces;
+  /// The refusal for pieces that cannot be laid flat, or Ok where there are none, or they were left
+  /// out.
+  Status topology;
+  std::vector<PieceDefect> leftOut;
 
-  /// Whether cut and pieces are those of the surface with these curves.
-  bool serves(const TriangleMesh& surface, const CurveLabels& labels) const;
+  /// Whether cut and pieces are those of the surface with these curves. \param skip whether pieces
+  /// that cannot be laid flat are to be left out.
+  bool serves(const TriangleMesh& surface, const CurveLabels& labels, bool skip) const;
   /// Cuts the surface anew. \param keep whether another run will ask serves().
-  void renew(const TriangleMesh& surface, CurveLabels labels, bool keep);
+  void renew(const TriangleMesh& surface, CurveLabels labels, bool skip, bool keep);
 };
 }

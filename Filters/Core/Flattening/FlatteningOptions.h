@@ -25,6 +25,8 @@ struct FlatteningOptions
   ConformalOptions conformal; ///< pins are vertices of the surface before the cut
   /// Close cuts as far as their banks would lie over each other (see closeCrossingCuts()).
   bool closeCuts = false;
+  /// Leave out pieces without boundary or with handles instead of refusing the surface for them.
+  bool skipClosed = false;
   /// Treat key curves as accessory curves.
   bool releaseKeys = false;
   /// Lay the pieces beside each other, grainline up; otherwise each stays where its first wire edge

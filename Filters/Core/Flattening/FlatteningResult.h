@@ -3,7 +3,7 @@
 
 #include "Angles/AngleSolution.h"
 #include "Angles/ReleaseAdvice.h"
-#include "Cut/SurfaceCut.h"
+#include "Cut/PieceTopology.h"
 #include "Quality/FlatteningQuality.h"
 
 #include <memory>
@@ -59,7 +59,8 @@ struct CurveReport
 {
   std::string name;
   CurveType type = CurveType::Accessory;
-  double restLength = 0.0; ///< of all its wires; a cut curve counts once
+  /// Of all its wires; a cut curve counts once, and not where it runs on pieces that are left out.
+  double restLength = 0.0;
   double flatLength = 0.0;
   double error = 0.0;     ///< largest relative error of one of its edges
   double tolerance = 0.0; ///< of an elastic curve; 0: rigid
@@ -91,6 +92,8 @@ struct FlatteningResult
   std::vector<double> developability; ///< per vertex of the cut surface, Eq. 25
   std::vector<Wire> wires;
   std::vector<PieceReport> pieces;
+  /// Pieces that the cut surface and all of the above lack, because they cannot be laid flat.
+  std::vector<PieceDefect> leftOut;
   std::vector<CurveReport> curves;
   StageSeconds seconds;
 };

@@ -114,9 +114,13 @@ public:
     {
       return refusal(std::move(labels.status));
     }
-    if (!this->Keep || !this->Kept.serves(this->Mesh, labels))
+    if (!this->Keep || !this->Kept.serves(this->Mesh, labels, this->Options.skipClosed))
     {
-      this->Kept.renew(this->Mesh, std::move(labels), this->Keep);
+      this->Kept.renew(this->Mesh, std::move(labels), this->Options.skipClosed, this->Keep);
+    }
+    if (!this->Kept.topology.ok())
+    {
+      return refusal(this->Kept.topology);
     }
     if (this->Run.cancelled())
     {
@@ -135,6 +139,7 @@ public:
     }
     this->measure();
     this->Result.cut = this->Kept.cut;
+    this->Result.leftOut = this->Kept.leftOut;
     this->Result.seconds.quality = qualityWatch.seconds();
     this->Result.seconds.total = watch.seconds();
     this->Run.report(1.0, "Done");
@@ -287,7 +292,7 @@ private:
     {
       measureWire(cut, this->Result.positions, wire);
     }
-    this->Result.curves = summarizeCurves(this->Mesh, this->Curves, this->Result.wires);
+    this->Result.curves = summarizeCurves(this->Mesh, cut, this->Curves, this->Result.wires);
     for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
       this->measurePiece(p);

@@ -8,42 +8,77 @@ namespace flattening
 {
 namespace
 {
-/// The copies of one segment of a curve in the cut surface: one, or two where it was cut.
-std::vector<std::array<Index, 2>> segmentCopies(
-  const TriangleMesh& original, const TriangleMesh& cut, Index from, Index to)
+/// Where the edges of a surface are after its cut.
+class EdgeCopies
 {
-  std::vector<std::array<Index, 2>> copies;
-  const Index forward = original.find(from, to);
-  const Index backward = original.find(to, from);
-  if (forward != none)
+public:
+  EdgeCopies(const TriangleMesh& original, const CutSurface& cut)
+    : Original(original)
+    , Cut(cut.mesh)
   {
-    copies.push_back({ cut.from(forward), cut.to(forward) });
-  }
-  if (backward != none)
-  {
-    const std::array<Index, 2> copy{ cut.to(backward), cut.from(backward) };
-    if (copies.empty() || copies.front() != copy)
+    if (!cut.keptTriangles.empty())
     {
-      copies.push_back(copy);
+      this->TriangleOf.assign(original.triangleCount(), none);
+    }
+    for (std::size_t t = 0; t < cut.keptTriangles.size(); ++t)
+    {
+      this->TriangleOf[cut.keptTriangles[t]] = static_cast<Index>(t);
     }
   }
-  return copies;
-}
+
+  /// The copies of one segment of a curve: one, or two where it was cut, or none where its piece
+  /// was left out.
+  std::vector<std::array<Index, 2>> of(Index from, Index to) const
+  {
+    std::vector<std::array<Index, 2>> copies;
+    const Index forward = this->find(from, to);
+    const Index backward = this->find(to, from);
+    if (forward != none)
+    {
+      copies.push_back({ this->Cut.from(forward), this->Cut.to(forward) });
+    }
+    if (backward != none)
+    {
+      const std::array<Index, 2> copy{ this->Cut.to(backward), this->Cut.from(backward) };
+      if (copies.empty() || copies.front() != copy)
+      {
+        copies.push_back(copy);
+      }
+    }
+    return copies;
+  }
+
+private:
+  /// The half-edge of the cut surface.
+  Index find(Index from, Index to) const
+  {
+    const Index h = this->Original.find(from, to);
+    if (h == none || this->TriangleOf.empty())
+    {
+      return h;
+    }
+    const Index triangle = this->TriangleOf[h / 3];
+    return triangle == none ? none : 3 * triangle + h % 3;
+  }
+
+  const TriangleMesh& Original;
+  const TriangleMesh& Cut;
+  Indices TriangleOf; ///< by triangle before the cut; empty: all have kept their ids
+};
 
 Index pieceOfVertex(const CutSurface& cut, Index vertex)
 {
   return cut.pieceOfTriangle[cut.mesh.outgoing(vertex) / 3];
 }
 
-void traceCurve(const TriangleMesh& original, const CutSurface& cut, const FeatureCurve& curve,
+void traceCurve(const EdgeCopies& copies, const CutSurface& cut, const FeatureCurve& curve,
   Index id, std::vector<Wire>& wires)
 {
   std::vector<std::size_t> open; // wires that the next segment may go on
   for (std::size_t k = 0; k + 1 < curve.vertices.size(); ++k)
   {
     std::vector<std::size_t> stillOpen;
-    for (const auto& copy :
-      segmentCopies(original, cut.mesh, curve.vertices[k], curve.vertices[k + 1]))
+    for (const auto& copy : copies.of(curve.vertices[k], curve.vertices[k + 1]))
     {
       const auto goesOn = std::find_if(open.begin(), open.end(),
         [&](std::size_t w) { return wires[w].vertices.back() == copy[0]; });
@@ -123,9 +158,10 @@ std::vector<Wire> traceWires(
   const TriangleMesh& original, const CutSurface& cut, const std::vector<FeatureCurve>& curves)
 {
   std::vector<Wire> wires;
+  const EdgeCopies copies(original, cut);
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    traceCurve(original, cut, curves[c], static_cast<Index>(c), wires);
+    traceCurve(copies, cut, curves[c], static_cast<Index>(c), wires);
   }
   traceBoundary(cut, wires);
   for (Wire& wire : wires)
@@ -186,7 +222,7 @@ void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire)
   }
 }
 
-std::vector<CurveReport> summarizeCurves(const TriangleMesh& original,
+std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const std::vector<Wire>& wires)
 {
   std::vector<CurveReport> reports(curves.size());
@@ -199,6 +235,7 @@ std::vector<CurveReport> summarizeCurves(const TriangleMesh& original,
       reports[wire.curve].error = std::max(reports[wire.curve].error, wire.maximumEdgeError);
     }
   }
+  const EdgeCopies copies(original, cut);
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     CurveReport& report = reports[c];
@@ -208,12 +245,19 @@ std::vector<CurveReport> summarizeCurves(const TriangleMesh& original,
     double length = 0.0;
     for (std::size_t k = 0; k + 1 < curves[c].vertices.size(); ++k)
     {
-      length +=
-        (original.point(curves[c].vertices[k + 1]) - original.point(curves[c].vertices[k])).norm();
+      const Index a = curves[c].vertices[k];
+      const Index b = curves[c].vertices[k + 1];
+      if (cut.keptTriangles.empty() || !copies.of(a, b).empty())
+      {
+        length += (original.point(b) - original.point(a)).norm();
+      }
     }
-    // Both banks of a cut are wires, but the curve is one.
-    report.flatLength *= length / report.restLength;
-    report.restLength = length;
+    if (report.restLength > 0.0)
+    {
+      // Both banks of a cut are wires, but the curve is one.
+      report.flatLength *= length / report.restLength;
+      report.restLength = length;
+    }
   }
   return reports;
 }

@@ -24,6 +24,7 @@ std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece
 void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire);
 
 /// One row a curve, from its measured wires; of a curve that was cut the mean of its two banks.
-std::vector<CurveReport> summarizeCurves(const TriangleMesh& original,
+/// What runs on pieces that are left out does not count.
+std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const std::vector<Wire>& wires);
 }

@@ -91,7 +91,7 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
       continue;
     }
     // Position in the chain of each original vertex, to find where the curve passes through.
-    Indices placeOf(cut.mesh.vertexCount(), none);
+    Indices placeOf(cut.originalVertexCount, none);
     for (std::size_t k = 0; k < curve.vertices.size(); ++k)
     {
       placeOf[curve.vertices[k]] = static_cast<Index>(k);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/WireNetwork.h"
 
+#include "Cut/PieceTopology.h"
 #include "Wires/WireConnectors.h"
 
 #include <algorithm>
@@ -25,11 +26,12 @@ public:
 
   WireNetwork build()
   {
-    this->BoundaryLoops = this->Mesh.boundaryLoops();
-    if (!this->checkTopology())
+    this->Network.status = refusalOf({ findDefect(this->Source) });
+    if (!this->Network.status.ok())
     {
       return std::move(this->Network);
     }
+    this->BoundaryLoops = this->Mesh.boundaryLoops();
     this->putOuterLoopFirst();
     this->markWires();
     this->findPatches();
@@ -49,29 +51,6 @@ public:
   }
 
 private:
-  bool checkTopology()
-  {
-    const auto loops = static_cast<Index>(this->BoundaryLoops.size());
-    if (loops == 0)
-    {
-      this->Network.status = { StatusCode::ClosedSurface,
-        "the surface is closed (triangle " + std::to_string(this->Source.triangles.front()) +
-          " lies on a part without boundary); cut it into pieces with seams or open it with a dart",
-        { this->Source.triangles.front() } };
-      return false;
-    }
-    const Index genus = (2 - loops - eulerCharacteristic(this->Mesh)) / 2;
-    if (genus > 0)
-    {
-      this->Network.status = { StatusCode::Handle,
-        "the surface has " + std::to_string(genus) + " handle(s) (the part of triangle " +
-          std::to_string(this->Source.triangles.front()) + "); cut each open with a seam or dart",
-        { this->Source.triangles.front() } };
-      return false;
-    }
-    return true;
-  }
-
   /// The outer boundary turns by about 2 pi around the surface, holes by about -2 pi, however long
   /// their banks are; of equals, as on a tube, it is the longest.
   void putOuterLoopFirst()

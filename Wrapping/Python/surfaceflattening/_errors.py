@@ -28,4 +28,5 @@ class FlatteningError(ValueError):
 
 class FlatteningWarning(UserWarning):
     """There is a result, but a promise is broken: not converged, keys that contradict each other, a
-    length error, a flipped triangle or an overlap. The report's "status" says which."""
+    length error, a flipped triangle or an overlap (the report's "status" says which), or a part of
+    the input was left out (the report's "warnings")."""

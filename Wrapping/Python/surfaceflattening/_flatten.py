@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
-from ._result import Flattening, make_result
+from ._result import Flattening, make_result, texts_of
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
 # The words of the command wirewarp, in the order of the filter's enumerations.
@@ -67,6 +67,8 @@ def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
     if filter_.IsRefused():
         ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
         raise FlatteningError(filter_.GetStatusCode(), name, ids, message)
+    for warning in texts_of(filter_.GetOutput(0).GetFieldData(), "RunWarnings"):
+        warnings.warn(warning, FlatteningWarning, stacklevel=4)
     if filter_.GetStatusCode() != vtkWireWarpingFilter.OK:
         warnings.warn(f"{name}: {message}", FlatteningWarning, stacklevel=4)
 
@@ -80,6 +82,7 @@ def _flatten(
     interior: str = "arap",
     release_keys: bool = False,
     close_cuts: bool = False,
+    skip_closed: bool = False,
     energy: str = "rigid",
     area_bias: float = 0.0,
     angle_weight: float = 5.0,
@@ -104,6 +107,7 @@ def _flatten(
     )
     _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
     _set(filter_, "close_cuts", "CloseCuts", bool(close_cuts))
+    _set(filter_, "skip_closed", "SkipClosed", bool(skip_closed))
     _set_word(filter_, "energy", "DistortionEnergy", energy, ENERGIES)
     _set(filter_, "area_bias", "AreaBias", area_bias)
     _set(filter_, "angle_weight", "AngleWeight", angle_weight)
@@ -132,6 +136,7 @@ def flatten(
     interior: str = "arap",
     release_keys: bool = False,
     close_cuts: bool = False,
+    skip_closed: bool = False,
     energy: str = "rigid",
     area_bias: float = 0.0,
     angle_weight: float = 5.0,
@@ -167,6 +172,9 @@ def flatten(
         release_keys: treat key curves as accessory curves.
         close_cuts: close darts and other cuts as far as their banks would lie over each other, at
             the price of more distortion; False: they overlap, which breaks a promise.
+        skip_closed: leave out pieces that cannot be laid flat, since they have no boundary or have
+            handles, and flatten the others, with a warning; report["left_out"] names them. False:
+            the surface is refused for them.
         energy: "isometric": what deforming the sheet costs: "rigid", as rigid as possible, or
             "dirichlet", symmetric Dirichlet, which forbids flipped triangles.
         area_bias: "isometric" with "rigid": above 0 a change of area costs more than one of angle
@@ -199,7 +207,8 @@ def flatten(
 
     Warns:
         FlatteningWarning: there is a result, but a promise is broken (not converged, a length
-            error, a flipped triangle, an overlap); report["status"] says which.
+            error, a flipped triangle, an overlap; report["status"] says which), or a part of the
+            input was left out (report["warnings"]).
     """
     return _flatten(
         make_surface(points, triangles),
@@ -209,6 +218,7 @@ def flatten(
         interior=interior,
         release_keys=release_keys,
         close_cuts=close_cuts,
+        skip_closed=skip_closed,
         energy=energy,
         area_bias=area_bias,
         angle_weight=angle_weight,

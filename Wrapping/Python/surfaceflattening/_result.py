@@ -97,7 +97,7 @@ class Flattening(NamedTuple):
     #: Boundary edges that cross in the plane: points a, b and c, d and the piece; int64, (k, 5).
     overlap_edges: NDArray[np.int64]
     #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
-    #: "message", "ids", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error, ...)
+    #: "message", "ids", "warnings", "left_out", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error, ...)
     #: and "seconds".
     report: Report
 
@@ -111,6 +111,11 @@ def _values(field: Any, name: str) -> List[Any]:
         return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
     values: List[Any] = vtk_to_numpy(array).tolist()
     return values
+
+
+def texts_of(field: Any, name: str) -> List[str]:
+    """The rows of a string array; none where there is no such array."""
+    return [str(value) for value in _values(field, name)]
 
 
 def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
@@ -186,7 +191,13 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
         "status": _values(field, "RunStatus")[0],
         "message": _values(field, "RunStatusMessage")[0],
         "ids": _values(field, "RunStatusIds"),
+        "warnings": texts_of(field, "RunWarnings"),
         "pieces": pieces,
+        "left_out": [
+            {"reason": reason, "cell": cell, "triangles": triangles}
+            for reason, cell, triangles in zip(*(_values(field, name) for name in (
+                "LeftOutReasons", "LeftOutCells", "LeftOutTriangles")))
+        ],
         "curves": [
             {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
              "error": error, "tolerance": tolerance, "closed_length": closed,

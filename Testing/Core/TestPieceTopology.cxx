@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces with pieces that no method can lay flat: without boundary, or with handles.
+#include "Cut/PieceTopology.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// A button: closed, of four triangles.
+TriangleMesh tetrahedron()
+{
+  return TriangleMesh({ Point3(0, 0, 9), Point3(1, 0, 9), Point3(0, 1, 9), Point3(0, 0, 10) },
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+}
+
+constexpr Index ringSize = 8;
+
+/// Vertex (i, j) is i ringSize + j; quad (i, j) has triangles 2 (i ringSize + j) and the next.
+TriangleMesh torus()
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index i = 0; i < ringSize; ++i)
+  {
+    for (Index j = 0; j < ringSize; ++j)
+    {
+      const double u = 2.0 * pi * i / ringSize;
+      const double v = 2.0 * pi * j / ringSize;
+      const double r = 3.0 + std::cos(v);
+      points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
+      const Index a = i * ringSize + j;
+      const Index b = (i + 1) % ringSize * ringSize + j;
+      const Index c = (i + 1) % ringSize * ringSize + (j + 1) % ringSize;
+      const Index d = i * ringSize + (j + 1) % ringSize;
+      triangles.push_back({ a, b, c });
+      triangles.push_back({ a, c, d });
+    }
+  }
+  return TriangleMesh(std::move(points), std::move(triangles));
+}
+
+TriangleMesh torusWithAHole()
+{
+  Triangles triangles = torus().triangles();
+  triangles.pop_back();
+  return TriangleMesh(torus().points(), std::move(triangles));
+}
+
+/// Surfaces as one, in the order given. Curves keep their order.
+Surface together(const std::vector<Surface>& parts)
+{
+  Surface all;
+  Points3 points;
+  Triangles triangles;
+  for (const Surface& part : parts)
+  {
+    const auto first = static_cast<Index>(points.size());
+    points.insert(points.end(), part.mesh.points().begin(), part.mesh.points().end());
+    for (Triangle t : part.mesh.triangles())
+    {
+      triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+    for (FeatureCurve curve : part.curves)
+    {
+      for (Index& v : curve.vertices)
+      {
+        v += first;
+      }
+      all.curves.push_back(curve);
+    }
+  }
+  all.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  return all;
+}
+
+Surface partOf(TriangleMesh mesh)
+{
+  Surface part;
+  part.mesh = std::move(mesh);
+  return part;
+}
+
+/// Curves of every type, so that what refers to vertices, edges and pieces has something to say.
+Surface shirt()
+{
+  Surface surface = cushion(8, 6, 0.3);
+  surface.curves = { rowCurve(8, 3), columnCurve(8, 6, 4) };
+  surface.curves[0].type = CurveType::Key;
+  surface.curves[0].keyShape = KeyShape::Straight;
+  surface.curves[1].type = CurveType::Seam;
+  return surface;
+}
+
+FlatteningOptions skipping(Scheme scheme = Scheme::Isometric)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.interior.method = InteriorMethod::AsRigidAsPossible;
+  options.skipClosed = true;
+  return options;
+}
+
+FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
+{
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+/// Every result that a caller sees of the two is the same, bit for bit.
+void expectSame(const FlatteningResult& result, const FlatteningResult& expected)
+{
+  EXPECT_EQ(result.status.code, expected.status.code) << result.status.message;
+  EXPECT_EQ(result.status.ids, expected.status.ids);
+  EXPECT_TRUE(result.cut->mesh.identical(expected.cut->mesh));
+  EXPECT_EQ(result.cut->pieceOfTriangle, expected.cut->pieceOfTriangle);
+  EXPECT_EQ(result.cut->seamPairs.size(), expected.cut->seamPairs.size());
+  EXPECT_EQ(result.positions, expected.positions);
+  EXPECT_EQ(result.patchOfTriangle, expected.patchOfTriangle);
+  EXPECT_EQ(result.developability, expected.developability);
+  ASSERT_EQ(result.wires.size(), expected.wires.size());
+  for (std::size_t w = 0; w < expected.wires.size(); ++w)
+  {
+    EXPECT_EQ(result.wires[w].vertices, expected.wires[w].vertices);
+    EXPECT_EQ(result.wires[w].curve, expected.wires[w].curve);
+    EXPECT_EQ(result.wires[w].piece, expected.wires[w].piece);
+    EXPECT_EQ(result.wires[w].flatLength, expected.wires[w].flatLength);
+  }
+  ASSERT_EQ(result.pieces.size(), expected.pieces.size());
+  for (std::size_t p = 0; p < expected.pieces.size(); ++p)
+  {
+    EXPECT_EQ(result.pieces[p].quality.areaError, expected.pieces[p].quality.areaError);
+    EXPECT_EQ(result.pieces[p].overlaps, expected.pieces[p].overlaps);
+  }
+  ASSERT_EQ(result.curves.size(), expected.curves.size());
+  for (std::size_t c = 0; c < expected.curves.size(); ++c)
+  {
+    EXPECT_EQ(result.curves[c].restLength, expected.curves[c].restLength);
+    EXPECT_EQ(result.curves[c].flatLength, expected.curves[c].flatLength);
+    EXPECT_EQ(result.curves[c].error, expected.curves[c].error);
+  }
+}
+
+/// A torus that a seam around the quads (0, 0) to (1, 1) divides into a disc and a part with a
+/// handle, and an accessory curve through both.
+Surface seamedTorus()
+{
+  const auto at = [](Index i, Index j) { return i * ringSize + j; };
+  Surface surface = partOf(torus());
+  surface.curves = {
+    curveOf(CurveType::Seam, "around",
+      { at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1), at(0, 0) }),
+    accessory("through", { at(0, 1), at(1, 1), at(2, 1), at(3, 1), at(4, 1) }),
+    accessory("elsewhere", { at(4, 4), at(5, 4) })
+  };
+  return surface;
+}
+}
+
+TEST(PieceTopology, AllPiecesThatCannotBeLaidFlatAreNamedInOneMessage)
+{
+  const Surface surface = together({ shirt(), partOf(tetrahedron()), partOf(torusWithAHole()),
+    shirt(), partOf(torus()), partOf(tetrahedron()) });
+  const Index shirtSize = 2 * 8 * 6;
+  const Index torusSize = 2 * ringSize * ringSize;
+  const Index button = shirtSize;
+  const Index holed = button + 4;
+  const Index ring = holed + torusSize - 1 + shirtSize;
+  const Index lastButton = ring + torusSize;
+  for (const Scheme scheme :
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+  {
+    FlatteningOptions options = skipping(scheme);
+    options.skipClosed = false;
+    const FlatteningResult result = flatten(surface, options);
+    EXPECT_EQ(result.status.code, StatusCode::ClosedSurface);
+    EXPECT_EQ(result.status.ids, (Indices{ button, holed, ring, lastButton }));
+    for (Index id : result.status.ids)
+    {
+      EXPECT_NE(result.status.message.find(std::to_string(id)), std::string::npos)
+        << result.status.message;
+    }
+    EXPECT_TRUE(result.positions.empty());
+    EXPECT_TRUE(result.leftOut.empty());
+  }
+}
+
+TEST(PieceTopology, ARefusalCostsNoFlattening)
+{
+  const Surface surface = together({ shirt(), shirt(), partOf(tetrahedron()) });
+  std::set<std::string> phases;
+  Execution execution;
+  execution.progress = [&phases](double, const char* phase) { phases.insert(phase); };
+  const FlatteningResult refused = flattenSurface(surface.mesh, surface.curves, {}, execution);
+  EXPECT_EQ(refused.status.code, StatusCode::ClosedSurface);
+  EXPECT_EQ(phases, std::set<std::string>{ "Cutting darts and seams" });
+}
+
+TEST(PieceTopology, PiecesWithHandlesAloneAreRefusedForTheirHandles)
+{
+  const FlatteningResult result =
+    flatten(together({ shirt(), partOf(torusWithAHole()) }), FlatteningOptions());
+  EXPECT_EQ(result.status.code, StatusCode::Handle);
+  EXPECT_EQ(result.status.ids, Indices{ 2 * 8 * 6 });
+}
+
+TEST(PieceTopology, WhatIsSkippedChangesNothingOfTheRest)
+{
+  const Surface surface = together(
+    { partOf(tetrahedron()), shirt(), partOf(torusWithAHole()), shirt(), partOf(tetrahedron()) });
+  const Surface rest = together({ shirt(), shirt() });
+  for (const Scheme scheme :
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+  {
+    const FlatteningResult result = flatten(surface, skipping(scheme));
+    expectSame(result, flatten(rest, skipping(scheme)));
+    ASSERT_EQ(result.leftOut.size(), 3U);
+    EXPECT_EQ(result.leftOut[0].triangle, 0);
+    EXPECT_EQ(result.leftOut[0].triangles, 4);
+    EXPECT_TRUE(result.leftOut[0].closed);
+    EXPECT_EQ(result.leftOut[0].handles, 0);
+    EXPECT_EQ(result.leftOut[1].triangle, 4 + 2 * 8 * 6);
+    EXPECT_FALSE(result.leftOut[1].closed);
+    EXPECT_EQ(result.leftOut[1].handles, 1);
+  }
+}
+
+TEST(PieceTopology, KeptTrianglesAndVerticesAreThoseOfTheSurface)
+{
+  const Surface surface = together({ partOf(tetrahedron()), shirt(), partOf(torus()) });
+  const FlatteningResult result = flatten(surface, skipping());
+  const CutSurface& cut = *result.cut;
+  ASSERT_EQ(cut.mesh.triangleCount(), 2 * 8 * 6);
+  std::set<Index> triangles;
+  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  {
+    triangles.insert(cut.originalTriangle(t));
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index v = cut.mesh.triangle(t)[k];
+      EXPECT_EQ(cut.originalVertex[v], surface.mesh.triangle(cut.originalTriangle(t))[k]);
+      EXPECT_EQ(cut.mesh.point(v), surface.mesh.point(cut.originalVertex[v]));
+    }
+  }
+  EXPECT_EQ(*triangles.begin(), 4);
+  EXPECT_EQ(*triangles.rbegin(), 4 + 2 * 8 * 6 - 1);
+  EXPECT_EQ(triangles.size(), 2U * 8 * 6);
+}
+
+TEST(PieceTopology, WithNothingToSkipTheOptionChangesNothing)
+{
+  FlatteningOptions options = skipping();
+  options.skipClosed = false;
+  const FlatteningResult result = flatten(shirt(), skipping());
+  expectSame(result, flatten(shirt(), options));
+  EXPECT_TRUE(result.leftOut.empty());
+}
+
+TEST(PieceTopology, WhereNothingWouldRemainTheSurfaceIsRefused)
+{
+  const FlatteningResult result =
+    flatten(together({ partOf(tetrahedron()), partOf(torusWithAHole()) }), skipping());
+  EXPECT_EQ(result.status.code, StatusCode::ClosedSurface);
+  EXPECT_EQ(result.status.ids, (Indices{ 0, 4 }));
+  EXPECT_EQ(result.status.message.find("skip"), std::string::npos) << result.status.message;
+}
+
+TEST(PieceTopology, CurvesCountAsFarAsTheyRunOnWhatIsKept)
+{
+  const Surface surface = seamedTorus();
+  FlatteningOptions options = skipping();
+  const FlatteningResult result = flatten(surface, options);
+  ASSERT_FALSE(result.status.refused()) << result.status.message;
+  ASSERT_EQ(result.pieces.size(), 1U);
+  EXPECT_EQ(result.pieces[0].triangles, 8) << "two by two quads";
+  ASSERT_EQ(result.leftOut.size(), 1U);
+  EXPECT_EQ(result.leftOut[0].handles, 1);
+  EXPECT_EQ(result.leftOut[0].triangles, 2 * ringSize * ringSize - 8);
+  EXPECT_TRUE(result.cut->seamPairs.empty()) << "the other bank is not there";
+
+  const auto lengthOf = [&surface](const FeatureCurve& curve, std::size_t edges) {
+    double length = 0.0;
+    for (std::size_t k = 0; k < edges; ++k)
+    {
+      length +=
+        (surface.mesh.point(curve.vertices[k + 1]) - surface.mesh.point(curve.vertices[k])).norm();
+    }
+    return length;
+  };
+  ASSERT_EQ(result.curves.size(), 3U);
+  EXPECT_NEAR(result.curves[0].restLength, lengthOf(surface.curves[0], 8), 1e-12);
+  EXPECT_NEAR(result.curves[0].flatLength, lengthOf(surface.curves[0], 8), 1e-9);
+  EXPECT_NEAR(result.curves[1].restLength, lengthOf(surface.curves[1], 2), 1e-12);
+  EXPECT_NEAR(result.curves[1].flatLength, lengthOf(surface.curves[1], 2), 1e-9);
+  EXPECT_EQ(result.curves[2].restLength, 0.0);
+  EXPECT_EQ(result.curves[2].flatLength, 0.0);
+  for (const Wire& wire : result.wires)
+  {
+    EXPECT_NE(wire.curve, 2);
+    EXPECT_EQ(wire.vertices.size(), wire.curve == 1 ? 3U : 9U);
+  }
+}
+
+TEST(PieceTopology, TheCacheKnowsWhetherPiecesWereSkipped)
+{
+  for (const Surface& surface :
+    { together({ shirt(), partOf(tetrahedron()), shirt() }), seamedTorus(), shirt() })
+  {
+    FlatteningCache cache;
+    for (const bool skip : { false, true, true, false, true })
+    {
+      FlatteningOptions options = skipping();
+      options.skipClosed = skip;
+      const FlatteningResult kept =
+        flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
+      expectSame(kept, flatten(surface, options));
+      EXPECT_EQ(kept.leftOut.size(), flatten(surface, options).leftOut.size());
+    }
+  }
+}
