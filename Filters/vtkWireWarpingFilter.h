@@ -27,8 +27,12 @@
  * | `vtkOriginalPointIds` | points | id | point of the input; -1 for a point made by imprinting |
  *
  * Field data of output 0, **one row a piece**: `Triangles`, `Vertices`, `WirePatches`, `WireNodes`,
- * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id); `Objective`,
- * `ClosureResidual` (unit of length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
+ * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id); `Objective`
+ * (of Eq. 13 on the flat piece, whatever the scheme: half the sum of the squared changes of the
+ * wires' angles, without those on key curves and around holes; rad^2), `ClosureResidual` (on the
+ * flat piece: the largest distance by which a loop of wires misses its start when its edges are
+ * laid one after the other with their lengths in space and their angles in the plane; unit of
+ * length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
  * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max
  * a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of
  * area) (double); `Status`, `StatusMessage` (string). Scheme ISOMETRIC: `DistortionEnergy` and
@@ -43,16 +47,33 @@
  * whose points and cells no output has: `LeftOutCells` (id; the first of its cells in the input),
  * `LeftOutTriangles` (id), `LeftOutReasons` (string; `ClosedSurface` or `Handle`).
  *
- * **One row an iteration**: `HistoryPiece`, `HistoryPhase` (string), `HistoryObjective`,
- * `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`, `HistoryStep` (radians).
+ * What was done, **one row a piece** (string unless stated): `SolverUsed` ("newton", "sequential",
+ * empty with LEAST_SQUARES_CONFORMAL), `EnergyUsed` (scheme ISOMETRIC: "rigid",
+ * "symmetric-dirichlet"), `Repaired` (int; 1 where progressive angles did not close and the nearest
+ * that do were taken), `Fallbacks` (what was done in place of what was asked for, and why; else
+ * empty).
+ *
+ * **One row an iteration of the wires' angles**: `HistoryPiece` (id), `HistoryPhase` (string),
+ * `HistoryObjective` (rad^2), `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`
+ * (largest entry of the gradient of the Lagrangian), `HistoryStep` (radians, root mean square)
+ * (double). **One row an iteration of the whole piece**, scheme ISOMETRIC, which goes on from
+ * there: `IsometricHistoryPiece` (id), `IsometricHistoryExact` (int; 1 where the Hessian was exact,
+ * 0 its convex part), `IsometricHistoryEnergy` (in mean triangle areas),
+ * `IsometricHistoryLengthError` (largest, in roots of the mean triangle area),
+ * `IsometricHistoryOptimality` (largest entry of the gradient of the Lagrangian),
+ * `IsometricHistoryMove` (of the vertex that moved farthest, in roots of the mean triangle area)
+ * (double).
  *
  * **One row a piece and curve that may be released**, for each piece the best first:
  * `ReleasePiece`, `ReleaseCurve` (id), `ReleaseShape` (int; 1: of a key curve its shape alone, so
- * that it becomes an accessory curve; 0: the curve as a whole), `ReleaseObjective` (double;
- * Objective without that; -1 where it was not tried). Releases are tried in pieces that lie poorly:
- * an angle changed by more than 0.7 radians or, with Interior AS_RIGID_AS_POSSIBLE,
- * GlobalHomogeneity below 0.4 or flipped triangles. Curves that were not tried follow by the
- * magnitude of their sensitivity.
+ * that it becomes an accessory curve; 0: the curve as a whole), `ReleaseTried` (int, 0 or 1),
+ * `ReleaseObjective`, `ReleaseAreaError`, `ReleaseHomogeneity` (double; Objective, AreaError and
+ * GlobalHomogeneity of the piece flattened without that by the same scheme with the same options;
+ * -1 where it was not tried or has no solution). Releases are tried in pieces that lie poorly: an
+ * angle changed by more than 0.7 radians or, with Interior AS_RIGID_AS_POSSIBLE, GlobalHomogeneity
+ * below 0.4 or flipped triangles. Those that were tried are ranked by AreaError with scheme
+ * ISOMETRIC, by Objective else. Curves that were not tried follow by the magnitude of their
+ * sensitivity.
  *
  * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
  * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a

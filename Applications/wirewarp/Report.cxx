@@ -33,21 +33,26 @@ Json releaseAdvice(const FieldRows& field, const FieldRows& wires, vtkIdType pie
   {
     return nullptr;
   }
-  const double without = field.number("ObjectiveWithoutFirst", piece);
+  const double first = field.number("ObjectiveWithoutFirst", piece);
   Json ranking = Json::array();
   for (vtkIdType row = 0; row < field.count("ReleasePiece"); ++row)
   {
     if (field.integer("ReleasePiece", row) == piece)
     {
       const vtkIdType id = field.integer("ReleaseCurve", row);
-      const double objective = field.number("ReleaseObjective", row);
+      const bool tried = field.integer("ReleaseTried", row) != 0;
+      const auto without = [&](const char* name) {
+        return tried ? Json(field.number(name, row)) : Json(nullptr);
+      };
       ranking.push_back({ { "curve", wires.text("CurveNames", id) },
         { "release", field.integer("ReleaseShape", row) != 0 ? "shape" : "curve" },
-        { "objective_without", objective >= 0.0 ? Json(objective) : Json(nullptr) } });
+        { "objective_without", without("ReleaseObjective") },
+        { "E_area_without", without("ReleaseAreaError") },
+        { "E_h_without", without("ReleaseHomogeneity") } });
     }
   }
   return { { "first", wires.text("CurveNames", curve) },
-    { "objective_without_first", without >= 0.0 ? Json(without) : Json(nullptr) },
+    { "objective_without_first", first >= 0.0 ? Json(first) : Json(nullptr) },
     { "ranking", ranking } };
 }
 
@@ -61,6 +66,30 @@ Json seamReports(const Flattening& result)
         { "lengths", banks.lengths }, { "largest_difference", banks.difference } });
   }
   return seams;
+}
+
+/// The rows of all iterations to their pieces.
+void addHistory(const FieldRows& field, Json& pieces)
+{
+  for (vtkIdType row = 0; row < field.count("HistoryPiece"); ++row)
+  {
+    const auto piece = static_cast<std::size_t>(field.integer("HistoryPiece", row));
+    pieces.at(piece)["history"].push_back({ { "phase", field.text("HistoryPhase", row) },
+      { "objective", field.number("HistoryObjective", row) },
+      { "closure", field.number("HistoryClosure", row) },
+      { "optimality", field.number("HistoryOptimality", row) },
+      { "step", field.number("HistoryStep", row) } });
+  }
+  for (vtkIdType row = 0; row < field.count("IsometricHistoryPiece"); ++row)
+  {
+    const auto piece = static_cast<std::size_t>(field.integer("IsometricHistoryPiece", row));
+    pieces.at(piece)["isometric_history"].push_back(
+      { { "exact", field.integer("IsometricHistoryExact", row) != 0 },
+        { "energy", field.number("IsometricHistoryEnergy", row) },
+        { "length_error", field.number("IsometricHistoryLengthError", row) },
+        { "optimality", field.number("IsometricHistoryOptimality", row) },
+        { "move", field.number("IsometricHistoryMove", row) } });
+  }
 }
 
 Json pieceReports(const FieldRows& field, const FieldRows& wires)
@@ -86,20 +115,14 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
       { "flipped", field.integer("FlippedTriangles", piece) },
       { "overlaps", field.integer("Overlaps", piece) }, { "status", field.text("Status", piece) },
       { "message", withFlags(field.text("StatusMessage", piece)) },
-      { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() } });
+      { "solver_used", field.text("SolverUsed", piece) },
+      { "energy_used", field.text("EnergyUsed", piece) },
+      { "repaired", field.integer("Repaired", piece) != 0 },
+      { "fallbacks", field.text("Fallbacks", piece) },
+      { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() },
+      { "isometric_history", Json::array() } });
   }
-  for (vtkIdType row = 0; row < field.count("HistoryPiece"); ++row)
-  {
-    const auto piece = static_cast<std::size_t>(field.integer("HistoryPiece", row));
-    if (piece < pieces.size())
-    {
-      pieces[piece]["history"].push_back({ { "phase", field.text("HistoryPhase", row) },
-        { "objective", field.number("HistoryObjective", row) },
-        { "closure", field.number("HistoryClosure", row) },
-        { "optimality", field.number("HistoryOptimality", row) },
-        { "step", field.number("HistoryStep", row) } });
-    }
-  }
+  addHistory(field, pieces);
   return pieces;
 }
 

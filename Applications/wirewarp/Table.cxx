@@ -50,15 +50,33 @@ std::string layOut(const std::vector<Row>& rows, std::size_t left)
   return text;
 }
 
-/// Whether the first curve to release in a piece is a key curve that gives up its shape alone.
-bool releasesShapeFirst(const FieldRows& field, vtkIdType piece)
+/// The row of the first curve to release in a piece; past the last where there is none.
+vtkIdType firstRelease(const FieldRows& field, vtkIdType piece)
 {
   vtkIdType row = 0;
   while (row < field.count("ReleasePiece") && field.integer("ReleasePiece", row) != piece)
   {
     ++row;
   }
-  return field.integer("ReleaseShape", row) != 0;
+  return row;
+}
+
+/// What the trial of a release would better, in the measure of the scheme; empty where nothing.
+std::string gain(const FieldRows& field, vtkIdType piece, vtkIdType row)
+{
+  // Schemes that choose the wires' angles alone are judged by them.
+  const bool whole = field.count("IsometricHistoryPiece") > 0;
+  const char* const measure = whole ? "E_area" : "the objective";
+  const double now = field.number(whole ? "AreaError" : "Objective", piece);
+  const double then = field.number(whole ? "ReleaseAreaError" : "ReleaseObjective", row);
+  if (!(then < now))
+  {
+    return "";
+  }
+  return std::string(measure) + " would fall from " + format("%.4g", now) + " to " +
+    format("%.4g", then) + ", E_h go from " +
+    format("%.3f", field.number("GlobalHomogeneity", piece)) + " to " +
+    format("%.3f", field.number("ReleaseHomogeneity", row));
 }
 }
 
@@ -133,16 +151,18 @@ std::string releaseAdvice(const Flattening& result)
   std::string text;
   for (vtkIdType piece = 0; piece < field.count("ReleaseFirst"); ++piece)
   {
-    const double objective = field.number("Objective", piece);
-    const double without = field.number("ObjectiveWithoutFirst", piece);
-    if (without >= 0.0 && without < objective)
+    const vtkIdType row = firstRelease(field, piece);
+    if (row == field.count("ReleasePiece") || field.integer("ReleaseTried", row) == 0)
     {
-      const vtkIdType curve = field.integer("ReleaseFirst", piece);
-      const bool key = releasesShapeFirst(field, piece);
+      continue;
+    }
+    const std::string better = gain(field, piece, row);
+    if (!better.empty())
+    {
+      const bool key = field.integer("ReleaseShape", row) != 0;
       text += "piece " + std::to_string(piece) + " has no good exact solution: without " +
-        (key ? "the shape of the key curve " : "the curve ") + wires.text("CurveNames", curve) +
-        " the objective would fall from " + format("%.4g", objective) + " to " +
-        format("%.4g", without) +
+        (key ? "the shape of the key curve " : "the curve ") +
+        wires.text("CurveNames", field.integer("ReleaseCurve", row)) + ' ' + better +
         (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
              : "; remove it, or make it elastic with --tolerance\n");
     }
@@ -158,6 +178,21 @@ std::string warnings(const Flattening& result, const std::string& where)
   for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
   {
     text += "wirewarp: warning: " + where + withFlags(field.text("RunWarnings", row)) + '\n';
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string fallbacks(const Flattening& result)
+{
+  const FieldRows field(result.flat);
+  std::string text;
+  for (vtkIdType piece = 0; piece < field.count("Fallbacks"); ++piece)
+  {
+    if (!field.text("Fallbacks", piece).empty())
+    {
+      text += "piece " + std::to_string(piece) + ": " + field.text("Fallbacks", piece) + '\n';
+    }
   }
   return text;
 }

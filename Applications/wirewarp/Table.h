@@ -15,6 +15,8 @@ std::string curveTable(const Flattening& result);
 
 /// Where a piece has no good exact solution: which curve to release first, and what that brings.
 std::string releaseAdvice(const Flattening& result);
+/// A line a piece in which something else was done than was asked for; empty if all is as asked.
+std::string fallbacks(const Flattening& result);
 
 /// What was left out of an input that could be used, a line each. \param where stands before each
 std::string warnings(const Flattening& result, const std::string& where = "");

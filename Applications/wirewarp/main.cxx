@@ -36,7 +36,7 @@ void finishOutput()
 void say(const Options& options, const FilesOfFlattening& written)
 {
   std::cout << pieceTable(written.result);
-  std::cout << releaseAdvice(written.result);
+  std::cout << fallbacks(written.result) << releaseAdvice(written.result);
   if (options.listCurves)
   {
     std::cout << '\n' << curveTable(written.result);

@@ -50,8 +50,10 @@ void writePieces(const CurvedSurface& source, const FlatteningResult& result, vt
     const Indices& ranking = pieces[row].advice.ranking;
     return ranking.empty() ? none : ranking.front();
   });
-  addRows<vtkDoubleArray>(field, "ObjectiveWithoutFirst", rows,
-    [&](std::size_t row) { return pieces[row].advice.objectiveWithoutFirst(); });
+  addRows<vtkDoubleArray>(field, "ObjectiveWithoutFirst", rows, [&](std::size_t row) {
+    const ReleaseTrial first = pieces[row].advice.first();
+    return first.solved ? first.objective : -1.0;
+  });
   std::vector<QualitySummary> summaries;
   summaries.reserve(pieces.size());
   for (const PieceReport& piece : pieces)
@@ -78,60 +80,117 @@ void writeLeftOut(
     [&](std::size_t row) { return statusName(leftOut[row].code()); });
 }
 
+/// What was done, for a user who compares it with what was asked for.
+void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* field)
+{
+  const std::size_t rows = pieces.size();
+  addRows<vtkStringArray>(field, "SolverUsed", rows, [&](std::size_t row) {
+    const std::optional<AngleMethod>& used = pieces[row].solverUsed;
+    return !used ? "" : *used == AngleMethod::Newton ? "newton" : "sequential";
+  });
+  addRows<vtkStringArray>(field, "EnergyUsed", rows, [&](std::size_t row) {
+    const std::optional<DistortionEnergyKind>& used = pieces[row].energyUsed;
+    return !used                                         ? ""
+      : *used == DistortionEnergyKind::AsRigidAsPossible ? "rigid"
+                                                         : "symmetric-dirichlet";
+  });
+  addRows<vtkIntArray>(
+    field, "Repaired", rows, [&](std::size_t row) { return pieces[row].repaired ? 1 : 0; });
+  addRows<vtkStringArray>(field, "Fallbacks", rows, [&](std::size_t row) {
+    std::string all;
+    for (const std::string& fallback : pieces[row].fallbacks)
+    {
+      all += (all.empty() ? "" : "; ") + fallback;
+    }
+    return all;
+  });
+}
+
+/// One kind of iterations of all pieces, and the piece of each.
+template <class Record>
+struct History
+{
+  std::vector<vtkIdType> piece;
+  std::vector<Record> records;
+
+  History(const std::vector<PieceReport>& pieces, std::vector<Record> PieceReport::*member)
+  {
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      const std::vector<Record>& added = pieces[p].*member;
+      this->records.insert(this->records.end(), added.begin(), added.end());
+      this->piece.resize(this->records.size(), static_cast<vtkIdType>(p));
+    }
+  }
+
+  template <class Array, class Value>
+  void write(vtkFieldData* field, const char* name, Value value) const
+  {
+    addRows<Array>(field, name, this->records.size(),
+      [&](std::size_t row) { return value(this->records[row]); });
+  }
+};
+
 void writeHistory(const std::vector<PieceReport>& pieces, vtkFieldData* field)
 {
-  std::vector<vtkIdType> pieceOfRow;
-  std::vector<IterationRecord> records;
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-  {
-    records.insert(records.end(), pieces[p].history.begin(), pieces[p].history.end());
-    pieceOfRow.resize(records.size(), static_cast<vtkIdType>(p));
-  }
-  const std::size_t rows = records.size();
+  const History<IterationRecord> angles(pieces, &PieceReport::history);
   addRows<vtkIdTypeArray>(
-    field, "HistoryPiece", rows, [&](std::size_t row) { return pieceOfRow[row]; });
-  addRows<vtkStringArray>(
-    field, "HistoryPhase", rows, [&](std::size_t row) { return records[row].phase; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryObjective", rows, [&](std::size_t row) { return records[row].objective; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryClosure", rows, [&](std::size_t row) { return records[row].closure; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryOptimality", rows, [&](std::size_t row) { return records[row].optimality; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryStep", rows, [&](std::size_t row) { return records[row].step; });
+    field, "HistoryPiece", angles.piece.size(), [&](std::size_t row) { return angles.piece[row]; });
+  using Angles = const IterationRecord&;
+  angles.write<vtkStringArray>(field, "HistoryPhase", [](Angles r) { return r.phase; });
+  angles.write<vtkDoubleArray>(field, "HistoryObjective", [](Angles r) { return r.objective; });
+  angles.write<vtkDoubleArray>(field, "HistoryClosure", [](Angles r) { return r.closure; });
+  angles.write<vtkDoubleArray>(field, "HistoryOptimality", [](Angles r) { return r.optimality; });
+  angles.write<vtkDoubleArray>(field, "HistoryStep", [](Angles r) { return r.step; });
+
+  const History<IsometricIteration> isometric(pieces, &PieceReport::isometricHistory);
+  addRows<vtkIdTypeArray>(field, "IsometricHistoryPiece", isometric.piece.size(),
+    [&](std::size_t row) { return isometric.piece[row]; });
+  using Whole = const IsometricIteration&;
+  isometric.write<vtkIntArray>(
+    field, "IsometricHistoryExact", [](Whole r) { return r.exact ? 1 : 0; });
+  isometric.write<vtkDoubleArray>(
+    field, "IsometricHistoryEnergy", [](Whole r) { return r.energy; });
+  isometric.write<vtkDoubleArray>(
+    field, "IsometricHistoryLengthError", [](Whole r) { return r.constraint; });
+  isometric.write<vtkDoubleArray>(
+    field, "IsometricHistoryOptimality", [](Whole r) { return r.optimality; });
+  isometric.write<vtkDoubleArray>(field, "IsometricHistoryMove", [](Whole r) { return r.step; });
 }
 
 /// Per piece the curves to release, the best first.
 void writeReleases(const FlatteningResult& result, vtkFieldData* field)
 {
-  const std::vector<PieceReport>& pieces = result.pieces;
   std::vector<vtkIdType> pieceOfRow;
-  Indices curves;
-  std::vector<double> objectives;
+  std::vector<ReleaseTrial> trials;
   std::vector<int> shapes;
-  for (std::size_t p = 0; p < pieces.size(); ++p)
+  for (std::size_t p = 0; p < result.pieces.size(); ++p)
   {
-    const ReleaseAdvice& advice = pieces[p].advice;
-    curves.insert(curves.end(), advice.ranking.begin(), advice.ranking.end());
-    objectives.insert(
-      objectives.end(), advice.objectiveWithout.begin(), advice.objectiveWithout.end());
-    pieceOfRow.resize(curves.size(), static_cast<vtkIdType>(p));
+    const ReleaseAdvice& advice = result.pieces[p].advice;
+    trials.insert(trials.end(), advice.trials.begin(), advice.trials.end());
+    pieceOfRow.resize(trials.size(), static_cast<vtkIdType>(p));
     for (const Index c : advice.ranking)
     {
-      const Indices& free = pieces[p].released;
+      const Indices& free = result.pieces[p].released;
       const bool released = std::find(free.begin(), free.end(), c) != free.end();
       shapes.push_back(result.curves[c].type == CurveType::Key && !released ? 1 : 0);
     }
   }
-  const std::size_t rows = curves.size();
+  const std::size_t rows = trials.size();
   addRows<vtkIntArray>(field, "ReleaseShape", rows, [&](std::size_t row) { return shapes[row]; });
   addRows<vtkIdTypeArray>(
     field, "ReleasePiece", rows, [&](std::size_t row) { return pieceOfRow[row]; });
   addRows<vtkIdTypeArray>(
-    field, "ReleaseCurve", rows, [&](std::size_t row) { return vtkIdType{ curves[row] }; });
-  addRows<vtkDoubleArray>(
-    field, "ReleaseObjective", rows, [&](std::size_t row) { return objectives[row]; });
+    field, "ReleaseCurve", rows, [&](std::size_t row) { return vtkIdType{ trials[row].curve }; });
+  addRows<vtkIntArray>(
+    field, "ReleaseTried", rows, [&](std::size_t row) { return trials[row].solved ? 1 : 0; });
+  const auto add = [&](const char* name, double ReleaseTrial::*member) {
+    addRows<vtkDoubleArray>(field, name, rows,
+      [&](std::size_t row) { return trials[row].solved ? trials[row].*member : -1.0; });
+  };
+  add("ReleaseObjective", &ReleaseTrial::objective);
+  add("ReleaseAreaError", &ReleaseTrial::areaError);
+  add("ReleaseHomogeneity", &ReleaseTrial::homogeneity);
 }
 
 void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
@@ -339,6 +398,7 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   vtkFieldData* field = flat->GetFieldData();
   writePieces(source, result, field);
   writeLeftOut(source, result.leftOut, field);
+  writeWhatWasDone(result.pieces, field);
   writeHistory(result.pieces, field);
   writeReleases(result, field);
   writeSeamPairs(*result.cut, flat);

@@ -3,7 +3,7 @@
 
 #include "Angles/AngleSolver.h"
 #include "TestMeshes.h"
-#include "Wires/WireNetwork.h"
+#include "Wires/KeyCurveLocks.h"
 
 #include <algorithm>
 #include <complex>

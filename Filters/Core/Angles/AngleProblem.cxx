@@ -88,6 +88,30 @@ std::vector<double> edgeDirections(const WireNetwork& network, const std::vector
   return psi;
 }
 
+double interiorAngle(const Point2& before, const Point2& at, const Point2& after)
+{
+  const Point2 in = at - before;
+  const Point2 out = after - at;
+  return pi - std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+}
+
+std::vector<double> planarAngles(const AngleProblem& problem, const Points2& positions)
+{
+  const WireNetwork& net = *problem.network;
+  std::vector<double> theta(net.nodeCount(), 2.0 * pi);
+  for (Index i = 0; i < net.nodeCount(); ++i)
+  {
+    if (net.edge[i] != net.edge[net.previous[i]])
+    {
+      const Point2& at = positions[net.vertex[i]];
+      const double angle =
+        interiorAngle(positions[net.vertex[net.previous[i]]], at, positions[net.endVertex(i)]);
+      theta[i] = angle + 2.0 * pi * std::round((problem.target[i] - angle) / (2.0 * pi));
+    }
+  }
+  return theta;
+}
+
 AngleConstraints::AngleConstraints(const AngleProblem& problem)
   : Problem(&problem)
   , ColumnOfNode(problem.network->nodeCount(), none)

@@ -5,8 +5,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <functional>
-
 namespace flattening
 {
 /// Wire edges that stretch together by an unknown factor 1 + h.
@@ -35,12 +33,17 @@ struct AngleProblem
   std::vector<double> length; ///< per wire edge: the length to close with
   Indices stretchGroup;       ///< per wire edge; none where the length is rigid
   std::vector<StretchGroup> groups;
-  /// Makes a second start, for where the one from the surface angles ends badly; may be empty.
-  std::function<AngleStart()> alternativeStart;
 };
 
 /// The problem of a network: targets are the surface angles, lengths those on the surface.
 AngleProblem makeAngleProblem(const WireNetwork& network, NodeLocks locks);
+
+/// The angle to the left of a path in the plane, in (0, 2 pi].
+double interiorAngle(const Point2& before, const Point2& at, const Point2& after);
+
+/// The planar angle of each node where the wires' vertices lie, on the branch next to its target. A
+/// wire that ends in a patch has its full turn there. \param positions per piece vertex
+std::vector<double> planarAngles(const AngleProblem& problem, const Points2& positions);
 
 /// 1/2 sum w (theta - alpha)^2 over the free nodes (Eq. 13).
 double angleObjective(const AngleProblem& problem, const std::vector<double>& theta);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Angles/AngleSolverOptions.h"
 #include "Base/Status.h"
 
 namespace flattening
@@ -26,6 +27,7 @@ struct AngleSolution
   double objective = 0.0;
   double closure = 0.0; ///< absolute, in the unit of length
   int iterations = 0;
+  AngleMethod method = AngleMethod::Newton; ///< that solved it
   std::vector<IterationRecord> history;
   /// Ok, NotConverged (theta is the best found), IncompatibleKeys (ids: nodes), Cancelled.
   Status status;

@@ -43,12 +43,11 @@ AngleSolution finish(
   return solution;
 }
 
-/// Follows the minimum from the lengths of the alternative start to the true ones.
-NewtonState followLengths(const AngleProblem& problem, DirectionsForm& form,
-  const AngleSolverOptions& options, const Execution& execution,
+/// Follows the minimum from the lengths of the other start to the true ones.
+NewtonState followLengths(const AngleStart& start, const AngleProblem& problem,
+  DirectionsForm& form, const AngleSolverOptions& options, const Execution& execution,
   std::vector<IterationRecord>& history)
 {
-  const AngleStart start = problem.alternativeStart();
   NewtonState state;
   state.x = form.unknowns(start.theta);
   for (int step = 0; step <= homotopySteps; ++step)
@@ -89,27 +88,10 @@ bool better(const AngleSolution& a, const AngleSolution& b, const AngleProblem& 
   return foldedA != foldedB ? foldedB : a.objective < b.objective;
 }
 
-AngleSolution solveByNewton(
-  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+/// What all ways of solving have to say at their end.
+void close(
+  const DirectionsForm& form, std::vector<IterationRecord> history, AngleSolution& solution)
 {
-  DirectionsForm form(problem);
-  std::vector<IterationRecord> history;
-  NewtonState start;
-  start.x = form.unknowns(form.projectedAngles());
-  const NewtonState plain =
-    solveAnglesByNewton(form, problem, start, options, execution, "newton", history);
-  AngleSolution solution = finish(problem, form, plain);
-  const bool suspicious =
-    !solution.status.ok() || largestAngleChange(problem, solution.theta) > poorAngleChange;
-  if (suspicious && problem.alternativeStart && solution.status.code != StatusCode::Cancelled)
-  {
-    const NewtonState other = followLengths(problem, form, options, execution, history);
-    AngleSolution second = finish(problem, form, other);
-    if (second.status.code == StatusCode::Cancelled || better(second, solution, problem))
-    {
-      solution = std::move(second);
-    }
-  }
   solution.iterations = static_cast<int>(std::count_if(
     history.begin(), history.end(), [](const IterationRecord& r) { return r.step > 0.0; }));
   solution.history = std::move(history);
@@ -118,6 +100,18 @@ AngleSolution solveByNewton(
     solution.status = { StatusCode::IncompatibleKeys,
       "the angles that key curves prescribe contradict each other", form.contradictions() };
   }
+}
+
+AngleSolution solveByNewton(
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+{
+  const DirectionsForm form(problem);
+  std::vector<IterationRecord> history;
+  NewtonState start;
+  start.x = form.unknowns(form.projectedAngles());
+  AngleSolution solution = finish(problem, form,
+    solveAnglesByNewton(form, problem, start, options, execution, "newton", history));
+  close(form, std::move(history), solution);
   return solution;
 }
 }
@@ -127,10 +121,34 @@ AngleSolution solveAngles(
 {
   if (options.method == AngleMethod::Sequential && problem.groups.empty())
   {
-    return problem.network->loopCount() == 1 ? solveLoopSequentially(problem, options, execution)
-                                             : solveAnglesSequentially(problem, options, execution);
+    AngleSolution solution = problem.network->loopCount() == 1
+      ? solveLoopSequentially(problem, options, execution)
+      : solveAnglesSequentially(problem, options, execution);
+    solution.method = AngleMethod::Sequential;
+    return solution;
   }
   return solveByNewton(problem, options, execution);
+}
+
+bool wantsAnotherStart(const AngleProblem& problem, const AngleSolution& solution)
+{
+  return solution.method == AngleMethod::Newton && solution.status.code != StatusCode::Cancelled &&
+    (!solution.status.ok() || largestAngleChange(problem, solution.theta) > poorAngleChange);
+}
+
+AngleSolution solveAnglesFrom(const AngleStart& start, AngleSolution plain,
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
+{
+  DirectionsForm form(problem);
+  std::vector<IterationRecord> history = std::move(plain.history);
+  AngleSolution solution =
+    finish(problem, form, followLengths(start, problem, form, options, execution, history));
+  if (solution.status.code != StatusCode::Cancelled && !better(solution, plain, problem))
+  {
+    solution = std::move(plain);
+  }
+  close(form, std::move(history), solution);
+  return solution;
 }
 
 double largestAngleChange(const AngleProblem& problem, const std::vector<double>& theta)

@@ -8,12 +8,19 @@
 
 namespace flattening
 {
-/// Solves Eq. 13. Sequential starts from theta = alpha as the paper does. Newton starts from the
-/// angles nearest to alpha that meet all turning and 2 pi constraints; where that fails or ends
-/// with an angle outside (0, 2 pi) or far from alpha, it also follows the problem's alternative
-/// start to the true lengths, and the better minimum is returned. Problems with stretch groups are
-/// solved by Newton.
+/// Solves Eq. 13. Sequential starts from theta = alpha as the paper does, Newton from the angles
+/// nearest to alpha that meet all turning and 2 pi constraints. Problems with stretch groups are
+/// solved by Newton, whatever the options say (see AngleSolution::method).
 AngleSolution solveAngles(
+  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
+
+/// Whether Newton's method should try from elsewhere: it has failed, or ended with an angle outside
+/// (0, 2 pi) or far from alpha.
+bool wantsAnotherStart(const AngleProblem& problem, const AngleSolution& solution);
+
+/// Follows the minimum from the lengths of another start to the true ones.
+/// \return the better one of that solution and the plain one, with the history of both
+AngleSolution solveAnglesFrom(const AngleStart& start, AngleSolution plain,
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
 
 /// The largest change of a free angle from its target, in radians; infinite where an angle has left

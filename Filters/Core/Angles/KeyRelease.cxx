@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
-#include <set>
 
 namespace flattening
 {
@@ -66,159 +64,153 @@ std::set<Indices> leastSets(const std::vector<Indices>& conflicts)
   }
   return found;
 }
+}
 
-/// Looks for keys to release. A conflict is a set of keys that cannot be kept together, though each
-/// smaller part of it can; a set whose release helps has one key of each. So the search goes from
-/// one conflict to the next, and does not depend on how many keys there are beside them.
-class KeySearch
+KeyReleaseSearch::KeyReleaseSearch(Indices keys)
+  : Keys(std::move(keys))
 {
-public:
-  using Try = std::function<AngleSolution(const Indices& released)>;
+  this->Tried[{}] = std::nullopt; // why the search began
+}
 
-  KeySearch(Indices keys, Try attempt)
-    : Keys(std::move(keys))
-    , Attempt(std::move(attempt))
+std::optional<Indices> KeyReleaseSearch::next()
+{
+  // The search begins anew with all that is known by now, and ends at the first thing that is not.
+  this->Asked.reset();
+  this->Conflicts.clear();
+  this->Used.clear();
+  Indices found = this->search();
+  this->Found = this->Asked ? Indices() : std::move(found);
+  return this->Asked;
+}
+
+void KeyReleaseSearch::tell(const Indices& released, std::optional<double> objective)
+{
+  this->Tried[released] = objective;
+}
+
+Indices KeyReleaseSearch::concerned() const
+{
+  Indices all;
+  for (const Indices& conflict : this->Conflicts)
   {
-    this->Tried[{}] = -1.0; // why the search began
+    all = joined(all, conflict);
   }
+  return all;
+}
 
-  /// \return the keys to release, empty where no release helps or the run was cancelled
-  Indices run()
+Indices KeyReleaseSearch::search()
+{
+  if (this->Keys.empty() || !this->works(this->Keys))
   {
-    if (this->Keys.empty() || !this->works(this->Keys))
+    return {};
+  }
+  while (!this->Asked && this->Used.size() < mostSolves)
+  {
+    Indices found = this->tryLeastSets();
+    if (!found.empty())
+    {
+      return found;
+    }
+  }
+  return this->Asked ? Indices() : this->keepWhatCanBe();
+}
+
+/// Whether there is a solution without these keys; false where that is not known yet.
+bool KeyReleaseSearch::works(const Indices& released)
+{
+  if (this->Asked)
+  {
+    return false;
+  }
+  const auto known = this->Tried.find(released);
+  if (known == this->Tried.end())
+  {
+    this->Asked = released;
+    return false;
+  }
+  this->Used.insert(released);
+  return known->second.has_value();
+}
+
+bool KeyReleaseSearch::agree(const Indices& kept)
+{
+  return this->works(without(this->Keys, kept));
+}
+
+/// Of the least sets that the known conflicts allow the one with the least objective; empty, and a
+/// conflict more, where none of them helps.
+Indices KeyReleaseSearch::tryLeastSets()
+{
+  Indices best;
+  for (const Indices& set : leastSets(this->Conflicts))
+  {
+    const bool helps = this->works(set);
+    if (this->Asked)
     {
       return {};
     }
-    while (!this->Cancelled && this->Tried.size() <= mostSolves)
+    if (helps && (best.empty() || *this->Tried[set] < *this->Tried[best]))
     {
-      Indices found = this->tryLeastSets();
-      if (!found.empty())
+      best = set;
+    }
+    if (!helps && best.empty())
+    {
+      Indices conflict = this->conflictIn({}, false, without(this->Keys, set));
+      if (!this->Asked)
       {
-        return found;
+        this->Conflicts.push_back(std::move(conflict));
       }
+      break;
     }
-    return this->Cancelled ? Indices() : this->keepWhatCanBe();
   }
-
-  bool cancelled() const { return this->Cancelled; }
-  /// Keys that cannot be kept together with others, as far as they are known.
-  Indices concerned() const
-  {
-    Indices all;
-    for (const Indices& conflict : this->Conflicts)
-    {
-      all = joined(all, conflict);
-    }
-    return all;
-  }
-
-private:
-  /// Whether there is a solution without these keys.
-  bool works(const Indices& released)
-  {
-    const auto known = this->Tried.find(released);
-    if (known != this->Tried.end() || this->Cancelled)
-    {
-      return !this->Cancelled && known->second >= 0.0;
-    }
-    const AngleSolution solution = this->Attempt(released);
-    this->Cancelled = solution.status.code == StatusCode::Cancelled;
-    this->Tried[released] = solution.status.ok() ? std::max(0.0, solution.objective) : -1.0;
-    return solution.status.ok();
-  }
-
-  bool agree(const Indices& kept) { return this->works(without(this->Keys, kept)); }
-
-  /// Of the least sets that the known conflicts allow the one with the least objective; empty, and
-  /// a conflict more, where none of them helps.
-  Indices tryLeastSets()
-  {
-    Indices best;
-    for (const Indices& set : leastSets(this->Conflicts))
-    {
-      const bool helps = this->works(set);
-      if (helps && (best.empty() || this->Tried[set] < this->Tried[best]))
-      {
-        best = set;
-      }
-      if (!helps && best.empty())
-      {
-        const Indices kept = without(this->Keys, set);
-        this->Conflicts.push_back(this->conflictIn({}, false, kept));
-        break;
-      }
-    }
-    return best;
-  }
-
-  /// A least part of `among` that cannot be kept beside `base` (QuickXplain).
-  Indices conflictIn(const Indices& base, bool grown, const Indices& among)
-  {
-    if (grown && !this->agree(base))
-    {
-      return {};
-    }
-    if (among.size() == 1)
-    {
-      return among;
-    }
-    const std::array<Indices, 2> half = halves(among);
-    const Indices second = this->conflictIn(joined(base, half[0]), true, half[1]);
-    const Indices first = this->conflictIn(joined(base, second), !second.empty(), half[0]);
-    return joined(first, second);
-  }
-
-  /// Takes keys back, many at a time, until none of the others can be kept.
-  Indices keepWhatCanBe()
-  {
-    Indices kept;
-    std::vector<Indices> open{ this->Keys };
-    while (!open.empty() && !this->Cancelled)
-    {
-      const Indices next = std::move(open.back());
-      open.pop_back();
-      if (this->agree(joined(kept, next)))
-      {
-        kept = joined(kept, next);
-      }
-      else if (next.size() > 1)
-      {
-        const std::array<Indices, 2> half = halves(next);
-        open.push_back(half[1]);
-        open.push_back(half[0]);
-      }
-    }
-    return this->Cancelled ? Indices() : without(this->Keys, kept);
-  }
-
-  Indices Keys;
-  Try Attempt;
-  std::map<Indices, double> Tried; ///< objective by set of released keys, -1 where that fails
-  std::vector<Indices> Conflicts;
-  bool Cancelled = false;
-};
+  return best;
 }
 
-Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
+/// A least part of `among` that cannot be kept beside `base` (QuickXplain, U. Junker, AAAI 2004).
+Indices KeyReleaseSearch::conflictIn(const Indices& base, bool grown, const Indices& among)
 {
-  Indices keys;
-  for (const WireEdge& edge : network.edges)
+  if (this->Asked || (grown && !this->agree(base)))
   {
-    if (edge.curve != none && curves[edge.curve].type == CurveType::Key)
-    {
-      keys.push_back(edge.curve);
-    }
+    return {};
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  return keys;
+  if (among.size() == 1)
+  {
+    return among;
+  }
+  const std::array<Indices, 2> half = halves(among);
+  const Indices second = this->conflictIn(joined(base, half[0]), true, half[1]);
+  const Indices first = this->conflictIn(joined(base, second), !second.empty(), half[0]);
+  return joined(first, second);
 }
 
-namespace
+/// Takes keys back, many at a time, until none of the others can be kept.
+Indices KeyReleaseSearch::keepWhatCanBe()
 {
-std::string describe(const std::vector<FeatureCurve>& curves, const Indices& keys,
-  const Indices& clashing, const Indices& released)
+  Indices kept;
+  std::vector<Indices> open{ this->Keys };
+  while (!open.empty() && !this->Asked)
+  {
+    const Indices next = std::move(open.back());
+    open.pop_back();
+    if (this->agree(joined(kept, next)))
+    {
+      kept = joined(kept, next);
+    }
+    else if (next.size() > 1)
+    {
+      const std::array<Indices, 2> half = halves(next);
+      open.push_back(half[1]);
+      open.push_back(half[0]);
+    }
+  }
+  return without(this->Keys, kept);
+}
+
+Status describeRelease(
+  const std::vector<FeatureCurve>& curves, const Indices& keys, const KeyReleaseSearch& search)
 {
+  const Indices& released = search.found();
+  const Indices clashing = joined(search.concerned(), released);
   constexpr std::size_t most = 5;
   const Indices kept = without(keys, released);
   std::string text = clashing.size() == 1
@@ -232,48 +224,6 @@ std::string describe(const std::vector<FeatureCurve>& curves, const Indices& key
     text += kept.size() > most ? "; the other " + std::to_string(kept.size()) + " keep their shapes"
                                : "; kept: " + quotedNames(curves, kept);
   }
-  return text + ")";
-}
-}
-
-KeyRelease releaseKeys(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves, const AngleSolution& failed,
-  const std::function<AngleSolution(const NodeLocks&)>& solve)
-{
-  const Indices keys = keyCurves(network, curves);
-  auto locksWithout = [&](const Indices& released) {
-    std::vector<FeatureCurve> changed = curves;
-    for (Index c : released)
-    {
-      changed[c].type = CurveType::Accessory;
-    }
-    return lockKeyCurves(network, piece, cut, changed);
-  };
-  KeySearch search(keys, [&](const Indices& released) { return solve(locksWithout(released)); });
-  KeyRelease result;
-  result.released = search.run();
-  result.locks = locksWithout(result.released);
-  if (search.cancelled())
-  {
-    result.solution.status = { StatusCode::Cancelled, "cancelled", {} };
-    result.status = result.solution.status;
-  }
-  else if (result.released.empty())
-  {
-    result.solution = failed;
-    result.status = failed.status;
-    if (failed.status.code == StatusCode::IncompatibleKeys)
-    {
-      result.status.ids = keys;
-    }
-  }
-  else
-  {
-    result.solution = solve(result.locks);
-    result.status = { StatusCode::IncompatibleKeys,
-      describe(curves, keys, joined(search.concerned(), result.released), result.released),
-      result.released };
-  }
-  return result;
+  return { StatusCode::IncompatibleKeys, text + ")", released };
 }
 }

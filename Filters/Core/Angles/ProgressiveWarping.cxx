@@ -289,38 +289,25 @@ private:
     angles.length = this->Problem.length;
     const double size = perimeter(this->Problem);
     angles.closure = closureResidual(this->Net, this->Theta, this->Problem.length);
-    if (this->angularResidual() > 1e-10 || angles.closure > this->Options.closureTolerance * size)
-    {
-      this->repair();
-      return;
-    }
     angles.theta = this->Theta;
     angles.objective = angleObjective(this->Problem, this->Theta);
+    if (this->angularResidual() > 1e-10 || angles.closure > this->Options.closureTolerance * size)
+    {
+      this->findRepairTargets();
+    }
   }
 
-  /// The last patches could not close: the angles nearest to the progressive ones that can.
-  void repair()
+  /// What a patch that did not close was left with, or a vertex got by Eq. 9, may be many turns.
+  void findRepairTargets()
   {
-    AngleProblem nearest = this->Problem;
+    this->Result.angles.status = { StatusCode::NotConverged,
+      "the last wire-patches cannot be closed with the angles of those before", {} };
     for (Index i = 0; i < this->Net.nodeCount(); ++i)
     {
-      // What a patch that did not close was left with, or a vertex got by Eq. 9, may be many turns.
       const bool meant =
         !this->Failed[this->Net.loop[i]] && this->Theta[i] > 0.0 && this->Theta[i] < 2.0 * pi;
-      nearest.target[i] = meant ? this->Theta[i] : this->Problem.target[i];
+      this->Result.repairTargets.push_back(meant ? this->Theta[i] : this->Problem.target[i]);
     }
-    AngleSolution solution = solveAngles(nearest, this->Options, this->Run);
-    if (!solution.status.ok() && solution.status.code != StatusCode::Cancelled)
-    {
-      // From wild angles the iteration may fail where that from the surface angles does not.
-      solution = solveAngles(this->Problem, this->Options, this->Run);
-    }
-    solution.objective = angleObjective(this->Problem, solution.theta);
-    solution.iterations += this->Result.angles.iterations;
-    solution.history.insert(solution.history.begin(), this->Result.angles.history.begin(),
-      this->Result.angles.history.end());
-    this->Result.angles = std::move(solution);
-    this->Result.repaired = true;
   }
 
   const AngleProblem& Problem;

@@ -10,9 +10,11 @@ struct ProgressiveSolution
   AngleSolution angles;
   /// Loops in the order in which they were warped (Fig. 4).
   Indices warpingOrder;
-  /// The last patches were over-determined, and a global solve with the progressive angles as
-  /// targets made the wires meet again.
-  bool repaired = false;
+  /// Where the last patches were over-determined and the wires do not meet: what a global solution
+  /// has to aim at, to be near the progressive angles. Empty where they meet.
+  std::vector<double> repairTargets;
+
+  bool closes() const { return this->repairTargets.empty(); }
 };
 
 /// Algorithm 2: warps the patch with the largest shape-evidence factor (Eq. 10) first, ties by the

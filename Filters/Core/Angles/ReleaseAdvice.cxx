@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/ReleaseAdvice.h"
 
-#include "Angles/KeyRelease.h"
+#include "Angles/AngleSolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,47 +11,24 @@ namespace flattening
 {
 namespace
 {
-/// Most releases that are tried of either kind: each costs a solution of the wires.
+/// Most releases that are tried of either kind: each costs a flattening of the piece.
 constexpr std::size_t mostTried = 3;
 
-/// The least objective when a curve is no wire any more, or a key curve an accessory curve.
-double objectiveWithout(Index curve, const WireNetwork& network, const Piece& piece,
-  const CutSurface& cut, const std::vector<FeatureCurve>& curves, const AngleSolverOptions& options,
-  const Execution& execution)
+bool isShaped(const std::vector<FeatureCurve>& curves, const Indices& released, Index curve)
 {
-  std::vector<FeatureCurve> others = curves;
-  others[curve].type = CurveType::Accessory;
-  WireNetwork fewer;
-  const WireNetwork* wires = &network;
-  Piece bare;
-  const Piece* subject = &piece;
-  if (curves[curve].type != CurveType::Key)
-  {
-    bare = piece;
-    std::replace(bare.curveOfHalfedge.begin(), bare.curveOfHalfedge.end(), curve, none);
-    subject = &bare;
-    fewer = buildWireNetwork(bare);
-    wires = &fewer;
-  }
-  if (!wires->status.ok())
-  {
-    return -1.0;
-  }
-  const AngleProblem problem =
-    makeAngleProblem(*wires, lockKeyCurves(*wires, *subject, cut, others));
-  const AngleSolution solution = solveAngles(problem, options, execution);
-  return solution.status.ok() ? solution.objective : -1.0;
+  return curves[curve].type == CurveType::Key &&
+    !std::binary_search(released.begin(), released.end(), curve);
 }
 
 /// Per key curve what its shape alone costs: half the squared changes of its angles.
 std::vector<double> shapeCosts(const WireNetwork& network, const std::vector<FeatureCurve>& curves,
-  const std::vector<double>& theta)
+  const Indices& released, const std::vector<double>& theta)
 {
   std::vector<double> cost(curves.size(), 0.0);
   for (Index i = 0; i < network.nodeCount(); ++i)
   {
     const Index curve = network.edges[network.edge[i]].curve;
-    if (curve != none && curves[curve].type == CurveType::Key)
+    if (curve != none && isShaped(curves, released, curve))
     {
       const double change = theta[i] - network.alpha[i];
       cost[curve] += 0.5 * change * change;
@@ -64,6 +41,21 @@ void sortByMagnitude(const std::vector<double>& value, Indices& ids)
 {
   std::stable_sort(ids.begin(), ids.end(),
     [&](Index a, Index b) { return std::abs(value[a]) > std::abs(value[b]); });
+}
+
+bool better(const ReleaseTrial& a, const ReleaseTrial& b, ReleaseMeasure measure)
+{
+  if (a.solved != b.solved || !a.solved)
+  {
+    return a.solved && !b.solved;
+  }
+  if (measure == ReleaseMeasure::Objective)
+  {
+    return a.objective < b.objective;
+  }
+  const bool flipsA = a.homogeneity <= 0.0;
+  const bool flipsB = b.homogeneity <= 0.0;
+  return flipsA != flipsB ? flipsB : a.areaError < b.areaError;
 }
 }
 
@@ -85,9 +77,8 @@ bool liesPoorly(const TriangleMesh& mesh, const Points2& positions)
   return !(least >= poorHomogeneity * most);
 }
 
-ReleaseAdvice adviseRelease(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves, const AngleSolution& solution,
-  const AngleSolverOptions& options, bool poor, const Execution& execution)
+ReleaseAdvice adviseRelease(const WireNetwork& network, const std::vector<FeatureCurve>& curves,
+  const AngleSolution& solution)
 {
   ReleaseAdvice advice;
   advice.sensitivity.assign(curves.size(), 0.0);
@@ -114,41 +105,53 @@ ReleaseAdvice adviseRelease(const WireNetwork& network, const Piece& piece, cons
     }
   }
   sortByMagnitude(advice.sensitivity, advice.ranking);
-  std::vector<double> without(curves.size(), -1.0);
-  if (poor)
-  {
-    Indices tried;
-    for (std::size_t k = 0; k < advice.ranking.size() && tried.size() < mostTried; ++k)
-    {
-      if (curves[advice.ranking[k]].type != CurveType::Key)
-      {
-        tried.push_back(advice.ranking[k]);
-      }
-    }
-    Indices keys = keyCurves(network, curves);
-    sortByMagnitude(shapeCosts(network, curves, solution.theta), keys);
-    keys.resize(std::min(keys.size(), mostTried));
-    for (Index key : keys)
-    {
-      tried.push_back(key);
-      if (!inside[key])
-      {
-        advice.ranking.push_back(key);
-      }
-    }
-    for (Index c : tried)
-    {
-      without[c] = objectiveWithout(c, network, piece, cut, curves, options, execution);
-    }
-    std::stable_sort(advice.ranking.begin(), advice.ranking.end(), [&](Index a, Index b) {
-      const bool known = without[a] >= 0.0;
-      return known != (without[b] >= 0.0) ? known : known && without[a] < without[b];
-    });
-  }
-  for (Index c : advice.ranking)
-  {
-    advice.objectiveWithout.push_back(without[c]);
-  }
+  rankReleases({}, ReleaseMeasure::Objective, advice);
   return advice;
+}
+
+Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& network,
+  const std::vector<FeatureCurve>& curves, const Indices& released, const AngleSolution& solution)
+{
+  Indices candidates;
+  for (std::size_t k = 0; k < advice.ranking.size() && candidates.size() < mostTried; ++k)
+  {
+    if (!isShaped(curves, released, advice.ranking[k]))
+    {
+      candidates.push_back(advice.ranking[k]);
+    }
+  }
+  Indices keys = keyCurves(network, curves);
+  keys.erase(std::remove_if(keys.begin(), keys.end(),
+               [&](Index key) { return !isShaped(curves, released, key); }),
+    keys.end());
+  sortByMagnitude(shapeCosts(network, curves, released, solution.theta), keys);
+  keys.resize(std::min(keys.size(), mostTried));
+  candidates.insert(candidates.end(), keys.begin(), keys.end());
+  return candidates;
+}
+
+void rankReleases(
+  const std::vector<ReleaseTrial>& trials, ReleaseMeasure measure, ReleaseAdvice& advice)
+{
+  const auto trialOf = [&trials](Index curve) {
+    const auto trial = std::find_if(trials.begin(), trials.end(),
+      [curve](const ReleaseTrial& candidate) { return candidate.curve == curve; });
+    return trial == trials.end() ? ReleaseTrial{ curve } : *trial;
+  };
+  for (const ReleaseTrial& trial : trials)
+  {
+    if (std::find(advice.ranking.begin(), advice.ranking.end(), trial.curve) ==
+      advice.ranking.end())
+    {
+      advice.ranking.push_back(trial.curve);
+    }
+  }
+  std::stable_sort(advice.ranking.begin(), advice.ranking.end(),
+    [&](Index a, Index b) { return better(trialOf(a), trialOf(b), measure); });
+  advice.trials.clear();
+  for (Index curve : advice.ranking)
+  {
+    advice.trials.push_back(trialOf(curve));
+  }
 }
 }

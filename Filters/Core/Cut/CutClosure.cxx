@@ -14,229 +14,6 @@ Point2 turnedLeft(const Point2& v)
 {
   return { -v.y(), v.x() };
 }
-
-using Pairs = std::vector<std::array<Index, 2>>;
-
-class Closing
-{
-public:
-  Closing(const Piece& piece, const CutSurface& cut, Points2 positions)
-    : Subject(piece)
-    , Cut(cut)
-    , Cuts(findCutBanks(piece, cut))
-  {
-    this->Result.positions = std::move(positions);
-    this->Result.joined.resize(piece.mesh.vertexCount());
-    std::iota(this->Result.joined.begin(), this->Result.joined.end(), 0);
-  }
-
-  CutClosure run(const JoinedFlattening& flatten)
-  {
-    for (;;)
-    {
-      const std::vector<char> crossing = this->crossingVertices();
-      if (std::find(crossing.begin(), crossing.end(), 1) == crossing.end())
-      {
-        this->Result.closed = true;
-        break;
-      }
-      if (!this->join(this->crossedPairs(crossing)) && !this->join(this->crossingPairs(crossing)) &&
-        !this->join(this->wholeCuts(crossing)))
-      {
-        break;
-      }
-      Points2 positions = flatten(this->Result.joined);
-      // A piece that cannot be flattened with its cuts closed in part may be with whole ones.
-      while (positions.empty() && this->join(this->wholeCuts(crossing)))
-      {
-        positions = flatten(this->Result.joined);
-      }
-      if (positions.empty())
-      {
-        break;
-      }
-      this->Result.positions = std::move(positions);
-    }
-    this->findClosedEdges();
-    return std::move(this->Result);
-  }
-
-private:
-  std::vector<char> crossingVertices() const
-  {
-    const TriangleMesh& mesh = this->Subject.mesh;
-    std::vector<char> crossing(mesh.vertexCount(), 0);
-    for (const auto& pair : findBoundaryOverlaps(mesh, this->Result.positions, mostOverlaps))
-    {
-      for (Index h : pair)
-      {
-        crossing[mesh.from(h)] = crossing[mesh.to(h)] = 1;
-        crossing[this->Result.joined[mesh.from(h)]] = crossing[this->Result.joined[mesh.to(h)]] = 1;
-      }
-    }
-    return crossing;
-  }
-
-  /// How far the first bank is from the second, across both: negative where they have crossed.
-  double gap(const CutBanks& cut, std::size_t k) const
-  {
-    const Points2& at = this->Result.positions;
-    const std::size_t outer = std::min(k + 1, cut.pairs.size() - 1);
-    Point2 across = Point2::Zero();
-    for (int bank : { 0, 1 })
-    {
-      const Index inner = k == 0 ? cut.tip : cut.pairs[k - 1][bank];
-      across += turnedLeft((at[inner] - at[cut.pairs[outer][bank]]).normalized());
-    }
-    return across.dot(at[cut.pairs[k][0]] - at[cut.pairs[k][1]]);
-  }
-
-  bool takesPart(const CutBanks& cut, const std::vector<char>& crossing) const
-  {
-    return crossing[cut.tip] ||
-      std::any_of(cut.pairs.begin(), cut.pairs.end(),
-        [&](const auto& pair) { return crossing[pair[0]] || crossing[pair[1]]; });
-  }
-
-  /// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
-  Pairs crossedPairs(const std::vector<char>& crossing) const
-  {
-    Pairs crossed;
-    for (const CutBanks& cut : this->Cuts)
-    {
-      for (std::size_t k = 0; this->takesPart(cut, crossing) && k < cut.pairs.size(); ++k)
-      {
-        if (this->gap(cut, k) < 0.0)
-        {
-          crossed.push_back(cut.pairs[k]);
-        }
-      }
-    }
-    return crossed;
-  }
-
-  /// The pairs at the ends of edges that cross although no pair is on the wrong side.
-  Pairs crossingPairs(const std::vector<char>& crossing) const
-  {
-    Pairs ends;
-    for (const CutBanks& cut : this->Cuts)
-    {
-      std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
-        [&](const auto& pair) { return crossing[pair[0]] || crossing[pair[1]]; });
-    }
-    return ends;
-  }
-
-  /// All pairs of the cuts that take part in a crossing.
-  Pairs wholeCuts(const std::vector<char>& crossing) const
-  {
-    Pairs all;
-    for (const CutBanks& cut : this->Cuts)
-    {
-      if (this->takesPart(cut, crossing))
-      {
-        all.insert(all.end(), cut.pairs.begin(), cut.pairs.end());
-      }
-    }
-    return all;
-  }
-
-  bool joinPair(const std::array<Index, 2>& pair)
-  {
-    Indices& joined = this->Result.joined;
-    const Index from = std::max(joined[pair[0]], joined[pair[1]]);
-    const Index to = std::min(joined[pair[0]], joined[pair[1]]);
-    if (from != to)
-    {
-      std::replace(joined.begin(), joined.end(), from, to);
-    }
-    return from != to;
-  }
-
-  /// \return whether one of the pairs was not joined yet.
-  bool join(const Pairs& pairs)
-  {
-    bool grown = false;
-    for (const auto& pair : pairs)
-    {
-      grown = this->joinPair(pair) || grown;
-    }
-    if (grown)
-    {
-      while (this->joinNextToLonePairs())
-      {
-      }
-      this->findCutsAnew();
-    }
-    return grown;
-  }
-
-  /// A pair joined by itself holds two fans of triangles together at one vertex: the pair next to
-  /// it towards the tip is joined as well.
-  bool joinNextToLonePairs()
-  {
-    Indices& joined = this->Result.joined;
-    const JoinedPiece now = joinVertices(this->Subject, joined);
-    const TriangleMesh& mesh = now.piece.mesh;
-    Indices fans(mesh.vertexCount(), 0);
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-    {
-      fans[mesh.from(h)] += mesh.twin(h) == none ? 1 : 0;
-    }
-    bool grown = false;
-    for (const CutBanks& cut : this->Cuts)
-    {
-      for (std::size_t k = 1; k < cut.pairs.size(); ++k)
-      {
-        const auto [a, b] = cut.pairs[k];
-        if (joined[a] == joined[b] && fans[now.place[a]] > 1)
-        {
-          grown = this->joinPair(cut.pairs[k - 1]) || grown;
-        }
-      }
-    }
-    return grown;
-  }
-
-  /// Where cuts meet, one that is closed up to there makes a tip of another.
-  void findCutsAnew()
-  {
-    const JoinedPiece now = joinVertices(this->Subject, this->Result.joined);
-    Indices before(now.piece.mesh.vertexCount());
-    for (std::size_t v = 0; v < now.place.size(); ++v)
-    {
-      before[now.place[v]] = this->Result.joined[v];
-    }
-    std::vector<CutBanks> cuts = findCutBanks(now.piece, this->Cut);
-    for (CutBanks& cut : cuts)
-    {
-      cut.tip = before[cut.tip];
-      for (auto& pair : cut.pairs)
-      {
-        pair = { before[pair[0]], before[pair[1]] };
-      }
-    }
-    this->Cuts = std::move(cuts);
-  }
-
-  void findClosedEdges()
-  {
-    const TriangleMesh& mesh = this->Subject.mesh;
-    const JoinedPiece now = joinVertices(this->Subject, this->Result.joined);
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-    {
-      if (mesh.twin(h) == none && now.piece.mesh.twin(h) != none)
-      {
-        this->Result.edges.push_back(h);
-      }
-    }
-  }
-
-  const Piece& Subject;
-  const CutSurface& Cut;
-  std::vector<CutBanks> Cuts; ///< with what is joined left out
-  CutClosure Result;
-};
 }
 
 std::vector<CutBanks> findCutBanks(const Piece& piece, const CutSurface& cut)
@@ -304,9 +81,202 @@ JoinedPiece joinVertices(const Piece& piece, const Indices& joined)
   return result;
 }
 
-CutClosure closeCrossingCuts(
-  const Piece& piece, const CutSurface& cut, Points2 positions, const JoinedFlattening& flatten)
+CutClosing::CutClosing(const Piece& piece, const CutSurface& cut)
+  : Subject(piece)
+  , Cut(cut)
+  , Cuts(findCutBanks(piece, cut))
+  , Joined(piece.mesh.vertexCount())
 {
-  return Closing(piece, cut, std::move(positions)).run(flatten);
+  std::iota(this->Joined.begin(), this->Joined.end(), 0);
+}
+
+const Indices* CutClosing::next(const Points2* positions)
+{
+  if (!positions)
+  {
+    // A piece that cannot be flattened with its cuts closed in part may be with whole ones.
+    return this->join(this->wholeCuts()) ? &this->Joined : nullptr;
+  }
+  this->Crossing = this->crossingVertices(*positions);
+  this->Closed = std::find(this->Crossing.begin(), this->Crossing.end(), 1) == this->Crossing.end();
+  if (this->Closed)
+  {
+    return nullptr;
+  }
+  const bool grown = this->join(this->crossedPairs(*positions)) ||
+    this->join(this->crossingPairs()) || this->join(this->wholeCuts());
+  return grown ? &this->Joined : nullptr;
+}
+
+std::vector<char> CutClosing::crossingVertices(const Points2& positions) const
+{
+  const TriangleMesh& mesh = this->Subject.mesh;
+  std::vector<char> crossing(mesh.vertexCount(), 0);
+  for (const auto& pair : findBoundaryOverlaps(mesh, positions, mostOverlaps))
+  {
+    for (Index h : pair)
+    {
+      crossing[mesh.from(h)] = crossing[mesh.to(h)] = 1;
+      crossing[this->Joined[mesh.from(h)]] = crossing[this->Joined[mesh.to(h)]] = 1;
+    }
+  }
+  return crossing;
+}
+
+/// How far the first bank is from the second, across both: negative where they have crossed.
+double CutClosing::gap(const Points2& positions, const CutBanks& cut, std::size_t k) const
+{
+  const Points2& at = positions;
+  const std::size_t outer = std::min(k + 1, cut.pairs.size() - 1);
+  Point2 across = Point2::Zero();
+  for (int bank : { 0, 1 })
+  {
+    const Index inner = k == 0 ? cut.tip : cut.pairs[k - 1][bank];
+    across += turnedLeft((at[inner] - at[cut.pairs[outer][bank]]).normalized());
+  }
+  return across.dot(at[cut.pairs[k][0]] - at[cut.pairs[k][1]]);
+}
+
+bool CutClosing::takesPart(const CutBanks& cut) const
+{
+  return this->Crossing[cut.tip] ||
+    std::any_of(cut.pairs.begin(), cut.pairs.end(),
+      [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
+}
+
+/// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
+CutClosing::Pairs CutClosing::crossedPairs(const Points2& positions) const
+{
+  Pairs crossed;
+  for (const CutBanks& cut : this->Cuts)
+  {
+    for (std::size_t k = 0; this->takesPart(cut) && k < cut.pairs.size(); ++k)
+    {
+      if (this->gap(positions, cut, k) < 0.0)
+      {
+        crossed.push_back(cut.pairs[k]);
+      }
+    }
+  }
+  return crossed;
+}
+
+/// The pairs at the ends of edges that cross although no pair is on the wrong side.
+CutClosing::Pairs CutClosing::crossingPairs() const
+{
+  Pairs ends;
+  for (const CutBanks& cut : this->Cuts)
+  {
+    std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
+      [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
+  }
+  return ends;
+}
+
+/// All pairs of the cuts that take part in a crossing.
+CutClosing::Pairs CutClosing::wholeCuts() const
+{
+  Pairs all;
+  for (const CutBanks& cut : this->Cuts)
+  {
+    if (this->takesPart(cut))
+    {
+      all.insert(all.end(), cut.pairs.begin(), cut.pairs.end());
+    }
+  }
+  return all;
+}
+
+bool CutClosing::joinPair(const std::array<Index, 2>& pair)
+{
+  Indices& joined = this->Joined;
+  const Index from = std::max(joined[pair[0]], joined[pair[1]]);
+  const Index to = std::min(joined[pair[0]], joined[pair[1]]);
+  if (from != to)
+  {
+    std::replace(joined.begin(), joined.end(), from, to);
+  }
+  return from != to;
+}
+
+/// \return whether one of the pairs was not joined yet.
+bool CutClosing::join(const Pairs& pairs)
+{
+  bool grown = false;
+  for (const auto& pair : pairs)
+  {
+    grown = this->joinPair(pair) || grown;
+  }
+  if (grown)
+  {
+    while (this->joinNextToLonePairs())
+    {
+    }
+    this->findCutsAnew();
+  }
+  return grown;
+}
+
+/// A pair joined by itself holds two fans of triangles together at one vertex: the pair next to
+/// it towards the tip is joined as well.
+bool CutClosing::joinNextToLonePairs()
+{
+  Indices& joined = this->Joined;
+  const JoinedPiece now = joinVertices(this->Subject, joined);
+  const TriangleMesh& mesh = now.piece.mesh;
+  Indices fans(mesh.vertexCount(), 0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    fans[mesh.from(h)] += mesh.twin(h) == none ? 1 : 0;
+  }
+  bool grown = false;
+  for (const CutBanks& cut : this->Cuts)
+  {
+    for (std::size_t k = 1; k < cut.pairs.size(); ++k)
+    {
+      const auto [a, b] = cut.pairs[k];
+      if (joined[a] == joined[b] && fans[now.place[a]] > 1)
+      {
+        grown = this->joinPair(cut.pairs[k - 1]) || grown;
+      }
+    }
+  }
+  return grown;
+}
+
+/// Where cuts meet, one that is closed up to there makes a tip of another.
+void CutClosing::findCutsAnew()
+{
+  const JoinedPiece now = joinVertices(this->Subject, this->Joined);
+  Indices before(now.piece.mesh.vertexCount());
+  for (std::size_t v = 0; v < now.place.size(); ++v)
+  {
+    before[now.place[v]] = this->Joined[v];
+  }
+  std::vector<CutBanks> cuts = findCutBanks(now.piece, this->Cut);
+  for (CutBanks& cut : cuts)
+  {
+    cut.tip = before[cut.tip];
+    for (auto& pair : cut.pairs)
+    {
+      pair = { before[pair[0]], before[pair[1]] };
+    }
+  }
+  this->Cuts = std::move(cuts);
+}
+
+Indices CutClosing::closedEdges() const
+{
+  Indices edges;
+  const TriangleMesh& mesh = this->Subject.mesh;
+  const JoinedPiece now = joinVertices(this->Subject, this->Joined);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none && now.piece.mesh.twin(h) != none)
+    {
+      edges.push_back(h);
+    }
+  }
+  return edges;
 }
 }

@@ -30,12 +30,11 @@ CurveStretches stretchesIn(
   return stretches;
 }
 
-std::vector<FeatureCurve> agreeOnStretches(
-  const std::vector<FeatureCurve>& curves, const std::vector<CurveStretches>& pieces)
+CurveStretches agreeOnStretches(const std::vector<CurveStretches>& pieces)
 {
-  std::vector<FeatureCurve> decided = curves;
+  CurveStretches decided(pieces.empty() ? 0 : pieces.front().size());
   bool agree = true;
-  for (std::size_t c = 0; c < curves.size(); ++c)
+  for (std::size_t c = 0; c < decided.size(); ++c)
   {
     std::vector<double> stretches;
     for (const CurveStretches& piece : pieces)
@@ -55,10 +54,10 @@ std::vector<FeatureCurve> agreeOnStretches(
     {
       sum += h;
     }
-    decided[c].stretch = sum / static_cast<double>(stretches.size());
+    decided[c] = sum / static_cast<double>(stretches.size());
     // What rounding leaves of one length is no disagreement.
     agree = agree && *most - *least <= 1e-13;
   }
-  return agree ? std::vector<FeatureCurve>() : decided;
+  return agree ? CurveStretches() : decided;
 }
 }

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "Surface/FeatureCurve.h"
+#include "Wires/CurveRules.h"
 #include "Wires/WireNetwork.h"
-
-#include <optional>
 
 namespace flattening
 {
@@ -17,7 +16,6 @@ CurveStretches stretchesIn(
 
 /// Each piece chooses the lengths of its elastic curves by itself, but what is sewn together must
 /// be equally long: decides for the mean where a curve lies in several pieces.
-/// \return the curves with FeatureCurve::stretch where it is decided; none where all pieces agree
-std::vector<FeatureCurve> agreeOnStretches(
-  const std::vector<FeatureCurve>& curves, const std::vector<CurveStretches>& pieces);
+/// \return what is decided, by curve; empty where all pieces agree
+CurveStretches agreeOnStretches(const std::vector<CurveStretches>& pieces);
 }

@@ -4,9 +4,11 @@
 #include "Angles/AngleSolution.h"
 #include "Angles/ReleaseAdvice.h"
 #include "Cut/PieceTopology.h"
+#include "Isometric/IsometricWarping.h"
 #include "Quality/FlatteningQuality.h"
 
 #include <memory>
+#include <optional>
 
 namespace flattening
 {
@@ -33,7 +35,12 @@ struct PieceReport
   Index freeWireNodes = 0;
   Index constraints = 0;
   int iterations = 0;
+  /// Of Eq. 13, measured on the flat piece: half the sum of the squared changes of the wires'
+  /// angles, whatever the scheme; nodes on key curves and around holes do not count.
   double objective = 0.0;
+  /// Measured on the flat piece: the largest distance by which a loop of wires misses its start
+  /// when its edges are laid one after the other with their lengths on the surface (elastic curves
+  /// and connectors: in the plane) and the angles that they have in the plane.
   double closureResidual = 0.0;
   /// Isometric scheme: its energy's two terms, sheet and wire angles, in units of the mean triangle
   /// area.
@@ -44,8 +51,14 @@ struct PieceReport
   std::vector<std::array<Index, 2>> overlaps;
   /// Half-edges of the cut surface on banks of cuts that were closed (see closeCrossingCuts()).
   Indices closedEdges;
-  std::vector<IterationRecord> history;
-  Indices released; ///< key curves whose shape was given up
+  /// What was done, which may be another thing than was asked for: then `fallbacks` says why.
+  std::optional<AngleMethod> solverUsed;          ///< none in a conformal map
+  std::optional<DistortionEnergyKind> energyUsed; ///< isometric scheme only
+  bool repaired = false; ///< progressive scheme: the angles did not close by themselves
+  std::vector<std::string> fallbacks;
+  std::vector<IterationRecord> history;             ///< of the wires' angles
+  std::vector<IsometricIteration> isometricHistory; ///< isometric scheme: then of the whole piece
+  Indices released;                                 ///< key curves whose shape was given up
   Index boundaryLoops = 1;
   bool wired = false; ///< a feature curve lies in it or bounds it
   /// Which curves to release first; with a trial where the wires' solution is poor.

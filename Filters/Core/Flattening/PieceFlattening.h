@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Flattening/FlatteningCache.h"
-#include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"
+#include "Flattening/PieceContext.h"
 
 namespace flattening
 {
@@ -20,9 +20,18 @@ struct FlatPiece
   double secondsInterior = 0.0;
 };
 
-/// Flattens one piece by the scheme of the options: network, angles, layout, interior. \param keep
-/// whether the factors of the interior stay with the piece.
-FlatPiece flattenPiece(WiredPiece& wired, const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution, bool keep);
+/// What is the same for all pieces of a surface.
+struct PieceSettings
+{
+  const CutSurface& cut;
+  const std::vector<FeatureCurve>& curves;
+  const FlatteningOptions& options;
+  const CurveRules& rules;
+  bool keep = false; ///< the factors of the interior stay with the piece
+};
+
+/// Flattens one piece by the scheme of the options: network, angles, layout, interior, and again
+/// with keys released or cuts closed where that is asked for.
+FlatPiece flattenPiece(
+  WiredPiece& wired, const PieceSettings& settings, const Execution& execution);
 }

@@ -162,7 +162,7 @@ private:
     for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
       const double begin = 0.05 + share * static_cast<double>(p);
-      if (!this->flattenPieceOf(p, this->Curves, this->Run.part(begin, begin + share)))
+      if (!this->flattenPieceOf(p, {}, this->Run.part(begin, begin + share)))
       {
         return false;
       }
@@ -170,8 +170,7 @@ private:
     return this->agreeOnStretches();
   }
 
-  bool flattenPieceOf(
-    std::size_t p, const std::vector<FeatureCurve>& curves, const Execution& execution)
+  bool flattenPieceOf(std::size_t p, const CurveRules& rules, const Execution& execution)
   {
     execution.report(0.0, "Flattening pieces");
     if (execution.cancelled())
@@ -181,8 +180,8 @@ private:
     }
     this->Flat.resize(this->Kept.pieces.size());
     FlatPiece& flat = this->Flat[p];
-    flat = flattenPiece(
-      this->Kept.pieces[p], *this->Kept.cut, curves, this->Options, execution, this->Keep);
+    flat = flattenPiece(this->Kept.pieces[p],
+      { *this->Kept.cut, this->Curves, this->Options, rules, this->Keep }, execution);
     this->Result.seconds.wires += flat.secondsWires;
     this->Result.seconds.interior += flat.secondsInterior;
     if (flat.report.status.refused())
@@ -206,13 +205,14 @@ private:
       const Points2& positions = this->Flat[p].positions;
       stretches.push_back(stretchesIn(this->networkOf(p), positions, this->Curves));
     }
-    const std::vector<FeatureCurve> decided = flattening::agreeOnStretches(this->Curves, stretches);
-    for (std::size_t p = 0; p < this->Flat.size() && !decided.empty(); ++p)
+    CurveRules decided;
+    decided.stretch = flattening::agreeOnStretches(stretches);
+    for (std::size_t p = 0; p < this->Flat.size() && !decided.stretch.empty(); ++p)
     {
       bool shares = false;
-      for (std::size_t c = 0; c < decided.size(); ++c)
+      for (std::size_t c = 0; c < this->Curves.size(); ++c)
       {
-        shares = shares || (decided[c].stretch && stretches[p][c]);
+        shares = shares || (decided.stretch[c] && stretches[p][c]);
       }
       if (shares && !this->flattenPieceOf(p, decided, this->Run.part(0.85, 0.85)))
       {

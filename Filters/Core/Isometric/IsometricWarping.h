@@ -26,7 +26,7 @@ struct IsometricOptions
 struct IsometricIteration
 {
   double energy = 0.0;
-  double constraint = 0.0; ///< largest length error, in units of the mean edge
+  double constraint = 0.0; ///< largest length error, in roots of the mean triangle area
   double optimality = 0.0; ///< largest entry of the gradient of the Lagrangian
   double step = 0.0;       ///< largest move of a vertex, in the same unit
   bool exact = false;      ///< exact Hessian, or its convex part

@@ -3,7 +3,6 @@
 
 #include "Base/Types.h"
 
-#include <optional>
 #include <string>
 
 namespace flattening
@@ -34,8 +33,6 @@ struct FeatureCurve
   /// Elastic curves: how far each length may go from that on the surface, as a fraction; 0 is
   /// rigid.
   double tolerance = 0.0;
-  /// Of an elastic curve where it is decided: every edge gets its length times 1 + this.
-  std::optional<double> stretch;
   Indices vertices;
   /// As many points as vertices, where keyShape is Planar.
   Points2 planarShape;

@@ -80,13 +80,15 @@ double turningAngle(const Point2& a, const Point2& b, const Point2& c)
 
 /// Sums that the planar shapes of the key curves through each host vertex prescribe.
 std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, const Piece& piece,
-  const CutSurface& cut, const std::vector<FeatureCurve>& curves)
+  const CutSurface& cut, const std::vector<FeatureCurve>& curves, const CurveRules& rules)
 {
   auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
   std::vector<std::vector<SideSum>> sums(network.hostVertices.size());
-  for (const FeatureCurve& curve : curves)
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Surface)
+    const FeatureCurve& curve = curves[c];
+    if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Surface ||
+      rules.releases(static_cast<Index>(c)))
     {
       continue;
     }
@@ -153,20 +155,26 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
 }
 }
 
-NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves)
+NodeLocks freeNodes(const WireNetwork& network)
 {
   NodeLocks locks;
   locks.locked.assign(network.nodeCount(), 0);
   locks.angle = network.alpha;
-  const auto sideSums = collectSideSums(network, piece, cut, curves);
+  return locks;
+}
+
+NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves, const CurveRules& rules)
+{
+  NodeLocks locks = freeNodes(network);
+  const auto sideSums = collectSideSums(network, piece, cut, curves, rules);
 
   // A curve that keeps its angles on the surface holds every node at each of its vertices.
   std::vector<char> held(network.hostVertices.size(), 0);
   for (const WireEdge& edge : network.edges)
   {
     if (edge.curve != none && curves[edge.curve].type == CurveType::Key &&
-      curves[edge.curve].keyShape == KeyShape::Surface)
+      curves[edge.curve].keyShape == KeyShape::Surface && !rules.releases(edge.curve))
     {
       held[network.hostOfVertex[edge.from]] = held[network.hostOfVertex[edge.to]] = 1;
     }
@@ -214,5 +222,20 @@ NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const Cu
     }
   }
   return locks;
+}
+
+Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
+{
+  Indices keys;
+  for (const WireEdge& edge : network.edges)
+  {
+    if (edge.curve != none && curves[edge.curve].type == CurveType::Key)
+    {
+      keys.push_back(edge.curve);
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Wires/CurveRules.h"
 #include "Wires/WireNetwork.h"
 
 namespace flattening
@@ -13,9 +14,16 @@ struct NodeLocks
   Index lockedCount = 0;
 };
 
+/// No node is locked.
+NodeLocks freeNodes(const WireNetwork& network);
+
 /// Angles of the nodes on key curves: Eq. 1, or the curve's own planar shape, which divides the
 /// angle on each side of the curve in proportion to the angles on the surface.
-/// \param piece the piece of the network; \param cut the surface it comes from.
+/// \param piece the piece of the network; \param cut the surface it comes from; \param rules name
+/// the key curves that are released.
 NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves);
+  const std::vector<FeatureCurve>& curves, const CurveRules& rules = {});
+
+/// Key curves with an edge in the network, ascending.
+Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves);
 }

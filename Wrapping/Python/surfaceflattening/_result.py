@@ -35,18 +35,38 @@ _PIECE_NUMBERS = {
     "E_r": "GlobalAspectRatio",
     "E_area": "AreaError",
 }
-_PIECE_TEXTS = {"status": "Status", "message": "StatusMessage"}
+_PIECE_TEXTS = {
+    "status": "Status",
+    "message": "StatusMessage",
+    "solver_used": "SolverUsed",
+    "energy_used": "EnergyUsed",
+    "fallbacks": "Fallbacks",
+}
 _SECONDS = {
     "wires": "SecondsWires",
     "interior": "SecondsInterior",
     "quality": "SecondsQuality",
     "total": "SecondsTotal",
 }
-_HISTORY_NUMBERS = {
+_HISTORY = {
+    "phase": "HistoryPhase",
     "objective": "HistoryObjective",
     "closure": "HistoryClosure",
     "optimality": "HistoryOptimality",
     "step": "HistoryStep",
+}
+_ISOMETRIC_HISTORY = {
+    "exact": "IsometricHistoryExact",
+    "energy": "IsometricHistoryEnergy",
+    "length_error": "IsometricHistoryLengthError",
+    "optimality": "IsometricHistoryOptimality",
+    "move": "IsometricHistoryMove",
+}
+# Of a curve that may be released: what the piece would be without it.
+_RELEASE_NUMBERS = {
+    "objective_without": "ReleaseObjective",
+    "E_area_without": "ReleaseAreaError",
+    "E_h_without": "ReleaseHomogeneity",
 }
 
 
@@ -160,30 +180,45 @@ def _wires(output: vtkPolyData) -> List[Wire]:
     return result
 
 
+def _add_history(
+        field: Any, key: str, owner: str, names: Dict[str, str], pieces: List[Report]) -> None:
+    """Adds a list of iterations to each piece, from arrays with a row an iteration."""
+    columns = {column: _values(field, name) for column, name in names.items()}
+    for entry in pieces:
+        entry[key] = []
+    for row, piece in enumerate(_values(field, owner)):
+        pieces[piece][key].append({column: values[row] for column, values in columns.items()})
+
+
 def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     field, curve_field = flat.GetFieldData(), wires.GetFieldData()
     columns = {key: _values(field, name)
                for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
     pieces: List[Report] = [
-        {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "history": []}
+        {"piece": piece, **{key: column[piece] for key, column in columns.items()}}
         for piece in range(len(columns["triangles"]))
     ]
     names = _values(curve_field, "CurveNames")
-    for piece, first, without in zip(
+    for entry, first, objective in zip(
             pieces, _values(field, "ReleaseFirst"), _values(field, "ObjectiveWithoutFirst")):
-        piece["release"] = None if first < 0 else {
-            "first": names[first], "objective_without_first": without if without >= 0.0 else None,
+        entry["release"] = None if first < 0 else {
+            "first": names[first],
+            "objective_without_first": objective if objective >= 0.0 else None,
             "ranking": []}
-    for row, curve, shape, without in zip(*(_values(field, name) for name in (
-            "ReleasePiece", "ReleaseCurve", "ReleaseShape", "ReleaseObjective"))):
-        pieces[row]["release"]["ranking"].append(
+    without = {key: _values(field, name) for key, name in _RELEASE_NUMBERS.items()}
+    for row, (piece, curve, shape, tried) in enumerate(zip(*(_values(field, name) for name in (
+            "ReleasePiece", "ReleaseCurve", "ReleaseShape", "ReleaseTried")))):
+        pieces[piece]["release"]["ranking"].append(
             {"curve": names[curve], "release": "shape" if shape else "curve",
-             "objective_without": without if without >= 0.0 else None})
-    history = {key: _values(field, name) for key, name in _HISTORY_NUMBERS.items()}
-    phases = _values(field, "HistoryPhase")
-    for row, piece in enumerate(_values(field, "HistoryPiece")):
-        pieces[piece]["history"].append(
-            {"phase": phases[row], **{key: column[row] for key, column in history.items()}})
+             **{key: column[row] if tried else None for key, column in without.items()}})
+    for repaired, entry in zip(_values(field, "Repaired"), pieces):
+        entry["repaired"] = bool(repaired)
+    _add_history(field, "history", "HistoryPiece", _HISTORY, pieces)
+    _add_history(
+        field, "isometric_history", "IsometricHistoryPiece", _ISOMETRIC_HISTORY, pieces)
+    for entry in pieces:
+        for record in entry["isometric_history"]:
+            record["exact"] = bool(record["exact"])
     curves = zip(*(_values(curve_field, name) for name in (
         "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
         "CurveTolerances", "CurveClosedLengths", "CurveSensitivities", "CurveReleased")))

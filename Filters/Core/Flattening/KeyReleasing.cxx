@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/KeyReleasing.h"
+
+#include "Angles/KeyRelease.h"
+#include "Quality/FlatteningQuality.h"
+
+#include <iterator>
+
+namespace flattening
+{
+namespace
+{
+/// Trials that are kept, so that the chosen one need not be solved again.
+constexpr std::size_t mostKept = 64;
+
+bool folds(const PieceContext& context, const PlacedPiece& placed)
+{
+  return context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
+    !placed.status.refused() && countFlipped(context.piece.mesh, placed.positions) > 0;
+}
+
+PlacedWires solve(const PieceContext& context, const CurveRules& rules)
+{
+  PlacedWires result;
+  result.wires = solveWires(context, rules);
+  result.status = result.wires.angles.status;
+  return result;
+}
+
+void place(const PieceContext& context, PlacedWires& result)
+{
+  if (result.placed.positions.empty() && !result.status.refused())
+  {
+    result.placed = placeWires(context, result.wires);
+  }
+}
+
+CurveRules withReleased(CurveRules rules, const Indices& released)
+{
+  Indices all;
+  std::set_union(rules.released.begin(), rules.released.end(), released.begin(), released.end(),
+    std::back_inserter(all));
+  rules.released = std::move(all);
+  return rules;
+}
+
+/// \param flat whether a trial counts only where the piece lies without a fold; then trials are
+/// placed
+PlacedWires release(const PieceContext& context, const CurveRules& rules, bool flat, PlacedWires failed)
+{
+  const Indices keys = keyCurves(context.network, context.curves);
+  KeyReleaseSearch search(keys);
+  std::map<Indices, PlacedWires> good;
+  while (const std::optional<Indices> released = search.next())
+  {
+    PlacedWires trial = solve(context, withReleased(rules, *released));
+    bool helps = trial.status.ok();
+    if (helps && flat)
+    {
+      place(context, trial);
+      helps = !trial.placed.status.refused() && !folds(context, trial.placed);
+    }
+    if (trial.status.code == StatusCode::Cancelled ||
+      trial.placed.status.code == StatusCode::Cancelled)
+    {
+      return trial;
+    }
+    search.tell(
+      *released, helps ? std::optional<double>(trial.wires.angles.objective) : std::nullopt);
+    if (helps)
+    {
+      good[*released] = std::move(trial);
+      if (good.size() > mostKept)
+      {
+        good.erase(good.begin());
+      }
+    }
+  }
+  if (search.found().empty())
+  {
+    if (failed.status.code == StatusCode::IncompatibleKeys)
+    {
+      failed.status.ids = keys;
+    }
+    return failed;
+  }
+  const auto chosen = good.find(search.found());
+  PlacedWires result = chosen != good.end()
+    ? std::move(chosen->second)
+    : solve(context, withReleased(rules, search.found()));
+  result.status = describeRelease(context.curves, keys, search);
+  return result;
+}
+}
+
+PlacedWires placeWithKeys(const PieceContext& context, CurveRules rules)
+{
+  if (context.options.releaseKeys)
+  {
+    rules.released = keyCurves(context.network, context.curves);
+  }
+  PlacedWires result = solve(context, rules);
+  if (result.wires.locks() && !result.status.ok() && !result.status.refused())
+  {
+    result = release(context, rules, false, std::move(result));
+  }
+  const bool kept = result.status.ok();
+  place(context, result);
+  if (kept && result.wires.locks() && folds(context, result.placed))
+  {
+    result = release(context, rules, true, std::move(result));
+  }
+  return result;
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Embedding/InteriorSystem.h"
+#include "Flattening/FlatteningOptions.h"
+#include "Surface/FeatureCurve.h"
+#include "Wires/CurveRules.h"
+#include "Wires/WireNetwork.h"
+
+namespace flattening
+{
+/// What every step of a piece's way into the plane reads. It only refers to what it names.
+struct PieceContext
+{
+  const Piece& piece;
+  const WireNetwork& network;
+  const CutSurface& cut;
+  const std::vector<FeatureCurve>& curves;
+  const FlatteningOptions& options;
+  const Execution& execution;
+  /// Factors of the interior that outlive the run; null where none do.
+  InteriorSystems* interiors = nullptr;
+};
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/PiecePlacement.h"
+
+#include "Base/Stopwatch.h"
+#include "Embedding/Untangling.h"
+#include "Embedding/WireLayout.h"
+#include "Quality/FlatteningQuality.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// The isometric scheme with an energy that does not fold more than its start does.
+IsometricSolution warpWithoutFolding(
+  const PieceContext& context, const WireSolution& wires, PlacedPiece& placed)
+{
+  const Execution execution = context.execution.part(0.2, 1.0);
+  const auto warp = [&](const IsometricOptions& options) {
+    placed.energyUsed = options.energy.kind;
+    return warpIsometrically(context.piece, wires.problem, placed.positions, wires.angles.stretch,
+      options, execution);
+  };
+  const Index flippedBefore = countFlipped(context.piece.mesh, placed.positions);
+  const auto worse = [&](const IsometricSolution& candidate) {
+    return !candidate.status.refused() &&
+      (countFlipped(context.piece.mesh, candidate.positions) > flippedBefore ||
+        !std::isfinite(candidate.distortionEnergy));
+  };
+  IsometricSolution solution = warp(context.options.isometric);
+  if (worse(solution) && flippedBefore == 0)
+  {
+    // From a start without flips the energy with a barrier keeps it so.
+    IsometricOptions barrier = context.options.isometric;
+    barrier.energy.kind = DistortionEnergyKind::SymmetricDirichlet;
+    solution = warp(barrier);
+  }
+  if (worse(solution))
+  {
+    // The start is the best that is known; its energy is finite without a barrier only.
+    IsometricOptions still = context.options.isometric;
+    still.maximumIterations = 0;
+    still.energy.kind = DistortionEnergyKind::AsRigidAsPossible;
+    solution = warp(still);
+    solution.status = { StatusCode::NotConverged,
+      "the isometric scheme found nothing better than where the wires' own angles put the piece; "
+      "mend slivers there",
+      {} };
+  }
+  return solution;
+}
+
+/// What the isometric scheme left flipped, with the wires where it has put them.
+void untangleAfter(const PieceContext& context, PlacedPiece& placed)
+{
+  const Index flipped = countFlipped(context.piece.mesh, placed.positions);
+  if (flipped == 0)
+  {
+    return;
+  }
+  Points2 positions = placed.positions;
+  const UntanglingResult untangled =
+    untangleInterior(context.piece, context.network, context.execution, positions);
+  if (untangled.status.refused())
+  {
+    placed.status = untangled.status;
+  }
+  else if (countFlipped(context.piece.mesh, positions) < flipped)
+  {
+    placed.positions = std::move(positions);
+  }
+}
+}
+
+PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
+{
+  Stopwatch watch;
+  PlacedPiece placed;
+  context.execution.report(0.1, "Placing the interior");
+  placed.positions =
+    layOutWires(context.network, wires.angles.theta, wires.angles.length).positions;
+  noteStatus(embedInterior(context.piece, context.network, context.options.interior, context.execution,
+         placed.positions, context.interiors)
+         .status,
+    placed.status);
+  if (context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
+    !placed.status.refused())
+  {
+    const UntanglingResult untangled =
+      untangleInterior(context.piece, context.network, context.execution, placed.positions);
+    noteStatus(untangled.status, placed.status);
+  }
+  placed.seconds = watch.seconds();
+  return placed;
+}
+
+void warpPlacedPiece(
+  const PieceContext& context, const WireSolution& wires, PlacedPiece& placed)
+{
+  placed.isometric = warpWithoutFolding(context, wires, placed);
+  noteStatus(placed.isometric->status, placed.status);
+  if (!placed.isometric->status.refused())
+  {
+    placed.positions = placed.isometric->positions;
+  }
+  if (!placed.status.refused())
+  {
+    untangleAfter(context, placed);
+  }
+}
+
+PlacedPiece mapPiece(const PieceContext& context)
+{
+  ConformalOptions conformal = context.options.conformal;
+  for (Index& pin : conformal.pins)
+  {
+    // The first copy of the pinned vertex in this piece.
+    const Indices& vertices = context.piece.vertices;
+    const auto copy = std::find_if(vertices.begin(), vertices.end(),
+      [&](Index v) { return pin != none && context.cut.originalVertex[v] == pin; });
+    pin = copy == vertices.end() ? none : static_cast<Index>(copy - vertices.begin());
+  }
+  if (conformal.pins[0] == none || conformal.pins[1] == none)
+  {
+    conformal.pins = { none, none };
+  }
+  ConformalMap map = mapConformally(context.piece.mesh, conformal, context.execution);
+  PlacedPiece placed;
+  placed.positions = std::move(map.positions);
+  placed.status = std::move(map.status);
+  return placed;
+}
+}

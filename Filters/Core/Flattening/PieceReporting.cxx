@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/PieceReporting.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+/// What was done in place of what was asked for.
+std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires& flat)
+{
+  std::vector<std::string> all;
+  const FlatteningOptions& options = context.options;
+  if (options.angles.method == AngleMethod::Sequential &&
+    flat.wires.angles.method == AngleMethod::Newton)
+  {
+    all.emplace_back("the wires were solved by Newton's method: the sequential one of the paper "
+                     "cannot choose the lengths of elastic curves and connectors");
+  }
+  if (flat.wires.repaired)
+  {
+    all.emplace_back("the patches could not all be closed one after the other; the wires have the "
+                     "nearest angles that close");
+  }
+  if (flat.placed.isometric && flat.placed.energyUsed != options.isometric.energy.kind)
+  {
+    all.emplace_back(flat.placed.energyUsed == DistortionEnergyKind::SymmetricDirichlet
+        ? "the symmetric Dirichlet energy was used: the one asked for folds triangles"
+        : "no energy of the isometric scheme keeps triangles from folding; the piece lies where the "
+          "global scheme has put it");
+  }
+  return all;
+}
+}
+
+WireMeasures measureWires(const AngleProblem& problem, const Points2& positions)
+{
+  const WireNetwork& network = *problem.network;
+  const std::vector<double> theta = planarAngles(problem, positions);
+  std::vector<double> length = problem.length;
+  for (Index e = 0; e < network.edgeCount(); ++e)
+  {
+    if (problem.stretchGroup[e] != none)
+    {
+      const WireEdge& edge = network.edges[e];
+      length[e] = (positions[edge.to] - positions[edge.from]).norm();
+    }
+  }
+  return { angleObjective(problem, theta), closureResidual(network, theta, length) };
+}
+
+PieceReport reportPiece(const PieceContext& context, const FlatWires& flat)
+{
+  const Piece& piece = context.piece;
+  const WireNetwork& network = context.network;
+  PieceReport report;
+  report.triangles = piece.mesh.triangleCount();
+  report.vertices = piece.mesh.vertexCount();
+  report.wirePatches = network.patchCount;
+  report.wireNodes = network.nodeCount();
+  report.freeWireNodes = network.nodeCount();
+  report.boundaryLoops = static_cast<Index>(piece.mesh.boundaryLoops().size());
+  report.wired = std::any_of(piece.curveOfHalfedge.begin(), piece.curveOfHalfedge.end(),
+    [](Index curve) { return curve != none; });
+  report.status = flat.status;
+  if (flat.status.refused())
+  {
+    return report;
+  }
+  const WireMeasures measures = measureWires(flat.wires.problem, flat.placed.positions);
+  report.objective = measures.objective;
+  report.closureResidual = measures.closure;
+  if (context.options.scheme == Scheme::Conformal)
+  {
+    return report;
+  }
+  const AngleConstraints constraints(flat.wires.problem);
+  report.freeWireNodes = constraints.freeCount();
+  report.constraints = constraints.rowCount();
+  report.warpingOrder = flat.wires.warpingOrder;
+  report.released = flat.wires.rules.released;
+  report.solverUsed = flat.wires.angles.method;
+  report.repaired = flat.wires.repaired;
+  report.iterations = flat.wires.angles.iterations;
+  report.history = flat.wires.angles.history;
+  if (flat.placed.isometric)
+  {
+    const IsometricSolution& isometric = *flat.placed.isometric;
+    report.energyUsed = flat.placed.energyUsed;
+    report.iterations = isometric.iterations;
+    report.isometricHistory = isometric.history;
+    report.distortionEnergy = isometric.distortionEnergy;
+    report.angleEnergy = isometric.angleEnergy;
+  }
+  report.fallbacks = fallbacks(context, flat);
+  return report;
+}
+}

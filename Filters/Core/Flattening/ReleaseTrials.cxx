@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/ReleaseTrials.h"
+
+#include "Angles/AngleSolver.h"
+#include "Flattening/PieceReporting.h"
+#include "Quality/FlatteningQuality.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+/// The piece's flattening without another trial of releases.
+ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, Index curve)
+{
+  ReleaseTrial trial;
+  trial.curve = curve;
+  PlacedWires placed;
+  placed.wires = solveWires(context, rules);
+  placed.status = placed.wires.angles.status;
+  if (!placed.status.ok())
+  {
+    return trial;
+  }
+  placed.placed = placeWires(context, placed.wires);
+  const FlatWires flat = finishScheme(context, std::move(placed));
+  if (flat.status.refused())
+  {
+    return trial;
+  }
+  const QualitySummary quality =
+    measureFlattening(context.piece.mesh, flat.placed.positions, {}, context.execution).summary;
+  trial.solved = true;
+  trial.objective = measureWires(flat.wires.problem, flat.placed.positions).objective;
+  trial.areaError = quality.areaError;
+  trial.homogeneity = quality.globalHomogeneity;
+  return trial;
+}
+
+/// A key curve without its shape.
+ReleaseTrial tryWithoutShape(const PieceContext& context, CurveRules rules, Index key)
+{
+  rules.released.insert(
+    std::upper_bound(rules.released.begin(), rules.released.end(), key), key);
+  return measureTrial(context, rules, key);
+}
+
+/// Any other curve as no wire any more.
+ReleaseTrial tryWithoutWire(const PieceContext& context, const CurveRules& rules, Index curve)
+{
+  Piece bare = context.piece;
+  std::replace(bare.curveOfHalfedge.begin(), bare.curveOfHalfedge.end(), curve, none);
+  const WireNetwork fewer = buildWireNetwork(bare);
+  if (!fewer.status.ok())
+  {
+    ReleaseTrial trial;
+    trial.curve = curve;
+    return trial;
+  }
+  return measureTrial({ bare, fewer, context.cut, context.curves, context.options,
+                        context.execution },
+    rules, curve);
+}
+}
+
+ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
+{
+  const Scheme scheme = context.options.scheme;
+  if (scheme == Scheme::Progressive || scheme == Scheme::Conformal || flat.status.refused())
+  {
+    return {};
+  }
+  ReleaseAdvice advice = adviseRelease(context.network, context.curves, flat.wires.angles);
+  // The Laplacian interior distorts by itself, whatever the wires.
+  const bool poor = context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
+    liesPoorly(context.piece.mesh, flat.placed.positions);
+  const bool turned = !flat.wires.angles.status.ok() ||
+    flat.status.code == StatusCode::IncompatibleKeys ||
+    largestAngleChange(flat.wires.problem, flat.wires.angles.theta) > poorAngleChange;
+  if (!poor && !turned)
+  {
+    return advice;
+  }
+  const Execution execution = context.execution.part(1.0, 1.0);
+  const PieceContext inner{ context.piece, context.network, context.cut, context.curves,
+    context.options, execution };
+  const CurveRules& rules = flat.wires.rules;
+  std::vector<ReleaseTrial> trials;
+  for (Index curve : releaseCandidates(
+         advice, context.network, context.curves, rules.released, flat.wires.angles))
+  {
+    const bool shaped = context.curves[curve].type == CurveType::Key && !rules.releases(curve);
+    trials.push_back(shaped ? tryWithoutShape(inner, rules, curve)
+                            : tryWithoutWire(inner, rules, curve));
+  }
+  rankReleases(trials,
+    scheme == Scheme::Isometric ? ReleaseMeasure::AreaError : ReleaseMeasure::Objective, advice);
+  return advice;
+}
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run reports of its pieces, against what follows from the flat positions by themselves.
+#include "Flattening/SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+double cornerAngle(const Point3& at, const Point3& a, const Point3& b)
+{
+  const Point3 u = a - at;
+  const Point3 v = b - at;
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// Half the sum of the squared changes of the angles between wires: at each wire vertex those of
+/// the triangles of one wire-patch together, in the plane against in space.
+double objectiveOfTriangles(const FlatteningResult& result)
+{
+  const TriangleMesh& mesh = result.cut->mesh;
+  std::set<Index> onWires;
+  for (const Wire& wire : result.wires)
+  {
+    onWires.insert(wire.vertices.begin(), wire.vertices.end());
+  }
+  const auto flat = [&](Index v) {
+    return Point3(result.positions[v].x(), result.positions[v].y(), 0.0);
+  };
+  std::map<std::array<Index, 2>, double> change;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index at = mesh.triangle(t)[k];
+      const Index a = mesh.triangle(t)[(k + 1) % 3];
+      const Index b = mesh.triangle(t)[(k + 2) % 3];
+      if (onWires.count(at))
+      {
+        change[{ at, result.patchOfTriangle[t] }] += cornerAngle(flat(at), flat(a), flat(b)) -
+          cornerAngle(mesh.point(at), mesh.point(a), mesh.point(b));
+      }
+    }
+  }
+  double sum = 0.0;
+  for (const auto& entry : change)
+  {
+    sum += 0.5 * entry.second * entry.second;
+  }
+  return sum;
+}
+
+Surface cushionWithCross()
+{
+  Surface surface = cushion(6, 8, 0.3);
+  surface.curves = { columnCurve(6, 8, 3), rowCurve(6, 4) };
+  return surface;
+}
+
+FlatteningResult flatten(const Surface& surface, Scheme scheme)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+double perimeterOf(const FlatteningResult& result)
+{
+  double sum = 0.0;
+  for (const Wire& wire : result.wires)
+  {
+    sum += wire.boundary ? wire.restLength : 0.0;
+  }
+  return sum;
+}
+
+/// The quarter-sphere of Fig. 14 with the arc between the poles elastic.
+Surface twoArcs(double tolerance)
+{
+  Surface surface = quarterSphereWithTwoArcs();
+  surface.curves[0].tolerance = tolerance;
+  return surface;
+}
+
+Surface without(Surface surface, std::size_t curve)
+{
+  surface.curves.erase(surface.curves.begin() + static_cast<std::ptrdiff_t>(curve));
+  return surface;
+}
+}
+
+TEST(PieceReport, TheObjectiveIsThatOfTheFlatTrianglesInEveryScheme)
+{
+  for (const Surface& surface : { quarterSphere(), cushionWithCross() })
+  {
+    for (Scheme scheme :
+      { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+    {
+      const FlatteningResult result = flatten(surface, scheme);
+      ASSERT_FALSE(result.status.refused()) << result.status.message;
+      EXPECT_NEAR(result.pieces[0].objective, objectiveOfTriangles(result), 1e-9)
+        << static_cast<int>(scheme);
+    }
+  }
+}
+
+TEST(PieceReport, TheClosureIsThatOfTheFlatPiece)
+{
+  const Surface surface = cushionWithCross();
+  for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
+  {
+    const FlatteningResult result = flatten(surface, scheme);
+    EXPECT_LT(result.pieces[0].closureResidual, 1e-11 * perimeterOf(result));
+  }
+  // A conformal map keeps no length, so loops of the true lengths do not close with its angles.
+  const FlatteningResult conformal = flatten(surface, Scheme::Conformal);
+  EXPECT_GT(conformal.pieces[0].closureResidual, 1e-3 * perimeterOf(conformal));
+}
+
+TEST(PieceReport, TheTwoHistoriesAreThoseOfTheirPhases)
+{
+  const Surface surface = cushionWithCross();
+  const FlatteningResult global = flatten(surface, Scheme::Global);
+  const FlatteningResult isometric = flatten(surface, Scheme::Isometric);
+  EXPECT_TRUE(global.pieces[0].isometricHistory.empty());
+  ASSERT_FALSE(global.pieces[0].history.empty());
+  ASSERT_EQ(isometric.pieces[0].history.size(), global.pieces[0].history.size());
+  EXPECT_NEAR(isometric.pieces[0].history.back().objective, global.pieces[0].objective, 1e-9);
+  const PieceReport& piece = isometric.pieces[0];
+  ASSERT_EQ(piece.isometricHistory.size(), static_cast<std::size_t>(piece.iterations) + 1);
+  EXPECT_NEAR(piece.isometricHistory.back().energy, piece.distortionEnergy + piece.angleEnergy,
+    1e-9 * piece.isometricHistory.back().energy);
+}
+
+TEST(PieceReport, AdviceWithAnElasticCurveIsWhatFollowingItGives)
+{
+  // The figures are those of runs without the meridian.
+  const std::map<double, double> objectives{ { 0.02, 0.189342 }, { 0.05, 0.179776 },
+    { 0.10, 0.169391 } };
+  for (const auto& [tolerance, objective] : objectives)
+  {
+    const Surface surface = twoArcs(tolerance);
+    const FlatteningResult result = flatten(surface, Scheme::Global);
+    const ReleaseTrial first = result.pieces[0].advice.first();
+    ASSERT_TRUE(first.solved);
+    EXPECT_EQ(first.curve, 1);
+    EXPECT_NEAR(first.objective, objective, 1e-6);
+    const FlatteningResult followed = flatten(without(surface, 1), Scheme::Global);
+    EXPECT_NEAR(first.objective, followed.pieces[0].objective, 1e-9);
+  }
+}
+
+TEST(PieceReport, AdviceOfTheIsometricSchemeIsWhatFollowingItGives)
+{
+  const Surface surface = quarterSphereWithTwoArcs();
+  const FlatteningResult result = flatten(surface, Scheme::Isometric);
+  const ReleaseAdvice& advice = result.pieces[0].advice;
+  ASSERT_EQ(advice.trials.size(), 2u);
+  for (const ReleaseTrial& trial : advice.trials)
+  {
+    ASSERT_TRUE(trial.solved);
+    const FlatteningResult followed =
+      flatten(without(surface, static_cast<std::size_t>(trial.curve)), Scheme::Isometric);
+    EXPECT_NEAR(trial.areaError, followed.pieces[0].quality.areaError, 1e-7);
+    EXPECT_NEAR(trial.homogeneity, followed.pieces[0].quality.globalHomogeneity, 1e-7);
+    EXPECT_NEAR(trial.objective, followed.pieces[0].objective, 1e-7);
+  }
+  EXPECT_LE(advice.trials[0].areaError, advice.trials[1].areaError);
+}
+
+TEST(PieceReport, TheSolverThatWasUsedIsNamedAndWhyItIsAnother)
+{
+  Surface surface = quarterSphere();
+  FlatteningOptions options;
+  options.scheme = Scheme::Global;
+  options.angles.method = AngleMethod::Sequential;
+  const auto report = [&] {
+    return flattenSurface(surface.mesh, surface.curves, options, {}).pieces[0];
+  };
+  EXPECT_EQ(report().solverUsed, AngleMethod::Sequential);
+  EXPECT_TRUE(report().fallbacks.empty());
+  surface.curves[0].tolerance = 0.05;
+  EXPECT_EQ(report().solverUsed, AngleMethod::Newton);
+  ASSERT_EQ(report().fallbacks.size(), 1u);
+  EXPECT_NE(report().fallbacks[0].find("elastic"), std::string::npos);
+  options.scheme = Scheme::Conformal;
+  EXPECT_FALSE(report().solverUsed.has_value());
+}
+
+TEST(PieceReport, ARepairOfProgressiveAnglesIsTold)
+{
+  Surface surface = cushion(6, 6, 0.4);
+  EXPECT_FALSE(flatten(surface, Scheme::Progressive).pieces[0].repaired);
+  for (Index k = 1; k < 6; ++k)
+  {
+    surface.curves.push_back(rowCurve(6, k));
+    surface.curves.push_back(columnCurve(6, 6, k));
+  }
+  const PieceReport repaired = flatten(surface, Scheme::Progressive).pieces[0];
+  EXPECT_TRUE(repaired.repaired);
+  EXPECT_EQ(repaired.fallbacks.size(), 1u);
+  EXPECT_FALSE(flatten(surface, Scheme::Global).pieces[0].repaired);
+}
