@@ -183,6 +183,16 @@ def the_paper_is_mapped_to_functions():
         yield f"{page}: only {named} names, the table cannot cover the paper"
 
 
+def architecture_names_every_unit():
+    """The page is the map of the rooms: each unit of Core stands in it."""
+    page = "Documentation/architecture.md"
+    named = set(re.findall(r"`(\w+)", read(page))) if (ROOT / page).is_file() else set()
+    units = {str(pathlib.PurePath(name).with_suffix("")) for name in cxx_files("Filters/Core/")}
+    for unit in sorted(units):
+        if pathlib.PurePath(unit).name not in named:
+            yield f"{page}: {unit} is missing"
+
+
 CHECKS = {check.__name__: check for check in (
     core_includes_no_vtk,
     floors_are_one_way,
@@ -193,6 +203,7 @@ CHECKS = {check.__name__: check for check in (
     every_source_is_built,
     files_are_short,
     the_paper_is_mapped_to_functions,
+    architecture_names_every_unit,
 )}
 
 if __name__ == "__main__":

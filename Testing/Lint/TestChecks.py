@@ -45,6 +45,9 @@ EXPECTED = {
     "the_paper_is_mapped_to_functions":
         ["Documentation/architecture.md: nothing is called noSuchFunction",
          "Documentation/architecture.md: only 3 names"],
+    "architecture_names_every_unit":
+        [f"Documentation/architecture.md: Filters/Core/{unit} is missing" for unit in
+         ("Base/Status", "Base/Types", "Sparse/Front", "Sparse/Solver")],
 }
 
 with tempfile.TemporaryDirectory() as folder:
