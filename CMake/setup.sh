@@ -1,4 +1,4 @@
-# Sourced by ./demo and ./test: packages, build, and an X server of one's own.
+# Sourced by ./demo, ./test and their like: packages, build, and an X server of one's own.
 # shellcheck shell=bash
 set -euo pipefail
 
@@ -39,14 +39,17 @@ install_packages()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# Configures build/ and builds the given targets.
+# Configures build/ and builds the given targets. With WARNINGS_AS_ERRORS=ON in the environment, as
+# continuous integration has it, a compiler warning is an error; another compiler than the project's may
+# warn of nothing.
 build_targets()
 {
-  # One set of options for both scripts, so that one reuses what the other has built.
+  # One set of options for all scripts, so that one reuses what the other has built.
   cmake -S "$root" -B "$build" -G Ninja \
     -DCMAKE_BUILD_TYPE=Release \
     -DPython3_EXECUTABLE=/usr/bin/python3 \
-    -DSURFACEFLATTENING_WARNINGS_AS_ERRORS=ON \
+    -DSURFACEFLATTENING_WARNINGS_AS_ERRORS="${WARNINGS_AS_ERRORS:-OFF}" \
+    -DSURFACEFLATTENING_LINT="${lint:-OFF}" \
     --log-level=WARNING
   cmake --build "$build" --target "$@"
 }

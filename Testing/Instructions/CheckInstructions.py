@@ -78,7 +78,7 @@ def main():
 
     baseline = json.loads(BASELINE.read_text(encoding="utf-8"))
     if not options.valgrind:
-        skip("valgrind is not installed; packages-benchmark.txt lists it")
+        skip("valgrind is not installed; packages.txt lists it")
     if options.renew:
         baseline["build"] = options.build
         baseline["instructions"] = counts(options)
