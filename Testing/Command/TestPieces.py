@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import glob
+import math
 import os
 
 import command
@@ -18,14 +19,44 @@ def curve_sets():
 class Pieces(command.CommandTest):
     """The promise of the method, on all pieces that come with the project."""
 
-    def check(self, *options, unsolved=()):
+    def flipped(self):
+        """How many triangles of flat.vtp are turned over or without area, as their points say."""
+        values, corners = self.array("out/flat.vtp", "Points"), self.array(
+            "out/flat.vtp", "connectivity", "Polys")
+        self.assertEqual(len(corners) % 3, 0)
+        count = 0
+        for k in range(0, len(corners), 3):
+            (ax, ay), (bx, by), (cx, cy) = (values[3 * v : 3 * v + 2] for v in corners[k : k + 3])
+            count += (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) <= 0.0
+        return count
+
+    def worst_length_error(self):
+        """Of all edges of wires.vtp, whose points are those of flat.vtp and of cut.vtp."""
+        places = [self.array("out/%s.vtp" % name, "Points") for name in ("flat", "cut")]
+        ids, ends = (self.array("out/wires.vtp", name, "Lines") for name in ("connectivity", "offsets"))
+        connector = self.array("out/wires.vtp", "Connector")
+        worst = 0.0
+        for row, (begin, end) in enumerate(zip([0, *ends], ends)):
+            for a, b in zip(ids[begin : end - 1], ids[begin + 1 : end]):
+                flat, space = (
+                    math.dist(place[3 * a : 3 * a + 3], place[3 * b : 3 * b + 3]) for place in places)
+                if not connector[row]:
+                    worst = max(worst, abs(flat - space) / space)
+        return worst
+
+    def check(self, *options, unsolved=(), flips_nothing=False):
         sets = curve_sets()
-        self.assertGreaterEqual(len(sets), 6, "Data/ is not there")
+        self.assertEqual(len(sets), 20, "curves in Data/")
         for surface, curves in sets:
             with self.subTest(os.path.basename(curves)):
                 run = self.run_command(surface, curves, "--output", "out", *options)
                 self.assertIn(run.returncode, (0, 4), run.stderr)
                 report = self.report("out")
+                self.assertLessEqual(self.worst_length_error(), 1e-10)
+                flipped = self.flipped()
+                self.assertEqual(flipped, sum(piece["flipped"] for piece in report["pieces"]))
+                if flips_nothing:
+                    self.assertEqual(flipped, 0)
                 for piece in report["pieces"]:
                     self.assertLessEqual(piece["E_len_max"], 1e-10, piece["message"])
                     if os.path.basename(curves) in unsolved:
@@ -46,8 +77,9 @@ class Pieces(command.CommandTest):
         )
 
     def test_isometric_scheme_keeps_every_length_and_flips_nothing(self):
-        self.check("--scheme", "isometric")
-        self.check("--scheme", "isometric", "--energy", "dirichlet", "--release-keys")
+        self.check("--scheme", "isometric", flips_nothing=True)
+        self.check(
+            "--scheme", "isometric", "--energy", "dirichlet", "--release-keys", flips_nothing=True)
 
     def test_progressive_scheme_keeps_every_length(self):
         self.check("--scheme", "progressive")

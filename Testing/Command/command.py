@@ -56,8 +56,8 @@ class CommandTest(unittest.TestCase):
         with open(os.path.join(self.folder, folder, "report.json"), encoding="utf-8") as file:
             return json.load(file, parse_constant=refuse_constant)
 
-    def array(self, file, name):
-        return read_array(self.path(file), name)
+    def array(self, file, name, within="Piece"):
+        return read_array(self.path(file), name, within)
 
 
 def refuse_constant(name):
@@ -233,10 +233,11 @@ def stl(points, triangles):
 FORMATS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": "B", "Int8": "b"}
 
 
-def read_array(path, name):
-    """Values of an array of an XML polydata file that VTK wrote (in its elements, base64, zlib)."""
+def read_array(path, name, within="Piece"):
+    """Values of an array of an XML polydata file that VTK wrote (in its elements, base64, zlib). Cells of
+    each kind have their own `connectivity`, within Lines or Polys."""
     root = xml_root(path)
-    for array in root.iter("DataArray"):
+    for array in root.find(".//" + within).iter("DataArray"):
         if array.get("Name") == name:
             size = {"UInt32": 4, "UInt64": 8}[root.get("header_type", "UInt32")]
             values = decode(array.text.strip(), size)
