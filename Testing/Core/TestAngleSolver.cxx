@@ -115,6 +115,18 @@ TEST(AngleSolver, NewtonConvergesQuadraticallyInAFewSteps)
     EXPECT_GT(solution.iterations, 0);
     EXPECT_GE(static_cast<int>(solution.history.size()), solution.iterations);
     EXPECT_LT(solution.history.back().optimality, 1e-10);
+    // Each step squares what is missing, up to a constant.
+    int squared = 0;
+    for (std::size_t k = 0; k + 1 < solution.history.size(); ++k)
+    {
+      const double before = solution.history[k].optimality;
+      if (before < 0.02 && before > 1e-7)
+      {
+        EXPECT_LT(solution.history[k + 1].optimality, 30.0 * before * before + 1e-13);
+        ++squared;
+      }
+    }
+    EXPECT_GE(squared, 1);
   }
 }
 

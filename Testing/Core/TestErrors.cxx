@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -62,6 +64,90 @@ TriangleMesh torus(Index n)
   }
   return { std::move(points), std::move(triangles) };
 }
+
+/// Height over the longest edge.
+double height(const TriangleMesh& mesh, Index t)
+{
+  const Triangle& c = mesh.triangle(t);
+  const Point3 u = mesh.point(c[1]) - mesh.point(c[0]);
+  const Point3 v = mesh.point(c[2]) - mesh.point(c[0]);
+  return u.cross(v).norm() / std::max({ u.norm(), v.norm(), (v - u).norm() });
+}
+
+/// A sheet of 4 x 4 quads some of whose rows are 1e-10 to 1e-12 high, with a curve through three
+/// places inside its triangles.
+struct ThinSheet
+{
+  static constexpr Index rows = 4;
+  double thin;
+  std::vector<double> shift;
+  std::vector<bool> thinRow;
+  Triangles triangles;
+  struct Place
+  {
+    Index triangle;
+    double a;
+    double b;
+  };
+  std::array<Place, 3> places{};
+
+  explicit ThinSheet(std::mt19937& random)
+  {
+    const auto fraction = [&random] { return random() / 4294967296.0; };
+    this->thin = std::pow(10.0, -10.0 - 1.9 * fraction());
+    for (Index j = 0; j <= rows; ++j)
+    {
+      this->thinRow.push_back(random() % 2 == 0);
+      for (Index i = 0; i <= rows; ++i)
+      {
+        this->shift.push_back(0.2 * fraction());
+        if (i > 0 && j > 0)
+        {
+          const Index a = (rows + 1) * (j - 1) + i - 1;
+          this->triangles.push_back({ a, a + 1, a + rows + 2 });
+          this->triangles.push_back({ a, a + rows + 2, a + rows + 1 });
+        }
+      }
+    }
+    for (Place& place : this->places)
+    {
+      place.triangle = static_cast<Index>(random() % this->triangles.size());
+      place.a = fraction();
+      place.b = (1.0 - place.a) * fraction();
+    }
+  }
+
+  Points3 points(double thinHeight) const
+  {
+    Points3 result;
+    double y = 0.0;
+    for (Index j = 0; j <= rows; ++j)
+    {
+      for (Index i = 0; i <= rows; ++i)
+      {
+        result.push_back(Point3(i + this->shift[(rows + 1) * j + i], y, 0.1 * std::sin(i * y)));
+      }
+      y += this->thinRow[j] ? thinHeight : 1.0;
+    }
+    return result;
+  }
+
+  /// The curve on the sheet with thin rows of this height.
+  Status imprint(double thinHeight, double snap) const
+  {
+    const Points3 at = this->points(thinHeight);
+    Polyline line;
+    for (const Place& place : this->places)
+    {
+      const Triangle& c = this->triangles[place.triangle];
+      line.points.push_back(
+        place.a * at[c[0]] + place.b * at[c[1]] + (1.0 - place.a - place.b) * at[c[2]]);
+    }
+    ImprintOptions options;
+    options.snap = snap;
+    return imprintCurves(prepareSurface(at, this->triangles).mesh, { line }, options).status;
+  }
+};
 
 TriangleMesh withoutFirstTriangle(const TriangleMesh& mesh)
 {
@@ -140,60 +226,35 @@ TEST(Errors, OfTheCurves)
 
 TEST(Errors, OfTrianglesTooThinToBeSplit)
 {
-  // Sheets with rows 1e-11 high, and curves between places in their triangles.
+  // Few such cases fail: rounding decides. These are some of a thousand seeded ones, all tried
+  // below.
   std::mt19937 random(1);
-  const auto fraction = [&] { return random() / 4294967296.0; };
-  Index failures = 0;
-  Index helped = 0;
-  for (Index trial = 0; trial < 1000; ++trial)
+  int failures = 0;
+  int helped = 0;
+  for (int trial = 0; trial < 1000; ++trial)
   {
-    const double thin = std::pow(10.0, -10.0 - 1.9 * fraction());
-    Points3 points;
-    Triangles triangles;
-    double y = 0.0;
-    for (Index j = 0; j < 5; ++j, y += random() % 2 == 0 ? thin : 1.0)
-    {
-      for (Index i = 0; i < 5; ++i)
-      {
-        points.push_back(Point3(i + 0.2 * fraction(), y, 0.1 * std::sin(i * y)));
-        if (i > 0 && j > 0)
-        {
-          const Index a = 5 * (j - 1) + i - 1;
-          triangles.push_back({ a, a + 1, a + 6 });
-          triangles.push_back({ a, a + 6, a + 5 });
-        }
-      }
-    }
-    const PreparedSurface sheet = prepareSurface(points, triangles);
-    if (!sheet.status.ok())
-    {
-      continue;
-    }
-    Polyline line;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Triangle& corners = sheet.mesh.triangle(random() % sheet.mesh.triangleCount());
-      const double a = fraction();
-      const double b = (1.0 - a) * fraction();
-      line.points.push_back(a * sheet.mesh.point(corners[0]) + b * sheet.mesh.point(corners[1]) +
-        (1.0 - a - b) * sheet.mesh.point(corners[2]));
-    }
-    ImprintOptions options;
-    options.snap = 0.0;
-    const Status status = imprintCurves(sheet.mesh, { line }, options).status;
+    const ThinSheet sheet(random);
+    const PreparedSurface prepared = prepareSurface(sheet.points(sheet.thin), sheet.triangles);
+    ASSERT_TRUE(prepared.status.ok()) << prepared.status.message;
+    const Status status = sheet.imprint(sheet.thin, 0.0);
     if (status.code != StatusCode::NumericalFailure)
     {
+      EXPECT_TRUE(status.ok() || status.code == StatusCode::CurveLeavesSurface) << status.message;
       continue;
     }
     ++failures;
-    ASSERT_FALSE(status.ids.empty());
-    EXPECT_LT(status.ids.front(), sheet.mesh.triangleCount());
-    // The way out that the message names.
-    options.snap = 0.5;
-    helped += imprintCurves(sheet.mesh, { line }, options).status.ok() ? 1 : 0;
+    // What it names is too thin: no triangle of the other rows is.
+    EXPECT_FALSE(status.ids.empty());
+    for (Index t : status.ids)
+    {
+      EXPECT_LT(height(prepared.mesh, t), 1e-9) << "trial " << trial;
+    }
+    // The ways out that the message names: the first always is one, the second mostly.
+    EXPECT_TRUE(sheet.imprint(1.0, 0.0).ok()) << "trial " << trial << ", remeshed";
+    helped += sheet.imprint(sheet.thin, 0.5).ok() ? 1 : 0;
   }
-  EXPECT_GT(failures, 0);
-  EXPECT_GT(2 * helped, failures) << "the way out seldom is one";
+  EXPECT_GE(failures, 10);
+  EXPECT_GT(2 * helped, failures) << "a larger snap distance seldom is a way out";
 }
 
 TEST(Errors, OfOptionsAndCancelledRuns)
