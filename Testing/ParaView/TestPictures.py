@@ -42,7 +42,15 @@ class Pictures(unittest.TestCase):
         path, baseline = os.path.join(OUTPUT, name), os.path.join(BASELINES, name)
         if os.environ.get("FLATTENING_WRITE_BASELINES"):
             shutil.copy(path, baseline)
+            self.fail(f"{baseline} was written anew: look at it, and run the test without that")
         self.assertLess(different(path, baseline), SHARE_OF_PIXELS, path)
+
+    def new_file(self, name):
+        """The path of a picture that no earlier run has left there."""
+        path = os.path.join(OUTPUT, name)
+        if os.path.exists(path):
+            os.remove(path)
+        return path
 
     def screenshot(self, name, scheme):
         flattening = pv.WireWarping(
@@ -63,7 +71,7 @@ class Pictures(unittest.TestCase):
         wires.LineWidth = 3
         view.InteractionMode = "2D"
         pv.ResetCamera(view)
-        path = os.path.join(OUTPUT, name)
+        path = self.new_file(name)
         pv.SaveScreenshot(path, view)
         return path
 
@@ -77,7 +85,7 @@ class Pictures(unittest.TestCase):
         self.assertGreater(different(path, baseline), 2 * SHARE_OF_PIXELS)
 
     def test_the_four_views_of_figure_9(self):
-        path = os.path.join(OUTPUT, "TestParaViewFigure9.png")
+        path = self.new_file("TestParaViewFigure9.png")
         run = subprocess.run(
             [os.environ["PVPYTHON"], os.path.join(SOURCE, "Examples", "ParaView", "figure9.py"),
              "--plugin", PLUGIN, "--png", path],
