@@ -92,9 +92,8 @@ TEST(Darts, LegsFoldLineNotchesAndDrillHoleAreWhereTheyBelong)
   EXPECT_EQ(piece.notches.size(), 4U);
   for (const Notch& notch : piece.notches)
   {
-    const bool leg = !notch.onCutLine;
-    EXPECT_NEAR((notch.foot - fold[0].points[0]).norm(),
-      (leg ? 0.5 : 1.0) * std::hypot(20.0, 120.0), leg ? 20.0 : 1e-6);
+    const double share = notch.onCutLine ? 1.0 : 0.5;
+    EXPECT_NEAR((notch.foot - fold[0].points[0]).norm(), share * std::hypot(20.0, 120.0), 1e-9);
   }
 }
 
