@@ -45,10 +45,10 @@ CurveRules withReleased(CurveRules rules, const Indices& released)
 }
 
 /// \param flat whether a trial counts only where the piece lies without a fold; then trials are
-/// placed
-PlacedWires release(const PieceContext& context, const CurveRules& rules, bool flat, PlacedWires failed)
+/// placed. \return nothing where no release helps
+std::optional<PlacedWires> release(
+  const PieceContext& context, const CurveRules& rules, const Indices& keys, bool flat)
 {
-  const Indices keys = keyCurves(context.network, context.curves);
   KeyReleaseSearch search(keys);
   std::map<Indices, PlacedWires> good;
   while (const std::optional<Indices> released = search.next())
@@ -59,9 +59,9 @@ PlacedWires release(const PieceContext& context, const CurveRules& rules, bool f
     {
       place(context, trial);
       helps = !trial.placed.status.refused() && !folds(context, trial.placed);
+      noteStatus(trial.placed.status, trial.status);
     }
-    if (trial.status.code == StatusCode::Cancelled ||
-      trial.placed.status.code == StatusCode::Cancelled)
+    if (trial.status.code == StatusCode::Cancelled)
     {
       return trial;
     }
@@ -78,38 +78,54 @@ PlacedWires release(const PieceContext& context, const CurveRules& rules, bool f
   }
   if (search.found().empty())
   {
-    if (failed.status.code == StatusCode::IncompatibleKeys)
-    {
-      failed.status.ids = keys;
-    }
-    return failed;
+    return std::nullopt;
   }
   const auto chosen = good.find(search.found());
-  PlacedWires result = chosen != good.end()
-    ? std::move(chosen->second)
-    : solve(context, withReleased(rules, search.found()));
+  PlacedWires result = chosen != good.end() ? std::move(chosen->second)
+                                            : solve(context, withReleased(rules, search.found()));
   result.status = describeRelease(context.curves, keys, search);
   return result;
 }
 }
 
-PlacedWires placeWithKeys(const PieceContext& context, CurveRules rules)
+PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules)
 {
+  CurveRules asked = rules;
+  const Indices keys = keyCurves(context.network, context.curves);
   if (context.options.releaseKeys)
   {
-    rules.released = keyCurves(context.network, context.curves);
+    asked.released = keys;
   }
-  PlacedWires result = solve(context, rules);
+  PlacedWires result = solve(context, asked);
   if (result.wires.locks() && !result.status.ok() && !result.status.refused())
   {
-    result = release(context, rules, false, std::move(result));
+    std::optional<PlacedWires> released = release(context, asked, keys, false);
+    if (released)
+    {
+      result = std::move(*released);
+    }
+    else if (result.status.code == StatusCode::IncompatibleKeys)
+    {
+      result.status.ids = keys;
+    }
   }
-  const bool kept = result.status.ok();
   place(context, result);
-  if (kept && result.wires.locks() && folds(context, result.placed))
-  {
-    result = release(context, rules, true, std::move(result));
-  }
   return result;
+}
+
+std::optional<PlacedWires> placeWithoutFoldingKeys(
+  const PieceContext& context, const PlacedPiece& folded, const WireSolution& wires)
+{
+  if (!wires.locks() || !folds(context, folded))
+  {
+    return std::nullopt;
+  }
+  std::optional<PlacedWires> released =
+    release(context, wires.rules, keyCurves(context.network, context.curves), true);
+  if (released)
+  {
+    place(context, *released);
+  }
+  return released;
 }
 }

@@ -14,8 +14,13 @@ struct PlacedWires
   Status status;
 };
 
-/// Solves and places a piece's wires. Where the shapes of key curves contradict each other, or can
-/// be met only by wires that fold triangles over, the least set of keys is released with which they
-/// do not (see KeyReleaseSearch).
-PlacedWires placeWithKeys(const PieceContext& context, CurveRules rules);
+/// Solves and places a piece's wires. Where the shapes of key curves contradict each other, the
+/// least set of keys is released with which they do not (see KeyReleaseSearch).
+PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules);
+
+/// The same where the shapes of key curves can be met, but only by wires that fold triangles over:
+/// without the least set of keys with which none folds when the piece is placed. No value where no
+/// release helps, or nothing is locked that could be released.
+std::optional<PlacedWires> placeWithoutFoldingKeys(
+  const PieceContext& context, const PlacedPiece& folded, const WireSolution& wires);
 }

@@ -44,8 +44,8 @@ Points2 spread(const ClosedPiece& closed)
   return positions;
 }
 
-/// Flattens the piece with more and more of its cuts closed, until none cross. Without a value where
-/// there is nothing to close, or closing does not help.
+/// Flattens the piece with more and more of its cuts closed, until none cross. Without a value
+/// where there is nothing to close, or closing does not help.
 std::optional<ClosedPiece> closeCuts(const PieceContext& context, const PieceSettings& settings,
   const FlatWires& open, FlatPiece& result)
 {
@@ -121,8 +121,7 @@ void finish(const PieceContext& context, const FlatWires& flat, FlatPiece& resul
 }
 }
 
-FlatPiece flattenPiece(
-  WiredPiece& wired, const PieceSettings& settings, const Execution& execution)
+FlatPiece flattenPiece(WiredPiece& wired, const PieceSettings& settings, const Execution& execution)
 {
   const PieceContext context = contextOf(wired, settings, execution, settings.keep);
   FlatWires flat = flattenWires(context, settings.rules);

@@ -20,8 +20,8 @@ IsometricSolution warpWithoutFolding(
   const Execution execution = context.execution.part(0.2, 1.0);
   const auto warp = [&](const IsometricOptions& options) {
     placed.energyUsed = options.energy.kind;
-    return warpIsometrically(context.piece, wires.problem, placed.positions, wires.angles.stretch,
-      options, execution);
+    return warpIsometrically(
+      context.piece, wires.problem, placed.positions, wires.angles.stretch, options, execution);
   };
   const Index flippedBefore = countFlipped(context.piece.mesh, placed.positions);
   const auto worse = [&](const IsometricSolution& candidate) {
@@ -81,9 +81,9 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
   context.execution.report(0.1, "Placing the interior");
   placed.positions =
     layOutWires(context.network, wires.angles.theta, wires.angles.length).positions;
-  noteStatus(embedInterior(context.piece, context.network, context.options.interior, context.execution,
-         placed.positions, context.interiors)
-         .status,
+  noteStatus(embedInterior(context.piece, context.network, context.options.interior,
+               context.execution, placed.positions, context.interiors)
+               .status,
     placed.status);
   if (context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
     !placed.status.refused())
@@ -96,8 +96,7 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
   return placed;
 }
 
-void warpPlacedPiece(
-  const PieceContext& context, const WireSolution& wires, PlacedPiece& placed)
+void warpPlacedPiece(const PieceContext& context, const WireSolution& wires, PlacedPiece& placed)
 {
   placed.isometric = warpWithoutFolding(context, wires, placed);
   noteStatus(placed.isometric->status, placed.status);

@@ -32,8 +32,7 @@ inline void noteStatus(Status status, Status& first)
 PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires);
 
 /// The isometric scheme from where placeWires() has put the piece; what it folds is untangled.
-void warpPlacedPiece(
-  const PieceContext& context, const WireSolution& wires, PlacedPiece& placed);
+void warpPlacedPiece(const PieceContext& context, const WireSolution& wires, PlacedPiece& placed);
 
 /// The least squares conformal map of the piece.
 PlacedPiece mapPiece(const PieceContext& context);

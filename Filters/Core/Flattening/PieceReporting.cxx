@@ -27,7 +27,8 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
   {
     all.emplace_back(flat.placed.energyUsed == DistortionEnergyKind::SymmetricDirichlet
         ? "the symmetric Dirichlet energy was used: the one asked for folds triangles"
-        : "no energy of the isometric scheme keeps triangles from folding; the piece lies where the "
+        : "no energy of the isometric scheme keeps triangles from folding; the piece lies where "
+          "the "
           "global scheme has put it");
   }
   return all;

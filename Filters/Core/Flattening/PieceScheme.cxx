@@ -50,11 +50,23 @@ FlatWires flattenWires(const PieceContext& context, const CurveRules& rules)
   }
   Stopwatch watch;
   PlacedWires placed = placeWithKeys(context, rules);
-  const double seconds = watch.restart();
-  const double interior = placed.placed.seconds;
+  double seconds = watch.restart() - placed.placed.seconds;
+  double interior = placed.placed.seconds;
+  const bool solved = placed.status.ok();
   FlatWires flat = finishScheme(context, std::move(placed));
-  flat.secondsWires = seconds - interior;
-  flat.secondsInterior = interior + watch.seconds();
+  interior += watch.restart();
+  if (solved)
+  {
+    std::optional<PlacedWires> released = placeWithoutFoldingKeys(context, flat.placed, flat.wires);
+    seconds += watch.restart();
+    if (released)
+    {
+      flat = finishScheme(context, std::move(*released));
+      interior += watch.seconds();
+    }
+  }
+  flat.secondsWires = seconds;
+  flat.secondsInterior = interior;
   return flat;
 }
 }

@@ -38,8 +38,8 @@ AngleSolution repair(
   }
   solution.objective = angleObjective(problem, solution.theta);
   solution.iterations += progressive.angles.iterations;
-  solution.history.insert(solution.history.begin(), progressive.angles.history.begin(),
-    progressive.angles.history.end());
+  solution.history.insert(
+    solution.history.begin(), progressive.angles.history.begin(), progressive.angles.history.end());
   return solution;
 }
 

@@ -20,8 +20,8 @@ struct WireSolution
   bool locks() const { return this->problem.locks.lockedCount > 0; }
 };
 
-/// Solves the planar angles of one piece's wires by the scheme of the options, patch by patch or all
-/// together, from a conformal map where the plain start ends badly. Shapes of key curves that fold a
-/// wire over are IncompatibleKeys.
+/// Solves the planar angles of one piece's wires by the scheme of the options, patch by patch or
+/// all together, from a conformal map where the plain start ends badly. Shapes of key curves that
+/// fold a wire over are IncompatibleKeys.
 WireSolution solveWires(const PieceContext& context, const CurveRules& rules);
 }

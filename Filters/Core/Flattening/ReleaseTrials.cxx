@@ -41,8 +41,7 @@ ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, 
 /// A key curve without its shape.
 ReleaseTrial tryWithoutShape(const PieceContext& context, CurveRules rules, Index key)
 {
-  rules.released.insert(
-    std::upper_bound(rules.released.begin(), rules.released.end(), key), key);
+  rules.released.insert(std::upper_bound(rules.released.begin(), rules.released.end(), key), key);
   return measureTrial(context, rules, key);
 }
 
@@ -58,9 +57,8 @@ ReleaseTrial tryWithoutWire(const PieceContext& context, const CurveRules& rules
     trial.curve = curve;
     return trial;
   }
-  return measureTrial({ bare, fewer, context.cut, context.curves, context.options,
-                        context.execution },
-    rules, curve);
+  return measureTrial(
+    { bare, fewer, context.cut, context.curves, context.options, context.execution }, rules, curve);
 }
 }
 
@@ -87,12 +85,12 @@ ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
     context.options, execution };
   const CurveRules& rules = flat.wires.rules;
   std::vector<ReleaseTrial> trials;
-  for (Index curve : releaseCandidates(
-         advice, context.network, context.curves, rules.released, flat.wires.angles))
+  for (Index curve :
+    releaseCandidates(advice, context.network, context.curves, rules.released, flat.wires.angles))
   {
     const bool shaped = context.curves[curve].type == CurveType::Key && !rules.releases(curve);
-    trials.push_back(shaped ? tryWithoutShape(inner, rules, curve)
-                            : tryWithoutWire(inner, rules, curve));
+    trials.push_back(
+      shaped ? tryWithoutShape(inner, rules, curve) : tryWithoutWire(inner, rules, curve));
   }
   rankReleases(trials,
     scheme == Scheme::Isometric ? ReleaseMeasure::AreaError : ReleaseMeasure::Objective, advice);
