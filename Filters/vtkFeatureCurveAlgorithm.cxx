@@ -115,7 +115,12 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   this->StatusConnection = blamed == curves.end() ? -1 : static_cast<int>(blamed - curves.begin());
   const bool loaded = this->Conclude(source->outcome) &&
     this->Conclude(flattening::bridge::applyTolerances(this->CurveTolerances, *source));
-  return loaded ? source : nullptr;
+  if (!loaded)
+  {
+    return nullptr;
+  }
+  this->Warn(source->warnings);
+  return source;
 }
 
 //------------------------------------------------------------------------------
@@ -136,7 +141,7 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
     {
       if (!result.leftOut.empty())
       {
-        this->Warn(flattening::bridge::describeLeftOut(*source, result));
+        this->Warn({ flattening::bridge::describeLeftOut(*source, result) });
       }
       flattening::bridge::writeFlattening(*source, result, flat,
         vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));

@@ -5,7 +5,12 @@
  *
  * **Port 0**, the surface: vtkPolyData of polygons and triangle strips. Polygons and strips are
  * triangulated, triangles that run the wrong way are turned over, and points with equal coordinates
- * are joined where CoincidentPoints says so. Vertex cells are ignored.
+ * are joined where CoincidentPoints says so. Vertex cells are ignored, and so are ghost cells:
+ * those that the cell array `vtkGhostType` marks as hidden or as copies of another process's
+ * (DUPLICATECELL). Ids are those of the input all the same.
+ *
+ * Arrays of points and cells that are shorter than these are left out of the outputs, with a
+ * warning that names them.
  *
  * **Port 1**, optional and repeatable, the feature curves: the line cells of each vtkPolyData, with
  * points on the surface. **Line cells of the surface's own vtkPolyData are feature curves as
@@ -124,8 +129,11 @@ public:
 
   ///@{
   /**
-   * A curve's point or crossing that is nearer to a vertex than this fraction of the mean edge
-   * length moves onto the vertex, so that no sliver arises. Default: 1e-3. Range: [0, 0.5].
+   * A curve's point or crossing that is nearer to a vertex or an edge than this fraction of the
+   * mean edge length, or of the longest edge of the triangles there where that is shorter, moves
+   * onto it, so that no sliver arises; in triangles too thin to be split the distance is raised. A
+   * point within ImprintTolerance of a vertex moves onto it from up to 1 % of that length, however
+   * small the fraction. Default: 1e-3. Range: [0, 0.5].
    */
   vtkSetClampMacro(SnapTolerance, double, 0.0, 0.5);
   vtkGetMacro(SnapTolerance, double);

@@ -27,7 +27,10 @@ int vtkFeatureCurveImprinter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
   if (const auto source = this->LoadInput(inputVector))
   {
-    flattening::bridge::writeImprint(*source, surface, vtkPolyData::GetData(outputVector, 1));
+    std::vector<std::string> warnings;
+    flattening::bridge::writeImprint(
+      *source, surface, vtkPolyData::GetData(outputVector, 1), warnings);
+    this->Warn(warnings);
   }
   this->WriteRunStatus(surface);
   return 1;

@@ -11,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 namespace
 {
 using flattening::StatusCode;
@@ -117,10 +119,16 @@ bool vtkFlatteningAlgorithm::Conclude(const flattening::bridge::Outcome& outcome
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::Warn(const std::string& message)
+void vtkFlatteningAlgorithm::Warn(const std::vector<std::string>& messages)
 {
-  this->Warnings.push_back(message);
-  vtkWarningMacro(<< message);
+  for (const std::string& message : messages)
+  {
+    if (std::find(this->Warnings.begin(), this->Warnings.end(), message) == this->Warnings.end())
+    {
+      this->Warnings.push_back(message);
+      vtkWarningMacro(<< message);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -118,9 +118,10 @@ protected:
   bool Conclude(const flattening::bridge::Outcome& outcome);
 
   /**
-   * Gives a warning of something that the status does not say, and keeps it for `RunWarnings`.
+   * Gives warnings of what the status does not say, each sentence once, and keeps them for
+   * `RunWarnings`.
    */
-  void Warn(const std::string& message);
+  void Warn(const std::vector<std::string>& messages);
 
   /**
    * Adds the field data `RunStatus`, `RunStatusMessage`, `RunStatusIds` and `RunWarnings`.

@@ -67,8 +67,10 @@ int vtkFlatteningQuality::RequestData(vtkInformation* vtkNotUsed(request),
     surface, vtkPolyData::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]));
   if (this->Conclude(map.outcome))
   {
+    std::vector<std::string> warnings;
     flattening::bridge::writeQuality(surface, map, static_cast<std::size_t>(this->MaximumOverlaps),
-      flattening::bridge::executionOf(this), output);
+      flattening::bridge::executionOf(this), output, warnings);
+    this->Warn(warnings);
   }
   this->WriteRunStatus(output);
   return 1;

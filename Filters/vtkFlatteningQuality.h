@@ -10,7 +10,8 @@
  * exactly the coordinates of points of the surface (or all of them those of the flat surface); both
  * sides of a cut count. Without it those are the boundary edges.
  *
- * Points are taken as they are: a surface that is cut open is measured cut open. A map that turns
+ * Ghost cells and arrays that are too short are left out, as vtkFeatureCurveAlgorithm does. Points
+ * are taken as they are: a surface that is cut open is measured cut open. A map that turns
  * the whole surface over (the sum of signed areas is negative) is measured as if seen from behind.
  *
  * **Output**: the triangles of the surface over its points, in the order of its cells, with its

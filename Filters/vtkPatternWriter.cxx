@@ -34,8 +34,13 @@ void setTime(pattern::Pattern& drawing)
     now = static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10));
   }
   std::tm parts{};
+#ifdef _WIN32
+  const bool known = gmtime_s(&parts, &now) == 0;
+#else
+  const bool known = gmtime_r(&now, &parts) != nullptr;
+#endif
   char text[32];
-  if (gmtime_r(&now, &parts) && std::strftime(text, sizeof text, "%Y-%m-%d%H:%M", &parts) == 15)
+  if (known && std::strftime(text, sizeof text, "%Y-%m-%d%H:%M", &parts) == 15)
   {
     drawing.date.assign(text, 10);
     drawing.time.assign(text + 10, 5);

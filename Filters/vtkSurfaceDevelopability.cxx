@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceDevelopability.h"
 
+#include "AttributeArrays.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "Quality/SurfaceDevelopability.h"
 #include "SurfaceInput.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -28,8 +30,8 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const flattening::bridge::LoadedSurface surface =
-    flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Automatic);
+  const flattening::bridge::LoadedSurface surface = flattening::bridge::loadSurface(
+    input, flattening::CoincidentPoints::Automatic, flattening::bridge::GhostCells::Duplicates);
   if (!this->Conclude(surface.outcome))
   {
     return 1;
@@ -38,6 +40,11 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
     flattening::surfaceDevelopability(surface.prepared.mesh,
       flattening::cornerAngles(surface.prepared.mesh, flattening::bridge::executionOf(this)));
   output->ShallowCopy(input);
+  std::vector<std::string> warnings;
+  output->GetPointData()->ShallowCopy(flattening::bridge::wholePointArrays(input, warnings));
+  output->GetCellData()->ShallowCopy(flattening::bridge::wholeCellArrays(input, warnings));
+  output->GetFieldData()->ShallowCopy(flattening::bridge::fieldArrays(input, warnings));
+  this->Warn(warnings);
   const flattening::Indices& vertexOfPoint = surface.prepared.vertexOfPoint;
   flattening::bridge::addRows<vtkDoubleArray>(
     output->GetPointData(), "Developability", vertexOfPoint.size(), [&](std::size_t point) {

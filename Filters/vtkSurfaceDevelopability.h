@@ -10,7 +10,9 @@
  *
  * The input is vtkPolyData; polygons and strips are measured as triangulated. Points with equal
  * coordinates are one only where hardly any two triangles share a point, as in files of separate
- * triangles. Cells and all other data pass through. After a refusal (see vtkFlatteningAlgorithm)
+ * triangles. Of ghost cells, copies of another process's count, so that values are right at its
+ * border, and hidden ones do not. Cells and all other data pass through, but arrays that are too
+ * short for their points or cells. After a refusal (see vtkFlatteningAlgorithm)
  * the output is without points and cells.
  *
  * @sa vtkWireWarpingFilter

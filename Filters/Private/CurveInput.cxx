@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveInput.h"
 
+#include "AttributeArrays.h"
 #include "CellVisit.h"
 #include "SegmentChains.h"
+#include "SurfaceInput.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -52,11 +54,16 @@ public:
   LineReader(vtkPolyData* data, CurveInput& curves)
     : Data(data)
     , Curves(curves)
+    , Choice(data, GhostCells::LeftOut)
     , FirstLine(data->GetNumberOfVerts())
   {
   }
 
-  bool read() { return this->checkArrays() && this->collectChains() && this->appendPolylines(); }
+  bool read()
+  {
+    return this->checkCells() && this->checkArrays() && this->collectChains() &&
+      this->appendPolylines();
+  }
 
 private:
   bool refuse(StatusCode code, const std::string& message, std::vector<vtkIdType> ids)
@@ -69,6 +76,13 @@ private:
   {
     return this->refuse(StatusCode::InvalidCurve,
       "cell " + std::to_string(cell) + " of the curves " + what, { cell });
+  }
+
+  bool checkCells()
+  {
+    return this->Data->GetLines()->IsValid() ||
+      this->refuse(StatusCode::InvalidPointId,
+        "the lines of the curves do not fit the list of their points; write the file again", {});
   }
 
   bool checkArrays()
@@ -144,7 +158,7 @@ private:
     }
     if (this->Name)
     {
-      attributes.name = this->Name->GetVariantValue(cell).ToString();
+      attributes.name = withoutNul(this->Name->GetVariantValue(cell).ToString());
     }
     if (this->Shape)
     {
@@ -180,6 +194,10 @@ private:
     std::map<Attributes, std::vector<Chain>> segments;
     forEachCell(this->Data->GetLines(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
       const vtkIdType cell = this->FirstLine + k;
+      if (!this->Choice.reads(cell))
+      {
+        return;
+      }
       Chain chain;
       chain.cell = cell;
       chain.points.assign(ids, ids + count);
@@ -295,6 +313,7 @@ private:
 
   vtkPolyData* Data;
   CurveInput& Curves;
+  CellChoice Choice;
   vtkIdType FirstLine;
   std::vector<Chain> Chains;
   vtkAbstractArray* Type = nullptr;

@@ -19,7 +19,7 @@ struct CurveInput
   Outcome outcome;
 };
 
-/// Adds the line cells of a data set. \return whether all of them are sound
+/// Adds the line cells of a data set, but ghost cells. \return whether all of them are sound
 bool readCurves(vtkPolyData* data, CurveInput& curves);
 }
 }

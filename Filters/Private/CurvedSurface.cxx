@@ -77,13 +77,14 @@ SurfaceOrigin::SurfaceOrigin(vtkPolyData* data)
   : Time(data->GetMTime())
   , Points(data->GetPoints())
   , Cells{ data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() }
+  , Ghosts(data->GetCellData()->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()))
 {
 }
 
 bool SurfaceOrigin::sameAs(const SurfaceOrigin& other) const
 {
   return this->Time != 0 && this->Time == other.Time && this->Points == other.Points &&
-    this->Cells == other.Cells;
+    this->Cells == other.Cells && this->Ghosts == other.Ghosts;
 }
 
 vtkIdType CurvedSurface::cellOf(Index triangle) const
@@ -151,6 +152,10 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   CurvedSurface& source)
 {
   source.data = surface;
+  source.warnings.clear();
+  source.pointArrays = wholePointArrays(surface, source.warnings);
+  source.cellArrays = wholeCellArrays(surface, source.warnings);
+  source.fieldData = fieldArrays(surface, source.warnings);
   loadSurfaceAnew(coincident, source);
   source.outcome = source.surface.outcome;
   if (!source.outcome.ok())

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "AttributeArrays.h"
 #include "CurveInput.h"
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
 #include "SurfaceInput.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -33,6 +39,7 @@ private:
   vtkMTimeType Time = 0;
   vtkWeakPointer<vtkPoints> Points;
   std::array<vtkWeakPointer<vtkCellArray>, 4> Cells; ///< verts and lines count in cell ids
+  vtkWeakPointer<vtkAbstractArray> Ghosts;
 };
 
 /// A surface with its feature curves imprinted, and the way back from Core's ids to the input's:
@@ -49,6 +56,11 @@ private:
 struct CurvedSurface
 {
   vtkPolyData* data = nullptr; ///< the input, of this run only
+  /// Arrays of the input that have a value for each point or cell.
+  vtkSmartPointer<vtkPointData> pointArrays;
+  vtkSmartPointer<vtkCellData> cellArrays;
+  vtkSmartPointer<vtkFieldData> fieldData;
+  std::vector<std::string> warnings; ///< what of the input is left out
   LoadedSurface surface;
   CurveInput curves;
   ImprintedSurface imprinted;

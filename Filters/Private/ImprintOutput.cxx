@@ -22,9 +22,10 @@ namespace bridge
 namespace
 {
 /// The cell arrays that all data sets of the curves have.
-void copyCurveData(const CurveInput& curves, vtkCellData* cells)
+void copyCurveData(const CurveInput& curves, vtkCellData* cells, std::vector<std::string>& warnings)
 {
   std::vector<vtkPolyData*> sources;
+  std::vector<vtkSmartPointer<vtkCellData>> arrays;
   std::vector<int> sourceOfCurve;
   for (vtkPolyData* data : curves.dataOfPolyline)
   {
@@ -33,6 +34,7 @@ void copyCurveData(const CurveInput& curves, vtkCellData* cells)
     if (known == sources.end())
     {
       sources.push_back(data);
+      arrays.push_back(wholeCellArrays(data, warnings));
     }
   }
   vtkDataSetAttributes::FieldList common(static_cast<int>(sources.size()));
@@ -40,11 +42,11 @@ void copyCurveData(const CurveInput& curves, vtkCellData* cells)
   {
     if (s == 0)
     {
-      common.InitializeFieldList(sources[s]->GetCellData());
+      common.InitializeFieldList(arrays[s]);
     }
     else
     {
-      common.IntersectFieldList(sources[s]->GetCellData());
+      common.IntersectFieldList(arrays[s]);
     }
   }
   const vtkIdType count = static_cast<vtkIdType>(curves.cellOfPolyline.size());
@@ -52,8 +54,8 @@ void copyCurveData(const CurveInput& curves, vtkCellData* cells)
   cells->CopyAllocate(common, count);
   for (vtkIdType c = 0; c < count; ++c)
   {
-    cells->CopyData(common, sources[sourceOfCurve[c]]->GetCellData(), sourceOfCurve[c],
-      curves.cellOfPolyline[c], c);
+    cells->CopyData(
+      common, arrays[sourceOfCurve[c]], sourceOfCurve[c], curves.cellOfPolyline[c], c);
   }
 }
 
@@ -90,7 +92,8 @@ void writePlanarShapes(const std::vector<FeatureCurve>& curves, vtkPolyData* out
   output->GetPointData()->AddArray(shape);
 }
 
-void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* output)
+void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* output,
+  std::vector<std::string>& warnings)
 {
   const std::vector<FeatureCurve>& curves = source.imprinted.curves;
   const std::size_t count = curves.size();
@@ -111,7 +114,7 @@ void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData*
   vtkCellData* cells = output->GetCellData();
   if (count > 0)
   {
-    copyCurveData(source.curves, cells);
+    copyCurveData(source.curves, cells, warnings);
   }
   addRows<vtkIntArray>(
     cells, "CurveType", count, [&](std::size_t c) { return static_cast<int>(curves[c].type); });
@@ -129,10 +132,11 @@ void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData*
 }
 }
 
-void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves)
+void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves,
+  std::vector<std::string>& warnings)
 {
   writeImprintedSurface(source, surface);
-  writeCurves(source, surface, curves);
+  writeCurves(source, surface, curves, warnings);
 }
 }
 }

@@ -8,7 +8,8 @@ namespace flattening
 namespace bridge
 {
 /// Writes an imprinted surface and its curves as the two outputs that vtkFeatureCurveImprinter
-/// documents.
-void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves);
+/// documents. \param warnings get a sentence for each array of the curves that is left out.
+void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves,
+  std::vector<std::string>& warnings);
 }
 }

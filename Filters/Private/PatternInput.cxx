@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <initializer_list>
 #include <limits>
 
 namespace flattening
@@ -30,6 +31,30 @@ PatternStatus invalid(const std::string& message)
   return { PatternCode::InvalidInput, message };
 }
 
+/// Whether each array that is there has a value of its own for each of a number of rows.
+PatternStatus checkRows(
+  std::initializer_list<vtkAbstractArray*> arrays, vtkIdType rows, const std::string& owner)
+{
+  for (vtkAbstractArray* array : arrays)
+  {
+    if (array && (array->GetNumberOfTuples() < rows || array->GetNumberOfComponents() != 1))
+    {
+      return invalid(std::string("the array ") + array->GetName() + " of " + owner + " has " +
+        std::to_string(array->GetNumberOfTuples()) + " values of " +
+        std::to_string(array->GetNumberOfComponents()) + " components for " + std::to_string(rows) +
+        " rows; give the output of a flattening filter");
+    }
+  }
+  return {};
+}
+
+/// A whole number that a value stands for; none where it stands for none, or for a negative one.
+Index indexOf(double value)
+{
+  const bool fits = value >= 0.0 && value <= std::numeric_limits<Index>::max();
+  return fits ? static_cast<Index>(value) : none;
+}
+
 PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
 {
   const vtkIdType points = flat->GetNumberOfPoints();
@@ -43,6 +68,15 @@ PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
     source.positions.emplace_back(p[0], p[1]);
   }
   vtkDataArray* pieces = flat->GetCellData()->GetArray("PieceId");
+  PatternStatus status = checkRows({ pieces }, flat->GetNumberOfCells(), "the flat surface");
+  if (!status.ok())
+  {
+    return status;
+  }
+  if (!flat->GetPolys()->IsValid())
+  {
+    return invalid("the cells of the flat surface do not fit the list of their corners");
+  }
   // Cell data starts with vertices and lines.
   const vtkIdType before = flat->GetNumberOfVerts() + flat->GetNumberOfLines();
   auto cells = vtk::TakeSmartPointer(flat->GetPolys()->NewIterator());
@@ -68,18 +102,20 @@ PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
       triangle[k] = static_cast<Index>(ids[k]);
     }
     source.triangles.push_back(triangle);
-    source.pieceOfTriangle.push_back(
-      pieces ? static_cast<Index>(pieces->GetComponent(cell, 0)) : 0);
+    source.pieceOfTriangle.push_back(pieces ? indexOf(pieces->GetComponent(cell, 0)) : 0);
   }
   return {};
 }
 
 WireType typeOf(vtkDataArray* types, vtkIdType row)
 {
-  switch (types ? static_cast<int>(types->GetComponent(row, 0)) : 0)
+  const double type = types ? types->GetComponent(row, 0) : 0.0;
+  if (type == -1.0)
   {
-    case -1:
-      return WireType::Boundary;
+    return WireType::Boundary;
+  }
+  switch (indexOf(type))
+  {
     case 1:
       return WireType::Key;
     case 2:
@@ -105,6 +141,16 @@ PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
   vtkDataArray* pieces = data->GetArray("PieceId");
   vtkDataArray* connectors = data->GetArray("Connector");
   auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray("CurveName"));
+  PatternStatus status =
+    checkRows({ types, curves, pieces, connectors, names }, wires->GetNumberOfCells(), "the wires");
+  if (!status.ok())
+  {
+    return status;
+  }
+  if (!wires->GetLines()->IsValid())
+  {
+    return invalid("the cells of the wires do not fit the list of their points");
+  }
   auto lines = vtk::TakeSmartPointer(wires->GetLines()->NewIterator());
   for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
   {
@@ -118,8 +164,8 @@ PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
     lines->GetCurrentCell(count, ids);
     SourceWire wire;
     wire.type = typeOf(types, row);
-    wire.curve = curves ? static_cast<Index>(curves->GetComponent(row, 0)) : none;
-    wire.piece = pieces ? static_cast<Index>(pieces->GetComponent(row, 0)) : 0;
+    wire.curve = curves ? indexOf(curves->GetComponent(row, 0)) : none;
+    wire.piece = pieces ? indexOf(pieces->GetComponent(row, 0)) : 0;
     wire.name = wire.type == WireType::Boundary ? std::string("boundary")
       : names                                   ? std::string(names->GetValue(row))
                                                 : "curve " + std::to_string(row);
@@ -140,11 +186,22 @@ PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
 PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
 {
   vtkDataArray* pairs = flat->GetFieldData()->GetArray("SeamPairs");
-  if (!pairs || pairs->GetNumberOfComponents() < 4)
+  if (!pairs)
   {
     return {};
   }
+  if (pairs->GetNumberOfComponents() < 4)
+  {
+    return invalid("the array SeamPairs of the flat surface has fewer than 4 components; give the "
+                   "output of a flattening filter");
+  }
   vtkDataArray* closed = flat->GetFieldData()->GetArray("SeamClosed");
+  const PatternStatus status =
+    checkRows({ closed }, pairs->GetNumberOfTuples(), "the flat surface");
+  if (!status.ok())
+  {
+    return status;
+  }
   for (vtkIdType row = 0; row < pairs->GetNumberOfTuples(); ++row)
   {
     std::array<Index, 4> ids{};
@@ -158,8 +215,7 @@ PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
       }
       ids[static_cast<std::size_t>(k)] = static_cast<Index>(id);
     }
-    const bool isClosed =
-      closed && row < closed->GetNumberOfTuples() && closed->GetComponent(row, 0) != 0.0;
+    const bool isClosed = closed && closed->GetComponent(row, 0) != 0.0;
     source.sewn.push_back({ { ids[0], ids[1] }, { ids[2], ids[3] }, isClosed });
   }
   return {};

@@ -106,6 +106,13 @@ public:
     using Pair = std::pair<Index, Index>;
     std::map<Pair, std::pair<vtkIdType, vtkIdType>> wanted; // with the points that ask for it
     Outcome outcome;
+    if (!lines->GetLines()->IsValid())
+    {
+      outcome.code = StatusCode::InvalidPointId;
+      outcome.message = "the lines of the edges do not fit the list of their points; write them "
+                        "again";
+      return outcome;
+    }
     forEachCell(lines->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
       Index last = none;
       for (vtkIdType i = 0; i < count; ++i)

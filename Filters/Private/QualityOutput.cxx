@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QualityOutput.h"
 
+#include "AttributeArrays.h"
+
 #include "Quality/BoundaryOverlap.h"
 #include "SurfaceOutput.h"
 
@@ -34,7 +36,7 @@ void writeOverlapEdges(
 }
 
 void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostOverlaps,
-  const Execution& execution, vtkPolyData* output)
+  const Execution& execution, vtkPolyData* output, std::vector<std::string>& warnings)
 {
   const TriangleMesh& mesh = map.surface.prepared.mesh;
   const FlatteningQuality quality = measureFlattening(mesh, map.positions, map.edges, execution);
@@ -43,12 +45,12 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
 
   output->SetPoints(input->GetPoints());
   output->SetPolys(makeTriangles(map.surface.input.triangles));
-  output->GetPointData()->ShallowCopy(input->GetPointData());
-  copyCellData(input, map.surface.input.cellOfTriangle, output);
+  output->GetPointData()->ShallowCopy(wholePointArrays(input, warnings));
+  copyCellData(wholeCellArrays(input, warnings), map.surface.input.cellOfTriangle, output);
   writeTriangleQuality(quality.triangles, output);
 
   vtkFieldData* field = output->GetFieldData();
-  field->PassData(input->GetFieldData());
+  field->PassData(fieldArrays(input, warnings));
   auto addCount = [field](const char* name, vtkIdType count) {
     addRows<vtkIdTypeArray>(field, name, 1, [count](std::size_t) { return count; });
   };

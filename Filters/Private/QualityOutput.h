@@ -10,6 +10,6 @@ namespace bridge
 {
 /// Measures a mapped surface and writes what vtkFlatteningQuality documents.
 void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostOverlaps,
-  const Execution& execution, vtkPolyData* output);
+  const Execution& execution, vtkPolyData* output, std::vector<std::string>& warnings);
 }
 }

@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -48,7 +49,8 @@ bool isSound(const SurfaceTriangles& result, vtkCellArray* cells)
   return sound;
 }
 
-void triangulate(SurfaceTriangles& result, vtkPolyData* surface, vtkIdType firstCell)
+void triangulate(
+  SurfaceTriangles& result, vtkPolyData* surface, const CellChoice& choice, vtkIdType firstCell)
 {
   vtkNew<vtkPolyData> polygons;
   polygons->SetPoints(surface->GetPoints());
@@ -70,7 +72,10 @@ void triangulate(SurfaceTriangles& result, vtkPolyData* surface, vtkIdType first
   vtkPolyData* triangles = triangulation->GetOutput();
   auto* origin = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray("cell"));
   forEachCell(triangles->GetPolys(), [&](vtkIdType k, vtkIdType, const vtkIdType* ids) {
-    appendTriangle(result, origin->GetValue(k), ids[0], ids[1], ids[2]);
+    if (choice.reads(origin->GetValue(k)))
+    {
+      appendTriangle(result, origin->GetValue(k), ids[0], ids[1], ids[2]);
+    }
   });
 
   Indices lost;
@@ -78,7 +83,8 @@ void triangulate(SurfaceTriangles& result, vtkPolyData* surface, vtkIdType first
   std::size_t t = 0;
   for (vtkIdType cell = firstCell; cell < firstCell + polygons->GetNumberOfCells(); ++cell)
   {
-    if (t == result.cellOfTriangle.size() || result.cellOfTriangle[t] != cell)
+    if (choice.reads(cell) &&
+      (t == result.cellOfTriangle.size() || result.cellOfTriangle[t] != cell))
     {
       lost.push_back(static_cast<Index>(cell));
       lostCells.push_back(cell);
@@ -98,11 +104,36 @@ void triangulate(SurfaceTriangles& result, vtkPolyData* surface, vtkIdType first
 }
 }
 
-SurfaceTriangles readTriangles(vtkPolyData* surface)
+CellChoice::CellChoice(vtkPolyData* data, GhostCells ghosts)
+  : Ghosts(vtkUnsignedCharArray::SafeDownCast(
+      data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
+  , LeftOut(ghosts == GhostCells::LeftOut
+        ? vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL
+        : vtkDataSetAttributes::HIDDENCELL)
+{
+  if (this->Ghosts && this->Ghosts->GetNumberOfValues() < data->GetNumberOfCells())
+  {
+    this->Ghosts = nullptr; // too short, as wholeCellArrays() tells
+  }
+}
+
+bool CellChoice::reads(vtkIdType cell) const
+{
+  return !this->Ghosts || (this->Ghosts->GetValue(cell) & this->LeftOut) == 0;
+}
+
+SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts)
 {
   SurfaceTriangles result;
   vtkCellArray* polygons = surface->GetPolys();
   vtkCellArray* strips = surface->GetStrips();
+  if (!polygons->IsValid() || !strips->IsValid())
+  {
+    result.outcome = { StatusCode::InvalidPointId,
+      "the cells of the surface do not fit the list of their corners; write the file again", {} };
+    return result;
+  }
+  const CellChoice choice(surface, ghosts);
   const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   const vtkIdType corners =
     polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();
@@ -127,19 +158,19 @@ SurfaceTriangles readTriangles(vtkPolyData* surface)
     (polygons->GetNumberOfCells() == 0 || polygons->IsHomogeneous() == 3);
   if (!trianglesOnly && isSound(result, polygons) && isSound(result, strips))
   {
-    triangulate(result, surface, firstCell);
+    triangulate(result, surface, choice, firstCell);
     return result;
   }
   // Triangles as they are; or fans, which keep the unsound points for prepareSurface() to refuse.
   forEachCell(polygons, [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
-    for (vtkIdType i = 2; i < count; ++i)
+    for (vtkIdType i = 2; i < count && choice.reads(firstCell + k); ++i)
     {
       appendTriangle(result, firstCell + k, ids[0], ids[i - 1], ids[i]);
     }
   });
   const vtkIdType firstStrip = firstCell + polygons->GetNumberOfCells();
   forEachCell(strips, [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
-    for (vtkIdType i = 2; i < count; ++i)
+    for (vtkIdType i = 2; i < count && choice.reads(firstStrip + k); ++i)
     {
       appendTriangle(result, firstStrip + k, ids[i - 2], ids[i - 1], ids[i]);
     }
@@ -147,10 +178,10 @@ SurfaceTriangles readTriangles(vtkPolyData* surface)
   return result;
 }
 
-LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident)
+LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, GhostCells ghosts)
 {
   LoadedSurface result;
-  result.input = readTriangles(surface);
+  result.input = readTriangles(surface, ghosts);
   result.outcome = result.input.outcome;
   if (!result.outcome.ok())
   {

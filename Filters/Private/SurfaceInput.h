@@ -5,12 +5,13 @@
 #include "Surface/SurfacePreparation.h"
 
 class vtkPolyData;
+class vtkUnsignedCharArray;
 
 namespace flattening
 {
 namespace bridge
 {
-/// The polygons and strips of a vtkPolyData as triangles over all of its points.
+/// The polygons and strips of a vtkPolyData, but ghost cells, as triangles over all of its points.
 struct SurfaceTriangles
 {
   Points3 points;
@@ -19,7 +20,26 @@ struct SurfaceTriangles
   Outcome outcome;
 };
 
-SurfaceTriangles readTriangles(vtkPolyData* surface);
+/// Which cells that vtkGhostType marks are read.
+enum class GhostCells
+{
+  LeftOut,    ///< neither hidden ones nor copies of other processes' cells
+  Duplicates, ///< also those copies, for what is computed around a point
+};
+
+/// Whether a cell of the data is to be read.
+class CellChoice
+{
+public:
+  CellChoice(vtkPolyData* data, GhostCells ghosts);
+  bool reads(vtkIdType cell) const;
+
+private:
+  vtkUnsignedCharArray* Ghosts;
+  int LeftOut;
+};
+
+SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts = GhostCells::LeftOut);
 
 /// A surface read and made into a mesh, or refused in the ids of the input.
 struct LoadedSurface
@@ -29,6 +49,7 @@ struct LoadedSurface
   Outcome outcome;
 };
 
-LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident);
+LoadedSurface loadSurface(
+  vtkPolyData* surface, CoincidentPoints coincident, GhostCells ghosts = GhostCells::LeftOut);
 }
 }

@@ -46,7 +46,7 @@ vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
 
 void copyPointData(const CurvedSurface& source, const Indices& originalVertex, vtkPolyData* output)
 {
-  vtkPointData* from = source.data->GetPointData();
+  vtkPointData* from = source.pointArrays;
   vtkPointData* to = output->GetPointData();
   const Index count = static_cast<Index>(originalVertex.size());
   to->CopyGlobalIdsOff(); // a copy of a point would have the id of another
@@ -85,8 +85,8 @@ void writeSurface(const CurvedSurface& source, const Triangles& triangles,
   output->SetPoints(points);
   output->SetPolys(makeTriangles(triangles));
   copyPointData(source, originalVertex, output);
-  copyCellData(source.data, cellOfTriangle, output);
-  output->GetFieldData()->PassData(source.data->GetFieldData());
+  copyCellData(source.cellArrays, cellOfTriangle, output);
+  output->GetFieldData()->PassData(source.fieldData);
   addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", originalVertex.size(),
     [&](std::size_t v) { return source.pointOf(originalVertex[v]); });
 }
@@ -124,15 +124,15 @@ vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
 }
 
 void copyCellData(
-  vtkPolyData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output)
+  vtkCellData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output)
 {
   vtkCellData* cells = output->GetCellData();
   cells->CopyGlobalIdsOff(); // a triangle can be one of several of its cell
-  cells->CopyAllocate(input->GetCellData(), static_cast<vtkIdType>(cellOfTriangle.size()));
-  const bool any = input->GetCellData()->GetNumberOfArrays() > 0;
+  cells->CopyAllocate(input, static_cast<vtkIdType>(cellOfTriangle.size()));
+  const bool any = input->GetNumberOfArrays() > 0;
   for (std::size_t t = 0; any && t < cellOfTriangle.size(); ++t)
   {
-    cells->CopyData(input->GetCellData(), cellOfTriangle[t], static_cast<vtkIdType>(t));
+    cells->CopyData(input, cellOfTriangle[t], static_cast<vtkIdType>(t));
   }
   addRows<vtkIdTypeArray>(cells, "vtkOriginalCellIds", cellOfTriangle.size(),
     [&](std::size_t t) { return cellOfTriangle[t]; });

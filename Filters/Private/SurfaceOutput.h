@@ -19,9 +19,9 @@ vtkSmartPointer<vtkPoints> makePoints(const Points2& points);
 
 vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
 
-/// Copies the cell data of the cell that each triangle is of, and adds `vtkOriginalCellIds`.
+/// Copies the data of the cell that each triangle is of, and adds `vtkOriginalCellIds`.
 void copyCellData(
-  vtkPolyData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output);
+  vtkCellData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output);
 
 /// Fills a data set with the imprinted surface, with the input's point and cell data (interpolated
 /// at points made by imprinting) and field data, `vtkOriginalCellIds` and `vtkOriginalPointIds`.

@@ -158,8 +158,7 @@ void theRestIsFlattened(Checks& checks)
   checks.equal(warnings->GetNumberOfValues(), vtkIdType{ 1 }, "rows of RunWarnings");
   checks.contains(warnings->GetValue(0), "2 of 4 pieces", "the warning");
   checks.contains(warnings->GetValue(0), "cells 0, 46", "the warning");
-  checks.equal(
-    field->GetArray("Triangles")->GetNumberOfTuples(), vtkIdType{ 2 }, "rows of pieces");
+  checks.equal(field->GetArray("Triangles")->GetNumberOfTuples(), vtkIdType{ 2 }, "rows of pieces");
 
   filter->SkipClosedOff();
   filter->Update();

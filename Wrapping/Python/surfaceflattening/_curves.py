@@ -4,6 +4,7 @@
 from __future__ import annotations  # help() prints hints as they are written here
 
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Any, Optional, Sequence, Union
 
 import numpy as np
@@ -61,11 +62,57 @@ def _make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
     return result
 
 
+def _as_array(values: Any, what: str) -> NDArray[Any]:
+    """An array of any type, with no value hidden behind a mask."""
+    if np.ma.is_masked(values):
+        raise ValueError(f"{what} has masked values; fill or remove them")
+    try:
+        return np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{what} must be an array with rows of one length: {error}") from None
+
+
+def _as_numbers(values: Any, what: str) -> NDArray[np.float64]:
+    array = _as_array(values, what)
+    if np.iscomplexobj(array):
+        raise ValueError(f"{what} must be real numbers, not {array.dtype}")
+    try:
+        return array.astype(np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{what} must be numbers: {error}") from None
+
+
 def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
-    array = np.asarray(values)
-    if array.size and not np.issubdtype(array.dtype, np.integer):
-        raise ValueError(f"{what} must be whole numbers, not {array.dtype}")
+    array = _as_array(values, what)
+    kind = array.dtype
+    if kind == np.float64 and not isinstance(values, np.ndarray):
+        array = np.asarray(values, object)  # ids of which one is too large are no floats
+    if array.dtype == object and all(
+            isinstance(value, Integral) and not isinstance(value, bool) for value in array.flat):
+        too_large = [value for value in array.flat if not -2**63 <= value < 2**63]
+    elif array.size and not np.issubdtype(array.dtype, np.integer):
+        raise ValueError(f"{what} must be whole numbers, not {kind}")
+    else:
+        too_large = array[array >= 2**63].tolist() if array.dtype == np.uint64 else []
+    if too_large:
+        raise ValueError(f"{what} hold {too_large[0]}; ids are below 2**63")
     return array.astype(np.int64)
+
+
+def _name_of(curve: "Curve", place: int) -> str:
+    """The name as VTK can take it: it ends the interpreter on a lone surrogate, files end at NUL."""
+    name = curve.name
+    if not isinstance(name, str):
+        raise TypeError(f"the name of curve {place} is {name!r}; it must be a string")
+    try:
+        name.encode()
+    except UnicodeEncodeError as error:
+        raise ValueError(
+            f"the name of curve {place}, {name!r}, is no text that UTF-8 can hold: {error.reason} "
+            f"at {error.start}") from None
+    if "\0" in name:
+        raise ValueError(f"the name of curve {place}, {name!r}, holds the character NUL")
+    return name
 
 
 def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
@@ -78,7 +125,7 @@ def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
     Raises:
         ValueError: another shape, or ids that are not whole numbers.
     """
-    coordinates = np.asarray(points, np.float64)
+    coordinates = _as_numbers(points, "points")
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         raise ValueError(f"points must have the shape (n, 3), not {coordinates.shape}")
     corners = _as_ids(triangles, "triangles")
@@ -97,11 +144,11 @@ def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
 
 
 def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDArray[np.float64]:
-    values = np.asarray(curve.points)
+    values = _as_array(curve.points, what)
     if values.ndim == 2 and values.shape[1] == 3:
-        positions = values.astype(np.float64)
+        positions = _as_numbers(values, what)
     elif values.ndim == 1:
-        ids = _as_ids(values, f"the point ids of {what}")
+        ids = _as_ids(curve.points, f"the point ids of {what}")
         outside = ids[(ids < 0) | (ids >= len(surface))]
         if outside.size:
             raise ValueError(
@@ -116,9 +163,18 @@ def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDAr
 
 
 def _index_of(value: str, names: Sequence[str], what: str) -> int:
-    if value not in names:
+    if not isinstance(value, str) or value not in names:
         raise ValueError(f"{what} is {value!r}; it must be one of {', '.join(names)}")
     return names.index(value)
+
+
+def _tolerance_of(curve: Curve, what: str) -> float:
+    try:
+        return float(curve.length_tolerance)
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"the length_tolerance of {what} is {curve.length_tolerance!r}; it must be a number"
+        ) from None
 
 
 def _strings(name: str, values: Sequence[str]) -> vtkStringArray:
@@ -137,24 +193,26 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         points: positions of the surface, shape (n, 3), that point ids refer to.
 
     Raises:
-        ValueError: a wrong shape or word, or a point that the surface does not have.
+        TypeError: a name that is no string.
+        ValueError: a wrong shape or word, a point that the surface does not have, or a name with
+            NUL or what UTF-8 cannot hold.
     """
-    surface = np.asarray(points, np.float64)
+    surface = _as_numbers(points, "points")
     positions, shapes, names = [], [], []
     types, key_shapes, tolerances = [], [], []
     for place, given in enumerate(curves):
         curve = given if isinstance(given, Curve) else Curve(given)
         # Its name also keeps a curve of two points apart from the next.
-        name = curve.name or f"curve {place}"
+        name = _name_of(curve, place) or f"curve {place}"
         what = f"curve {place}" + (f" ({curve.name!r})" if curve.name else "")
         positions.append(_positions_of(curve, what, surface))
         names.append(name)
         types.append(_index_of(curve.type, CURVE_TYPES, f"the type of {what}"))
         key_shapes.append(_index_of(curve.key_shape, KEY_SHAPES, f"the key_shape of {what}"))
-        tolerances.append(float(curve.length_tolerance))
+        tolerances.append(_tolerance_of(curve, what))
         shape = np.full((len(positions[-1]), 2), np.nan)
         if curve.planar_shape is not None:
-            planar = np.asarray(curve.planar_shape, np.float64)
+            planar = _as_numbers(curve.planar_shape, f"the planar_shape of {what}")
             if planar.shape != shape.shape:
                 raise ValueError(
                     f"the planar_shape of {what} must have the shape {shape.shape}, not {planar.shape}"

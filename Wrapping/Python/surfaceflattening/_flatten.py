@@ -4,7 +4,7 @@
 from __future__ import annotations  # help() prints hints as they are written here
 
 import warnings
-from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
-from ._result import Flattening, make_result, texts_of
+from ._result import Flattening, as_text, make_result, texts_of
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
 # The words of the command wirewarp, in the order of the filter's enumerations.
@@ -29,6 +29,8 @@ def _set(filter_: Any, option: str, property_: str, value: Any) -> None:
         getattr(filter_, "Set" + property_)(value)
     except TypeError as error:
         raise TypeError(f"{option} = {value!r}: {error}") from None
+    except OverflowError as error:
+        raise ValueError(f"{option} = {value!r} is out of range: {error}") from None
     kept = getattr(filter_, "Get" + property_)()
     if kept != value:
         raise ValueError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
@@ -63,7 +65,7 @@ def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
     if raised:
         raise raised[0]
 
-    name, message = filter_.GetStatusName(), filter_.GetStatusMessage()
+    name, message = filter_.GetStatusName(), as_text(filter_.GetStatusMessage())
     if filter_.IsRefused():
         ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
         raise FlatteningError(filter_.GetStatusCode(), name, ids, message)
@@ -97,6 +99,10 @@ def _flatten(
     max_length_error: float = 1e-9,
     progress: Optional[Callable[[float], Any]] = None,
 ) -> Flattening:
+    for data, what in ((surface, "surface"), (curves, "curves")):
+        # The pipeline would print an error and give no result.
+        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
+            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
     filter_ = vtkWireWarpingFilter()
     filter_.CachingOff()  # it runs once
     _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
@@ -116,7 +122,7 @@ def _flatten(
     _set(filter_, "snap_tolerance", "SnapTolerance", snap_tolerance)
     _set(filter_, "arrange", "Arrange", bool(arrange))
     _set(filter_, "spacing", "Spacing", spacing)
-    _set(filter_, "pins", "ConformalPins", tuple(pins))
+    _set(filter_, "pins", "ConformalPins", tuple(pins) if isinstance(pins, Iterable) else pins)
     _set(filter_, "max_iterations", "MaximumIterations", max_iterations)
     _set(filter_, "max_length_error", "MaximumLengthError", max_length_error)
     filter_.SetInputData(surface)
@@ -185,10 +191,12 @@ def flatten(
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.
         imprint_tolerance: greatest distance of a curve from the surface, as a fraction of the
             diagonal of the surface's bounding box, in [0, 1].
-        snap_tolerance: a curve's point nearer to a vertex than this fraction of the mean edge
-            length moves onto it, in [0, 0.5].
-        arrange: turn pieces upright and lay them side by side; False: leave them where they arise.
-        spacing: space between arranged pieces, as a fraction of the largest extent of a piece.
+        snap_tolerance: a curve's point or crossing nearer to a vertex or an edge than this fraction
+            of the mean edge length, or of the longest edge there where that is shorter, moves onto
+            it, in [0, 0.5].
+        arrange: turn pieces upright and lay them in rows; False: leave them where they arise.
+        spacing: space between the bounding boxes of arranged pieces, as a fraction of the largest
+            side of one, in [0, 1e6].
         pins: "lscm": ids of the two points that are pinned; -1: the boundary points farthest apart.
         max_iterations: most iterations of the solver, a piece.
         max_length_error: largest relative error of a wire's edge that is no broken promise.

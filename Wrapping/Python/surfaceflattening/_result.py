@@ -6,7 +6,7 @@ from typing import Any, Dict, List, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES
@@ -102,7 +102,7 @@ class Flattening(NamedTuple):
     #: The same points on the cut surface in space; float64, shape (n, 3).
     points: NDArray[np.float64]
     #: By name, a value a point, such as "Developability" and "vtkOriginalPointIds"; see
-    #: vtkWireWarpingFilter for all names.
+    #: vtkWireWarpingFilter for all names. Arrays of texts and without a name are not there.
     point_arrays: Dict[str, NDArray[Any]]
     #: By name, a value a triangle, such as "HomogeneityOfDistortion", "AspectRatio", "AreaRatio",
     #: "PieceId".
@@ -122,28 +122,43 @@ class Flattening(NamedTuple):
     report: Report
 
 
+def as_text(value: Any) -> str:
+    """A text of VTK, which gives bytes where they are no UTF-8."""
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+def _as_numpy(array: Any) -> NDArray[Any]:
+    """A copy."""
+    if isinstance(array, vtkBitArray):
+        bytes_ = vtkUnsignedCharArray()
+        bytes_.DeepCopy(array)
+        return np.array(vtk_to_numpy(bytes_), np.bool_)
+    return np.array(vtk_to_numpy(array))
+
+
 def _values(field: Any, name: str) -> List[Any]:
     """An array of one component as Python values; empty where there is none."""
     array = field.GetAbstractArray(name)
     if array is None:
         return []
     if isinstance(array, vtkStringArray):
-        return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
+        return [as_text(array.GetValue(row)) for row in range(array.GetNumberOfValues())]
     values: List[Any] = vtk_to_numpy(array).tolist()
     return values
 
 
 def texts_of(field: Any, name: str) -> List[str]:
     """The rows of a string array; none where there is no such array."""
-    return [str(value) for value in _values(field, name)]
+    values: List[str] = _values(field, name)
+    return values
 
 
 def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
     result = {}
     for index in range(attributes.GetNumberOfArrays()):
         array = attributes.GetArray(index)  # None for strings
-        if array is not None:
-            result[array.GetName()] = np.array(vtk_to_numpy(array))
+        if array is not None and array.GetName():
+            result[array.GetName()] = _as_numpy(array)
     return result
 
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// In the place of PdfWriter.cxx in a build without cairo.
+#include "PdfWriter.h"
+
+namespace flattening
+{
+namespace pattern
+{
+PatternStatus makePdf(const Pattern&, const PageOptions&, std::string&)
+{
+  return { PatternCode::InvalidOption,
+    "this build cannot write PDF, because it was made without cairo; write SVG or DXF, or build "
+    "with "
+    "cairo" };
+}
+}
+}

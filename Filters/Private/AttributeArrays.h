@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkCellData;
+class vtkFieldData;
+class vtkPointData;
+class vtkPolyData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// A text without the character NUL, which ends texts in VTK's files, so that readers crash on what
+/// is behind it: "\0" stands for it.
+std::string withoutNul(std::string text);
+
+/// The data's arrays that have a value for each point, with the same active attributes. An array
+/// that is too short, as VTK lets it be, would be read beyond its end. \param warnings get a
+/// sentence for each that is left out, or whose texts were changed by withoutNul().
+vtkSmartPointer<vtkPointData> wholePointArrays(
+  vtkPolyData* data, std::vector<std::string>& warnings);
+
+/// The same for cells.
+vtkSmartPointer<vtkCellData> wholeCellArrays(vtkPolyData* data, std::vector<std::string>& warnings);
+
+/// The field data, whose arrays may have any length.
+vtkSmartPointer<vtkFieldData> fieldArrays(vtkPolyData* data, std::vector<std::string>& warnings);
+}
+}
