@@ -71,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05.
-   * Range: 0 to 1e6.
+   * Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one.
+   * Default: 0.05. Range: 0 to 1e6.
    */
   vtkSetClampMacro(Spacing, double, 0.0, 1e6);
   vtkGetMacro(Spacing, double);

@@ -196,9 +196,10 @@ public:
 
   ///@{
   /**
-   * Notches lie at multiples of this length on the surface from the start of each seam and dart, on
-   * both sides; in the middle where it is shorter. In millimetres; 0: only the mouths of darts are
-   * notched. Default: 100. Range: from 0.
+   * Notches lie at multiples of this length on the surface from the start of each stretch of a seam
+   * or dart, on both sides, but not within a quarter of it before the end; in the middle of a
+   * stretch where there is none of these. In millimetres; 0: only the mouths of darts are notched.
+   * Default: 100. Range: from 0; so small that a stretch would get 10000 notches is refused.
    */
   vtkSetClampMacro(NotchSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NotchSpacing, double);

@@ -346,7 +346,8 @@ public:
    * ISOMETRIC: most iterations, and the tolerance at which it stops: one that the gradient of the
    * Lagrangian, relative to the root of the energy, is below, or whose square is above the share of
    * the energy that another step promises. It stops as well where a whole step moves no point by
-   * more than 1e-10 of the mean edge. Default: 100 and 1e-9. Range: from 1, and from 0.
+   * more than 1e-10 of the root of the mean triangle area. Default: 100 and 1e-9. Range: from 1,
+   * and from 0.
    */
   vtkSetClampMacro(IsometricMaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(IsometricMaximumIterations, int);
@@ -365,9 +366,10 @@ public:
 
   ///@{
   /**
-   * Turn the pieces upright (the first key curve, the grainline, else the longest extent, along y)
-   * and lay them beside each other without overlap. Off: each stays where its first wire edge put
-   * it. Default: on.
+   * Turn the pieces upright (the grainline, which is the first key curve from its start to its end,
+   * along y, else the long side of the smallest rectangle around the piece) and lay them in rows
+   * beside each other without overlap of their bounding boxes. Off: each stays where its first wire
+   * edge put it. Default: on.
    */
   vtkSetMacro(Arrange, bool);
   vtkGetMacro(Arrange, bool);
@@ -376,8 +378,8 @@ public:
 
   ///@{
   /**
-   * Space between arranged pieces, as a fraction of the largest extent of a piece. Default: 0.05.
-   * Range: 0 to 1e6.
+   * Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one.
+   * Default: 0.05. Range: 0 to 1e6.
    */
   vtkSetClampMacro(Spacing, double, 0.0, 1e6);
   vtkGetMacro(Spacing, double);

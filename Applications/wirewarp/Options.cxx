@@ -169,7 +169,7 @@ void addLayout(CLI::App& app, Options& options)
     ->group(group);
   app
     .add_option("--spacing", options.spacing,
-      "Space between pieces as a fraction of the largest extent of a piece")
+      "Space between the bounding boxes of pieces as a fraction of the largest side of one")
     ->check(number(0.0, 1e6, "[0, 1e6]"))
     ->capture_default_str()
     ->group(group);
@@ -224,7 +224,8 @@ void addLimits(CLI::App& app, Options& options)
   addNumber("--imprint-tolerance", options.imprintTolerance, 0.0, 1.0, "[0, 1]",
     "Greatest distance of a curve from the surface as a fraction of the surface's diagonal");
   addNumber("--snap-tolerance", options.snapTolerance, 0.0, 0.5, "[0, 0.5]",
-    "A curve point nearer to a vertex than this fraction of the mean edge moves onto it");
+    "A curve's point or crossing nearer to a vertex or an edge than this fraction of the mean edge "
+    "length, or of the longest edge there where that is shorter, moves onto it");
 }
 
 void addOutput(CLI::App& app, Options& options)

@@ -131,7 +131,9 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_option("--notch-spacing", request.notchSpacing,
-      "Distance of notches along seams and darts; 0: none but at the mouths of darts")
+      "Distance of notches along seams and darts, from their start, on the surface; the middle "
+      "where "
+      "they are shorter. 0: none but at the mouths of darts")
     ->check(length(0.0, large, "[0, 1e6]"))
     ->capture_default_str()
     ->group(group);

@@ -19,8 +19,9 @@ struct NotchPlace
 };
 
 /// Places on both banks of every seam and dart at the same lengths on the surface: multiples of
-/// the spacing from the start of the wire, the middle where it is shorter. A place and its partner
-/// lie on the same point of the curve before the cut.
+/// the spacing from the start of the wire, up to a quarter of it before the end, or the middle
+/// where there is none of these. A place and its partner lie on the same point of the curve before
+/// the cut.
 /// \param spacing in the unit of the surface; 0: none
 PatternStatus placeNotches(const PatternSource& source, const PieceLoops& loops,
   const SewnPartners& partners, double spacing, std::vector<NotchPlace>& places);

@@ -69,7 +69,7 @@ struct PatternOptions
   double allowance = 10.0;
   std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
   double mitreLimit = 2.0;                        ///< longest mitre, in allowances
-  double notchSpacing = 100.0; ///< along the curve, on the surface; 0: no notches along curves
+  double notchSpacing = 100.0; ///< along the curve, on the surface; 0: at mouths of darts alone
   double notchLength = 5.0;
   DartStyle darts = DartStyle::Folded;
 };

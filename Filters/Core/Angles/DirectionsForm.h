@@ -15,7 +15,7 @@ namespace flattening
 /// per group. One run stays fixed, since a rotation of the whole changes nothing.
 ///
 /// Unknowns x: the rotations of all runs but the fixed one, then the stretches. Constraints: x and
-/// y closure of each loop, in units of the mean edge length.
+/// y closure of each loop, in units of the mean wire edge.
 class DirectionsForm
 {
 public:

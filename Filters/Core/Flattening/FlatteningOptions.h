@@ -29,10 +29,11 @@ struct FlatteningOptions
   bool skipClosed = false;
   /// Treat key curves as accessory curves.
   bool releaseKeys = false;
-  /// Lay the pieces beside each other, grainline up; otherwise each stays where its first wire edge
-  /// put it.
+  /// Lay the pieces beside each other, each upright (see arrangePieces()); otherwise each stays
+  /// where its first wire edge put it.
   bool arrange = true;
-  /// Space between arranged pieces, as a fraction of the largest extent of a piece, 0 to 1e6.
+  /// Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one,
+  /// 0 to 1e6.
   double spacing = 0.05;
   /// A wire edge whose relative length error is larger breaks the promise.
   double lengthTolerance = 1e-9;

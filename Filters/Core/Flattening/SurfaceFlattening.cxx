@@ -65,7 +65,8 @@ Indices rigidHalfedges(const WireNetwork& network, const std::vector<FeatureCurv
   return edges;
 }
 
-/// Indices in a piece of the two ends of its grainline: the longest wire of its first key curve.
+/// Indices in a piece of the two ends of its grainline: of the wires of its first key curve the one
+/// with the most vertices.
 std::array<Index, 2> findGrain(
   const std::vector<Wire>& wires, Index pieceId, const Indices& localVertex)
 {

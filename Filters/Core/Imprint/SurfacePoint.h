@@ -28,7 +28,7 @@ struct SurfacePoint
 };
 
 /// How near to an element of the mesh a point has to be to move onto it: a fraction of the mean
-/// edge length, or of the local edge length where that is less.
+/// edge length, or of the longest edge of the triangles there where that is less.
 class SnapDistance
 {
 public:

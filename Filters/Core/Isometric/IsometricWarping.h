@@ -16,10 +16,10 @@ struct IsometricOptions
   /// the power 1.5, so that a finer mesh of the same surface gives the same shape.
   double angleWeight = 5.0;
   int maximumIterations = 100;
-  /// Stop when lengths hold to 1e-10 of the mean edge and the gradient of the Lagrangian, relative
-  /// to the root of the energy, is below the tolerance, or the energy that a further step promises,
-  /// relative to the energy, below its square; or when a whole Newton step moved no vertex by more
-  /// than 1e-10 of the mean edge and left lengths to 1e-8.
+  /// Stop when lengths hold to 1e-10 of the root of the mean triangle area and the gradient of the
+  /// Lagrangian, relative to the root of the energy, is below the tolerance, or the energy that a
+  /// further step promises, relative to the energy, below its square; or when a whole Newton step
+  /// moved no vertex by more than 1e-10 of that and left lengths to 1e-8 of it.
   double tolerance = 1e-9;
 };
 
