@@ -219,10 +219,22 @@ void readVertices(
   }
 }
 
+/// A vertex id, -1 for what is none.
+vtkIdType idOf(double value)
+{
+  const bool valid = value >= 0.0 && value < 4e9 && value == std::floor(value);
+  return valid ? static_cast<vtkIdType>(value) : -1;
+}
+
+std::size_t findIndices(const std::string& path, const PlyElement& element)
+{
+  return findProperty(path, element, "vertex_indices", true, "vertex_index");
+}
+
 void readFaces(
   const std::string& path, const PlyElement& element, ElementReader& reader, vtkCellArray* polygons)
 {
-  const std::size_t place = findProperty(path, element, "vertex_indices", true, "vertex_index");
+  const std::size_t place = findIndices(path, element);
   std::vector<vtkIdType> ids;
   for (long long k = 0; k < element.count; ++k)
   {
@@ -230,8 +242,7 @@ void readFaces(
     ids.clear();
     for (const double id : reader.list(place))
     {
-      const bool valid = id >= 0.0 && id < 4e9 && id == std::floor(id);
-      ids.push_back(valid ? static_cast<vtkIdType>(id) : -1);
+      ids.push_back(idOf(id));
     }
     if (ids.size() < 3)
     {
@@ -240,6 +251,41 @@ void readFaces(
           " vertices; remove it or give it three");
     }
     polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+}
+
+/// Strips of triangles, one list or several: -1 ends a strip, every other triangle is turned, and
+/// those with a corner twice only lead on.
+void readStrips(
+  const std::string& path, const PlyElement& element, ElementReader& reader, vtkCellArray* polygons)
+{
+  const std::size_t place = findIndices(path, element);
+  for (long long k = 0; k < element.count; ++k)
+  {
+    reader.read(element, k);
+    std::array<vtkIdType, 3> corners{};
+    std::size_t length = 0; // of the strip so far
+    for (const double value : reader.list(place))
+    {
+      const vtkIdType id = idOf(value);
+      if (value == -1.0)
+      {
+        length = 0;
+        continue;
+      }
+      if (id < 0)
+      {
+        throw InputError(
+          path, "strip " + std::to_string(k) + " holds what is no vertex id; ids count from 0");
+      }
+      corners = { corners[1], corners[2], id };
+      const auto& [a, b, c] = corners;
+      if (++length > 2 && a != b && b != c && c != a)
+      {
+        const std::array<vtkIdType, 3> turned{ b, a, c };
+        polygons->InsertNextCell(3, length % 2 == 1 ? corners.data() : turned.data());
+      }
+    }
   }
 }
 
@@ -283,6 +329,10 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
     else if (element.name == "face")
     {
       readFaces(path, element, reader, polygons);
+    }
+    else if (element.name == "tristrips")
+    {
+      readStrips(path, element, reader, polygons);
     }
     else if (!element.properties.empty())
     {

@@ -40,6 +40,26 @@ class Readers(command.CommandTest):
         self.assertAlmostEqual(found[4], wanted[4], delta=1e-6)
         self.assertNotEqual(found[4], wanted[4])
 
+    def test_strips_of_a_ply_are_triangles_all_of_one_side(self):
+        points, _ = command.sheet(2, 2)
+        # Two strips, of which the second is two that corners twice over join.
+        strip = [0, 1, 3, 4, 6, 7, -1, 1, 2, 4, 5, 5, 4, 4, 5, 7, 8, -1, 0, 1]
+        triangles = [(0, 1, 3), (3, 1, 4), (3, 4, 6), (6, 4, 7), (1, 2, 4), (4, 2, 5),
+                     (4, 5, 7), (7, 5, 8)]
+        self.write("plain.obj", command.obj(points, triangles))
+        self.write("strips.ply", command.ply_strips(points, [strip], ""))
+        self.write("lists.ply", command.ply_strips(points, [strip[:6], strip[7:17]], "<"))
+        self.flatten("plain.obj")
+        wanted = self.array("out/cut.vtp", "connectivity", "Polys")
+        self.assertEqual(len(wanted), 3 * len(triangles))
+        for name in ("strips.ply", "lists.ply"):
+            self.flatten(name)
+            self.assertEqual(self.array("out/cut.vtp", "connectivity", "Polys"), wanted)
+        self.write("bad.ply", command.ply_strips(points, [[0, 1, -2]], ""))
+        run = self.run_command("bad.ply", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("strip 0", command.error_lines(run)[0])
+
     def test_texture_seams_of_an_obj_split_nothing(self):
         text = "".join("v %r %r %r\n" % point for point in self.points)
         number = itertools.count(1)

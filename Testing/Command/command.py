@@ -219,6 +219,19 @@ def ply(points, triangles, order):
     return head.encode() + data
 
 
+def ply_strips(points, strips, order):
+    """PLY with triangle strips; `order` as in ply()."""
+    head, _ = ply(points, [], "").split("element face")
+    head = head.replace("ascii", "binary_little_endian") if order else head
+    head += "element tristrips %d\nproperty list int int vertex_indices\nend_header\n" % len(strips)
+    lists = [[len(strip), *strip] for strip in strips]
+    if not order:
+        lines = ["%r %r %r 7" % tuple(point) for point in points] + [" ".join(map(str, row)) for row in lists]
+        return head + "\n".join(lines) + "\n"
+    data = b"".join(struct.pack(order + "dddB", *point, 7) for point in points)
+    return head.encode() + data + b"".join(struct.pack("%s%di" % (order, len(row)), *row) for row in lists)
+
+
 def stl(points, triangles):
     """Binary STL, single precision."""
     data = b"binary".ljust(80) + struct.pack("<I", len(triangles))
