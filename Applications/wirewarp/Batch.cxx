@@ -5,6 +5,7 @@
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "OutputFiles.h"
+#include "PlainText.h"
 #include "Table.h"
 #include "TextFile.h"
 #include "WorkerProcesses.h"
@@ -110,7 +111,7 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
   std::string complaint = warnings(result, entry.folder + ": ");
   if (result.refused())
   {
-    complaint += "wirewarp: error: " + result.message + '\n';
+    complaint += "wirewarp: error: " + plainText(result.message) + '\n';
   }
   else if (result.exitCode == PromiseBroken)
   {
@@ -145,14 +146,14 @@ Json crashedEntry(const BatchEntry& entry)
                { "seconds",
                  { { "read", 0.0 }, { "core", 0.0 }, { "filter", 0.0 }, { "write", 0.0 },
                    { "total", 0.0 } } } } },
-    { "complaint", "wirewarp: error: " + message + '\n' } };
+    { "complaint", "wirewarp: error: " + plainText(message) + '\n' } };
 }
 
 void say(const Json& row)
 {
-  std::printf("%s: %s, %lld triangles, %.3f s\n", row["folder"].get<std::string>().c_str(),
-    row["status"].get<std::string>().c_str(), row["triangles"].get<long long>(),
-    row["seconds"]["total"].get<double>());
+  std::printf("%s: %s, %lld triangles, %.3f s\n",
+    plainText(row["folder"].get<std::string>()).c_str(), row["status"].get<std::string>().c_str(),
+    row["triangles"].get<long long>(), row["seconds"]["total"].get<double>());
   std::fflush(stdout);
 }
 
@@ -213,6 +214,7 @@ int runBatch(const Options& options)
   const std::string folder = outputFolder(options);
   checkInputs(options, entries);
   OutputFiles files(folder);
+  files.claim();
   const std::size_t threads = options.threads > 0
     ? static_cast<std::size_t>(options.threads)
     : std::max(1u, std::thread::hardware_concurrency());
@@ -253,7 +255,7 @@ int runBatch(const Options& options)
   {
     std::printf("%zu surfaces in %.2f s, %.3g a second; batch.json and a folder a surface written "
                 "to %s\n",
-      entries.size(), seconds, rate, folder.c_str());
+      entries.size(), seconds, rate, plainText(folder).c_str());
   }
   return exitCode;
 }

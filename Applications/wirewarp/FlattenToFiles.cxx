@@ -98,6 +98,7 @@ FilesOfFlattening flattenToFiles(const Options& options)
   if (!options.output.empty() || std::filesystem::is_directory(written.folder, ignored))
   {
     files.emplace(written.folder);
+    files->claim();
   }
   written.result = flattenOne(options);
   if (written.result.refused())
@@ -111,6 +112,7 @@ FilesOfFlattening flattenToFiles(const Options& options)
   if (!files)
   {
     files.emplace(written.folder);
+    files->claim();
   }
   std::optional<OutputFiles> picture;
   if (options.picture.any())

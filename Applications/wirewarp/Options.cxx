@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "PlainText.h"
 #include "TextFile.h"
 
 #include <vtkVersion.h>
@@ -334,7 +335,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   }
   catch (const CLI::ParseError& error)
   {
-    std::cerr << "wirewarp: error: " << error.what() << "\nTry 'wirewarp --help'.\n";
+    std::cerr << "wirewarp: error: " << plainText(error.what()) << "\nTry 'wirewarp --help'.\n";
     exitCode = BadUsage;
     return std::nullopt;
   }

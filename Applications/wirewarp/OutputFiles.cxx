@@ -47,9 +47,20 @@ OutputFiles::~OutputFiles()
 }
 
 //------------------------------------------------------------------------------
+void OutputFiles::claim()
+{
+  this->Lock.emplace(this->Folder);
+  if (!this->Lock->held())
+  {
+    throw InputError(this->Folder.string(),
+      "another run is writing to this folder; wait for its end, or" + this->WayOut.substr(1));
+  }
+}
+
+//------------------------------------------------------------------------------
 std::filesystem::path OutputFiles::addEntry(const std::string& name)
 {
-  std::random_device random; // two runs may write to one folder
+  std::random_device random; // where folders cannot be claimed two runs may write to one
   const std::string aside = "." + name + "." + std::to_string(random()) + ".part";
   this->Entries.push_back({ this->Folder / aside, this->Folder / name });
   return this->Entries.back().aside;
@@ -118,6 +129,10 @@ void OutputFiles::publish()
       throw InputError(entry.final.string(),
         "cannot be written (a folder of this name is in the way)" + this->WayOut);
     }
+  }
+  if (this->Entries.size() > 1)
+  {
+    std::filesystem::remove(this->Entries.back().final, error);
   }
   for (const std::filesystem::path& file : this->Outdated)
   {

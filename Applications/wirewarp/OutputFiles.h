@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "FolderLock.h"
+
 #include <vtkPolyData.h>
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace wirewarp
 {
 /// Files of one folder that appear all together or not at all: each is written aside, and publish()
-/// renames them. What was not published is removed again.
+/// renames them. What was not published is removed again. The file that is added last stands for
+/// the whole set: it is there only where the others are.
 class OutputFiles
 {
 public:
@@ -22,6 +26,9 @@ public:
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
+  /// Keeps other runs out of the folder, so that no file of theirs comes among these. Throws
+  /// InputError where another run has it.
+  void claim();
   /// Throw InputError where the file cannot be written.
   void add(const std::string& name, vtkPolyData* data);
   void add(const std::string& name, const std::string& text);
@@ -41,6 +48,7 @@ private:
 
   std::filesystem::path Folder;
   std::string WayOut;
+  std::optional<FolderLock> Lock;
   std::vector<Entry> Entries;
   std::vector<std::filesystem::path> Outdated;
 };

@@ -4,6 +4,7 @@
 #include "Flattening.h"
 #include "InputError.h"
 #include "OutputFiles.h"
+#include "PlainText.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
 
@@ -185,7 +186,7 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   add(request.dxf, "pattern.dxf", vtkPatternWriter::DXF);
   if (!names.empty() && request.unit.empty())
   {
-    std::cerr << "wirewarp: warning: the unit of " << surface
+    std::cerr << "wirewarp: warning: the unit of " << plainText(surface)
               << " is taken as cm; state it with --unit mm, cm, m or inch\n";
   }
   return names;

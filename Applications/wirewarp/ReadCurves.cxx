@@ -2,7 +2,7 @@
 #include "ReadCurves.h"
 
 #include "InputError.h"
-#include "ReadSurface.h"
+#include "ReadVtk.h"
 #include "TextFile.h"
 
 #include <vtkCellArray.h>
@@ -91,7 +91,8 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
     {
       reader.refuse("unknown curve type " + inQuotes(word) + "; use accessory, key, dart or seam");
     }
-    const std::string name(takeWord(rest));
+    std::string name(takeWord(rest));
+    std::replace(name.begin(), name.end(), '\0', ' '); // VTK ends a text there when it writes it
     if (name.empty())
     {
       reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
@@ -119,7 +120,7 @@ vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* su
   {
     return readCurveText(path, surface);
   }
-  vtkSmartPointer<vtkPolyData> curves = readPolyData(path);
+  vtkSmartPointer<vtkPolyData> curves = readVtk(path);
   if (curves->GetNumberOfLines() == 0)
   {
     throw InputError(path, "has no polyline; save the feature curves as line cells");

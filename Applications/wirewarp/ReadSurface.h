@@ -10,7 +10,4 @@ namespace wirewarp
 {
 /// Reads a surface by its extension: .vtp .vtk .obj .ply .stl. Throws InputError.
 vtkSmartPointer<vtkPolyData> readSurface(const std::string& path);
-
-/// Reads polydata from .vtp or .vtk, coordinates in the type that the file has. Throws InputError.
-vtkSmartPointer<vtkPolyData> readPolyData(const std::string& path);
 }

@@ -3,6 +3,7 @@
 
 #include "FieldRows.h"
 #include "FlagNames.h"
+#include "PlainText.h"
 #include "Report.h"
 
 #include <algorithm>
@@ -132,13 +133,13 @@ std::string curveTable(const Flattening& result)
     "type" } };
   for (vtkIdType curve = 0; curve < field.count("CurveNames"); ++curve)
   {
-    rows.push_back(
-      { field.text("CurveNames", curve), format("%.10g", field.number("CurveRestLengths", curve)),
-        format("%.10g", field.number("CurveFlatLengths", curve)),
-        format("%.1e", field.number("CurveLengthErrors", curve)),
-        format("%.3g", field.number("CurveTolerances", curve)),
-        curveTypeName(field.integer("CurveTypes", curve)) +
-          (field.integer("CurveReleased", curve) != 0 ? " (released)" : "") });
+    rows.push_back({ plainText(field.text("CurveNames", curve)),
+      format("%.10g", field.number("CurveRestLengths", curve)),
+      format("%.10g", field.number("CurveFlatLengths", curve)),
+      format("%.1e", field.number("CurveLengthErrors", curve)),
+      format("%.3g", field.number("CurveTolerances", curve)),
+      curveTypeName(field.integer("CurveTypes", curve)) +
+        (field.integer("CurveReleased", curve) != 0 ? " (released)" : "") });
   }
   return layOut(rows, 1);
 }
@@ -162,7 +163,7 @@ std::string releaseAdvice(const Flattening& result)
       const bool key = field.integer("ReleaseShape", row) != 0;
       text += "piece " + std::to_string(piece) + " has no good exact solution: without " +
         (key ? "the shape of the key curve " : "the curve ") +
-        wires.text("CurveNames", field.integer("ReleaseCurve", row)) + ' ' + better +
+        plainText(wires.text("CurveNames", field.integer("ReleaseCurve", row))) + ' ' + better +
         (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
              : "; remove it, or make it elastic with --tolerance\n");
     }
@@ -177,7 +178,8 @@ std::string warnings(const Flattening& result, const std::string& where)
   std::string text;
   for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
   {
-    text += "wirewarp: warning: " + where + withFlags(field.text("RunWarnings", row)) + '\n';
+    text +=
+      "wirewarp: warning: " + plainText(where + withFlags(field.text("RunWarnings", row))) + '\n';
   }
   return text;
 }
@@ -206,10 +208,11 @@ std::string brokenPromises(const Flattening& result, const std::string& where)
   {
     if (field.text("Status", piece) != "Ok")
     {
-      text += "wirewarp: broken promise: " + where + "piece " + std::to_string(piece) + ": " +
-        withFlags(field.text("StatusMessage", piece)) + '\n';
+      text += "wirewarp: broken promise: " + plainText(where) + "piece " + std::to_string(piece) +
+        ": " + plainText(withFlags(field.text("StatusMessage", piece))) + '\n';
     }
   }
-  return text.empty() ? "wirewarp: broken promise: " + where + result.message + '\n' : text;
+  return text.empty() ? "wirewarp: broken promise: " + plainText(where + result.message) + '\n'
+                      : text;
 }
 }

@@ -7,15 +7,18 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace wirewarp
 {
 namespace
 {
+/// A surface of so many bytes has tens of millions of triangles, more than memory is flattened in.
+constexpr std::uintmax_t largestFile = 4000000000;
+
 bool isBlank(char c)
 {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
@@ -23,7 +26,7 @@ bool isBlank(char c)
 }
 
 //------------------------------------------------------------------------------
-std::string readWholeFile(const std::string& path)
+std::size_t checkedFileSize(const std::string& path)
 {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -35,21 +38,42 @@ std::string readWholeFile(const std::string& path)
   {
     throw InputError(path, "this is a folder; name a file in it");
   }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    throw InputError(path,
+      std::string("this is ") +
+        (std::filesystem::is_fifo(status) ? "a pipe" : "a device or socket") +
+        ", not a file; write its content into a file first");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size == 0)
+  {
+    throw InputError(path, "the file is empty; write it again");
+  }
+  if (!error && size > largestFile)
+  {
+    throw InputError(path,
+      "has " + std::to_string(size / 1000000000) + " GB, and files of more than " +
+        std::to_string(largestFile / 1000000000) +
+        " GB are not read; check what it holds, or reduce the mesh");
+  }
   errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  if (!std::ifstream(path, std::ios::binary))
   {
     throw InputError(path,
       "cannot be opened (" + std::generic_category().message(errno) + "); check its permissions");
   }
-  std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (file.bad())
+  return static_cast<std::size_t>(size);
+}
+
+//------------------------------------------------------------------------------
+std::string readWholeFile(const std::string& path)
+{
+  std::string bytes(checkedFileSize(path), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
   {
     throw InputError(path, "cannot be read to its end; check the disk and try again");
-  }
-  if (bytes.empty())
-  {
-    throw InputError(path, "the file is empty; write it again");
   }
   return bytes;
 }

@@ -7,7 +7,11 @@
 
 namespace wirewarp
 {
-/// The bytes of a file. Throws InputError where it is missing, a folder, empty or cannot be read.
+/// How many bytes a file has. Throws InputError where it is missing, no regular file (a pipe would
+/// not end), empty, larger than what can be flattened, or cannot be opened.
+std::size_t checkedFileSize(const std::string& path);
+
+/// The bytes of a file. Throws InputError as checkedFileSize(), and where it cannot be read.
 std::string readWholeFile(const std::string& path);
 
 /// Lower-case extension with its dot, ".vtp"; empty where there is none.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WorkerProcesses.h"
 
+#include "DieWithParent.h"
+
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -175,9 +177,11 @@ private:
     }
     std::cout.flush();
     std::fflush(stdout); // else the worker would write it as well
+    const pid_t parent = getpid();
     const pid_t process = fork();
     if (process == 0)
     {
+      dieWithParent(parent);
       close(ends[0]);
       for (const Worker& other : this->Workers)
       {

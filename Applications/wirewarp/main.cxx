@@ -3,6 +3,7 @@
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "Options.h"
+#include "PlainText.h"
 #include "Table.h"
 
 #include <vtkSMPTools.h>
@@ -46,10 +47,11 @@ void say(const Options& options, const FilesOfFlattening& written)
   {
     std::cout << name << ", ";
   }
-  std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to " << written.folder << '\n';
+  std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to "
+            << plainText(written.folder) << '\n';
   if (options.picture.any())
   {
-    std::cout << "picture written to " << options.picture.path << '\n';
+    std::cout << "picture written to " << plainText(options.picture.path) << '\n';
   }
 }
 
@@ -67,7 +69,7 @@ int run(const Options& options)
   const FilesOfFlattening written = flattenToFiles(options);
   if (written.result.refused())
   {
-    std::cerr << "wirewarp: error: " << written.result.message << '\n';
+    std::cerr << "wirewarp: error: " << plainText(written.result.message) << '\n';
     return written.result.exitCode;
   }
   if (!options.quiet)
@@ -99,12 +101,12 @@ int main(int argc, char** argv)
   }
   catch (const InputError& error)
   {
-    std::cerr << "wirewarp: error: " << error.what() << '\n';
+    std::cerr << "wirewarp: error: " << plainText(error.what()) << '\n';
     exitCode = InputRefused;
   }
   catch (const std::exception& error)
   {
-    std::cerr << "wirewarp: error: " << error.what()
+    std::cerr << "wirewarp: error: " << plainText(error.what())
               << "; if memory ran out, try a smaller surface\n";
     exitCode = InputRefused;
   }

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GuardedProcess.h"
+
+#include "DieWithParent.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace wirewarp
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/// Addresses in use, 0 where the system does not tell.
+std::size_t addressSpace()
+{
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+void limit(int resource, rlim_t value)
+{
+  rlimit bounds{};
+  if (getrlimit(resource, &bounds) == 0)
+  {
+    bounds.rlim_cur = std::min(value, bounds.rlim_max);
+    setrlimit(resource, &bounds);
+  }
+}
+
+void applyLimits(const ProcessLimits& limits)
+{
+  limit(RLIMIT_CORE, 0); // its crash is expected and told in a message
+  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu.count()));
+  const std::size_t base = addressSpace();
+  if (limits.memory > 0 && base > 0)
+  {
+    limit(RLIMIT_AS, base + limits.memory);
+  }
+}
+
+/// What libraries print on their way down must not mix with the command's own lines.
+void closeStandardStreams()
+{
+  const int nothing = open("/dev/null", O_RDWR);
+  for (const int stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    dup2(nothing, stream);
+  }
+}
+
+void writeAll(int file, const char* data, std::size_t size)
+{
+  while (size > 0)
+  {
+    const ssize_t written = write(file, data, size);
+    if (written < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (written <= 0)
+    {
+      return;
+    }
+    data += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+[[noreturn]] void work(
+  int answer, const ProcessLimits& limits, const std::function<std::string()>& job)
+{
+  closeStandardStreams();
+  std::signal(SIGXCPU, SIG_DFL);
+  applyLimits(limits);
+  const std::string bytes = job();
+  const std::uint64_t size = bytes.size();
+  writeAll(answer, bytes.data(), bytes.size());
+  writeAll(answer, reinterpret_cast<const char*>(&size), sizeof size);
+  // What this process has inherited is not its own to tear down.
+  std::_Exit(EXIT_SUCCESS);
+}
+
+/// The parent's hold on its child: no way out of it leaves a zombie.
+class Child
+{
+public:
+  Child(const ProcessLimits& limits, const std::function<std::string()>& job)
+  {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0)
+    {
+      throw std::runtime_error("cannot make a process");
+    }
+    this->Answer = ends[0];
+    const pid_t parent = getpid();
+    this->Process = fork();
+    if (this->Process == 0)
+    {
+      dieWithParent(parent);
+      close(ends[0]);
+      work(ends[1], limits, job);
+    }
+    close(ends[1]);
+    if (this->Process < 0)
+    {
+      close(this->Answer);
+      throw std::runtime_error("cannot make a process");
+    }
+  }
+  ~Child()
+  {
+    close(this->Answer);
+    if (this->Process > 0)
+    {
+      kill(this->Process, SIGKILL);
+      this->wait();
+    }
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Appends what comes until the other side is closed. \return false at the deadline
+  bool receive(std::string& bytes, Clock::time_point deadline) const
+  {
+    std::vector<char> block(std::size_t(1) << 18);
+    for (;;)
+    {
+      const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+      if (left <= 0)
+      {
+        return false;
+      }
+      pollfd waiting{ this->Answer, POLLIN, 0 };
+      if (poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 60000))) <= 0)
+      {
+        continue; // time passed, or a signal
+      }
+      const ssize_t received = read(this->Answer, block.data(), block.size());
+      if (received == 0)
+      {
+        return true;
+      }
+      if (received > 0)
+      {
+        bytes.append(block.data(), static_cast<std::size_t>(received));
+      }
+    }
+  }
+
+  /// \return as waitpid() tells it
+  int wait()
+  {
+    int status = 0;
+    while (waitpid(this->Process, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    this->Process = 0;
+    return status;
+  }
+
+private:
+  int Answer = -1;
+  pid_t Process = 0;
+};
+
+/// Takes the length off the end of an answer. \return false where it is another
+bool unframe(std::string& bytes)
+{
+  std::uint64_t size = 0;
+  if (bytes.size() < sizeof size)
+  {
+    return false;
+  }
+  const std::size_t length = bytes.size() - sizeof size;
+  std::memcpy(&size, bytes.data() + length, sizeof size);
+  bytes.resize(length);
+  return bytes.size() == size;
+}
+}
+
+//------------------------------------------------------------------------------
+ProcessAnswer runGuarded(const ProcessLimits& limits, const std::function<std::string()>& job)
+{
+  ProcessAnswer answer;
+  Child child(limits, job);
+  if (!child.receive(answer.bytes, Clock::now() + limits.wall))
+  {
+    answer.end = ProcessEnd::TooLong;
+    return answer;
+  }
+  const int status = child.wait();
+  if (WIFSIGNALED(status))
+  {
+    answer.signal = WTERMSIG(status);
+    answer.end = answer.signal == SIGXCPU ? ProcessEnd::TooLong : ProcessEnd::Signal;
+  }
+  else if (unframe(answer.bytes))
+  {
+    answer.end = ProcessEnd::Answered;
+  }
+  return answer;
+}
+}

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that end or hang VTK's readers, and files that are none: a message each, and exit code 3."""
+
+import json
+import os
+import socket
+import time
+
+import command
+
+
+class Damaged(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.points, self.triangles = command.sheet()
+        self.write("good.obj", command.obj(self.points, self.triangles))
+        self.legacy = command.legacy(self.points, self.triangles)
+        self.xml = command.xml_polydata(self.points, self.triangles)
+        words = '<Array type="String" Name="w" NumberOfComponents="1000000" format="ascii">1 0</Array>'
+        fields = '<FieldData>%s</FieldData>' % words.replace("NumberOfComponents", "NumberOfTuples")
+        self.killing = {
+            "words.vtp": self.xml.replace("</Piece>", "<PointData>%s</PointData></Piece>" % words),
+            "cells.vtk": self.legacy.replace("\n3 0 1", "\n300000000 0 1", 1),
+        }
+        self.endless = {
+            "fields.vtk": self.legacy + "FIELD f 2000000000\n",
+            "words.vtk": self.legacy + "FIELD f 1\nn 1 200000000 string\n",
+            "fields.vtp": self.xml.replace("<PolyData>", "<PolyData>" + fields.replace("000000", "00000000")),
+        }
+
+    def refuse(self, *arguments, says=()):
+        """Exit 3 with one line, in which these words are."""
+        run = self.run_command(*arguments, "--output", "out")
+        self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+        lines = command.error_lines(run)
+        self.assertEqual(len(lines), 1, lines)
+        for word in says:
+            self.assertIn(word, lines[0])
+        self.assertEqual(os.listdir(self.path("out")), ["report.json"])
+        self.assertEqual(self.report("out")["status"], "UnreadableInput")
+        return lines[0]
+
+    def test_an_array_of_fewer_rows_than_there_are_points(self):
+        for rows in ("0 double\n\n", "2 double\n1 2\n"):
+            data = "POINT_DATA 25\nFIELD FieldData 1\nheat 1 " + rows
+            self.refuse(self.write("short.vtk", self.legacy + data), says=("short.vtk", "heat", "25 points"))
+
+    def test_points_of_more_components_than_memory_holds(self):
+        text = self.xml.replace('NumberOfComponents="3"', 'NumberOfComponents="300000000"')
+        self.refuse(self.write("wide.vtp", text), says=("wide.vtp", "memory"))
+
+    def test_a_reader_that_dies_is_a_message_for_surfaces_and_curves(self):
+        died = 0
+        for name, text in self.killing.items():
+            for before in ((), ("good.obj",)):
+                with self.subTest(name=name, before=before):
+                    line = self.refuse(*before, self.write(name, text), says=(name,))
+                    died += "VTK's reader ended by signal 11" in line
+        self.assertGreater(died, 1)
+
+    def test_a_reader_that_does_not_end_is_a_message(self):
+        late = 0
+        for name, text in self.endless.items():
+            with self.subTest(name):
+                line = self.refuse(self.write(name, text), says=(name,))
+                late += "came to no end within" in line
+        self.assertGreater(late, 0)
+
+    def test_in_a_batch_only_the_damaged_surfaces_are_refused(self):
+        names = [self.write(name, text) for name, text in self.killing.items()]
+        self.write("fine.vtp", self.xml)
+        self.write("list.txt", "\n".join(["fine.vtp", *names, "good.obj " + names[0], "fine.vtp"]) + "\n")
+        run = self.run_command("--batch", "list.txt", "--output", "out", "--threads", "1")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        with open(self.path("out/batch.json"), encoding="utf-8") as file:
+            statuses = [row["status"] for row in json.load(file)["surfaces"]]
+        self.assertEqual(statuses, ["Ok", *["UnreadableInput"] * (len(names) + 1), "Ok"])
+
+    def test_what_is_no_file_is_refused_at_once_by_its_kind(self):
+        os.mkfifo(self.path("pipe.vtp"))
+        os.mkfifo(self.path("pipe.obj"))
+        os.symlink("/dev/zero", self.path("zero.ply"))
+        os.symlink("/dev/tty", self.path("terminal.txt"))
+        os.mkdir(self.path("folder.txt"))
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(os.path.relpath(self.path("socket.stl")))
+            for arguments, word in (
+                (("pipe.vtp",), "pipe"), (("pipe.obj",), "pipe"), (("good.obj", "pipe.vtp"), "pipe"),
+                (("zero.ply",), "device"), (("good.obj", "terminal.txt"), "device"),
+                (("socket.stl",), "socket"), (("good.obj", "folder.txt"), "folder"),
+            ):
+                with self.subTest(arguments):
+                    start = time.monotonic()
+                    self.refuse(*arguments, says=(arguments[-1], word))
+                    self.assertLess(time.monotonic() - start, 20)
+        for name, word in (("pipe.obj", "pipe"), ("zero.ply", "device"), ("folder.txt", "folder")):
+            run = self.run_command("--batch", name, "--output", "out")
+            self.assertEqual(run.returncode, 3)
+            self.assertIn(word, command.error_lines(run)[0])
+
+    def test_a_file_larger_than_can_be_flattened_is_refused_before_it_is_read(self):
+        for name in ("a.obj", "a.vtk", "a.vtp", "a.ply", "a.stl"):
+            with self.subTest(name):
+                with open(self.path(name), "wb") as file:
+                    file.write(b"# vtk DataFile Version 3.0\n")
+                    file.truncate(20 * 10**9)
+                start = time.monotonic()
+                self.refuse(name, says=(name, "20 GB", "4 GB"))
+                self.assertLess(time.monotonic() - start, 20)
+                os.remove(self.path(name))
+
+    def test_names_with_control_characters_reach_no_terminal(self):
+        escape = "\x1b[31m\x9b"
+        self.write("names.txt", f"accessory a{escape} 10 11 12 13 14\n")
+        coded = command.legacy_curves(self.points, [(1, "a%1b[31m%00%0ab", [10, 11, 12, 13, 14])])
+        self.write("names.vtk", coded)
+        for name in ("names.txt", "names.vtk"):
+            for arguments in (
+                ("--list-curves",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split",),
+            ):
+                with self.subTest(name=name, arguments=arguments):
+                    run = self.run_command("good.obj", name, *arguments, "--output", "out")
+                    text = run.stdout + run.stderr
+                    self.assertRegex(text, "^[\n -~]+$")
+                    self.assertIn(run.returncode, (0, 3, 4))
+                    if arguments == ("--list-curves",):
+                        self.assertIn("a?[31m", text)
+        bad = "bogus\x1b[31m"
+        self.write("bad.txt", f"accessory a{escape} 10 99\n{bad} b 1 2\n")
+        run = self.run_command("good.obj", "bad.txt")
+        self.assertEqual(run.returncode, 3)
+        self.assertNotIn("\x1b", run.stderr)
+        run = self.run_command("a\x1b[31m.obj", "--output", "out")
+        self.assertNotIn("\x1b", run.stderr)
+
+    def test_a_name_holds_no_zero_byte_where_vtk_would_end_it(self):
+        self.write("names.txt", b"accessory a\0b 10 11 12 13 14\n")
+        coded = command.legacy_curves(self.points, [(0, "a%00b", [10, 11, 12, 13, 14])])
+        self.write("names.vtk", coded)
+        for name in ("names.txt", "names.vtk"):
+            report = self.flatten("good.obj", name)
+            self.assertRegex(report["curves"][0]["name"], "^a [ b]$")
+
+
+if __name__ == "__main__":
+    command.main()

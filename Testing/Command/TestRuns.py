@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs beside each other and runs that are ended: no mixed results, no process left."""
+
+import fcntl
+import os
+import signal
+import subprocess
+import time
+
+import command
+
+SECONDS = 60  # for what takes an instant on an idle machine
+
+
+def children(process):
+    """Ids of the processes below one, as /proc tells them."""
+    found = []
+    for entry in os.listdir("/proc"):
+        try:
+            with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as file:
+                parent = int(file.read().rsplit(")", 1)[1].split()[1])
+        except (OSError, IndexError):
+            continue
+        if parent == process:
+            found += [int(entry), *children(int(entry))]
+    return found
+
+
+def is_alive(process):
+    try:
+        with open(f"/proc/{process}/stat", encoding="utf-8", errors="replace") as file:
+            return file.read().rsplit(")", 1)[1].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
+def wait_until(condition):
+    deadline = time.monotonic() + SECONDS
+    while not condition() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    return condition()
+
+
+class Runs(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles = command.sheet()
+        self.write("good.obj", command.obj(points, triangles))
+        # VTK's reader is busy with it for seconds.
+        self.write("slow.vtk", command.legacy(points, triangles) + "FIELD f 1\nn 1 200000000 string\n")
+
+    def start(self, *arguments):
+        process = subprocess.Popen(
+            [command.EXECUTABLE, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def end(self, process, signal_number, count):
+        """Ends a run once it has so many processes below it; all of them must be gone with it."""
+        self.assertTrue(wait_until(lambda: len(children(process.pid)) >= count), "has no processes")
+        below = children(process.pid)
+        for child in below:
+            os.kill(child, signal.SIGSTOP)  # so that none ends by itself
+        process.send_signal(signal_number)
+        process.wait()
+        left = lambda: [child for child in below if is_alive(child)]
+        gone = wait_until(lambda: not left())
+        for child in left():
+            os.kill(child, signal.SIGKILL)
+        self.assertTrue(gone, "processes are left")
+
+    def test_a_batch_that_is_ended_ends_its_workers_and_their_readers(self):
+        self.write("list.txt", "slow.vtk\nslow.vtk\n")
+        for signal_number in (signal.SIGTERM, signal.SIGKILL, signal.SIGINT, signal.SIGHUP):
+            with self.subTest(signal_number):
+                run = self.start("--batch", "list.txt", "--output", "out", "--threads", "2")
+                self.end(run, signal_number, 4)
+
+    def test_a_run_that_is_ended_ends_its_reader(self):
+        for signal_number in (signal.SIGTERM, signal.SIGKILL):
+            with self.subTest(signal_number):
+                self.end(self.start("slow.vtk", "--output", "out"), signal_number, 1)
+
+    def test_a_reader_leaves_no_process_behind(self):
+        points, triangles = command.sheet()
+        self.write("fine.vtp", command.xml_polydata(points, triangles))
+        self.write("list.txt", "fine.vtp\n" * 5 + "slow.vtk\n")
+        run = self.start("--batch", "list.txt", "--output", "out", "--threads", "1")
+        self.assertTrue(wait_until(lambda: os.path.exists(self.path("out/fine_5/report.json"))))
+        self.assertTrue(wait_until(lambda: len(children(run.pid)) == 2))  # worker and reader, no zombie
+        self.end(run, signal.SIGKILL, 2)
+
+    def test_a_second_run_into_one_folder_is_refused_and_changes_nothing(self):
+        self.write("list.txt", "good.obj\n")
+        self.write("slow_list.txt", "slow.vtk\n")
+        for first, second, folder in (
+            (("slow.vtk",), ("good.obj",), "out"),
+            (("--batch", "slow_list.txt"), ("--batch", "list.txt"), "out"),
+            (("--batch", "slow_list.txt"), ("good.obj",), "out"),
+        ):
+            with self.subTest(first=first, second=second):
+                run = self.start(*first, "--output", folder)
+                self.assertTrue(wait_until(lambda: children(run.pid)))
+                before = sorted(os.listdir(self.path("out")))
+                other = self.run_command(*second, "--output", folder)
+                self.assertEqual(other.returncode, 3, other.stdout)
+                line = command.error_lines(other)[0]
+                self.assertIn("out: another run is writing to this folder", line)
+                self.assertIn("--output", line)
+                self.assertEqual(sorted(os.listdir(self.path("out"))), before)
+                run.kill()
+                run.wait()
+                # An ended run holds the folder no longer than its processes live.
+                self.assertTrue(wait_until(lambda: not self.is_locked("out")))
+                self.assertEqual(self.flatten("good.obj")["status"], "Ok")
+
+    def is_locked(self, folder):
+        descriptor = os.open(self.path(folder), os.O_RDONLY)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return False
+        except BlockingIOError:
+            return True
+        finally:
+            os.close(descriptor)
+
+    def test_many_runs_at_once_leave_the_whole_result_of_one(self):
+        names = []
+        for rows in range(3, 9):
+            points, triangles = command.sheet(4, rows)
+            names.append(self.write(f"sheet{rows}.obj", command.obj(points, triangles)))
+        for _ in range(5):
+            runs = [self.start(name, "--output", "out") for name in names]
+            codes = [run.wait() for run in runs]
+            self.assertLessEqual(set(codes), {0, 3})
+            self.assertIn(0, codes)
+            self.assertEqual(
+                sorted(os.listdir(self.path("out"))), ["cut.vtp", "flat.vtp", "report.json", "wires.vtp"])
+            report = self.report("out")
+            self.assertEqual(codes[names.index(report["surface"])], 0)
+            for file in ("flat.vtp", "cut.vtp"):
+                self.assertEqual(len(self.array("out/" + file, "Points")), 3 * report["pieces"][0]["vertices"])
+
+
+if __name__ == "__main__":
+    command.main()
