@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Small sound files of every format that the command reads, for mutated_files.py to damage."""
+
+import base64
+import struct
+import zlib
+
+import command
+
+POINTS, TRIANGLES = command.sheet(2, 2)
+STRIP = [0, 3, 1, 4, 2, 5, -1, 3, 6, 4, 7, 5, 8]
+CURVES = [(0, "a", [3, 4, 5]), (1, "b", [1, 4, 7])]
+
+
+def legacy_binary():
+    """Version 3, big-endian, with arrays."""
+    text = b"# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\nPOINTS 9 double\n"
+    text += b"".join(struct.pack(">3d", *point) for point in POINTS)
+    text += b"\nPOLYGONS 8 32\n" + b"".join(struct.pack(">4i", 3, *t) for t in TRIANGLES)
+    text += b"\nPOINT_DATA 9\nSCALARS heat float 1\nLOOKUP_TABLE default\n" + struct.pack(">9f", *range(9))
+    return text + b"\nFIELD FieldData 1\nload 2 9 int\n" + struct.pack(">18i", *range(18)) + b"\n"
+
+
+def legacy_offsets():
+    """Version 5.1, ASCII."""
+    text = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 9 float\n"
+    text += " ".join("%g %g %g" % point for point in POINTS)
+    text += "\nPOLYGONS 9 24\nOFFSETS vtktypeint64\n" + " ".join(str(3 * k) for k in range(9))
+    text += "\nCONNECTIVITY vtktypeint64\n" + " ".join("%d %d %d" % t for t in TRIANGLES)
+    text += "\nMETADATA\nINFORMATION 0\n\nCELL_DATA 8\nNORMALS n double\n" + "0 0 1\n" * 8
+    text += "POINT_DATA 9\nFIELD FieldData 1\nword 1 9 string\n" + "w%20x\n" * 9
+    return text.encode()
+
+
+def legacy_curves():
+    text = command.legacy_curves(POINTS, CURVES).replace("FieldData 2", "FieldData 3")
+    return (text + "LengthTolerance 1 2 double\n0 0.01\n").encode()
+
+
+def xml(store, head="", tail=""):
+    """XML polydata with points, triangles and arrays; `store` makes the element of an array."""
+    flat = [x for point in POINTS for x in point]
+    ids = [v for triangle in TRIANGLES for v in triangle]
+    return (
+        ('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
+         'header_type="UInt32"%s>\n<PolyData>\n<Piece NumberOfPoints="9" NumberOfPolys="8">\n' % head).encode()
+        + b'<PointData Scalars="heat">\n' + store("Float32", "f", range(9), 'Name="heat"') + b"</PointData>\n"
+        + b"<Points>\n" + store("Float64", "d", flat, 'NumberOfComponents="3"') + b"</Points>\n<Polys>\n"
+        + store("Int64", "q", ids, 'Name="connectivity"')
+        + store("Int64", "q", [3 * k + 3 for k in range(8)], 'Name="offsets"')
+        + b"</Polys>\n</Piece>\n</PolyData>\n" + tail.encode() + b"</VTKFile>\n"
+    )
+
+
+def element(kind, attributes, form, content):
+    return b'<DataArray type="%s" %s format="%s"' % (kind.encode(), attributes.encode(), form) + content
+
+
+def xml_ascii():
+    def store(kind, _, values, attributes):
+        text = " ".join(repr(value) for value in values).encode()
+        return element(kind, attributes, b"ascii", b">" + text + b"</DataArray>\n")
+
+    return xml(store)
+
+
+def xml_binary(compressed):
+    def store(kind, code, values, attributes):
+        data = struct.pack("<%d%s" % (len(values), code), *values)
+        if compressed:
+            packed = zlib.compress(data)
+            head = struct.pack("<4I", 1, len(data), len(data), len(packed))
+            text = base64.b64encode(head) + base64.b64encode(packed)
+        else:
+            text = base64.b64encode(struct.pack("<I", len(data)) + data)
+        return element(kind, attributes, b"binary", b">" + text + b"</DataArray>\n")
+
+    return xml(store, ' compressor="vtkZLibDataCompressor"' if compressed else "")
+
+
+def xml_appended(encoding):
+    blocks = []
+
+    def store(kind, code, values, attributes):
+        data = struct.pack("<%d%s" % (len(values), code), *values)
+        block = struct.pack("<I", len(data)) + data
+        place = sum(map(len, blocks))
+        blocks.append(block if encoding == "raw" else base64.b64encode(block))
+        return element(kind, attributes, b"appended", b' offset="%d"/>\n' % place)
+
+    text = xml(store)
+    end = text.index(b"</VTKFile>")
+    return (text[:end] + b'<AppendedData encoding="%s">\n_' % encoding.encode() + b"".join(blocks)
+            + b"\n</AppendedData>\n" + text[end:])
+
+
+def xml_curves():
+    """Polylines with types and names."""
+    values = " ".join("%r %r %r" % point for point in POINTS)
+    names = " ".join(" ".join(str(ord(c)) for c in name) + " 0" for _, name, _ in CURVES)
+    return (
+        '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>\n'
+        '<Piece NumberOfPoints="9" NumberOfLines="2">\n<Points>'
+        '<DataArray type="Float64" NumberOfComponents="3" format="ascii">%s</DataArray></Points>\n<Lines>'
+        '<DataArray type="Int64" Name="connectivity" format="ascii">3 4 5 1 4 7</DataArray>\n'
+        '<DataArray type="Int64" Name="offsets" format="ascii">3 6</DataArray></Lines>\n<CellData>'
+        '<DataArray type="Int32" Name="CurveType" format="ascii">0 1</DataArray>\n'
+        '<Array type="String" Name="CurveName" NumberOfTuples="2" format="ascii">%s</Array></CellData>\n'
+        "</Piece></PolyData></VTKFile>\n" % (values, names)
+    ).encode()
+
+
+def stl_text():
+    facets = "".join(
+        "facet normal 0 0 1\nouter loop\n" + "".join("vertex %g %g %g\n" % POINTS[v] for v in triangle)
+        + "endloop\nendfacet\n" for triangle in TRIANGLES)
+    return ("solid x\n" + facets + "endsolid x\n").encode()
+
+
+def obj():
+    text = command.obj(POINTS, TRIANGLES).replace("f ", "vt 0 1\nvn 0 0 1\nf ", 1)
+    return (text + "l 4 5 6\n# end\n").encode()
+
+
+# The name says what becomes of the file: a surface, curves of a sound surface, or a list of surfaces.
+SPECIMENS = {
+    "ascii.vtp": xml_ascii(),
+    "binary.vtp": xml_binary(compressed=False),
+    "zipped.vtp": xml_binary(compressed=True),
+    "raw.vtp": xml_appended("raw"),
+    "base64.vtp": xml_appended("base64"),
+    "plain.vtk": command.legacy(POINTS, TRIANGLES, cell_data="CELL_DATA 8\nSCALARS s int\nLOOKUP_TABLE d\n"
+                                + "1\n" * 8 + "LOOKUP_TABLE d 1\n0 0 0 1\n").encode(),
+    "binary.vtk": legacy_binary(),
+    "offsets.vtk": legacy_offsets(),
+    "text.stl": stl_text(),
+    "binary.stl": command.stl(POINTS, TRIANGLES),
+    "surface.obj": obj(),
+    "text.ply": command.ply(POINTS, TRIANGLES, "").encode(),
+    "little.ply": command.ply(POINTS, TRIANGLES, "<"),
+    "big.ply": command.ply(POINTS, TRIANGLES, ">"),
+    "strips.ply": command.ply_strips(POINTS, [STRIP], "").encode(),
+    "curves.vtk": legacy_curves(),
+    "curves.vtp": xml_curves(),
+    "curves.txt": b"# two\naccessory a 3 4 5\nkey b 1 \\\n4 7 # up\n",
+    "list.txt": b'# surfaces\nsound.obj curves.txt\n"a folder/sound.obj" # again\n\nsound.obj\n',
+}
