@@ -37,11 +37,15 @@ void writePieces(const CurvedSurface& source, const FlatteningResult& result, vt
   addIds("Constraints", &PieceReport::constraints);
   addIds("Iterations", &PieceReport::iterations);
   addRows<vtkIdTypeArray>(field, "Overlaps", rows,
-    [&](std::size_t row) { return static_cast<vtkIdType>(pieces[row].overlaps.size()); });
+    [&](std::size_t row) { return static_cast<vtkIdType>(pieces[row].overlaps.count); });
+  addRows<vtkIntArray>(field, "OverlapsComplete", rows,
+    [&](std::size_t row) { return pieces[row].overlaps.complete ? 1 : 0; });
   addRows<vtkDoubleArray>(
     field, "Objective", rows, [&](std::size_t row) { return pieces[row].objective; });
   addRows<vtkDoubleArray>(
     field, "ClosureResidual", rows, [&](std::size_t row) { return pieces[row].closureResidual; });
+  addRows<vtkDoubleArray>(
+    field, "CutLength", rows, [&](std::size_t row) { return pieces[row].cutLength; });
   addRows<vtkDoubleArray>(
     field, "DistortionEnergy", rows, [&](std::size_t row) { return pieces[row].distortionEnergy; });
   addRows<vtkDoubleArray>(
@@ -201,7 +205,7 @@ void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
   const TriangleMesh& mesh = result.cut->mesh;
   for (std::size_t p = 0; p < result.pieces.size(); ++p)
   {
-    for (const std::array<Index, 2>& pair : result.pieces[p].overlaps)
+    for (const std::array<Index, 2>& pair : result.pieces[p].overlaps.listed)
     {
       const vtkIdType row[5] = { mesh.from(pair[0]), mesh.to(pair[0]), mesh.from(pair[1]),
         mesh.to(pair[1]), static_cast<vtkIdType>(p) };

@@ -4,10 +4,13 @@
 #include "AttributeArrays.h"
 
 #include "Quality/BoundaryOverlap.h"
+#include "Quality/CutLength.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -35,13 +38,12 @@ void writeOverlapEdges(
 }
 }
 
-void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostOverlaps,
+void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostListedOverlaps,
   const Execution& execution, vtkPolyData* output, std::vector<std::string>& warnings)
 {
   const TriangleMesh& mesh = map.surface.prepared.mesh;
   const FlatteningQuality quality = measureFlattening(mesh, map.positions, map.edges, execution);
-  const std::vector<std::array<Index, 2>> overlaps =
-    findBoundaryOverlaps(mesh, map.positions, mostOverlaps);
+  const BoundaryOverlaps overlaps = countBoundaryOverlaps(mesh, map.positions, mostListedOverlaps);
 
   output->SetPoints(input->GetPoints());
   output->SetPolys(makeTriangles(map.surface.input.triangles));
@@ -56,10 +58,13 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
   };
   addCount("Triangles", mesh.triangleCount());
   addCount("Vertices", mesh.vertexCount());
-  addCount("Overlaps", static_cast<vtkIdType>(overlaps.size()));
+  addCount("Overlaps", static_cast<vtkIdType>(overlaps.count));
+  addRows<vtkIntArray>(
+    field, "OverlapsComplete", 1, [&overlaps](std::size_t) { return overlaps.complete ? 1 : 0; });
   addCount("Mirrored", map.mirrored ? 1 : 0);
   writeSummaries({ quality.summary }, field);
-  writeOverlapEdges(map, overlaps, field);
+  addRows<vtkDoubleArray>(field, "CutLength", 1, [&mesh](std::size_t) { return cutLength(mesh); });
+  writeOverlapEdges(map, overlaps.listed, field);
 }
 }
 }

@@ -9,7 +9,7 @@ namespace flattening
 namespace bridge
 {
 /// Measures a mapped surface and writes what vtkFlatteningQuality documents.
-void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostOverlaps,
+void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostListedOverlaps,
   const Execution& execution, vtkPolyData* output, std::vector<std::string>& warnings);
 }
 }

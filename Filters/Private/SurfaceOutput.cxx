@@ -212,6 +212,8 @@ void writeSummaries(const std::vector<QualitySummary>& summaries, vtkFieldData* 
   add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
   add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
   add("AreaError", &QualitySummary::areaError);
+  add("StrainP95", &QualitySummary::strainP95);
+  add("RigidEnergy", &QualitySummary::rigidEnergy);
   addRows<vtkIdTypeArray>(field, "FlippedTriangles", summaries.size(),
     [&](std::size_t row) { return static_cast<vtkIdType>(summaries[row].flipped.size()); });
 }

@@ -133,6 +133,54 @@ TEST(BoundaryOverlap, ListsNoMoreThanAskedFor)
   EXPECT_TRUE(findBoundaryOverlaps(strip.mesh, twice, 0).empty());
 }
 
+TEST(BoundaryOverlap, CountsAllOfThemHoweverFewItLists)
+{
+  // A long strip wound up 40 times between two radii: every turn crosses every other one.
+  const Surface strip = cone(3000, 1);
+  Points2 positions;
+  for (Index j = 0; j <= 1; ++j)
+  {
+    for (Index i = 0; i <= 3000; ++i)
+    {
+      const double turn = -80.0 * pi * i / 3000.0;
+      const double radius = 1.0 + 0.1 * j + 0.3 * std::sin(turn * 2.0 / 3.0);
+      positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
+    }
+  }
+  const Pairs pairs = allPairs(strip.mesh, positions);
+  ASSERT_GT(pairs.size(), 2 * mostListedOverlaps);
+  for (const std::size_t listed : { std::size_t{ 0 }, mostListedOverlaps, pairs.size() + 1 })
+  {
+    const BoundaryOverlaps overlaps = countBoundaryOverlaps(strip.mesh, positions, listed, 0.0);
+    EXPECT_TRUE(overlaps.complete);
+    EXPECT_EQ(overlaps.count, pairs.size());
+    EXPECT_EQ(overlaps.listed.size(), std::min(listed, pairs.size()));
+    EXPECT_TRUE(
+      std::includes(pairs.begin(), pairs.end(), overlaps.listed.begin(), overlaps.listed.end()));
+  }
+}
+
+TEST(BoundaryOverlap, SaysWhereItHasNotLookedAtAll)
+{
+  const Surface strip = cone(400, 1);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  Points2 positions(strip.mesh.vertexCount());
+  for (Point2& p : positions)
+  {
+    p = Point2(place(random), place(random));
+  }
+  const std::size_t all = allPairs(strip.mesh, positions).size();
+  const BoundaryOverlaps few = countBoundaryOverlaps(strip.mesh, positions, 10, 0.0, 5000);
+  EXPECT_FALSE(few.complete);
+  EXPECT_GT(few.count, 0u);
+  EXPECT_LT(few.count, all);
+  EXPECT_EQ(few.listed.size(), 10u);
+  const BoundaryOverlaps enough = countBoundaryOverlaps(strip.mesh, positions, 10, 0.0);
+  EXPECT_TRUE(enough.complete);
+  EXPECT_EQ(enough.count, all);
+}
+
 TEST(BoundaryOverlap, ABowTieCrossesItself)
 {
   // Four corners of a square in the order of a figure of eight.

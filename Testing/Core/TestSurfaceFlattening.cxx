@@ -336,7 +336,7 @@ TEST(SurfaceFlattening, ArrangedPiecesAreMovedRigidlyAndLieApart)
     EXPECT_LT(rigidDistance(before, after), 1e-13);
   }
   EXPECT_FALSE(boxes[0].intersects(boxes[1]));
-  EXPECT_TRUE(arranged.pieces[0].overlaps.empty());
+  EXPECT_EQ(arranged.pieces[0].overlaps.count, 0u);
 }
 
 TEST(SurfaceFlattening, ARefusedSurfaceLeavesNothing)

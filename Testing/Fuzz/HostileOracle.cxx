@@ -188,6 +188,9 @@ void checkNumbers(const FlatteningResult& result, Checks& checks)
     checks.finite(quality.globalHomogeneity, "E_h");
     checks.finite(quality.globalAspectRatio, "E_r");
     checks.finite(quality.areaError, "E_area");
+    checks.finite(quality.strainP95, "a strain");
+    checks.finite(quality.rigidEnergy, "a rigid energy");
+    checks.finite(piece.cutLength, "a length of cuts");
   }
 }
 

@@ -5,6 +5,7 @@
 #include "Angles/ReleaseAdvice.h"
 #include "Cut/PieceTopology.h"
 #include "Isometric/IsometricWarping.h"
+#include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 
 #include <memory>
@@ -47,8 +48,10 @@ struct PieceReport
   double distortionEnergy = 0.0;
   double angleEnergy = 0.0;
   QualitySummary quality; ///< flipped: triangles of the cut surface
-  /// Pairs of boundary half-edges of the cut surface that cross.
-  std::vector<std::array<Index, 2>> overlaps;
+  /// On the surface, of darts and seams that bound or slit the piece, each once, as far as they are
+  /// not closed.
+  double cutLength = 0.0;
+  BoundaryOverlaps overlaps; ///< listed: half-edges of the cut surface
   /// Half-edges of the cut surface on banks of cuts that were closed (see closeCrossingCuts()).
   Indices closedEdges;
   /// What was done, which may be another thing than was asked for: then `fallbacks` says why.

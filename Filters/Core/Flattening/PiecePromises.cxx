@@ -28,7 +28,7 @@ Indices crossingCuts(const CutSurface& cut, const PieceReport& report)
 {
   const TriangleMesh& mesh = cut.mesh;
   std::vector<char> crossing(mesh.vertexCount(), 0);
-  for (const auto& pair : report.overlaps)
+  for (const auto& pair : report.overlaps.listed)
   {
     for (Index h : pair)
     {
@@ -53,7 +53,7 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
   const PieceReport& report)
 {
   Indices triangles;
-  for (const auto& pair : report.overlaps)
+  for (const auto& pair : report.overlaps.listed)
   {
     triangles.push_back(pair[0] / 3);
     triangles.push_back(pair[1] / 3);
@@ -114,7 +114,7 @@ void judgePiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
   {
     report.status = flippedTriangles(quality.flipped);
   }
-  else if (!report.overlaps.empty())
+  else if (report.overlaps.count > 0)
   {
     report.status = overlap(cut, curves, options.closeCuts, report);
   }

@@ -7,7 +7,6 @@
 #include "Flattening/PieceFlattening.h"
 #include "Flattening/PiecePromises.h"
 #include "Flattening/WireReport.h"
-#include "Quality/BoundaryOverlap.h"
 #include "Quality/SurfaceDevelopability.h"
 
 #include <algorithm>
@@ -324,6 +323,7 @@ private:
       }
       this->Result.pieces.push_back(std::move(flat.report));
     }
+    measureCuts(cut, this->Result.pieces);
   }
 
   void measurePiece(std::size_t p)
@@ -366,10 +366,12 @@ private:
     }
     this->Flat[p].report.quality = std::move(quality.summary);
     // Each piece by itself: where pieces are not arranged they may well lie on each other.
-    for (const auto& pair : findBoundaryOverlaps(piece.mesh, positions, mostOverlaps))
+    BoundaryOverlaps& overlaps = this->Flat[p].report.overlaps;
+    overlaps = countBoundaryOverlaps(piece.mesh, positions, mostListedOverlaps);
+    for (auto& pair : overlaps.listed)
     {
       const auto halfedge = [&piece](Index h) { return 3 * piece.triangles[h / 3] + h % 3; };
-      this->Flat[p].report.overlaps.push_back({ halfedge(pair[0]), halfedge(pair[1]) });
+      pair = { halfedge(pair[0]), halfedge(pair[1]) };
     }
   }
 

@@ -222,6 +222,23 @@ void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire)
   }
 }
 
+void measureCuts(const CutSurface& cut, std::vector<PieceReport>& pieces)
+{
+  for (const SeamPair& pair : cut.seamPairs)
+  {
+    PieceReport& one = pieces[cut.pieceOfTriangle[pair.first / 3]];
+    PieceReport& other = pieces[cut.pieceOfTriangle[pair.second / 3]];
+    // Only cuts within a piece are ever closed.
+    const Indices& closed = one.closedEdges;
+    if (!std::binary_search(closed.begin(), closed.end(), pair.first))
+    {
+      const double length = cut.mesh.length(pair.first);
+      one.cutLength += length;
+      other.cutLength += &other == &one ? 0.0 : length;
+    }
+  }
+}
+
 std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const std::vector<Wire>& wires)
 {

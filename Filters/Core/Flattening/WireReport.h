@@ -23,6 +23,10 @@ std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece
 /// vertices.
 void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire);
 
+/// Fills in the length of the cuts that bound or slit each piece, each cut once a piece.
+/// \pre closedEdges of the pieces are in ascending order
+void measureCuts(const CutSurface& cut, std::vector<PieceReport>& pieces);
+
 /// One row a curve, from its measured wires; of a curve that was cut the mean of its two banks.
 /// What runs on pieces that are left out does not count.
 std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const CutSurface& cut,

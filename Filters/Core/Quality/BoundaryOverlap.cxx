@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -65,17 +66,21 @@ Point2 moveInwards(
 class SideTree
 {
 public:
-  SideTree(const std::vector<Side>& sides, std::size_t most)
+  /// \param last the overlap after which no more are looked for
+  SideTree(const std::vector<Side>& sides, std::size_t listed, std::size_t last, std::size_t visits)
     : Sides(sides)
-    , Most(most)
+    , MostListed(listed)
+    , Last(last)
+    , VisitsLeft(visits)
     , Boxes(4 * sides.size())
   {
     this->build(1, 0, sides.size());
   }
 
-  std::vector<std::array<Index, 2>> crossings()
+  BoundaryOverlaps crossings()
   {
     this->inside(1, 0, this->Sides.size());
+    std::sort(this->Found.listed.begin(), this->Found.listed.end());
     return std::move(this->Found);
   }
 
@@ -109,7 +114,17 @@ private:
   void between(std::size_t a, std::size_t aBegin, std::size_t aEnd, std::size_t b,
     std::size_t bBegin, std::size_t bEnd)
   {
-    if (this->Found.size() >= this->Most || !this->Boxes[a].intersects(this->Boxes[b]))
+    if (this->Found.count >= this->Last || !this->Found.complete)
+    {
+      return;
+    }
+    if (this->VisitsLeft == 0)
+    {
+      this->Found.complete = false;
+      return;
+    }
+    --this->VisitsLeft;
+    if (!this->Boxes[a].intersects(this->Boxes[b]))
     {
       return;
     }
@@ -136,19 +151,25 @@ private:
     const bool adjacent = a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
     if (!adjacent && segmentsMeet(a.start, a.end, b.start, b.end))
     {
-      this->Found.push_back({ std::min(a.halfedge, b.halfedge), std::max(a.halfedge, b.halfedge) });
+      ++this->Found.count;
+      if (this->Found.listed.size() < this->MostListed)
+      {
+        this->Found.listed.push_back(
+          { std::min(a.halfedge, b.halfedge), std::max(a.halfedge, b.halfedge) });
+      }
     }
   }
 
   const std::vector<Side>& Sides;
-  std::size_t Most;
+  std::size_t MostListed;
+  std::size_t Last;
+  std::size_t VisitsLeft;
   std::vector<Box> Boxes;
-  std::vector<std::array<Index, 2>> Found;
+  BoundaryOverlaps Found;
 };
-}
 
-std::vector<std::array<Index, 2>> findBoundaryOverlaps(
-  const TriangleMesh& mesh, const Points2& positions, std::size_t most, double contact)
+std::vector<Side> contractedSides(
+  const TriangleMesh& mesh, const Points2& positions, double contact)
 {
   std::vector<Side> sides;
   for (const Indices& loop : mesh.boundaryLoops())
@@ -170,12 +191,24 @@ std::vector<std::array<Index, 2>> findBoundaryOverlaps(
       sides[i].end = sides[i + 1 < sides.size() ? i + 1 : begin].start;
     }
   }
-  if (sides.size() < 2 || most == 0)
-  {
-    return {};
-  }
-  std::vector<std::array<Index, 2>> found = SideTree(sides, most).crossings();
-  std::sort(found.begin(), found.end());
-  return found;
+  return sides;
+}
+}
+
+BoundaryOverlaps countBoundaryOverlaps(const TriangleMesh& mesh, const Points2& positions,
+  std::size_t most, double contact, std::size_t mostVisits)
+{
+  const std::vector<Side> sides = contractedSides(mesh, positions, contact);
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  return sides.size() < 2 ? BoundaryOverlaps() : SideTree(sides, most, all, mostVisits).crossings();
+}
+
+std::vector<std::array<Index, 2>> findBoundaryOverlaps(
+  const TriangleMesh& mesh, const Points2& positions, std::size_t most, double contact)
+{
+  const std::vector<Side> sides = contractedSides(mesh, positions, contact);
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  return sides.size() < 2 ? std::vector<std::array<Index, 2>>()
+                          : SideTree(sides, most, most, all).crossings().listed;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/FlatteningQuality.h"
 
+#include "Quality/StrainMeasures.h"
 #include "Quality/SurfaceDevelopability.h"
 
 #include <algorithm>
@@ -107,6 +108,9 @@ void summarizeTriangles(const std::vector<TriangleFrame>& frames,
     summary.globalHomogeneity = scale > 0.0 ? smallestArea / scale : 0.0;
     summary.globalAspectRatio = smallestStretch / largestStretch;
   }
+  const StrainMeasures strain = measureStrain(frames, triangles);
+  summary.strainP95 = strain.quantile;
+  summary.rigidEnergy = strain.rigidEnergy;
 }
 }
 

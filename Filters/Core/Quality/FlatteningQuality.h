@@ -2,23 +2,12 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Quality/TriangleQuality.h"
 #include "Surface/TriangleFrame.h"
 #include "Surface/TriangleMesh.h"
 
 namespace flattening
 {
-/// Measures of one flat triangle. J maps the triangle's plane in space to the plane, S >= s are its
-/// singular values.
-struct TriangleQuality
-{
-  double areaRatio = 0.0;    ///< a = A2D / A3D, signed
-  double homogeneity = 0.0;  ///< min(a, 1 / a); 0 where a <= 0
-  double aspectRatio = 0.0;  ///< s / S, negative where flipped
-  double angleError = 0.0;   ///< mean of |angle2D - angle3D| / angle3D over its corners
-  double smallStretch = 0.0; ///< s, negative where flipped
-  double largeStretch = 0.0; ///< S
-};
-
 /// Measures of a flattening as a whole (Eqs. 26, 27).
 struct QualitySummary
 {
@@ -28,6 +17,8 @@ struct QualitySummary
   double globalHomogeneity = 0.0; ///< E_h = min a / max a, not positive where a triangle is flipped
   double globalAspectRatio = 0.0; ///< E_r = min s / max S
   double areaError = 0.0;         ///< E_area = sum |A2D - A3D| / sum A3D
+  double strainP95 = 0.0;         ///< see StrainMeasures
+  double rigidEnergy = 0.0;       ///< see StrainMeasures
   Indices flipped;                ///< triangles with a <= 0
 };
 
