@@ -17,6 +17,10 @@
 vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
+  const flattening::ImprintOptions defaults;
+  this->SplitTriangles = defaults.split;
+  this->ImprintTolerance = defaults.tolerance;
+  this->SnapTolerance = defaults.snap;
 }
 
 //------------------------------------------------------------------------------

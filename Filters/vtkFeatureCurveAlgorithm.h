@@ -188,9 +188,9 @@ protected:
     flattening::FlatteningOptions options, const vtkIdType pins[2]);
 
   int CoincidentPoints = AUTOMATIC;
-  bool SplitTriangles = true;
-  double ImprintTolerance = 1e-5;
-  double SnapTolerance = 1e-3;
+  bool SplitTriangles;
+  double ImprintTolerance;
+  double SnapTolerance;
   bool Caching = true;
   std::map<std::string, double> CurveTolerances;
 

@@ -2,6 +2,7 @@
 #include "vtkFlatteningQuality.h"
 
 #include "FilterExecution.h"
+#include "Quality/BoundaryOverlap.h"
 #include "QualityInput.h"
 #include "QualityOutput.h"
 
@@ -16,6 +17,7 @@ vtkStandardNewMacro(vtkFlatteningQuality);
 vtkFlatteningQuality::vtkFlatteningQuality()
 {
   this->SetNumberOfInputPorts(3);
+  this->MaximumOverlaps = static_cast<int>(flattening::mostListedOverlaps);
 }
 
 //------------------------------------------------------------------------------

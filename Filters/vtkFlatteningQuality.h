@@ -17,12 +17,14 @@
  * **Output**: the triangles of the surface over its points, in the order of its cells, with its
  * data and the cell arrays `HomogeneityOfDistortion`, `AspectRatio`, `AreaRatio`, `AngleError`
  * (double), `Flipped` (unsigned char), `vtkOriginalCellIds` (id). Field data, one row: `Triangles`,
- * `Vertices`, `FlippedTriangles`, `Overlaps` (id), `EdgeLengthError`, `MaxEdgeLengthError`,
- * `AngleErrorMean`, `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError` (double), `Mirrored` (id,
- * 1 where the map turned the surface over), `RunStatus`, `RunStatusMessage`, `RunWarnings`
- * (string); `RunStatusIds` (id); `OverlapEdges` (id, 4 components: the points of two boundary edges
- * that cross, a row a pair; at most MaximumOverlaps). Meanings: see vtkWireWarpingFilter. Flips and
- * overlaps are a result here, not a broken promise.
+ * `Vertices`, `FlippedTriangles`, `Overlaps` (id), `OverlapsComplete` (int), `EdgeLengthError`,
+ * `MaxEdgeLengthError`, `AngleErrorMean`, `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError`,
+ * `StrainP95`, `RigidEnergy`, `CutLength` (double; cuts are boundary edges whose ends have exactly
+ * the coordinates in space of those of another one, each place counts once), `Mirrored` (id, 1
+ * where the map turned the surface over), `RunStatus`, `RunStatusMessage`, `RunWarnings` (string);
+ * `RunStatusIds` (id); `OverlapEdges` (id, 4 components: the points of two boundary edges that
+ * cross, a row a pair; at most MaximumOverlaps of all). Meanings: see vtkWireWarpingFilter. Flips
+ * and overlaps are a result here, not a broken promise.
  *
  * @sa vtkWireWarpingFilter vtkLeastSquaresConformalFilter
  */
@@ -57,7 +59,8 @@ public:
 
   ///@{
   /**
-   * Most pairs of crossing boundary edges that are looked for. Default: 1000. Range: from 0.
+   * Most pairs of crossing boundary edges that `OverlapEdges` lists; `Overlaps` counts all.
+   * Default: 1000. Range: from 0.
    */
   vtkSetClampMacro(MaximumOverlaps, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumOverlaps, int);
@@ -74,7 +77,7 @@ private:
   vtkFlatteningQuality(const vtkFlatteningQuality&) = delete;
   void operator=(const vtkFlatteningQuality&) = delete;
 
-  int MaximumOverlaps = 1000;
+  int MaximumOverlaps;
 };
 
 #endif

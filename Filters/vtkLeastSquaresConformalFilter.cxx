@@ -14,6 +14,11 @@ vtkStandardNewMacro(vtkLeastSquaresConformalFilter);
 vtkLeastSquaresConformalFilter::vtkLeastSquaresConformalFilter()
 {
   this->SetNumberOfOutputPorts(3);
+  const flattening::FlatteningOptions defaults;
+  this->AreaNormalized = defaults.conformal.areaNormalized;
+  this->SkipClosed = defaults.skipClosed;
+  this->Arrange = defaults.arrange;
+  this->Spacing = defaults.spacing;
 }
 
 //------------------------------------------------------------------------------

@@ -89,10 +89,10 @@ private:
   void operator=(const vtkLeastSquaresConformalFilter&) = delete;
 
   vtkIdType Pins[2] = { -1, -1 };
-  bool AreaNormalized = true;
-  bool SkipClosed = false;
-  bool Arrange = true;
-  double Spacing = 0.05;
+  bool AreaNormalized;
+  bool SkipClosed;
+  bool Arrange;
+  double Spacing;
 };
 
 #endif

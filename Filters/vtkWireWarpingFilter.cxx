@@ -14,6 +14,34 @@ vtkStandardNewMacro(vtkWireWarpingFilter);
 vtkWireWarpingFilter::vtkWireWarpingFilter()
 {
   this->SetNumberOfOutputPorts(3);
+  const flattening::FlatteningOptions defaults;
+  this->Scheme = static_cast<int>(defaults.scheme);
+  this->Solver = static_cast<int>(defaults.angles.method);
+  this->MaximumIterations = defaults.angles.maximumIterations;
+  this->ClosureTolerance = defaults.angles.closureTolerance;
+  this->OptimalityTolerance = defaults.angles.optimalityTolerance;
+  this->Interior = static_cast<int>(defaults.interior.method);
+  this->RelaxationFactor = defaults.interior.relaxation;
+  this->RelaxationMovement = defaults.interior.movement;
+  this->RelaxationMinimumIterations = defaults.interior.minimumIterations;
+  this->RelaxationMaximumIterations = defaults.interior.maximumIterations;
+  this->RigidEnergyTolerance = defaults.interior.energyTolerance;
+  this->RigidMaximumIterations = defaults.interior.maximumRigidIterations;
+  this->DistortionEnergy = static_cast<int>(defaults.isometric.energy.kind);
+  this->AreaBias = defaults.isometric.energy.bias;
+  this->AngleWeight = defaults.isometric.angleWeight;
+  this->IsometricMaximumIterations = defaults.isometric.maximumIterations;
+  this->IsometricTolerance = defaults.isometric.tolerance;
+  for (int pin = 0; pin < 2; ++pin)
+  {
+    this->ConformalPins[pin] = defaults.conformal.pins[pin];
+  }
+  this->CloseCuts = defaults.closeCuts;
+  this->SkipClosed = defaults.skipClosed;
+  this->ReleaseKeys = defaults.releaseKeys;
+  this->Arrange = defaults.arrange;
+  this->Spacing = defaults.spacing;
+  this->MaximumLengthError = defaults.lengthTolerance;
 }
 
 //------------------------------------------------------------------------------
@@ -25,6 +53,13 @@ const char* vtkWireWarpingFilter::GetSchemeAsString() const
   static const char* const names[] = { "Progressive", "Global", "Isometric",
     "LeastSquaresConformal" };
   return names[this->Scheme];
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::UsePaperMethod()
+{
+  this->SetScheme(GLOBAL);
+  this->SetInterior(LAPLACIAN);
 }
 
 //------------------------------------------------------------------------------

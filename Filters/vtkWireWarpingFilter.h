@@ -27,18 +27,26 @@
  * | `vtkOriginalPointIds` | points | id | point of the input; -1 for a point made by imprinting |
  *
  * Field data of output 0, **one row a piece**: `Triangles`, `Vertices`, `WirePatches`, `WireNodes`,
- * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id); `Objective`
+ * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id; all pairs of
+ * boundary edges that cross), `OverlapsComplete` (int; 0 where there were too many edges near each
+ * other to look at them all, so that there may be more); `Objective`
  * (of Eq. 13 on the flat piece, whatever the scheme: half the sum of the squared changes of the
  * wires' angles, without those on key curves and around holes; rad^2), `ClosureResidual` (on the
  * flat piece: the largest distance by which a loop of wires misses its start when its edges are
  * laid one after the other with their lengths in space and their angles in the plane; unit of
- * length), `EdgeLengthError` (E_len, Eq. 26, over all wires),
- * `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h = min a / max
- * a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area - area) / sum of
- * area) (double); `Status`, `StatusMessage` (string). Scheme ISOMETRIC: `DistortionEnergy` and
- * `AngleEnergy`, the two terms of its energy in units of the mean triangle area (double). Where to
- * start if a piece is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is
- * none) and `ObjectiveWithoutFirst` (double; its `ReleaseObjective`).
+ * length), `EdgeLengthError` (E_len, Eq. 26, over all edges of wires but those of connectors and
+ * elastic curves), `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h
+ * = min a / max a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area -
+ * area) / sum of area), `StrainP95` (the strain max abs(ln sigma) of a triangle, sigma its singular
+ * values, that is not exceeded on 95 % of the area on the surface; flipped and collapsed triangles
+ * count as strained by 100, and none by more), `RigidEnergy` (mean over the area on the surface of
+ * abs(J - R)^2 = (S - 1)^2 + (s - 1)^2, J the map of a triangle and R the rotation nearest to it),
+ * `CutLength` (unit of length, on the surface: of the darts and seams that bound or slit the piece,
+ * each once, as far as CloseCuts has not closed them) (double); `Status`, `StatusMessage` (string).
+ * Scheme ISOMETRIC: `DistortionEnergy` and `AngleEnergy`, the two terms of its energy in units of
+ * the mean triangle area (double). Where to start if a piece is poor: `ReleaseFirst` (id; the first
+ * of the ranking below, -1 where there is none) and `ObjectiveWithoutFirst` (double; its
+ * `ReleaseObjective`).
  *
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
  * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds().
@@ -78,9 +86,9 @@
  * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
  * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a
  * row of output 1's field data; `SeamClosed` (unsigned char): 1 where CloseCuts has closed the cut
- * between them, so that they lie on each other. **One row a pair of boundary edges that cross**:
- * `OverlapEdges` (id, 5 components): the points of both edges, the piece. Point ids are those of
- * output 0.
+ * between them, so that they lie on each other. **One row a pair of boundary edges that cross**,
+ * 1000 pairs a piece at most: `OverlapEdges` (id, 5 components): the points of both edges, the
+ * piece. Point ids are those of output 0.
  *
  * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays:
  * `CurveType` (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1),
@@ -149,6 +157,12 @@ public:
   ///@}
 
   /**
+   * The paper's method: Scheme GLOBAL and Interior LAPLACIAN. The Solver stays: NEWTON finds the
+   * minimum that the paper asks for, SEQUENTIAL by the paper's steps, where they converge.
+   */
+  void UsePaperMethod();
+
+  /**
    * How the angles' constrained optimization is solved.
    */
   enum Solvers
@@ -161,7 +175,8 @@ public:
   /**
    * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the
    * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
-   * programming (Eq. 15). Default: NEWTON.
+   * programming (Eq. 15). The ISOMETRIC scheme starts from its solution; LEAST_SQUARES_CONFORMAL
+   * solves for no angles. Default: NEWTON.
    */
   vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
   vtkGetMacro(Solver, int);
@@ -184,7 +199,8 @@ public:
   /**
    * How the points between the wires are placed: LAPLACIAN, Eq. 11 solved directly; RELAXATION, the
    * paper's iteration for it (Eq. 12); AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires
-   * pinned. Scheme ISOMETRIC only starts there. Default: AS_RIGID_AS_POSSIBLE.
+   * pinned. Scheme ISOMETRIC only starts there, LEAST_SQUARES_CONFORMAL has no use for it. Default:
+   * AS_RIGID_AS_POSSIBLE.
    */
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);
@@ -404,30 +420,31 @@ private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
   void operator=(const vtkWireWarpingFilter&) = delete;
 
-  int Scheme = ISOMETRIC;
-  int Solver = NEWTON;
-  int Interior = AS_RIGID_AS_POSSIBLE;
-  bool ReleaseKeys = false;
-  bool CloseCuts = false;
-  bool SkipClosed = false;
-  int MaximumIterations = 300;
-  double ClosureTolerance = 1e-12;
-  double OptimalityTolerance = 1e-10;
-  double RelaxationFactor = 1.5;
-  double RelaxationMovement = 1e-5;
-  int RelaxationMinimumIterations = 10;
-  int RelaxationMaximumIterations = 100;
-  double RigidEnergyTolerance = 1e-9;
-  int RigidMaximumIterations = 200;
-  int DistortionEnergy = RIGID;
-  double AreaBias = 0.0;
-  double AngleWeight = 5.0;
-  int IsometricMaximumIterations = 100;
-  double IsometricTolerance = 1e-9;
-  vtkIdType ConformalPins[2] = { -1, -1 };
-  bool Arrange = true;
-  double Spacing = 0.05;
-  double MaximumLengthError = 1e-9;
+  // Defaults are those of the algorithms.
+  int Scheme;
+  int Solver;
+  int Interior;
+  bool ReleaseKeys;
+  bool CloseCuts;
+  bool SkipClosed;
+  int MaximumIterations;
+  double ClosureTolerance;
+  double OptimalityTolerance;
+  double RelaxationFactor;
+  double RelaxationMovement;
+  int RelaxationMinimumIterations;
+  int RelaxationMaximumIterations;
+  double RigidEnergyTolerance;
+  int RigidMaximumIterations;
+  int DistortionEnergy;
+  double AreaBias;
+  double AngleWeight;
+  int IsometricMaximumIterations;
+  double IsometricTolerance;
+  vtkIdType ConformalPins[2];
+  bool Arrange;
+  double Spacing;
+  double MaximumLengthError;
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
+#include "FilterOptions.h"
 #include "FlagNames.h"
 #include "InputError.h"
 #include "Progress.h"
@@ -23,65 +24,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-int schemeValue(const std::string& name)
-{
-  if (name == "progressive")
-  {
-    return vtkWireWarpingFilter::PROGRESSIVE;
-  }
-  if (name == "isometric")
-  {
-    return vtkWireWarpingFilter::ISOMETRIC;
-  }
-  return name == "lscm" ? vtkWireWarpingFilter::LEAST_SQUARES_CONFORMAL
-                        : vtkWireWarpingFilter::GLOBAL;
-}
-
-int interiorValue(const std::string& name)
-{
-  if (name == "laplacian")
-  {
-    return vtkWireWarpingFilter::LAPLACIAN;
-  }
-  return name == "relaxation" ? vtkWireWarpingFilter::RELAXATION
-                              : vtkWireWarpingFilter::AS_RIGID_AS_POSSIBLE;
-}
-
-void configure(vtkWireWarpingFilter* filter, const Options& options)
-{
-  filter->CachingOff(); // it runs once
-  filter->SetScheme(schemeValue(options.scheme));
-  filter->SetSolver(options.solver == "sequential" ? vtkWireWarpingFilter::SEQUENTIAL
-                                                   : vtkWireWarpingFilter::NEWTON);
-  filter->SetInterior(interiorValue(options.interior));
-  filter->SetReleaseKeys(options.releaseKeys);
-  filter->SetCloseCuts(options.closeCuts);
-  filter->SetSkipClosed(options.skipClosed);
-  filter->SetDistortionEnergy(options.energy == "dirichlet"
-      ? vtkWireWarpingFilter::SYMMETRIC_DIRICHLET
-      : vtkWireWarpingFilter::RIGID);
-  filter->SetAreaBias(options.areaBias);
-  filter->SetAngleWeight(options.angleWeight);
-  filter->SetIsometricMaximumIterations(options.isometricMaximumIterations);
-  filter->SetIsometricTolerance(options.isometricTolerance);
-  filter->SetMaximumIterations(options.maximumIterations);
-  filter->SetClosureTolerance(options.closureTolerance);
-  filter->SetOptimalityTolerance(options.optimalityTolerance);
-  filter->SetRelaxationFactor(options.relaxationFactor);
-  filter->SetRelaxationMovement(options.relaxationMovement);
-  filter->SetRelaxationMinimumIterations(options.relaxationMinimumIterations);
-  filter->SetRelaxationMaximumIterations(options.relaxationMaximumIterations);
-  filter->SetRigidEnergyTolerance(options.rigidTolerance);
-  filter->SetRigidMaximumIterations(options.rigidMaximumIterations);
-  filter->SetConformalPins(options.pins[0], options.pins[1]);
-  filter->SetSplitTriangles(options.split);
-  filter->SetImprintTolerance(options.imprintTolerance);
-  filter->SetSnapTolerance(options.snapTolerance);
-  filter->SetArrange(options.arrange);
-  filter->SetSpacing(options.spacing);
-  filter->SetMaximumLengthError(options.maximumLengthError);
 }
 
 void readInput(const Options& options, vtkWireWarpingFilter* filter)
@@ -140,7 +82,8 @@ Flattening flattenOne(const Options& options)
   try
   {
     vtkNew<vtkWireWarpingFilter> filter;
-    configure(filter, options);
+    filter->CachingOff(); // it runs once
+    setOptions(options, filter);
     readInput(options, filter);
     result.secondsRead = secondsSince(start);
     run(filter, options.quiet, result);

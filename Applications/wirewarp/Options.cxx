@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "FilterOptions.h"
+#include "IdleOptions.h"
 #include "PlainText.h"
 #include "TextFile.h"
 
@@ -88,22 +90,34 @@ void addMethods(CLI::App& app, Options& options)
   app
     .add_option("--scheme", options.scheme,
       "How the wires get their shape: isometric (wires and interior together), global (all angles "
-      "together), progressive (patch by patch), lscm (for comparison: keeps no length). Default: "
-      "isometric; global where --solver or --interior is given")
+      "together), progressive (patch by patch), lscm (for comparison: keeps no length)")
     ->check(CLI::IsMember({ "isometric", "global", "progressive", "lscm" }))
+    ->capture_default_str()
     ->group(group);
   app
     .add_option("--solver", options.solver,
-      "How the angles are solved for: newton (exact), sequential (the paper's)")
+      "How the angles are solved for: newton (exact), sequential (the paper's). isometric only "
+      "starts from that solution; not for lscm")
     ->check(CLI::IsMember({ "newton", "sequential" }))
     ->capture_default_str()
     ->group(group);
   app
     .add_option("--interior", options.interior,
       "How points between wires are placed: arap (as rigid as possible), laplacian, relaxation "
-      "(the paper's iteration). isometric only starts there")
+      "(the paper's iteration). isometric only starts there; not for lscm")
     ->check(CLI::IsMember({ "arap", "laplacian", "relaxation" }))
     ->capture_default_str()
+    ->group(group);
+  app
+    .add_flag_callback(
+      "--paper-method",
+      [&options]() {
+        options.scheme = "global";
+        options.interior = "laplacian";
+      },
+      "The paper's method: --scheme global --interior laplacian. newton finds the minimum that the "
+      "paper asks for; --solver sequential goes there by the paper's steps, where they converge")
+    ->excludes("--scheme", "--interior")
     ->group(group);
   app.add_flag("--release-keys", options.releaseKeys, "Treat key curves as accessory curves")
     ->group(group);
@@ -267,7 +281,7 @@ std::string outputFolder(const Options& options)
 //------------------------------------------------------------------------------
 std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
 {
-  Options options;
+  Options options = defaultOptions();
   CLI::App app(description, "wirewarp");
   app.footer(footer);
   app.get_formatter()->column_width(34);
@@ -299,10 +313,11 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   try
   {
     app.parse(argc, argv);
-    const bool paper = app.count("--solver") > 0 || app.count("--interior") > 0;
-    if (paper && app.count("--scheme") == 0)
+    const std::string idle =
+      idleOption(options, [&app](const std::string& option) { return app.count(option) > 0; });
+    if (!idle.empty())
     {
-      options.scheme = "global";
+      throw CLI::ValidationError(idle);
     }
     if (app.count("--output") > 0 && options.output.empty())
     {

@@ -21,45 +21,45 @@ enum ExitCode
   PromiseBroken = 4,
 };
 
-/// The command line. Defaults are those of vtkWireWarpingFilter.
+/// The command line. Of what vtkWireWarpingFilter is told defaultOptions() has the defaults.
 struct Options
 {
   std::string surface;
   std::vector<std::string> curves;
   std::string batch; ///< a list of surfaces in their place; empty: none
 
-  std::string scheme = "isometric";
-  std::string solver = "newton";
-  std::string interior = "arap";
+  std::string scheme;
+  std::string solver;
+  std::string interior;
   bool releaseKeys = false;
   bool closeCuts = false;
   bool skipClosed = false;
   std::map<std::string, double> tolerances; ///< of length, by name of curve
 
-  std::string energy = "rigid";
+  std::string energy;
   double areaBias = 0.0;
-  double angleWeight = 5.0;
-  int isometricMaximumIterations = 100;
-  double isometricTolerance = 1e-9;
+  double angleWeight = 0.0;
+  int isometricMaximumIterations = 0;
+  double isometricTolerance = 0.0;
 
-  int maximumIterations = 300;
-  double closureTolerance = 1e-12;
-  double optimalityTolerance = 1e-10;
-  double relaxationFactor = 1.5;
-  double relaxationMovement = 1e-5;
-  int relaxationMinimumIterations = 10;
-  int relaxationMaximumIterations = 100;
-  double rigidTolerance = 1e-9;
-  int rigidMaximumIterations = 200;
-  std::array<int, 2> pins{ -1, -1 };
+  int maximumIterations = 0;
+  double closureTolerance = 0.0;
+  double optimalityTolerance = 0.0;
+  double relaxationFactor = 0.0;
+  double relaxationMovement = 0.0;
+  int relaxationMinimumIterations = 0;
+  int relaxationMaximumIterations = 0;
+  double rigidTolerance = 0.0;
+  int rigidMaximumIterations = 0;
+  std::array<int, 2> pins{};
 
-  bool split = true;
-  double imprintTolerance = 1e-5;
-  double snapTolerance = 1e-3;
+  bool split = false;
+  double imprintTolerance = 0.0;
+  double snapTolerance = 0.0;
 
-  bool arrange = true;
-  double spacing = 0.05;
-  double maximumLengthError = 1e-9;
+  bool arrange = false;
+  double spacing = 0.0;
+  double maximumLengthError = 0.0;
 
   PatternRequest pattern;
   PictureRequest picture;

@@ -112,8 +112,13 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
       { "E_h", field.number("GlobalHomogeneity", piece) },
       { "E_r", field.number("GlobalAspectRatio", piece) },
       { "E_area", field.number("AreaError", piece) },
+      { "strain_p95", field.number("StrainP95", piece) },
+      { "energy_rigid", field.number("RigidEnergy", piece) },
+      { "cut_length", field.number("CutLength", piece) },
       { "flipped", field.integer("FlippedTriangles", piece) },
-      { "overlaps", field.integer("Overlaps", piece) }, { "status", field.text("Status", piece) },
+      { "overlaps", field.integer("Overlaps", piece) },
+      { "overlaps_complete", field.integer("OverlapsComplete", piece) != 0 },
+      { "status", field.text("Status", piece) },
       { "message", withFlags(field.text("StatusMessage", piece)) },
       { "solver_used", field.text("SolverUsed", piece) },
       { "energy_used", field.text("EnergyUsed", piece) },
@@ -170,8 +175,10 @@ std::string makeReport(const Options& options, const Flattening& result)
 {
   const FieldRows flat(result.flat);
   const FieldRows wires(result.wires);
+  const bool conformal = options.scheme == "lscm"; // it has neither
   const Json report = { { "surface", options.surface }, { "curve_files", options.curves },
-    { "scheme", options.scheme }, { "solver", options.solver }, { "interior", options.interior },
+    { "scheme", options.scheme }, { "solver", conformal ? Json() : Json(options.solver) },
+    { "interior", conformal ? Json() : Json(options.interior) },
     { "release_keys", options.releaseKeys }, { "skip_closed", options.skipClosed },
     { "version", WIREWARP_VERSION }, { "exit_code", result.exitCode }, { "status", result.status },
     { "message", result.message }, { "ids", result.ids },

@@ -89,8 +89,8 @@ std::string pieceTable(const Flattening& result)
   const std::string optimized = format("%.3f", field.number("SecondsWires", 0));
   const std::string all = format("%.3f", field.number("SecondsTotal", 0));
   std::vector<Row> rows{ { "piece", "triangles", "wire-patches", "E_len x1e3", "E_len max",
-    "E_ang x1e3", "E_h", "E_r", "E_area", "flips", "overlaps", "iterations", "T_opt [s]",
-    "T_all [s]", "status" } };
+    "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips", "overlaps", "iterations",
+    "T_opt [s]", "T_all [s]", "status" } };
   for (vtkIdType piece = 0; piece < pieces; ++piece)
   {
     rows.push_back({ std::to_string(piece), std::to_string(field.integer("Triangles", piece)),
@@ -101,6 +101,7 @@ std::string pieceTable(const Flattening& result)
       format("%.3f", field.number("GlobalHomogeneity", piece)),
       format("%.3f", field.number("GlobalAspectRatio", piece)),
       format("%.4f", field.number("AreaError", piece)),
+      format("%.4f", field.number("StrainP95", piece)),
       std::to_string(field.integer("FlippedTriangles", piece)),
       std::to_string(field.integer("Overlaps", piece)),
       std::to_string(field.integer("Iterations", piece)), pieces == 1 ? optimized : "-",

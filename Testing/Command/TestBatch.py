@@ -80,7 +80,7 @@ class Batch(command.CommandTest):
         self.assertTrue(os.path.exists(self.path("out/lune/flat.vtp")))
 
     def test_the_exit_code_is_that_of_the_worst(self):
-        broken = ("--solver", "sequential", "--max-iterations", "1")
+        broken = ("--paper-method", "--solver", "sequential", "--max-iterations", "1")
         _, run = self.batch("lune.obj arc.txt\n", *broken, code=4)
         self.assertIn("broken promise: lune: piece 0", command.error_lines(run)[0])
         self.batch("missing.obj\nlune.obj arc.txt\n", *broken, code=3)

@@ -72,7 +72,7 @@ class Pieces(command.CommandTest):
     def test_global_scheme_keeps_every_length_with_the_papers_solver_and_interior(self):
         # On the paper's Fig. 14, two wires that cross on the quarter-sphere, its iteration never ends.
         self.check(
-            "--scheme", "global", "--solver", "sequential", "--interior", "laplacian",
+            "--paper-method", "--solver", "sequential",
             unsolved=("quarter_sphere_curves_two.vtp",),
         )
 

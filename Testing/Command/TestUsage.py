@@ -80,6 +80,30 @@ class Usage(command.CommandTest):
         self.assertEqual(run.returncode, 3)
         self.assertIn("--relaxation-min-iterations <= ", command.error_lines(run)[0])
 
+    def test_options_that_the_method_has_no_use_for_are_bad_usage(self):
+        for words, option in (
+            (("--scheme", "lscm", "--interior", "arap"), "--interior"),
+            (("--scheme", "lscm", "--solver", "newton"), "--solver"),
+            (("--scheme", "lscm", "--tolerance", "a=0.1"), "--tolerance"),
+            (("--scheme", "lscm", "--max-length-error", "1"), "--max-length-error"),
+            (("--scheme", "lscm", "--rigid-iterations", "9"), "--rigid-iterations"),
+            (("--scheme", "global", "--energy", "rigid"), "--energy"),
+            (("--scheme", "progressive", "--angle-weight", "5"), "--angle-weight"),
+            (("--paper-method", "--isometric-iterations", "9"), "--isometric-iterations"),
+            (("--energy", "dirichlet", "--area-bias", "0.5"), "--area-bias"),
+            (("--pins", "0", "1"), "--pins"),
+            (("--relaxation-factor", "1.1"), "--relaxation-factor"),
+            (("--interior", "laplacian", "--rigid-tolerance", "0"), "--rigid-tolerance"),
+            (("--no-arrange", "--spacing", "1"), "--spacing"),
+        ):
+            with self.subTest(words):
+                message = self.assert_usage_error("a.obj", *words)
+                self.assertRegex(message, option + " is for .*; leave one of them out")
+
+    def test_the_papers_method_excludes_another_one(self):
+        for words in (("--scheme", "progressive"), ("--interior", "arap")):
+            self.assertIn("--paper-method", self.assert_usage_error("a.obj", "--paper-method", *words))
+
     def test_option_without_its_value_is_bad_usage(self):
         self.assert_usage_error("a.obj", "--output")
 

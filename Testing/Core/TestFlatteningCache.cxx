@@ -108,6 +108,7 @@ TEST(FlatteningCache, ChangesNoBitOfAnyResult)
     surface.curves[1].tolerance = 0.05;
     expectTheSame(surface, optionsOf(Scheme::Global, method), cache);
     expectTheSame(surface, optionsOf(Scheme::Isometric, method), cache);
+    expectTheSame(surface, FlatteningOptions(), cache);
     surface.curves[1].type = CurveType::Dart;
     expectTheSame(surface, optionsOf(Scheme::Global, method), cache);
     expectTheSame(curvedCushion(0.1), optionsOf(Scheme::Global, method), cache);

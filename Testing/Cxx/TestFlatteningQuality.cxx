@@ -53,6 +53,9 @@ void aStretchIsMeasuredExactly(Checks& check)
   check.near(number(output, "GlobalHomogeneity"), 1.0, 1e-13, "E_h = min a / max a");
   check.near(number(output, "GlobalAspectRatio"), 0.125, 1e-13, "E_r = min s / max S");
   check.near(number(output, "AreaError"), 0.5, 1e-14, "E_area");
+  check.near(number(output, "StrainP95"), std::log(4.0), 1e-13, "StrainP95 = -ln s");
+  check.near(number(output, "RigidEnergy"), 1.0 + 0.75 * 0.75, 1e-13, "RigidEnergy");
+  check.equal(number(output, "CutLength"), 0.0, "CutLength");
   // Half of the boundary edges are doubled (error 1), half quartered (error 3/4).
   check.near(number(output, "MaxEdgeLengthError"), 1.0, 1e-14, "E_len_max over the boundary");
   check.near(number(output, "EdgeLengthError"), 0.875, 1e-14, "E_len over the boundary");
@@ -129,9 +132,16 @@ void flipsAndOverlapsAreFound(Checks& check)
       edges->GetNumberOfTuples() ==
         static_cast<vtkIdType>(number(quality->GetOutput(), "Overlaps")),
     "a row of OverlapEdges for each");
+  check.equal(number(quality->GetOutput(), "OverlapsComplete"), 1.0, "OverlapsComplete");
+  const double all = number(quality->GetOutput(), "Overlaps");
+  check.that(all > 1.0, "more than one overlap");
   quality->SetMaximumOverlaps(1);
   quality->Update();
-  check.equal(number(quality->GetOutput(), "Overlaps"), 1.0, "MaximumOverlaps");
+  check.equal(
+    number(quality->GetOutput(), "Overlaps"), all, "MaximumOverlaps bounds the list alone");
+  edges =
+    vtkIdTypeArray::SafeDownCast(quality->GetOutput()->GetFieldData()->GetArray("OverlapEdges"));
+  check.equal(edges->GetNumberOfTuples(), vtkIdType{ 1 }, "rows of OverlapEdges");
 }
 
 // The filter's own numbers come out again from its outputs: as texture coordinates and as two
@@ -160,11 +170,13 @@ void theFiltersNumbersComeOutAgain(Checks& check)
     check.equal(std::string(quality->GetStatusName()), "Ok", "status");
     check.equal(output->GetNumberOfCells(), flat->GetNumberOfCells(), "cells");
     check.equal(number(output, "Vertices"), number(flat, "Vertices"), "Vertices");
-    for (const char* name :
-      { "AngleErrorMean", "GlobalHomogeneity", "GlobalAspectRatio", "AreaError" })
+    for (const char* name : { "AngleErrorMean", "GlobalHomogeneity", "GlobalAspectRatio",
+           "AreaError", "StrainP95", "RigidEnergy", "CutLength" })
     {
       check.near(number(output, name), number(flat, name), 1e-12, name);
     }
+    // The dart of two edges, each a chord of the sphere over an eighth of 180 degrees.
+    check.near(number(output, "CutLength"), 4.0 * std::sin(vtkMath::Pi() / 16), 1e-12, "a dart");
     check.near(number(output, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
     for (vtkIdType t = 0; t < output->GetNumberOfCells(); ++t)
     {

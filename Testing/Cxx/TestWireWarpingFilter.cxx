@@ -81,14 +81,14 @@ void outputsAreAsDocumented(Checks& check)
     check.that(flat->GetPointData()->HasArray(name), std::string("flat points have ") + name);
     check.that(cut->GetPointData()->HasArray(name), std::string("cut points have ") + name);
   }
-  for (const char* name :
-    { "Triangles", "Vertices", "WirePatches", "WireNodes", "FreeWireNodes", "Constraints",
-      "Iterations", "FlippedTriangles", "Overlaps", "Objective", "ClosureResidual",
-      "EdgeLengthError", "MaxEdgeLengthError", "AngleErrorMean", "GlobalHomogeneity",
-      "GlobalAspectRatio", "AreaError", "Status", "StatusMessage", "RunStatus", "RunStatusMessage",
-      "RunStatusIds", "SecondsWires", "SecondsInterior", "SecondsQuality", "SecondsTotal",
-      "HistoryPiece", "HistoryPhase", "HistoryObjective", "HistoryClosure", "HistoryOptimality",
-      "HistoryStep", "SeamPairs", "SeamClosed", "OverlapEdges" })
+  for (const char* name : { "Triangles", "Vertices", "WirePatches", "WireNodes", "FreeWireNodes",
+         "Constraints", "Iterations", "FlippedTriangles", "Overlaps", "Objective",
+         "ClosureResidual", "EdgeLengthError", "MaxEdgeLengthError", "AngleErrorMean",
+         "GlobalHomogeneity", "GlobalAspectRatio", "AreaError", "StrainP95", "RigidEnergy",
+         "CutLength", "Status", "StatusMessage", "RunStatus", "RunStatusMessage", "RunStatusIds",
+         "SecondsWires", "SecondsInterior", "SecondsQuality", "SecondsTotal", "HistoryPiece",
+         "HistoryPhase", "HistoryObjective", "HistoryClosure", "HistoryOptimality", "HistoryStep",
+         "SeamPairs", "SeamClosed", "OverlapEdges" })
   {
     check.that(flat->GetFieldData()->HasArray(name), std::string("field data has ") + name);
   }

@@ -33,6 +33,13 @@ class QuarterSphere(unittest.TestCase):
             self.assertAlmostEqual(piece["E_ang"], angle_error, delta=5e-5)
             self.assertAlmostEqual(piece["E_h"], homogeneity, delta=5e-4)
 
+    def test_the_papers_method_is_the_global_scheme_with_its_interior(self):
+        points, triangles, arc = quarter_sphere()
+        paper = sf.flatten(points, triangles, [arc], paper_method=True)
+        pair = sf.flatten(points, triangles, [arc], scheme="global", interior="laplacian")
+        np.testing.assert_array_equal(paper.positions, pair.positions)
+        self.assertAlmostEqual(paper.report["pieces"][0]["E_ang"], 0.1488, delta=5e-5)
+
     def test_the_solvers_agree(self):
         points, triangles, arc = quarter_sphere()
         newton, sequential = (

@@ -140,6 +140,22 @@ class Arguments(unittest.TestCase):
         self.wrong(["planar_shape", "(3, 2)"], points, triangles,
                    [sf.Curve([0, 1, 2], type="key", planar_shape=[[0, 0], [1, 0]])])
 
+    def test_what_the_method_has_no_use_for(self):
+        points, triangles = grid()
+        for words, options in (
+            (["solver", "lscm"], {"scheme": "lscm", "solver": "sequential"}),
+            (["interior", "lscm"], {"scheme": "lscm", "interior": "laplacian"}),
+            (["max_length_error"], {"scheme": "lscm", "max_length_error": 1.0}),
+            (["energy", "isometric", "global"], {"scheme": "global", "energy": "dirichlet"}),
+            (["angle_weight"], {"paper_method": True, "angle_weight": 1.0}),
+            (["area_bias", "rigid"], {"energy": "dirichlet", "area_bias": 0.5}),
+            (["pins", "lscm"], {"pins": (0, 1)}),
+            (["spacing", "arrange"], {"arrange": False, "spacing": 1.0}),
+            (["scheme", "paper_method"], {"paper_method": True, "scheme": "progressive"}),
+            (["interior", "paper_method"], {"paper_method": True, "interior": "relaxation"}),
+        ):
+            self.wrong(words, points, triangles, **options)
+
     def test_words(self):
         points, triangles = grid()
         for option in ("scheme", "solver", "interior", "coincident_points"):

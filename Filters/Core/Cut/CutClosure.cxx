@@ -112,7 +112,7 @@ std::vector<char> CutClosing::crossingVertices(const Points2& positions) const
 {
   const TriangleMesh& mesh = this->Subject.mesh;
   std::vector<char> crossing(mesh.vertexCount(), 0);
-  for (const auto& pair : findBoundaryOverlaps(mesh, positions, mostOverlaps))
+  for (const auto& pair : findBoundaryOverlaps(mesh, positions, mostListedOverlaps))
   {
     for (Index h : pair)
     {

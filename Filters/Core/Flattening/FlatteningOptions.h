@@ -16,9 +16,11 @@ enum class Scheme
   Conformal,   ///< LSCM, for comparison: keeps no length
 };
 
+/// All defaults of the project are these and those of the options inside: filters, command, Python
+/// package and plugin take them over or are tested for it.
 struct FlatteningOptions
 {
-  Scheme scheme = Scheme::Global;
+  Scheme scheme = Scheme::Isometric;
   AngleSolverOptions angles;
   InteriorOptions interior;
   IsometricOptions isometric;

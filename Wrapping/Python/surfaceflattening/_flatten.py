@@ -3,8 +3,9 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
+import inspect
 import warnings
-from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -40,6 +41,38 @@ def _set_word(filter_: Any, option: str, property_: str, value: str, words: Sequ
     if value not in words:
         raise ValueError(f"{option} is {value!r}; it must be one of {', '.join(words)}")
     getattr(filter_, "Set" + property_)(words.index(value))
+
+
+def _default(option: str) -> Any:
+    return inspect.signature(flatten).parameters[option].default
+
+
+def _method_of_the_paper(scheme: str, interior: str) -> Tuple[str, str]:
+    """Scheme and interior of the paper; the others must not ask for anything else."""
+    pair = {"scheme": (scheme, "global"), "interior": (interior, "laplacian")}
+    for option, (given, papers) in pair.items():
+        if given not in (papers, _default(option)):
+            raise ValueError(f"{option} = {given!r} and paper_method=True contradict each other")
+    return "global", "laplacian"
+
+
+def _refuse_idle(
+    scheme: str, energy: str, arrange: bool, given: Dict[str, Any]
+) -> None:
+    """An option that the method has no use for means something else than it does."""
+    lengths = ("solver", "interior", "max_iterations", "max_length_error")
+    scopes = (
+        (lengths, scheme != "lscm", "schemes that keep lengths, not for 'lscm'"),
+        (("energy", "area_bias", "angle_weight"), scheme == "isometric",
+         f"scheme='isometric', not for {scheme!r}"),
+        (("area_bias",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
+        (("pins",), scheme == "lscm", f"scheme='lscm', not for {scheme!r}"),
+        (("spacing",), arrange, "arrange=True"),
+    )
+    for options, holds, condition in scopes:
+        for option in options:
+            if not holds and given[option] != _default(option):
+                raise ValueError(f"{option} = {given[option]!r} is for {condition}; leave one of them out")
 
 
 def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
@@ -82,6 +115,7 @@ def _flatten(
     scheme: str = "isometric",
     solver: str = "newton",
     interior: str = "arap",
+    paper_method: bool = False,
     release_keys: bool = False,
     close_cuts: bool = False,
     skip_closed: bool = False,
@@ -103,6 +137,12 @@ def _flatten(
         # The pipeline would print an error and give no result.
         if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
             raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
+    if paper_method:
+        scheme, interior = _method_of_the_paper(scheme, interior)
+    _refuse_idle(scheme, energy, arrange, {
+        "solver": solver, "interior": interior, "max_iterations": max_iterations,
+        "max_length_error": max_length_error, "energy": energy, "area_bias": area_bias,
+        "angle_weight": angle_weight, "pins": tuple(pins), "spacing": spacing})
     filter_ = vtkWireWarpingFilter()
     filter_.CachingOff()  # it runs once
     _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
@@ -140,6 +180,7 @@ def flatten(
     scheme: str = "isometric",
     solver: str = "newton",
     interior: str = "arap",
+    paper_method: bool = False,
     release_keys: bool = False,
     close_cuts: bool = False,
     skip_closed: bool = False,
@@ -171,10 +212,14 @@ def flatten(
             which distorts least; "global", all angles together (Eq. 13 of the paper);
             "progressive", wire-patch by wire-patch (Algorithm 2); "lscm", for comparison, keeps no
             length.
-        solver: how the angles are solved for: "newton" or "sequential", the paper's.
+        solver: how the angles are solved for: "newton" or "sequential", the paper's. "isometric"
+            only starts from that solution; "lscm" has no use for it.
         interior: how points between the wires are placed: "arap", as rigid as possible;
             "laplacian", Eq. 11; "relaxation", the paper's iteration for it. "isometric" only
-            starts there.
+            starts there; "lscm" has no use for it.
+        paper_method: the paper's method, scheme "global" with interior "laplacian". "newton" finds the
+            minimum that the paper asks for, solver="sequential" by the paper's steps, where they
+            converge.
         release_keys: treat key curves as accessory curves.
         close_cuts: close darts and other cuts as far as their banks would lie over each other, at
             the price of more distortion; False: they overlap, which breaks a promise.
@@ -211,7 +256,8 @@ def flatten(
 
     Raises:
         FlatteningError: the input is refused; it carries code, name, ids and message.
-        ValueError: an argument has a wrong shape, is not one of the words, or is out of range.
+        ValueError: an argument has a wrong shape, is not one of the words, is out of range, or is
+            other than its default where the method has no use for it.
 
     Warns:
         FlatteningWarning: there is a result, but a promise is broken (not converged, a length
@@ -224,6 +270,7 @@ def flatten(
         scheme=scheme,
         solver=solver,
         interior=interior,
+        paper_method=paper_method,
         release_keys=release_keys,
         close_cuts=close_cuts,
         skip_closed=skip_closed,

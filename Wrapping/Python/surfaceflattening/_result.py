@@ -34,6 +34,9 @@ _PIECE_NUMBERS = {
     "E_h": "GlobalHomogeneity",
     "E_r": "GlobalAspectRatio",
     "E_area": "AreaError",
+    "strain_p95": "StrainP95",
+    "energy_rigid": "RigidEnergy",
+    "cut_length": "CutLength",
 }
 _PIECE_TEXTS = {
     "status": "Status",
@@ -115,6 +118,7 @@ class Flattening(NamedTuple):
     #: Whether such a pair lies on each other because close_cuts closed the cut; bool, shape (k,).
     seam_closed: NDArray[np.bool_]
     #: Boundary edges that cross in the plane: points a, b and c, d and the piece; int64, (k, 5).
+    #: 1000 pairs a piece at most; the report's "overlaps" counts all.
     overlap_edges: NDArray[np.int64]
     #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
     #: "message", "ids", "warnings", "left_out", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error, ...)
@@ -209,6 +213,7 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     field, curve_field = flat.GetFieldData(), wires.GetFieldData()
     columns = {key: _values(field, name)
                for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
+    columns["overlaps_complete"] = [bool(all_) for all_ in _values(field, "OverlapsComplete")]
     pieces: List[Report] = [
         {"piece": piece, **{key: column[piece] for key, column in columns.items()}}
         for piece in range(len(columns["triangles"]))

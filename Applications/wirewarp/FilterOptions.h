@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Options.h"
+
+class vtkWireWarpingFilter;
+
+namespace wirewarp
+{
+/// What the filter is told where the command line says nothing: its own defaults.
+Options defaultOptions();
+
+/// Tells the filter all but its input and the tolerances of curves.
+void setOptions(const Options& options, vtkWireWarpingFilter* filter);
+}

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Documentation of the filters, the command's --help and the signature of flatten() name one set of
+defaults: the filters'. Testing/Cxx compares those with the algorithms', TestPluginDescription.py the
+plugin's with them."""
+
+import glob
+import inspect
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+import surfaceflattening as sf
+from surfaces import SOURCE
+
+COMMAND = os.environ["WIREWARP"]
+SCHEMES = ("progressive", "global", "isometric", "lscm")
+SOLVERS = ("newton", "sequential")
+INTERIORS = ("laplacian", "relaxation", "arap")
+ENERGIES = ("rigid", "dirichlet")
+COINCIDENT = ("automatic", "join", "keep")
+
+# Option of the command, property of the filter; words in the order of its enumeration.
+OPTIONS = {
+    "--scheme": ("Scheme", SCHEMES),
+    "--solver": ("Solver", SOLVERS),
+    "--interior": ("Interior", INTERIORS),
+    "--energy": ("DistortionEnergy", ENERGIES),
+    "--area-bias": ("AreaBias", None),
+    "--angle-weight": ("AngleWeight", None),
+    "--spacing": ("Spacing", None),
+    "--max-iterations": ("MaximumIterations", None),
+    "--closure-tolerance": ("ClosureTolerance", None),
+    "--optimality-tolerance": ("OptimalityTolerance", None),
+    "--max-length-error": ("MaximumLengthError", None),
+    "--relaxation-factor": ("RelaxationFactor", None),
+    "--relaxation-movement": ("RelaxationMovement", None),
+    "--relaxation-min-iterations": ("RelaxationMinimumIterations", None),
+    "--relaxation-max-iterations": ("RelaxationMaximumIterations", None),
+    "--rigid-tolerance": ("RigidEnergyTolerance", None),
+    "--rigid-iterations": ("RigidMaximumIterations", None),
+    "--isometric-tolerance": ("IsometricTolerance", None),
+    "--isometric-iterations": ("IsometricMaximumIterations", None),
+    "--imprint-tolerance": ("ImprintTolerance", None),
+    "--snap-tolerance": ("SnapTolerance", None),
+}
+# Flags that turn a property from its default to this.
+FLAGS = {
+    "--release-keys": ("ReleaseKeys", True),
+    "--close-cuts": ("CloseCuts", True),
+    "--skip-closed": ("SkipClosed", True),
+    "--no-arrange": ("Arrange", False),
+    "--no-split": ("SplitTriangles", False),
+}
+WITHOUT_DEFAULT = {"--paper-method", "--tolerance", "--pins"}
+
+PARAMETERS = {
+    "scheme": ("Scheme", SCHEMES),
+    "solver": ("Solver", SOLVERS),
+    "interior": ("Interior", INTERIORS),
+    "release_keys": ("ReleaseKeys", None),
+    "close_cuts": ("CloseCuts", None),
+    "skip_closed": ("SkipClosed", None),
+    "energy": ("DistortionEnergy", ENERGIES),
+    "area_bias": ("AreaBias", None),
+    "angle_weight": ("AngleWeight", None),
+    "coincident_points": ("CoincidentPoints", COINCIDENT),
+    "split_triangles": ("SplitTriangles", None),
+    "imprint_tolerance": ("ImprintTolerance", None),
+    "snap_tolerance": ("SnapTolerance", None),
+    "arrange": ("Arrange", None),
+    "spacing": ("Spacing", None),
+    "pins": ("ConformalPins", None),
+    "max_iterations": ("MaximumIterations", None),
+    "max_length_error": ("MaximumLengthError", None),
+}
+OTHER_PARAMETERS = {"points", "triangles", "curves", "paper_method", "progress"}
+
+
+def default_of(name, words=None, filter_=None):
+    value = getattr(filter_ or sf.vtkWireWarpingFilter(), "Get" + name)()
+    return words[value] if words else value
+
+
+def documented(path):
+    """(property, text after "Default:") of the set macros of a header."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    for part in text.split("///@{")[1:]:
+        comment, _, macros = part.partition("*/")
+        names = re.findall(r"vtkSet(?:Clamp|Vector2)?Macro\((\w+)", macros.partition("///@}")[0])
+        words = " ".join(line.strip(" *") for line in comment.splitlines())
+        found = re.search(r"Default: (.*?)\.(?: |$)", words)
+        if names:
+            yield names, found.group(1) if found else None
+
+
+def same(text, value, filter_):
+    if isinstance(value, tuple):
+        return text == ", ".join(map(str, value))
+    if isinstance(value, bool):
+        return text == ("on" if value else "off")
+    if re.fullmatch(r"[A-Z_]+", text):
+        return getattr(filter_, text) == value
+    return float(text) == value
+
+
+class Defaults(unittest.TestCase):
+    def help(self):
+        return subprocess.run([COMMAND, "--help"], capture_output=True, text=True, check=True).stdout
+
+    def test_the_command_shows_those_of_the_filter(self):
+        shown = dict(re.findall(r"^ +(?:-\w,)?(--[\w-]+) [^\n]*?=([\w.+-]+)\s", self.help(), re.M))
+        for option, (name, words) in OPTIONS.items():
+            with self.subTest(option):
+                default = default_of(name, words)
+                self.assertEqual(shown[option] if words else float(shown[option]), default)
+
+    def test_flags_of_the_command_turn_what_the_filter_has_not(self):
+        for option, (name, turned) in FLAGS.items():
+            self.assertIs(default_of(name), not turned, option)
+
+    def test_every_option_of_the_method_is_compared(self):
+        sections = re.findall(r"^(?:Method|Layout|Limits):\n(.*?)\n\n", self.help(), re.M | re.DOTALL)
+        self.assertEqual(len(sections), 3)
+        listed = {name for section in sections
+                  for name in re.findall(r"^ +(--[\w-]+)", section, re.M)}
+        self.assertEqual(listed, set(OPTIONS) | set(FLAGS) | WITHOUT_DEFAULT)
+
+    def test_flatten_has_those_of_the_filter(self):
+        parameters = inspect.signature(sf.flatten).parameters
+        self.assertEqual(set(parameters), set(PARAMETERS) | OTHER_PARAMETERS)
+        for parameter, (name, words) in PARAMETERS.items():
+            self.assertEqual(parameters[parameter].default, default_of(name, words), parameter)
+
+    def test_the_headers_document_them(self):
+        count = 0
+        for path in sorted(glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))):
+            class_ = getattr(sf, os.path.splitext(os.path.basename(path))[0], None)
+            if class_ is sf.vtkFeatureCurveAlgorithm:
+                class_ = sf.vtkWireWarpingFilter
+            if class_ in (None, sf.vtkFlatteningAlgorithm, sf.vtkPatternWriter):
+                continue
+            filter_ = class_()
+            for names, text in documented(path):
+                with self.subTest(header=os.path.basename(path), names=names):
+                    self.assertIsNotNone(text, "no default is documented")
+                    values = [default_of(name, None, filter_) for name in names]
+                    texts = text.split(" and ") if len(values) > 1 else [text]
+                    self.assertEqual(len(texts), len(values))
+                    for one, value, name in zip(texts, values, names):
+                        self.assertTrue(same(one, value, filter_), f"{name}: {one}, {value}")
+                        count += 1
+        self.assertGreater(count, 25)
+
+
+if __name__ == "__main__":
+    if not COMMAND:
+        sys.exit("the command wirewarp is not built")
+    unittest.main()
