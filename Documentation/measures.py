@@ -75,7 +75,7 @@ def flatten_all(method):
 
 def worst(pieces):
     """Of a surface's pieces the worst measures, and counts of all."""
-    result = {key: max(piece[key] for piece in pieces) for key in ("E_len", "E_len_max", "E_ang", "E_area")}
+    result = {key: max(piece[key] for piece in pieces) for key in ("E_len", "E_len_max", "E_ang", "E_area", "strain_p95")}
     result.update({key: min(piece[key] for piece in pieces) for key in ("E_h", "E_r")})
     result.update({key: sum(piece[key] for piece in pieces) for key in ("triangles", "flipped", "overlaps")})
     result["pieces"] = len(pieces)
@@ -105,9 +105,9 @@ def comparison(measures):
                 f"`{name}`" if method == next(iter(METHODS)) else "",
                 method + (" (key released)" if of["released"] else ""), thousandths(of["E_len"]),
                 thousandths(of["E_ang"]), f"{of['E_h']:.3f}", f"{of['E_r']:.3f}",
-                f"{abs(of['E_area']):.4f}", of["flipped"], of["overlaps"]))
-    return table(("piece", "method", "E_len x 1e3", "E_ang x 1e3", "E_h", "E_r", "E_area", "flips",
-                  "overlaps"), rows)
+                f"{abs(of['E_area']):.4f}", f"{of['strain_p95']:.3f}", of["flipped"], of["overlaps"]))
+    return table(("piece", "method", "E_len x 1e3", "E_ang x 1e3", "E_h", "E_r", "E_area", "strain p95",
+                  "flips", "overlaps"), rows)
 
 
 def area_shares(measures, method):

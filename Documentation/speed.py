@@ -152,6 +152,15 @@ def batch_table(batch):
     return table(("what", "mean, ms a piece", "share"), lines)
 
 
+WAITING = {"isometric": "all defaults", "global": "`--scheme global`"}
+
+
+def waiting_table(rows):
+    return table(("triangles", "options", "scheme", "processor, ms"),
+                 [(f"{row['triangles']:,}", WAITING[row["scheme"]], row["scheme"],
+                   short(1e3 * row["cpu_seconds"])) for row in rows])
+
+
 def machine_table(machine):
     return table(("processor", "cores", "runs on when it began"),
                  [(machine["processor"], machine["cores"], f"{machine['load']:.1f}")])
@@ -166,6 +175,7 @@ def made(numbers):
         "growth": sizes.growth(),
         "threads": sizes.parallel(),
         "stages": stage_table(numbers["stages"]),
+        "waiting": waiting_table(numbers["waiting"]),
         "batch": batch_table(numbers["batch"]),
     }, {
         "speed.svg": sizes.picture(),
@@ -180,8 +190,14 @@ def sentences(numbers):
     triangles = sizes.sizes[1]
     rigid, isometric, peer = (
         sizes.row(method, triangles)["seconds"] for method in ("rigid", "isometric", "CGAL LSCM"))
-    return [f"a trouser leg of {triangles:,} triangles is flat in {1e3 * rigid:.0f} ms by `--scheme global` and in "
-            f"{isometric:.1f} s by the isometric scheme", f"knows one thread, takes {peer:.1f} s"]
+    command = {row["scheme"]: row for row in numbers["waiting"]}
+    if {row["triangles"] for row in command.values()} != {triangles}:
+        raise ValueError("the command was not run on the trouser leg of the second size")
+    return [f"a trouser leg of {triangles:,} triangles the command takes "
+            f"{command['isometric']['cpu_seconds']:.1f} s of processor time by default and "
+            f"{command['global']['cpu_seconds']:.1f} s by `--scheme global`",
+            f"takes {isometric:.1f} s and {1e3 * rigid:.0f} ms on two threads",
+            f"knows one thread, {peer:.1f} s"]
 
 
 def main():

@@ -3,7 +3,7 @@
 """Runs the benchmarks that build-benchmarks has built and keeps their numbers in build/benchmark.
 
     run.py                      all of them; on a quiet machine 15 minutes
-    run.py --only stages batch  some of: flattening, stages, batch
+    run.py --only stages batch  some of: flattening, stages, waiting, batch
     run.py --page               afterwards writes Documentation/speed.json, and from it the tables and
                                 pictures of Documentation/speed.md; --only none: from earlier runs
 """
@@ -12,6 +12,7 @@ import argparse
 import glob
 import json
 import os
+import resource
 import subprocess
 import sys
 
@@ -51,6 +52,38 @@ def batch(options, folder):
         "--threads", "2", "--quiet", codes=(0, 4))
 
 
+def divided(folder):
+    """The trouser leg with each edge divided by 4, in a file."""
+    from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+    reader, division, writer = vtkXMLPolyDataReader(), vtkLinearSubdivisionFilter(), vtkXMLPolyDataWriter()
+    reader.SetFileName(f"{DATA}/pants_front.vtp")
+    division.SetInputConnection(reader.GetOutputPort())
+    division.SetNumberOfSubdivisions(2)
+    writer.SetInputConnection(division.GetOutputPort())
+    writer.SetFileName(f"{folder}/pants_front.vtp")
+    writer.Write()
+    return f"{folder}/pants_front.vtp"
+
+
+def waiting(options, folder):
+    """What the command takes from files to files, with what nobody turned off."""
+    rows = []
+    for scheme in ([], ["--scheme", "global"]):
+        times = []
+        for _ in range(5):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            run(f"{options.bin}/wirewarp", divided(folder), f"{DATA}/pants_front_curves.vtp", *scheme,
+                "--output", f"{folder}/waiting", "--threads", "1", "--quiet")
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+        report = read(f"{folder}/waiting/report.json")
+        rows.append({"scheme": report["scheme"], "cpu_seconds": min(times),
+                     "triangles": sum(piece["triangles"] for piece in report["pieces"])})
+    with open(f"{folder}/waiting.json", "w", encoding="utf-8") as file:
+        json.dump(rows, file)
+
+
 def read(path):
     with open(path, encoding="utf-8") as file:
         return json.load(file)
@@ -88,6 +121,7 @@ def write_numbers(folder):
                     "load": stages_report["context"]["load_avg"][0]},
         "flattening": read(f"{folder}/flattening.json"),
         "stages": stage_rows(stages_report),
+        "waiting": read(f"{folder}/waiting.json"),
         "batch": {
             "workers": report["workers"],
             "surfaces_per_second": report["surfaces_per_second"],
@@ -100,7 +134,7 @@ def write_numbers(folder):
 
 
 def main():
-    steps = {"flattening": flattening, "stages": stages, "batch": batch}
+    steps = {"flattening": flattening, "stages": stages, "waiting": waiting, "batch": batch}
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", nargs="+", choices=[*steps, "none"], default=list(steps))

@@ -26,11 +26,12 @@ int number(Enumeration value)
 void optionsOfWireWarping(Checks& check)
 {
   vtkNew<vtkWireWarpingFilter> filter;
-  const auto [scheme, angles, interior, isometric, conformal, closeCuts, releaseKeys, arrange,
-    spacing, lengthTolerance] = FlatteningOptions();
+  const auto [scheme, angles, interior, isometric, conformal, closeCuts, skipClosed, releaseKeys,
+    arrange, spacing, lengthTolerance] = FlatteningOptions();
   check.equal(filter->GetScheme(), number(scheme), "Scheme");
   check.equal(filter->GetScheme(), number(vtkWireWarpingFilter::ISOMETRIC), "the product's scheme");
   check.equal(filter->GetCloseCuts(), closeCuts, "CloseCuts");
+  check.equal(filter->GetSkipClosed(), skipClosed, "SkipClosed");
   check.equal(filter->GetReleaseKeys(), releaseKeys, "ReleaseKeys");
   check.equal(filter->GetArrange(), arrange, "Arrange");
   check.equal(filter->GetSpacing(), spacing, "Spacing");
@@ -77,6 +78,7 @@ void optionsOfTheOthers(Checks& check)
   const FlatteningOptions defaults;
   check.equal(conformal->GetAreaNormalized(), defaults.conformal.areaNormalized, "AreaNormalized");
   check.equal(conformal->GetPins()[0], vtkIdType{ defaults.conformal.pins[0] }, "Pins");
+  check.equal(conformal->GetSkipClosed(), defaults.skipClosed, "SkipClosed");
   check.equal(conformal->GetArrange(), defaults.arrange, "Arrange");
   check.equal(conformal->GetSpacing(), defaults.spacing, "Spacing");
   vtkNew<vtkFlatteningQuality> quality;
