@@ -36,12 +36,26 @@ TEST(ReleaseAdvice, SensitivityIsTheChangeOfTheOptimumWhenACurveGrows)
 TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapersObjective)
 {
   const Surface surface = quarterSphereWithTwoArcs();
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  FlatteningOptions options;
+  options.scheme = Scheme::Global;
+  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
   const ReleaseAdvice& advice = result.pieces[0].advice;
   ASSERT_EQ(advice.ranking.size(), 2u);
   // The long arc costs more; without it the piece is that of Fig. 11.
   EXPECT_EQ(advice.ranking[0], 1);
   EXPECT_NEAR(advice.first().objective, 0.197157, 1e-6);
+}
+
+TEST(ReleaseAdvice, WithTheDefaultsTellsWhatFlatteningWithoutTheCurveGives)
+{
+  Surface surface = quarterSphereWithTwoArcs();
+  const FlatteningResult both = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const ReleaseAdvice& advice = both.pieces[0].advice;
+  ASSERT_TRUE(advice.first().solved);
+  surface.curves.erase(surface.curves.begin() + advice.ranking[0]);
+  const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, {}, {});
+  ASSERT_TRUE(without.status.ok());
+  EXPECT_NEAR(advice.first().objective, without.pieces[0].objective, 1e-9);
 }
 
 TEST(ReleaseAdvice, IsSilentWhereTheSolutionIsGood)
