@@ -30,6 +30,7 @@ PIECE_KEYS = {
     "wire_nodes": "WireNodes", "flipped": "FlippedTriangles", "overlaps": "Overlaps",
     "E_len": "EdgeLengthError", "E_len_max": "MaxEdgeLengthError", "E_ang": "AngleErrorMean",
     "E_h": "GlobalHomogeneity", "E_r": "GlobalAspectRatio", "E_area": "AreaError",
+    "strain_p95": "StrainP95", "energy_rigid": "RigidEnergy", "cut_length": "CutLength",
 }
 COUNTS = ("Triangles", "Vertices", "WirePatches", "WireNodes", "FlippedTriangles", "Overlaps")
 TYPES = ["accessory", "key", "dart", "seam"]

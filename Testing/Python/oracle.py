@@ -168,6 +168,22 @@ class Result:
         result[np.unique(self.boundary_edges())] = 0
         return result
 
+    def strain_quantile(self, own, share):
+        """The largest |ln sigma| of a triangle that is not exceeded on this share of the area."""
+        strain = np.where(self.small[own] > 0,
+                          np.maximum(np.log(self.large[own]), -np.log(np.abs(self.small[own]))), 100)
+        order = np.argsort(strain)
+        area = np.cumsum(self.areas[own][order])
+        return strain[order][np.searchsorted(area, share * area[-1])]
+
+    def cut_length(self, piece):
+        """Of the cuts at a piece, each once, though a dart has two banks there."""
+        piece_of = np.empty(len(self.space), int)
+        piece_of[self.triangles] = self.piece[:, None]
+        return sum(np.linalg.norm(self.space[a] - self.space[b])
+                   for (a, b, c, _, _), closed in zip(self.field["SeamPairs"], self.field["SeamClosed"])
+                   if not closed and piece in (piece_of[a], piece_of[c]))
+
     def piece_measures(self, piece):
         """Name in the field data to the value that the piece must have."""
         own = self.piece == piece
@@ -195,4 +211,7 @@ class Result:
             "GlobalHomogeneity": ratio.min() / ratio.max(),
             "GlobalAspectRatio": self.small[own].min() / self.large[own].max(),
             "AreaError": (areas * np.abs(ratio - 1)).sum() / areas.sum(),
+            "StrainP95": self.strain_quantile(own, 0.95),
+            "RigidEnergy": (areas * ((self.large[own] - 1)**2 + (self.small[own] - 1)**2)).sum() / areas.sum(),
+            "CutLength": self.cut_length(piece),
         }
