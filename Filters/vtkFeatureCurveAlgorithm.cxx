@@ -115,7 +115,7 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
     static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
     flattening::bridge::executionOf(this), *source);
-  const auto blamed = std::find(curves.begin(), curves.end(), source->outcome.curves);
+  const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
   this->StatusConnection = blamed == curves.end() ? -1 : static_cast<int>(blamed - curves.begin());
   const bool loaded = this->Conclude(source->outcome) &&
     this->Conclude(flattening::bridge::applyTolerances(this->CurveTolerances, *source));

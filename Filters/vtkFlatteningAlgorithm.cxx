@@ -3,13 +3,17 @@
 
 #include "Base/Status.h"
 #include "FieldArrays.h"
-#include "Outcome.h"
+#include "RemedyWords.h"
+#include "StatusInInput.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <cstring>
 
 #include <algorithm>
 
@@ -54,8 +58,8 @@ static_assert(same(vtkFlatteningAlgorithm::OVERLAP, StatusCode::Overlap), "");
 
 //------------------------------------------------------------------------------
 vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
-  : StatusIds(vtkSmartPointer<vtkIdTypeArray>::New())
 {
+  this->Keep({});
 }
 
 //------------------------------------------------------------------------------
@@ -74,6 +78,45 @@ vtkIdTypeArray* vtkFlatteningAlgorithm::GetStatusIds() const
 }
 
 //------------------------------------------------------------------------------
+vtkStringArray* vtkFlatteningAlgorithm::GetStatusRemedies() const
+{
+  return this->StatusRemedies;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkFlatteningAlgorithm::GetStatusRemedySubjects() const
+{
+  return this->StatusRemedySubjects;
+}
+
+//------------------------------------------------------------------------------
+int vtkFlatteningAlgorithm::GetNumberOfRemedies()
+{
+  return flattening::remedyCount;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFlatteningAlgorithm::GetRemedyName(int remedy)
+{
+  return remedy >= 0 && remedy < flattening::remedyCount
+    ? flattening::remedyName(static_cast<flattening::Remedy>(remedy))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFlatteningAlgorithm::GetRemedyWords(const char* name)
+{
+  for (int k = 0; name && k < flattening::remedyCount; ++k)
+  {
+    if (std::strcmp(GetRemedyName(k), name) == 0)
+    {
+      return flattening::bridge::remedyWords(static_cast<flattening::Remedy>(k));
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkFlatteningAlgorithm::IsRefused() const
 {
   return this->StatusCode != OK && this->StatusCode <= NUMERICAL_FAILURE;
@@ -82,11 +125,8 @@ bool vtkFlatteningAlgorithm::IsRefused() const
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::Begin(vtkInformationVector* outputVector)
 {
-  this->StatusCode = OK;
-  this->StatusMessage.clear();
+  this->Keep({});
   this->Warnings.clear();
-  // A new array: the caller may have kept the one of the last run.
-  this->StatusIds = vtkSmartPointer<vtkIdTypeArray>::New();
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkPolyData::GetData(outputVector, port)->Initialize();
@@ -94,15 +134,31 @@ void vtkFlatteningAlgorithm::Begin(vtkInformationVector* outputVector)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFlatteningAlgorithm::Conclude(const flattening::bridge::Outcome& outcome)
+void vtkFlatteningAlgorithm::Keep(const flattening::Status& outcome)
 {
   this->StatusCode = static_cast<int>(outcome.code);
-  this->StatusMessage = outcome.message;
+  this->StatusDefect = outcome.message;
+  this->StatusMessage = flattening::bridge::inWords(outcome);
+  this->StatusIdKind = flattening::bridge::kindName(outcome.ids.kind);
+  // New arrays: the caller may have kept those of the last run.
   this->StatusIds = vtkSmartPointer<vtkIdTypeArray>::New();
-  for (const vtkIdType id : outcome.ids)
+  this->StatusRemedies = vtkSmartPointer<vtkStringArray>::New();
+  this->StatusRemedySubjects = vtkSmartPointer<vtkStringArray>::New();
+  for (const std::int64_t id : outcome.ids.values)
   {
     this->StatusIds->InsertNextValue(id);
   }
+  for (const flattening::WayOut& wayOut : outcome.waysOut)
+  {
+    this->StatusRemedies->InsertNextValue(flattening::remedyName(wayOut.remedy));
+    this->StatusRemedySubjects->InsertNextValue(wayOut.subject);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlatteningAlgorithm::Conclude(const flattening::Status& outcome)
+{
+  this->Keep(outcome);
   if (this->IsRefused())
   {
     if (this->StatusCode != CANCELLED)
@@ -137,10 +193,17 @@ void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
   vtkFieldData* field = output->GetFieldData();
   flattening::bridge::addStrings(field, "RunStatus", { this->GetStatusName() });
   flattening::bridge::addStrings(field, "RunStatusMessage", { this->StatusMessage });
-  vtkNew<vtkIdTypeArray> ids;
-  ids->DeepCopy(this->StatusIds);
-  ids->SetName("RunStatusIds");
-  field->AddArray(ids);
+  flattening::bridge::addStrings(field, "RunStatusDefect", { this->StatusDefect });
+  flattening::bridge::addStrings(field, "RunStatusIdKind", { this->StatusIdKind });
+  const auto addCopy = [field](vtkAbstractArray* array, const char* name) {
+    const auto copy = vtk::TakeSmartPointer(array->NewInstance());
+    copy->DeepCopy(array);
+    copy->SetName(name);
+    field->AddArray(copy);
+  };
+  addCopy(this->StatusIds, "RunStatusIds");
+  addCopy(this->StatusRemedies, "RunRemedyName");
+  addCopy(this->StatusRemedySubjects, "RunRemedySubject");
   flattening::bridge::addStrings(field, "RunWarnings", this->Warnings);
 }
 

@@ -33,13 +33,11 @@
 #include <vector> // for the warnings
 
 class vtkIdTypeArray;
+class vtkStringArray;
 
 namespace flattening
 {
-namespace bridge
-{
-struct Outcome;
-}
+struct Status;
 }
 
 class VTKFILTERSFLATTENING_EXPORT vtkFlatteningAlgorithm : public vtkPolyDataAlgorithm
@@ -90,12 +88,38 @@ public:
   const char* GetStatusMessage() const { return this->StatusMessage.c_str(); }
   ///@}
 
+  ///@{
   /**
-   * Ids of the offending elements of the last run, in the numbering of the input: cells or points
-   * of the surface (port 0), or for a curve the cells or points of the data set that holds the
-   * curve; the message says which. Empty where the status is OK or concerns no element. Never null.
+   * Ids of the offending elements of the last run, in the numbering of the input, and what they are
+   * ids of: "points" or "cells" of the surface (port 0), "edges" as pairs of its points, "curves"
+   * as cells and "curve points" as points of the data set that holds the curve. Both are empty
+   * where the status is OK or concerns no element. The array is never null.
    */
   vtkIdTypeArray* GetStatusIds() const;
+  const char* GetStatusIdKind() const { return this->StatusIdKind.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * The message of the last run in its parts, for programs that say it in words of their own: the
+   * defect; the names of the ways out, the best first; and what each is to be applied to, empty
+   * where it needs no name. Never null.
+   */
+  const char* GetStatusDefect() const { return this->StatusDefect.c_str(); }
+  vtkStringArray* GetStatusRemedies() const;
+  vtkStringArray* GetStatusRemedySubjects() const;
+  ///@}
+
+  ///@{
+  /**
+   * All ways out there are: how many, the name of each ("CloseCuts"), and the words in which the
+   * filters' messages say the one with a name, with % for what it is to be applied to. Null where
+   * there is none.
+   */
+  static int GetNumberOfRemedies();
+  static const char* GetRemedyName(int remedy);
+  static const char* GetRemedyWords(const char* name);
+  ///@}
 
   /**
    * True where the last run gave no result.
@@ -115,7 +139,7 @@ protected:
    * Keeps the status and gives the error or the warning that belongs to it. Returns whether there
    * is a result.
    */
-  bool Conclude(const flattening::bridge::Outcome& outcome);
+  bool Conclude(const flattening::Status& outcome);
 
   /**
    * Gives warnings of what the status does not say, each sentence once, and keeps them for
@@ -124,17 +148,24 @@ protected:
   void Warn(const std::vector<std::string>& messages);
 
   /**
-   * Adds the field data `RunStatus`, `RunStatusMessage`, `RunStatusIds` and `RunWarnings`.
+   * Adds the field data `RunStatus`, `RunStatusMessage`, `RunStatusDefect`, `RunStatusIds`,
+   * `RunStatusIdKind`, `RunRemedyName`, `RunRemedySubject` and `RunWarnings`.
    */
   void WriteRunStatus(vtkPolyData* output) const;
 
 private:
+  void Keep(const flattening::Status& outcome);
+
   vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;
   void operator=(const vtkFlatteningAlgorithm&) = delete;
 
   int StatusCode = OK;
   std::string StatusMessage;
+  std::string StatusDefect;
+  std::string StatusIdKind;
   vtkSmartPointer<vtkIdTypeArray> StatusIds;
+  vtkSmartPointer<vtkStringArray> StatusRemedies;
+  vtkSmartPointer<vtkStringArray> StatusRemedySubjects;
   std::vector<std::string> Warnings;
 };
 

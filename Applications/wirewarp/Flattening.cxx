@@ -2,7 +2,6 @@
 #include "Flattening.h"
 
 #include "FilterOptions.h"
-#include "FlagNames.h"
 #include "InputError.h"
 #include "Progress.h"
 #include "ReadCurves.h"
@@ -53,7 +52,9 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.wires = filter->GetOutput(1);
   result.cut = filter->GetOutput(2);
   result.status = filter->GetStatusName();
-  result.message = withFlags(filter->GetStatusMessage());
+  result.remedies = remediesOf(filter);
+  result.message = messageOf(filter->GetStatusDefect(), result.remedies);
+  result.idKind = filter->GetStatusIdKind();
   vtkIdTypeArray* const ids = filter->GetStatusIds();
   for (vtkIdType k = 0; k < ids->GetNumberOfValues(); ++k)
   {

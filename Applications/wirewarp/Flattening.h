@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Options.h"
+#include "FlagWords.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -19,6 +20,8 @@ struct Flattening
   std::string status = "Ok";
   std::string message;
   std::vector<vtkIdType> ids; ///< of the elements that the message is about
+  std::string idKind;         ///< what they are: "points", "cells", "curves", ...
+  std::vector<Remedy> remedies;
 
   /// The outputs of vtkWireWarpingFilter; without points after a refusal.
   vtkSmartPointer<vtkPolyData> flat;

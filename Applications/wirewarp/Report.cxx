@@ -2,7 +2,7 @@
 #include "Report.h"
 
 #include "FieldRows.h"
-#include "FlagNames.h"
+#include "FlagWords.h"
 #include "SeamReport.h"
 
 #include <nlohmann/json.hpp>
@@ -92,6 +92,33 @@ void addHistory(const FieldRows& field, Json& pieces)
   }
 }
 
+Json remedyReports(const std::vector<Remedy>& remedies)
+{
+  Json list = Json::array();
+  for (const Remedy& remedy : remedies)
+  {
+    list.push_back({ { "name", remedy.name }, { "subject", remedy.subject } });
+  }
+  return list;
+}
+
+/// How a piece ended, in the keys that the report has for all of them.
+Json pieceStatus(const FieldRows& field, vtkIdType piece)
+{
+  const std::vector<Remedy> remedies = remediesOf(field, piece);
+  Json ids = Json::array();
+  for (vtkIdType row = 0; row < field.count("StatusIdPiece"); ++row)
+  {
+    if (field.integer("StatusIdPiece", row) == piece)
+    {
+      ids.push_back(field.integer("StatusId", row));
+    }
+  }
+  return { { "status", field.text("Status", piece) },
+    { "message", messageOf(field.text("StatusDefect", piece), remedies) }, { "ids", ids },
+    { "id_kind", field.text("StatusIdKind", piece) }, { "remedies", remedyReports(remedies) } };
+}
+
 Json pieceReports(const FieldRows& field, const FieldRows& wires)
 {
   Json pieces = Json::array();
@@ -118,14 +145,13 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
       { "flipped", field.integer("FlippedTriangles", piece) },
       { "overlaps", field.integer("Overlaps", piece) },
       { "overlaps_complete", field.integer("OverlapsComplete", piece) != 0 },
-      { "status", field.text("Status", piece) },
-      { "message", withFlags(field.text("StatusMessage", piece)) },
       { "solver_used", field.text("SolverUsed", piece) },
       { "energy_used", field.text("EnergyUsed", piece) },
       { "repaired", field.integer("Repaired", piece) != 0 },
       { "fallbacks", field.text("Fallbacks", piece) },
       { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() },
       { "isometric_history", Json::array() } });
+    pieces.back().update(pieceStatus(field, piece));
   }
   addHistory(field, pieces);
   return pieces;
@@ -181,10 +207,10 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "interior", conformal ? Json() : Json(options.interior) },
     { "release_keys", options.releaseKeys }, { "skip_closed", options.skipClosed },
     { "version", WIREWARP_VERSION }, { "exit_code", result.exitCode }, { "status", result.status },
-    { "message", result.message }, { "ids", result.ids },
-    { "warnings", texts(flat, "RunWarnings") }, { "pieces", pieceReports(flat, wires) },
-    { "left_out", leftOutReports(flat) }, { "curves", curveReports(wires) },
-    { "seams", seamReports(result) },
+    { "message", result.message }, { "ids", result.ids }, { "id_kind", result.idKind },
+    { "remedies", remedyReports(result.remedies) }, { "warnings", texts(flat, "RunWarnings") },
+    { "pieces", pieceReports(flat, wires) }, { "left_out", leftOutReports(flat) },
+    { "curves", curveReports(wires) }, { "seams", seamReports(result) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },
         { "wires", flat.number("SecondsWires", 0) },

@@ -2,7 +2,7 @@
 #include "Table.h"
 
 #include "FieldRows.h"
-#include "FlagNames.h"
+#include "FlagWords.h"
 #include "PlainText.h"
 #include "Report.h"
 
@@ -179,8 +179,7 @@ std::string warnings(const Flattening& result, const std::string& where)
   std::string text;
   for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
   {
-    text +=
-      "wirewarp: warning: " + plainText(where + withFlags(field.text("RunWarnings", row))) + '\n';
+    text += "wirewarp: warning: " + plainText(where + field.text("RunWarnings", row)) + '\n';
   }
   return text;
 }
@@ -210,7 +209,8 @@ std::string brokenPromises(const Flattening& result, const std::string& where)
     if (field.text("Status", piece) != "Ok")
     {
       text += "wirewarp: broken promise: " + plainText(where) + "piece " + std::to_string(piece) +
-        ": " + plainText(withFlags(field.text("StatusMessage", piece))) + '\n';
+        ": " + plainText(messageOf(field.text("StatusDefect", piece), remediesOf(field, piece))) +
+        '\n';
     }
   }
   return text.empty() ? "wirewarp: broken promise: " + plainText(where + result.message) + '\n'

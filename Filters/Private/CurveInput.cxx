@@ -66,23 +66,31 @@ public:
   }
 
 private:
-  bool refuse(StatusCode code, const std::string& message, std::vector<vtkIdType> ids)
+  bool refuse(Status status)
   {
-    this->Curves.outcome = { code, message, std::move(ids), this->Data };
+    this->Curves.outcome = std::move(status);
+    this->Curves.blamed = this->Data;
     return false;
   }
 
-  bool refuseCell(vtkIdType cell, const std::string& what)
+  bool refuseCell(vtkIdType cell, const std::string& what, const char* wayOut)
   {
-    return this->refuse(StatusCode::InvalidCurve,
-      "cell " + std::to_string(cell) + " of the curves " + what, { cell });
+    return this->refuse(
+      { StatusCode::InvalidCurve, "cell " + std::to_string(cell) + " of the curves " + what,
+        ofCell(cell), { { Remedy::Give, wayOut } } });
+  }
+
+  static ElementIds ofCell(vtkIdType cell)
+  {
+    return { ElementKind::Curves, std::vector<std::int64_t>{ cell } };
   }
 
   bool checkCells()
   {
     return this->Data->GetLines()->IsValid() ||
-      this->refuse(StatusCode::InvalidPointId,
-        "the lines of the curves do not fit the list of their points; write the file again", {});
+      this->refuse(
+        { StatusCode::InvalidPointId, "the lines of the curves do not fit the list of their points",
+          {}, { Remedy::WriteAgain } });
   }
 
   bool checkArrays()
@@ -104,10 +112,9 @@ private:
     {
       if (array && !array->IsNumeric())
       {
-        return this->refuse(StatusCode::InvalidCurve,
-          std::string("the array ") + array->GetName() +
-            " of the curves holds no numbers; write it as numbers",
-          {});
+        return this->refuse({ StatusCode::InvalidCurve,
+          std::string("the array ") + array->GetName() + " of the curves holds no numbers", {},
+          { { Remedy::Give, "it as numbers" } } });
       }
     }
     return this->hasShape(this->Planar, 2, this->Data->GetNumberOfPoints(), "point");
@@ -120,11 +127,11 @@ private:
     {
       return true;
     }
-    return this->refuse(StatusCode::InvalidCurve,
-      std::string("the array ") + array->GetName() + " of the curves must have " +
-        std::to_string(components) + (components == 1 ? " component" : " components") +
-        " and a value for each " + what,
-      {});
+    return this->refuse({ StatusCode::InvalidCurve,
+      std::string("the array ") + array->GetName() + " of the curves has another shape", {},
+      { { Remedy::Give,
+        "it " + std::to_string(components) + (components == 1 ? " component" : " components") +
+          " and a value for each " + what } } });
   }
 
   bool readType(vtkIdType cell, CurveType& type)
@@ -145,9 +152,8 @@ private:
         return true;
       }
     }
-    return this->refuseCell(cell,
-      "has the CurveType \"" + value.ToString() +
-        "\"; give 0 (accessory), 1 (key), 2 (dart), 3 (seam) or one of these names");
+    return this->refuseCell(cell, "has the CurveType \"" + value.ToString() + "\"",
+      "0 (accessory), 1 (key), 2 (dart), 3 (seam) or one of these names");
   }
 
   bool readAttributes(vtkIdType cell, Attributes& attributes)
@@ -166,7 +172,7 @@ private:
       if (shape != 0.0 && shape != 1.0)
       {
         return this->refuseCell(
-          cell, "has a KeyShape that is neither 0 (as on the surface) nor 1 (straight)");
+          cell, "has an unknown KeyShape", "0 (as on the surface) or 1 (straight)");
       }
       attributes.keyShape = shape == 1.0 ? KeyShape::Straight : KeyShape::Surface;
     }
@@ -176,7 +182,7 @@ private:
       if (!(attributes.tolerance >= 0.0 && attributes.tolerance < 1.0))
       {
         return this->refuseCell(
-          cell, "has a LengthTolerance outside [0, 1); give a fraction of the length");
+          cell, "has a LengthTolerance outside [0, 1)", "a fraction of the length");
       }
     }
     return true;
@@ -187,8 +193,8 @@ private:
   {
     if (this->Data->GetNumberOfPoints() > std::numeric_limits<Index>::max())
     {
-      return this->refuse(
-        StatusCode::InvalidOption, "the curves have too many points; divide their data set", {});
+      return this->refuse({ StatusCode::InvalidOption, "the curves have too many points", {},
+        { Remedy::DivideInput } });
     }
     bool sound = true;
     std::map<Attributes, std::vector<Chain>> segments;
@@ -226,10 +232,10 @@ private:
     const bool known = std::all_of(chain.points.begin(), chain.points.end(),
       [count](vtkIdType p) { return p >= 0 && p < count; });
     return known ||
-      this->refuse(StatusCode::InvalidPointId,
+      this->refuse({ StatusCode::InvalidPointId,
         "cell " + std::to_string(chain.cell) + " of the curves uses a point id outside 0.." +
-          std::to_string(count - 1) + "; write the file again",
-        { chain.cell });
+          std::to_string(count - 1),
+        ofCell(chain.cell), { Remedy::WriteAgain } });
   }
 
   void joinSegments(const std::vector<Chain>& segments)
@@ -284,7 +290,7 @@ private:
     {
       return true;
     }
-    std::vector<vtkIdType> without;
+    Indices without;
     for (const Index p : polyline.pointIds)
     {
       const Point2 point(planar->GetComponent(p, 0), planar->GetComponent(p, 1));
@@ -299,10 +305,11 @@ private:
     }
     if (!without.empty() && !polyline.planarShape.empty())
     {
-      return this->refuse(StatusCode::InvalidCurve,
+      return this->refuse({ StatusCode::InvalidCurve,
         "the curve \"" + polyline.name + "\" has a PlanarShape at some of its points, but not at " +
-          listIds(Indices(without.begin(), without.end())) + "; give it at all of them, or at none",
-        without);
+          listIds(without),
+        { ElementKind::CurvePoints, without },
+        { { Remedy::Give, "it at all of them, or at none" } } });
     }
     if (without.empty())
     {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Outcome.h"
+#include "Base/Status.h"
 #include "Surface/FeatureCurve.h"
+
+#include "vtkType.h"
 
 class vtkPolyData;
 
@@ -16,7 +18,8 @@ struct CurveInput
   std::vector<Polyline> polylines;       ///< pointIds: of the data set that holds the curve
   std::vector<vtkIdType> cellOfPolyline; ///< its first cell there
   std::vector<vtkPolyData*> dataOfPolyline;
-  Outcome outcome;
+  Status outcome;
+  vtkPolyData* blamed = nullptr; ///< where the outcome is not Ok
 };
 
 /// Adds the line cells of a data set, but ghost cells. \return whether all of them are sound

@@ -32,7 +32,7 @@ std::string listed(const std::vector<Polyline>& curves)
 }
 }
 
-Outcome applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source)
+Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source)
 {
   std::vector<Polyline>& polylines = source.curves.polylines;
   for (const auto& entry : tolerances)
@@ -40,9 +40,8 @@ Outcome applyTolerances(const std::map<std::string, double>& tolerances, CurvedS
     if (!std::isfinite(entry.second) || entry.second < 0.0 || entry.second >= 1.0)
     {
       return { StatusCode::InvalidOption,
-        "the length tolerance of \"" + entry.first +
-          "\" lies outside [0, 1); give a fraction of the length",
-        {} };
+        "the length tolerance of \"" + entry.first + "\" lies outside [0, 1)", {},
+        { { Remedy::Give, "a fraction of the length" } } };
     }
     bool known = false;
     for (std::size_t c = 0; c < polylines.size(); ++c)
@@ -57,9 +56,9 @@ Outcome applyTolerances(const std::map<std::string, double>& tolerances, CurvedS
     if (!known)
     {
       return { StatusCode::InvalidOption,
-        "no curve is named \"" + entry.first + "\" to have a length tolerance; " +
+        "no curve is named \"" + entry.first + "\"; " +
           (polylines.empty() ? "there is no feature curve" : "the curves are " + listed(polylines)),
-        {} };
+        {}, { Remedy::NameCurve } };
     }
   }
   return {};

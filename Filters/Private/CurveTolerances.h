@@ -12,6 +12,6 @@ namespace bridge
 {
 /// Gives the curves of each name their length tolerance. InvalidOption where no curve has the name,
 /// or the tolerance lies outside [0, 1).
-Outcome applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source);
+Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source);
 }
 }

@@ -2,6 +2,7 @@
 #include "CurvedSurface.h"
 
 #include "Base/SameBits.h"
+#include "StatusInInput.h"
 
 #include "vtkPolyData.h"
 
@@ -13,33 +14,18 @@ namespace bridge
 {
 namespace
 {
-Outcome outcomeOfImprint(
+Status outcomeOfImprint(
   const Status& status, const CurveInput& curves, const SurfaceTriangles& input)
 {
-  if (status.code == StatusCode::NumericalFailure)
+  switch (status.ids.kind)
   {
-    return outcomeOf(status, "cells", input.cellOfTriangle);
+    case ElementKind::Cells:
+      return inInput(status, input.cellOfTriangle);
+    case ElementKind::Curves:
+      return inInput(status, curves.cellOfPolyline);
+    default:
+      return status; // points of a curve are the caller's already
   }
-  const bool ofCurves =
-    status.code == StatusCode::CurveTooShort || status.code == StatusCode::InvalidCurve;
-  Outcome outcome =
-    ofCurves ? outcomeOf(status, "cells", curves.cellOfPolyline) : outcomeOf(status);
-  outcome.curves = status.curve == none ? nullptr : curves.dataOfPolyline[status.curve];
-  return outcome;
-}
-
-/// Of the cut.
-bool concernsVertices(StatusCode code)
-{
-  return code == StatusCode::CurveNotOnEdges || code == StatusCode::CurveTooShort ||
-    code == StatusCode::InvalidPointId;
-}
-
-bool concernsTriangles(StatusCode code)
-{
-  return code == StatusCode::ClosedSurface || code == StatusCode::Handle ||
-    code == StatusCode::NotConverged || code == StatusCode::FlippedTriangles ||
-    code == StatusCode::Overlap;
 }
 
 /// Loads the surface of the data unless it has been.
@@ -105,7 +91,7 @@ Index CurvedSurface::vertexOf(vtkIdType point) const
   return known ? vertexOfPoint[point] : none;
 }
 
-Outcome CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const
+Status CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const
 {
   pins = { this->vertexOf(points[0]), this->vertexOf(points[1]) };
   const bool automatic = points[0] < 0 && points[1] < 0;
@@ -115,36 +101,35 @@ Outcome CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 
   }
   return { StatusCode::InvalidOption,
     "the pins " + std::to_string(points[0]) + " and " + std::to_string(points[1]) +
-      " are not two different points of the surface's triangles; name two, or -1 for both",
-    { points[0], points[1] } };
+      " are not two different points of the surface's triangles",
+    { ElementKind::Points, std::vector<std::int64_t>{ points[0], points[1] } },
+    { Remedy::NamePins } };
 }
 
-Outcome CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut) const
+Status CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut) const
 {
-  if (status.code == StatusCode::IncompatibleKeys)
-  {
-    return outcomeOf(status, "cells of the curves", this->curves.cellOfPolyline);
-  }
   std::vector<vtkIdType> inputId;
-  if (concernsVertices(status.code))
+  switch (status.ids.kind)
   {
-    for (Index v = 0; v < this->imprinted.mesh.vertexCount(); ++v)
-    {
-      inputId.push_back(this->pointOf(v));
-    }
-    return outcomeOf(status, "points", inputId);
+    case ElementKind::Curves:
+      return inInput(status, this->curves.cellOfPolyline);
+    case ElementKind::Points:
+    case ElementKind::Edges:
+      for (Index v = 0; v < this->imprinted.mesh.vertexCount(); ++v)
+      {
+        inputId.push_back(this->pointOf(v));
+      }
+      break;
+    case ElementKind::Cells:
+      for (Index t = 0; t < (cut ? cut->mesh : this->imprinted.mesh).triangleCount(); ++t)
+      {
+        inputId.push_back(this->cellOf(cut ? cut->originalTriangle(t) : t));
+      }
+      break;
+    default:
+      break; // ids of a stage's own making (wire-patches of a piece) mean nothing to the caller
   }
-  if (concernsTriangles(status.code))
-  {
-    const TriangleMesh& mesh = cut ? cut->mesh : this->imprinted.mesh;
-    for (Index t = 0; t < mesh.triangleCount(); ++t)
-    {
-      inputId.push_back(this->cellOf(cut ? cut->originalTriangle(t) : t));
-    }
-    return outcomeOf(status, "cells", inputId);
-  }
-  // Ids of a stage's own making (wire-patches of a piece) mean nothing to the caller.
-  return { status.code, status.message, {} };
+  return inInput(status, inputId);
 }
 
 void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
@@ -156,6 +141,7 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   source.pointArrays = wholePointArrays(surface, source.warnings);
   source.cellArrays = wholeCellArrays(surface, source.warnings);
   source.fieldData = fieldArrays(surface, source.warnings);
+  source.blamed = nullptr;
   loadSurfaceAnew(coincident, source);
   source.outcome = source.surface.outcome;
   if (!source.outcome.ok())
@@ -171,6 +157,7 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   if (!sound)
   {
     source.outcome = std::move(read.outcome);
+    source.blamed = read.blamed;
     return;
   }
   const bool imprinted = source.imprintedBy && sameOptions(*source.imprintedBy, options) &&
@@ -191,7 +178,9 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   {
     source.imprintedBy = options;
   }
-  source.outcome = outcomeOfImprint(source.imprinted.status, source.curves, source.surface.input);
+  const Status& status = source.imprinted.status;
+  source.outcome = outcomeOfImprint(status, source.curves, source.surface.input);
+  source.blamed = status.curve == none ? nullptr : source.curves.dataOfPolyline[status.curve];
 }
 }
 }

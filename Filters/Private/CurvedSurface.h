@@ -49,10 +49,10 @@ private:
 ///     triangle of the cut surface -> CutSurface::originalTriangle() -> triangle of imprinted.mesh
 ///       -> imprinted.originalTriangle -> triangle of the input -> cellOfTriangle -> cell of the input
 ///
-/// The ids of a stage's Status are: those of the input in readTriangles() and readCurves();
-/// triangles and points of the input in prepareSurface(); points of the curve's data set, curves,
-/// or triangles of the input (NumericalFailure) in imprintCurves(); vertices of imprinted.mesh in
-/// cutSurface(); after it curves (IncompatibleKeys), triangles, or nothing that the caller knows.
+/// What the ids of a Status are of, they know (ElementKind). Their numbering is that of the stage:
+/// the input's in readTriangles() and readCurves(); triangles and points of the input in
+/// prepareSurface(); triangles of the input and points of the curve's data set in imprintCurves();
+/// vertices and triangles of imprinted.mesh after it; curves in the order of reading.
 struct CurvedSurface
 {
   vtkPolyData* data = nullptr; ///< the input, of this run only
@@ -64,7 +64,8 @@ struct CurvedSurface
   LoadedSurface surface;
   CurveInput curves;
   ImprintedSurface imprinted;
-  Outcome outcome;
+  Status outcome;
+  vtkPolyData* blamed = nullptr; ///< the data set of the curve that is to blame
 
   /// Of the data that `surface` was loaded from.
   SurfaceOrigin origin;
@@ -81,10 +82,10 @@ struct CurvedSurface
   Index vertexOf(vtkIdType point) const;
   /// The vertices of two points of the input; none for -1. Refuses points that no triangle uses,
   /// one pin alone, and twice the same.
-  Outcome pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const;
+  Status pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const;
   /// The outcome of a stage after imprinting. \param cut where its triangles are those of a cut
   /// surface that may lack some; null: those of the imprinted surface
-  Outcome outcomeOfStage(const Status& status, const CutSurface* cut = nullptr) const;
+  Status outcomeOfStage(const Status& status, const CutSurface* cut = nullptr) const;
 };
 
 /// Loads the surface with its curves. What the source holds of a run before is taken over where it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatteningOutput.h"
 
+#include "StatusOutput.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"
@@ -65,11 +66,12 @@ void writePieces(const CurvedSurface& source, const FlatteningResult& result, vt
     summaries.push_back(piece.quality);
   }
   writeSummaries(summaries, field);
-  addRows<vtkStringArray>(
-    field, "Status", rows, [&](std::size_t row) { return statusName(pieces[row].status.code); });
-  addRows<vtkStringArray>(field, "StatusMessage", rows, [&](std::size_t row) {
-    return source.outcomeOfStage(pieces[row].status, result.cut.get()).message;
-  });
+  std::vector<Status> statuses;
+  for (const PieceReport& piece : pieces)
+  {
+    statuses.push_back(source.outcomeOfStage(piece.status, result.cut.get()));
+  }
+  writeStatuses(statuses, field);
 }
 
 /// Pieces that cannot be laid flat and were skipped.

@@ -18,7 +18,7 @@ namespace
 {
 using Coordinates = std::array<double, 3>;
 
-Outcome readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface& result)
+Status readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface& result)
 {
   vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
   if (flat &&
@@ -27,18 +27,17 @@ Outcome readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface
       flat->GetNumberOfStrips() != surface->GetNumberOfStrips()))
   {
     return { StatusCode::InvalidOption,
-      "the flat surface has not as many points and cells as the surface; give the same surface, "
-      "flat",
-      {} };
+      "the flat surface has not as many points and cells as the surface", {},
+      { { Remedy::Give, "the same surface, flat" } } };
   }
   if (!flat &&
     (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
       coordinates->GetNumberOfTuples() < surface->GetNumberOfPoints()))
   {
-    return { StatusCode::InvalidOption,
-      "there are no flat positions; give the flat surface on port 1, or texture coordinates", {} };
+    return { StatusCode::InvalidOption, "there are no flat positions", {},
+      { { Remedy::Give, "the flat surface on port 1, or texture coordinates" } } };
   }
-  Outcome outcome;
+  Indices bad;
   for (const Index p : result.surface.prepared.originalPoint)
   {
     Coordinates position{};
@@ -53,17 +52,16 @@ Outcome readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface
     result.positions.emplace_back(position[0], position[1]);
     if (!result.positions.back().allFinite())
     {
-      outcome.ids.push_back(p);
+      bad.push_back(p);
     }
   }
-  if (!outcome.ids.empty())
+  if (!bad.empty())
   {
-    outcome.code = StatusCode::NonFinitePoint;
-    outcome.message = "the flat positions of points " +
-      listIds(Indices(outcome.ids.begin(), outcome.ids.end())) +
-      " are not finite numbers; mend them";
+    return { StatusCode::NonFinitePoint,
+      "the flat positions of points " + listIds(bad) + " are not finite numbers",
+      { ElementKind::Points, bad }, { Remedy::MendPoints } };
   }
-  return outcome;
+  return {};
 }
 
 void turnFaceUp(MappedSurface& result)
@@ -101,18 +99,16 @@ public:
     }
   }
 
-  Outcome find(vtkPolyData* lines, Indices& edges) const
+  Status find(vtkPolyData* lines, Indices& edges) const
   {
     using Pair = std::pair<Index, Index>;
     std::map<Pair, std::pair<vtkIdType, vtkIdType>> wanted; // with the points that ask for it
-    Outcome outcome;
     if (!lines->GetLines()->IsValid())
     {
-      outcome.code = StatusCode::InvalidPointId;
-      outcome.message = "the lines of the edges do not fit the list of their points; write them "
-                        "again";
-      return outcome;
+      return { StatusCode::InvalidPointId,
+        "the lines of the edges do not fit the list of their points", {}, { Remedy::WriteAgain } };
     }
+    std::vector<std::int64_t> unknown;
     forEachCell(lines->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
       Index last = none;
       for (vtkIdType i = 0; i < count; ++i)
@@ -120,7 +116,7 @@ public:
         const Index place = this->placeOf(lines, ids[i]);
         if (place == none)
         {
-          outcome.ids.push_back(ids[i]);
+          unknown.push_back(ids[i]);
         }
         else if (last != none && place != last)
         {
@@ -129,12 +125,11 @@ public:
         last = place;
       }
     });
-    if (!outcome.ids.empty())
+    if (!unknown.empty())
     {
-      outcome.code = StatusCode::CurvePointOffSurface;
-      outcome.message = "points " + listIds(Indices(outcome.ids.begin(), outcome.ids.end())) +
-        " of the edges are no points of the surface; take the edges from the surface itself";
-      return outcome;
+      return { StatusCode::CurvePointOffSurface,
+        "points " + listIds(unknown) + " of the edges are no points of the surface",
+        { ElementKind::CurvePoints, unknown }, { Remedy::TakeEdges } };
     }
     std::set<Pair> met;
     for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
@@ -152,9 +147,10 @@ public:
       {
         return { StatusCode::CurveNotOnEdges,
           "there is no edge of the surface between points " + std::to_string(entry.second.first) +
-            " and " + std::to_string(entry.second.second) +
-            " of the edges; take the edges from the surface itself",
-          { entry.second.first, entry.second.second } };
+            " and " + std::to_string(entry.second.second) + " of the edges",
+          { ElementKind::CurvePoints,
+            std::vector<std::int64_t>{ entry.second.first, entry.second.second } },
+          { Remedy::TakeEdges } };
       }
     }
     return {};
@@ -185,7 +181,7 @@ private:
   Indices Place; ///< per vertex the first one with its coordinates
 };
 
-Outcome findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
+Status findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
 {
   const TriangleMesh& mesh = result.surface.prepared.mesh;
   if (!edges)
@@ -201,7 +197,7 @@ Outcome findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
   {
     inSpace.push_back({ p.x(), p.y(), p.z() });
   }
-  Outcome outcome = EdgeFinder(mesh, inSpace).find(edges, result.edges);
+  Status outcome = EdgeFinder(mesh, inSpace).find(edges, result.edges);
   if (outcome.ok() || !flat)
   {
     return outcome;
@@ -213,7 +209,7 @@ Outcome findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
     flat->GetPoint(p, inPlane.back().data());
   }
   result.edges.clear();
-  return EdgeFinder(mesh, inPlane).find(edges, result.edges).ok() ? Outcome() : outcome;
+  return EdgeFinder(mesh, inPlane).find(edges, result.edges).ok() ? Status() : outcome;
 }
 }
 

@@ -16,7 +16,7 @@ struct MappedSurface
   Points2 positions;     ///< per vertex
   bool mirrored = false; ///< the positions given turn the surface over; x has been negated
   Indices edges;         ///< half-edges whose length counts
-  Outcome outcome;
+  Status outcome;
 };
 
 /// \param flat the flat surface; null: the surface's texture coordinates

@@ -2,6 +2,7 @@
 #include "SurfaceInput.h"
 
 #include "CellVisit.h"
+#include "StatusInInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -78,16 +79,14 @@ void triangulate(
     }
   });
 
-  Indices lost;
-  std::vector<vtkIdType> lostCells;
+  std::vector<std::int64_t> lost;
   std::size_t t = 0;
   for (vtkIdType cell = firstCell; cell < firstCell + polygons->GetNumberOfCells(); ++cell)
   {
     if (choice.reads(cell) &&
       (t == result.cellOfTriangle.size() || result.cellOfTriangle[t] != cell))
     {
-      lost.push_back(static_cast<Index>(cell));
-      lostCells.push_back(cell);
+      lost.push_back(cell);
     }
     while (t < result.cellOfTriangle.size() && result.cellOfTriangle[t] == cell)
     {
@@ -97,9 +96,8 @@ void triangulate(
   if (!lost.empty())
   {
     result.outcome = { StatusCode::DegenerateTriangle,
-      "cells " + listIds(lost) +
-        " are polygons without area, which cannot be triangulated; remove or remesh them",
-      lostCells };
+      "cells " + listIds(lost) + " are polygons without area, which cannot be triangulated",
+      { ElementKind::Cells, lost }, { Remedy::RemeshTriangles } };
   }
 }
 }
@@ -140,9 +138,8 @@ SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts)
   if (corners > mostTriangles || surface->GetNumberOfPoints() > mostTriangles)
   {
     result.outcome = { StatusCode::InvalidOption,
-      "the surface has more than " + std::to_string(mostTriangles) +
-        " points or corners; divide it",
-      {} };
+      "the surface has more than " + std::to_string(mostTriangles) + " points or corners", {},
+      { Remedy::DivideInput } };
     return result;
   }
 
@@ -189,10 +186,9 @@ LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, Gho
   }
   result.prepared = prepareSurface(result.input.points, result.input.triangles, coincident);
   const Status& status = result.prepared.status;
-  const bool ofPoints =
-    status.code == StatusCode::NonFinitePoint || status.code == StatusCode::NonManifoldVertex;
+  // Its points are the input's.
   result.outcome =
-    ofPoints ? outcomeOf(status) : outcomeOf(status, "cells", result.input.cellOfTriangle);
+    status.ids.kind == ElementKind::Cells ? inInput(status, result.input.cellOfTriangle) : status;
   return result;
 }
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Outcome.h"
+#include "Base/Status.h"
 #include "Surface/SurfacePreparation.h"
+
+#include "vtkType.h"
 
 class vtkPolyData;
 class vtkUnsignedCharArray;
@@ -17,7 +19,7 @@ struct SurfaceTriangles
   Points3 points;
   Triangles triangles; ///< those of one cell in a row, cells in order
   std::vector<vtkIdType> cellOfTriangle;
-  Outcome outcome;
+  Status outcome;
 };
 
 /// Which cells that vtkGhostType marks are read.
@@ -46,7 +48,7 @@ struct LoadedSurface
 {
   SurfaceTriangles input;
   PreparedSurface prepared;
-  Outcome outcome;
+  Status outcome;
 };
 
 LoadedSurface loadSurface(

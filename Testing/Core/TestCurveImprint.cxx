@@ -199,7 +199,7 @@ TEST(CurveImprint, ASegmentThatIsNoEdgeIsRefusedWithItsPointsWhereSplittingIsOff
   const auto result =
     imprintCurves(grid(4), { polyline({ Point3(0, 0, 0), Point3(2, 1, 0) }) }, options);
   EXPECT_EQ(result.status.code, StatusCode::CurveNotOnEdges);
-  EXPECT_EQ(result.status.ids, (Indices{ 100, 101 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 100, 101 } }));
 }
 
 TEST(CurveImprint, PointsOffTheSurfaceAreRefusedWithTheirIds)
@@ -207,7 +207,7 @@ TEST(CurveImprint, PointsOffTheSurfaceAreRefusedWithTheirIds)
   const auto result = imprintCurves(
     grid(4), { polyline({ Point3(0, 0, 0), Point3(1, 1, 0.5), Point3(9, 9, 0) }) }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurvePointOffSurface);
-  EXPECT_EQ(result.status.ids, (Indices{ 101, 102 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101, 102 } }));
 }
 
 TEST(CurveImprint, APointTooFarToMeasureIsRefusedLikeOneThatIsNoNumber)
@@ -215,7 +215,7 @@ TEST(CurveImprint, APointTooFarToMeasureIsRefusedLikeOneThatIsNoNumber)
   const auto result =
     imprintCurves(grid(4), { polyline({ Point3(0, 0, 0), Point3(1, 1e200, 0) }) }, {});
   EXPECT_EQ(result.status.code, StatusCode::NonFinitePoint);
-  EXPECT_EQ(result.status.ids, (Indices{ 101 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101 } }));
 }
 
 TEST(CurveImprint, ACurveWithoutTwoDifferentPointsIsRefusedWithItsId)
@@ -224,7 +224,7 @@ TEST(CurveImprint, ACurveWithoutTwoDifferentPointsIsRefusedWithItsId)
   const Polyline bad = polyline({ Point3(1, 1, 0), Point3(1, 1, 0) });
   const auto result = imprintCurves(grid(4), { good, bad }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurveTooShort);
-  EXPECT_EQ(result.status.ids, (Indices{ 1 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 1 } }));
 }
 
 TEST(CurveImprint, AStraightLineAcrossAFlatMeshStaysStraightAndKeepsItsLength)
@@ -443,7 +443,7 @@ TEST(CurveImprint, ASegmentThatLeavesTheSurfaceIsRefusedWithItsPoints)
   const Polyline bad = polyline({ Point3(0.2, 0.3, 0), Point3(1.1, 1.4, 0), Point3(5.1, 1.6, 0) });
   const auto result = imprintCurves(mesh, { bad }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);
-  EXPECT_EQ(result.status.ids, (Indices{ 101, 102 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101, 102 } }));
   EXPECT_NE(result.status.message.find("(2, "), std::string::npos) << result.status.message;
   EXPECT_EQ(result.mesh.triangleCount(), 0);
 }
@@ -453,7 +453,7 @@ TEST(CurveImprint, APointOffTheSurfaceIsRefusedWithItsDistance)
   const auto result =
     imprintCurves(grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0.25) }) }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurvePointOffSurface);
-  EXPECT_EQ(result.status.ids, (Indices{ 101 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101 } }));
   EXPECT_NE(result.status.message.find("0.25"), std::string::npos) << result.status.message;
   ImprintOptions wide;
   wide.tolerance = 0.1;
@@ -471,7 +471,7 @@ TEST(CurveImprint, ASegmentThatNoSectionOfTheSurfaceJoinsIsRefusedWithItsPoints)
   const TriangleMesh mesh = torus(24);
   const auto result = imprintCurves(mesh, { polyline({ mesh.point(0), mesh.point(300) }) }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);
-  EXPECT_EQ(result.status.ids, (Indices{ 100, 101 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 100, 101 } }));
   EXPECT_NE(result.status.message.find("cannot be followed"), std::string::npos)
     << result.status.message;
   // Half-way around on the outside a plane section joins the two.
@@ -507,7 +507,7 @@ TEST(CurveImprint, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused
   infinite.points[1].y() = std::numeric_limits<double>::infinity();
   const auto result = imprintCurves(grid(2), { infinite }, {});
   EXPECT_EQ(result.status.code, StatusCode::NonFinitePoint);
-  EXPECT_EQ(result.status.ids, (Indices{ 101 }));
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101 } }));
 }
 
 TEST(CurveImprint, ThePlanarShapeOfAKeyCurveIsInterpolatedAlongItsLength)

@@ -22,14 +22,29 @@ namespace
 const Points3 square{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) };
 const Triangles squareTriangles{ { 0, 1, 2 }, { 0, 2, 3 } };
 
+/// The code of a status, which names the defect and a way out wherever it is not Ok.
+StatusCode codeOf(const Status& status)
+{
+  EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
+  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.waysOut.empty())
+    << status.message;
+  return status.code;
+}
+
+bool has(const Status& status, Remedy remedy)
+{
+  return std::any_of(status.waysOut.begin(), status.waysOut.end(),
+    [remedy](const WayOut& wayOut) { return wayOut.remedy == remedy; });
+}
+
 StatusCode prepare(const Points3& points, const Triangles& triangles)
 {
-  return prepareSurface(points, triangles).status.code;
+  return codeOf(prepareSurface(points, triangles).status);
 }
 
 StatusCode flatten(const Surface& surface, const FlatteningOptions& options = {})
 {
-  return flattenSurface(surface.mesh, surface.curves, options, {}).status.code;
+  return codeOf(flattenSurface(surface.mesh, surface.curves, options, {}).status);
 }
 
 StatusCode imprint(const Points3& points, bool split = true)
@@ -38,7 +53,7 @@ StatusCode imprint(const Points3& points, bool split = true)
   polyline.points = points;
   ImprintOptions options;
   options.split = split;
-  return imprintCurves(TriangleMesh(square, squareTriangles), { polyline }, options).status.code;
+  return codeOf(imprintCurves(TriangleMesh(square, squareTriangles), { polyline }, options).status);
 }
 
 /// A doughnut of n x n quads.
@@ -217,11 +232,11 @@ TEST(Errors, OfTheCurves)
   Polyline across;
   across.points = { Point3(0, 3, 0), Point3(4, 3, 0) };
   EXPECT_EQ(
-    imprintCurves(prepared.mesh, { across }, {}).status.code, StatusCode::CurveLeavesSurface);
+    codeOf(imprintCurves(prepared.mesh, { across }, {}).status), StatusCode::CurveLeavesSurface);
   across.points = { Point3(0, 0, 0), Point3(4, 0, 0) };
   across.keyShape = KeyShape::Planar;
   across.planarShape = { Point2(0, 0) };
-  EXPECT_EQ(imprintCurves(prepared.mesh, { across }, {}).status.code, StatusCode::InvalidCurve);
+  EXPECT_EQ(codeOf(imprintCurves(prepared.mesh, { across }, {}).status), StatusCode::InvalidCurve);
 }
 
 TEST(Errors, OfTrianglesTooThinToBeSplit)
@@ -245,9 +260,11 @@ TEST(Errors, OfTrianglesTooThinToBeSplit)
     ++failures;
     // What it names is too thin: no triangle of the other rows is.
     EXPECT_FALSE(status.ids.empty());
-    for (Index t : status.ids)
+    EXPECT_EQ(status.ids.kind, ElementKind::Cells);
+    EXPECT_TRUE(has(status, Remedy::RaiseSnapTolerance));
+    for (const std::int64_t t : status.ids.values)
     {
-      EXPECT_LT(height(prepared.mesh, t), 1e-9) << "trial " << trial;
+      EXPECT_LT(height(prepared.mesh, static_cast<Index>(t)), 1e-9) << "trial " << trial;
     }
     // The ways out that the message names: the first always is one, the second mostly.
     EXPECT_TRUE(sheet.imprint(1.0, 0.0).ok()) << "trial " << trial << ", remeshed";
@@ -288,7 +305,7 @@ TEST(Errors, BrokenPromisesKeepAResult)
   const auto run = [](const Surface& surface, const FlatteningOptions& options) {
     FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
     EXPECT_EQ(result.positions.size(), static_cast<std::size_t>(result.cut->mesh.vertexCount()));
-    return result.status.code;
+    return codeOf(result.status);
   };
   FlatteningOptions few;
   few.scheme = Scheme::Isometric;

@@ -57,8 +57,10 @@ TEST(KeyRelease, ReleasesOneCurveWhereOneIsEnough)
     5, [](const std::set<Index>& r) { return r.count(3) > 0; }, one);
   EXPECT_EQ(result.released, (Indices{ 3 }));
   EXPECT_STREQ(statusName(result.status.code), "IncompatibleKeys");
-  EXPECT_EQ(result.status.ids, (Indices{ 3 }));
-  EXPECT_NE(result.status.message.find("release \"key3\""), std::string::npos);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 3 } }));
+  ASSERT_FALSE(result.status.waysOut.empty());
+  EXPECT_EQ(result.status.waysOut.front().remedy, Remedy::MakeAccessory);
+  EXPECT_EQ(result.status.waysOut.front().subject, "\"key3\"");
 }
 
 TEST(KeyRelease, OfSeveralSingleCurvesTakesTheOneWithTheLeastObjective)

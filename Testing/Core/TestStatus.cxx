@@ -9,9 +9,9 @@ using namespace flattening;
 
 TEST(Status, AListOfIdsIsCutWhereItGetsLongAndSaysHowManyAreLeft)
 {
-  EXPECT_EQ(listIds({}, 3), "");
-  EXPECT_EQ(listIds({ 4, 7 }, 3), "4, 7");
-  EXPECT_EQ(listIds({ 4, 7, 9, 11, 12 }, 3), "4, 7, 9 and 2 more");
+  EXPECT_EQ(listIds(Indices{}, 3), "");
+  EXPECT_EQ(listIds(Indices{ 4, 7 }, 3), "4, 7");
+  EXPECT_EQ(listIds(Indices{ 4, 7, 9, 11, 12 }, 3), "4, 7, 9 and 2 more");
 }
 
 TEST(FloatingPointTraps, AreOnInThisProgram)

@@ -42,10 +42,10 @@ void expectSewable(const TriangleMesh& mesh, const CutSurface& cut)
   }
 }
 
-void expectRefusal(const CutSurface& cut, StatusCode code, const Indices& ids)
+void expectRefusal(const CutSurface& cut, StatusCode code, ElementKind kind, const Indices& ids)
 {
   EXPECT_STREQ(statusName(cut.status.code), statusName(code));
-  EXPECT_EQ(cut.status.ids, ids);
+  EXPECT_EQ(cut.status.ids, (ElementIds{ kind, ids }));
   EXPECT_NE(cut.status.message.find("\"c\""), std::string::npos) << cut.status.message;
 }
 }
@@ -235,14 +235,16 @@ TEST(SurfaceCut, PiecesPointBackToTheCutSurface)
 TEST(SurfaceCut, NamesCurvesThatAreNoChainsOfEdges)
 {
   const TriangleMesh mesh = cushion(4, 4, 0.3).mesh;
-  expectRefusal(cutSurface(mesh, { accessory("c", { 3 }) }), StatusCode::CurveTooShort, { 3 });
-  expectRefusal(cutSurface(mesh, { accessory("c", {}) }), StatusCode::CurveTooShort, {});
+  expectRefusal(cutSurface(mesh, { accessory("c", { 3 }) }), StatusCode::CurveTooShort,
+    ElementKind::Points, { 3 });
   expectRefusal(
-    cutSurface(mesh, { accessory("c", { 0, 1, 24 }) }), StatusCode::CurveNotOnEdges, { 1, 24 });
-  expectRefusal(
-    cutSurface(mesh, { accessory("c", { 0, 1, 1 }) }), StatusCode::CurveNotOnEdges, { 1, 1 });
-  expectRefusal(
-    cutSurface(mesh, { accessory("c", { 0, 25 }) }), StatusCode::InvalidPointId, { 25 });
-  expectRefusal(
-    cutSurface(mesh, { accessory("c", { -1, 0 }) }), StatusCode::InvalidPointId, { -1 });
+    cutSurface(mesh, { accessory("c", {}) }), StatusCode::CurveTooShort, ElementKind::Points, {});
+  expectRefusal(cutSurface(mesh, { accessory("c", { 0, 1, 24 }) }), StatusCode::CurveNotOnEdges,
+    ElementKind::Edges, { 1, 24 });
+  expectRefusal(cutSurface(mesh, { accessory("c", { 0, 1, 1 }) }), StatusCode::CurveNotOnEdges,
+    ElementKind::Edges, { 1, 1 });
+  expectRefusal(cutSurface(mesh, { accessory("c", { 0, 25 }) }), StatusCode::InvalidPointId,
+    ElementKind::Points, { 25 });
+  expectRefusal(cutSurface(mesh, { accessory("c", { -1, 0 }) }), StatusCode::InvalidPointId,
+    ElementKind::Points, { -1 });
 }

@@ -248,7 +248,8 @@ TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLea
     const FlatteningResult result = flatten(surface, optionsOf(scheme));
     EXPECT_STREQ(statusName(result.status.code), "IncompatibleKeys");
     EXPECT_FALSE(result.status.refused());
-    EXPECT_EQ(result.status.ids, (Indices{ 0 })) << result.status.message;
+    EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 0 } }))
+      << result.status.message;
     EXPECT_NE(result.status.message.find("\"ring\""), std::string::npos);
     EXPECT_NE(result.status.message.find("\"hem\""), std::string::npos);
     EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);

@@ -248,7 +248,7 @@ TEST(WireNetwork, NamesClosedSurfacesAndHandles)
     { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
   const WiredSurface closed(tetrahedron, {});
   EXPECT_STREQ(statusName(closed.network.status.code), "ClosedSurface");
-  EXPECT_EQ(closed.network.status.ids, (Indices{ 0 }));
+  EXPECT_EQ(closed.network.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0 } }));
 
   // A torus with a triangle left out.
   const Index n = 6;
@@ -274,7 +274,7 @@ TEST(WireNetwork, NamesClosedSurfacesAndHandles)
   const TriangleMesh torus(points, triangles);
   const WiredSurface handle(torus, {});
   EXPECT_STREQ(statusName(handle.network.status.code), "Handle");
-  EXPECT_EQ(handle.network.status.ids, (Indices{ 0 }));
+  EXPECT_EQ(handle.network.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0 } }));
 
   // The message's way out works: two seams around open the handle.
   std::vector<FeatureCurve> seams(2);

@@ -31,14 +31,21 @@ AngleSolution finish(
   }
   solution.objective = angleObjective(problem, solution.theta);
   solution.closure = closureResidual(*problem.network, solution.theta, solution.length);
-  if (state.cancelled)
+  if (state.ending == Ending::Cancelled)
   {
     solution.status = { StatusCode::Cancelled, "cancelled while solving for the wires", {} };
   }
-  else if (!state.converged)
+  else if (state.ending == Ending::Exhausted)
   {
     solution.status = { StatusCode::NotConverged,
-      "the wires' angles did not converge; allow more iterations", {} };
+      "the wires' angles did not converge in the iterations that are allowed", {},
+      { Remedy::AllowAngleIterations } };
+  }
+  else if (state.ending == Ending::Stalled)
+  {
+    solution.status = { StatusCode::NotConverged,
+      "the wires' angles stopped short of a solution, and more iterations would change nothing", {},
+      {} };
   }
   return solution;
 }
@@ -66,10 +73,9 @@ NewtonState followLengths(const AngleStart& start, const AngleProblem& problem,
       rough.maximumIterations = std::min(options.maximumIterations, 20);
       rough.closureTolerance = rough.optimalityTolerance = 1e-6;
     }
-    state.converged = false;
     state =
       solveAnglesByNewton(form, problem, std::move(state), rough, execution, "homotopy", history);
-    if (state.cancelled)
+    if (state.ending == Ending::Cancelled)
     {
       break;
     }
@@ -98,7 +104,9 @@ void close(
   if (!form.contradictions().empty() && solution.status.code != StatusCode::Cancelled)
   {
     solution.status = { StatusCode::IncompatibleKeys,
-      "the angles that key curves prescribe contradict each other", form.contradictions() };
+      "the angles that key curves prescribe contradict each other",
+      { ElementKind::WireNodes, form.contradictions() },
+      { { Remedy::MakeAccessory, "key curves" } } };
   }
 }
 

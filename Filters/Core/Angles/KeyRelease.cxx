@@ -206,6 +206,17 @@ Indices KeyReleaseSearch::keepWhatCanBe()
   return without(this->Keys, kept);
 }
 
+namespace
+{
+std::string clashText(const std::vector<FeatureCurve>& curves, const Indices& clashing)
+{
+  return clashing.size() == 1
+    ? "the key curve " + quotedNames(curves, clashing) + " cannot keep its planar shape"
+    : "the key curves " + quotedNames(curves, clashing) +
+      " cannot keep their planar shapes together";
+}
+}
+
 Status describeRelease(
   const std::vector<FeatureCurve>& curves, const Indices& keys, const KeyReleaseSearch& search)
 {
@@ -213,17 +224,24 @@ Status describeRelease(
   const Indices clashing = joined(search.concerned(), released);
   constexpr std::size_t most = 5;
   const Indices kept = without(keys, released);
-  std::string text = clashing.size() == 1
-    ? "the key curve " + quotedNames(curves, clashing) + " cannot keep its planar shape"
-    : "the key curves " + quotedNames(curves, clashing) +
-      " cannot keep their planar shapes together";
-  text += "; release " + quotedNames(curves, released) +
-    " into accessory curves (done here for a usable result";
+  std::string text = clashText(curves, clashing) + "; here " + quotedNames(curves, released) +
+    (released.size() == 1 ? " has" : " have") + " given up the shape";
   if (!kept.empty())
   {
-    text += kept.size() > most ? "; the other " + std::to_string(kept.size()) + " keep their shapes"
-                               : "; kept: " + quotedNames(curves, kept);
+    text += kept.size() > most
+      ? ", the other " + std::to_string(kept.size()) + " keep theirs"
+      : ", " + quotedNames(curves, kept) + (kept.size() == 1 ? " keeps its own" : " keep theirs");
   }
-  return { StatusCode::IncompatibleKeys, text + ")", released };
+  return { StatusCode::IncompatibleKeys, text, { ElementKind::Curves, released },
+    { { Remedy::MakeAccessory, quotedNames(curves, released) },
+      { Remedy::ChangeKeyShapes, quotedNames(curves, clashing) } } };
+}
+
+Status describeClash(const std::vector<FeatureCurve>& curves, const Indices& keys)
+{
+  return { StatusCode::IncompatibleKeys,
+    clashText(curves, keys) + ", and giving up all of them does not help alone",
+    { ElementKind::Curves, keys },
+    { { Remedy::MakeAccessory, quotedNames(curves, keys) }, Remedy::MendSlivers } };
 }
 }

@@ -62,4 +62,6 @@ private:
 /// (ids: curves).
 Status describeRelease(
   const std::vector<FeatureCurve>& curves, const Indices& keys, const KeyReleaseSearch& search);
+/// IncompatibleKeys where no release helps, with the names of all keys (ids: curves).
+Status describeClash(const std::vector<FeatureCurve>& curves, const Indices& keys);
 }

@@ -38,6 +38,7 @@ public:
   {
     const double size = perimeter(this->Problem) / this->Form.unit();
     double stepSize = 0.0;
+    std::vector<double> residuals;
     for (int iteration = 0;; ++iteration)
     {
       this->linearize();
@@ -51,20 +52,23 @@ public:
       if (record.closure < options.closureTolerance &&
         record.optimality < options.optimalityTolerance && !this->releaseHeld())
       {
-        this->State.converged = true;
+        this->State.ending = Ending::Converged;
         break;
       }
-      if (iteration >= options.maximumIterations || !std::isfinite(record.objective))
+      residuals.push_back(record.closure + record.optimality);
+      if (iteration >= options.maximumIterations)
       {
+        this->State.ending = standsStill(residuals) ? Ending::Stalled : Ending::Exhausted;
         break;
       }
       if (execution.cancelled())
       {
-        this->State.cancelled = true;
+        this->State.ending = Ending::Cancelled;
         break;
       }
-      if (!this->solveStep() || !this->advance(stepSize))
+      if (!std::isfinite(record.objective) || !this->solveStep() || !this->advance(stepSize))
       {
+        this->State.ending = Ending::Stalled;
         break;
       }
     }

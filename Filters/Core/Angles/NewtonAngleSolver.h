@@ -5,6 +5,7 @@
 #include "Angles/AngleSolution.h"
 #include "Angles/AngleSolverOptions.h"
 #include "Angles/DirectionsForm.h"
+#include "Base/Ending.h"
 #include "Base/Execution.h"
 
 namespace flattening
@@ -14,8 +15,7 @@ struct NewtonState
 {
   Eigen::VectorXd x;           ///< unknowns of the directions form
   Eigen::VectorXd multipliers; ///< of its closures
-  bool converged = false;
-  bool cancelled = false;
+  Ending ending = Ending::Exhausted;
 };
 
 /// Exact Newton method on the directions form: KKT systems by LDL^T with a small -delta I block and

@@ -184,8 +184,8 @@ AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& opt
   {
     solution.status = { StatusCode::NotConverged,
       "the sequential iteration did not converge in " + std::to_string(solution.iterations) +
-        " iterations; use the Newton solver",
-      {} };
+        " iterations",
+      {}, { Remedy::UseNewton } };
   }
   return solution;
 }

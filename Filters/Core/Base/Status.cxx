@@ -7,6 +7,27 @@
 
 namespace flattening
 {
+int severity(StatusCode code)
+{
+  switch (code)
+  {
+    case StatusCode::Ok:
+      return 0;
+    case StatusCode::Overlap:
+      return 1;
+    case StatusCode::FlippedTriangles:
+      return 2;
+    case StatusCode::NotConverged:
+      return 3;
+    case StatusCode::IncompatibleKeys:
+      return 4;
+    case StatusCode::LengthError:
+      return 5;
+    default:
+      return 6;
+  }
+}
+
 const char* statusName(StatusCode code)
 {
   switch (code)
@@ -63,7 +84,10 @@ const char* statusName(StatusCode code)
   return "Unknown";
 }
 
-std::string listIds(const Indices& ids, std::size_t most)
+namespace
+{
+template <class Ids>
+std::string listed(const Ids& ids, std::size_t most)
 {
   std::string text;
   for (std::size_t i = 0; i < std::min(ids.size(), most); ++i)
@@ -75,6 +99,17 @@ std::string listIds(const Indices& ids, std::size_t most)
     text += " and " + std::to_string(ids.size() - most) + " more";
   }
   return text;
+}
+}
+
+std::string listIds(const Indices& ids, std::size_t most)
+{
+  return listed(ids, most);
+}
+
+std::string listIds(const std::vector<std::int64_t>& ids, std::size_t most)
+{
+  return listed(ids, most);
 }
 
 std::string shortNumber(double value)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Types.h"
+#include "Base/ElementIds.h"
+#include "Base/Remedy.h"
 
 #include <string>
 
@@ -40,15 +41,21 @@ enum class StatusCode
   Overlap,
 };
 
+/// How bad a code is, for the one place that decides which of several is told: refusals above
+/// broken promises, and of these lengths that are off above shapes of keys that are given up, what
+/// is not at a minimum, flips and overlaps. 0 where all is well.
+int severity(StatusCode code);
+
 /// Short fixed name of a code ("NonManifoldEdge"), for reports and tests.
 const char* statusName(StatusCode code);
 
-/// Outcome of a stage: the defect, the first offending element ids, and the way out in words.
+/// Outcome of a stage: the defect, the first offending elements, and the ways out.
 struct Status
 {
   StatusCode code = StatusCode::Ok;
-  std::string message;
-  Indices ids;
+  std::string message; ///< the defect alone; the user interface adds the ways out in its words
+  ElementIds ids = {};
+  WaysOut waysOut = {};
   Index curve = none; ///< the polyline that is to blame, where it is one
 
   bool ok() const { return this->code == StatusCode::Ok; }
@@ -61,6 +68,7 @@ struct Status
 
 /// The first few ids as text, "3, 7, 12 and 5 more".
 std::string listIds(const Indices& ids, std::size_t most = 5);
+std::string listIds(const std::vector<std::int64_t>& ids, std::size_t most = 5);
 /// A number for a message, with four digits.
 std::string shortNumber(double value);
 }

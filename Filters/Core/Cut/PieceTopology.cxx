@@ -40,11 +40,12 @@ Status refusalOfWhole(const PieceDefect& defect)
 {
   const std::string triangle = std::to_string(defect.triangle);
   return { defect.code(),
-    defect.closed ? "the surface is closed (triangle " + triangle +
-        " lies on a part without boundary); cut it into pieces with seams or open it with a dart"
-                  : "the surface has " + std::to_string(defect.handles) +
-        " handle(s) (the part of triangle " + triangle + "); cut each open with a seam or dart",
-    { defect.triangle } };
+    defect.closed
+      ? "the surface is closed (triangle " + triangle + " lies on a part without boundary)"
+      : "the surface has " + std::to_string(defect.handles) + " handle(s) (the part of triangle " +
+        triangle + ")",
+    { ElementKind::Cells, Indices{ defect.triangle } },
+    { defect.closed ? Remedy::CutOpen : Remedy::OpenHandles } };
 }
 }
 
@@ -102,23 +103,26 @@ Status refusalOf(const std::vector<std::optional<PieceDefect>>& defects)
   }
   const auto count = static_cast<Index>(defects.size());
   std::string message;
+  WaysOut waysOut;
   if (!closed.empty())
   {
     message += counted(static_cast<Index>(closed.size()), count, "has", "have") +
-      " no boundary (triangles " + listIds(closed, mostNamed) +
-      "; cut each into pieces with seams or open it with a dart)";
+      " no boundary (triangles " + listIds(closed, mostNamed) + ")";
+    waysOut.emplace_back(Remedy::CutOpen);
   }
   if (!handled.empty())
   {
     message += (message.empty() ? "" : ", ") +
       counted(static_cast<Index>(handled.size()), count, "has", "have") + " handles (triangles " +
-      listIds(handled, mostNamed) + "; cut each handle open with a seam or dart)";
+      listIds(handled, mostNamed) + ")";
+    waysOut.emplace_back(Remedy::OpenHandles);
   }
   if (all.size() < defects.size())
   {
-    message += "; or leave out what cannot be laid flat (option skip closed)";
+    waysOut.emplace_back(Remedy::SkipClosed);
   }
-  return { closed.empty() ? StatusCode::Handle : StatusCode::ClosedSurface, message, all };
+  return { closed.empty() ? StatusCode::Handle : StatusCode::ClosedSurface, message,
+    { ElementKind::Cells, all }, waysOut };
 }
 
 CutSurface withoutPieces(const CutSurface& cut, const std::vector<char>& leftOut)

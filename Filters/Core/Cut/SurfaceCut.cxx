@@ -30,14 +30,19 @@ std::string curveName(const FeatureCurve& curve, std::size_t id)
   return curve.name.empty() ? "curve " + std::to_string(id) : "curve \"" + curve.name + "\"";
 }
 
+ElementIds ofCurve(std::size_t id)
+{
+  return { ElementKind::Curves, Indices{ static_cast<Index>(id) } };
+}
+
 /// What the stages after the cut take for granted of a curve's properties.
 Status checkProperties(const FeatureCurve& curve, std::size_t id)
 {
   if (!std::isfinite(curve.tolerance) || curve.tolerance < 0.0 || curve.tolerance >= 1.0)
   {
     return { StatusCode::InvalidCurve,
-      curveName(curve, id) + " has a length tolerance outside 0..1; give a fraction of its length",
-      { static_cast<Index>(id) } };
+      curveName(curve, id) + " has a length tolerance outside 0..1", ofCurve(id),
+      { { Remedy::Give, "a fraction of its length" } } };
   }
   if (curve.type == CurveType::Key && curve.keyShape == KeyShape::Planar)
   {
@@ -51,18 +56,16 @@ Status checkProperties(const FeatureCurve& curve, std::size_t id)
         curveName(curve, id) + " has a planar shape of " +
           std::to_string(curve.planarShape.size()) + " points for " +
           std::to_string(curve.vertices.size()) +
-          " vertices, or a coordinate that is no number or beyond 1e300; give a finite point for "
-          "each",
-        { static_cast<Index>(id) } };
+          " vertices, or a coordinate that is no number or beyond 1e300",
+        ofCurve(id), { { Remedy::Give, "a finite point for each" } } };
     }
     const auto same = std::adjacent_find(curve.planarShape.begin(), curve.planarShape.end());
     if (same != curve.planarShape.end())
     {
       return { StatusCode::InvalidCurve,
         curveName(curve, id) +
-          " has a planar shape with successive points in one place, which make no angle; move them "
-          "apart",
-        { static_cast<Index>(id) } };
+          " has a planar shape with successive points in one place, which make no angle",
+        ofCurve(id), { Remedy::SpreadPlanarShape } };
     }
   }
   return {};
@@ -76,8 +79,8 @@ Status followCurves(
     const Indices& chain = curves[c].vertices;
     if (chain.size() < 2)
     {
-      return { StatusCode::CurveTooShort,
-        curveName(curves[c], c) + " has fewer than two points; remove it or draw it again", chain };
+      return { StatusCode::CurveTooShort, curveName(curves[c], c) + " has fewer than two points",
+        { ElementKind::Points, chain }, { Remedy::RedrawCurve } };
     }
     for (Index v : chain)
     {
@@ -86,7 +89,7 @@ Status followCurves(
         return { StatusCode::InvalidPointId,
           curveName(curves[c], c) + " uses vertex " + std::to_string(v) +
             ", which the surface does not have",
-          { v } };
+          { ElementKind::Points, Indices{ v } }, { Remedy::WriteAgain } };
       }
     }
     Status properties = checkProperties(curves[c], c);
@@ -103,9 +106,9 @@ Status followCurves(
         return { StatusCode::CurveNotOnEdges,
           curveName(curves[c], c) +
             " has a segment that is no edge of the mesh, between vertices " +
-            std::to_string(chain[i]) + " and " + std::to_string(chain[i + 1]) +
-            "; imprint the curve, or draw it along edges",
-          { chain[i], chain[i + 1] } };
+            std::to_string(chain[i]) + " and " + std::to_string(chain[i + 1]),
+          { ElementKind::Edges, Indices{ chain[i], chain[i + 1] } },
+          { Remedy::SplitTriangles, Remedy::FollowEdges } };
       }
       for (Index h : { forward, backward })
       {
@@ -163,8 +166,8 @@ CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCu
   CurveLabels labels;
   if (mesh.triangleCount() == 0)
   {
-    labels.status = { StatusCode::EmptySurface,
-      "the surface has no triangles; give a triangulated surface patch", {} };
+    labels.status = { StatusCode::EmptySurface, "the surface has no triangles", {},
+      { Remedy::GiveTriangles } };
     return labels;
   }
   labels.curveOfHalfedge.assign(mesh.halfedgeCount(), none);

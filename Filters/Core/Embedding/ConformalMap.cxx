@@ -152,14 +152,14 @@ Status checkPins(const TriangleMesh& mesh, const std::array<Index, 2>& pins)
     if (pin < 0 || pin >= mesh.vertexCount() || mesh.outgoing(pin) == none)
     {
       return { StatusCode::InvalidOption,
-        "pin " + std::to_string(pin) + " is no vertex of the surface; name two of its vertices",
-        { pin } };
+        "pin " + std::to_string(pin) + " is no vertex of the surface",
+        { ElementKind::Points, Indices{ pin } }, { Remedy::NamePins } };
     }
   }
   if (!((mesh.point(pins[0]) - mesh.point(pins[1])).norm() > 0.0))
   {
-    return { StatusCode::InvalidOption,
-      "the two pins are the same point; name two different vertices", { pins[0], pins[1] } };
+    return { StatusCode::InvalidOption, "the two pins are the same point",
+      { ElementKind::Points, Indices{ pins[0], pins[1] } }, { Remedy::NamePins } };
   }
   return {};
 }
@@ -180,7 +180,7 @@ ConformalMap mapConformally(
   if (boundary.empty())
   {
     map.status = { mesh.triangleCount() == 0 ? StatusCode::EmptySurface : StatusCode::ClosedSurface,
-      "the surface has no boundary; cut it open with a seam or a dart", {} };
+      "the surface has no boundary", {}, { Remedy::CutOpen } };
     return map;
   }
   std::array<Index, 2> pins = options.pins;
@@ -221,8 +221,9 @@ ConformalMap mapConformally(
   });
   LinearSolver solver(std::move(order));
   const Status failure{ StatusCode::NumericalFailure,
-    "the conformal map could not be computed; look for slivers or a part that hangs on one vertex",
-    {} };
+    "the conformal map could not be computed; slivers and parts that hang on one vertex are in its "
+    "way",
+    {}, { Remedy::MendSlivers } };
   const Status cancelled{ StatusCode::Cancelled, "cancelled while mapping conformally", {} };
   const SparseMatrix hessian = energy.hessian(column, unknowns);
   if (execution.cancelled() || !solver.analyze(hessian) || execution.cancelled() ||

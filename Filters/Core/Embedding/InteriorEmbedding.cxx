@@ -16,6 +16,7 @@ enum class Outcome
 {
   Done,
   NotConverged,
+  Stalled,
   Failed,
 };
 
@@ -146,7 +147,7 @@ public:
     const LinearSolver* const factor = this->System.factor(InteriorWeights::Cotangent, this->Run);
     if (!factor)
     {
-      this->Result = Outcome::NotConverged;
+      this->Result = Outcome::Stalled;
       return;
     }
     this->Rigid = std::make_unique<RigidEmbedding>(this->System, factor, this->Local);
@@ -167,7 +168,8 @@ public:
       this->Running = false;
       if (state != RigidEmbedding::State::Converged)
       {
-        this->Result = Outcome::NotConverged;
+        this->Result =
+          state == RigidEmbedding::State::Failed ? Outcome::Stalled : Outcome::NotConverged;
       }
       this->Local = this->Rigid->positions();
       this->Rigid.reset();
@@ -221,30 +223,32 @@ private:
 
 Status checkOptions(const InteriorOptions& options)
 {
-  const auto invalid = [](const char* message) {
-    return Status{ StatusCode::InvalidOption, message, {} };
+  const auto invalid = [](const char* message, WayOut wayOut) {
+    return Status{ StatusCode::InvalidOption, message, {}, { std::move(wayOut) } };
   };
   if (options.method == InteriorMethod::Relaxation)
   {
     if (!std::isfinite(options.relaxation) || options.relaxation <= 0.0 ||
       options.relaxation >= 2.0)
     {
-      return invalid("the relaxation factor must lie between 0 and 2, both excluded");
+      return invalid("the relaxation factor lies outside its range",
+        { Remedy::Give, "a number between 0 and 2, both excluded" });
     }
     if (options.minimumIterations < 0 || options.maximumIterations < 1 ||
       options.minimumIterations > options.maximumIterations || !std::isfinite(options.movement) ||
       options.movement < 0.0)
     {
-      return invalid("the relaxation needs 0 <= minimum <= maximum iterations, 1 <= maximum, and a "
-                     "movement that is not negative");
+      return invalid(
+        "the relaxation cannot be run with these numbers of iterations, or this movement",
+        Remedy::OrderRelaxation);
     }
   }
   if (options.method == InteriorMethod::AsRigidAsPossible &&
     (options.maximumRigidIterations < 1 || !std::isfinite(options.energyTolerance) ||
       options.energyTolerance < 0.0))
   {
-    return invalid("as-rigid-as-possible needs at least one iteration and an energy tolerance that "
-                   "is not negative");
+    return invalid("the interior cannot be made as rigid as possible with these options",
+      { Remedy::Give, "at least one iteration and an energy tolerance that is not negative" });
   }
   return {};
 }
@@ -263,6 +267,7 @@ void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, Inte
 {
   Indices failed;
   Indices unconverged;
+  Indices stalled;
   for (const auto& patch : patches)
   {
     result.iterations = std::max(result.iterations, patch->iterations());
@@ -274,20 +279,31 @@ void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, Inte
     {
       unconverged.push_back(patch->patch());
     }
+    else if (patch->outcome() == Outcome::Stalled)
+    {
+      stalled.push_back(patch->patch());
+    }
   }
   if (!failed.empty())
   {
     result.status = { StatusCode::NumericalFailure,
       "the inside of wire-patch " + listIds(failed) +
-        " could not be placed; look for triangles of extremely different size there",
-      failed };
+        " could not be placed; triangles of extremely different size are in its way",
+      { ElementKind::WirePatches, failed }, { Remedy::MendSlivers } };
   }
   else if (!unconverged.empty())
   {
     result.status = { StatusCode::NotConverged,
-      "the inside of wire-patch " + listIds(unconverged) +
-        " is not yet as rigid as possible; allow more iterations or mend slivers there",
-      unconverged };
+      "the inside of wire-patch " + listIds(unconverged) + " is not yet as rigid as possible",
+      { ElementKind::WirePatches, unconverged },
+      { Remedy::AllowRigidIterations, Remedy::MendSlivers } };
+  }
+  else if (!stalled.empty())
+  {
+    result.status = { StatusCode::NotConverged,
+      "the inside of wire-patch " + listIds(stalled) +
+        " is not as rigid as possible, and no step makes it so",
+      { ElementKind::WirePatches, stalled }, { Remedy::MendSlivers } };
   }
 }
 }

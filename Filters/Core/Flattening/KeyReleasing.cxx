@@ -106,7 +106,7 @@ PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules)
     }
     else if (result.status.code == StatusCode::IncompatibleKeys)
     {
-      result.status.ids = keys;
+      result.status = describeClash(context.curves, keys);
     }
   }
   place(context, result);

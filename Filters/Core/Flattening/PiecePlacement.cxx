@@ -45,9 +45,8 @@ IsometricSolution warpWithoutFolding(
     still.energy.kind = DistortionEnergyKind::AsRigidAsPossible;
     solution = warp(still);
     solution.status = { StatusCode::NotConverged,
-      "the isometric scheme found nothing better than where the wires' own angles put the piece; "
-      "mend slivers there",
-      {} };
+      "the isometric scheme found nothing better than where the wires' own angles put the piece",
+      {}, { Remedy::MendSlivers } };
   }
   return solution;
 }

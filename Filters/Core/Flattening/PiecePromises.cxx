@@ -2,25 +2,152 @@
 #include "Flattening/PiecePromises.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
 namespace
 {
-Status lengthError(double error)
-{
-  return { StatusCode::LengthError,
-    "a wire edge misses its length by the fraction " + shortNumber(error) +
-      "; release a feature curve",
-    {} };
-}
+/// Errors up to this are rounding of a solution that is none the worse for it.
+constexpr double roundingError = 1e-6;
 
-Status flippedTriangles(const Indices& flipped)
+/// The wires of the last piece that miss their lengths.
+class WrongLengths
 {
-  return { StatusCode::FlippedTriangles,
-    std::to_string(flipped.size()) + " triangle(s) are flipped: " + listIds(flipped) +
-      "; add darts or release curves there",
-    flipped };
+public:
+  WrongLengths(const CutSurface& cut, const std::vector<FeatureCurve>& curves, double tolerance,
+    const FlatteningResult& result)
+    : Cut(cut)
+    , Curves(curves)
+    , Result(result)
+    , ErrorOfCurve(curves.size(), 0.0)
+  {
+    const auto piece = static_cast<Index>(result.pieces.size()) - 1;
+    for (const Wire& wire : result.wires)
+    {
+      const bool elastic = wire.curve != none && curves[wire.curve].tolerance > 0.0;
+      if (wire.piece == piece && !wire.connector && !elastic &&
+        !(wire.maximumEdgeError <= tolerance))
+      {
+        this->add(wire);
+      }
+    }
+  }
+
+  Status status() const
+  {
+    Indices off;
+    for (std::size_t c = 0; c < this->Curves.size(); ++c)
+    {
+      if (this->ErrorOfCurve[c] > 0.0)
+      {
+        off.push_back(static_cast<Index>(c));
+      }
+    }
+    std::stable_sort(off.begin(), off.end(),
+      [this](Index a, Index b) { return this->ErrorOfCurve[a] > this->ErrorOfCurve[b]; });
+    Status status{ StatusCode::LengthError, this->describe(off), {}, {} };
+    status.ids = off.empty() ? ElementIds(ElementKind::Edges, this->WorstEdge)
+                             : ElementIds(ElementKind::Curves, off);
+    if (this->Worst <= roundingError)
+    {
+      status.waysOut.emplace_back(Remedy::AllowLengthError);
+    }
+    status.waysOut.emplace_back(Remedy::ReleaseCurves,
+      off.empty() ? "a feature curve"
+                  : quotedNames(this->Curves, { off.begin(), off.begin() + this->namedOf(off) }));
+    return status;
+  }
+
+private:
+  static std::ptrdiff_t namedOf(const Indices& off)
+  {
+    constexpr std::size_t most = 5;
+    return static_cast<std::ptrdiff_t>(std::min(off.size(), most));
+  }
+
+  void add(const Wire& wire)
+  {
+    const double error = wire.maximumEdgeError;
+    double& known = wire.curve == none ? this->ErrorOfBoundary : this->ErrorOfCurve[wire.curve];
+    known = std::max(known, error);
+    if (!(error <= this->Worst))
+    {
+      this->Worst = error;
+      this->WorstEdge = this->worstEdge(wire);
+    }
+  }
+
+  /// Vertices of the surface before the cut.
+  Indices worstEdge(const Wire& wire) const
+  {
+    const TriangleMesh& mesh = this->Cut.mesh;
+    Indices ends;
+    double worst = -1.0;
+    for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
+    {
+      const Index a = wire.vertices[k];
+      const Index b = wire.vertices[k + 1];
+      const double rest = (mesh.point(b) - mesh.point(a)).norm();
+      const double flat = (this->Result.positions[b] - this->Result.positions[a]).norm();
+      if (!(std::abs(flat - rest) <= worst * rest))
+      {
+        worst = std::abs(flat - rest) / rest;
+        ends = { this->Cut.originalVertex[a], this->Cut.originalVertex[b] };
+      }
+    }
+    return ends;
+  }
+
+  std::string describe(const Indices& off) const
+  {
+    std::string text;
+    for (std::ptrdiff_t k = 0; k < namedOf(off); ++k)
+    {
+      const Index c = off[static_cast<std::size_t>(k)];
+      text += (k > 0 ? ", \"" : "\"") + this->Curves[c].name + "\" by up to " +
+        shortNumber(this->ErrorOfCurve[c]);
+    }
+    const std::size_t more = off.size() - static_cast<std::size_t>(namedOf(off));
+    text += more > 0 ? " and " + std::to_string(more) + " more curves" : "";
+    if (this->ErrorOfBoundary > 0.0)
+    {
+      text += (text.empty() ? "the boundary by up to " : ", the boundary by up to ") +
+        shortNumber(this->ErrorOfBoundary);
+    }
+    return "wires miss the lengths of their edges (as a fraction): " + text;
+  }
+
+  const CutSurface& Cut;
+  const std::vector<FeatureCurve>& Curves;
+  const FlatteningResult& Result;
+  std::vector<double> ErrorOfCurve;
+  double ErrorOfBoundary = 0.0;
+  double Worst = 0.0;
+  Indices WorstEdge;
+};
+
+/// Flips where an interior that does not look at them, or the scheme, is to blame first.
+Status flippedTriangles(const Indices& flipped, const FlatteningOptions& options)
+{
+  Status status{ StatusCode::FlippedTriangles,
+    std::to_string(flipped.size()) + " triangle(s) are flipped: " + listIds(flipped),
+    { ElementKind::Cells, flipped }, {} };
+  const bool conformal = options.scheme == Scheme::Conformal;
+  if (!conformal && options.interior.method != InteriorMethod::AsRigidAsPossible)
+  {
+    status.waysOut.emplace_back(Remedy::UseRigidInterior);
+  }
+  if (options.scheme != Scheme::Isometric)
+  {
+    status.waysOut.emplace_back(Remedy::UseIsometricScheme);
+  }
+  status.waysOut.emplace_back(Remedy::AddDarts);
+  if (!conformal)
+  {
+    status.waysOut.emplace_back(Remedy::ReleaseCurves, "feature curves there");
+  }
+  return status;
 }
 
 /// The cuts with a bank vertex on an edge that crosses another one.
@@ -64,10 +191,13 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
   {
     message += ", where the banks of " + quotedNames(curves, cuts) + " cross";
   }
-  message += !cuts.empty() && !closeCuts
-    ? "; close cuts where they cross (option close cuts), or divide the piece there by a seam"
-    : "; divide it by a seam";
-  return { StatusCode::Overlap, message, triangles };
+  Status status{ StatusCode::Overlap, message, { ElementKind::Cells, triangles }, {} };
+  if (!cuts.empty() && !closeCuts)
+  {
+    status.waysOut.emplace_back(Remedy::CloseCuts);
+  }
+  status.waysOut.emplace_back(Remedy::DivideBySeam);
+  return status;
 }
 
 /// A piece that is not at a minimum: what is wrong with it, and what fits it as a way out.
@@ -77,44 +207,58 @@ void explain(const FlatteningOptions& options, PieceReport& report)
   const bool sequential = options.angles.method == AngleMethod::Sequential;
   if (report.boundaryLoops > 1)
   {
-    status.message += ", or cut it open by a seam from one boundary loop to the next";
+    status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
   }
   if (report.wired && !sequential)
   {
-    status.message += ", or release a feature curve";
+    status.waysOut.emplace_back(Remedy::ReleaseCurves, "a feature curve");
+  }
+  if (status.waysOut.empty())
+  {
+    status.waysOut.emplace_back(Remedy::MendSlivers);
   }
   const Indices& flipped = report.quality.flipped;
-  status.ids = flipped;
+  status.ids = { ElementKind::Cells, flipped };
   if (!flipped.empty())
   {
     status.message +=
       " (" + std::to_string(flipped.size()) + " triangle(s) are flipped: " + listIds(flipped) + ")";
   }
 }
+
+/// The worse status, which tells the other as well.
+Status together(Status worse, const Status& other)
+{
+  if (!other.ok())
+  {
+    worse.message += "; " + other.message;
+    worse.waysOut.insert(worse.waysOut.begin(), other.waysOut.begin(), other.waysOut.end());
+  }
+  return worse;
+}
 }
 
-void judgePiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
-  const FlatteningOptions& options, PieceReport& report)
+void judgeLastPiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options, FlatteningResult& result)
 {
+  PieceReport& report = result.pieces.back();
   if (report.status.code == StatusCode::NotConverged)
   {
     explain(options, report);
   }
-  if (!report.status.ok())
-  {
-    return;
-  }
   const QualitySummary& quality = report.quality;
-  if (options.scheme != Scheme::Conformal &&
-    !(quality.maximumEdgeLengthError <= options.lengthTolerance))
+  const bool promised = options.scheme != Scheme::Conformal;
+  if (promised && !(quality.maximumEdgeLengthError <= options.lengthTolerance) &&
+    severity(StatusCode::LengthError) > severity(report.status.code))
   {
-    report.status = lengthError(quality.maximumEdgeLengthError);
+    report.status =
+      together(WrongLengths(cut, curves, options.lengthTolerance, result).status(), report.status);
   }
-  else if (!quality.flipped.empty())
+  else if (report.status.ok() && !quality.flipped.empty())
   {
-    report.status = flippedTriangles(quality.flipped);
+    report.status = flippedTriangles(quality.flipped, options);
   }
-  else if (report.overlaps.count > 0)
+  else if (report.status.ok() && report.overlaps.count > 0)
   {
     report.status = overlap(cut, curves, options.closeCuts, report);
   }

@@ -91,7 +91,8 @@ WireSolution solveWires(const PieceContext& context, const CurveRules& rules)
     std::isinf(largestAngleChange(wires.problem, wires.angles.theta)))
   {
     wires.angles.status = { StatusCode::IncompatibleKeys,
-      "the shapes of the key curves together fold a wire's angle over", {} };
+      "the shapes of the key curves together fold a wire's angle over", {},
+      { { Remedy::MakeAccessory, "key curves" } } };
   }
   return wires;
 }

@@ -40,10 +40,10 @@ Status checkOptions(const FlatteningOptions& options)
     if (!std::isfinite(range.value) || range.value < 0.0 || range.value > range.most)
     {
       return { StatusCode::InvalidOption,
-        std::string("the ") + range.name + " is " + shortNumber(range.value) +
-          "; give a number from 0" +
-          (range.most < large ? " to " + shortNumber(range.most) : std::string()),
-        {} };
+        std::string("the ") + range.name + " is " + shortNumber(range.value), {},
+        { { Remedy::Give,
+          "a number from 0" +
+            (range.most < large ? " to " + shortNumber(range.most) : std::string()) } } };
     }
   }
   return {};
@@ -314,14 +314,13 @@ private:
     }
     for (FlatPiece& flat : this->Flat)
     {
-      judgePiece(cut, this->Curves, this->Options, flat.report);
-      // A piece that did not converge says more than one whose triangles overlap.
-      const StatusCode code = flat.report.status.code;
-      if (code != StatusCode::Ok && (this->Result.status.ok() || code < this->Result.status.code))
-      {
-        this->Result.status = flat.report.status;
-      }
       this->Result.pieces.push_back(std::move(flat.report));
+      judgeLastPiece(cut, this->Curves, this->Options, this->Result);
+      const Status& status = this->Result.pieces.back().status;
+      if (severity(status.code) > severity(this->Result.status.code))
+      {
+        this->Result.status = status;
+      }
     }
     measureCuts(cut, this->Result.pieces);
   }

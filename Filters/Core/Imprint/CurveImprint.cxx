@@ -119,10 +119,8 @@ private:
         const Indices ids{ pointId(polyline, before), pointId(polyline, i) };
         return { StatusCode::CurveNotOnEdges,
           curveName(polyline, c) + ": between points " + std::to_string(ids[0]) + " and " +
-            std::to_string(ids[1]) +
-            " the curve is no edge of the mesh; allow triangles to be split, or draw it along "
-            "edges",
-          ids };
+            std::to_string(ids[1]) + " the curve is no edge of the mesh",
+          { ElementKind::CurvePoints, ids }, { Remedy::SplitTriangles, Remedy::FollowEdges } };
       }
       route.stretches.push_back({ last, vertex });
       route.points.push_back(i);
@@ -144,8 +142,8 @@ private:
     }
     return { StatusCode::CurveNotOnEdges,
       curveName(this->Polylines[c], c) + ": points " + listIds(points) +
-        " are not at vertices of the mesh; allow triangles to be split, or draw it along edges",
-      points };
+        " are not at vertices of the mesh",
+      { ElementKind::CurvePoints, points }, { Remedy::SplitTriangles, Remedy::FollowEdges } };
   }
 
   ImprintedSurface split(const std::vector<Route>& edgeRoutes, const std::vector<char>& alongEdges)
@@ -193,9 +191,8 @@ private:
       }
     }
     return refuse({ StatusCode::NumericalFailure,
-      "triangles " + listIds(failed) +
-        " are too thin to be split along the curves; remesh them, or raise the snap distance",
-      failed });
+      "triangles " + listIds(failed) + " are too thin to be split along the curves",
+      { ElementKind::Cells, failed }, { Remedy::RemeshTriangles, Remedy::RaiseSnapTolerance } });
   }
 
   Status addEdgePaths(const Route& route, std::vector<SurfacePath>& paths) const
@@ -254,8 +251,13 @@ private:
       " (" + shortNumber(at.x()) + ", " + shortNumber(at.y()) + ", " + shortNumber(at.z()) + ")";
     const char* defect = path.atBoundary ? " the curve leaves the surface at"
                                          : " the curve cannot be followed over the surface from";
-    return { StatusCode::CurveLeavesSurface,
-      between + defect + place + "; add points between them that follow the surface", ids };
+    WaysOut waysOut{ Remedy::AddCurvePoints };
+    if (path.atBoundary)
+    {
+      waysOut.emplace_back(Remedy::EndAtBoundary);
+    }
+    return { StatusCode::CurveLeavesSurface, between + defect + place,
+      { ElementKind::CurvePoints, ids }, std::move(waysOut) };
   }
 
   void fillRoutes(const SplitSurface& surface, std::vector<Route>& routes) const
@@ -296,16 +298,14 @@ ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyl
 {
   if (!(options.tolerance >= 0.0 && options.tolerance <= 1.0))
   {
-    return refuse({ StatusCode::InvalidOption,
-      "the imprint tolerance is " + shortNumber(options.tolerance) +
-        "; give a fraction from 0 to 1",
-      {} });
+    return refuse(
+      { StatusCode::InvalidOption, "the imprint tolerance is " + shortNumber(options.tolerance), {},
+        { { Remedy::Give, "a fraction from 0 to 1" } } });
   }
   if (!(options.snap >= 0.0 && options.snap <= 0.5))
   {
-    return refuse({ StatusCode::InvalidOption,
-      "the snap distance is " + shortNumber(options.snap) + "; give a fraction from 0 to 0.5",
-      {} });
+    return refuse({ StatusCode::InvalidOption, "the snap distance is " + shortNumber(options.snap),
+      {}, { { Remedy::Give, "a fraction from 0 to 0.5" } } });
   }
   return Imprinter(mesh, polylines, options, execution).run();
 }

@@ -93,8 +93,7 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
   }
   return { StatusCode::CurvePointOffSurface,
     curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + shortNumber(farthest) +
-      " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
-      "; project them onto the surface, or raise the imprint tolerance",
-    off };
+      " off the surface, more than the tolerance of " + shortNumber(this->Reach),
+    { ElementKind::CurvePoints, off }, { Remedy::ProjectPoints, Remedy::RaiseImprintTolerance } };
 }
 }

@@ -23,17 +23,17 @@ Status checkPolyline(const Polyline& polyline, std::size_t id)
   {
     return { StatusCode::NonFinitePoint,
       curveName(polyline, id) + ": points " + listIds(bad) +
-        " have a coordinate that is not a finite number, or beyond 1e60; mend or remove them",
-      bad };
+        " have a coordinate that is not a finite number, or beyond 1e60",
+      { ElementKind::CurvePoints, bad }, { Remedy::MendPoints } };
   }
   if (polyline.keyShape == KeyShape::Planar &&
     polyline.planarShape.size() != polyline.points.size())
   {
     return { StatusCode::InvalidCurve,
       curveName(polyline, id) + " has " + std::to_string(polyline.points.size()) +
-        " points, its planar shape " + std::to_string(polyline.planarShape.size()) +
-        "; give one planar point for each point",
-      { static_cast<Index>(id) } };
+        " points, its planar shape " + std::to_string(polyline.planarShape.size()),
+      { ElementKind::Curves, Indices{ static_cast<Index>(id) } },
+      { { Remedy::Give, "one planar point for each point" } } };
   }
   return {};
 }
@@ -95,9 +95,9 @@ Status assembleCurves(const TriangleMesh& mesh, const std::vector<Polyline>& pol
     if (curve.vertices.size() < 2)
     {
       return { StatusCode::CurveTooShort,
-        curveName(polylines[c], c) +
-          " has fewer than two different points; remove it or draw it again",
-        { static_cast<Index>(c) }, static_cast<Index>(c) };
+        curveName(polylines[c], c) + " has fewer than two different points",
+        { ElementKind::Curves, Indices{ static_cast<Index>(c) } }, { Remedy::RedrawCurve },
+        static_cast<Index>(c) };
     }
     curves.push_back(std::move(curve));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricWarping.h"
 
+#include "Base/Ending.h"
 #include "Embedding/WireLayout.h"
 #include "Sparse/LinearSolver.h"
 
@@ -54,6 +55,8 @@ public:
     this->holdAtBounds();
     this->Multipliers = Eigen::VectorXd::Zero(this->Constraints);
     bool converged = false;
+    bool exhausted = false;
+    std::vector<double> residuals;
     double moved = 0.0;
     // Far from the minimum the exact Hessian is seldom convex; it pays once steps are short.
     bool exact = false;
@@ -87,7 +90,13 @@ public:
         converged = true;
         break;
       }
-      if (iteration == this->Options.maximumIterations || !this->advance(moved))
+      residuals.push_back(violation + optimality / scale);
+      if (iteration == this->Options.maximumIterations)
+      {
+        exhausted = !standsStill(residuals);
+        break;
+      }
+      if (!this->advance(moved))
       {
         break;
       }
@@ -104,10 +113,12 @@ public:
     solution.angleEnergy = this->Terms.angles;
     if (!converged)
     {
+      const std::string iterations = std::to_string(solution.iterations) + " iterations";
       solution.status = { StatusCode::NotConverged,
-        "the isometric scheme did not converge in " + std::to_string(solution.iterations) +
-          " iterations; allow more",
-        {} };
+        exhausted ? "the isometric scheme did not converge in " + iterations
+                  : "the isometric scheme stopped short of a minimum after " + iterations +
+            ", and more would change nothing",
+        {}, exhausted ? WaysOut{ Remedy::AllowIsometricIterations } : WaysOut{} };
     }
     return solution;
   }

@@ -15,11 +15,16 @@ namespace
 /// Height over longest edge below which a triangle has no area in double precision.
 constexpr double flatTriangle = 1e-12;
 
-PreparedSurface refuse(StatusCode code, std::string message, Indices ids)
+PreparedSurface refuse(Status status)
 {
   PreparedSurface result;
-  result.status = { code, std::move(message), std::move(ids) };
+  result.status = std::move(status);
   return result;
+}
+
+ElementIds triangleIds(const Indices& ids)
+{
+  return { ElementKind::Cells, ids };
 }
 
 /// Per point the first point with the same coordinates; the point itself where they are kept apart.
@@ -207,10 +212,8 @@ Status mendOrientation(PreparedSurface& result, Triangles& cells, Indices& partn
   if (!bad.empty())
   {
     return { StatusCode::NonManifoldEdge,
-      "triangles " + listIds(bad) +
-        " have the same three corners as another; remove the doubles, or give the two sides of a "
-        "thin surface corners of their own",
-      bad };
+      "triangles " + listIds(bad) + " have the same three corners as another", triangleIds(bad),
+      { Remedy::RemoveDoubles, Remedy::SeparateSides } };
   }
   for (std::size_t i = 0; i + 2 < sides.size(); ++i)
   {
@@ -224,10 +227,8 @@ Status mendOrientation(PreparedSurface& result, Triangles& cells, Indices& partn
       return { StatusCode::NonManifoldEdge,
         "the edge between points " + std::to_string(result.originalPoint[sides[i].low]) + " and " +
           std::to_string(result.originalPoint[sides[i].high]) + " belongs to triangles " +
-          listIds(bad) +
-          "; an edge can join two at most: remove doubled triangles, or give the "
-          "sheets as surfaces of their own",
-        bad };
+          listIds(bad) + " (an edge can join two at most)",
+        triangleIds(bad), { Remedy::RemoveDoubles, Remedy::SeparateSheets } };
     }
   }
   partner = pairSides(sides);
@@ -236,9 +237,8 @@ Status mendOrientation(PreparedSurface& result, Triangles& cells, Indices& partn
   {
     return { StatusCode::NotOrientable,
       "the surface is one-sided (a Moebius band): triangles " + listIds(oneSided) +
-        " cannot be oriented alike; cut the mesh through across the band, each point of the cut "
-        "twice (a seam comes too late for that)",
-      oneSided };
+        " cannot be oriented alike",
+      triangleIds(oneSided), { Remedy::CutBandThrough } };
   }
   return {};
 }
@@ -255,8 +255,8 @@ PreparedSurface prepareSurface(
 {
   if (triangles.empty())
   {
-    return refuse(StatusCode::EmptySurface,
-      "the surface has no triangles; give a triangulated surface patch", {});
+    return refuse(
+      { StatusCode::EmptySurface, "the surface has no triangles", {}, { Remedy::GiveTriangles } });
   }
   const Index pointCount = static_cast<Index>(points.size());
   Indices bad;
@@ -270,10 +270,9 @@ PreparedSurface prepareSurface(
   }
   if (!bad.empty())
   {
-    return refuse(StatusCode::InvalidPointId,
-      "triangles " + listIds(bad) + " use a point id outside 0.." + std::to_string(pointCount - 1) +
-        "; write the file again",
-      bad);
+    return refuse({ StatusCode::InvalidPointId,
+      "triangles " + listIds(bad) + " use a point id outside 0.." + std::to_string(pointCount - 1),
+      triangleIds(bad), { Remedy::WriteAgain } });
   }
 
   PreparedSurface result;
@@ -291,10 +290,9 @@ PreparedSurface prepareSurface(
   }
   if (!bad.empty())
   {
-    return refuse(StatusCode::NonFinitePoint,
-      "points " + listIds(bad) +
-        " have a coordinate that is not a finite number, or beyond 1e60; mend or remove them",
-      bad);
+    return refuse({ StatusCode::NonFinitePoint,
+      "points " + listIds(bad) + " have a coordinate that is not a finite number, or beyond 1e60",
+      { ElementKind::Points, bad }, { Remedy::MendPoints } });
   }
 
   Points3 candidates;
@@ -348,11 +346,10 @@ PreparedSurface prepareSurface(
   }
   if (!bad.empty())
   {
-    return refuse(StatusCode::DegenerateTriangle,
+    return refuse({ StatusCode::DegenerateTriangle,
       "triangles " + listIds(bad) +
-        " have no area (two corners in one place, or three in a line; less than 1e-60 is nothing); "
-        "collapse them or remesh",
-      bad);
+        " have no area (two corners in one place, or three in a line; less than 1e-60 is nothing)",
+      triangleIds(bad), { Remedy::RemeshTriangles } });
   }
 
   Indices partner = pairOrientedSides(cells, joined.size());
@@ -361,7 +358,7 @@ PreparedSurface prepareSurface(
     Status status = mendOrientation(result, cells, partner);
     if (!status.ok())
     {
-      return refuse(status.code, std::move(status.message), std::move(status.ids));
+      return refuse(std::move(status));
     }
   }
   // Half-edges of a triangle that was turned over have new numbers.
@@ -374,11 +371,9 @@ PreparedSurface prepareSurface(
   }
   if (!bad.empty())
   {
-    return refuse(StatusCode::NonManifoldVertex,
-      "at points " + listIds(bad) +
-        " parts of the surface touch in a single point; separate them by doubling the point, "
-        "slightly apart, or join them by an edge",
-      bad);
+    return refuse({ StatusCode::NonManifoldVertex,
+      "at points " + listIds(bad) + " parts of the surface touch in a single point",
+      { ElementKind::Points, bad }, { Remedy::DoublePoint, Remedy::JoinByEdge } });
   }
   return result;
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a run that does not give a sound result is told with."""
 
-from typing import List
+from typing import List, Sequence, Tuple
 
 
 class FlatteningError(ValueError):
@@ -11,16 +11,24 @@ class FlatteningError(ValueError):
         code: one of vtkFlatteningAlgorithm's status codes, such as NON_MANIFOLD_EDGE.
         name: the code's fixed name, such as "NonManifoldEdge".
         ids: the offending elements in the numbering of the input: triangles or points of the
-            surface, or curves; the message says which. Empty where no element is to blame.
-        message: the defect, the first offending ids and the way out.
+            surface, or curves. Empty where no element is to blame.
+        message: the defect, the first offending ids and the ways out.
+        kind: what ids are: "points", "cells" (triangles), "edges" (pairs of points), "curves",
+            "curve points", or empty.
+        remedies: the ways out as pairs of a fixed name, such as "CutOpen", and what it is to be
+            applied to, which may be empty.
     """
 
-    def __init__(self, code: int, name: str, ids: List[int], message: str) -> None:
-        super().__init__(code, name, ids, message)  # all of them, so that it can be pickled
+    def __init__(self, code: int, name: str, ids: List[int], message: str, kind: str = "",
+                 remedies: Sequence[Tuple[str, str]] = ()) -> None:
+        # All of them, so that it can be pickled.
+        super().__init__(code, name, ids, message, kind, remedies)
         self.code = code
         self.name = name
         self.ids = ids
         self.message = message
+        self.kind = kind
+        self.remedies = list(remedies)
 
     def __str__(self) -> str:
         return f"{self.name}: {self.message}"

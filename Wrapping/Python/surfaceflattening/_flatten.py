@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
+from ._remedies import make_message
 from ._result import Flattening, as_text, make_result, texts_of
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
@@ -98,10 +99,15 @@ def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
     if raised:
         raise raised[0]
 
-    name, message = filter_.GetStatusName(), as_text(filter_.GetStatusMessage())
+    name = filter_.GetStatusName()
+    names, subjects = filter_.GetStatusRemedies(), filter_.GetStatusRemedySubjects()
+    remedies = [(names.GetValue(k), as_text(subjects.GetValue(k)))
+                for k in range(names.GetNumberOfValues())]
+    message = make_message(as_text(filter_.GetStatusDefect()), remedies)
     if filter_.IsRefused():
         ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
-        raise FlatteningError(filter_.GetStatusCode(), name, ids, message)
+        raise FlatteningError(
+            filter_.GetStatusCode(), name, ids, message, filter_.GetStatusIdKind(), remedies)
     for warning in texts_of(filter_.GetOutput(0).GetFieldData(), "RunWarnings"):
         warnings.warn(warning, FlatteningWarning, stacklevel=4)
     if filter_.GetStatusCode() != vtkWireWarpingFilter.OK:

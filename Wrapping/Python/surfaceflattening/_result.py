@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray, vtkUnsignedCha
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES
+from ._remedies import make_message
 
 Report = Dict[str, Any]
 
@@ -40,7 +41,8 @@ _PIECE_NUMBERS = {
 }
 _PIECE_TEXTS = {
     "status": "Status",
-    "message": "StatusMessage",
+    "message": "StatusDefect",
+    "id_kind": "StatusIdKind",
     "solver_used": "SolverUsed",
     "energy_used": "EnergyUsed",
     "fallbacks": "Fallbacks",
@@ -121,7 +123,8 @@ class Flattening(NamedTuple):
     #: 1000 pairs a piece at most; the report's "overlaps" counts all.
     overlap_edges: NDArray[np.int64]
     #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
-    #: "message", "ids", "warnings", "left_out", "pieces" (E_len, E_ang, E_h, ...), "curves" (length_3d, length_2d, error, ...)
+    #: "message", "ids", "id_kind", "remedies", "warnings", "left_out", "pieces" (E_len, E_ang, E_h, ...),
+    #: "curves" (length_3d, length_2d, error, ...)
     #: and "seconds".
     report: Report
 
@@ -209,15 +212,27 @@ def _add_history(
         pieces[piece][key].append({column: values[row] for column, values in columns.items()})
 
 
+def _message(defect: str, remedies: List[Dict[str, str]]) -> str:
+    return make_message(defect, [(remedy["name"], remedy["subject"]) for remedy in remedies])
+
+
 def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     field, curve_field = flat.GetFieldData(), wires.GetFieldData()
     columns = {key: _values(field, name)
                for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
     columns["overlaps_complete"] = [bool(all_) for all_ in _values(field, "OverlapsComplete")]
     pieces: List[Report] = [
-        {"piece": piece, **{key: column[piece] for key, column in columns.items()}}
+        {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "ids": [],
+         "remedies": []}
         for piece in range(len(columns["triangles"]))
     ]
+    for row, value in zip(_values(field, "StatusIdPiece"), _values(field, "StatusId")):
+        pieces[row]["ids"].append(value)
+    for row, name, subject in zip(
+            *(_values(field, name) for name in ("RemedyPiece", "RemedyName", "RemedySubject"))):
+        pieces[row]["remedies"].append({"name": name, "subject": subject})
+    for piece in pieces:
+        piece["message"] = _message(piece["message"], piece["remedies"])
     names = _values(curve_field, "CurveNames")
     for entry, first, objective in zip(
             pieces, _values(field, "ReleaseFirst"), _values(field, "ObjectiveWithoutFirst")):
@@ -242,10 +257,14 @@ def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     curves = zip(*(_values(curve_field, name) for name in (
         "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
         "CurveTolerances", "CurveClosedLengths", "CurveSensitivities", "CurveReleased")))
+    remedies = [{"name": name, "subject": subject} for name, subject in zip(
+        _values(field, "RunRemedyName"), _values(field, "RunRemedySubject"))]
     return {
         "status": _values(field, "RunStatus")[0],
-        "message": _values(field, "RunStatusMessage")[0],
+        "message": _message(_values(field, "RunStatusDefect")[0], remedies),
         "ids": _values(field, "RunStatusIds"),
+        "id_kind": _values(field, "RunStatusIdKind")[0],
+        "remedies": remedies,
         "warnings": texts_of(field, "RunWarnings"),
         "pieces": pieces,
         "left_out": [

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Remedy.h"
+
+namespace flattening
+{
+const char* remedyName(Remedy remedy)
+{
+  switch (remedy)
+  {
+    case Remedy::GiveTriangles:
+      return "GiveTriangles";
+    case Remedy::WriteAgain:
+      return "WriteAgain";
+    case Remedy::MendPoints:
+      return "MendPoints";
+    case Remedy::RemeshTriangles:
+      return "RemeshTriangles";
+    case Remedy::RemoveDoubles:
+      return "RemoveDoubles";
+    case Remedy::SeparateSides:
+      return "SeparateSides";
+    case Remedy::SeparateSheets:
+      return "SeparateSheets";
+    case Remedy::DoublePoint:
+      return "DoublePoint";
+    case Remedy::JoinByEdge:
+      return "JoinByEdge";
+    case Remedy::CutBandThrough:
+      return "CutBandThrough";
+    case Remedy::CutOpen:
+      return "CutOpen";
+    case Remedy::OpenHandles:
+      return "OpenHandles";
+    case Remedy::SkipClosed:
+      return "SkipClosed";
+    case Remedy::DivideInput:
+      return "DivideInput";
+    case Remedy::RedrawCurve:
+      return "RedrawCurve";
+    case Remedy::ProjectPoints:
+      return "ProjectPoints";
+    case Remedy::RaiseImprintTolerance:
+      return "RaiseImprintTolerance";
+    case Remedy::AddCurvePoints:
+      return "AddCurvePoints";
+    case Remedy::EndAtBoundary:
+      return "EndAtBoundary";
+    case Remedy::SplitTriangles:
+      return "SplitTriangles";
+    case Remedy::FollowEdges:
+      return "FollowEdges";
+    case Remedy::RaiseSnapTolerance:
+      return "RaiseSnapTolerance";
+    case Remedy::SpreadPlanarShape:
+      return "SpreadPlanarShape";
+    case Remedy::NameCurve:
+      return "NameCurve";
+    case Remedy::TakeEdges:
+      return "TakeEdges";
+    case Remedy::Give:
+      return "Give";
+    case Remedy::NamePins:
+      return "NamePins";
+    case Remedy::OrderRelaxation:
+      return "OrderRelaxation";
+    case Remedy::MendSlivers:
+      return "MendSlivers";
+    case Remedy::AllowAngleIterations:
+      return "AllowAngleIterations";
+    case Remedy::AllowIsometricIterations:
+      return "AllowIsometricIterations";
+    case Remedy::AllowRigidIterations:
+      return "AllowRigidIterations";
+    case Remedy::UseNewton:
+      return "UseNewton";
+    case Remedy::UseIsometricScheme:
+      return "UseIsometricScheme";
+    case Remedy::UseRigidInterior:
+      return "UseRigidInterior";
+    case Remedy::SeamBetweenLoops:
+      return "SeamBetweenLoops";
+    case Remedy::ReleaseCurves:
+      return "ReleaseCurves";
+    case Remedy::MakeAccessory:
+      return "MakeAccessory";
+    case Remedy::ChangeKeyShapes:
+      return "ChangeKeyShapes";
+    case Remedy::AllowLengthError:
+      return "AllowLengthError";
+    case Remedy::AddDarts:
+      return "AddDarts";
+    case Remedy::CloseCuts:
+      return "CloseCuts";
+    case Remedy::DivideBySeam:
+      return "DivideBySeam";
+  }
+  return "Unknown";
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+
+#include "vtkType.h"
+
+#include <vector>
+
+namespace flattening
+{
+namespace bridge
+{
+/// What the ids of a kind are called where the input is meant; "" for those that mean nothing to a
+/// caller.
+const char* kindName(ElementKind kind);
+
+/// The status in the input's ids, each once, in order of first mention. Where they differ from
+/// those that the message tells, they are added to it.
+/// \param inputId per id of the status its id in the input; negative: it has none
+Status inInput(Status status, const std::vector<vtkIdType>& inputId);
+}
+}

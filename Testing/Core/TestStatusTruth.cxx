@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What statuses say is the case: which of several, which wires and keys, and a way out that is one.
+#include "Flattening/SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// The code of a status, which names the defect and a way out wherever it is not Ok.
+StatusCode codeOf(const Status& status)
+{
+  EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
+  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.waysOut.empty())
+    << status.message;
+  return status.code;
+}
+
+bool has(const Status& status, Remedy remedy)
+{
+  return std::any_of(status.waysOut.begin(), status.waysOut.end(),
+    [remedy](const WayOut& wayOut) { return wayOut.remedy == remedy; });
+}
+
+FeatureCurve curve(const std::string& name, CurveType type)
+{
+  FeatureCurve made;
+  made.name = name;
+  made.type = type;
+  return made;
+}
+
+/// Four sides of a pyramid, with its edges to the top as curves: it cannot be laid flat without a
+/// change of their lengths.
+Surface pyramid(double height)
+{
+  Points3 points{ Point3(0, 0, height), Point3(1, 0, 0), Point3(0, 1, 0), Point3(-1, 0, 0),
+    Point3(0, -1, 0) };
+  Surface surface;
+  surface.mesh =
+    TriangleMesh(std::move(points), { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  for (Index v = 1; v <= 4; ++v)
+  {
+    surface.curves.push_back(curve("ridge " + std::to_string(v), CurveType::Accessory));
+    surface.curves.back().vertices = { 0, v };
+  }
+  return surface;
+}
+
+/// Two surfaces in one, apart from each other.
+Surface beside(const Surface& a, const Surface& b)
+{
+  Surface both = a;
+  Points3 points = a.mesh.points();
+  Triangles triangles = a.mesh.triangles();
+  const Index first = a.mesh.vertexCount();
+  for (const Point3& point : b.mesh.points())
+  {
+    points.push_back(point + Point3(100.0, 0.0, 0.0));
+  }
+  for (Triangle t : b.mesh.triangles())
+  {
+    triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+  }
+  for (FeatureCurve curve : b.curves)
+  {
+    for (Index& v : curve.vertices)
+    {
+      v += first;
+    }
+    both.curves.push_back(std::move(curve));
+  }
+  both.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  return both;
+}
+
+Surface stairCase()
+{
+  return patch(40, 2, [](double i, double j) {
+    const double turn = 3.0 * pi * i / 40.0;
+    return Point3((1.0 + j) * std::cos(-turn), (1.0 + j) * std::sin(-turn), 0.05 * i);
+  });
+}
+}
+
+TEST(StatusTruth, WiresThatMissTheirLengthsAreNamedWithTheirErrors)
+{
+  for (const Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Progressive })
+  {
+    SCOPED_TRACE(static_cast<int>(scheme));
+    FlatteningOptions options;
+    options.scheme = scheme;
+    const Surface surface = pyramid(1.0);
+    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const Status& status = result.status;
+    EXPECT_EQ(codeOf(status), StatusCode::LengthError);
+    EXPECT_EQ(status.ids.kind, ElementKind::Curves);
+    ASSERT_FALSE(status.ids.empty());
+    double worst = 0.0;
+    for (const CurveReport& report : result.curves)
+    {
+      worst = std::max(worst, report.error);
+    }
+    const auto first = static_cast<std::size_t>(status.ids.values.front());
+    EXPECT_EQ(result.curves[first].error, worst) << "the worst curve first";
+    for (const std::int64_t c : status.ids.values)
+    {
+      const CurveReport& report = result.curves[static_cast<std::size_t>(c)];
+      EXPECT_GT(report.error, options.lengthTolerance);
+      EXPECT_NE(
+        status.message.find("\"" + report.name + "\" by up to " + shortNumber(report.error)),
+        std::string::npos)
+        << status.message;
+    }
+    EXPECT_TRUE(has(status, Remedy::ReleaseCurves));
+  }
+}
+
+TEST(StatusTruth, TheBoundaryThatMissesItsLengthIsNamedByAnEdge)
+{
+  FlatteningOptions strict;
+  strict.lengthTolerance = 0.0;
+  const Surface surface = cushion(6, 6, 0.4);
+  const Status status = flattenSurface(surface.mesh, {}, strict, {}).status;
+  EXPECT_EQ(codeOf(status), StatusCode::LengthError);
+  EXPECT_NE(status.message.find("the boundary"), std::string::npos) << status.message;
+  EXPECT_EQ(status.ids.kind, ElementKind::Edges);
+  ASSERT_EQ(status.ids.values.size(), 2U);
+  const auto a = static_cast<Index>(status.ids.values[0]);
+  const auto b = static_cast<Index>(status.ids.values[1]);
+  EXPECT_TRUE(surface.mesh.find(a, b) != none || surface.mesh.find(b, a) != none);
+}
+
+TEST(StatusTruth, MoreIterationsAreAdvisedOnlyWhereTheyChangeTheResult)
+{
+  for (const Scheme scheme : { Scheme::Global, Scheme::Isometric })
+  {
+    SCOPED_TRACE(static_cast<int>(scheme));
+    FlatteningOptions options;
+    options.scheme = scheme;
+    const Surface impossible = pyramid(1.0);
+    const Status stuck = flattenSurface(impossible.mesh, impossible.curves, options, {}).status;
+    EXPECT_FALSE(stuck.ok());
+    EXPECT_FALSE(has(stuck, Remedy::AllowAngleIterations)) << stuck.message;
+    EXPECT_FALSE(has(stuck, Remedy::AllowIsometricIterations)) << stuck.message;
+
+    const bool isometric = scheme == Scheme::Isometric;
+    (isometric ? options.isometric.maximumIterations : options.angles.maximumIterations) = 0;
+    const Surface slow = cushion(6, 6, 0.4);
+    const Status ranOut = flattenSurface(slow.mesh, slow.curves, options, {}).status;
+    EXPECT_TRUE(
+      has(ranOut, isometric ? Remedy::AllowIsometricIterations : Remedy::AllowAngleIterations))
+      << ranOut.message;
+  }
+}
+
+TEST(StatusTruth, TheRunTellsTheWorstOfItsPieces)
+{
+  const std::vector<StatusCode> fromBad{ StatusCode::NumericalFailure, StatusCode::LengthError,
+    StatusCode::IncompatibleKeys, StatusCode::NotConverged, StatusCode::FlippedTriangles,
+    StatusCode::Overlap, StatusCode::Ok };
+  for (std::size_t k = 0; k + 1 < fromBad.size(); ++k)
+  {
+    EXPECT_GT(severity(fromBad[k]), severity(fromBad[k + 1])) << statusName(fromBad[k]);
+  }
+  for (const Surface& surface :
+    { beside(pyramid(1.0), stairCase()), beside(stairCase(), pyramid(1.0)) })
+  {
+    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+    ASSERT_EQ(result.pieces.size(), 2U);
+    const bool pyramidFirst = result.pieces[0].triangles == 4;
+    EXPECT_EQ(result.pieces[pyramidFirst ? 0 : 1].status.code, StatusCode::LengthError);
+    EXPECT_EQ(result.pieces[pyramidFirst ? 1 : 0].status.code, StatusCode::Overlap);
+    EXPECT_EQ(result.status.code, StatusCode::LengthError);
+    EXPECT_EQ(result.status.message, result.pieces[pyramidFirst ? 0 : 1].status.message);
+    EXPECT_EQ(result.status.ids, result.pieces[pyramidFirst ? 0 : 1].status.ids);
+  }
+}
+
+TEST(StatusTruth, KeysThatCannotKeepTheirShapesAreNamedWithAWayOut)
+{
+  // A ring inside, the boundary from corner to corner, and a line across the middle.
+  const Surface bare = cushion(8, 8, 0.4);
+  const auto at = [](Index i, Index j) { return j * 9 + i; };
+  FeatureCurve ring = curve("ring", CurveType::Key);
+  for (Index k = 0; k < 16; ++k)
+  {
+    const std::array<Index, 2> place = k < 4 ? std::array<Index, 2>{ 2 + k, 2 }
+      : k < 8                                ? std::array<Index, 2>{ 6, k - 2 }
+      : k < 12                               ? std::array<Index, 2>{ 14 - k, 6 }
+                                             : std::array<Index, 2>{ 2, 18 - k };
+    ring.vertices.push_back(at(place[0], place[1]));
+  }
+  ring.vertices.push_back(ring.vertices.front());
+  FeatureCurve edge = curve("edge", CurveType::Key);
+  FeatureCurve line = curve("line", CurveType::Key);
+  for (Index k = 0; k <= 8; ++k)
+  {
+    edge.vertices.push_back(at(k, 0));
+    line.vertices.push_back(at(k, 4));
+  }
+  Index clashes = 0;
+  for (const Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Progressive })
+  {
+    for (const FeatureCurve& key : { ring, edge, line })
+    {
+      for (const int shape : { 0, 1, 2 })
+      {
+        Surface surface = bare;
+        surface.curves = { key };
+        surface.curves[0].keyShape = static_cast<KeyShape>(shape);
+        for (std::size_t k = 0; k < key.vertices.size(); ++k)
+        {
+          // Of the planar shapes: to and fro, which folds each triangle beside it over.
+          surface.curves[0].planarShape.emplace_back(k % 2 == 0 ? 0.0 : 1.0, 1e-3 * k);
+        }
+        FlatteningOptions options;
+        options.scheme = scheme;
+        const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+        const Status& status = result.status;
+        SCOPED_TRACE(key.name + ", shape " + std::to_string(shape) + ", scheme " +
+          std::to_string(static_cast<int>(scheme)) + ": " + statusName(status.code) + ": " +
+          status.message);
+        codeOf(status);
+        if (status.ok())
+        {
+          continue;
+        }
+        ++clashes;
+        EXPECT_EQ(status.code, StatusCode::IncompatibleKeys);
+        EXPECT_NE(status.message.find("\"" + key.name + "\""), std::string::npos);
+        EXPECT_EQ(status.ids, (ElementIds{ ElementKind::Curves, Indices{ 0 } }));
+        EXPECT_TRUE(has(status, Remedy::MakeAccessory));
+        EXPECT_TRUE(result.curves[0].released);
+        EXPECT_LE(result.pieces[0].quality.maximumEdgeLengthError, options.lengthTolerance);
+      }
+    }
+  }
+  EXPECT_GT(clashes, 5);
+}

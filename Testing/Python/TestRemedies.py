@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each user interface says the ways out of a defect in its own words."""
+
+import inspect
+import re
+import unittest
+import warnings
+
+import surfaceflattening as sf
+from surfaceflattening._remedies import WORDS, make_message, remedy_words
+from surfaces import grid
+
+Algorithm = sf.vtkFlatteningAlgorithm
+NAMES = [Algorithm.GetRemedyName(k) for k in range(Algorithm.GetNumberOfRemedies())]
+
+
+class Words(unittest.TestCase):
+    def test_there_are_remedies_each_once(self):
+        self.assertGreater(len(NAMES), 30)
+        self.assertEqual(len(set(NAMES)), len(NAMES))
+        self.assertIsNone(Algorithm.GetRemedyName(len(NAMES)))
+        self.assertIsNone(Algorithm.GetRemedyWords("Despair"))
+
+    def test_each_has_words_everywhere(self):
+        for name in NAMES:
+            with self.subTest(name):
+                self.assertTrue(Algorithm.GetRemedyWords(name))
+                self.assertTrue(remedy_words(name))
+        self.assertEqual(set(WORDS) - set(NAMES), set())
+
+    def test_the_filters_name_their_properties_and_arrays_alone(self):
+        properties = {name[3:] for class_ in (sf.vtkWireWarpingFilter, sf.vtkFlatteningQuality)
+                      for name in dir(class_) if name.startswith("Set")}
+        arrays = {"CurveType", "LengthTolerance"}
+        named = 0
+        for name in NAMES:
+            words = Algorithm.GetRemedyWords(name)
+            self.assertNotRegex(words, "--|_[a-z]")
+            for word in re.findall(r"[A-Z][a-z]+(?:[A-Z][a-z]+)+", words):
+                named += 1
+                with self.subTest(name, word=word):
+                    plain = word[3:] if word.startswith("Set") else word
+                    self.assertTrue(plain in properties | arrays or
+                                    hasattr(sf.vtkWireWarpingFilter, "Add" + plain), word)
+        self.assertGreater(named, 10)
+
+    def test_python_names_arguments_alone(self):
+        arguments = set(inspect.signature(sf.flatten).parameters)
+        arguments |= set(inspect.signature(sf.Curve).parameters)
+        named = 0
+        for name, words in WORDS.items():
+            self.assertNotIn("--", words)
+            for word in re.findall(r"[a-z]+(?:_[a-z]+)+|[a-z]+(?==)", words):
+                named += 1
+                with self.subTest(name, word=word):
+                    self.assertIn(word, arguments)
+        self.assertGreater(named, 10)
+        for name in set(NAMES) - set(WORDS):  # said in the filters' words
+            with self.subTest(name):
+                self.assertNotRegex(remedy_words(name), "--")
+
+    def test_a_message_is_the_defect_and_its_ways_out(self):
+        self.assertEqual(make_message("it is broken", []), "it is broken")
+        self.assertEqual(
+            make_message("banks cross", [("CloseCuts", ""), ("Give", "a seam")]),
+            "banks cross; close the cuts as far as they cross (close_cuts=True), or give a seam")
+
+
+class Reports(unittest.TestCase):
+    def test_an_error_carries_kind_and_remedies(self):
+        points, triangles = grid()
+        with self.assertRaises(sf.FlatteningError) as caught:
+            sf.flatten(points, triangles, [[[0.0, 0.5, 0.0], [4.0, 0.5, 0.0]]],
+                       split_triangles=False)
+        error = caught.exception
+        self.assertEqual(error.kind, "curve points")
+        self.assertEqual(error.remedies[0], ("SplitTriangles", ""))
+        self.assertIn("split_triangles", error.message)
+
+    def test_the_run_agrees_with_its_worst_piece(self):
+        # The four sides of a pyramid with their ridges as curves have no flat shape.
+        points = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
+        points += [[x + 10, y, z] for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+        triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [5, 6, 7]]
+        ridges = [sf.Curve([0, v], name=f"ridge {v}") for v in range(1, 5)]
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            report = sf.flatten(points, triangles, ridges).report
+        pieces = sorted(report["pieces"], key=lambda piece: piece["triangles"])
+        self.assertEqual([piece["status"] for piece in pieces], ["Ok", "LengthError"])
+        for key in ("status", "message", "ids", "id_kind", "remedies"):
+            with self.subTest(key):
+                self.assertEqual(report[key], pieces[1][key])
+        self.assertEqual((pieces[0]["ids"], pieces[0]["remedies"]), ([], []))
+        self.assertEqual(report["id_kind"], "curves")
+        self.assertIn("ReleaseCurves", [remedy["name"] for remedy in report["remedies"]])
+        self.assertIn("length_tolerance", report["message"])
+        self.assertIn(report["message"], str(caught[0].message))
+
+
+if __name__ == "__main__":
+    unittest.main()
