@@ -112,20 +112,18 @@ std::string fitText(const std::string& text, double height, double width)
   {
     return text;
   }
-  std::string cut = text;
-  while (!cut.empty() && textWidth(cut + "...", height) > width)
+  const std::string dots = "...";
+  const double room = width / textWidth(".", height) - static_cast<double>(dots.size());
+  std::size_t end = 0;
+  for (double characters = 1.0; characters <= room && end < text.size(); characters += 1.0)
   {
-    // Takes the last character off, that is its bytes up to the one that starts it.
-    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0u) == 0x80u)
+    // The byte that starts a character and those that go on with it.
+    do
     {
-      cut.pop_back();
-    }
-    if (!cut.empty())
-    {
-      cut.pop_back();
-    }
+      ++end;
+    } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
   }
-  return cut + "...";
+  return text.substr(0, end) + dots;
 }
 }
 }

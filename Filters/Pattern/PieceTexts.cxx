@@ -2,6 +2,7 @@
 #include "PieceTexts.h"
 
 #include "CurveNames.h"
+#include "PatternStrokes.h"
 #include "PatternText.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace pattern
 namespace
 {
 constexpr double largestTitle = 8.0;
+constexpr double longestName = 80.0; // letters, where the piece has no room for more
 
 void placeTitle(const Segments& boundary, PatternPiece& piece)
 {
@@ -46,6 +48,9 @@ void placeTitle(const Segments& boundary, PatternPiece& piece)
   {
     PatternText& text = piece.texts[k];
     text.height = k == 0 ? size : 0.7 * size;
+    // Nobody reads more, and a page with tens of thousands of letters takes seconds.
+    text.text = fitText(
+      text.text, text.height, std::max(2.0 * room, longestName * textWidth(".", text.height)));
     text.position = { center.x(), y - text.height / 2.0 };
     y -= lineFeed * text.height;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveNames.h"
 #include "PatternText.h"
+#include "PieceTexts.h"
 
 #include <gtest/gtest.h>
 
@@ -140,4 +141,21 @@ TEST(CurveNames, ALineTooShortForItsNameHasNone)
   PatternPiece piece = makeSquare({ { 100.0, 100.0 }, { 103.0, 100.0 } });
   placeCurveNames(boundaryOf(piece), piece);
   EXPECT_TRUE(piece.texts.empty());
+}
+
+TEST(CurveNames, ATitleIsCutWhereThePieceHasNoRoomForItAndOtherwiseWhole)
+{
+  const std::string ordinary(60, 'n');
+  for (const std::string& name : { std::string("front"), ordinary, std::string(30000, 'n') })
+  {
+    PatternPiece piece = makeSquare({ { 20.0, 100.0 }, { 180.0, 100.0 } });
+    PatternText title;
+    title.text = name;
+    piece.texts = { title };
+    placeTexts(boundaryOf(piece), piece);
+    const std::string& written = piece.texts.front().text;
+    EXPECT_EQ(written == name, name.size() <= ordinary.size());
+    EXPECT_LT(written.size(), 400u);
+    EXPECT_EQ(written.substr(0, 5), name.substr(0, 5));
+  }
 }

@@ -47,4 +47,12 @@ TEST(PatternText, CutsLongTextsBetweenCharacters)
   const std::string umlauts = "\xC3\xA4\xC3\xA4\xC3\xA4\xC3\xA4\xC3\xA4\xC3\xA4\xC3\xA4\xC3\xA4";
   const std::string cut = fitText(umlauts, 3.0, textWidth("123456", 3.0) + 1e-9);
   EXPECT_EQ(cut, "\xC3\xA4\xC3\xA4\xC3\xA4...");
+  EXPECT_EQ(fitText("no room", 3.0, 0.0), "...");
+}
+
+TEST(PatternText, CutsATextInTimeThatGrowsWithItsLengthAlone)
+{
+  const std::string letters(3000000, 'n'); // their square would take hours
+  const std::string cut = fitText(letters, 3.0, textWidth(letters, 3.0) / 2.0);
+  EXPECT_NEAR(static_cast<double>(cut.size()), 1500000.0, 1.0);
 }
