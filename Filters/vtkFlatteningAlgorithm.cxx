@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlatteningAlgorithm.h"
 
-#include "Base/Status.h"
+#include "Base/Memory.h"
 #include "FieldArrays.h"
 #include "RemedyWords.h"
 #include "StatusInInput.h"
@@ -64,6 +64,24 @@ vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
 
 //------------------------------------------------------------------------------
 vtkFlatteningAlgorithm::~vtkFlatteningAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Core answers itself where its own memory runs out; here what stands around it does.
+  try
+  {
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Begin(outputVector);
+    this->Conclude(flattening::outOfMemory(0));
+    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+  }
+  return 1;
+}
 
 //------------------------------------------------------------------------------
 const char* vtkFlatteningAlgorithm::GetStatusName() const

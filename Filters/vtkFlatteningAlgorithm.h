@@ -47,6 +47,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Runs the filter; memory that runs out becomes the status OUT_OF_MEMORY.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
    * What a run can end with. Up to NUMERICAL_FAILURE there is no result; later codes mark a result
    * with a broken promise.
    */

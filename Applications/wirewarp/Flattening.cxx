@@ -101,6 +101,13 @@ Flattening flattenOne(const Options& options)
     result.status = "UnreadableInput";
     result.message = error.what();
   }
+  catch (const std::bad_alloc&)
+  {
+    result = {};
+    result.exitCode = InputRefused;
+    result.status = "OutOfMemory";
+    result.message = options.surface + ": memory ran out around the flattening; " + wayOutOfMemory;
+  }
   result.secondsTotal = secondsSince(start);
   return result;
 }

@@ -7,6 +7,9 @@
 
 namespace wirewarp
 {
+inline constexpr const char* wayOutOfMemory =
+  "close other programs, raise the limit of memory, or take a smaller surface";
+
 /// An input that is refused. The text says what is wrong, where, and the way out.
 class InputError : public std::runtime_error
 {

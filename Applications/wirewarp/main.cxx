@@ -104,10 +104,14 @@ int main(int argc, char** argv)
     std::cerr << "wirewarp: error: " << plainText(error.what()) << '\n';
     exitCode = InputRefused;
   }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "wirewarp: error: OutOfMemory: memory ran out; " << wayOutOfMemory << '\n';
+    exitCode = InputRefused;
+  }
   catch (const std::exception& error)
   {
-    std::cerr << "wirewarp: error: " << plainText(error.what())
-              << "; if memory ran out, try a smaller surface\n";
+    std::cerr << "wirewarp: error: " << plainText(error.what()) << '\n';
     exitCode = InputRefused;
   }
   return exitCode;

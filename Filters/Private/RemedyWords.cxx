@@ -67,6 +67,8 @@ const char* remedyWords(Remedy remedy)
     case Remedy::OrderRelaxation:
       return "give 0 <= RelaxationMinimumIterations <= RelaxationMaximumIterations, of them one at "
              "least, and a RelaxationMovement that is not negative";
+    case Remedy::FreeMemory:
+      return "close other programs, raise the limit of memory, or take a smaller surface";
     case Remedy::MendSlivers:
       return "mend slivers there";
     case Remedy::AllowAngleIterations:

@@ -71,3 +71,64 @@ TEST(HighValence, DomesWithAPoleKeepTheirBoundarysLengthInEveryScheme)
     }
   }
 }
+
+TEST(HighValence, ConesAndDomesOfTensOfThousandsOfTrianglesTakeLittleMemory)
+{
+  // All factors of a sound order take less; a dense front of the ring would take 7 GB.
+  Execution execution;
+  execution.factorMemory = 120'000'000;
+  for (const auto& [meridians, parallels] :
+    std::vector<std::pair<Index, Index>>{ { 30000, 1 }, { 5600, 5 } })
+  {
+    const TriangleMesh mesh = dome(meridians, parallels, 0.4);
+    for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
+    {
+      FlatteningOptions options;
+      options.scheme = scheme;
+      const FlatteningResult result = flattenSurface(mesh, {}, options, execution);
+      EXPECT_TRUE(result.status.ok()) << result.status.message;
+      ASSERT_FALSE(result.positions.empty());
+      EXPECT_LT(greatestLengthError(result), 1e-9);
+    }
+  }
+}
+
+TEST(HighValence, WiresByTheThousandMeetInOneVertex)
+{
+  // Half of the spokes of a flat half disc whose hub is on the boundary, in any numbering.
+  constexpr Index spokes = 6000;
+  Points3 points{ { 0.0, 0.0, 0.0 } };
+  Triangles triangles;
+  std::vector<FeatureCurve> curves;
+  for (Index k = 0; k <= spokes; ++k)
+  {
+    const double a = pi * k / spokes;
+    points.emplace_back(std::cos(a), std::sin(a), 0.0);
+    if (k > 0)
+    {
+      triangles.push_back({ 0, k, k + 1 });
+    }
+    if (k % 2 == 1)
+    {
+      FeatureCurve curve;
+      curve.name = "spoke " + std::to_string(k);
+      curve.vertices = { 0, k + 1 };
+      curves.push_back(curve);
+    }
+  }
+  const TriangleMesh mesh(points, triangles);
+  Execution execution;
+  execution.factorMemory = 50'000'000;
+  for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
+  {
+    FlatteningOptions options;
+    options.scheme = scheme;
+    const FlatteningResult result = flattenSurface(mesh, curves, options, execution);
+    EXPECT_TRUE(result.status.ok()) << result.status.message;
+    ASSERT_FALSE(result.positions.empty());
+    for (const Wire& wire : result.wires)
+    {
+      EXPECT_NEAR(wire.flatLength, wire.restLength, 1e-9 * wire.restLength);
+    }
+  }
+}

@@ -121,3 +121,21 @@ TEST(NestedDissection, PutsTheHubOfAWideFanLastAndNoneOfItsRing)
     }
   }
 }
+
+TEST(NestedDissection, CutsRingsOfLongTrianglesAcrossInsteadOfAlongAPlane)
+{
+  const testgraphs::Graph rings = testgraphs::dome(6000, 5);
+  Points3 positions(rings.count, Point3::Zero());
+  for (Index v = 1; v < rings.count; ++v)
+  {
+    const double angle = 2.0 * pi * ((v - 1) % 6000) / 6000;
+    positions[v] = (1 + (v - 1) / 6000) * Point3(std::cos(angle), std::sin(angle), 0.0);
+  }
+  const Dissection dissection = dissect(rings.cliques, positions);
+  Index begin = 0;
+  for (Index end : dissection.end)
+  {
+    EXPECT_LT(end - begin, 100) << "a dense block of so many vertices";
+    begin = end;
+  }
+}

@@ -2,6 +2,7 @@
 #include "HostileCase.h"
 
 #include "HostileSurface.h"
+#include "OrdinarySurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,6 +244,21 @@ HostileCase decodeCase(
     result.polylines = std::move(surface.curves);
   }
   result.options.closeCuts = bytes.oneIn(3);
+  result.points = std::move(surface.points);
+  result.triangles = std::move(surface.triangles);
+  return result;
+}
+
+HostileCase decodeOrdinaryCase(Bytes& bytes, const SizeRange& triangles)
+{
+  HostileCase result;
+  result.options.scheme = static_cast<Scheme>(bytes.next() % 4);
+  Specimen surface = makeOrdinarySurface(bytes, triangles);
+  result.origin = surface.name;
+  if (bytes.oneIn(2))
+  {
+    makeCurves(bytes, surface, result);
+  }
   result.points = std::move(surface.points);
   result.triangles = std::move(surface.triangles);
   return result;

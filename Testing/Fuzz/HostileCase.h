@@ -50,6 +50,13 @@ private:
   std::size_t At = 0;
 };
 
+/// Sizes of a surface before its mutations, about.
+struct SizeRange
+{
+  double least = 1.0;
+  double most = 120.0;
+};
+
 struct HostileCase
 {
   std::string origin; ///< of the surface, for messages
@@ -65,18 +72,15 @@ struct HostileCase
   Index cancelAt = none;
 };
 
-/// Sizes of a surface before its mutations, about.
-struct SizeRange
-{
-  double least = 1.0;
-  double most = 120.0;
-};
-
 /// What the fuzz target tries: an input of its corpus is another surface with other sizes.
 constexpr SizeRange fuzzedSizes{ 1.0, 40.0 };
 
 HostileCase decodeCase(
   Bytes& bytes, const std::vector<Specimen>& specimens, const SizeRange& triangles);
+
+/// What a well-meaning user would make: an ordinary surface, options as they are, each scheme as
+/// often, curves on half of them.
+HostileCase decodeOrdinaryCase(Bytes& bytes, const SizeRange& triangles);
 
 struct Verdict
 {

@@ -34,8 +34,15 @@ Verdict tryInput(const Input& input, const SizeRange& triangles)
   return tryCase(decodeCase(bytes, dataSpecimens(), triangles));
 }
 
+Verdict tryOrdinaryInput(const Input& input, const SizeRange& triangles)
+{
+  Bytes bytes(input.data(), input.size());
+  return tryCase(decodeOrdinaryCase(bytes, triangles));
+}
+
 /// Runs seeds [first, first + count) and tells what became of them.
-void trySeeds(unsigned first, unsigned count, double secondsEach, const SizeRange& triangles = {})
+void trySeeds(unsigned first, unsigned count, double secondsEach, const SizeRange& triangles = {},
+  Verdict (*tryOne)(const Input&, const SizeRange&) = tryInput)
 {
   ASSERT_GE(dataSpecimens().size(), 15U);
   std::map<std::string, unsigned> outcomes;
@@ -47,7 +54,7 @@ void trySeeds(unsigned first, unsigned count, double secondsEach, const SizeRang
     {
       std::cerr << "seed " << seed << std::endl;
     }
-    const Verdict verdict = tryInput(randomInput(seed), triangles);
+    const Verdict verdict = tryOne(randomInput(seed), triangles);
     EXPECT_EQ(verdict.fault, "") << "seed " << seed << ", at most " << triangles.most
                                  << " triangles";
     EXPECT_LT(verdict.seconds, secondsEach)
@@ -77,6 +84,21 @@ TEST_P(HostileSmallCases, GetATrueAnswer)
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, HostileSmallCases, testing::Range(0U, 16U));
+
+TEST(OrdinaryFew, ShapesOfEveryKindGetATrueAnswer)
+{
+  trySeeds(0, 200, 20.0, {}, tryOrdinaryInput);
+}
+
+TEST(OrdinaryCases, OfEveryKindGetATrueAnswer)
+{
+  trySeeds(1000, 4000, 20.0, {}, tryOrdinaryInput);
+}
+
+TEST(OrdinaryCases, OfMiddleSizeGetATrueAnswer)
+{
+  trySeeds(100000, 150, 120.0, { 1000.0, 20000.0 }, tryOrdinaryInput);
+}
 
 TEST(HostileCases, OfMiddleSizeGetATrueAnswer)
 {

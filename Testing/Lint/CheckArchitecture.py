@@ -109,9 +109,11 @@ def units_of_core_make_no_circles():
 
 
 def core_neither_prints_nor_throws():
-    """A stage of Core answers with a Status and nothing else."""
+    """A stage of Core answers with a Status and nothing else; memory that runs out ends in withinMemory()."""
     pattern = re.compile(r"\bthrow\b|\bstd::c(out|err|log)\b|\b(f|v)?printf\s*\(|\babort\s*\(|\bexit\s*\(")
     for name in cxx_files("Filters/Core/"):
+        if name == "Filters/Core/Base/Memory.cxx":
+            continue
         for number, line in code_lines(name):
             found = pattern.search(line)
             if found:

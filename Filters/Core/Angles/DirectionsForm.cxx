@@ -50,17 +50,25 @@ void DirectionsForm::projectAngles()
 {
   // Least squares: theta = alpha + C' y with C C' y = b - C alpha; C holds the loops and the
   // interior vertices, two ones a column at the most. Vertices go first: eliminating them fills in
-  // between loops alone.
+  // between loops alone. But hubs of wires go last, since they would couple all their loops.
   const WireNetwork& net = *this->Problem->network;
   const Index loops = net.loopCount();
   Indices vertexRow(net.hostVertices.size(), none);
   Index rows = 0;
-  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
-  {
-    vertexRow[host] = net.interior[host] ? rows++ : none;
-  }
+  const auto numberVertices = [&](bool hubs) {
+    for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+    {
+      const Index nodes = net.vertexNodeBegin[host + 1] - net.vertexNodeBegin[host];
+      if (net.interior[host] && (nodes > hubValence(loops)) == hubs)
+      {
+        vertexRow[host] = rows++;
+      }
+    }
+  };
+  numberVertices(false);
   const Index loopRow = rows;
   rows += loops;
+  numberVertices(true);
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(rows);
   std::vector<Eigen::Triplet<double>> entries;
   for (Index loop = 0; loop < loops; ++loop)
@@ -85,7 +93,8 @@ void DirectionsForm::projectAngles()
     if (row != none)
     {
       missing[row] -= net.alpha[i];
-      entries.emplace_back(loopRow + net.loop[i], row, 1.0);
+      const Index loopAt = loopRow + net.loop[i];
+      entries.emplace_back(std::max(loopAt, row), std::min(loopAt, row), 1.0);
     }
   }
   SparseMatrix normal(rows, rows);

@@ -3,7 +3,9 @@
 
 #include "Base/Types.h"
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace flattening
 {
@@ -19,6 +21,9 @@ struct Execution
   /// Runs body(begin, end) over disjoint ranges that cover [0, count), in any order and on any
   /// thread. Bodies write to disjoint places only, so that results do not depend on it.
   std::function<void(Index count, const std::function<void(Index, Index)>& body)> parallel;
+  /// Bytes that the factors of one linear system may take; more ends the run with
+  /// StatusCode::OutOfMemory.
+  std::size_t factorMemory = std::numeric_limits<std::size_t>::max();
 
   void report(double fraction, const char* phase) const
   {
@@ -41,16 +46,7 @@ struct Execution
     return inner;
   }
   bool cancelled() const { return this->cancel && this->cancel(); }
-  void parallelFor(Index count, const std::function<void(Index, Index)>& body) const
-  {
-    if (this->parallel)
-    {
-      this->parallel(count, body);
-    }
-    else if (count > 0)
-    {
-      body(0, count);
-    }
-  }
+  /// What a body throws comes out on the calling thread.
+  void parallelFor(Index count, const std::function<void(Index, Index)>& body) const;
 };
 }

@@ -63,6 +63,8 @@ const char* remedyName(Remedy remedy)
       return "NamePins";
     case Remedy::OrderRelaxation:
       return "OrderRelaxation";
+    case Remedy::FreeMemory:
+      return "FreeMemory";
     case Remedy::MendSlivers:
       return "MendSlivers";
     case Remedy::AllowAngleIterations:

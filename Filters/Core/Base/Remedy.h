@@ -42,6 +42,8 @@ enum class Remedy
   Give, ///< subject: what to give
   NamePins,
   OrderRelaxation,
+  // The machine.
+  FreeMemory,
   // The solution.
   MendSlivers,
   AllowAngleIterations,

@@ -133,7 +133,8 @@ double largestLengthError(
 }
 
 /// Newton's method on all lengths with the least change of the positions. A small block on the
-/// normal matrix serves networks that carry a self-stress.
+/// normal matrix serves networks that carry a self-stress. The edges at a hub of wires would all be
+/// coupled there; its changes stay unknowns of their own.
 class LengthCorrection
 {
 public:
@@ -142,8 +143,18 @@ public:
     : Network(network)
     , Length(length)
     , RankOfEdge(order.rankOfEdge)
+    , HubColumn(network.hostVertices.size(), none)
     , Solver(LeadingColumns{ order.edgesAlong })
   {
+    const Index enough = hubValence(network.edgeCount());
+    for (std::size_t host = 0; host < this->HubColumn.size(); ++host)
+    {
+      if (order.degree[host] > enough)
+      {
+        this->HubColumn[host] = this->HubColumns;
+        this->HubColumns += 2;
+      }
+    }
   }
 
   /// Takes the derivatives at positions, which then serve for steps from all places nearby.
@@ -169,7 +180,8 @@ public:
     const auto edges = static_cast<Eigen::Index>(this->Length.size());
     this->Jacobian.resize(edges, 2 * static_cast<Eigen::Index>(positions.size()));
     this->Jacobian.setFromTriplets(entries.begin(), entries.end());
-    this->Normal = this->Jacobian * this->Jacobian.transpose();
+    this->Normal = this->HubColumns == 0 ? SparseMatrix(this->Jacobian * this->Jacobian.transpose())
+                                         : this->normalWithHubs();
     SparseMatrix regular = this->Normal;
     for (Eigen::Index e = 0; e < edges; ++e)
     {
@@ -186,12 +198,14 @@ public:
       const auto [a, b] = this->ends(e);
       residual[this->RankOfEdge[e]] = this->Length[e] - (positions[b] - positions[a]).norm();
     }
-    const Eigen::MatrixXd y = this->Solver.solveRefined(this->Normal, residual);
-    if (y.rows() != residual.size())
+    Eigen::VectorXd rightHandSide = Eigen::VectorXd::Zero(residual.size() + this->HubColumns);
+    rightHandSide.head(residual.size()) = residual;
+    const Eigen::MatrixXd y = this->Solver.solveRefined(this->Normal, rightHandSide);
+    if (y.rows() != rightHandSide.size())
     {
       return false;
     }
-    const Eigen::VectorXd change = this->Jacobian.transpose() * y.col(0);
+    const Eigen::VectorXd change = this->Jacobian.transpose() * y.col(0).head(residual.size());
     for (std::size_t k = 0; k < positions.size(); ++k)
     {
       positions[k] += change.segment<2>(2 * static_cast<Eigen::Index>(k));
@@ -200,6 +214,45 @@ public:
   }
 
 private:
+  /// [N N', H; H', -I], lower triangle, where N and H are the columns of the other hosts and of the
+  /// hubs: the second rows say that a hub's change is H' y, as that of every host is.
+  SparseMatrix normalWithHubs() const
+  {
+    const auto edges = static_cast<Index>(this->Jacobian.rows());
+    SparseMatrix others = this->Jacobian;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index column = 0; column < others.cols(); ++column)
+    {
+      const Index hub = this->HubColumn[column / 2];
+      for (SparseMatrix::InnerIterator entry(others, column); hub != none && entry; ++entry)
+      {
+        entries.emplace_back(
+          edges + hub + column % 2, static_cast<Index>(entry.row()), entry.value());
+        entry.valueRef() = 0.0;
+      }
+    }
+    others.prune(0.0);
+    const SparseMatrix normal = others * others.transpose();
+    for (Index column = 0; column < edges; ++column)
+    {
+      for (SparseMatrix::InnerIterator entry(normal, column); entry; ++entry)
+      {
+        if (entry.row() >= column)
+        {
+          entries.emplace_back(static_cast<Index>(entry.row()), column, entry.value());
+        }
+      }
+      entries.emplace_back(column, column, 0.0); // an edge between hubs
+    }
+    for (Index k = 0; k < this->HubColumns; ++k)
+    {
+      entries.emplace_back(edges + k, edges + k, -1.0);
+    }
+    SparseMatrix result(edges + this->HubColumns, edges + this->HubColumns);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
   std::array<Index, 2> ends(std::size_t e) const
   {
     return { this->Network.hostOfVertex[this->Network.edges[e].from],
@@ -209,6 +262,8 @@ private:
   const WireNetwork& Network;
   const std::vector<double>& Length;
   const Indices& RankOfEdge;
+  Indices HubColumn; ///< per host: of the first of its two unknowns behind the edges, or none
+  Index HubColumns = 0;
   SparseMatrix Jacobian;
   SparseMatrix Normal;
   LinearSolver Solver;

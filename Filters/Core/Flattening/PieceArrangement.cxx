@@ -106,6 +106,43 @@ Indices convexHull(const Points2& points)
   return hull;
 }
 
+/// The vertex of a convex hull that is farthest in a direction which turns anti-clockwise from one
+/// question to the next: it never goes back (M. I. Shamos, "Computational Geometry", 1978).
+class Farthest
+{
+public:
+  Farthest(const Points2& points, const Indices& hull)
+    : Points(points)
+    , Hull(hull)
+  {
+  }
+  double along(const Point2& origin, const Point2& direction)
+  {
+    const auto reach = [&](std::size_t k) {
+      return (this->Points[this->Hull[k % this->Hull.size()]] - origin).dot(direction);
+    };
+    if (!this->Begun)
+    {
+      this->Begun = true;
+      for (std::size_t k = 1; k < this->Hull.size(); ++k)
+      {
+        this->At = reach(k) > reach(this->At) ? k : this->At;
+      }
+    }
+    for (std::size_t k = 0; k < this->Hull.size() && reach(this->At + 1) >= reach(this->At); ++k)
+    {
+      ++this->At;
+    }
+    return reach(this->At);
+  }
+
+private:
+  const Points2& Points;
+  const Indices& Hull;
+  std::size_t At = 0;
+  bool Begun = false;
+};
+
 /// Direction of the long side of the smallest rectangle around the points. One of its sides lies on
 /// the convex hull; of equal ones that at the smallest vertex counts.
 Point2 longDirection(const Points2& points)
@@ -114,6 +151,9 @@ Point2 longDirection(const Points2& points)
   double smallest = std::numeric_limits<double>::max();
   Index chosen = none;
   Point2 direction(0.0, 1.0);
+  Farthest ahead(points, hull);
+  Farthest above(points, hull);
+  Farthest behind(points, hull);
   for (std::size_t k = 0; k < hull.size(); ++k)
   {
     const Index first = hull[k];
@@ -125,13 +165,9 @@ Point2 longDirection(const Points2& points)
     }
     along /= length;
     const Point2 across(-along.y(), along.x());
-    Box box;
-    for (Index i : hull)
-    {
-      const Point2 d = points[i] - points[first];
-      box.extend(Point2(d.dot(along), d.dot(across)));
-    }
-    const Point2 sides = box.sizes();
+    const Point2& origin = points[first];
+    const Point2 sides(
+      ahead.along(origin, along) + behind.along(origin, -along), above.along(origin, across));
     const double area = sides.x() * sides.y();
     const bool less = area < smallest * (1.0 - rounding);
     const bool equal = !less && area <= smallest * (1.0 + rounding);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/SurfaceFlattening.h"
 
+#include "Base/Memory.h"
 #include "Base/Stopwatch.h"
 #include "Flattening/ElasticSeams.h"
 #include "Flattening/PieceArrangement.h"
@@ -389,6 +390,12 @@ private:
 FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution, FlatteningCache* cache)
 {
-  return Flattening(mesh, curves, options, execution, cache).run();
+  FlatteningResult result =
+    withinMemory([&] { return Flattening(mesh, curves, options, execution, cache).run(); });
+  if (result.status.code == StatusCode::OutOfMemory && cache)
+  {
+    *cache = {}; // it may hold the half of something
+  }
+  return result;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Imprint/CurveImprint.h"
 
+#include "Base/Memory.h"
 #include "Imprint/CurvePlacement.h"
 #include "Imprint/SurfaceSplit.h"
 #include "Imprint/SurfaceTrace.h"
@@ -307,7 +308,7 @@ ImprintedSurface imprintCurves(const TriangleMesh& mesh, const std::vector<Polyl
     return refuse({ StatusCode::InvalidOption, "the snap distance is " + shortNumber(options.snap),
       {}, { { Remedy::Give, "a fraction from 0 to 0.5" } } });
   }
-  return Imprinter(mesh, polylines, options, execution).run();
+  return withinMemory([&] { return Imprinter(mesh, polylines, options, execution).run(); });
 }
 
 void describeCurves(ImprintedSurface& imprinted, const std::vector<Polyline>& polylines)

@@ -317,6 +317,22 @@ void IsometricModel::hold(Index group)
   this->Assembler.add(this->GroupEntries + group, heldStiffness);
 }
 
+/// Per vertex.
+std::vector<char> IsometricModel::hubsOfWires() const
+{
+  const WireNetwork& net = *this->Problem.network;
+  Indices valence(this->CoordinateCount / 2, 0);
+  for (Index e : this->LengthEdges)
+  {
+    ++valence[net.edges[e].from];
+    ++valence[net.edges[e].to];
+  }
+  std::vector<char> hub(valence.size());
+  std::transform(valence.begin(), valence.end(), hub.begin(),
+    [enough = hubValence(this->lengthCount())](Index wires) { return wires > enough; });
+  return hub;
+}
+
 Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
 {
   const WireNetwork& net = *this->Problem.network;
@@ -341,16 +357,28 @@ Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
   {
     place[vertices[k]] = static_cast<Index>(k);
   }
+  // Behind a hub of wires they would stand together, all coupled: there they come before it, one
+  // after each other end, which has two coordinates to pay for it.
+  const std::vector<char> hub = this->hubsOfWires();
+  std::vector<char> paid(vertices.size(), 0);
   std::vector<Indices> constraintsAfter(vertices.size());
   for (Index k = 0; k < this->lengthCount(); ++k)
   {
     const WireEdge& edge = net.edges[this->LengthEdges[k]];
-    constraintsAfter[std::max(place[edge.from], place[edge.to])].push_back(k);
+    Index after = std::max(place[edge.from], place[edge.to]);
+    const Index before = std::min(place[edge.from], place[edge.to]);
+    if (hub[vertices[after]] && !hub[vertices[before]] && !paid[before])
+    {
+      paid[before] = 1;
+      after = before;
+    }
+    constraintsAfter[after].push_back(k);
   }
   for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
   {
     const Node& node = this->LockedNodes[k];
-    constraintsAfter[std::max({ place[node.before], place[node.at], place[node.after] })].push_back(
+    const Index ends = std::max(place[node.before], place[node.after]);
+    constraintsAfter[hub[node.at] ? ends : std::max(ends, place[node.at])].push_back(
       this->lengthCount() + static_cast<Index>(k));
   }
   Dissection result = dissection.replaced([&](Index k, Indices& order) {

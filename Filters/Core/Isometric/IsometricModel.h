@@ -97,6 +97,7 @@ private:
 
   void addNodes();
   void declareEntries();
+  std::vector<char> hubsOfWires() const;
   double nodeAngle(const Node& node, const Eigen::VectorXd& x) const;
   NodeGeometry nodeGeometry(const Node& node, const Eigen::VectorXd& x, bool second) const;
   Eigen::Vector4d mapParts(Index t, const Eigen::VectorXd& x) const;

@@ -357,7 +357,7 @@ private:
   Eigen::VectorXd Multipliers;
   IsometricModel::Terms Terms;
   IsometricModel::Linearization Point;
-  LinearSolver Solver{ LinearMethod::Multifrontal };
+  LinearSolver Solver{ Dissection() };
   bool UsedExact = false;
   double Shift = 0.0; ///< tau of the last factorization
   bool TookWholeStep = false;

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/LinearSolver.h"
 
+#include "Base/Memory.h"
 #include "Sparse/LeadingElimination.h"
 #include "Sparse/MultifrontalFactorization.h"
 #include "Sparse/SuperLUFactorization.h"
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
-#include <new>
-#include <numeric>
-#include <type_traits>
+#include <cstdint>
+#include <limits>
 
 namespace flattening
 {
@@ -31,6 +29,41 @@ SparseMatrix withDiagonal(const SparseMatrix& matrix)
 }
 }
 
+namespace
+{
+/// A factorization of Eigen that knows how much memory its factor takes. Eigen counts the entries
+/// of a factor in int, and writes beyond its arrays where they are more.
+template <typename Factorization>
+class Simplicial : public Factorization
+{
+public:
+  void analyzePattern(const SparseMatrix& matrix)
+  {
+    this->Factorization::analyzePattern(matrix);
+    std::int64_t count = this->cols();
+    for (Eigen::Index column = 0; column < this->cols(); ++column)
+    {
+      count += this->m_nonZerosPerCol[column];
+    }
+    this->Bytes = static_cast<std::size_t>(count) * (sizeof(double) + sizeof(int));
+    if (count > std::numeric_limits<int>::max())
+    {
+      refuseMemory(this->Bytes);
+    }
+  }
+  void demandMemory(const Execution& execution) const
+  {
+    if (this->Bytes > execution.factorMemory)
+    {
+      refuseMemory(this->Bytes);
+    }
+  }
+
+private:
+  std::size_t Bytes = 0;
+};
+}
+
 /// What the methods have in common.
 struct LinearSolver::Backend
 {
@@ -40,19 +73,16 @@ struct LinearSolver::Backend
   virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const = 0;
   /// Entries of D, or nothing.
   virtual Eigen::VectorXd diagonal() const { return {}; }
-
-  template <typename Factorization>
-  struct Of;
 };
 
-template <typename Factorization>
-struct LinearSolver::Backend::Of : LinearSolver::Backend
+struct LinearSolver::CholeskyBackend : LinearSolver::Backend
 {
-  Factorization solver;
+  Simplicial<Eigen::SimplicialLLT<SparseMatrix>> solver;
 
   void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
-  bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
+  bool factorize(const SparseMatrix& matrix, const Execution& execution) override
   {
+    this->solver.demandMemory(execution);
     this->solver.factorize(matrix);
     return this->solver.info() == Eigen::Success;
   }
@@ -60,21 +90,7 @@ struct LinearSolver::Backend::Of : LinearSolver::Backend
   {
     return this->solver.solve(rightHandSide);
   }
-  Eigen::VectorXd diagonal() const override
-  {
-    if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLDLT<SparseMatrix>>)
-    {
-      return this->solver.vectorD();
-    }
-    else if constexpr (std::is_same_v<Factorization, Eigen::SimplicialLLT<SparseMatrix>>)
-    {
-      return Eigen::VectorXd::Ones(this->solver.rows());
-    }
-    else
-    {
-      return {};
-    }
-  }
+  Eigen::VectorXd diagonal() const override { return Eigen::VectorXd::Ones(this->solver.rows()); }
 };
 
 struct LinearSolver::SuperLUBackend : LinearSolver::Backend
@@ -99,16 +115,10 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
 
   void analyze(const SparseMatrix& matrix) override
   {
-    if (static_cast<Eigen::Index>(this->dissection.order.size()) != matrix.rows())
+    if (static_cast<Eigen::Index>(this->dissection.order.size()) == matrix.rows())
     {
-      Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-      const SparseMatrix whole = matrix.selfadjointView<Eigen::Lower>();
-      Eigen::AMDOrdering<int>()(whole, permutation);
-      this->dissection.order.assign(permutation.indices().begin(), permutation.indices().end());
-      this->dissection.end.resize(this->dissection.order.size());
-      std::iota(this->dissection.end.begin(), this->dissection.end.end(), 1);
+      this->solver.analyze(matrix, this->dissection);
     }
-    this->solver.analyze(matrix, this->dissection);
   }
   bool factorize(const SparseMatrix& matrix, const Execution& execution) override
   {
@@ -127,7 +137,7 @@ struct LinearSolver::LeadingBackend : LinearSolver::Backend
   static constexpr Index fewColumns = 128;
 
   Index leading = 0;
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> solver;
+  Simplicial<Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>> solver;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> placeOfColumn; ///< empty: identity
 
   void analyze(const SparseMatrix& matrix) override
@@ -144,8 +154,9 @@ struct LinearSolver::LeadingBackend : LinearSolver::Backend
     }
     this->solver.analyzePattern(this->permuted(matrix));
   }
-  bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
+  bool factorize(const SparseMatrix& matrix, const Execution& execution) override
   {
+    this->solver.demandMemory(execution);
     this->solver.factorize(this->permuted(matrix));
     return this->solver.info() == Eigen::Success;
   }
@@ -193,30 +204,20 @@ bool allFinite(const SparseMatrix& matrix)
 }
 
 LinearSolver::LinearSolver(LinearMethod method)
-  : Method(method)
+  : Symmetric(method == LinearMethod::Cholesky)
 {
-  switch (method)
+  if (method == LinearMethod::SuperLU)
   {
-    case LinearMethod::SuperLU:
-      this->Solver = std::make_unique<SuperLUBackend>();
-      break;
-    case LinearMethod::SparseLU:
-      this->Solver = std::make_unique<Backend::Of<Eigen::SparseLU<SparseMatrix>>>();
-      break;
-    case LinearMethod::LDLT:
-      this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLDLT<SparseMatrix>>>();
-      break;
-    case LinearMethod::Cholesky:
-      this->Solver = std::make_unique<Backend::Of<Eigen::SimplicialLLT<SparseMatrix>>>();
-      break;
-    case LinearMethod::Multifrontal:
-      this->Solver = std::make_unique<MultifrontalBackend>();
-      break;
+    this->Solver = std::make_unique<SuperLUBackend>();
+  }
+  else
+  {
+    this->Solver = std::make_unique<CholeskyBackend>();
   }
 }
 
 LinearSolver::LinearSolver(Dissection order)
-  : Method(LinearMethod::Multifrontal)
+  : Symmetric(true)
 {
   auto backend = std::make_unique<MultifrontalBackend>();
   backend->dissection = std::move(order);
@@ -224,7 +225,7 @@ LinearSolver::LinearSolver(Dissection order)
 }
 
 LinearSolver::LinearSolver(LeadingColumns leading)
-  : Method(LinearMethod::LDLT)
+  : Symmetric(true)
 {
   auto backend = std::make_unique<LeadingBackend>();
   backend->leading = leading.count;
@@ -246,14 +247,7 @@ bool LinearSolver::analyze(const SparseMatrix& matrix)
   }
   if (this->Size > 0)
   {
-    try
-    {
-      this->Solver->analyze(matrix);
-    }
-    catch (const std::bad_alloc&)
-    {
-      return false;
-    }
+    this->Solver->analyze(matrix);
   }
   this->Analyzed = true;
   return true;
@@ -270,22 +264,8 @@ bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execut
   {
     return false;
   }
-  if (this->Size > 0)
-  {
-    try
-    {
-      if (!this->Solver->factorize(matrix, execution))
-      {
-        return false;
-      }
-    }
-    catch (const std::bad_alloc&)
-    {
-      return false;
-    }
-  }
-  this->Factorized = true;
-  return true;
+  this->Factorized = this->Size == 0 || this->Solver->factorize(matrix, execution);
+  return this->Factorized;
 }
 
 Eigen::MatrixXd LinearSolver::solve(const Eigen::MatrixXd& rightHandSide) const
@@ -311,7 +291,7 @@ Eigen::MatrixXd LinearSolver::solveRefined(
     return solution;
   }
   Eigen::MatrixXd residual = rightHandSide;
-  if (this->symmetric())
+  if (this->Symmetric)
   {
     residual -= matrix.selfadjointView<Eigen::Lower>() * solution;
   }
@@ -329,7 +309,7 @@ Eigen::MatrixXd LinearSolver::solveRefined(
 
 Index LinearSolver::count(int sign) const
 {
-  if (!this->Factorized || !this->symmetric())
+  if (!this->Factorized || !this->Symmetric)
   {
     return none;
   }

@@ -12,13 +12,11 @@ namespace flattening
 {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// Methods that find an order of elimination by themselves.
 enum class LinearMethod
 {
-  SuperLU,      ///< LU with partial pivoting by the SuperLU library; any square matrix
-  SparseLU,     ///< LU with partial pivoting by Eigen; any square matrix
-  LDLT,         ///< L D L^T without pivoting; symmetric, quasi-definite or definite
-  Cholesky,     ///< L L^T; symmetric positive definite
-  Multifrontal, ///< LDLT by dense blocks on several threads; for large systems
+  SuperLU,  ///< LU with partial pivoting by the SuperLU library; any square matrix
+  Cholesky, ///< L L^T; symmetric positive definite
 };
 
 /// How many columns an LDLT eliminates first, in the order that the caller has chosen well; the
@@ -32,25 +30,25 @@ struct LeadingColumns
 ///
 /// The symmetric methods read the lower triangle of the matrix only. analyze() is the symbolic
 /// part, which one sparsity pattern needs once (SuperLU redoes it in every factorize());
-/// factorize() calls it where it has not been called yet. Nothing throws.
+/// factorize() calls it where it has not been called yet. Where memory runs out, std::bad_alloc or
+/// OutOfMemory is thrown; nothing else throws.
 class LinearSolver
 {
 public:
   explicit LinearSolver(LinearMethod method);
-  /// Multifrontal with an order of elimination that the caller knows to be good, of the columns of
-  /// the matrix; by itself it takes that of minimum degree, column by column.
+  /// L D L^T without pivoting by dense blocks on several threads, for large symmetric systems that
+  /// are quasi-definite or definite. \param order of elimination of all columns of the matrix.
   explicit LinearSolver(Dissection order);
+  /// The same column by column, for small systems.
   explicit LinearSolver(LeadingColumns leading);
   ~LinearSolver();
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
-  LinearMethod method() const { return this->Method; }
-
   /// Finds an elimination order for the pattern of the matrix. False where it is not square.
   bool analyze(const SparseMatrix& matrix);
   /// Factors a matrix of the pattern given to analyze(). False where a pivot is zero, an entry not
-  /// finite, for Cholesky not positive definite, or where memory runs out.
+  /// finite, or for Cholesky not positive definite, or the run is cancelled.
   bool factorize(const SparseMatrix& matrix, const Execution& execution = {});
   bool ok() const { return this->Factorized; }
 
@@ -72,21 +70,17 @@ public:
 
 private:
   struct Backend;
+  struct CholeskyBackend;
   struct SuperLUBackend;
   struct MultifrontalBackend;
   struct LeadingBackend;
 
-  LinearMethod Method;
+  bool Symmetric;
   std::unique_ptr<Backend> Solver;
   Eigen::Index Size = 0;
   bool Analyzed = false;
   bool Factorized = false;
 
-  bool symmetric() const
-  {
-    return this->Method == LinearMethod::LDLT || this->Method == LinearMethod::Cholesky ||
-      this->Method == LinearMethod::Multifrontal;
-  }
   Index count(int sign) const;
 };
 }

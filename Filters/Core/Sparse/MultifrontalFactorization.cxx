@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/MultifrontalFactorization.h"
 
+#include "Base/Memory.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -97,7 +99,19 @@ void MultifrontalFactorization::chooseTasks()
 bool MultifrontalFactorization::factorize(
   const Eigen::SparseMatrix<double>& matrix, const Execution& execution)
 {
-  this->Blocks.assign(this->Structure.blocksSize(), 0.0);
+  const std::size_t bytes = this->Structure.blocksSize() * sizeof(double);
+  if (bytes > execution.factorMemory)
+  {
+    refuseMemory(bytes);
+  }
+  try
+  {
+    this->Blocks.assign(this->Structure.blocksSize(), 0.0);
+  }
+  catch (const std::bad_alloc&)
+  {
+    refuseMemory(bytes);
+  }
   this->Updates.assign(this->Structure.supernodes().size(), {});
   const std::vector<std::size_t>& places = this->Structure.entryPlaces();
   std::size_t next = 0;

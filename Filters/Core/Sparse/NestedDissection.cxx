@@ -14,15 +14,6 @@ namespace
 /// Parts of so few vertices are not divided: a dense block of them costs less.
 constexpr Index smallPart = 12;
 
-/// Valence from which a vertex of a part of so many is a hub. A cut that has a hub on one side
-/// takes up to half of its neighbours into the separator, where a mesh without hubs has about
-/// root n; the hub alone costs one row. The factor is the usual one of minimum degree orders (P. R.
-/// Amestoy, T. A. Davis, I. S. Duff, "Algorithm 837: AMD", 2004, on dense rows).
-Index hubValence(Index partSize)
-{
-  return static_cast<Index>(10.0 * std::sqrt(static_cast<double>(partSize)));
-}
-
 /// What both ways of halving have in common.
 class Dissector
 {
@@ -164,51 +155,7 @@ private:
   bool AnyHub = false;
 };
 
-class PlaneDissector : Dissector
-{
-public:
-  PlaneDissector(const Triangles& cliques, const Points3& positions)
-    : Dissector(cliques, static_cast<Index>(positions.size()))
-    , Positions(positions)
-  {
-  }
-
-  Dissection run() { return this->divideAll(none); }
-
-private:
-  void divide(const Step& part) override
-  {
-    const Iterator begin = this->Result.order.begin() + part.begin;
-    const Iterator end = this->Result.order.begin() + part.end;
-    Eigen::AlignedBox3d box;
-    std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
-    Eigen::Index axis = 0;
-    box.sizes().maxCoeff(&axis);
-    this->Along.clear();
-    std::for_each(
-      begin, end, [&](Index v) { this->Along.emplace_back(this->Positions[v][axis], v); });
-    const Iterator middle = begin + (end - begin) / 2;
-    std::nth_element(
-      this->Along.begin(), this->Along.begin() + (middle - begin), this->Along.end());
-    std::transform(this->Along.begin(), this->Along.end(), begin,
-      [](const std::pair<double, Index>& item) { return item.second; });
-    this->assign(begin, middle);
-    const Index right = this->assign(middle, end);
-    const Iterator separator =
-      this->separate(begin, middle, [&](Index n) { return this->Part[n] == right; });
-    const auto leftEnd = part.begin + static_cast<Index>(separator - begin);
-    const auto rightEnd = part.end - static_cast<Index>(middle - separator);
-    std::rotate(separator, middle, end);
-    this->pushEnd(part.end);
-    this->pushPart(leftEnd, rightEnd, none);
-    this->pushPart(part.begin, leftEnd, none);
-  }
-
-  const Points3& Positions;
-  std::vector<std::pair<double, Index>> Along; ///< coordinate across the plane, vertex
-};
-
-class LevelDissector : Dissector
+class LevelDissector : protected Dissector
 {
 public:
   LevelDissector(const Triangles& cliques, Index count)
@@ -221,6 +168,22 @@ public:
   Dissection run()
   {
     return this->divideAll(this->Queue.empty() ? none : this->Queue[this->visit(0) - 1]);
+  }
+
+protected:
+  /// Divides a part by levels where their separator is smaller than another one of it.
+  bool divideByLevels(const Step& part, Index cost)
+  {
+    const auto first = this->Result.order.begin() + part.begin;
+    this->assign(first, this->Result.order.begin() + part.end);
+    const Index visited = this->visit(*first);
+    if (visited < part.end - part.begin)
+    {
+      this->divideComponents(part);
+      return true;
+    }
+    this->visit(this->Queue[visited - 1]);
+    return this->divideQueue(part, cost - 1);
   }
 
 private:
@@ -252,13 +215,21 @@ private:
 
   void divide(const Step& part) override
   {
-    const auto order = this->Result.order.begin();
     const Index visited = this->visit(part.start);
     if (visited < part.end - part.begin)
     {
       this->divideComponents(part);
       return;
     }
+    this->divideQueue(part, visited);
+  }
+
+  /// By the levels of all its vertices in the queue. False where the separator has more vertices
+  /// than allowed.
+  bool divideQueue(const Step& part, Index most)
+  {
+    const auto order = this->Result.order.begin();
+    const Index visited = part.end - part.begin;
     const auto queue = this->Queue.begin();
     // Beyond the last level is none, so that the one before it is the last that can separate.
     const Index middle =
@@ -270,6 +241,10 @@ private:
     // A vertex of the middle level that touches none beyond it need not separate.
     const auto separator =
       this->separate(levelBegin, levelEnd, [&](Index n) { return this->Level[n] == middle + 1; });
+    if (levelEnd - separator > most)
+    {
+      return false;
+    }
     const Index leftEnd = part.begin + static_cast<Index>(separator - queue);
     const Index rightEnd = part.end - static_cast<Index>(levelEnd - separator);
     this->assign(queue, separator);
@@ -281,6 +256,7 @@ private:
     this->pushEnd(part.end);
     this->pushPart(leftEnd, rightEnd, order[rightEnd - 1]);
     this->pushPart(part.begin, leftEnd, leftEnd > part.begin ? order[leftEnd - 1] : none);
+    return true;
   }
 
   /// A part that does not hang together.
@@ -310,6 +286,62 @@ private:
   Indices Queue;
   Index NextLevel = 0;
 };
+
+class PlaneDissector : LevelDissector
+{
+public:
+  PlaneDissector(const Triangles& cliques, const Points3& positions)
+    : LevelDissector(cliques, static_cast<Index>(positions.size()))
+    , Positions(positions)
+  {
+  }
+
+  Dissection run() { return this->divideAll(none); }
+
+private:
+  void divide(const Step& part) override
+  {
+    const Iterator begin = this->Result.order.begin() + part.begin;
+    const Iterator end = this->Result.order.begin() + part.end;
+    Eigen::AlignedBox3d box;
+    std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    this->Along.clear();
+    std::for_each(
+      begin, end, [&](Index v) { this->Along.emplace_back(this->Positions[v][axis], v); });
+    const Iterator middle = begin + (end - begin) / 2;
+    std::nth_element(
+      this->Along.begin(), this->Along.begin() + (middle - begin), this->Along.end());
+    std::transform(this->Along.begin(), this->Along.end(), begin,
+      [](const std::pair<double, Index>& item) { return item.second; });
+    this->assign(begin, middle);
+    const Index right = this->assign(middle, end);
+    const Iterator separator =
+      this->separate(begin, middle, [&](Index n) { return this->Part[n] == right; });
+    // A plane across many long triangles has more next to it than levels, which count edges.
+    const auto cost = static_cast<Index>(middle - separator);
+    const double usual = std::sqrt(static_cast<double>(part.end - part.begin));
+    if (cost > 4.0 * usual && this->divideByLevels(part, cost))
+    {
+      return;
+    }
+    const auto leftEnd = part.begin + static_cast<Index>(separator - begin);
+    const auto rightEnd = part.end - static_cast<Index>(middle - separator);
+    std::rotate(separator, middle, end);
+    this->pushEnd(part.end);
+    this->pushPart(leftEnd, rightEnd, none);
+    this->pushPart(part.begin, leftEnd, none);
+  }
+
+  const Points3& Positions;
+  std::vector<std::pair<double, Index>> Along; ///< coordinate across the plane, vertex
+};
+}
+
+Index hubValence(Index count)
+{
+  return static_cast<Index>(10.0 * std::sqrt(static_cast<double>(count)));
 }
 
 Dissection dissect(const Triangles& cliques, const Points3& positions)

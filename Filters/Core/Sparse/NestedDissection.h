@@ -40,10 +40,16 @@ struct Dissection
   }
 };
 
+/// From how many neighbours on a vertex among so many is a hub: to eliminate it before them would
+/// couple them all. Dense rows of minimum degree orders are told so as well (P. R. Amestoy, T. A.
+/// Davis, I. S. Duff, "Algorithm 837: AMD", 2004).
+Index hubValence(Index count);
+
 /// An order of elimination with little fill-in for matrices with the pattern of a triangle mesh:
 /// nested dissection (A. George, "Nested dissection of a regular finite element mesh", 1973). A
 /// plane across the longest extent of a part halves it; the vertices next to the plane come last.
-/// The ranges are these separators and the parts that are not divided any more.
+/// Hubs of a part come after all others of it, so that fans of any width cost no dense block. The
+/// ranges are these separators and the parts that are not divided any more.
 /// \param cliques vertices that are coupled with each other, such as the corners of each triangle;
 /// a vertex may come twice. \param positions per vertex.
 Dissection dissect(const Triangles& cliques, const Points3& positions);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/SuperLUFactorization.h"
 
+#include "Base/Memory.h"
+
 #include <slu_ddefs.h>
 
 #include <vector>
@@ -64,6 +66,24 @@ struct SuperLUFactorization::Factors
   }
 };
 
+namespace
+{
+/// SuperLU ends the program where it has no memory for its small arrays; only that of the factors
+/// it asks for with care. So the former are asked for here first, with a part of the latter.
+void demandMemory(std::size_t size, std::size_t entries)
+{
+  const std::size_t bytes = 128 * size + 128 * entries;
+  try
+  {
+    const std::vector<char> probe(bytes);
+  }
+  catch (const std::bad_alloc&)
+  {
+    refuseMemory(bytes);
+  }
+}
+}
+
 SuperLUFactorization::SuperLUFactorization() = default;
 SuperLUFactorization::~SuperLUFactorization() = default;
 
@@ -71,6 +91,7 @@ bool SuperLUFactorization::factorize(Eigen::SparseMatrix<double> matrix)
 {
   matrix.makeCompressed();
   const auto size = static_cast<int>(matrix.rows());
+  demandMemory(static_cast<std::size_t>(size), static_cast<std::size_t>(matrix.nonZeros()));
   this->Held = std::make_unique<Factors>(size);
   Factors& factors = *this->Held;
 
@@ -98,6 +119,10 @@ bool SuperLUFactorization::factorize(Eigen::SparseMatrix<double> matrix)
   if (info != 0)
   {
     this->Held.reset();
+  }
+  if (info > size) // by as many bytes as it had when memory ran out
+  {
+    refuseMemory(static_cast<std::size_t>(info) - static_cast<std::size_t>(size));
   }
   return info == 0;
 }

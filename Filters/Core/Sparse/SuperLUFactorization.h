@@ -20,7 +20,7 @@ public:
   SuperLUFactorization(const SuperLUFactorization&) = delete;
   SuperLUFactorization& operator=(const SuperLUFactorization&) = delete;
 
-  /// False where the matrix is singular or memory runs out.
+  /// False where the matrix is singular.
   bool factorize(Eigen::SparseMatrix<double> matrix);
   /// \pre factorize() has succeeded.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;

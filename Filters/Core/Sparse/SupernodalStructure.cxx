@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/SupernodalStructure.h"
 
+#include "Base/Memory.h"
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -103,6 +106,10 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
       {
         add(this->Rows[k]);
       }
+    }
+    if (this->Rows.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    {
+      refuseMemory(this->BlocksSize * sizeof(double));
     }
     node.rowsEnd = static_cast<Index>(this->Rows.size());
     std::sort(this->Rows.begin() + node.rowsBegin, this->Rows.end());

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/SymmetricAssembler.h"
 
+#include "Base/Memory.h"
+
 #include <algorithm>
+#include <limits>
 
 namespace flattening
 {
 void SymmetricAssembler::finish()
 {
+  if (this->Rows.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+  {
+    refuseMemory(this->Rows.size() * sizeof(double));
+  }
   // Entries by column, then by row within each, through counting sorts.
   const auto count = static_cast<Index>(this->Rows.size());
   // An empty order is that of the numbers.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SurfacePreparation.h"
 
+#include "Base/Memory.h"
 #include "Surface/Coordinates.h"
 #include "Surface/EdgeSides.h"
 
@@ -248,9 +249,8 @@ bool isSoup(std::size_t usedPoints, std::size_t triangles)
 {
   return triangles > 1 && usedPoints >= 2 * triangles;
 }
-}
 
-PreparedSurface prepareSurface(
+PreparedSurface prepare(
   const Points3& points, const Triangles& triangles, CoincidentPoints coincidentPoints)
 {
   if (triangles.empty())
@@ -376,5 +376,12 @@ PreparedSurface prepareSurface(
       { ElementKind::Points, bad }, { Remedy::DoublePoint, Remedy::JoinByEdge } });
   }
   return result;
+}
+}
+
+PreparedSurface prepareSurface(
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincidentPoints)
+{
+  return withinMemory([&] { return prepare(points, triangles, coincidentPoints); });
 }
 }

@@ -33,15 +33,23 @@ TriangleMesh::TriangleMesh(Points3 points, Triangles triangles, Indices twins)
 
 Index TriangleMesh::find(Index fromVertex, Index toVertex) const
 {
-  const Index first = this->Outgoing[fromVertex];
-  for (Index h = first; h != none;)
+  // Around both ends by turns, so that only the fan of the smaller one is walked.
+  const Index first[2] = { this->Outgoing[fromVertex], this->Outgoing[toVertex] };
+  Index h = first[0];
+  Index g = first[1];
+  while (h != none && g != none)
   {
     if (this->to(h) == toVertex)
     {
       return h;
     }
+    if (this->from(previous(g)) == fromVertex)
+    {
+      return previous(g);
+    }
     h = this->counterClockwise(h);
-    if (h == first)
+    g = this->counterClockwise(g);
+    if (h == first[0] || g == first[1])
     {
       break;
     }

@@ -7,14 +7,14 @@ namespace flattening
 {
 ChainOrder::ChainOrder(const WireNetwork& network)
 {
-  Indices degree(network.hostVertices.size(), 0);
+  this->degree.assign(network.hostVertices.size(), 0);
   for (const WireEdge& edge : network.edges)
   {
-    ++degree[network.hostOfVertex[edge.from]];
-    ++degree[network.hostOfVertex[edge.to]];
+    ++this->degree[network.hostOfVertex[edge.from]];
+    ++this->degree[network.hostOfVertex[edge.to]];
   }
   std::vector<char> junction;
-  for (Index d : degree)
+  for (Index d : this->degree)
   {
     junction.push_back(d == 2 ? 0 : 1);
   }

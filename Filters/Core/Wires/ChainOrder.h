@@ -12,6 +12,7 @@ struct ChainOrder
 {
   explicit ChainOrder(const WireNetwork& network);
 
+  Indices degree;     ///< per entry of hostVertices, how many edges are there
   Indices rankOfHost; ///< per entry of hostVertices
   Indices rankOfEdge;
   Index hostsAlong; ///< how many lie along wires and come first

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Memory.h"
+
+namespace flattening
+{
+void refuseMemory(std::size_t bytes)
+{
+  throw OutOfMemory(bytes);
+}
+
+Status outOfMemory(std::size_t bytes)
+{
+  const double gigabytes = 1e-9 * static_cast<double>(bytes);
+  return { StatusCode::OutOfMemory,
+    "memory ran out" +
+      (bytes > 0 ? " (one factorization wants " + shortNumber(gigabytes) + " GB)" : std::string()),
+    {}, { Remedy::FreeMemory } };
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+namespace flattening
+{
+/// What refuseMemory() ends a run with where it is known how much is wanted; Core's entries turn
+/// it, and every other std::bad_alloc, into StatusCode::OutOfMemory by withinMemory().
+class OutOfMemory : public std::bad_alloc
+{
+public:
+  explicit OutOfMemory(std::size_t bytes)
+    : Bytes(bytes)
+  {
+  }
+  std::size_t bytes() const { return this->Bytes; }
+  const char* what() const noexcept override { return "out of memory"; }
+
+private:
+  std::size_t Bytes;
+};
+
+/// Ends the run because of so many bytes that are not there.
+[[noreturn]] void refuseMemory(std::size_t bytes);
+
+/// The status of a run that ended by it. \param bytes that were wanted; 0: not known.
+Status outOfMemory(std::size_t bytes);
+
+/// The result of body(), or one with the status OutOfMemory alone.
+template <typename Body>
+auto withinMemory(const Body& body) -> decltype(body())
+{
+  decltype(body()) failed;
+  try
+  {
+    return body();
+  }
+  catch (const OutOfMemory& error)
+  {
+    failed.status = outOfMemory(error.bytes());
+  }
+  catch (const std::bad_alloc&)
+  {
+    failed.status = outOfMemory(0);
+  }
+  catch (const std::length_error&) // more than a std::vector can ever hold
+  {
+    failed.status = outOfMemory(0);
+  }
+  return failed;
+}
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every sparse routine against a dense one, on graphs of every shape.
+#include "Sparse/LeadingElimination.h"
+#include "Sparse/LinearSolver.h"
+#include "Sparse/MultifrontalFactorization.h"
+#include "Sparse/SymmetricAssembler.h"
+#include "TestGraphs.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace flattening;
+using namespace testgraphs;
+
+namespace
+{
+/// A matrix with the graph's pattern, dense and assembled.
+struct System
+{
+  Eigen::MatrixXd dense;
+  SymmetricAssembler assembler;
+};
+
+/// \param negative every so many-th diagonal block is negative: the matrix is then quasi-definite, for
+/// which every order of elimination works. 0: positive definite
+System makeSystem(const Graph& graph, Index negative, std::mt19937& generator)
+{
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  System system{ Eigen::MatrixXd::Zero(graph.count, graph.count), SymmetricAssembler(graph.count) };
+  struct Entry
+  {
+    Index i;
+    Index j;
+    double value;
+  };
+  const auto sign = [&](Index v) { return negative > 0 && v % negative == 0 ? -1.0 : 1.0; };
+  std::vector<Entry> entries;
+  const auto couple = [&](Index a, Index b) {
+    if (a == b)
+    {
+      return;
+    }
+    const double v = value(generator);
+    entries.push_back({ a, b, v });
+    if (sign(a) == sign(b)) // diagonally dominant within both definite blocks
+    {
+      entries.push_back({ a, a, sign(a) * std::abs(v) });
+      entries.push_back({ b, b, sign(b) * std::abs(v) });
+    }
+  };
+  for (const Triangle& t : graph.cliques)
+  {
+    couple(t[0], t[1]);
+    couple(t[1], t[2]);
+    couple(t[2], t[0]);
+  }
+  for (Index v = 0; v < graph.count; ++v)
+  {
+    entries.push_back({ v, v, sign(v) * (0.1 + std::abs(value(generator))) });
+  }
+  for (const Entry& entry : entries)
+  {
+    system.assembler.declare(entry.i, entry.j);
+    system.dense(entry.i, entry.j) += entry.value;
+    if (entry.i != entry.j)
+    {
+      system.dense(entry.j, entry.i) += entry.value;
+    }
+  }
+  system.assembler.finish();
+  for (std::size_t k = 0; k < entries.size(); ++k)
+  {
+    system.assembler.add(static_cast<Index>(k), entries[k].value);
+  }
+  return system;
+}
+
+Points3 randomPlaces(Index count, std::mt19937& generator)
+{
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  Points3 places(count);
+  for (Point3& p : places)
+  {
+    p = Point3(value(generator), value(generator), value(generator));
+  }
+  return places;
+}
+
+/// What dense routines say of a system.
+struct Truth
+{
+  Eigen::MatrixXd rightHandSide;
+  Eigen::MatrixXd solution;
+  Eigen::VectorXd eigenvalues;
+
+  explicit Truth(const System& system)
+    : rightHandSide(Eigen::MatrixXd::Ones(system.dense.rows(), 2))
+    , solution(system.dense.partialPivLu().solve(rightHandSide))
+    , eigenvalues(
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(system.dense, Eigen::EigenvaluesOnly)
+          .eigenvalues())
+  {
+  }
+};
+
+void expectSolves(LinearSolver solver, const System& system, const Truth& truth, const char* name)
+{
+  ASSERT_TRUE(solver.factorize(system.assembler.matrix())) << name;
+  EXPECT_LT(
+    (solver.solve(truth.rightHandSide) - truth.solution).norm(), 1e-9 * truth.solution.norm())
+    << name;
+  EXPECT_EQ(solver.positive(), (truth.eigenvalues.array() > 0.0).count()) << name;
+  EXPECT_EQ(solver.negative(), (truth.eigenvalues.array() < 0.0).count()) << name;
+  EXPECT_EQ(solver.zero(), 0) << name;
+}
+}
+
+TEST(SparseShapes, TheAssemblerAddsUpWhatADenseMatrixDoes)
+{
+  std::mt19937 generator(3);
+  for (const Graph& graph : graphs())
+  {
+    const System system = makeSystem(graph, 3, generator);
+    const Eigen::MatrixXd whole =
+      Eigen::MatrixXd(system.assembler.matrix()).selfadjointView<Eigen::Lower>();
+    EXPECT_LT((whole - system.dense).norm(), 1e-13 * system.dense.norm()) << graph.name;
+  }
+}
+
+TEST(SparseShapes, SymmetricFactorsSolveAndTellTheSignsOfTheEigenvalues)
+{
+  std::mt19937 generator(4);
+  for (const Graph& graph : graphs())
+  {
+    SCOPED_TRACE(graph.name);
+    for (Index negative : { 0, 3 })
+    {
+      const System system = makeSystem(graph, negative, generator);
+      const Truth truth(system);
+      expectSolves(LinearSolver(dissect(graph.cliques, graph.count)), system, truth, "levels");
+      expectSolves(LinearSolver(dissect(graph.cliques, randomPlaces(graph.count, generator))),
+        system, truth, "planes");
+      for (Index leading : { Index{ 0 }, graph.count / 3, graph.count })
+      {
+        expectSolves(LinearSolver(LeadingColumns{ leading }), system, truth, "leading columns");
+      }
+    }
+  }
+}
+
+TEST(SparseShapes, CholeskyAndSuperLUSolveAsDenseEliminationDoes)
+{
+  std::mt19937 generator(5);
+  for (const Graph& graph : graphs())
+  {
+    SCOPED_TRACE(graph.name);
+    const System definite = makeSystem(graph, 0, generator);
+    expectSolves(LinearSolver(LinearMethod::Cholesky), definite, Truth(definite), "Cholesky");
+    // Of no symmetry, and with a diagonal that only pivoting avoids.
+    Eigen::MatrixXd general = definite.dense;
+    general.triangularView<Eigen::StrictlyUpper>() *= -0.7;
+    if (graph.count > 1 && general(1, 0) != 0.0)
+    {
+      general(0, 0) = 0.0;
+    }
+    const Eigen::MatrixXd rhs = Eigen::MatrixXd::Ones(graph.count, 2);
+    const Eigen::FullPivLU<Eigen::MatrixXd> dense(general);
+    ASSERT_TRUE(dense.isInvertible());
+    LinearSolver solver(LinearMethod::SuperLU);
+    ASSERT_TRUE(solver.factorize(general.sparseView()));
+    const Eigen::MatrixXd expected = dense.solve(rhs);
+    EXPECT_LT((solver.solve(rhs) - expected).norm(), 1e-8 * expected.norm());
+    EXPECT_EQ(solver.positive(), none);
+  }
+}
+
+TEST(SparseShapes, LeadingEliminationKeepsTheFirstColumnsAndNamesEachOnce)
+{
+  std::mt19937 generator(6);
+  for (const Graph& graph : graphs())
+  {
+    const System system = makeSystem(graph, 0, generator);
+    for (Index leading : { Index{ 0 }, Index{ 1 }, graph.count / 2, graph.count })
+    {
+      Indices order = leadingColumnsFirst(system.assembler.matrix(), leading);
+      Indices all(graph.count);
+      std::iota(all.begin(), all.end(), 0);
+      EXPECT_TRUE(std::equal(all.begin(), all.begin() + leading, order.begin())) << graph.name;
+      std::sort(order.begin(), order.end());
+      EXPECT_EQ(order, all) << graph.name;
+    }
+  }
+}
+
+TEST(SparseShapes, FactorsOfWideFansGrowWithTheFan)
+{
+  const auto sizeOf = [](Index meridians, Index parallels) {
+    const Graph graph = dome(meridians, parallels);
+    std::mt19937 generator(7);
+    const Graph mixed = renumbered(graph, generator);
+    SymmetricAssembler assembler(mixed.count);
+    for (const Triangle& t : mixed.cliques)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        assembler.declare(t[k], t[k]);
+        assembler.declare(t[k], t[(k + 1) % 3]);
+      }
+    }
+    assembler.finish();
+    return SupernodalStructure(assembler.matrix(), dissect(mixed.cliques, mixed.count))
+      .blocksSize();
+  };
+  for (Index parallels : { 1, 2, 5 })
+  {
+    // As n log n; a dense front of the ring would be a hundred times as large.
+    EXPECT_LT(sizeOf(20000, parallels), 15 * sizeOf(2000, parallels)) << parallels;
+  }
+}
