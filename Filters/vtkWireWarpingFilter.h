@@ -42,12 +42,11 @@
  * count as strained by 100, and none by more), `RigidEnergy` (mean over the area on the surface of
  * abs(J - R)^2 = (S - 1)^2 + (s - 1)^2, J the map of a triangle and R the rotation nearest to it),
  * `CutLength` (unit of length, on the surface: of the darts and seams that bound or slit the piece,
- * each once, as far as CloseCuts has not closed them) (double); `Status`, `StatusMessage`, `StatusDefect`,
- * `StatusIdKind` (string).
- * Scheme ISOMETRIC: `DistortionEnergy` and `AngleEnergy`, the two terms of its energy in units of
- * the mean triangle area (double). Where to start if a piece is poor: `ReleaseFirst` (id; the first
- * of the ranking below, -1 where there is none) and `ObjectiveWithoutFirst` (double; its
- * `ReleaseObjective`).
+ * each once, as far as CloseCuts has not closed them) (double); `Status`, `StatusMessage`,
+ * `StatusDefect`, `StatusIdKind` (string). Scheme ISOMETRIC: `DistortionEnergy` and `AngleEnergy`,
+ * the two terms of its energy in units of the mean triangle area (double). Where to start if a
+ * piece is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is none) and
+ * `ObjectiveWithoutFirst` (double; its `ReleaseObjective`).
  *
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
  * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds(), and

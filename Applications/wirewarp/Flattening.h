@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Options.h"
 #include "FlagWords.h"
+#include "Options.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>

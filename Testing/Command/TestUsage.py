@@ -22,7 +22,7 @@ class Usage(command.CommandTest):
         root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
         path = os.path.join(root, "Applications", "wirewarp", "FlagWords.cxx")
         with open(path, encoding="utf-8") as file:
-            named = re.findall(r"--[a-z-]+", file.read().split("words{ {")[1])
+            named = re.findall(r"--[a-z][a-z-]*", file.read().split("words{ {")[1])
         options = set(re.findall(r"--[a-z-]+", self.run_command("--help").stdout))
         self.assertGreater(len(named), 15)
         for option in named:

@@ -73,10 +73,11 @@ TEST(KeyRelease, OfSeveralSingleCurvesTakesTheOneWithTheLeastObjective)
 
 TEST(KeyRelease, GoesOnToPairsAndThenToAll)
 {
-  const Release pair =
-    release(5, [](const std::set<Index>& r) { return r.count(0) && r.count(4); }, one);
+  const Release pair = release(
+    5, [](const std::set<Index>& r) { return r.count(0) && r.count(4); }, one);
   EXPECT_EQ(pair.released, (Indices{ 0, 4 }));
-  const Release all = release(5, [](const std::set<Index>& r) { return r.size() == 5; }, one);
+  const Release all = release(
+    5, [](const std::set<Index>& r) { return r.size() == 5; }, one);
   EXPECT_EQ(all.released, (Indices{ 0, 1, 2, 3, 4 }));
 }
 
@@ -84,7 +85,8 @@ TEST(KeyRelease, LeavesTheInnocentAloneHoweverManyKeysThereAre)
 {
   const Release result = release(
     40,
-    [](const std::set<Index>& r) { return r.count(3) && r.count(17) && r.count(18) && r.count(39); },
+    [](
+      const std::set<Index>& r) { return r.count(3) && r.count(17) && r.count(18) && r.count(39); },
     one);
   EXPECT_EQ(result.released, (Indices{ 3, 17, 18, 39 }));
   EXPECT_LT(result.solves, 100);
@@ -119,15 +121,16 @@ TEST(KeyRelease, OneKeyThatClashesWithManyIsReleasedInPlaceOfThem)
 
 TEST(KeyRelease, WhereAlmostAllClashNoneOfTheReleasedCanBeKept)
 {
-  const Release result =
-    release(20, [](const std::set<Index>& r) { return r.size() >= 12; }, one);
+  const Release result = release(
+    20, [](const std::set<Index>& r) { return r.size() >= 12; }, one);
   EXPECT_EQ(result.released.size(), 12u);
   EXPECT_LT(result.solves, 200);
 }
 
 TEST(KeyRelease, ReleasesNothingWhereNoReleaseHelps)
 {
-  const Release result = release(5, [](const std::set<Index>&) { return false; }, one);
+  const Release result = release(
+    5, [](const std::set<Index>&) { return false; }, one);
   EXPECT_TRUE(result.released.empty());
   EXPECT_EQ(result.solves, 1);
 }

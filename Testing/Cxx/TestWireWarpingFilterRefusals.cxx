@@ -176,7 +176,8 @@ void curvesAreRefused(Refusals& refusals)
   // From corner to corner against the diagonals.
   curves = makeCurves(grid, { { 4, 20 } });
   refusals.expect("a curve across triangles", grid, curves, "CurveNotOnEdges", { 4, 20 },
-    "draw it along edges", [](vtkWireWarpingFilter* filter) { filter->SplitTrianglesOff(); });
+    "draw the curve along edges",
+    [](vtkWireWarpingFilter* filter) { filter->SplitTrianglesOff(); });
 
   curves = makeCurves(grid, { { 10, 11, 12 }, { 7 } });
   refusals.expect("a curve of one point", grid, curves, "CurveTooShort", { 1 }, "fewer than two");

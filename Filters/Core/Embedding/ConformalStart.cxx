@@ -27,10 +27,9 @@ AngleStart conformalStart(
   for (Index i = 0; i < network.nodeCount(); ++i)
   {
     const bool tip = network.edge[i] == network.edge[network.previous[i]];
-    start.theta[i] = tip
-      ? 2.0 * pi
-      : interiorAngle(map.positions[network.vertex[network.previous[i]]],
-          map.positions[network.vertex[i]], map.positions[network.endVertex(i)]);
+    start.theta[i] = tip ? 2.0 * pi
+                         : interiorAngle(map.positions[network.vertex[network.previous[i]]],
+                             map.positions[network.vertex[i]], map.positions[network.endVertex(i)]);
   }
   return start;
 }

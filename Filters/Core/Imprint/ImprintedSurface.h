@@ -16,8 +16,8 @@ struct ImprintOptions
   /// a vertex is that vertex (without splitting: within this alone).
   double tolerance = 1e-5;
   /// Curve points and crossings nearer to a vertex or edge than this fraction of the mean edge
-  /// length move onto it, so that no slivers arise; 0 to 0.5. Where the longest edge of the triangles
-  /// there is shorter than the mean it is a fraction of that.
+  /// length move onto it, so that no slivers arise; 0 to 0.5. Where the longest edge of the
+  /// triangles there is shorter than the mean it is a fraction of that.
   double snap = 1e-3;
 };
 

@@ -15,8 +15,8 @@ namespace
 {
 constexpr double regularization = 1e-8; ///< delta of the constraint block
 constexpr double constraintTolerance = 1e-10;
-/// A whole Newton step that moves no vertex by more, in the model's unit of length, is the last; what
-/// it leaves of the lengths' errors is taken out by correctWireLengths().
+/// A whole Newton step that moves no vertex by more, in the model's unit of length, is the last;
+/// what it leaves of the lengths' errors is taken out by correctWireLengths().
 constexpr double shortestStep = 1e-10;
 constexpr double stillTolerance = 1e-8;
 

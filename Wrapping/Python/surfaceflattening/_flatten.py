@@ -148,7 +148,7 @@ def _flatten(
     _refuse_idle(scheme, energy, arrange, {
         "solver": solver, "interior": interior, "max_iterations": max_iterations,
         "max_length_error": max_length_error, "energy": energy, "area_bias": area_bias,
-        "angle_weight": angle_weight, "pins": tuple(pins), "spacing": spacing})
+        "angle_weight": angle_weight, "pins": tuple(pins) if isinstance(pins, Iterable) else pins, "spacing": spacing})
     filter_ = vtkWireWarpingFilter()
     filter_.CachingOff()  # it runs once
     _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
