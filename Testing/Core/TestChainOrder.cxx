@@ -106,9 +106,9 @@ TEST(ChainOrder, FillsInLittleMoreThanMinimumDegreeHoweverManyPatchesThereAre)
     const DirectionsForm form(problem);
     const Eigen::VectorXd x = form.unknowns(form.projectedAngles());
     DirectionsKkt kkt(form);
-    kkt.fill(x, form.unitVectors(x), Eigen::VectorXd::Zero(form.constraintCount()), {}, 1e-8);
+    kkt.linearize(x, Eigen::VectorXd::Zero(form.constraintCount()), Curvature::Exact, 1e-8);
     kkt.shift(1.0);
-    const Fill ofAngles = fillOf(kkt.matrix(), form.rotationsAlongWires());
+    const Fill ofAngles = fillOf(kkt.kkt(), form.rotationsAlongWires());
     EXPECT_LE(ofAngles.ours, 1.2 * ofAngles.minimumDegree);
   }
 }

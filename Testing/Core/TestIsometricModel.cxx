@@ -70,7 +70,7 @@ TEST(IsometricModel, GradientIsThatOfFiniteDifferences)
     IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
     const Eigen::VectorXd x = example.point(model);
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.constraintCount());
-    const auto linear = model.linearize(x, none, IsometricModel::Curvature::Exact, 0.0, {});
+    const auto linear = model.linearize(x, none, Curvature::Exact, 0.0, {});
     const double step = 1e-6;
     for (Index k = 0; k < model.unknownCount(); ++k)
     {
@@ -78,8 +78,7 @@ TEST(IsometricModel, GradientIsThatOfFiniteDifferences)
       Eigen::VectorXd down = x;
       up[k] += step;
       down[k] -= step;
-      const double slope =
-        (model.objective(up, {}).total - model.objective(down, {}).total) / (2.0 * step);
+      const double slope = (model.objective(up, {}) - model.objective(down, {})) / (2.0 * step);
       EXPECT_NEAR(linear.gradient[k], slope, 1e-5 * (1.0 + std::abs(slope)));
     }
   }
@@ -98,11 +97,10 @@ TEST(IsometricModel, HessianOfTheLagrangianAndJacobianAreThoseOfFiniteDifference
       multipliers[k] = std::sin(1.7 * k);
     }
     auto lagrangianGradient = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
-      const auto linear =
-        model.linearize(at, multipliers, IsometricModel::Curvature::Exact, 0.0, {});
+      const auto linear = model.linearize(at, multipliers, Curvature::Exact, 0.0, {});
       return linear.gradient + model.transposedJacobianTimes(multipliers);
     };
-    model.linearize(x, multipliers, IsometricModel::Curvature::Exact, 0.0, {});
+    model.linearize(x, multipliers, Curvature::Exact, 0.0, {});
     const Eigen::MatrixXd kkt =
       Eigen::MatrixXd(Eigen::SparseMatrix<double>(model.kkt().selfadjointView<Eigen::Lower>()));
     const Index n = model.unknownCount();
@@ -115,6 +113,11 @@ TEST(IsometricModel, HessianOfTheLagrangianAndJacobianAreThoseOfFiniteDifference
       down[k] -= step;
       const Eigen::VectorXd bend =
         (lagrangianGradient(up) - lagrangianGradient(down)) / (2.0 * step);
+      const std::array<Index, 2> fixed = model.fixedVertices();
+      if (k / 2 == fixed[0] || k / 2 == fixed[1])
+      {
+        continue; // what takes out the rigid motions is no derivative
+      }
       EXPECT_LT((kkt.col(k).head(n) - bend).norm(), 1e-4 * (1.0 + bend.norm()));
       const Eigen::VectorXd row = (model.constraints(up) - model.constraints(down)) / (2.0 * step);
       EXPECT_LT((kkt.col(k).tail(model.constraintCount()) - row).norm(), 1e-6 * (1.0 + row.norm()));
@@ -136,6 +139,6 @@ TEST(IsometricModel, AnIsometricLayoutHasNoEnergyAndMeetsAllConstraints)
     positions.push_back(surface.unrolled[wired.original(v)]);
   }
   const Eigen::VectorXd x = model.unknowns(positions, {});
-  EXPECT_LT(model.objective(x, {}).total, 1e-20);
+  EXPECT_LT(model.objective(x, {}), 1e-20);
   EXPECT_LT(model.constraints(x).cwiseAbs().maxCoeff(), 1e-12);
 }

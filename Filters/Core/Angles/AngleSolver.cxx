@@ -15,7 +15,7 @@ namespace
 constexpr int homotopySteps = 5;
 
 AngleSolution finish(
-  const AngleProblem& problem, const DirectionsForm& form, const NewtonState& state)
+  const AngleProblem& problem, const DirectionsForm& form, const NewtonKktState& state)
 {
   AngleSolution solution;
   solution.theta = form.angles(state.x);
@@ -51,11 +51,11 @@ AngleSolution finish(
 }
 
 /// Follows the minimum from the lengths of the other start to the true ones.
-NewtonState followLengths(const AngleStart& start, const AngleProblem& problem,
+NewtonKktState followLengths(const AngleStart& start, const AngleProblem& problem,
   DirectionsForm& form, const AngleSolverOptions& options, const Execution& execution,
   std::vector<IterationRecord>& history)
 {
-  NewtonState state;
+  NewtonKktState state;
   state.x = form.unknowns(start.theta);
   for (int step = 0; step <= homotopySteps; ++step)
   {
@@ -73,8 +73,7 @@ NewtonState followLengths(const AngleStart& start, const AngleProblem& problem,
       rough.maximumIterations = std::min(options.maximumIterations, 20);
       rough.closureTolerance = rough.optimalityTolerance = 1e-6;
     }
-    state =
-      solveAnglesByNewton(form, problem, std::move(state), rough, execution, "homotopy", history);
+    state = solveAnglesByNewton(form, std::move(state), rough, execution, "homotopy", history);
     if (state.ending == Ending::Cancelled)
     {
       break;
@@ -115,10 +114,10 @@ AngleSolution solveByNewton(
 {
   const DirectionsForm form(problem);
   std::vector<IterationRecord> history;
-  NewtonState start;
+  NewtonKktState start;
   start.x = form.unknowns(form.projectedAngles());
-  AngleSolution solution = finish(problem, form,
-    solveAnglesByNewton(form, problem, start, options, execution, "newton", history));
+  AngleSolution solution =
+    finish(problem, form, solveAnglesByNewton(form, start, options, execution, "newton", history));
   close(form, std::move(history), solution);
   return solution;
 }

@@ -1,155 +1,129 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/DirectionsKkt.h"
 
+#include <cmath>
+
 namespace flattening
 {
 DirectionsKkt::DirectionsKkt(const DirectionsForm& form)
   : Form(form)
-  , Unknowns(form.unknownCount())
   , Assembler(form.unknownCount() + form.constraintCount())
 {
   const AngleProblem& problem = form.problem();
   const WireNetwork& net = *problem.network;
   this->Sides.reserve(net.nodeCount());
-  for (Index side = 0; side < net.nodeCount(); ++side)
+  for (Index s = 0; s < net.nodeCount(); ++s)
   {
-    const Index edge = net.edge[side];
+    const Index edge = net.edge[s];
     const Index group = problem.stretchGroup[edge];
-    this->Sides.push_back({ form.rotation(net.edge[net.previous[side]]), form.rotation(edge),
-      group == none ? none : form.rotationCount() + group, form.unknownCount() + 2 * net.loop[side],
-      problem.weight[side], form.signedLength(side), edge });
-    this->declare(this->Sides.back());
+    const Index in = form.rotation(net.edge[net.previous[s]]);
+    const Index out = form.rotation(edge);
+    const Index stretch = group == none ? none : form.rotationCount() + group;
+    const Index row = 2 * net.loop[s];
+    // Within a run the angle is fixed.
+    const std::array<Index, 2> turning{ in == out ? none : in, in == out ? none : out };
+    Side side{ edge, row, problem.weight[s], form.signedLength(s), {}, {}, {} };
+    side.angle = { this->Assembler, turning };
+    side.bend = { this->Assembler, { out, stretch } };
+    side.closes = { this->Assembler, form.unknownCount() + row, { out, stretch } };
+    this->Sides.push_back(side);
   }
-  // Entries are counted in the order of their declaration.
-  for (Index g = form.rotationCount(); g < this->Unknowns; ++g)
-  {
-    const Index entry = this->Assembler.declare(g, g);
-    this->GroupEntries = g == form.rotationCount() ? entry : this->GroupEntries;
-  }
-  for (Index k = 0; k < this->Unknowns + form.constraintCount(); ++k)
-  {
-    const Index entry = this->Assembler.declare(k, k);
-    this->DiagonalEntries = k == 0 ? entry : this->DiagonalEntries;
-  }
+  this->Diagonal = { this->Assembler, 0, form.unknownCount() + form.constraintCount() };
   this->Assembler.finish();
 }
 
-/// In the order of fill().
-void DirectionsKkt::declare(const Side& side)
+std::vector<double> DirectionsKkt::bounds() const
 {
-  if (side.in != side.out)
+  std::vector<double> tolerance;
+  for (const StretchGroup& group : this->Form.problem().groups)
   {
-    if (side.in != none)
-    {
-      this->Assembler.declare(side.in, side.in);
-    }
-    if (side.out != none)
-    {
-      this->Assembler.declare(side.out, side.out);
-    }
-    if (side.in != none && side.out != none)
-    {
-      this->Assembler.declare(side.in, side.out);
-    }
+    tolerance.push_back(group.tolerance);
   }
-  if (side.out != none)
-  {
-    this->Assembler.declare(side.out, side.out);
-    this->Assembler.declare(side.row, side.out);
-    this->Assembler.declare(side.row + 1, side.out);
-    if (side.group != none)
-    {
-      this->Assembler.declare(side.group, side.out);
-    }
-  }
-  if (side.group != none)
-  {
-    this->Assembler.declare(side.row, side.group);
-    this->Assembler.declare(side.row + 1, side.group);
-  }
+  return tolerance;
 }
 
-void DirectionsKkt::fill(const Eigen::VectorXd& x, const Points2& units,
-  const Eigen::VectorXd& multipliers, const std::vector<char>& held, double delta)
+double DirectionsKkt::objective(const Eigen::VectorXd& x, const Execution&) const
 {
+  return this->Form.objective(x);
+}
+
+Eigen::VectorXd DirectionsKkt::constraints(const Eigen::VectorXd& x) const
+{
+  return this->Form.closure(x);
+}
+
+/// Closures that contradict each other drive the penalty up, and with it what rounding of the merit
+/// function means for them.
+double DirectionsKkt::constraintRounding(const Eigen::VectorXd&, double merit) const
+{
+  constexpr double rounding = 1e-13; // of sums of some hundreds of sines and cosines
+  return rounding * (1.0 + std::abs(merit));
+}
+
+Eigen::Matrix2d DirectionsKkt::closureDerivative(const Side& side) const
+{
+  const Eigen::Vector2d along = side.length * this->Units[side.edge];
+  const double factor = this->Factor[side.edge];
+  Eigen::Matrix2d derivative;
+  derivative << -factor * along.y(), along.x(), factor * along.x(), along.y();
+  return derivative;
+}
+
+NewtonKktModel::Linearization DirectionsKkt::linearize(const Eigen::VectorXd& x,
+  const Eigen::VectorXd& multipliers, Curvature, double delta, const Execution&)
+{
+  this->Units = this->Form.unitVectors(x);
+  this->Factor.resize(this->Units.size());
+  for (std::size_t e = 0; e < this->Factor.size(); ++e)
+  {
+    this->Factor[e] = this->Form.stretch(static_cast<Index>(e), x);
+  }
   this->Assembler.clear();
-  this->Held.assign(this->Unknowns, 0);
-  std::copy(held.begin(), held.end(), this->Held.begin() + this->Form.rotationCount());
-  Index entry = 0;
-  const auto add = [&](double value) { this->Assembler.add(entry++, value); };
   for (const Side& side : this->Sides)
   {
-    if (side.in != side.out)
-    {
-      if (side.in != none)
-      {
-        add(side.weight);
-      }
-      if (side.out != none)
-      {
-        add(side.weight);
-      }
-      if (side.in != none && side.out != none)
-      {
-        add(-side.weight);
-      }
-    }
-    const Eigen::Vector2d along = side.length * units[side.edge];
-    const Eigen::Vector2d stretched = this->Form.stretch(side.edge, x) * along;
-    const Eigen::Vector2d lambda = multipliers.segment<2>(side.row - this->Unknowns);
-    const bool free = side.group != none && !this->Held[side.group];
-    if (side.out != none)
-    {
-      add(-stretched.dot(lambda));
-      add(-stretched.y());
-      add(stretched.x());
-      if (side.group != none)
-      {
-        add(free ? lambda.y() * along.x() - lambda.x() * along.y() : 0.0);
-      }
-    }
-    if (side.group != none)
-    {
-      add(free ? along.x() : 0.0);
-      add(free ? along.y() : 0.0);
-    }
+    side.angle.add(
+      this->Assembler, [&](int a, int b) { return a == b ? side.weight : -side.weight; });
+    const Eigen::Matrix2d derivative = this->closureDerivative(side);
+    const Eigen::Vector2d lambda = multipliers.segment<2>(side.row);
+    // The second derivatives by rotation and by rotation and stretch; that by stretch is zero.
+    const double along = lambda.y() * derivative(0, 1) - lambda.x() * derivative(1, 1);
+    const double bend = lambda.y() * derivative(0, 0) - lambda.x() * derivative(1, 0);
+    side.bend.add(this->Assembler, [&](int a, int b) {
+      return a == 0 ? bend : b == 0 ? along : 0.0;
+    });
+    side.closes.add(this->Assembler, derivative);
   }
   for (Index g = 0; g < this->Form.groupCount(); ++g)
   {
-    this->Assembler.add(
-      this->GroupEntries + g, held[g] ? 1.0 : this->Form.problem().groups[g].weight);
+    this->stiffen(g, this->Form.problem().groups[g].weight);
   }
-  for (Index c = 0; c < this->Form.constraintCount(); ++c)
+  for (Index c = 0; c < this->constraintCount(); ++c)
   {
-    this->Assembler.add(this->DiagonalEntries + this->Unknowns + c, -delta);
+    this->Diagonal.add(this->Assembler, this->unknownCount() + c, -delta);
   }
+  return { this->Form.gradient(x), this->Form.closure(x, this->Units) };
 }
 
 void DirectionsKkt::shift(double tau)
 {
-  for (Index k = 0; k < this->Unknowns; ++k)
+  for (Index k = 0; k < this->unknownCount(); ++k)
   {
-    this->Assembler.add(this->DiagonalEntries + k, this->Held[k] ? 0.0 : tau);
+    this->Diagonal.add(this->Assembler, k, tau);
   }
 }
 
-Eigen::VectorXd DirectionsKkt::transposedJacobianTimes(
-  const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& vector) const
+void DirectionsKkt::stiffen(Index bounded, double stiffness)
 {
-  Eigen::VectorXd product = Eigen::VectorXd::Zero(this->Unknowns);
+  this->Diagonal.add(this->Assembler, this->Form.rotationCount() + bounded, stiffness);
+}
+
+Eigen::VectorXd DirectionsKkt::transposedJacobianTimes(const Eigen::VectorXd& multipliers) const
+{
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(this->unknownCount());
   for (const Side& side : this->Sides)
   {
-    const Eigen::Vector2d along = side.length * units[side.edge];
-    const Eigen::Vector2d lambda = vector.segment<2>(side.row - this->Unknowns);
-    if (side.out != none)
-    {
-      product[side.out] +=
-        this->Form.stretch(side.edge, x) * (lambda.y() * along.x() - lambda.x() * along.y());
-    }
-    if (side.group != none)
-    {
-      product[side.group] += lambda.dot(along);
-    }
+    side.closes.addTransposedTimes(
+      this->closureDerivative(side), multipliers.segment<2>(side.row), product);
   }
   return product;
 }

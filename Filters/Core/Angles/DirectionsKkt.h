@@ -2,52 +2,51 @@
 #pragma once
 
 #include "Angles/DirectionsForm.h"
-#include "Sparse/SymmetricAssembler.h"
+#include "Sparse/NewtonKkt.h"
+#include "Sparse/SparseBlocks.h"
 
 namespace flattening
 {
-/// The KKT matrix of the directions form, [H, J'; J, -delta I] (lower triangle), filled again and
-/// again in one pattern: H the Hessian of objective + multipliers . closure, J the Jacobian of the
-/// closure. Rows of J come after all unknowns.
-class DirectionsKkt
+/// The directions form as Newton's method wants it. The stretches are the bounded unknowns.
+class DirectionsKkt : public NewtonKktModel
 {
 public:
   /// Only refers to the form.
   explicit DirectionsKkt(const DirectionsForm& form);
 
-  /// \param units of form.unitVectors(x)
-  /// \param held per stretch group whether it stays: its row and column become those of the
-  /// identity.
-  void fill(const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& multipliers,
-    const std::vector<char>& held, double delta);
-  /// Adds to the diagonal of H, after fill(), but for what is held.
-  void shift(double tau);
-  const Eigen::SparseMatrix<double>& matrix() const { return this->Assembler.matrix(); }
-  /// J' times a vector, at any x.
-  Eigen::VectorXd transposedJacobianTimes(
-    const Eigen::VectorXd& x, const Points2& units, const Eigen::VectorXd& vector) const;
+  Index unknownCount() const override { return this->Form.unknownCount(); }
+  Index constraintCount() const override { return this->Form.constraintCount(); }
+  std::vector<double> bounds() const override;
+  double objective(const Eigen::VectorXd& x, const Execution& execution = {}) const override;
+  Eigen::VectorXd constraints(const Eigen::VectorXd& x) const override;
+  double constraintRounding(const Eigen::VectorXd& x, double merit) const override;
+  Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
+    Curvature curvature, double delta, const Execution& execution = {}) override;
+  void shift(double tau) override;
+  void stiffen(Index bounded, double stiffness) override;
+  const SparseMatrix& kkt() const override { return this->Assembler.matrix(); }
+  Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const override;
 
 private:
-  /// Unknowns and numbers that a side brings.
+  /// Numbers and entries that a side brings.
   struct Side
   {
-    Index in; ///< unknown rotation of the edge before the node; none where it is fixed
-    Index out;
-    Index group; ///< unknown stretch of the edge
-    Index row;   ///< of the first closure of its loop
-    double weight;
-    double length; ///< in units, negative where the side runs back along its edge
     Index edge;
+    Index row; ///< of the first closure of its loop, counted from 0
+    double weight;
+    double length;              ///< in units, negative where the side runs back along its edge
+    SymmetricBlock<2> angle;    ///< of the rotations of the edges before and after the node
+    SymmetricBlock<2> bend;     ///< of rotation and stretch of the edge
+    JacobianBlock<2, 2> closes; ///< derivative of the loop's closures by these two
   };
-
-  void declare(const Side& side);
+  /// Derivative of closures by rotation and stretch, with the Jacobian of the last linearize().
+  Eigen::Matrix2d closureDerivative(const Side& side) const;
 
   const DirectionsForm& Form;
-  Index Unknowns;
   std::vector<Side> Sides;
   SymmetricAssembler Assembler;
-  Index GroupEntries = 0;
-  Index DiagonalEntries = 0;
-  std::vector<char> Held; ///< per unknown
+  DiagonalBlock Diagonal;
+  Points2 Units;              ///< directions of the wire edges at the last linearize()
+  std::vector<double> Factor; ///< 1 + stretch per wire edge there
 };
 }

@@ -4,7 +4,7 @@
 #include "Embedding/DistortionEnergy.h"
 #include "Embedding/InteriorPatch.h"
 #include "Quality/FlatteningQuality.h"
-#include "Sparse/SymmetricAssembler.h"
+#include "Sparse/SparseBlocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ public:
   /// True where the run was not cancelled.
   bool run(const Execution& execution)
   {
-    this->declareEntries();
+    this->declareBlocks();
     Eigen::VectorXd best = this->X;
     Index fewest = this->flips(best);
     double epsilon = 1.0;
@@ -145,20 +145,18 @@ private:
     return sum;
   }
 
-  void declareEntries()
+  void declareBlocks()
   {
+    this->Blocks.reserve(this->Patch.triangles.size());
     for (const Triangle& c : this->Patch.triangles)
     {
+      std::array<Index, 6> unknowns{};
       for (int a = 0; a < 6; ++a)
       {
-        for (int b = 0; b <= a; ++b)
-        {
-          if (c[a / 2] < this->Patch.freeCount && c[b / 2] < this->Patch.freeCount)
-          {
-            this->Assembler.declare(2 * c[a / 2] + a % 2, 2 * c[b / 2] + b % 2);
-          }
-        }
+        const Index vertex = c[a / 2];
+        unknowns[a] = vertex < this->Patch.freeCount ? 2 * vertex + a % 2 : none;
       }
+      this->Blocks.emplace_back(this->Assembler, unknowns);
     }
     this->Assembler.finish();
   }
@@ -171,7 +169,6 @@ private:
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknowns);
     before = 0.0;
     this->Assembler.clear();
-    Index entry = 0;
     for (std::size_t t = 0; t < this->Frames.size(); ++t)
     {
       const double area = this->Frames[t].area;
@@ -182,21 +179,8 @@ private:
       const Eigen::Matrix<double, 6, 1> g = area * (derivative.transpose() * value.gradient);
       const Eigen::Matrix<double, 6, 6> H =
         area * (derivative.transpose() * value.hessian * derivative);
-      const Triangle& c = this->Patch.triangles[t];
-      for (int a = 0; a < 6; ++a)
-      {
-        if (c[a / 2] < this->Patch.freeCount)
-        {
-          gradient[2 * c[a / 2] + a % 2] += g[a];
-        }
-        for (int b = 0; b <= a; ++b)
-        {
-          if (c[a / 2] < this->Patch.freeCount && c[b / 2] < this->Patch.freeCount)
-          {
-            this->Assembler.add(entry++, H(a, b));
-          }
-        }
-      }
+      this->Blocks[t].scatter(g, gradient);
+      this->Blocks[t].add(this->Assembler, H);
     }
     if (!this->Solver.factorize(this->Assembler.matrix()))
     {
@@ -240,6 +224,7 @@ private:
   Eigen::VectorXd X;
   std::vector<TriangleFrame> Frames;
   SymmetricAssembler Assembler;
+  std::vector<SymmetricBlock<6>> Blocks; ///< of the triangles, without what is pinned
   LinearSolver Solver{ LinearMethod::Cholesky };
 };
 }

@@ -80,58 +80,37 @@ void IsometricModel::addTriangles(const Eigen::VectorXd& x, Curvature curvature,
       }
     }
   });
-  Index entry = this->TriangleEntries;
   for (std::size_t t = 0; t < this->Cells.size(); ++t)
   {
-    for (double value : this->TriangleValues[t])
-    {
-      this->Assembler.add(entry++, value);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      gradient.segment<2>(2 * this->Cells[t][k]) += this->TriangleGradients[t].segment<2>(2 * k);
-    }
+    const std::array<double, 21>& lower = this->TriangleValues[t];
+    this->TriangleBlocks[t].add(
+      this->Assembler, [&](int a, int b) { return lower[a * (a + 1) / 2 + b]; });
+    this->TriangleBlocks[t].scatter(this->TriangleGradients[t], gradient);
   }
 }
 
-IsometricModel::Linearization IsometricModel::linearize(const Eigen::VectorXd& x,
-  const Eigen::VectorXd& multipliers, Curvature curvature, double delta, const Execution& execution)
+void IsometricModel::addAngles(const Eigen::VectorXd& x, bool exact, Eigen::VectorXd& gradient)
 {
-  const WireNetwork& net = *this->Problem.network;
-  const bool exact = curvature == Curvature::Exact;
-  this->Assembler.clear();
-  Linearization result;
-  result.gradient = Eigen::VectorXd::Zero(this->unknownCount());
-  result.constraints = this->constraints(x);
-  this->addTriangles(x, curvature, result.gradient, execution);
-
-  auto addBlock = [this](Index& entry, const auto& block) {
-    for (Eigen::Index a = 0; a < block.rows(); ++a)
-    {
-      for (Eigen::Index b = 0; b <= a; ++b)
-      {
-        this->Assembler.add(entry++, block(a, b));
-      }
-    }
-  };
-  Index entry = this->NodeEntries;
-  for (const Node& node : this->Nodes)
+  for (std::size_t k = 0; k < this->Nodes.size(); ++k)
   {
+    const Node& node = this->Nodes[k];
     const NodeGeometry geometry = this->nodeGeometry(node, x, exact);
     const double d = geometry.angle - node.target;
-    const Eigen::Matrix<double, 6, 1> g = 2.0 * node.weight * d * geometry.gradient;
-    result.gradient.segment<2>(2 * node.before) += g.segment<2>(0);
-    result.gradient.segment<2>(2 * node.at) += g.segment<2>(2);
-    result.gradient.segment<2>(2 * node.after) += g.segment<2>(4);
     Eigen::Matrix<double, 6, 6> H =
       2.0 * node.weight * (geometry.gradient * geometry.gradient.transpose());
     H += 2.0 * node.weight * d * geometry.hessian;
-    addBlock(entry, H);
+    this->NodeBlocks[k].add(this->Assembler, H);
+    this->NodeBlocks[k].scatter(
+      Eigen::Matrix<double, 6, 1>(2.0 * node.weight * d * geometry.gradient), gradient);
   }
-  entry = this->LengthEntries;
+}
+
+void IsometricModel::addLengths(
+  const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact)
+{
   for (Index k = 0; k < this->lengthCount(); ++k)
   {
-    const WireEdge& edge = net.edges[this->LengthEdges[k]];
+    const WireEdge& edge = this->Problem.network->edges[this->LengthEdges[k]];
     const Eigen::Vector2d d = pointOf(x, edge.to) - pointOf(x, edge.from);
     const double length = d.norm();
     const Eigen::Vector2d along = d / length;
@@ -140,63 +119,64 @@ IsometricModel::Linearization IsometricModel::linearize(const Eigen::VectorXd& x
       lambda / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
     Eigen::Matrix4d H;
     H << bend, -bend, -bend, bend;
-    addBlock(entry, H);
-    const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
-    Eigen::Matrix<double, 5, 1>& row = this->LengthRows[k];
-    row << -along, along, group == none ? 0.0 : -this->Length[k];
-    for (double value : row)
-    {
-      this->Assembler.add(entry++, value);
-    }
+    this->LengthBlocks[k].add(this->Assembler, H);
+    this->LengthRows[k] << -along.transpose(), along.transpose(), -this->Length[k];
+    this->LengthRowBlocks[k].add(this->Assembler, this->LengthRows[k]);
   }
-  entry = this->LockedEntries;
+}
+
+void IsometricModel::addLocks(
+  const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact)
+{
   for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
   {
-    const Node& node = this->LockedNodes[k];
-    const NodeGeometry geometry = this->nodeGeometry(node, x, exact);
+    const NodeGeometry geometry = this->nodeGeometry(this->LockedNodes[k], x, exact);
     const double lambda = multipliers[this->lengthCount() + static_cast<Index>(k)];
-    addBlock(entry, Eigen::Matrix<double, 6, 6>(lambda * geometry.hessian));
-    this->LockedRows[k] = geometry.gradient;
-    for (double value : geometry.gradient)
-    {
-      this->Assembler.add(entry++, value);
-    }
+    this->LockedBlocks[k].add(
+      this->Assembler, Eigen::Matrix<double, 6, 6>(lambda * geometry.hessian));
+    this->LockedRows[k] = geometry.gradient.transpose();
+    this->LockedRowBlocks[k].add(this->Assembler, this->LockedRows[k]);
   }
+}
+
+IsometricModel::Linearization IsometricModel::linearize(const Eigen::VectorXd& x,
+  const Eigen::VectorXd& multipliers, Curvature curvature, double delta, const Execution& execution)
+{
+  const bool exact = curvature == Curvature::Exact;
+  this->Assembler.clear();
+  Linearization result;
+  result.gradient = Eigen::VectorXd::Zero(this->unknownCount());
+  result.constraints = this->constraints(x);
+  this->addTriangles(x, curvature, result.gradient, execution);
+  this->addAngles(x, exact, result.gradient);
+  this->addLengths(x, multipliers, exact);
+  this->addLocks(x, multipliers, exact);
   for (Index g = 0; g < this->groupCount(); ++g)
   {
     const double weight = this->Problem.groups[g].weight;
     result.gradient[this->CoordinateCount + g] += weight * x[this->CoordinateCount + g];
-    this->Assembler.add(this->GroupEntries + g, weight);
+    this->stiffen(g, weight);
   }
   for (Index k = 0; k < this->constraintCount(); ++k)
   {
-    this->Assembler.add(this->DiagonalEntries + this->unknownCount() + k, -delta);
+    this->Diagonal.add(this->Assembler, this->unknownCount() + k, -delta);
   }
+  this->fixMotion(x);
   return result;
 }
 
 Eigen::VectorXd IsometricModel::transposedJacobianTimes(const Eigen::VectorXd& multipliers) const
 {
-  const WireNetwork& net = *this->Problem.network;
   Eigen::VectorXd result = Eigen::VectorXd::Zero(this->unknownCount());
   for (Index k = 0; k < this->lengthCount(); ++k)
   {
-    const WireEdge& edge = net.edges[this->LengthEdges[k]];
-    const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
-    result.segment<2>(2 * edge.from) += multipliers[k] * this->LengthRows[k].segment<2>(0);
-    result.segment<2>(2 * edge.to) += multipliers[k] * this->LengthRows[k].segment<2>(2);
-    if (group != none)
-    {
-      result[this->CoordinateCount + group] += multipliers[k] * this->LengthRows[k][4];
-    }
+    this->LengthRowBlocks[k].addTransposedTimes(
+      this->LengthRows[k], multipliers.segment<1>(k), result);
   }
   for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
   {
-    const Node& node = this->LockedNodes[k];
-    const double lambda = multipliers[this->lengthCount() + static_cast<Index>(k)];
-    result.segment<2>(2 * node.before) += lambda * this->LockedRows[k].segment<2>(0);
-    result.segment<2>(2 * node.at) += lambda * this->LockedRows[k].segment<2>(2);
-    result.segment<2>(2 * node.after) += lambda * this->LockedRows[k].segment<2>(4);
+    this->LockedRowBlocks[k].addTransposedTimes(this->LockedRows[k],
+      multipliers.segment<1>(this->lengthCount() + static_cast<Eigen::Index>(k)), result);
   }
   return result;
 }

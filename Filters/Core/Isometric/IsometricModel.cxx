@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -113,77 +114,41 @@ void IsometricModel::declareEntries()
   this->Assembler.reserve(21 * (this->Cells.size() + this->Nodes.size()) +
     15 * this->LengthEdges.size() + 27 * this->LockedNodes.size() +
     2 * static_cast<std::size_t>(n + this->constraintCount()));
-  auto declareBlock = [this](const Index* unknown, int size) {
-    for (int a = 0; a < size; ++a)
-    {
-      for (int b = 0; b <= a; ++b)
-      {
-        this->Assembler.declare(unknown[a], unknown[b]);
-      }
-    }
+  const auto coordinates = [](const std::array<Index, 3>& v) {
+    return std::array<Index, 6>{ 2 * v[0], 2 * v[0] + 1, 2 * v[1], 2 * v[1] + 1, 2 * v[2],
+      2 * v[2] + 1 };
   };
-  Index next = 0;
-  this->TriangleEntries = next;
   for (const Triangle& c : this->Cells)
   {
-    const Index unknown[6] = { 2 * c[0], 2 * c[0] + 1, 2 * c[1], 2 * c[1] + 1, 2 * c[2],
-      2 * c[2] + 1 };
-    declareBlock(unknown, 6);
-    next += 21;
+    this->TriangleBlocks.emplace_back(this->Assembler, coordinates(c));
   }
-  auto nodeUnknowns = [](const Node& node) {
-    return std::array<Index, 6>{ 2 * node.before, 2 * node.before + 1, 2 * node.at, 2 * node.at + 1,
-      2 * node.after, 2 * node.after + 1 };
-  };
-  this->NodeEntries = next;
   for (const Node& node : this->Nodes)
   {
-    declareBlock(nodeUnknowns(node).data(), 6);
-    next += 21;
+    this->NodeBlocks.emplace_back(
+      this->Assembler, coordinates({ node.before, node.at, node.after }));
   }
   const WireNetwork& net = *this->Problem.network;
-  this->LengthEntries = next;
-  for (std::size_t c = 0; c < this->LengthEdges.size(); ++c)
+  Index row = n;
+  for (Index e : this->LengthEdges)
   {
-    const WireEdge& edge = net.edges[this->LengthEdges[c]];
-    const Index unknown[4] = { 2 * edge.from, 2 * edge.from + 1, 2 * edge.to, 2 * edge.to + 1 };
-    const Index row = n + static_cast<Index>(c);
-    declareBlock(unknown, 4);
-    for (Index u : unknown)
-    {
-      this->Assembler.declare(row, u);
-    }
-    const Index group = this->Problem.stretchGroup[this->LengthEdges[c]];
-    this->Assembler.declare(row, group == none ? row : this->CoordinateCount + group);
-    next += 15;
+    const Index from = 2 * net.edges[e].from;
+    const Index to = 2 * net.edges[e].to;
+    const Index group = this->Problem.stretchGroup[e];
+    const Index stretch = group == none ? none : this->CoordinateCount + group;
+    this->LengthBlocks.emplace_back(
+      this->Assembler, std::array<Index, 4>{ from, from + 1, to, to + 1 });
+    this->LengthRowBlocks.emplace_back(
+      this->Assembler, row++, std::array<Index, 5>{ from, from + 1, to, to + 1, stretch });
   }
-  this->LockedEntries = next;
-  for (std::size_t c = 0; c < this->LockedNodes.size(); ++c)
+  for (const Node& node : this->LockedNodes)
   {
-    const auto unknown = nodeUnknowns(this->LockedNodes[c]);
-    declareBlock(unknown.data(), 6);
-    for (Index u : unknown)
-    {
-      this->Assembler.declare(n + this->lengthCount() + static_cast<Index>(c), u);
-    }
-    next += 27;
+    const auto unknowns = coordinates({ node.before, node.at, node.after });
+    this->LockedBlocks.emplace_back(this->Assembler, unknowns);
+    this->LockedRowBlocks.emplace_back(this->Assembler, row++, unknowns);
   }
-  this->GroupEntries = next;
-  next += this->groupCount();
-  for (Index g = 0; g < this->groupCount(); ++g)
-  {
-    this->Assembler.declare(this->CoordinateCount + g, this->CoordinateCount + g);
-  }
-  this->DiagonalEntries = next;
-  for (Index k = 0; k < n + this->constraintCount(); ++k)
-  {
-    this->Assembler.declare(k, k);
-  }
-  next += n + this->constraintCount();
-  this->MotionEntries = next;
+  this->Diagonal = { this->Assembler, 0, n + this->constraintCount() };
   const Index far = this->FixedVertices[1];
-  const Index across[2] = { 2 * far, 2 * far + 1 };
-  declareBlock(across, 2);
+  this->FarVertexBlock = { this->Assembler, { 2 * far, 2 * far + 1 } };
   this->Assembler.finish();
   this->TriangleValues.resize(this->Cells.size());
   this->TriangleGradients.resize(this->Cells.size());
@@ -242,7 +207,7 @@ double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) con
   return angle + 2.0 * pi * std::round((node.target - angle) / (2.0 * pi));
 }
 
-IsometricModel::Terms IsometricModel::objective(
+IsometricModel::Terms IsometricModel::terms(
   const Eigen::VectorXd& x, const Execution& execution) const
 {
   // Summed in the triangles' order, whatever the threads.
@@ -292,12 +257,43 @@ Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
   return c;
 }
 
+std::vector<double> IsometricModel::bounds() const
+{
+  std::vector<double> tolerance;
+  for (const StretchGroup& group : this->Problem.groups)
+  {
+    tolerance.push_back(group.tolerance);
+  }
+  return tolerance;
+}
+
+/// That of lengths between points as far from the origin as these.
+double IsometricModel::constraintRounding(const Eigen::VectorXd& x, double) const
+{
+  const double farthest = x.size() ? x.cwiseAbs().maxCoeff() : 0.0;
+  return std::numeric_limits<double>::epsilon() * farthest *
+    static_cast<double>(this->constraintCount());
+}
+
+/// The gradient is that of a sum of squares. A developable piece has no energy; the floor is what
+/// rounding leaves of the gradient.
+double IsometricModel::gradientScale(double objective) const
+{
+  constexpr double floor = 1e-2;
+  return std::max(std::sqrt(objective), floor);
+}
+
 void IsometricModel::shift(double tau)
 {
   for (Index k = 0; k < this->CoordinateCount; ++k)
   {
-    this->Assembler.add(this->DiagonalEntries + k, tau);
+    this->Diagonal.add(this->Assembler, k, tau);
   }
+}
+
+void IsometricModel::stiffen(Index bounded, double stiffness)
+{
+  this->Diagonal.add(this->Assembler, this->CoordinateCount + bounded, stiffness);
 }
 
 void IsometricModel::fixMotion(const Eigen::VectorXd& x)
@@ -305,16 +301,9 @@ void IsometricModel::fixMotion(const Eigen::VectorXd& x)
   const Index near = this->FixedVertices[0];
   const Eigen::Vector2d d = pointOf(x, this->FixedVertices[1]) - pointOf(x, near);
   const Eigen::Vector2d across = Eigen::Vector2d(-d.y(), d.x()).normalized();
-  this->Assembler.add(this->DiagonalEntries + 2 * near, 1.0);
-  this->Assembler.add(this->DiagonalEntries + 2 * near + 1, 1.0);
-  this->Assembler.add(this->MotionEntries, across.x() * across.x());
-  this->Assembler.add(this->MotionEntries + 1, across.x() * across.y());
-  this->Assembler.add(this->MotionEntries + 2, across.y() * across.y());
-}
-
-void IsometricModel::hold(Index group)
-{
-  this->Assembler.add(this->GroupEntries + group, heldStiffness);
+  this->Diagonal.add(this->Assembler, 2 * near, 1.0);
+  this->Diagonal.add(this->Assembler, 2 * near + 1, 1.0);
+  this->FarVertexBlock.add(this->Assembler, [&](int a, int b) { return across[a] * across[b]; });
 }
 
 /// Per vertex.

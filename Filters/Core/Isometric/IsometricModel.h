@@ -4,8 +4,8 @@
 #include "Angles/AngleProblem.h"
 #include "Base/Execution.h"
 #include "Embedding/DistortionEnergy.h"
-#include "Sparse/NestedDissection.h"
-#include "Sparse/SymmetricAssembler.h"
+#include "Sparse/NewtonKkt.h"
+#include "Sparse/SparseBlocks.h"
 
 namespace flattening
 {
@@ -17,19 +17,20 @@ namespace flattening
 /// planar angle of wire-node i; constraints are the length of each wire edge, |x_a - x_b| = l (1 +
 /// h), and the angle of each locked node. Edges of connectors are no constraint here: the triangles
 /// beside them hold them, and nodes on them have no angle term.
-class IsometricModel
+class IsometricModel : public NewtonKktModel
 {
 public:
   IsometricModel(const Piece& piece, const AngleProblem& problem, const DistortionEnergy& energy,
     double angleWeight);
 
-  Index unknownCount() const { return this->CoordinateCount + this->groupCount(); }
+  Index unknownCount() const override { return this->CoordinateCount + this->groupCount(); }
   Index coordinateCount() const { return this->CoordinateCount; }
   Index groupCount() const { return static_cast<Index>(this->Problem.groups.size()); }
-  Index constraintCount() const
+  Index constraintCount() const override
   {
     return static_cast<Index>(this->LengthEdges.size() + this->LockedNodes.size());
   }
+  std::vector<double> bounds() const override;
   /// Constraints 0 .. lengthCount() - 1 are lengths, the others locked angles.
   Index lengthCount() const { return static_cast<Index>(this->LengthEdges.size()); }
   double unit() const { return this->Unit; }
@@ -44,40 +45,30 @@ public:
     double angles = 0.0; ///< with its weight
     double total = 0.0;
   };
-  Terms objective(const Eigen::VectorXd& x, const Execution& execution) const;
-  Eigen::VectorXd constraints(const Eigen::VectorXd& x) const;
-
-  /// How the Hessian of the Lagrangian is taken.
-  enum class Curvature
+  Terms terms(const Eigen::VectorXd& x, const Execution& execution) const;
+  double objective(const Eigen::VectorXd& x, const Execution& execution) const override
   {
-    Exact,  ///< all terms
-    Convex, ///< sheet energy projected, angles by Gauss-Newton, constraints where they are convex
-  };
+    return this->terms(x, execution).total;
+  }
+  Eigen::VectorXd constraints(const Eigen::VectorXd& x) const override;
+  double constraintRounding(const Eigen::VectorXd& x, double merit) const override;
+  double gradientScale(double objective) const override;
 
-  /// Gradient of the objective, Jacobian of the constraints, and the matrix
-  /// [H + tau I, J'; J, -delta I] (lower triangle) at x.
-  struct Linearization
-  {
-    Eigen::VectorXd gradient;
-    Eigen::VectorXd constraints;
-  };
+  /// Convex: sheet energy projected, angles by Gauss-Newton, constraints where they are convex. The
+  /// rigid motions, of which neither energy nor constraints know, are taken out: one vertex is
+  /// held, and another one across the line from the first.
   Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
-    Curvature curvature, double delta, const Execution& execution);
-  /// Adds to the diagonal of H for all coordinates, after linearize().
-  void shift(double tau);
-  /// Takes out the rigid motions, after linearize(): holds one vertex, and another one across the
-  /// line from the first. Both energy and constraints are invariant, so this chooses among equals.
-  void fixMotion(const Eigen::VectorXd& x);
-  /// Adds a stiffness to a stretch, after linearize(), so that a right-hand side of this stiffness
-  /// times a step makes it take that step.
-  void hold(Index group);
-  static constexpr double heldStiffness = 1e12;
+    Curvature curvature, double delta, const Execution& execution) override;
+  const std::array<Index, 2>& fixedVertices() const { return this->FixedVertices; }
+  bool hasConvexPart() const override { return true; }
+  /// Of all coordinates.
+  void shift(double tau) override;
+  void stiffen(Index bounded, double stiffness) override;
   /// A good order of elimination for kkt(): vertices by nested dissection at x, each constraint
   /// after its vertices.
   Dissection eliminationOrder(const Eigen::VectorXd& x) const;
-  const Eigen::SparseMatrix<double>& kkt() const { return this->Assembler.matrix(); }
-  /// J' times a vector, with the Jacobian of the last linearize().
-  Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const;
+  const SparseMatrix& kkt() const override { return this->Assembler.matrix(); }
+  Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const override;
 
 private:
   struct Node
@@ -103,6 +94,10 @@ private:
   Eigen::Vector4d mapParts(Index t, const Eigen::VectorXd& x) const;
   void addTriangles(const Eigen::VectorXd& x, Curvature curvature, Eigen::VectorXd& gradient,
     const Execution& execution);
+  void addAngles(const Eigen::VectorXd& x, bool exact, Eigen::VectorXd& gradient);
+  void addLengths(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact);
+  void addLocks(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact);
+  void fixMotion(const Eigen::VectorXd& x);
 
   const AngleProblem& Problem;
   Triangles Cells;
@@ -116,17 +111,19 @@ private:
   Indices LengthEdges;
   std::vector<double> Length; ///< per length constraint, in units
   SymmetricAssembler Assembler;
-  Index TriangleEntries = 0;
-  Index NodeEntries = 0;
-  Index LengthEntries = 0;
-  Index LockedEntries = 0;
-  Index GroupEntries = 0;
-  Index DiagonalEntries = 0;
-  Index MotionEntries = 0;
+  std::vector<SymmetricBlock<6>> TriangleBlocks;
+  std::vector<SymmetricBlock<6>> NodeBlocks;
+  std::vector<SymmetricBlock<4>> LengthBlocks;      ///< of both ends
+  std::vector<JacobianBlock<1, 5>> LengthRowBlocks; ///< by both ends and the stretch
+  std::vector<SymmetricBlock<6>> LockedBlocks;
+  std::vector<JacobianBlock<1, 6>> LockedRowBlocks;
+  DiagonalBlock Diagonal;
+  SymmetricBlock<2> FarVertexBlock;
   std::array<Index, 2> FixedVertices{ 0, 1 };
+  /// Lower triangles, row by row: threads compute them, one adds them.
   std::vector<std::array<double, 21>> TriangleValues;
   std::vector<Eigen::Matrix<double, 6, 1>> TriangleGradients;
-  std::vector<Eigen::Matrix<double, 5, 1>> LengthRows;
-  std::vector<Eigen::Matrix<double, 6, 1>> LockedRows;
+  std::vector<Eigen::Matrix<double, 1, 5>> LengthRows;
+  std::vector<Eigen::Matrix<double, 1, 6>> LockedRows;
 };
 }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Ending.h"
+#include "Sparse/LinearSolver.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <limits>
+
+namespace flattening
+{
+/// How the Hessian of a Lagrangian is taken.
+enum class Curvature
+{
+  Exact,  ///< all terms
+  Convex, ///< only what bends upwards, where the model knows such a part
+};
+
+/// What the Newton iteration solves: least objective f(x) under equations c(x) = 0, the last of the
+/// unknowns (the stretches of elastic wires) within bounds.
+class NewtonKktModel
+{
+public:
+  virtual ~NewtonKktModel() = default;
+
+  virtual Index unknownCount() const = 0;
+  virtual Index constraintCount() const = 0;
+  /// Of the last unknowns: each lies between minus its bound and its bound.
+  virtual std::vector<double> bounds() const = 0;
+
+  virtual double objective(const Eigen::VectorXd& x, const Execution& execution) const = 0;
+  virtual Eigen::VectorXd constraints(const Eigen::VectorXd& x) const = 0;
+  /// What rounding leaves of the sum of |c_i(x)|, at this value of the merit function.
+  virtual double constraintRounding(const Eigen::VectorXd& x, double merit) const = 0;
+  /// What an entry of the gradient of the Lagrangian is small against, at this objective.
+  virtual double gradientScale(double) const { return 1.0; }
+
+  struct Linearization
+  {
+    Eigen::VectorXd gradient; ///< of the objective
+    Eigen::VectorXd constraints;
+  };
+  /// Gradient and constraints at x; fills the KKT matrix [H, J'; J, -delta I] (lower triangle), H
+  /// the Hessian of objective + multipliers . constraints and J the Jacobian of the constraints,
+  /// whose rows come after all unknowns.
+  virtual Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
+    Curvature curvature, double delta, const Execution& execution) = 0;
+  /// Whether Curvature::Convex is another Hessian than the exact one.
+  virtual bool hasConvexPart() const { return false; }
+  /// Adds to the diagonal of H, after linearize().
+  virtual void shift(double tau) = 0;
+  /// Adds to the diagonal at a bounded unknown, after linearize().
+  virtual void stiffen(Index bounded, double stiffness) = 0;
+  virtual const SparseMatrix& kkt() const = 0;
+  /// J' times a vector, with the Jacobian of the last linearize().
+  virtual Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const = 0;
+};
+
+/// Where the iteration starts, goes on and ends.
+struct NewtonKktState
+{
+  Eigen::VectorXd x;
+  Eigen::VectorXd multipliers; ///< of the constraints; empty: zero
+  Ending ending = Ending::Exhausted;
+
+  bool converged() const { return this->ending == Ending::Converged; }
+  bool cancelled() const { return this->ending == Ending::Cancelled; }
+};
+
+/// One iteration, at the point where it starts.
+struct NewtonKktRecord
+{
+  int iteration = 0;
+  double objective = 0.0;
+  double violation = 0.0;   ///< largest |c_i|
+  double optimality = 0.0;  ///< largest entry of the gradient of the Lagrangian, of what is free
+  double largestMove = 0.0; ///< of an unknown, in the step that led here
+  double meanMove = 0.0;    ///< root of the mean square of the same
+  bool exact = false;       ///< the exact Hessian, or its convex part
+};
+
+struct NewtonKktOptions
+{
+  int maximumIterations = 100;
+  /// The iteration ends where no |c_i| is as large and the point is stationary: no entry of the
+  /// gradient of the Lagrangian, over the model's scale, is as large as the optimality tolerance,
+  /// ...
+  double constraintTolerance = 1e-10;
+  double optimalityTolerance = 1e-10;
+  /// ... or a further step promises to lower the objective by no more than this fraction of it, ...
+  double promiseTolerance = 0.0;
+  /// ... or a whole step, that of an unshifted Hessian, moved no unknown by more than this. Then
+  /// constraints need only hold to the second tolerance. Less than zero: never.
+  double stillMove = -1.0;
+  double stillConstraintTolerance = 0.0;
+  /// Longer steps are shortened to one that moves no unknown by more: where the model's equations
+  /// repeat themselves, as those of angles do, longer ones lead to another branch.
+  double longestMove = std::numeric_limits<double>::infinity();
+  /// The exact Hessian is tried where the step before was shorter; far from a minimum it is seldom
+  /// convex. The first step counts as infinite.
+  double exactWithin = std::numeric_limits<double>::infinity();
+  /// Weight of the constraints in the merit function over the largest multiplier. Above 1 it is
+  /// exact; the margin keeps it so while multipliers change, and shortens steps.
+  double penaltyMargin = 1.5;
+  /// Name in reports of progress; null: none are made.
+  const char* phase = nullptr;
+  std::function<void(const NewtonKktRecord&)> observe;
+};
+
+/// Newton's method for a minimum under constraints and bounds, as sequential quadratic programming
+/// (Nocedal and Wright, Numerical Optimization, chapter 18): KKT systems by LDL^T with a small
+/// -delta I block and refinement, a Hessian that is convex on the constraints' tangent space by the
+/// inertia of D (its convex part, or a shift tau I, where it is not), steps by an L1 merit function
+/// with second-order correction, bounds by an active set.
+/// \param solver for the model's KKT matrix; it must tell the inertia.
+NewtonKktState minimize(NewtonKktModel& model, NewtonKktState start, LinearSolver solver,
+  const NewtonKktOptions& options, const Execution& execution);
+}

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sparse/NewtonKkt.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace flattening;
+
+namespace
+{
+/// A problem whose matrix is dense, with functions to put in.
+struct DenseModel : NewtonKktModel
+{
+  Index unknowns = 2;
+  std::vector<double> bound;
+  std::function<double(const Eigen::VectorXd&)> f;
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> gradient;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> hessian;
+  /// At most one constraint.
+  std::function<double(const Eigen::VectorXd&)> c;
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> cGradient;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> cHessian;
+
+  Index unknownCount() const override { return this->unknowns; }
+  Index constraintCount() const override { return this->c ? 1 : 0; }
+  std::vector<double> bounds() const override { return this->bound; }
+  double objective(const Eigen::VectorXd& x, const Execution&) const override { return this->f(x); }
+  Eigen::VectorXd constraints(const Eigen::VectorXd& x) const override
+  {
+    return this->c ? Eigen::VectorXd::Constant(1, this->c(x)) : Eigen::VectorXd();
+  }
+  double constraintRounding(const Eigen::VectorXd&, double) const override { return 1e-15; }
+  Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, Curvature,
+    double delta, const Execution&) override
+  {
+    const Index size = this->unknowns + this->constraintCount();
+    this->Dense = Eigen::MatrixXd::Zero(size, size);
+    this->Dense.topLeftCorner(this->unknowns, this->unknowns) = this->hessian(x);
+    if (this->c)
+    {
+      this->Row = this->cGradient(x);
+      this->Dense.topLeftCorner(this->unknowns, this->unknowns) +=
+        multipliers[0] * this->cHessian(x);
+      this->Dense.bottomLeftCorner(1, this->unknowns) = this->Row.transpose();
+      this->Dense(size - 1, size - 1) = -delta;
+    }
+    this->refresh();
+    return { this->gradient(x), this->constraints(x) };
+  }
+  void shift(double tau) override
+  {
+    this->Dense.diagonal().head(this->unknowns).array() += tau;
+    this->refresh();
+  }
+  void stiffen(Index k, double stiffness) override
+  {
+    const Index at = this->unknowns - static_cast<Index>(this->bound.size()) + k;
+    this->Dense(at, at) += stiffness;
+    this->refresh();
+  }
+  const SparseMatrix& kkt() const override { return this->Sparse; }
+  Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const override
+  {
+    return this->c ? Eigen::VectorXd(multipliers[0] * this->Row)
+                   : Eigen::VectorXd(Eigen::VectorXd::Zero(this->unknowns));
+  }
+
+private:
+  /// All entries of the lower triangle are there, zeros too, so that the pattern stays.
+  void refresh()
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index j = 0; j < this->Dense.cols(); ++j)
+    {
+      for (Index i = j; i < this->Dense.rows(); ++i)
+      {
+        entries.emplace_back(i, j, this->Dense(i, j));
+      }
+    }
+    this->Sparse.resize(this->Dense.rows(), this->Dense.cols());
+    this->Sparse.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  Eigen::MatrixXd Dense;
+  Eigen::VectorXd Row;
+  SparseMatrix Sparse;
+};
+
+/// Least of f on the unit circle.
+DenseModel onTheCircle()
+{
+  DenseModel model;
+  model.c = [](const Eigen::VectorXd& x) { return 0.5 * (x.head(2).squaredNorm() - 1.0); };
+  model.cGradient = [](const Eigen::VectorXd& x) {
+    Eigen::VectorXd g = x;
+    g.tail(x.size() - 2).setZero();
+    return g;
+  };
+  model.cHessian = [](const Eigen::VectorXd& x) {
+    Eigen::MatrixXd h = Eigen::MatrixXd::Identity(x.size(), x.size());
+    h.diagonal().tail(x.size() - 2).setZero();
+    return h;
+  };
+  return model;
+}
+
+/// Least of sum (x - goal)^2 / 2.
+DenseModel nearestTo(const Eigen::VectorXd& goal)
+{
+  DenseModel model;
+  model.unknowns = static_cast<Index>(goal.size());
+  model.f = [goal](const Eigen::VectorXd& x) { return 0.5 * (x - goal).squaredNorm(); };
+  model.gradient = [goal](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - goal); };
+  model.hessian = [](const Eigen::VectorXd& x) {
+    return Eigen::MatrixXd(Eigen::MatrixXd::Identity(x.size(), x.size()));
+  };
+  return model;
+}
+
+NewtonKktState solved(
+  DenseModel& model, const Eigen::VectorXd& start, const NewtonKktOptions& options = {})
+{
+  return minimize(model, { start, {} }, LinearSolver(LinearMethod::LDLT), options, {});
+}
+}
+
+TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)
+{
+  DenseModel model = nearestTo(Eigen::Vector2d(0.0, 0.0));
+  model.c = [](const Eigen::VectorXd& x) { return x.sum() - 1.0; };
+  model.cGradient = [](const Eigen::VectorXd&) { return Eigen::VectorXd::Ones(2); };
+  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+  int steps = 0;
+  NewtonKktOptions options;
+  options.observe = [&](const NewtonKktRecord& record) { steps = record.iteration; };
+  const NewtonKktState end = solved(model, Eigen::Vector2d(7.0, -3.0), options);
+  EXPECT_TRUE(end.converged());
+  EXPECT_EQ(steps, 1);
+  EXPECT_LT((end.x - Eigen::Vector2d(0.5, 0.5)).norm(), 1e-12);
+  // gradient + multiplier * (1, 1) = 0
+  EXPECT_NEAR(end.multipliers[0], -0.5, 1e-12);
+}
+
+TEST(NewtonKkt, EndsAtAMinimumNotAtASaddleWhereTheHessianIsIndefinite)
+{
+  // x y on the unit circle: maxima on the diagonal, minima -1/2 across it. The start lies next to
+  // a maximum, where Newton's method without regard to the inertia stays.
+  DenseModel model = onTheCircle();
+  model.f = [](const Eigen::VectorXd& x) { return x[0] * x[1]; };
+  model.gradient = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(Eigen::Vector2d(x[1], x[0]));
+  };
+  model.hessian = [](const Eigen::VectorXd&) {
+    Eigen::MatrixXd h(2, 2);
+    h << 0.0, 1.0, 1.0, 0.0;
+    return h;
+  };
+  const NewtonKktState end = solved(model, Eigen::Vector2d(0.71, 0.70));
+  EXPECT_TRUE(end.converged());
+  EXPECT_NEAR(end.x[0] * end.x[1], -0.5, 1e-9);
+  EXPECT_NEAR(end.x.squaredNorm(), 1.0, 1e-9);
+}
+
+TEST(NewtonKkt, AnUnknownGoesToItsBoundExactlyAndTheOthersAdapt)
+{
+  // Nearest point to (2, 1) with x + y = 3 would be itself; with |y| <= 0.25 it is (2.75, 0.25).
+  DenseModel model = nearestTo(Eigen::Vector2d(2.0, 1.0));
+  model.c = [](const Eigen::VectorXd& x) { return x.sum() - 3.0; };
+  model.cGradient = [](const Eigen::VectorXd&) { return Eigen::VectorXd::Ones(2); };
+  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+  model.bound = { 0.25 };
+  const NewtonKktState end = solved(model, Eigen::Vector2d(0.0, 0.0));
+  EXPECT_TRUE(end.converged());
+  EXPECT_EQ(end.x[1], 0.25);
+  EXPECT_NEAR(end.x[0], 2.75, 1e-14);
+  EXPECT_NEAR(end.multipliers[0], -0.75, 1e-12);
+}
+
+TEST(NewtonKkt, AnUnknownThatStartsOnItsBoundComesBackWhereTheMinimumIsInside)
+{
+  for (const double start : { 0.25, -0.25 })
+  {
+    DenseModel model = nearestTo(Eigen::Vector2d(2.0, 0.1));
+    model.bound = { 0.25 };
+    const NewtonKktState end = solved(model, Eigen::Vector2d(0.0, start));
+    EXPECT_TRUE(end.converged());
+    EXPECT_LT((end.x - Eigen::Vector2d(2.0, 0.1)).norm(), 1e-12) << start;
+  }
+}
+
+TEST(NewtonKkt, ManyBoundsAreHeldOrFreedAtOnce)
+{
+  // Nearest point of a box to a point: each coordinate clamped by itself.
+  Eigen::VectorXd goal(12);
+  for (Index k = 0; k < goal.size(); ++k)
+  {
+    goal[k] = std::sin(3.0 * k);
+  }
+  DenseModel model = nearestTo(goal);
+  model.bound.assign(12, 0.5);
+  const NewtonKktState end = solved(model, Eigen::VectorXd::Constant(12, 0.5));
+  EXPECT_TRUE(end.converged());
+  EXPECT_LT((end.x - goal.cwiseMax(-0.5).cwiseMin(0.5)).norm(), 1e-12);
+}
+
+TEST(NewtonKkt, SaysWhereIterationsRunOutOrTheRunIsCancelled)
+{
+  DenseModel model = onTheCircle();
+  const Eigen::Vector2d goal(0.6, 0.8);
+  DenseModel sphere = nearestTo(5.0 * goal);
+  model.f = sphere.f;
+  model.gradient = sphere.gradient;
+  model.hessian = sphere.hessian;
+  NewtonKktOptions options;
+  options.maximumIterations = 1;
+  const NewtonKktState early = solved(model, Eigen::Vector2d(1.0, -0.5), options);
+  EXPECT_FALSE(early.converged());
+  EXPECT_FALSE(early.cancelled());
+  Execution execution;
+  execution.cancel = [] { return true; };
+  const NewtonKktState stopped = minimize(
+    model, { Eigen::Vector2d(1.0, -0.5), {} }, LinearSolver(LinearMethod::LDLT), {}, execution);
+  EXPECT_FALSE(stopped.converged());
+  EXPECT_TRUE(stopped.cancelled());
+  const NewtonKktState end = solved(model, Eigen::Vector2d(1.0, -0.5));
+  EXPECT_TRUE(end.converged());
+  EXPECT_LT((end.x - goal).norm(), 1e-9);
+}
