@@ -121,7 +121,7 @@ DenseModel nearestTo(const Eigen::VectorXd& goal)
 NewtonKktState solved(
   DenseModel& model, const Eigen::VectorXd& start, const NewtonKktOptions& options = {})
 {
-  return minimize(model, { start, {} }, LinearSolver(LinearMethod::LDLT), options, {});
+  return minimize(model, { start, {} }, LinearSolver(LeadingColumns{ 0 }), options, {});
 }
 }
 
@@ -220,7 +220,7 @@ TEST(NewtonKkt, SaysWhereIterationsRunOutOrTheRunIsCancelled)
   Execution execution;
   execution.cancel = [] { return true; };
   const NewtonKktState stopped = minimize(
-    model, { Eigen::Vector2d(1.0, -0.5), {} }, LinearSolver(LinearMethod::LDLT), {}, execution);
+    model, { Eigen::Vector2d(1.0, -0.5), {} }, LinearSolver(LeadingColumns{ 0 }), {}, execution);
   EXPECT_FALSE(stopped.converged());
   EXPECT_TRUE(stopped.cancelled());
   const NewtonKktState end = solved(model, Eigen::Vector2d(1.0, -0.5));

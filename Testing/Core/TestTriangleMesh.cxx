@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Grouping.h"
+#include "Base/Planar.h"
+#include "Surface/VertexFan.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 using namespace flattening;
@@ -137,4 +141,71 @@ TEST(TriangleMesh, EulerCharacteristicCountsOnlyVerticesThatTrianglesUse)
   EXPECT_TRUE(tetrahedron.boundaryLoops().empty());
   EXPECT_FALSE(tetrahedron.onBoundary(0));
   EXPECT_EQ(tetrahedron.outgoing(4), none);
+}
+
+TEST(TriangleMesh, AFanHoldsEachHalfEdgeThatLeavesAVertexOnceWhereverItLies)
+{
+  const TriangleMesh mesh = flatPatch(4, 3).mesh;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    std::set<Index> expected;
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+    {
+      if (mesh.from(h) == v)
+      {
+        expected.insert(h);
+      }
+    }
+    Indices found;
+    for (Index h : VertexFan(mesh, v))
+    {
+      found.push_back(h);
+    }
+    EXPECT_EQ(std::set<Index>(found.begin(), found.end()), expected) << v;
+    EXPECT_EQ(found.size(), expected.size()) << v;
+    // Counter-clockwise: the angle between one half-edge and the next is to the left of the first.
+    for (std::size_t k = 0; k + 1 < found.size(); ++k)
+    {
+      const Point3 a = mesh.point(mesh.to(found[k])) - mesh.point(v);
+      const Point3 b = mesh.point(mesh.to(found[k + 1])) - mesh.point(v);
+      const Triangle& c = mesh.triangle(found[k] / 3);
+      const Point3 up = areaVector(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+      EXPECT_GT(a.cross(b).dot(up), 0.0) << v;
+    }
+    if (!mesh.onBoundary(v))
+    {
+      Indices shifted;
+      for (Index h : VertexFan::startingAt(mesh, found[1]))
+      {
+        shifted.push_back(h);
+      }
+      std::rotate(found.begin(), found.begin() + 1, found.end());
+      EXPECT_EQ(shifted, found) << v;
+    }
+  }
+}
+
+TEST(TriangleMesh, TheFanOfAVertexThatNoTriangleUsesIsEmpty)
+{
+  const TriangleMesh mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 5, 5 } }, { { 0, 1, 2 } });
+  for (Index h : VertexFan(mesh, 3))
+  {
+    ADD_FAILURE() << h;
+  }
+}
+
+TEST(Grouping, HoldsTheMembersOfEachGroupInTheOrderInWhichTheyCame)
+{
+  const Grouping grouping = groupBy(4, { 2, 0, 2, 3, 0, 2 });
+  const std::vector<Indices> expected{ { 1, 4 }, {}, { 0, 2, 5 }, { 3 } };
+  for (std::size_t g = 0; g < expected.size(); ++g)
+  {
+    EXPECT_EQ(Indices(grouping[g].begin(), grouping[g].end()), expected[g]) << g;
+  }
+}
+
+TEST(Planar, TheCrossProductIsTheAreaThatTwoVectorsSpanPositiveToTheLeft)
+{
+  EXPECT_EQ(cross({ 3.0, 0.0 }, { 1.0, 2.0 }), 6.0);
+  EXPECT_EQ(cross({ 1.0, 2.0 }, { 3.0, 0.0 }), -6.0);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/AngleProblem.h"
 
+#include "Base/Planar.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -92,7 +94,7 @@ double interiorAngle(const Point2& before, const Point2& at, const Point2& after
 {
   const Point2 in = at - before;
   const Point2 out = after - at;
-  return pi - std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+  return pi - std::atan2(cross(in, out), in.dot(out));
 }
 
 std::vector<double> planarAngles(const AngleProblem& problem, const Points2& positions)

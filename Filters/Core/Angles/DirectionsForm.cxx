@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/DirectionsForm.h"
 
+#include "Base/Grouping.h"
 #include "Sparse/LinearSolver.h"
 #include "Wires/ChainOrder.h"
 
@@ -13,6 +14,112 @@ namespace
 {
 /// Locked angles that miss each other by more than this contradict each other, in radians.
 constexpr double contradiction = 1e-9;
+
+/// Edges joined by locked nodes, with psi[edge] = offset[edge] + rotation of the run.
+struct Runs
+{
+  Indices ofEdge;
+  Indices size; ///< edges per run
+  std::vector<double> offset;
+  Indices contradictions; ///< nodes where locked angles disagree
+
+  Index largest() const
+  {
+    return static_cast<Index>(
+      std::max_element(this->size.begin(), this->size.end()) - this->size.begin());
+  }
+};
+
+Grouping lockedNodesByEdge(const AngleProblem& problem)
+{
+  const WireNetwork& net = *problem.network;
+  return groupMembers(net.edgeCount(), [&](const auto& visit) {
+    for (Index i = 0; i < net.nodeCount(); ++i)
+    {
+      if (problem.locks.locked[i])
+      {
+        visit(net.edge[i], i);
+        visit(net.edge[net.previous[i]], i);
+      }
+    }
+  });
+}
+
+/// Grows the last run from its seed over all edges that locked nodes tie to it.
+void growRun(const AngleProblem& problem, const std::vector<double>& branch,
+  const Grouping& lockedNodes, Index seed, Runs& runs)
+{
+  const WireNetwork& net = *problem.network;
+  const auto id = static_cast<Index>(runs.size.size()) - 1;
+  runs.ofEdge[seed] = id;
+  Indices stack{ seed };
+  while (!stack.empty())
+  {
+    const Index e = stack.back();
+    stack.pop_back();
+    ++runs.size[id];
+    for (Index node : lockedNodes[e])
+    {
+      // theta = c + psi_in - psi_out
+      const Index in = net.edge[net.previous[node]];
+      const Index out = net.edge[node];
+      if (in == out)
+      {
+        continue; // the tip of a wire: 2 pi whatever its direction
+      }
+      const double inMinusOut = problem.locks.angle[node] - branch[node];
+      const Index other = in == e ? out : in;
+      const double offset = in == e ? runs.offset[e] - inMinusOut : runs.offset[e] + inMinusOut;
+      if (runs.ofEdge[other] == none)
+      {
+        runs.ofEdge[other] = id;
+        runs.offset[other] = offset;
+        stack.push_back(other);
+      }
+      else if (std::abs(runs.offset[other] - offset) > contradiction)
+      {
+        runs.contradictions.push_back(node);
+      }
+    }
+  }
+}
+
+Runs joinLockedEdges(const AngleProblem& problem, const std::vector<double>& branch)
+{
+  const Index edges = problem.network->edgeCount();
+  const Grouping lockedNodes = lockedNodesByEdge(problem);
+  Runs runs;
+  runs.ofEdge.assign(edges, none);
+  runs.offset.assign(edges, 0.0);
+  for (Index seed = 0; seed < edges; ++seed)
+  {
+    if (runs.ofEdge[seed] == none)
+    {
+      runs.size.push_back(0);
+      growRun(problem, branch, lockedNodes, seed, runs);
+    }
+  }
+  std::sort(runs.contradictions.begin(), runs.contradictions.end());
+  runs.contradictions.erase(
+    std::unique(runs.contradictions.begin(), runs.contradictions.end()), runs.contradictions.end());
+  return runs;
+}
+
+/// All but single edges along wires: they are eliminated last, see ChainOrder.
+std::vector<char> lateRuns(const WireNetwork& net, const Runs& runs, Index fixed)
+{
+  const ChainOrder order(net);
+  std::vector<char> late(runs.size.size(), 0);
+  for (Index e = 0; e < net.edgeCount(); ++e)
+  {
+    if (runs.size[runs.ofEdge[e]] > 1 || order.atJunction[e])
+    {
+      late[runs.ofEdge[e]] = 1;
+    }
+  }
+  late[fixed] = 1;
+  return late;
+}
 }
 
 DirectionsForm::DirectionsForm(const AngleProblem& problem)
@@ -127,96 +234,33 @@ void DirectionsForm::fixBranches(const std::vector<double>& psi)
 void DirectionsForm::formRuns(const std::vector<double>& psi)
 {
   const WireNetwork& net = *this->Problem->network;
-  const Index edges = net.edgeCount();
-  // Edges joined by locked nodes, with psi[edge] = offset[edge] + rotation of the run.
-  std::vector<std::vector<Index>> lockedNodes(edges);
-  for (Index i = 0; i < net.nodeCount(); ++i)
-  {
-    if (this->Problem->locks.locked[i])
-    {
-      lockedNodes[net.edge[i]].push_back(i);
-      lockedNodes[net.edge[net.previous[i]]].push_back(i);
-    }
-  }
-  Indices run(edges, none);
-  this->Offset.assign(edges, 0.0);
-  Indices runSize;
-  std::vector<double> runRotation;
-  std::vector<Index> stack;
-  for (Index seed = 0; seed < edges; ++seed)
-  {
-    if (run[seed] != none)
-    {
-      continue;
-    }
-    const auto id = static_cast<Index>(runSize.size());
-    run[seed] = id;
-    runSize.push_back(0);
-    stack.push_back(seed);
-    while (!stack.empty())
-    {
-      const Index e = stack.back();
-      stack.pop_back();
-      ++runSize[id];
-      for (Index node : lockedNodes[e])
-      {
-        // theta = c + psi_in - psi_out
-        const Index in = net.edge[net.previous[node]];
-        const Index out = net.edge[node];
-        const double inMinusOut = this->Problem->locks.angle[node] - this->Branch[node];
-        const Index other = in == e ? out : in;
-        const double offset = in == e ? this->Offset[e] - inMinusOut : this->Offset[e] + inMinusOut;
-        if (in == out)
-        {
-          continue; // the tip of a wire: 2 pi whatever its direction
-        }
-        if (run[other] == none)
-        {
-          run[other] = id;
-          this->Offset[other] = offset;
-          stack.push_back(other);
-        }
-        else if (std::abs(this->Offset[other] - offset) > contradiction)
-        {
-          this->Contradictions.push_back(node);
-        }
-      }
-    }
-    runRotation.push_back(0.0);
-  }
-  std::sort(this->Contradictions.begin(), this->Contradictions.end());
-  this->Contradictions.erase(std::unique(this->Contradictions.begin(), this->Contradictions.end()),
-    this->Contradictions.end());
-  for (Index e = 0; e < edges; ++e)
-  {
-    runRotation[run[e]] += (psi[e] - this->Offset[e]) / runSize[run[e]];
-  }
-  const auto fixed =
-    static_cast<Index>(std::max_element(runSize.begin(), runSize.end()) - runSize.begin());
-  // Single edges along wires first, see ChainOrder.
-  const ChainOrder order(net);
-  std::vector<char> late(runSize.size(), 0);
-  for (Index e = 0; e < edges; ++e)
-  {
-    if (runSize[run[e]] > 1 || order.atJunction[e])
-    {
-      late[run[e]] = 1;
-    }
-  }
-  late[fixed] = 1;
+  Runs runs = joinLockedEdges(*this->Problem, this->Branch);
+  this->Offset = std::move(runs.offset);
+  this->Contradictions = std::move(runs.contradictions);
+  const Index fixed = runs.largest();
+  const std::vector<char> late = lateRuns(net, runs, fixed);
   const Indices rank = markedLast(late);
   this->RotationsAlong = static_cast<Index>(std::count(late.begin(), late.end(), 0));
-  this->UnknownOfEdge.assign(edges, none);
-  this->Rotations = static_cast<Index>(runSize.size()) - 1;
-  for (Index e = 0; e < edges; ++e)
+  this->Rotations = static_cast<Index>(runs.size.size()) - 1;
+  this->UnknownOfEdge.assign(net.edgeCount(), none);
+  double rotation = 0.0;
+  for (Index e = 0; e < net.edgeCount(); ++e)
   {
-    if (run[e] == fixed)
+    if (runs.ofEdge[e] == fixed)
     {
-      this->Offset[e] += runRotation[fixed];
+      rotation += (psi[e] - this->Offset[e]) / runs.size[fixed];
+    }
+  }
+  for (Index e = 0; e < net.edgeCount(); ++e)
+  {
+    const Index place = rank[runs.ofEdge[e]];
+    if (runs.ofEdge[e] == fixed)
+    {
+      this->Offset[e] += rotation;
     }
     else
     {
-      this->UnknownOfEdge[e] = rank[run[e]] < rank[fixed] ? rank[run[e]] : rank[run[e]] - 1;
+      this->UnknownOfEdge[e] = place < rank[fixed] ? place : place - 1;
     }
   }
 }

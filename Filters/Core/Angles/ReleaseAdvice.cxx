@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/ReleaseAdvice.h"
 
+#include "Base/Planar.h"
+
 #include "Angles/AngleSolver.h"
 
 #include <algorithm>
@@ -70,7 +72,7 @@ bool liesPoorly(const TriangleMesh& mesh, const Points2& positions)
     const Point2 q = positions[c[2]] - positions[c[0]];
     const Point3 u = mesh.point(c[1]) - mesh.point(c[0]);
     const Point3 v = mesh.point(c[2]) - mesh.point(c[0]);
-    const double ratio = (p.x() * q.y() - p.y() * q.x()) / u.cross(v).norm();
+    const double ratio = cross(p, q) / u.cross(v).norm();
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   }

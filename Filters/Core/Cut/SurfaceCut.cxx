@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cut/SurfaceCut.h"
 
+#include "Surface/VertexFan.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -203,23 +205,13 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
     cut.originalVertex[v] = v;
-    const Index anchor = mesh.outgoing(v);
-    if (anchor == none)
-    {
-      continue;
-    }
     // Start behind a cut or at the boundary, so that no fan is met in two parts.
     Index start = none;
-    for (Index h = anchor; h != none;)
+    for (Index h : VertexFan(mesh, v))
     {
       if (crossing(h))
       {
         start = h;
-        break;
-      }
-      h = mesh.counterClockwise(h);
-      if (h == anchor)
-      {
         break;
       }
     }
@@ -229,7 +221,7 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
     }
     Index copy = v;
     bool firstFan = true;
-    for (Index h = start; h != none;)
+    for (Index h : VertexFan::startingAt(mesh, start))
     {
       if (crossing(h) && !firstFan)
       {
@@ -239,11 +231,6 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
       }
       firstFan = false;
       triangles[h / 3][h % 3] = copy;
-      h = mesh.counterClockwise(h);
-      if (h == start)
-      {
-        break;
-      }
     }
   }
   // Half-edges are twins still unless an end of their edge is split. A cut of a single edge inside

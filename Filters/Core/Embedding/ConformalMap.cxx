@@ -163,12 +163,28 @@ Status checkPins(const TriangleMesh& mesh, const std::array<Index, 2>& pins)
   }
   return {};
 }
-}
 
-ConformalMap mapConformally(
-  const TriangleMesh& mesh, const ConformalOptions& options, const Execution& execution)
+/// Unknowns of the map: all vertices but the pins.
+struct FreeVertices
 {
-  ConformalMap map;
+  Indices column; ///< per vertex; none for pins and vertices that no triangle uses
+  Index count = 0;
+
+  FreeVertices(const TriangleMesh& mesh, const std::array<Index, 2>& pins)
+    : column(mesh.vertexCount(), none)
+  {
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (mesh.outgoing(v) != none && v != pins[0] && v != pins[1])
+      {
+        this->column[v] = this->count++;
+      }
+    }
+  }
+};
+
+Indices boundaryHalfedges(const TriangleMesh& mesh)
+{
   Indices boundary;
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
@@ -177,89 +193,75 @@ ConformalMap mapConformally(
       boundary.push_back(h);
     }
   }
-  if (boundary.empty())
-  {
-    map.status = { mesh.triangleCount() == 0 ? StatusCode::EmptySurface : StatusCode::ClosedSurface,
-      "the surface has no boundary", {}, { Remedy::CutOpen } };
-    return map;
-  }
-  std::array<Index, 2> pins = options.pins;
-  if (pins[0] == none && pins[1] == none)
-  {
-    Indices vertices;
-    for (Index h : boundary)
-    {
-      vertices.push_back(mesh.from(h));
-    }
-    pins = farthestPair(mesh, vertices);
-  }
-  map.status = checkPins(mesh, pins);
-  if (!map.status.ok())
-  {
-    return map;
-  }
+  return boundary;
+}
 
-  Indices column(mesh.vertexCount(), none);
-  Index free = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
+std::array<Index, 2> farthestPins(const TriangleMesh& mesh, const Indices& boundary)
+{
+  Indices vertices;
+  for (Index h : boundary)
   {
-    if (mesh.outgoing(v) != none && v != pins[0] && v != pins[1])
-    {
-      column[v] = free++;
-    }
+    vertices.push_back(mesh.from(h));
   }
-  const Index unknowns = 2 * free;
-  const ConformalEnergy energy(mesh, options.areaNormalized);
+  return farthestPair(mesh, vertices);
+}
+
+/// Nested dissection of the mesh, without the pins.
+Dissection eliminationOrder(const TriangleMesh& mesh, const FreeVertices& free)
+{
   const Dissection vertices = dissect(mesh.triangles(), mesh.points());
-  Dissection order = vertices.replaced([&](Index k, Indices& unknownOrder) {
-    const Index v = vertices.order[k];
-    if (column[v] != none)
+  return vertices.replaced([&](Index k, Indices& order) {
+    const Index column = free.column[vertices.order[k]];
+    if (column != none)
     {
-      unknownOrder.push_back(2 * column[v]);
-      unknownOrder.push_back(2 * column[v] + 1);
+      order.push_back(2 * column);
+      order.push_back(2 * column + 1);
     }
   });
-  LinearSolver solver(std::move(order));
-  const Status failure{ StatusCode::NumericalFailure,
-    "the conformal map could not be computed; slivers and parts that hang on one vertex are in its "
-    "way",
-    {}, { Remedy::MendSlivers } };
-  const Status cancelled{ StatusCode::Cancelled, "cancelled while mapping conformally", {} };
-  const SparseMatrix hessian = energy.hessian(column, unknowns);
+}
+
+/// Moves the free vertices to the least energy. False where that fails or is cancelled.
+bool minimizeConformalEnergy(const TriangleMesh& mesh, const ConformalEnergy& energy,
+  const FreeVertices& free, const Execution& execution, std::vector<Complex>& positions)
+{
+  // The first pass solves, the others refine: normal equations square the condition number, but
+  // their residual does not where it is computed row by row.
+  constexpr int passes = 3;
+  const Index unknowns = 2 * free.count;
+  LinearSolver solver(eliminationOrder(mesh, free));
+  const SparseMatrix hessian = energy.hessian(free.column, unknowns);
   if (execution.cancelled() || !solver.analyze(hessian) || execution.cancelled() ||
     !solver.factorize(hessian, execution))
   {
-    map.status = execution.cancelled() ? cancelled : failure;
-    return map;
+    return false;
   }
-
-  std::vector<Complex> positions(mesh.vertexCount());
-  positions[pins[1]] = (mesh.point(pins[1]) - mesh.point(pins[0])).norm();
-  // The first pass solves, the others refine: normal equations square the condition number, but
-  // their residual does not where it is computed row by row.
-  for (int pass = 0; pass < 3; ++pass)
+  for (int pass = 0; pass < passes; ++pass)
   {
     if (execution.cancelled())
     {
-      map.status = cancelled;
-      return map;
+      return false;
     }
-    const Eigen::VectorXd step = solver.solve(energy.descent(positions, column, unknowns));
+    const Eigen::VectorXd step = solver.solve(energy.descent(positions, free.column, unknowns));
     if (step.rows() != unknowns)
     {
-      map.status = failure;
-      return map;
+      return false;
     }
     for (Index v = 0; v < mesh.vertexCount(); ++v)
     {
-      if (column[v] != none)
+      if (free.column[v] != none)
       {
-        const Eigen::Index x = 2 * Eigen::Index(column[v]);
+        const Eigen::Index x = 2 * Eigen::Index(free.column[v]);
         positions[v] += Complex(step[x], step[x + 1]);
       }
     }
   }
+  return true;
+}
 
+/// What makes the perimeter that of the surface.
+double perimeterScale(
+  const TriangleMesh& mesh, const Indices& boundary, const std::vector<Complex>& positions)
+{
   double perimeter = 0.0;
   double flat = 0.0;
   for (Index h : boundary)
@@ -267,10 +269,45 @@ ConformalMap mapConformally(
     perimeter += mesh.length(h);
     flat += std::abs(positions[mesh.to(h)] - positions[mesh.from(h)]);
   }
-  const double scale = perimeter / flat;
+  return perimeter / flat;
+}
+}
+
+ConformalMap mapConformally(
+  const TriangleMesh& mesh, const ConformalOptions& options, const Execution& execution)
+{
+  ConformalMap map;
+  const Indices boundary = boundaryHalfedges(mesh);
+  if (boundary.empty())
+  {
+    map.status = { mesh.triangleCount() == 0 ? StatusCode::EmptySurface : StatusCode::ClosedSurface,
+      "the surface has no boundary", {}, { Remedy::CutOpen } };
+    return map;
+  }
+  const bool chosen = options.pins[0] != none || options.pins[1] != none;
+  const std::array<Index, 2> pins = chosen ? options.pins : farthestPins(mesh, boundary);
+  map.status = checkPins(mesh, pins);
+  if (!map.status.ok())
+  {
+    return map;
+  }
+  std::vector<Complex> positions(mesh.vertexCount());
+  positions[pins[1]] = (mesh.point(pins[1]) - mesh.point(pins[0])).norm();
+  const ConformalEnergy energy(mesh, options.areaNormalized);
+  const bool solved =
+    minimizeConformalEnergy(mesh, energy, FreeVertices(mesh, pins), execution, positions);
+  if (!solved && execution.cancelled())
+  {
+    map.status = { StatusCode::Cancelled, "cancelled while mapping conformally", {} };
+    return map;
+  }
+  const double scale = solved ? perimeterScale(mesh, boundary, positions) : HUGE_VAL;
   if (!std::isfinite(scale))
   {
-    map.status = failure;
+    map.status = { StatusCode::NumericalFailure,
+      "the conformal map could not be computed; slivers and parts that hang on one vertex are in "
+      "its way",
+      {}, { Remedy::MendSlivers } };
     return map;
   }
   map.positions.reserve(positions.size());

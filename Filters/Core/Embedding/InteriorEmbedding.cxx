@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorEmbedding.h"
 
+#include "Base/Planar.h"
 #include "Embedding/InteriorPatch.h"
 #include "Embedding/RigidEmbedding.h"
 
@@ -94,7 +95,7 @@ public:
     }
   }
 
-  /// Eq. 12, in place and in the order of the vertices.
+  /// Eq. 12: a sweep of SOR, in place and in the order of the vertices.
   void relax(const InteriorOptions& options, double smallest)
   {
     const Neighbours near =
@@ -207,7 +208,7 @@ private:
       this->Patch.triangles.begin(), this->Patch.triangles.end(), [this](const Triangle& t) {
         const Eigen::RowVector2d u = this->Local.row(t[1]) - this->Local.row(t[0]);
         const Eigen::RowVector2d v = this->Local.row(t[2]) - this->Local.row(t[0]);
-        return !(u.x() * v.y() - u.y() * v.x() > 0.0);
+        return !(cross(u, v) > 0.0);
       }));
   }
 

@@ -8,14 +8,14 @@ namespace flattening
 enum class InteriorMethod
 {
   Laplacian,         ///< Eq. 11 solved directly
-  Relaxation,        ///< the iteration of Eq. 12
+  Relaxation,        ///< Eq. 12: successive over-relaxation (SOR)
   AsRigidAsPossible, ///< as rigid as possible with the wires pinned
 };
 
 struct InteriorOptions
 {
   InteriorMethod method = InteriorMethod::AsRigidAsPossible;
-  /// Relaxation: factor tau of Eq. 12, between 0 and 2.
+  /// Relaxation: factor tau of Eq. 12 (omega of SOR), between 0 and 2.
   double relaxation = 1.5;
   /// Relaxation: stop when no vertex moves farther than this fraction of the mean wire edge.
   double movement = 1e-5;

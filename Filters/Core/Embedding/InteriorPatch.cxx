@@ -1,43 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorPatch.h"
 
+#include "Base/Grouping.h"
+
 #include <algorithm>
 
 namespace flattening
 {
-namespace
-{
-/// Triangles of each wire-patch, as ranges of one array.
-struct PatchTriangles
-{
-  Indices begin;
-  Indices triangles;
-
-  explicit PatchTriangles(const WireNetwork& network)
-    : begin(network.patchCount + 1, 0)
-    , triangles(network.patchOfTriangle.size())
-  {
-    for (Index patch : network.patchOfTriangle)
-    {
-      ++this->begin[patch + 1];
-    }
-    for (Index patch = 0; patch < network.patchCount; ++patch)
-    {
-      this->begin[patch + 1] += this->begin[patch];
-    }
-    Indices place(this->begin.begin(), this->begin.end() - 1);
-    for (std::size_t t = 0; t < network.patchOfTriangle.size(); ++t)
-    {
-      this->triangles[place[network.patchOfTriangle[t]]++] = static_cast<Index>(t);
-    }
-  }
-};
-}
-
 std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const WireNetwork& network)
 {
   const TriangleMesh& mesh = piece.mesh;
-  const PatchTriangles byPatch(network);
+  const Grouping byPatch = groupBy(network.patchCount, network.patchOfTriangle);
   std::vector<InteriorPatch> patches;
   Indices local(mesh.vertexCount(), none);
   Indices pinned;
@@ -46,9 +19,9 @@ std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const Wire
     InteriorPatch patch;
     patch.patch = k;
     pinned.clear();
-    for (Index i = byPatch.begin[k]; i < byPatch.begin[k + 1]; ++i)
+    for (Index t : byPatch[k])
     {
-      for (Index v : mesh.triangle(byPatch.triangles[i]))
+      for (Index v : mesh.triangle(t))
       {
         if (local[v] == none)
         {
@@ -67,9 +40,9 @@ std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const Wire
       {
         local[patch.vertices[i]] = static_cast<Index>(i);
       }
-      for (Index i = byPatch.begin[k]; i < byPatch.begin[k + 1]; ++i)
+      for (Index t : byPatch[k])
       {
-        const Triangle& c = mesh.triangle(byPatch.triangles[i]);
+        const Triangle& c = mesh.triangle(t);
         const Triangle corners{ local[c[0]], local[c[1]], local[c[2]] };
         if (*std::min_element(corners.begin(), corners.end()) < patch.freeCount)
         {
@@ -95,7 +68,6 @@ PatchMatrix::PatchMatrix(const InteriorPatch& patch)
   , EdgePlace(patch.triangles.size(), Triangle{ none, none, none })
 {
   // An inner edge comes from two triangles, so each vertex has at most this many neighbours.
-  Indices begin(patch.freeCount + 1, 0);
   const auto eachEdge = [&patch](const auto& visit) {
     for (std::size_t t = 0; t < patch.triangles.size(); ++t)
     {
@@ -110,14 +82,11 @@ PatchMatrix::PatchMatrix(const InteriorPatch& patch)
       }
     }
   };
-  eachEdge([&](std::size_t, int, Index low, Index) { ++begin[low + 1]; });
-  for (Index v = 0; v < patch.freeCount; ++v)
-  {
-    begin[v + 1] += begin[v];
-  }
-  Indices rows(begin.back());
-  Indices place(begin.begin(), begin.end() - 1);
-  eachEdge([&](std::size_t, int, Index low, Index high) { rows[place[low]++] = high; });
+  Grouping higher = groupMembers(patch.freeCount, [&eachEdge](const auto& visit) {
+    eachEdge([&visit](std::size_t, int, Index low, Index high) { visit(low, high); });
+  });
+  const Indices& begin = higher.begin;
+  Indices& rows = higher.members;
 
   // Column v: the diagonal first, then each higher neighbour once, in ascending order.
   Indices inner;

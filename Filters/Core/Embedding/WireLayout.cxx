@@ -2,6 +2,7 @@
 #include "Embedding/WireLayout.h"
 
 #include "Angles/AngleProblem.h"
+#include "Base/Grouping.h"
 #include "Sparse/LinearSolver.h"
 #include "Wires/ChainOrder.h"
 
@@ -31,23 +32,13 @@ Points2 edgeVectors(
 Points2 placeAlongTree(const WireNetwork& network, const Points2& vectors)
 {
   const std::size_t count = network.hostVertices.size();
-  Indices degree(count + 1, 0);
-  for (const WireEdge& edge : network.edges)
-  {
-    ++degree[network.hostOfVertex[edge.from] + 1];
-    ++degree[network.hostOfVertex[edge.to] + 1];
-  }
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    degree[k + 1] += degree[k];
-  }
-  Indices incident(2 * network.edges.size());
-  Indices place(degree.begin(), degree.end() - 1);
-  for (std::size_t e = 0; e < network.edges.size(); ++e)
-  {
-    incident[place[network.hostOfVertex[network.edges[e].from]]++] = static_cast<Index>(e);
-    incident[place[network.hostOfVertex[network.edges[e].to]]++] = static_cast<Index>(e);
-  }
+  const Grouping incident = groupMembers(count, [&network](const auto& visit) {
+    for (Index e = 0; e < network.edgeCount(); ++e)
+    {
+      visit(network.hostOfVertex[network.edges[e].from], e);
+      visit(network.hostOfVertex[network.edges[e].to], e);
+    }
+  });
   Points2 positions(count, Point2::Zero());
   std::vector<char> placed(count, 0);
   Indices queue{ 0 };
@@ -55,9 +46,8 @@ Points2 placeAlongTree(const WireNetwork& network, const Points2& vectors)
   for (std::size_t at = 0; at < queue.size(); ++at)
   {
     const Index host = queue[at];
-    for (Index k = degree[host]; k < degree[host + 1]; ++k)
+    for (Index e : incident[host])
     {
-      const Index e = incident[k];
       const Index from = network.hostOfVertex[network.edges[e].from];
       const Index other = from == host ? network.hostOfVertex[network.edges[e].to] : from;
       if (!placed[other])

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Imprint/ConstrainedDelaunay.h"
 
+#include "Base/Planar.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace flattening
 {
-namespace
-{
-double determinant(const Point2& a, const Point2& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-}
-
 // Mesh operations; FaceSegments.cxx has the segments.
 
 ConstrainedDelaunay::ConstrainedDelaunay(
@@ -58,7 +52,7 @@ Point2 ConstrainedDelaunay::position(const Weights& w) const
 double ConstrainedDelaunay::orient(Index a, Index b, Index c) const
 {
   const Point2& p = this->Positions[a];
-  return determinant(this->Positions[b] - p, this->Positions[c] - p);
+  return cross(this->Positions[b] - p, this->Positions[c] - p);
 }
 
 bool ConstrainedDelaunay::surelyPositive(Index a, Index b, Index c) const
@@ -66,7 +60,7 @@ bool ConstrainedDelaunay::surelyPositive(Index a, Index b, Index c) const
   const Point2 u = this->Positions[b] - this->Positions[a];
   const Point2 v = this->Positions[c] - this->Positions[a];
   const double size = std::abs(u.x() * v.y()) + std::abs(u.y() * v.x());
-  return determinant(u, v) > 16.0 * std::numeric_limits<double>::epsilon() * size;
+  return cross(u, v) > 16.0 * std::numeric_limits<double>::epsilon() * size;
 }
 
 Index ConstrainedDelaunay::addVertex(const Weights& weights)
@@ -239,8 +233,8 @@ void ConstrainedDelaunay::makeDelaunay(Indices stack)
     const Point2& l = this->Positions[this->apex(h)];
     const Point2& r = this->Positions[this->apex(this->Twins[h])];
     // The two opposite angles sum to more than pi where cot + cot < 0.
-    const double left1 = (p - l).dot(q - l) * determinant(q - r, p - r);
-    const double right1 = (p - r).dot(q - r) * determinant(p - l, q - l);
+    const double left1 = (p - l).dot(q - l) * cross(q - r, p - r);
+    const double right1 = (p - r).dot(q - r) * cross(p - l, q - l);
     if (left1 + right1 < -1e-12 * (std::abs(left1) + std::abs(right1)) && this->canFlip(h))
     {
       const Index t = h / 3;
@@ -282,7 +276,7 @@ Index ConstrainedDelaunay::locate(const Point2& point) const
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
       const Point2& from = this->Positions[this->from(h)];
-      least = std::min(least, determinant(this->Positions[this->to(h)] - from, point - from));
+      least = std::min(least, cross(this->Positions[this->to(h)] - from, point - from));
     }
     return least;
   };
@@ -296,7 +290,7 @@ Index ConstrainedDelaunay::locate(const Point2& point) const
     for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
       const Point2& from = this->Positions[this->from(h)];
-      const double side = determinant(this->Positions[this->to(h)] - from, point - from);
+      const double side = cross(this->Positions[this->to(h)] - from, point - from);
       if (side < least && this->Twins[h] != none)
       {
         least = side;

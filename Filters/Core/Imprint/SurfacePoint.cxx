@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Imprint/SurfacePoint.h"
 
+#include "Surface/VertexFan.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -135,15 +137,9 @@ Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point)
   }
   else
   {
-    const Index first = mesh.outgoing(point.id);
-    for (Index h = first; h != none;)
+    for (Index h : VertexFan(mesh, point.id))
     {
       triangles.push_back(h / 3);
-      h = mesh.counterClockwise(h);
-      if (h == first)
-      {
-        break;
-      }
     }
   }
   return triangles;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricModel.h"
 
+#include "Base/Planar.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -202,7 +204,7 @@ double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) con
 {
   const Eigen::Vector2d in = pointOf(x, node.at) - pointOf(x, node.before);
   const Eigen::Vector2d out = pointOf(x, node.after) - pointOf(x, node.at);
-  const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+  const double turn = std::atan2(cross(in, out), in.dot(out));
   const double angle = pi - turn;
   return angle + 2.0 * pi * std::round((node.target - angle) / (2.0 * pi));
 }

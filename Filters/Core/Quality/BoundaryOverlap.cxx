@@ -2,6 +2,8 @@
 #include "Quality/BoundaryOverlap.h"
 
 #include "Base/Orientation.h"
+#include "Base/Planar.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +14,6 @@ namespace flattening
 namespace
 {
 using Box = Eigen::AlignedBox2d;
-
-double cross(const Point2& u, const Point2& v)
-{
-  return u.x() * v.y() - u.y() * v.x();
-}
 
 /// A boundary edge after its ends were moved inwards.
 struct Side
@@ -38,7 +35,7 @@ Point2 moveInwards(
   const Point2& apex = positions[vertex];
   const Index first = mesh.outgoing(vertex);
   double angle = 0.0;
-  for (Index h = first; h != none; h = mesh.counterClockwise(h))
+  for (Index h : VertexFan(mesh, vertex))
   {
     const Point2 u = positions[mesh.to(h)] - apex;
     const Point2 v = positions[mesh.from(TriangleMesh::previous(h))] - apex;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/FlatteningQuality.h"
 
+#include "Base/Planar.h"
 #include "Quality/StrainMeasures.h"
 #include "Quality/SurfaceDevelopability.h"
 
@@ -20,7 +21,7 @@ std::array<double, 3> cornerAngles(const Point2& a, const Point2& b, const Point
   const auto angle = [&edge](int k) {
     const Point2& u = edge[(k + 1) % 3];
     const Point2& v = edge[(k + 2) % 3];
-    return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), -u.dot(v));
+    return std::atan2(std::abs(cross(u, v)), -u.dot(v));
   };
   // The largest angle, of pi / 3 or more, loses nothing as what the others leave of pi.
   int largest = edge[1].squaredNorm() > edge[0].squaredNorm() ? 1 : 0;
@@ -168,7 +169,7 @@ Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
   {
     const Point2 u = positions[c[1]] - positions[c[0]];
     const Point2 v = positions[c[2]] - positions[c[0]];
-    count += u.x() * v.y() - u.y() * v.x() > 0.0 ? 0 : 1;
+    count += cross(u, v) > 0.0 ? 0 : 1;
   }
   return count;
 }

@@ -6,8 +6,8 @@
 
 namespace flattening
 {
-/// E_dev of Eq. 25, in radians: how far the sum of the angles around each interior vertex is from
-/// 2 pi; 0 on the boundary, where any sum can lie flat.
+/// E_dev of Eq. 25, in radians: size of the angle defect, 2 pi less the sum of the angles around
+/// each interior vertex; 0 on the boundary, where any sum can lie flat.
 /// \param angles TriangleMesh::angle() of each half-edge.
 std::vector<double> surfaceDevelopability(
   const TriangleMesh& mesh, const std::vector<double>& angles);

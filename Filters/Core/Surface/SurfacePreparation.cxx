@@ -4,9 +4,11 @@
 #include "Base/Memory.h"
 #include "Surface/Coordinates.h"
 #include "Surface/EdgeSides.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace flattening
@@ -185,16 +187,11 @@ Indices findBowTies(const TriangleMesh& mesh)
   Indices bowTies;
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
+    const VertexFan fan(mesh, v);
     Index seen = 0;
-    const Index first = mesh.outgoing(v);
-    for (Index h = first; h != none;)
+    for (auto h = fan.begin(); h != fan.end(); ++h)
     {
       ++seen;
-      h = mesh.counterClockwise(h);
-      if (h == first)
-      {
-        break;
-      }
     }
     if (seen != corners[v])
     {
@@ -250,15 +247,9 @@ bool isSoup(std::size_t usedPoints, std::size_t triangles)
   return triangles > 1 && usedPoints >= 2 * triangles;
 }
 
-PreparedSurface prepare(
-  const Points3& points, const Triangles& triangles, CoincidentPoints coincidentPoints)
+/// Triangles with a corner outside 0 .. pointCount - 1.
+Indices findStrayCorners(const Triangles& triangles, Index pointCount)
 {
-  if (triangles.empty())
-  {
-    return refuse(
-      { StatusCode::EmptySurface, "the surface has no triangles", {}, { Remedy::GiveTriangles } });
-  }
-  const Index pointCount = static_cast<Index>(points.size());
   Indices bad;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
@@ -268,49 +259,37 @@ PreparedSurface prepare(
       bad.push_back(static_cast<Index>(t));
     }
   }
-  if (!bad.empty())
-  {
-    return refuse({ StatusCode::InvalidPointId,
-      "triangles " + listIds(bad) + " use a point id outside 0.." + std::to_string(pointCount - 1),
-      triangleIds(bad), { Remedy::WriteAgain } });
-  }
+  return bad;
+}
 
-  PreparedSurface result;
-  std::vector<char> used(points.size(), 0);
+Indices usedPoints(const Triangles& triangles, std::size_t pointCount)
+{
+  std::vector<char> used(pointCount, 0);
   for (const Triangle& c : triangles)
   {
     used[c[0]] = used[c[1]] = used[c[2]] = 1;
   }
-  for (Index p = 0; p < pointCount; ++p)
-  {
-    if (used[p] && !isUsable(points[p]))
-    {
-      bad.push_back(p);
-    }
-  }
-  if (!bad.empty())
-  {
-    return refuse({ StatusCode::NonFinitePoint,
-      "points " + listIds(bad) + " have a coordinate that is not a finite number, or beyond 1e60",
-      { ElementKind::Points, bad }, { Remedy::MendPoints } });
-  }
-
-  Points3 candidates;
-  Indices candidateIds;
-  candidates.reserve(points.size());
-  candidateIds.reserve(points.size());
-  for (Index p = 0; p < pointCount; ++p)
+  Indices points;
+  points.reserve(pointCount);
+  for (std::size_t p = 0; p < pointCount; ++p)
   {
     if (used[p])
     {
-      candidates.push_back(points[p]);
-      candidateIds.push_back(p);
+      points.push_back(static_cast<Index>(p));
     }
   }
-  if (coincidentPoints == CoincidentPoints::Automatic)
+  return points;
+}
+
+/// Makes vertices of the points, one of all that coincide, and fills in which is which.
+Points3 joinPoints(const Points3& points, const Indices& used, CoincidentPoints coincidentPoints,
+  PreparedSurface& result)
+{
+  Points3 candidates;
+  candidates.reserve(used.size());
+  for (Index p : used)
   {
-    coincidentPoints =
-      isSoup(candidates.size(), triangles.size()) ? CoincidentPoints::Join : CoincidentPoints::Keep;
+    candidates.push_back(points[p]);
   }
   const Indices coincident = findCoincident(candidates, coincidentPoints);
   result.vertexOfPoint.assign(points.size(), none);
@@ -321,29 +300,72 @@ PreparedSurface prepare(
   {
     if (coincident[i] == static_cast<Index>(i))
     {
-      result.vertexOfPoint[candidateIds[i]] = static_cast<Index>(joined.size());
-      result.originalPoint.push_back(candidateIds[i]);
+      result.vertexOfPoint[used[i]] = static_cast<Index>(joined.size());
+      result.originalPoint.push_back(used[i]);
       joined.push_back(candidates[i]);
     }
     else
     {
-      result.vertexOfPoint[candidateIds[i]] = result.vertexOfPoint[candidateIds[coincident[i]]];
+      result.vertexOfPoint[used[i]] = result.vertexOfPoint[used[coincident[i]]];
     }
   }
+  return joined;
+}
+
+/// The triangles between vertices, and which of them have no area.
+Triangles renumbered(const Triangles& triangles, const Indices& vertexOfPoint,
+  const Points3& vertices, Indices& degenerate)
+{
   Triangles cells(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int k = 0; k < 3; ++k)
     {
-      cells[t][k] = result.vertexOfPoint[triangles[t][k]];
+      cells[t][k] = vertexOfPoint[triangles[t][k]];
     }
     const bool repeats =
       cells[t][0] == cells[t][1] || cells[t][1] == cells[t][2] || cells[t][2] == cells[t][0];
-    if (repeats || isDegenerate(joined, cells[t]))
+    if (repeats || isDegenerate(vertices, cells[t]))
     {
-      bad.push_back(static_cast<Index>(t));
+      degenerate.push_back(static_cast<Index>(t));
     }
   }
+  return cells;
+}
+
+PreparedSurface prepare(
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincidentPoints)
+{
+  if (triangles.empty())
+  {
+    return refuse(
+      { StatusCode::EmptySurface, "the surface has no triangles", {}, { Remedy::GiveTriangles } });
+  }
+  const Index pointCount = static_cast<Index>(points.size());
+  Indices bad = findStrayCorners(triangles, pointCount);
+  if (!bad.empty())
+  {
+    return refuse({ StatusCode::InvalidPointId,
+      "triangles " + listIds(bad) + " use a point id outside 0.." + std::to_string(pointCount - 1),
+      triangleIds(bad), { Remedy::WriteAgain } });
+  }
+  const Indices used = usedPoints(triangles, points.size());
+  std::copy_if(used.begin(), used.end(), std::back_inserter(bad),
+    [&points](Index p) { return !isUsable(points[p]); });
+  if (!bad.empty())
+  {
+    return refuse({ StatusCode::NonFinitePoint,
+      "points " + listIds(bad) + " have a coordinate that is not a finite number, or beyond 1e60",
+      { ElementKind::Points, bad }, { Remedy::MendPoints } });
+  }
+  if (coincidentPoints == CoincidentPoints::Automatic)
+  {
+    coincidentPoints =
+      isSoup(used.size(), triangles.size()) ? CoincidentPoints::Join : CoincidentPoints::Keep;
+  }
+  PreparedSurface result;
+  Points3 joined = joinPoints(points, used, coincidentPoints, result);
+  Triangles cells = renumbered(triangles, result.vertexOfPoint, joined, bad);
   if (!bad.empty())
   {
     return refuse({ StatusCode::DegenerateTriangle,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/KeyCurveLocks.h"
 
+#include "Base/Planar.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -75,7 +77,7 @@ double turningAngle(const Point2& a, const Point2& b, const Point2& c)
   // Scaled, so that no product over- or underflows.
   const Point2 u = (b - a) / (b - a).cwiseAbs().maxCoeff();
   const Point2 v = (c - b) / (c - b).cwiseAbs().maxCoeff();
-  return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+  return std::atan2(cross(u, v), u.dot(v));
 }
 
 /// Sums that the planar shapes of the key curves through each host vertex prescribe.

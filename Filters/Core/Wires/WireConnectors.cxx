@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/WireConnectors.h"
 
+#include "Surface/VertexFan.h"
+
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -79,16 +81,10 @@ Indices shortestPath(const TriangleMesh& mesh, const std::vector<char>& onWire,
       }
       return path;
     }
-    const Index first = mesh.outgoing(v);
-    for (Index h = first; h != none;)
+    for (Index h : VertexFan(mesh, v))
     {
       relax(h, v, mesh.to(h), d);
       relax(TriangleMesh::previous(h), v, mesh.from(TriangleMesh::previous(h)), d);
-      h = mesh.counterClockwise(h);
-      if (h == first)
-      {
-        break;
-      }
     }
   }
   return {};

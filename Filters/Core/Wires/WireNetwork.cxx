@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/WireNetwork.h"
 
+#include "Base/Grouping.h"
 #include "Cut/PieceTopology.h"
+#include "Surface/VertexFan.h"
 #include "Wires/WireConnectors.h"
 
 #include <algorithm>
@@ -75,7 +77,7 @@ private:
     for (Index first : loop)
     {
       sum += pi;
-      for (Index h = first; h != none; h = this->Mesh.counterClockwise(h))
+      for (Index h : VertexFan(this->Mesh, this->Mesh.from(first)))
       {
         sum -= this->Mesh.angle(h);
       }
@@ -252,21 +254,14 @@ private:
         net.hostVertices.push_back(net.vertex[i]);
       }
     }
-    net.vertexNodeBegin.assign(net.hostVertices.size() + 1, 0);
-    for (Index v : net.vertex)
-    {
-      ++net.vertexNodeBegin[net.hostOfVertex[v] + 1];
-    }
-    for (std::size_t k = 0; k < net.hostVertices.size(); ++k)
-    {
-      net.vertexNodeBegin[k + 1] += net.vertexNodeBegin[k];
-    }
-    Indices place(net.vertexNodeBegin.begin(), net.vertexNodeBegin.end() - 1);
-    net.vertexNodes.resize(net.nodeCount());
-    for (Index i = 0; i < net.nodeCount(); ++i)
-    {
-      net.vertexNodes[place[net.hostOfVertex[net.vertex[i]]]++] = i;
-    }
+    Grouping nodes = groupMembers(net.hostVertices.size(), [&net](const auto& visit) {
+      for (Index i = 0; i < net.nodeCount(); ++i)
+      {
+        visit(net.hostOfVertex[net.vertex[i]], i);
+      }
+    });
+    net.vertexNodeBegin = std::move(nodes.begin);
+    net.vertexNodes = std::move(nodes.members);
     net.interior.assign(net.hostVertices.size(), 1);
     for (Index h : this->BoundaryLoops.front())
     {

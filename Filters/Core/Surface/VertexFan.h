@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// The half-edges that leave a vertex, counter-clockwise, each once: for (Index h : VertexFan(mesh,
+/// v)). On the boundary the first has no twin. Empty for a vertex that no triangle uses.
+class VertexFan
+{
+public:
+  class Iterator
+  {
+  public:
+    Iterator(const TriangleMesh* mesh, Index first, Index h)
+      : Mesh(mesh)
+      , First(first)
+      , Halfedge(h)
+    {
+    }
+    Index operator*() const { return this->Halfedge; }
+    Iterator& operator++()
+    {
+      const Index next = this->Mesh->counterClockwise(this->Halfedge);
+      this->Halfedge = next == this->First ? none : next;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return this->Halfedge != other.Halfedge; }
+
+  private:
+    const TriangleMesh* Mesh;
+    Index First;
+    Index Halfedge; ///< none past the last
+  };
+
+  VertexFan(const TriangleMesh& mesh, Index vertex)
+    : Mesh(&mesh)
+    , First(mesh.outgoing(vertex))
+  {
+  }
+  /// From another of its half-edges on; at a boundary vertex it ends at the boundary.
+  static VertexFan startingAt(const TriangleMesh& mesh, Index halfedge)
+  {
+    VertexFan fan(mesh, mesh.from(halfedge));
+    fan.First = halfedge;
+    return fan;
+  }
+  Iterator begin() const { return { this->Mesh, this->First, this->First }; }
+  Iterator end() const { return { this->Mesh, this->First, none }; }
+
+private:
+  const TriangleMesh* Mesh;
+  Index First;
+};
+}
