@@ -196,8 +196,7 @@ PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
                    "output of a flattening filter");
   }
   vtkDataArray* closed = flat->GetFieldData()->GetArray("SeamClosed");
-  const PatternStatus status =
-    checkRows({ closed }, pairs->GetNumberOfTuples(), "the flat surface");
+  PatternStatus status = checkRows({ closed }, pairs->GetNumberOfTuples(), "the flat surface");
   if (!status.ok())
   {
     return status;
