@@ -161,6 +161,15 @@ def waiting_table(rows):
                    short(1e3 * row["cpu_seconds"])) for row in rows])
 
 
+def solver_table(rows):
+    return table(("system", "triangles", "unknowns", "solver", "order and structure, ms", "factor, ms", "solve, ms",
+                  "entries of the factor", "residual"),
+                 [(row["system"], f"{row['triangles']:,}", f"{row['unknowns']:,}", row["method"],
+                   *(short(1e3 * row[f"seconds_{part}"]) for part in ("analyze", "factor", "solve")),
+                   f"{row['entries']:,.0f}" if row["entries"] else "", f"{row['residual']:.0e}")
+                  for row in rows])
+
+
 def machine_table(machine):
     return table(("processor", "cores", "runs on when it began"),
                  [(machine["processor"], machine["cores"], f"{machine['load']:.1f}")])
@@ -175,6 +184,7 @@ def made(numbers):
         "growth": sizes.growth(),
         "threads": sizes.parallel(),
         "stages": stage_table(numbers["stages"]),
+        "solvers": solver_table(numbers["solvers"]),
         "waiting": waiting_table(numbers["waiting"]),
         "batch": batch_table(numbers["batch"]),
     }, {

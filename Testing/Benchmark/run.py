@@ -3,7 +3,7 @@
 """Runs the benchmarks that build-benchmarks has built and keeps their numbers in build/benchmark.
 
     run.py                      all of them; on a quiet machine 15 minutes
-    run.py --only stages batch  some of: flattening, stages, waiting, batch
+    run.py --only stages batch  some of: flattening, stages, solvers, waiting, batch
     run.py --page               afterwards writes Documentation/speed.json, and from it the tables and
                                 pictures of Documentation/speed.md; --only none: from earlier runs
 """
@@ -38,6 +38,14 @@ def stages(options, folder):
     divisions = [str(division) for division in options.divisions if division <= 11]
     run(f"{options.bin}/StageBenchmark", DATA, "--divisions", *divisions,
         f"--benchmark_out={folder}/stages.json", "--benchmark_out_format=json")
+
+
+def solvers(options, folder):
+    """One thread for CHOLMOD's BLAS: more make it slower here."""
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    divisions = [str(division) for division in options.divisions if division <= 11]
+    run(f"{options.bin}/SolverBenchmark", DATA, "--divisions", *divisions,
+        "--json", f"{folder}/solvers.json")
 
 
 def batch(options, folder):
@@ -121,6 +129,7 @@ def write_numbers(folder):
                     "load": stages_report["context"]["load_avg"][0]},
         "flattening": read(f"{folder}/flattening.json"),
         "stages": stage_rows(stages_report),
+        "solvers": read(f"{folder}/solvers.json"),
         "waiting": read(f"{folder}/waiting.json"),
         "batch": {
             "workers": report["workers"],
@@ -134,7 +143,7 @@ def write_numbers(folder):
 
 
 def main():
-    steps = {"flattening": flattening, "stages": stages, "waiting": waiting, "batch": batch}
+    steps = {"flattening": flattening, "stages": stages, "solvers": solvers, "waiting": waiting, "batch": batch}
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", nargs="+", choices=[*steps, "none"], default=list(steps))
