@@ -61,8 +61,8 @@
  * What was done, **one row a piece** (string unless stated): `SolverUsed` ("newton", "sequential",
  * empty with LEAST_SQUARES_CONFORMAL), `EnergyUsed` (scheme ISOMETRIC: "rigid",
  * "symmetric-dirichlet"), `Repaired` (int; 1 where progressive angles did not close and the nearest
- * that do were taken), `Fallbacks` (what was done in place of what was asked for, and why; else
- * empty).
+ * that do were taken), `Fallbacks` (what was done in place of what was asked for, and why, and what
+ * a last correction of lengths left off by more than MaximumLengthError; else empty).
  *
  * **One row an iteration of the wires' angles**: `HistoryPiece` (id), `HistoryPhase` (string),
  * `HistoryObjective` (rad^2), `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`
@@ -201,9 +201,9 @@ public:
   ///@{
   /**
    * How the points between the wires are placed: LAPLACIAN, Eq. 11 solved directly; RELAXATION, the
-   * paper's iteration for it (Eq. 12); AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires
-   * pinned. Scheme ISOMETRIC only starts there, LEAST_SQUARES_CONFORMAL has no use for it. Default:
-   * AS_RIGID_AS_POSSIBLE.
+   * paper's iteration for it (Eq. 12), NOT_CONVERGED where its iterations run out;
+   * AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires pinned. Scheme ISOMETRIC only
+   * starts there, LEAST_SQUARES_CONFORMAL has no use for it. Default: AS_RIGID_AS_POSSIBLE.
    */
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);

@@ -17,7 +17,7 @@ struct Words
 };
 
 /// Those that name an option. The filters' words serve for the others.
-constexpr std::array<Words, 19> words{ {
+constexpr std::array<Words, 20> words{ {
   { "WriteAgain", "write the file again" },
   { "SkipClosed", "leave out what cannot be laid flat (--skip-closed)" },
   { "DivideInput", "divide the file" },
@@ -32,6 +32,8 @@ constexpr std::array<Words, 19> words{ {
   { "AllowAngleIterations", "raise --max-iterations" },
   { "AllowIsometricIterations", "raise --isometric-iterations" },
   { "AllowRigidIterations", "raise --rigid-iterations" },
+  { "AllowRelaxationIterations",
+    "raise --relaxation-max-iterations or --relaxation-movement, or use --interior laplacian" },
   { "UseNewton", "use --solver newton" },
   { "UseIsometricScheme", "use --scheme isometric" },
   { "UseRigidInterior", "use --interior arap" },

@@ -77,6 +77,9 @@ const char* remedyWords(Remedy remedy)
       return "raise IsometricMaximumIterations";
     case Remedy::AllowRigidIterations:
       return "raise RigidMaximumIterations";
+    case Remedy::AllowRelaxationIterations:
+      return "raise RelaxationMaximumIterations or RelaxationMovement, or set Interior to "
+             "LAPLACIAN";
     case Remedy::UseNewton:
       return "set Solver to NEWTON";
     case Remedy::UseIsometricScheme:

@@ -229,6 +229,25 @@ class Results(command.CommandTest):
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")
         self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
 
+    def test_a_relaxation_that_runs_out_of_iterations_is_a_broken_promise(self):
+        slow = ("lune.obj", "arc.txt", "--scheme", "global", "--interior", "relaxation",
+                "--relaxation-movement", "0")
+        run = self.run_command(*slow, "--output", "out")
+        self.assertEqual(run.returncode, 4, run.stderr)
+        self.assertIn("raise --relaxation-max-iterations", command.error_lines(run)[0])
+        self.assertEqual(self.report("out")["pieces"][0]["status"], "NotConverged")
+        self.assertEqual(self.flatten(*slow[:-2])["status"], "Ok")
+
+    def test_lengths_that_could_not_be_made_exact_are_told(self):
+        # Edges of exact length fix the angles at the top of a steep pyramid, which are not flat.
+        points = [(0, 0, 1), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)]
+        self.write("pyramid.obj", command.obj(points, [(0, k, k % 4 + 1) for k in range(1, 5)]))
+        self.write("ridges.txt", "".join(f"accessory ridge{k} 0 {k}\n" for k in range(1, 5)))
+        report = self.flatten("pyramid.obj", "ridges.txt", code=4)
+        self.assertEqual(report["status"], "LengthError")
+        self.assertIn("last correction of the wires' lengths", report["pieces"][0]["fallbacks"])
+        self.assertEqual(self.flatten("lune.obj", "arc.txt")["pieces"][0]["fallbacks"], "")
+
     def test_darts_that_cross_are_closed_on_request(self):
         piece = [
             os.path.join(command.DATA, "wetsuit_upper_front" + end)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run reports of its pieces, against what follows from the flat positions by themselves.
+#include "Flattening/PieceReporting.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
@@ -206,4 +207,71 @@ TEST(PieceReport, ARepairOfProgressiveAnglesIsTold)
   EXPECT_TRUE(repaired.repaired);
   EXPECT_EQ(repaired.fallbacks.size(), 1u);
   EXPECT_FALSE(flatten(surface, Scheme::Global).pieces[0].repaired);
+}
+
+TEST(PieceReport, ASolutionWhoseStartCouldNotBeProjectedIsTold)
+{
+  // Where every vertex of a triangle were inside, its angles would have to sum to pi and be 2 pi
+  // each.
+  Surface surface;
+  surface.mesh =
+    TriangleMesh({ Point3(0, 0, 0), Point3(3, 0, 0), Point3(0, 4, 0) }, { { 0, 1, 2 } });
+  WiredSurface wired(surface);
+  const FlatteningOptions options;
+  const Execution execution;
+  const auto tellsOfAngles = [&] {
+    const PieceContext context{ wired.piece, wired.network, wired.cut, wired.curves, options,
+      execution };
+    FlatWires flat;
+    flat.wires = solveWires(context, {});
+    flat.placed.positions = { Point2(0, 0), Point2(3, 0), Point2(0, 4) };
+    const std::vector<std::string> all = reportPiece(context, flat).fallbacks;
+    return !all.empty() && all.front().find("angles of the surface as they are") != all[0].npos;
+  };
+  EXPECT_FALSE(tellsOfAngles());
+  wired.network.interior.assign(wired.network.interior.size(), 1);
+  EXPECT_TRUE(tellsOfAngles());
+}
+
+TEST(PieceReport, LengthsThatTheLastCorrectionLeftOffAreTold)
+{
+  // The edges to the top of a steep pyramid of four sides fix its angles there, which are not flat.
+  Surface pyramid;
+  pyramid.mesh = TriangleMesh(
+    { Point3(0, 0, 1), Point3(1, 0, 0), Point3(0, 1, 0), Point3(-1, 0, 0), Point3(0, -1, 0) },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  for (Index v = 1; v <= 4; ++v)
+  {
+    pyramid.curves.push_back(accessory("ridge " + std::to_string(v), { 0, v }));
+  }
+  for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
+  {
+    EXPECT_TRUE(flatten(quarterSphere(), scheme).pieces[0].fallbacks.empty());
+    const FlatteningResult result = flatten(pyramid, scheme);
+    double worst = 0.0;
+    for (const Wire& wire : result.wires)
+    {
+      worst = std::max(worst, wire.maximumEdgeError);
+    }
+    ASSERT_GT(worst, 1e-3);
+    const std::vector<std::string>& all = result.pieces[0].fallbacks;
+    ASSERT_FALSE(all.empty());
+    EXPECT_NE(all.back().find("off by " + shortNumber(worst)), std::string::npos) << all.back();
+  }
+}
+
+TEST(PieceReport, ARelaxationThatRunsOutOfIterationsHasNotConverged)
+{
+  const Surface surface = cushion(12, 12, 0.4);
+  FlatteningOptions options;
+  options.scheme = Scheme::Global;
+  options.interior.method = InteriorMethod::Relaxation;
+  const auto run = [&] { return flattenSurface(surface.mesh, surface.curves, options, {}); };
+  EXPECT_TRUE(run().status.ok()) << run().status.message;
+  options.interior.maximumIterations = options.interior.minimumIterations;
+  EXPECT_EQ(run().status.code, StatusCode::NotConverged);
+  EXPECT_EQ(run().status.waysOut.front().remedy, Remedy::AllowRelaxationIterations);
+  // The isometric scheme starts there alone, and ends at its minimum.
+  options.scheme = Scheme::Isometric;
+  EXPECT_TRUE(run().status.ok()) << run().status.message;
 }

@@ -47,6 +47,28 @@ class QuarterSphere(unittest.TestCase):
         np.testing.assert_allclose(
             distances(newton.positions), distances(sequential.positions), atol=1e-7)
 
+    def test_a_relaxation_that_runs_out_of_iterations_has_not_converged(self):
+        points, triangles = grid(40, 40)
+        points[:, 2] += np.sin(points[:, 0]) * np.sin(points[:, 1])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            relaxed, direct = (
+                sf.flatten(points, triangles, scheme="global", interior=interior).report
+                for interior in ("relaxation", "laplacian"))
+        self.assertEqual((relaxed["status"], direct["status"]), ("NotConverged", "Ok"))
+        self.assertIn('interior="laplacian"', relaxed["message"])
+
+    def test_lengths_that_could_not_be_made_exact_are_told(self):
+        # Edges of exact length fix the angles at the top of a steep pyramid, which are not flat.
+        points = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], float)
+        triangles = [(0, k, k % 4 + 1) for k in range(1, 5)]
+        ridges = [sf.Curve((0, k), "accessory", f"ridge {k}") for k in range(1, 5)]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            report = sf.flatten(points, triangles, ridges).report
+        self.assertEqual(report["status"], "LengthError")
+        self.assertIn("last correction of the wires' lengths", report["pieces"][0]["fallbacks"])
+
     def test_wires_keep_each_of_their_edges(self):
         points, triangles, arc = quarter_sphere()
         for scheme in ("progressive", "global", "isometric"):

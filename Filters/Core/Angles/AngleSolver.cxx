@@ -22,6 +22,7 @@ AngleSolution finish(
   solution.sideDirection = form.directions(state.x);
   solution.length = form.lengths(state.x);
   solution.stretch = form.stretches(state.x);
+  solution.projected = form.projected();
   const Index loops = problem.network->loopCount();
   const double unit = form.unit();
   for (Index loop = 0; loop < loops; ++loop)

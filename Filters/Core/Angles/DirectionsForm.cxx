@@ -213,7 +213,8 @@ void DirectionsForm::projectAngles()
     return;
   }
   const Eigen::MatrixXd y = solver.solve(missing);
-  for (Index i = 0; i < net.nodeCount() && y.rows() == rows; ++i)
+  this->HasProjection = y.rows() == rows;
+  for (Index i = 0; i < net.nodeCount() && this->HasProjection; ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
     this->Projected[i] += y(loopRow + net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));

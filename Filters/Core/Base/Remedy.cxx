@@ -73,6 +73,8 @@ const char* remedyName(Remedy remedy)
       return "AllowIsometricIterations";
     case Remedy::AllowRigidIterations:
       return "AllowRigidIterations";
+    case Remedy::AllowRelaxationIterations:
+      return "AllowRelaxationIterations";
     case Remedy::UseNewton:
       return "UseNewton";
     case Remedy::UseIsometricScheme:

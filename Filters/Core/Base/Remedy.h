@@ -49,6 +49,7 @@ enum class Remedy
   AllowAngleIterations,
   AllowIsometricIterations,
   AllowRigidIterations,
+  AllowRelaxationIterations,
   UseNewton,
   UseIsometricScheme,
   UseRigidInterior,

@@ -120,9 +120,10 @@ public:
       }
       if (this->Iterations >= options.minimumIterations && most < smallest)
       {
-        break;
+        return;
       }
     }
+    this->Result = Outcome::NotConverged;
   }
 
   /// Starts from the harmonic map, whose matrix serves all that follows, or from that of Eq. 11
@@ -264,7 +265,22 @@ double meanWireEdge(const WireNetwork& network)
   return network.edges.empty() ? 0.0 : sum / static_cast<double>(network.edges.size());
 }
 
-void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorResult& result)
+/// What is still to be done to patches that ran out of iterations.
+Status unfinished(InteriorMethod method, const Indices& patches)
+{
+  const bool relaxation = method == InteriorMethod::Relaxation;
+  return { StatusCode::NotConverged,
+    relaxation
+      ? "the relaxation of the inside of wire-patch " + listIds(patches) +
+        " did not come to rest in the iterations that are allowed"
+      : "the inside of wire-patch " + listIds(patches) + " is not yet as rigid as possible",
+    { ElementKind::WirePatches, patches },
+    relaxation ? WaysOut{ Remedy::AllowRelaxationIterations }
+               : WaysOut{ Remedy::AllowRigidIterations, Remedy::MendSlivers } };
+}
+
+void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorMethod method,
+  InteriorResult& result)
 {
   Indices failed;
   Indices unconverged;
@@ -294,10 +310,7 @@ void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, Inte
   }
   else if (!unconverged.empty())
   {
-    result.status = { StatusCode::NotConverged,
-      "the inside of wire-patch " + listIds(unconverged) + " is not yet as rigid as possible",
-      { ElementKind::WirePatches, unconverged },
-      { Remedy::AllowRigidIterations, Remedy::MendSlivers } };
+    result.status = unfinished(method, unconverged);
   }
   else if (!stalled.empty())
   {
@@ -393,7 +406,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   {
     patch->writeBack(positions);
   }
-  summarize(patches, result);
+  summarize(patches, options.method, result);
   return result;
 }
 }

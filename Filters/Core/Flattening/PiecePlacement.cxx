@@ -98,6 +98,10 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
 void warpPlacedPiece(const PieceContext& context, const WireSolution& wires, PlacedPiece& placed)
 {
   placed.isometric = warpWithoutFolding(context, wires, placed);
+  if (placed.isometric->status.ok() && placed.status.code == StatusCode::NotConverged)
+  {
+    placed.status = {}; // of an interior that was only the start
+  }
   noteStatus(placed.isometric->status, placed.status);
   if (!placed.isometric->status.refused())
   {

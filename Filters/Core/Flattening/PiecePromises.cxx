@@ -205,11 +205,13 @@ void explain(const FlatteningOptions& options, PieceReport& report)
 {
   Status& status = report.status;
   const bool sequential = options.angles.method == AngleMethod::Sequential;
-  if (report.boundaryLoops > 1)
+  const bool slow = std::any_of(status.waysOut.begin(), status.waysOut.end(),
+    [](const WayOut& way) { return way.remedy == Remedy::AllowRelaxationIterations; });
+  if (report.boundaryLoops > 1 && !slow)
   {
     status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
   }
-  if (report.wired && !sequential)
+  if (report.wired && !sequential && !slow)
   {
     status.waysOut.emplace_back(Remedy::ReleaseCurves, "a feature curve");
   }

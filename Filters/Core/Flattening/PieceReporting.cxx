@@ -2,11 +2,40 @@
 #include "Flattening/PieceReporting.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
 namespace
 {
+/// The largest relative error of a wire edge against the length that was solved for, which is that
+/// on the surface but where it is free.
+double largestLengthError(const PieceContext& context, const FlatWires& flat)
+{
+  const WireNetwork& network = context.network;
+  const AngleProblem& problem = flat.wires.problem;
+  double worst = 0.0;
+  for (Index e = 0; e < network.edgeCount(); ++e)
+  {
+    const WireEdge& edge = network.edges[e];
+    double asked = flat.wires.angles.length[e];
+    if (flat.placed.isometric)
+    {
+      const Index group = problem.stretchGroup[e];
+      asked =
+        problem.length[e] * (group == none ? 1.0 : 1.0 + flat.placed.isometric->stretch[group]);
+    }
+    // The isometric scheme leaves connectors as long as they come.
+    if (!(edge.connector && flat.placed.isometric))
+    {
+      const double length =
+        (flat.placed.positions[edge.to] - flat.placed.positions[edge.from]).norm();
+      worst = std::max(worst, std::abs(length - asked) / asked);
+    }
+  }
+  return worst;
+}
+
 /// What was done in place of what was asked for.
 std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires& flat)
 {
@@ -17,6 +46,11 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
   {
     all.emplace_back("the wires were solved by Newton's method: the sequential one of the paper "
                      "cannot choose the lengths of elastic curves and connectors");
+  }
+  if (!flat.wires.angles.projected)
+  {
+    all.emplace_back("no angles that turn by whole turns were found near those of the surface; the "
+                     "wires were solved from the angles of the surface as they are");
   }
   if (flat.wires.repaired)
   {
@@ -30,6 +64,12 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
         : "no energy of the isometric scheme keeps triangles from folding; the piece lies where "
           "the "
           "global scheme has put it");
+  }
+  const double error = largestLengthError(context, flat);
+  if (!(error <= options.lengthTolerance))
+  {
+    all.emplace_back("the last correction of the wires' lengths ended with an edge off by " +
+      shortNumber(error) + " of its length; the piece lies as it left it");
   }
   return all;
 }

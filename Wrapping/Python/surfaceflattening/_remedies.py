@@ -16,6 +16,7 @@ WORDS = {
     "RaiseSnapTolerance": "raise snap_tolerance",
     "NamePins": "name two points of the surface in pins, or (-1, -1)",
     "AllowAngleIterations": "raise max_iterations",
+    "AllowRelaxationIterations": 'take interior="laplacian", which solves the same equation at once',
     "UseNewton": 'take solver="newton"',
     "UseIsometricScheme": 'take scheme="isometric"',
     "UseRigidInterior": 'take interior="arap"',
