@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Quality/ScaleFactor.h"
+
+#include "Quality/IntrinsicDelaunay.h"
+#include "Quality/VertexClusters.h"
+#include "Surface/VertexFan.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+/// Columns that are solved for at once.
+constexpr Index blockColumns = 64;
+/// What is added to the diagonal of the path's system, relative to its mean: neighbouring clusters
+/// may be nearly one.
+constexpr double ridge = 1e-12;
+
+/// 2 pi less the angles around inner vertices.
+Eigen::VectorXd angleDefects(const TriangleMesh& mesh, const Indices& vertices)
+{
+  Eigen::VectorXd defects(vertices.size());
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+  {
+    defects[k] = 2.0 * pi;
+    for (Index h : VertexFan(mesh, vertices[k]))
+    {
+      defects[k] -= mesh.angle(h);
+    }
+  }
+  return defects;
+}
+
+/// A third of the area of the triangles around a vertex.
+double vertexArea(const TriangleMesh& mesh, Index vertex)
+{
+  double area = 0.0;
+  for (Index h : VertexFan(mesh, vertex))
+  {
+    area += mesh.area(h / 3) / 3.0;
+  }
+  return area;
+}
+
+/// The vertices where u is unknown, ascending.
+Indices freeVertices(const TriangleMesh& mesh, const Indices& fixed)
+{
+  std::vector<char> held(mesh.vertexCount(), 0);
+  for (Index v : fixed)
+  {
+    held[v] = 1;
+  }
+  Indices members;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (!held[v] && mesh.outgoing(v) != none && !mesh.onBoundary(v))
+    {
+      members.push_back(v);
+    }
+  }
+  return members;
+}
+
+/// The free part of the cotangent Laplacian, its lower triangle.
+SparseMatrix assemble(
+  const IntrinsicTriangulation& triangulation, const Indices& number, Index count)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t t = 0; t < triangulation.triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double weight = 0.5 * triangulation.cotangents[t][k];
+      const Index i = number[triangulation.triangles[t][(k + 1) % 3]];
+      const Index j = number[triangulation.triangles[t][(k + 2) % 3]];
+      if (i == j)
+      {
+        continue; // both are fixed, or an edge that runs around to its vertex
+      }
+      for (Index end : { i, j })
+      {
+        if (end != none)
+        {
+          entries.emplace_back(end, end, weight);
+        }
+      }
+      if (i != none && j != none)
+      {
+        entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
+      }
+    }
+  }
+  SparseMatrix matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// Between the free vertices; not ok where it is not positive definite.
+LinearSolver factorLaplacian(
+  const TriangleMesh& mesh, const Indices& members, const Execution& execution)
+{
+  Indices number(mesh.vertexCount(), none);
+  for (std::size_t k = 0; k < members.size(); ++k)
+  {
+    number[members[k]] = static_cast<Index>(k);
+  }
+  const IntrinsicTriangulation triangulation = intrinsicDelaunay(mesh);
+  const Dissection vertices = dissect(triangulation.triangles, mesh.points());
+  LinearSolver solver(vertices.replaced([&](Index k, Indices& order) {
+    if (number[vertices.order[k]] != none)
+    {
+      order.push_back(number[vertices.order[k]]);
+    }
+  }));
+  const auto count = static_cast<Index>(members.size());
+  if (solver.factorize(assemble(triangulation, number, count), execution) &&
+    solver.positive() != count)
+  {
+    return LinearSolver(LinearMethod::Cholesky);
+  }
+  return solver;
+}
+
+/// Column s holds the weights of the mean over site s, by area; rows are free vertices.
+SparseMatrix siteMeans(
+  const TriangleMesh& mesh, const Indices& members, const Indices& siteOfVertex)
+{
+  std::vector<double> siteArea;
+  for (Index v : members)
+  {
+    siteArea.resize(std::max<std::size_t>(siteArea.size(), siteOfVertex[v] + 1), 0.0);
+    siteArea[siteOfVertex[v]] += vertexArea(mesh, v);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < members.size(); ++k)
+  {
+    const Index site = siteOfVertex[members[k]];
+    entries.emplace_back(
+      static_cast<Index>(k), site, vertexArea(mesh, members[k]) / siteArea[site]);
+  }
+  SparseMatrix means(static_cast<Index>(members.size()), static_cast<Index>(siteArea.size()));
+  means.setFromTriplets(entries.begin(), entries.end());
+  return means;
+}
+}
+
+double CutForecast::opening(double s) const
+{
+  double width = 0.0;
+  for (std::size_t i = 0; i < this->arc.size(); ++i)
+  {
+    width += this->swallowed[i] * std::max(0.0, this->arc[i] - s);
+  }
+  return width;
+}
+
+double CutForecast::leastOpening() const
+{
+  // From the tip towards the mouth: the angle that the points passed open, and the width so far.
+  double angle = 0.0;
+  double width = 0.0;
+  double least = 0.0;
+  for (std::size_t i = this->arc.size(); i-- > 0;)
+  {
+    angle += this->swallowed[i];
+    width += angle * (this->arc[i] - (i > 0 ? this->arc[i - 1] : 0.0));
+    least = std::min(least, width);
+  }
+  return least;
+}
+
+ScaleFactor::ScaleFactor(
+  const TriangleMesh& mesh, const ScaleFactorOptions& options, const Execution& execution)
+  : Points(mesh.points())
+  , Values(mesh.vertexCount(), 0.0)
+{
+  this->Ok = this->solve(mesh, options, execution);
+  if (this->Ok)
+  {
+    this->integrate(mesh, options.weight);
+  }
+}
+
+bool ScaleFactor::solve(
+  const TriangleMesh& mesh, const ScaleFactorOptions& options, const Execution& execution)
+{
+  const Indices members = freeVertices(mesh, options.fixed);
+  const Index count = static_cast<Index>(members.size());
+  this->SiteOfVertex = clusterVertices(mesh, members, std::max<Index>(options.mostSites, 1));
+  if (count == 0)
+  {
+    return mesh.triangleCount() > 0;
+  }
+  const LinearSolver solver = factorLaplacian(mesh, members, execution);
+  const Eigen::MatrixXd u = solver.solve(angleDefects(mesh, members));
+  if (u.rows() != count)
+  {
+    return false;
+  }
+  for (Index k = 0; k < count; ++k)
+  {
+    this->Values[members[k]] = u(k, 0);
+  }
+  const SparseMatrix means = siteMeans(mesh, members, this->SiteOfVertex);
+  this->SiteValue = means.transpose() * u.col(0);
+  return this->solveBetweenSites(solver, means, execution);
+}
+
+bool ScaleFactor::solveBetweenSites(
+  const LinearSolver& solver, const SparseMatrix& means, const Execution& execution)
+{
+  const auto sites = static_cast<Index>(means.cols());
+  this->Green.resize(sites, sites);
+  const Index blocks = (sites + blockColumns - 1) / blockColumns;
+  std::vector<char> solved(blocks, 0);
+  execution.parallelFor(blocks, [&](Index begin, Index end) {
+    for (Index b = begin; b < end; ++b)
+    {
+      const Index first = b * blockColumns;
+      const Index width = std::min(blockColumns, sites - first);
+      const Eigen::MatrixXd columns = solver.solve(Eigen::MatrixXd(means.middleCols(first, width)));
+      solved[b] = columns.rows() == means.rows() ? 1 : 0;
+      if (solved[b])
+      {
+        this->Green.middleCols(first, width) = means.transpose() * columns;
+      }
+    }
+  });
+  return !execution.cancelled() &&
+    std::all_of(solved.begin(), solved.end(), [](char done) { return done != 0; });
+}
+
+void ScaleFactor::integrate(const TriangleMesh& mesh, const std::vector<double>& weight)
+{
+  this->SiteArea = Eigen::VectorXd::Zero(this->SiteValue.size());
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Index site = this->SiteOfVertex[v];
+    if (site != none)
+    {
+      this->SiteArea[site] += (weight.empty() ? 1.0 : weight[v]) * vertexArea(mesh, v);
+    }
+  }
+  this->Energy = this->SiteArea.dot(this->SiteValue.cwiseAbs2());
+}
+
+CutForecast ScaleFactor::forecast(const Indices& path) const
+{
+  CutForecast forecast;
+  Indices sites;
+  double arc = 0.0;
+  for (std::size_t k = 0; k < path.size(); ++k)
+  {
+    arc += k > 0 ? (this->Points[path[k]] - this->Points[path[k - 1]]).norm() : 0.0;
+    const Index site = this->SiteOfVertex[path[k]];
+    if (site != none && std::find(sites.begin(), sites.end(), site) == sites.end())
+    {
+      sites.push_back(site);
+      forecast.arc.push_back(arc);
+    }
+  }
+  const Index count = static_cast<Index>(sites.size());
+  if (!this->Ok || count == 0)
+  {
+    return forecast;
+  }
+  Eigen::MatrixXd green(count, count);
+  Eigen::VectorXd value(count);
+  for (Index j = 0; j < count; ++j)
+  {
+    value[j] = this->SiteValue[sites[j]];
+    for (Index i = 0; i < count; ++i)
+    {
+      green(i, j) = this->Green(sites[i], sites[j]);
+    }
+  }
+  green.diagonal().array() += ridge * green.trace() / count;
+  const Eigen::VectorXd swallowed = green.llt().solve(value);
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(this->SiteValue.size());
+  for (Index j = 0; j < count; ++j)
+  {
+    change += swallowed[j] * this->Green.col(sites[j]);
+  }
+  // int u^2 - int (u - change)^2
+  forecast.gain =
+    (this->SiteArea.array() * change.array() * (2.0 * this->SiteValue - change).array()).sum();
+  forecast.swallowed.assign(swallowed.data(), swallowed.data() + count);
+  return forecast;
+}
+}

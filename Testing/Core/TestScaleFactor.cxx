@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Quality/ScaleFactor.h"
+
+#include "Quality/IntrinsicDelaunay.h"
+#include "TestMeshes.h"
+#include "TestThreads.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// Rings of vertices around one in the middle, which is vertex 0; the k-th of ring j of n is
+/// 1 + (j - 1) n + k. Places come from a function of ring and angle.
+TriangleMesh rings(Index count, Index n, const std::function<Point3(double, double)>& place)
+{
+  Points3 points{ place(0.0, 0.0) };
+  Triangles triangles;
+  const auto at = [n](Index j, Index k) { return j == 0 ? 0 : 1 + (j - 1) * n + k % n; };
+  for (Index j = 1; j <= count; ++j)
+  {
+    for (Index k = 0; k < n; ++k)
+    {
+      points.push_back(place(static_cast<double>(j) / count, 2.0 * pi * k / n));
+      triangles.push_back({ at(j - 1, k), at(j, k), at(j, k + 1) });
+      if (j > 1)
+      {
+        triangles.push_back({ at(j - 1, k), at(j, k + 1), at(j - 1, k + 1) });
+      }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// Vertices 0, 1, ... of ring 0 to count along the first spoke, from the rim to the middle.
+Indices spoke(Index count, Index n)
+{
+  Indices path;
+  for (Index j = count; j > 0; --j)
+  {
+    path.push_back(1 + (j - 1) * n);
+  }
+  path.push_back(0);
+  return path;
+}
+
+/// A second solver: the mesh's own cotangents, dense, by LU.
+std::vector<double> denseFactor(const TriangleMesh& mesh, const Indices& fixed)
+{
+  std::vector<char> held(mesh.vertexCount(), 0);
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    held[v] = mesh.onBoundary(v) ? 1 : 0;
+  }
+  for (Index v : fixed)
+  {
+    held[v] = 1;
+  }
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(mesh.vertexCount(), mesh.vertexCount());
+  Eigen::VectorXd right = Eigen::VectorXd::Constant(mesh.vertexCount(), 2.0 * pi);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    const Index i = mesh.from(h);
+    const Index j = mesh.to(h);
+    const double weight = 0.5 / std::tan(mesh.angle(TriangleMesh::previous(h)));
+    matrix(i, i) += weight;
+    matrix(j, j) += weight;
+    matrix(i, j) -= weight;
+    matrix(j, i) -= weight;
+    right[i] -= mesh.angle(h);
+  }
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (held[v])
+    {
+      matrix.row(v).setZero();
+      matrix(v, v) = 1.0;
+      right[v] = 0.0;
+    }
+  }
+  const Eigen::VectorXd u = matrix.partialPivLu().solve(right);
+  return { u.data(), u.data() + u.size() };
+}
+
+double squareIntegral(const TriangleMesh& mesh, const std::vector<double>& u)
+{
+  double sum = 0.0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    sum += mesh.area(h / 3) / 3.0 * u[mesh.from(h)] * u[mesh.from(h)];
+  }
+  return sum;
+}
+
+/// Column i of a patch from row 0 up to row `last`.
+Indices column(Index columns, Index i, Index last)
+{
+  Indices path;
+  for (Index j = 0; j <= last; ++j)
+  {
+    path.push_back(j * (columns + 1) + i);
+  }
+  return path;
+}
+
+/// Place of each value in ascending order.
+std::vector<double> ranks(const std::vector<double>& values)
+{
+  std::vector<double> result;
+  for (double value : values)
+  {
+    result.push_back(static_cast<double>(
+      std::count_if(values.begin(), values.end(), [value](double v) { return v < value; })));
+  }
+  return result;
+}
+
+/// Spearman's.
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b)
+{
+  const std::vector<double> rankA = ranks(a);
+  const std::vector<double> rankB = ranks(b);
+  const auto n = static_cast<double>(a.size());
+  double squares = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    squares += (rankA[k] - rankB[k]) * (rankA[k] - rankB[k]);
+  }
+  return 1.0 - 6.0 * squares / (n * (n * n - 1.0));
+}
+
+double largest(const std::vector<double>& values)
+{
+  double result = 0.0;
+  for (double value : values)
+  {
+    result = std::max(result, std::abs(value));
+  }
+  return result;
+}
+
+TriangleMesh moved(const TriangleMesh& mesh, double scale)
+{
+  const Eigen::AngleAxisd turn(0.7, Point3(1.0, -2.0, 0.5).normalized());
+  Points3 points;
+  for (const Point3& p : mesh.points())
+  {
+    points.emplace_back(scale * (turn * p + Point3(3.0, -1.0, 8.0)));
+  }
+  return { std::move(points), mesh.triangles() };
+}
+
+/// The sphere's cap down to an angle from its pole.
+TriangleMesh cap(double angle, Index count)
+{
+  return rings(count, 6 * count, [=](double r, double turn) {
+    return Point3(std::sin(angle * r) * std::cos(turn), std::sin(angle * r) * std::sin(turn),
+      std::cos(angle * r));
+  });
+}
+}
+
+TEST(ScaleFactor, ForetellsTheFactorThatIsSolvedAnewWithTheCutFixed)
+{
+  // Its quadrilaterals have a circle each, so that the mesh is Delaunay as it is.
+  const TriangleMesh mesh = cap(0.9, 6);
+  Indices cut = spoke(6, 36);
+  cut.resize(5);
+  const std::vector<double> before = denseFactor(mesh, {});
+  const std::vector<double> after = denseFactor(mesh, cut);
+
+  const ScaleFactor factor(mesh, {}, {});
+  ASSERT_TRUE(factor.ok());
+  for (std::size_t v = 0; v < before.size(); ++v)
+  {
+    EXPECT_NEAR(factor.values()[v], before[v], 1e-12);
+  }
+  const double drop = squareIntegral(mesh, before) - squareIntegral(mesh, after);
+  ASSERT_GT(drop, 0.1 * squareIntegral(mesh, before));
+  EXPECT_NEAR(factor.energy(), squareIntegral(mesh, before), 1e-12 * factor.energy());
+  EXPECT_NEAR(factor.forecast(cut).gain, drop, 1e-9 * drop);
+
+  ScaleFactorOptions fixed;
+  fixed.fixed = cut;
+  const ScaleFactor anew(mesh, fixed, {});
+  for (std::size_t v = 0; v < after.size(); ++v)
+  {
+    EXPECT_NEAR(anew.values()[v], after[v], 1e-12);
+  }
+  EXPECT_EQ(anew.forecast(cut).gain, 0.0);
+}
+
+TEST(ScaleFactor, IsZeroOnDevelopableSurfaces)
+{
+  for (const Surface& surface : { flatPatch(9, 7), cone(16, 6), cylinder(16, 8) })
+  {
+    const ScaleFactor factor(surface.mesh, {}, {});
+    ASSERT_TRUE(factor.ok());
+    EXPECT_LT(largest(factor.values()), 1e-12);
+    EXPECT_LT(std::abs(factor.forecast({ 3, 12, 21 }).gain), 1e-24);
+  }
+}
+
+TEST(ScaleFactor, IsThatOfTheSpheresCap)
+{
+  // - (sin t u')' / sin t = 1 and u(angle) = 0 have the solution 2 ln(cos(t / 2) / cos(angle / 2)).
+  const double angle = 1.0;
+  double before = 1.0;
+  for (Index count : { 8, 16 })
+  {
+    const ScaleFactor factor(cap(angle, count), {}, {});
+    const double error = std::abs(factor.values()[0] + 2.0 * std::log(std::cos(0.5 * angle)));
+    EXPECT_LT(error, 0.3 * before); // of second order
+    before = error;
+  }
+  EXPECT_LT(before, 1e-3);
+}
+
+TEST(ScaleFactor, DoesNotDependOnPlaceAndUnit)
+{
+  const TriangleMesh mesh = cushion(12, 9, 0.3).mesh;
+  const Indices cut = column(12, 6, 4);
+  const ScaleFactor factor(mesh, {}, {});
+  for (double scale : { 1e-3, 1.0, 1e3 })
+  {
+    const ScaleFactor other(moved(mesh, scale), {}, {});
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+    {
+      EXPECT_NEAR(other.values()[v], factor.values()[v], 1e-12);
+    }
+    const double gain = factor.forecast(cut).gain * scale * scale;
+    EXPECT_NEAR(other.forecast(cut).gain, gain, 1e-9 * gain);
+    EXPECT_NEAR(
+      other.forecast(cut).opening(0.0), factor.forecast(cut).opening(0.0) * scale, 1e-9 * scale);
+  }
+}
+
+TEST(ScaleFactor, ADartToTheApexOfAConeOpensByItsAngleDefect)
+{
+  const Index count = 6;
+  const Index n = 24;
+  const TriangleMesh mesh = rings(count, n, [](double r, double turn) {
+    return Point3(r * std::cos(turn), r * std::sin(turn), 0.5 * (1.0 - r));
+  });
+  double defect = 2.0 * pi;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    defect -= mesh.from(h) == 0 ? mesh.angle(h) : 0.0;
+  }
+  const ScaleFactor factor(mesh, {}, {});
+  const CutForecast forecast = factor.forecast(spoke(count, n));
+  EXPECT_NEAR(forecast.gain, factor.energy(), 1e-10 * factor.energy()); // nothing is left
+  ASSERT_EQ(static_cast<Index>(forecast.swallowed.size()), count);
+  EXPECT_NEAR(forecast.swallowed.back(), defect, 1e-10);
+  EXPECT_NEAR(
+    std::accumulate(forecast.swallowed.begin(), forecast.swallowed.end(), 0.0), defect, 1e-10);
+  const double length = std::hypot(1.0, 0.5);
+  EXPECT_NEAR(forecast.arc.back(), length, 1e-12);
+  EXPECT_NEAR(forecast.opening(0.0), defect * length, 1e-10);
+  EXPECT_NEAR(forecast.opening(0.25 * length), defect * 0.75 * length, 1e-10);
+  EXPECT_NEAR(forecast.leastOpening(), 0.0, 1e-10);
+}
+
+TEST(ScaleFactor, ADartIntoASaddleIsToldToOverlap)
+{
+  const auto saddle = [](double sign) {
+    return patch(16, 16, [=](double i, double j) {
+      const double x = i / 8.0 - 1.0;
+      const double y = j / 8.0 - 1.0;
+      return Point3(x, y, 0.3 * (x * x + sign * y * y));
+    }).mesh;
+  };
+  const Indices cut = column(16, 8, 8);
+  const TriangleMesh dome = saddle(1.0);
+  const TriangleMesh dip = saddle(-1.0);
+  EXPECT_GT(ScaleFactor(dome, {}, {}).forecast(cut).opening(0.0), 0.0);
+  EXPECT_LT(ScaleFactor(dip, {}, {}).forecast(cut).leastOpening(), -0.01);
+}
+
+TEST(ScaleFactor, RanksCutsThroughFewClustersAsThroughAllVertices)
+{
+  const TriangleMesh mesh = cushion(60, 45, 0.2).mesh;
+  std::vector<std::vector<double>> gains;
+  for (Index sites : { 250, 1000, mesh.vertexCount() })
+  {
+    ScaleFactorOptions options;
+    options.mostSites = sites;
+    const ScaleFactor factor(mesh, options, {});
+    gains.emplace_back();
+    for (Index i : { 6, 10, 16, 25, 33, 40, 52 })
+    {
+      for (Index last : { 7, 15, 22, 30, 45 })
+      {
+        gains.back().push_back(factor.forecast(column(60, i, last)).gain);
+      }
+    }
+  }
+  EXPECT_GT(rankCorrelation(gains[0], gains[2]), 0.98);
+  EXPECT_GT(rankCorrelation(gains[1], gains[2]), 0.995);
+  // A path of clusters is as wide as they are, and so takes more of the surface to the boundary.
+  double few = 0.0;
+  double many = 0.0;
+  for (std::size_t k = 0; k < gains[2].size(); ++k)
+  {
+    few = std::max(few, std::abs(gains[0][k] / gains[2][k] - 1.0));
+    many = std::max(many, std::abs(gains[1][k] / gains[2][k] - 1.0));
+  }
+  EXPECT_LT(many, 0.7 * few);
+}
+
+TEST(ScaleFactor, IsTheSameForAnyNumberOfThreads)
+{
+  const TriangleMesh mesh = cushion(30, 20, 0.2).mesh;
+  const Indices cut = column(30, 11, 9);
+  const ScaleFactor alone(mesh, {}, {});
+  const ScaleFactor many(mesh, {}, withThreads(4));
+  EXPECT_EQ(alone.values(), many.values());
+  EXPECT_EQ(alone.forecast(cut).gain, many.forecast(cut).gain);
+  EXPECT_EQ(alone.forecast(cut).swallowed, many.forecast(cut).swallowed);
+}
+
+TEST(ScaleFactor, WeighsWhatMattersMore)
+{
+  const TriangleMesh mesh = cushion(20, 20, 0.2).mesh;
+  ScaleFactorOptions left;
+  for (const Point3& p : mesh.points())
+  {
+    left.weight.push_back(p.x() < 0.5 ? 1.0 : 0.0);
+  }
+  const Indices near = column(20, 5, 10);
+  const Indices far = column(20, 15, 10);
+  const ScaleFactor even(mesh, {}, {});
+  const ScaleFactor weighted(mesh, left, {});
+  EXPECT_NEAR(even.forecast(near).gain, even.forecast(far).gain, 0.05 * even.forecast(far).gain);
+  EXPECT_GT(weighted.forecast(near).gain, 2.0 * weighted.forecast(far).gain);
+}
+
+TEST(ScaleFactor, IsUndefinedWhereNothingFixesTheScale)
+{
+  const Points3 corners{ { 1, 1, 1 }, { -1, -1, 1 }, { -1, 1, -1 }, { 1, -1, -1 } };
+  const TriangleMesh closed(corners, { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } });
+  EXPECT_FALSE(ScaleFactor(closed, {}, {}).ok());
+  ScaleFactorOptions one;
+  one.fixed = { 2 };
+  EXPECT_TRUE(ScaleFactor(closed, one, {}).ok());
+}
+
+TEST(IntrinsicDelaunay, GivesLinearFunctionsOfAPlaneNoLaplacianHoweverObtuseItsTriangles)
+{
+  // A sheared grid: every triangle of the mesh is obtuse, and edges are far from Delaunay.
+  const TriangleMesh mesh = patch(12, 9, [](double i, double j) {
+    return Point3(i + 2.3 * j + 0.2 * std::sin(3.0 * i * j), j + 0.1 * std::sin(i), 0.0);
+  }).mesh;
+  const IntrinsicTriangulation result = intrinsicDelaunay(mesh);
+  std::vector<double> laplacian(mesh.vertexCount(), 0.0);
+  std::vector<double> angles(mesh.vertexCount(), 0.0);
+  std::map<std::pair<Index, Index>, double> weight;
+  for (std::size_t t = 0; t < result.triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index i = result.triangles[t][(k + 1) % 3];
+      const Index j = result.triangles[t][(k + 2) % 3];
+      const double difference =
+        mesh.point(j).dot(Point3(0.4, -1.3, 0.0)) - mesh.point(i).dot(Point3(0.4, -1.3, 0.0));
+      laplacian[i] += result.cotangents[t][k] * difference;
+      laplacian[j] -= result.cotangents[t][k] * difference;
+      angles[result.triangles[t][k]] += std::atan2(1.0, result.cotangents[t][k]);
+      weight[{ std::min(i, j), std::max(i, j) }] += result.cotangents[t][k];
+    }
+  }
+  Index inner = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (!mesh.onBoundary(v))
+    {
+      ++inner;
+      EXPECT_NEAR(laplacian[v], 0.0, 1e-9);
+      EXPECT_NEAR(angles[v], 2.0 * pi, 1e-9);
+    }
+  }
+  EXPECT_EQ(inner, 11 * 8);
+  for (const auto& [edge, sum] : weight)
+  {
+    const bool outer = mesh.onBoundary(edge.first) && mesh.onBoundary(edge.second);
+    EXPECT_TRUE(outer || sum >= -1e-9) << edge.first << " " << edge.second << " " << sum;
+  }
+}
