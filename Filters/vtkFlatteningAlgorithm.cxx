@@ -16,6 +16,8 @@
 #include <cstring>
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
 namespace
 {
@@ -69,18 +71,26 @@ vtkFlatteningAlgorithm::~vtkFlatteningAlgorithm() = default;
 vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Core answers itself where its own memory runs out; here what stands around it does.
+  // Core answers itself where its own memory runs out; here what stands around it does. TBB throws
+  // a std::runtime_error where there is no memory for a thread.
+  const auto ranOut = [this, outputVector]() {
+    this->Begin(outputVector);
+    this->Conclude(flattening::outOfMemory(0));
+    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    return 1;
+  };
   try
   {
     return this->Superclass::ProcessRequest(request, inputVector, outputVector);
   }
   catch (const std::bad_alloc&)
   {
-    this->Begin(outputVector);
-    this->Conclude(flattening::outOfMemory(0));
-    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    return ranOut();
   }
-  return 1;
+  catch (const std::runtime_error&)
+  {
+    return ranOut();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <system_error>
 
@@ -114,16 +115,25 @@ FilesOfFlattening flattenToFiles(const Options& options)
     files.emplace(written.folder);
     files->claim();
   }
-  std::optional<OutputFiles> picture;
-  if (options.picture.any())
+  try
   {
-    picture.emplace(options.picture.folder(), "--picture");
-    addPicture(options, written.result, *picture);
+    std::optional<OutputFiles> picture;
+    if (options.picture.any())
+    {
+      picture.emplace(options.picture.folder(), "--picture");
+      addPicture(options, written.result, *picture);
+    }
+    written.patterns = writeResult(options, written.result, *files);
+    if (picture)
+    {
+      picture->publish();
+    }
   }
-  written.patterns = writeResult(options, written.result, *files);
-  if (picture)
+  catch (const std::bad_alloc&)
   {
-    picture->publish();
+    written.result = outOfMemory(options.surface);
+    files->abandon();
+    writeRefusal(options, written.result, *files);
   }
   return written;
 }

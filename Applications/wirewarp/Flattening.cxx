@@ -76,6 +76,16 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
 }
 
 //------------------------------------------------------------------------------
+Flattening outOfMemory(const std::string& surface)
+{
+  Flattening result;
+  result.exitCode = InputRefused;
+  result.status = "OutOfMemory";
+  result.message = surface + ": memory ran out around the flattening; " + wayOutOfMemory;
+  return result;
+}
+
+//------------------------------------------------------------------------------
 Flattening flattenOne(const Options& options)
 {
   Flattening result;
@@ -103,10 +113,11 @@ Flattening flattenOne(const Options& options)
   }
   catch (const std::bad_alloc&)
   {
-    result = {};
-    result.exitCode = InputRefused;
-    result.status = "OutOfMemory";
-    result.message = options.surface + ": memory ran out around the flattening; " + wayOutOfMemory;
+    result = outOfMemory(options.surface);
+  }
+  catch (const std::runtime_error&) // of TBB: no memory for a thread
+  {
+    result = outOfMemory(options.surface);
   }
   result.secondsTotal = secondsSince(start);
   return result;

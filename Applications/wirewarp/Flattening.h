@@ -35,6 +35,9 @@ struct Flattening
   bool refused() const { return this->exitCode == InputRefused; }
 };
 
+/// A refusal for want of memory.
+Flattening outOfMemory(const std::string& surface);
+
 /// Reads one surface with its curves and flattens it. Bad input ends in the result, not in an
 /// exception.
 Flattening flattenOne(const Options& options);

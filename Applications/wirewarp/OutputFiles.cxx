@@ -39,11 +39,18 @@ OutputFiles::OutputFiles(const std::string& folder, const std::string& option)
 
 OutputFiles::~OutputFiles()
 {
+  this->abandon();
+}
+
+//------------------------------------------------------------------------------
+void OutputFiles::abandon()
+{
   std::error_code ignored;
   for (const Entry& entry : this->Entries)
   {
     std::filesystem::remove(entry.aside, ignored);
   }
+  this->Entries.clear();
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,8 @@ public:
   /// \param write writes to a path and returns what went wrong, or nothing
   void add(const std::string& name, const std::function<std::string(const std::string&)>& write);
   void publish();
+  /// Removes what is not published, as does the end.
+  void abandon();
   /// Lets publish() remove an earlier result of this name.
   void discard(const std::string& name);
 

@@ -7,6 +7,8 @@
 
 #include <chrono>
 #include <memory>
+#include <new>
+#include <stdexcept>
 
 namespace flattening
 {
@@ -53,9 +55,17 @@ Execution executionOf(vtkAlgorithm* algorithm)
 #endif
   };
   execution.parallel = [](Index count, const std::function<void(Index, Index)>& body) {
-    vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) {
-      body(static_cast<Index>(begin), static_cast<Index>(end));
-    });
+    try
+    {
+      vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) {
+        body(static_cast<Index>(begin), static_cast<Index>(end));
+      });
+    }
+    catch (const std::runtime_error&)
+    {
+      // Bodies keep what they throw; TBB says so that there is no memory for a thread.
+      throw std::bad_alloc();
+    }
   };
   return execution;
 }

@@ -2,6 +2,7 @@
 // Memory that runs out is a status of its own, whatever wanted it.
 #include "Base/Memory.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Sparse/LinearSolver.h"
 #include "Surface/SurfacePreparation.h"
 #include "TestThreads.h"
 #include "WiredSurface.h"
@@ -12,6 +13,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -25,19 +27,19 @@ std::size_t addressSpace()
   return pages * 4096;
 }
 
-/// Flattens with ever more memory until there is enough. \return the exit code: 0 where each run
-/// before that one ended as OutOfMemory, and there were some.
-int flattenWithMoreAndMoreMemory(const Surface& surface, Scheme scheme)
+/// Runs with ever more memory until there is enough. \param next how many kilobytes more, from so
+/// many on. \return the exit code: 0 where each run before the last ended as OutOfMemory, and there
+/// were some.
+int runWithMoreAndMoreMemory(
+  const std::function<Status()>& run, const std::function<std::size_t(std::size_t)>& next)
 {
-  FlatteningOptions options;
-  options.scheme = scheme;
   const std::size_t held = addressSpace();
   int refused = 0;
-  for (std::size_t more = 0; more < 512; more += 1 + more / 4)
+  for (std::size_t more = 0; more < 512 * 1024; more = next(more))
   {
-    const rlimit limit{ held + (more << 20U), RLIM_INFINITY };
+    const rlimit limit{ held + (more << 10U), RLIM_INFINITY };
     setrlimit(RLIMIT_AS, &limit);
-    const Status status = flattenSurface(surface.mesh, {}, options, {}).status;
+    const Status status = run();
     const rlimit all{ RLIM_INFINITY, RLIM_INFINITY };
     setrlimit(RLIMIT_AS, &all);
     if (status.ok())
@@ -46,12 +48,41 @@ int flattenWithMoreAndMoreMemory(const Surface& surface, Scheme scheme)
     }
     if (status.code != StatusCode::OutOfMemory)
     {
-      std::fprintf(stderr, "%s with %d MB\n", status.message.c_str(), static_cast<int>(more));
+      std::fprintf(stderr, "%s with %d KB\n", status.message.c_str(), static_cast<int>(more));
       return 2;
     }
     ++refused;
   }
   return 3;
+}
+
+int flattenWithMoreAndMoreMemory(const Surface& surface, const FlatteningOptions& options)
+{
+  return runWithMoreAndMoreMemory(
+    [&] { return flattenSurface(surface.mesh, {}, options, {}).status; },
+    [](std::size_t kilobytes) { return kilobytes + 1024 + kilobytes / 4; });
+}
+
+/// The five-point matrix of a grid, which is positive definite.
+SparseMatrix gridMatrix(Index side)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index i = 0; i < side * side; ++i)
+  {
+    entries.emplace_back(i, i, 5.0);
+    for (const Index other :
+      { i % side + 1 < side ? i + 1 : none, i + side < side * side ? i + side : none })
+    {
+      if (other != none)
+      {
+        entries.emplace_back(i, other, -1.0);
+        entries.emplace_back(other, i, -1.0);
+      }
+    }
+  }
+  SparseMatrix matrix(side * side, side * side);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 }
 
@@ -83,11 +114,35 @@ TEST(OutOfMemory, IsTheStatusWhereverTheSystemsLimitIsMet)
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const Surface surface = cushion(90, 90, 0.4);
+  FlatteningOptions options;
   for (Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Conformal })
   {
+    options.scheme = scheme;
     EXPECT_EXIT(
-      std::_Exit(flattenWithMoreAndMoreMemory(surface, scheme)), testing::ExitedWithCode(0), "");
+      std::_Exit(flattenWithMoreAndMoreMemory(surface, options)), testing::ExitedWithCode(0), "");
   }
+}
+
+TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  struct Result
+  {
+    Status status;
+  };
+  const SparseMatrix matrix = gridMatrix(120);
+  const Eigen::MatrixXd rightHandSides = Eigen::MatrixXd::Ones(matrix.rows(), 2);
+  const auto solve = [&]() -> Result {
+    LinearSolver solver(LinearMethod::SuperLU);
+    const bool solved =
+      solver.factorize(matrix) && solver.solve(rightHandSides).rows() == matrix.rows();
+    return { solved ? Status() : Status{ StatusCode::NumericalFailure, "not solved", {} } };
+  };
+  const auto run = [&] { return withinMemory(solve).status; };
+  // Steps so small that the memory ends in each of the library's own steps.
+  EXPECT_EXIT(
+    std::_Exit(runWithMoreAndMoreMemory(run, [](std::size_t kilobytes) { return kilobytes + 64; })),
+    testing::ExitedWithCode(0), "");
 }
 
 TEST(OutOfMemory, OnAnotherThreadReachesTheCaller)

@@ -5,6 +5,8 @@
 
 #include <slu_ddefs.h>
 
+#include <algorithm>
+#include <new>
 #include <vector>
 
 namespace flattening
@@ -68,18 +70,50 @@ struct SuperLUFactorization::Factors
 
 namespace
 {
-/// SuperLU ends the program where it has no memory for its small arrays; only that of the factors
-/// it asks for with care. So the former are asked for here first, with a part of the latter.
-void demandMemory(std::size_t size, std::size_t entries)
+/// What the library takes beside the arrays that are counted, and what they are rounded up by.
+constexpr std::size_t slack = std::size_t{ 1 } << 20U;
+
+/// SuperLU ends the program where it has no memory for its small arrays; only that of the growing
+/// factors it asks for with care. So the memory of each of its steps is asked for here first.
+void demandMemory(std::size_t bytes)
 {
-  const std::size_t bytes = 128 * size + 128 * entries;
-  try
-  {
-    const std::vector<char> probe(bytes);
-  }
-  catch (const std::bad_alloc&)
+  void* const probe = ::operator new(bytes + slack, std::nothrow);
+  if (!probe)
   {
     refuseMemory(bytes);
+  }
+  ::operator delete(probe);
+}
+
+/// Of COLAMD and the elimination tree.
+std::size_t bytesOfOrder(std::size_t size, std::size_t entries)
+{
+  return 128 * size + 128 * entries;
+}
+
+/// Of the first guess of the factors, which it takes whole or, where it is not there, in such a
+/// part that nothing may be left for its small arrays; and of these.
+std::size_t bytesOfFactors(std::size_t size, std::size_t entries)
+{
+  const auto fill = static_cast<std::size_t>(sp_ienv(6));
+  const auto panel = static_cast<std::size_t>(sp_ienv(1));
+  const auto block = static_cast<std::size_t>(sp_ienv(3) + sp_ienv(4));
+  const std::size_t guess = fill * entries * (2 * sizeof(int) + 2 * sizeof(double));
+  const std::size_t integers = (2 * panel + 24) * size * sizeof(int);
+  const std::size_t numbers = (panel * size + std::max(size, block * panel)) * sizeof(double);
+  return guess + integers + numbers;
+}
+
+/// What dgstrf() leaves where its memory ran out: the factors so far.
+void freeUnfinished(GlobalLU_t& factors)
+{
+  for (void* array : { static_cast<void*>(factors.xsup), static_cast<void*>(factors.supno),
+         static_cast<void*>(factors.lsub), static_cast<void*>(factors.xlsub),
+         static_cast<void*>(factors.lusup), static_cast<void*>(factors.xlusup),
+         static_cast<void*>(factors.ucol), static_cast<void*>(factors.usub),
+         static_cast<void*>(factors.xusub), static_cast<void*>(factors.expanders) })
+  {
+    superlu_free(array);
   }
 }
 }
@@ -91,7 +125,9 @@ bool SuperLUFactorization::factorize(Eigen::SparseMatrix<double> matrix)
 {
   matrix.makeCompressed();
   const auto size = static_cast<int>(matrix.rows());
-  demandMemory(static_cast<std::size_t>(size), static_cast<std::size_t>(matrix.nonZeros()));
+  const auto entries = static_cast<std::size_t>(matrix.nonZeros());
+  demandMemory(bytesOfOrder(static_cast<std::size_t>(size), entries) +
+    bytesOfFactors(static_cast<std::size_t>(size), entries));
   this->Held = std::make_unique<Factors>(size);
   Factors& factors = *this->Held;
 
@@ -122,6 +158,7 @@ bool SuperLUFactorization::factorize(Eigen::SparseMatrix<double> matrix)
   }
   if (info > size) // by as many bytes as it had when memory ran out
   {
+    freeUnfinished(workspace);
     refuseMemory(static_cast<std::size_t>(info) - static_cast<std::size_t>(size));
   }
   return info == 0;
@@ -131,6 +168,7 @@ Eigen::MatrixXd SuperLUFactorization::solve(const Eigen::MatrixXd& rightHandSide
 {
   Factors& factors = *this->Held;
   Eigen::MatrixXd x = factors.rowScale.asDiagonal() * rightHandSide;
+  demandMemory(static_cast<std::size_t>(x.size() + x.rows()) * sizeof(double));
   const auto rows = static_cast<int>(x.rows());
   SuperMatrix b{};
   dCreate_Dense_Matrix(&b, rows, static_cast<int>(x.cols()), x.data(), rows, SLU_DN, SLU_D, SLU_GE);

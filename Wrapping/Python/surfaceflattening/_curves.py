@@ -45,9 +45,26 @@ class Curve:
     planar_shape: Optional[ArrayLike] = None
 
 
+def _demand_memory(values: NDArray[Any]) -> None:
+    """MemoryError where VTK, which ends the process for it, would find no memory for a copy."""
+    np.empty(3 * values.nbytes + (1 << 20), np.uint8)
+
+
+def _to_vtk(values: NDArray[Any]) -> Any:
+    """A copy."""
+    _demand_memory(values)
+    return numpy_to_vtk(values, deep=True)
+
+
+def _to_vtk_ids(values: NDArray[np.int64]) -> Any:
+    """A copy."""
+    _demand_memory(values)
+    return numpy_to_vtkIdTypeArray(values, deep=True)
+
+
 def _make_points(coordinates: NDArray[np.float64]) -> vtkPoints:
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(coordinates), deep=True))
+    points.SetData(_to_vtk(np.ascontiguousarray(coordinates)))
     return points
 
 
@@ -56,8 +73,8 @@ def _make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
     connectivity = np.concatenate(cells) if cells else np.empty(0, np.int64)
     result = vtkCellArray()
     result.SetData(
-        numpy_to_vtkIdTypeArray(offsets, deep=True),
-        numpy_to_vtkIdTypeArray(connectivity.astype(np.int64), deep=True),
+        _to_vtk_ids(offsets),
+        _to_vtk_ids(connectivity.astype(np.int64)),
     )
     return result
 
@@ -134,8 +151,8 @@ def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
     offsets = np.arange(0, corners.size + 1, 3, dtype=np.int64)
     cells = vtkCellArray()
     cells.SetData(
-        numpy_to_vtkIdTypeArray(offsets, deep=True),
-        numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners).ravel(), deep=True),
+        _to_vtk_ids(offsets),
+        _to_vtk_ids(np.ascontiguousarray(corners).ravel()),
     )
     surface = vtkPolyData()
     surface.SetPoints(_make_points(coordinates))
@@ -235,11 +252,11 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         ("KeyShape", np.array(key_shapes, np.int32)),
         ("LengthTolerance", np.array(tolerances, np.float64)),
     ):
-        array = numpy_to_vtk(values, deep=True)
+        array = _to_vtk(values)
         array.SetName(array_name)
         cell_data.AddArray(array)
     if any(not np.isnan(shape).all() for shape in shapes):
-        array = numpy_to_vtk(np.concatenate(shapes), deep=True)
+        array = _to_vtk(np.concatenate(shapes))
         array.SetName("PlanarShape")
         result.GetPointData().AddArray(array)
     return result
