@@ -169,8 +169,8 @@ public:
     data->SetLines(this->cells(pointCount));
     data->SetPolys(this->cells(pointCount));
     data->SetStrips(this->cells(pointCount));
-    this->attributes(data->GetPointData(), pointCount, "points");
-    this->attributes(data->GetCellData(), data->GetNumberOfCells(), "cells");
+    this->attributes(data->GetPointData());
+    this->attributes(data->GetCellData());
     this->fields(data->GetFieldData());
     check(this->Rest.empty(), "has more data than it announces");
     return data;
@@ -339,18 +339,12 @@ private:
     }
   }
 
-  void attributes(vtkDataSetAttributes* data, vtkIdType tuples, const std::string& ofWhat)
+  void attributes(vtkDataSetAttributes* data)
   {
     std::vector<vtkSmartPointer<vtkAbstractArray>> arrays(this->count(lengthSize));
     for (auto& array : arrays)
     {
       array = this->array(this->number());
-      if (array->GetNumberOfTuples() != tuples)
-      {
-        throw std::runtime_error("its array '" + wordOf(array->GetName()) + "' has " +
-          std::to_string(array->GetNumberOfTuples()) + " rows for " + std::to_string(tuples) + " " +
-          ofWhat);
-      }
     }
     for (const auto& array : arrays)
     {

@@ -13,7 +13,7 @@ namespace wirewarp
 std::string packPolyData(vtkPolyData* data);
 
 /// The data of such bytes. Whatever the bytes are, the result is sound: cells name points that
-/// exist, and arrays are as long as their points or cells. Throws std::runtime_error with words
-/// that tell the defect otherwise.
+/// exist. Arrays may be shorter than their points or cells: the filters leave such out and say so.
+/// Throws std::runtime_error with words that tell the defect otherwise.
 vtkSmartPointer<vtkPolyData> unpackPolyData(std::string_view bytes);
 }
