@@ -49,6 +49,10 @@ double SnapDistance::ofEdge(Index halfedge) const
 double SnapDistance::ofVertex(Index vertex) const
 {
   double distance = 0.0;
+  if (!(this->Fraction > 0.0))
+  {
+    return distance;
+  }
   for (Index t : trianglesAround(this->Mesh, vertexPoint(this->Mesh, vertex)))
   {
     distance = std::max(distance, this->ofFace(t));

@@ -239,6 +239,16 @@ private:
 };
 }
 
+double lengthOf(const SurfacePath& path)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+  {
+    length += (path.points[i].position - path.points[i - 1].position).norm();
+  }
+  return length;
+}
+
 SurfacePath traceSegment(const TriangleMesh& mesh, const SnapDistance& snap,
   const SurfacePoint& start, const SurfacePoint& end)
 {

@@ -16,6 +16,8 @@ struct SurfacePath
   bool atBoundary = false;
 };
 
+double lengthOf(const SurfacePath& path);
+
 /// Lays a straight segment onto the surface: the section of the surface with the plane through both
 /// ends and the surface's normal there (the mean of both; where that fails, that at one end, or
 /// sideways). In one triangle it is the straight segment itself.

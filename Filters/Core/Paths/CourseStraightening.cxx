@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Paths/CourseStraightening.h"
+
+#include "Paths/KnotTurn.h"
+#include "Paths/StripUnfolding.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace flattening
+{
+namespace
+{
+/// How often a path may be led round one vertex without getting shorter by more than rounding.
+constexpr int mostTurns = 8;
+/// What rounding may make of the length of two legs; who is shorter than that is shorter.
+constexpr double leastGain = 1.0 - 1e-14;
+/// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
+constexpr double atVertex = 1e-13;
+
+bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
+{
+  return a.carrier == b.carrier && a.id == b.id &&
+    (a.carrier == Carrier::Vertex || a.weights == b.weights);
+}
+
+/// Straightens in passes. Each leads every run of knots that are too sharp on one side round them
+/// at once, and draws the whole strip between the knots before and after tight.
+class Straightening
+{
+public:
+  Straightening(const TriangleMesh& mesh, PathCourse& course)
+    : Mesh(mesh)
+    , Course(course)
+    , Fresh(course.knots.size(), 1)
+  {
+  }
+
+  Indices run()
+  {
+    while (this->pass())
+    {
+    }
+    return std::move(this->Bent);
+  }
+
+private:
+  /// Whether knot k has to be led round, and then its sharper side.
+  bool isSharp(std::size_t k)
+  {
+    if (k == 0 || k + 1 >= this->Course.knots.size() || !this->Fresh[k])
+    {
+      return false;
+    }
+    const PathCourse& c = this->Course;
+    KnotSide side =
+      sharperSide(this->Mesh, c.knots[k - 1], c.legs[k - 1], c.knots[k], c.legs[k], c.knots[k + 1]);
+    if (!(side.angle < pi - straightAngle))
+    {
+      return false;
+    }
+    const auto turns = this->Turns.find(c.knots[k].id);
+    if (turns != this->Turns.end() && turns->second > mostTurns)
+    {
+      this->Bent.push_back(c.knots[k].id);
+      return false;
+    }
+    this->Sides.push_back(std::move(side));
+    return true;
+  }
+
+  bool pass()
+  {
+    this->Bent.clear();
+    PathCourse after;
+    std::vector<char> fresh{ 0 };
+    after.knots.push_back(this->Course.knots.front());
+    bool changed = false;
+    for (std::size_t k = 0; k + 1 < this->Course.knots.size();)
+    {
+      this->Sides.clear();
+      std::size_t next = k + 1;
+      while (this->isSharp(next))
+      {
+        ++next;
+      }
+      if (next == k + 1)
+      {
+        after.legs.push_back(std::move(this->Course.legs[k]));
+        after.knots.push_back(this->Course.knots[next]);
+        fresh.push_back(this->isBent(next));
+      }
+      else
+      {
+        const PathCourse tight = this->ledRound(k, next);
+        fresh.back() = 1;
+        after.legs.insert(after.legs.end(), tight.legs.begin(), tight.legs.end());
+        after.knots.insert(after.knots.end(), tight.knots.begin() + 1, tight.knots.end());
+        fresh.resize(after.knots.size(), 1);
+        changed = true;
+      }
+      k = next;
+    }
+    if (after.legs.empty())
+    {
+      after.legs.emplace_back();
+      after.knots.push_back(this->Course.knots.back());
+      fresh.push_back(0);
+    }
+    this->Course = std::move(after);
+    this->Fresh = std::move(fresh);
+    return changed;
+  }
+
+  bool isBent(std::size_t k) const
+  {
+    return std::find(this->Bent.begin(), this->Bent.end(), this->Course.knots[k].id) !=
+      this->Bent.end();
+  }
+
+  /// The tight way from one knot to another on the sharper sides of those between.
+  PathCourse ledRound(std::size_t first, std::size_t last)
+  {
+    const PathCourse& c = this->Course;
+    Indices crossed;
+    double length = 0.0;
+    for (std::size_t k = first; k < last; ++k)
+    {
+      const Indices& onLeg = c.legs[k].crossed;
+      length += c.legs[k].length;
+      crossed.insert(crossed.end(), onLeg.begin(), onLeg.end());
+      if (k + 1 == last)
+      {
+        break;
+      }
+      const KnotSide& side = this->Sides[k - first];
+      crossed.insert(crossed.end(), side.crossed.begin(), side.crossed.end());
+      if (k + 2 < last && c.legs[k + 1].crossed.empty() &&
+        side.left != this->Sides[k - first + 1].left)
+      {
+        // From one side of the edge between them to the other.
+        const Index a = c.knots[k + 1].id;
+        const Index b = c.knots[k + 2].id;
+        crossed.push_back(side.left ? this->Mesh.find(a, b) : this->Mesh.find(b, a));
+      }
+    }
+    const SurfacePoint& start = c.knots[first];
+    const SurfacePoint& end = c.knots[last];
+    crossed = reducedStrip(this->Mesh, start, crossed, end);
+    PathCourse tight;
+    if (crossed.empty() && samePlace(start, end))
+    {
+      tight.knots = { start };
+    }
+    else
+    {
+      tight = shortestInStrip(this->Mesh, start, crossed, end);
+    }
+    for (const PathLeg& leg : tight.legs)
+    {
+      length -= leg.length / leastGain;
+    }
+    for (std::size_t k = first + 1; k < last && !(length > 0.0); ++k)
+    {
+      ++this->Turns[c.knots[k].id];
+    }
+    return tight;
+  }
+
+  const TriangleMesh& Mesh;
+  PathCourse& Course;
+  std::vector<char> Fresh;     ///< knots whose legs have changed since they were looked at
+  std::vector<KnotSide> Sides; ///< of a run of sharp knots
+  std::unordered_map<Index, int> Turns;
+  Indices Bent; ///< sharp knots that are left, because no turn round them makes the path shorter
+};
+
+/// The half-edge of an edge that lies in the triangle.
+Index halfedgeIn(const TriangleMesh& mesh, Index edge, Index triangle)
+{
+  return edge / 3 == triangle ? edge : mesh.twin(edge);
+}
+
+/// Appends the tight way to the next knot over the half-edges crossed since the last one.
+void appendKnot(
+  const TriangleMesh& mesh, const SurfacePoint& knot, Indices& crossed, PathCourse& course)
+{
+  const SurfacePoint start = course.knots.back();
+  const Indices strip = reducedStrip(mesh, start, crossed, knot);
+  crossed.clear();
+  if (strip.empty() && samePlace(start, knot))
+  {
+    return;
+  }
+  PathCourse tight = shortestInStrip(mesh, start, strip, knot);
+  for (std::size_t i = 0; i < tight.legs.size(); ++i)
+  {
+    course.legs.push_back(std::move(tight.legs[i]));
+    course.knots.push_back(tight.knots[i + 1]);
+  }
+}
+}
+
+Indices straighten(const TriangleMesh& mesh, PathCourse& course)
+{
+  return Straightening(mesh, course).run();
+}
+
+PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path)
+{
+  PathCourse course;
+  course.knots.push_back(path.points.front());
+  Indices crossed;
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+  {
+    const SurfacePoint& point = path.points[i];
+    if (i + 1 == path.points.size() || point.carrier == Carrier::Vertex)
+    {
+      appendKnot(mesh, point, crossed, course);
+    }
+    else if (point.carrier == Carrier::Edge && path.triangles[i - 1] != path.triangles[i])
+    {
+      crossed.push_back(halfedgeIn(mesh, point.id, path.triangles[i - 1]));
+    }
+  }
+  if (course.legs.empty())
+  {
+    course.knots.push_back(path.points.back());
+    course.legs.emplace_back();
+  }
+  return course;
+}
+
+SurfacePath pathAlong(const TriangleMesh& mesh, const PathCourse& course)
+{
+  SurfacePath path;
+  path.points.push_back(course.knots.front());
+  const auto push = [&path](const SurfacePoint& point, Index triangle) {
+    if (!(point.carrier == Carrier::Vertex && samePlace(point, path.points.back())))
+    {
+      path.points.push_back(point);
+      path.triangles.push_back(triangle);
+    }
+  };
+  for (std::size_t k = 0; k < course.legs.size(); ++k)
+  {
+    const Indices& crossed = course.legs[k].crossed;
+    const SurfacePoint& from = course.knots[k];
+    const SurfacePoint& to = course.knots[k + 1];
+    const std::vector<double> fractions = crossingFractions(mesh, from, crossed, to);
+    for (std::size_t i = 0; i < crossed.size(); ++i)
+    {
+      const Index h = crossed[i];
+      const Index low = edgeOf(mesh, h);
+      const double f = fractions[i];
+      push(f < atVertex        ? vertexPoint(mesh, mesh.from(h))
+          : f > 1.0 - atVertex ? vertexPoint(mesh, mesh.to(h))
+                               : edgePoint(mesh, low, low == h ? f : 1.0 - f),
+        h / 3);
+    }
+    push(to, crossed.empty() ? commonTriangle(mesh, from, to) : mesh.twin(crossed.back()) / 3);
+  }
+  if (path.triangles.empty())
+  {
+    path.points.push_back(course.knots.back());
+    path.triangles.push_back(trianglesAround(mesh, course.knots.back()).front());
+  }
+  path.arrived = true;
+  return path;
+}
+}

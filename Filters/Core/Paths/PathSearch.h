@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Paths/PathCourse.h"
+#include "Paths/PathGraph.h"
+
+#include <limits>
+
+namespace flattening
+{
+/// The shortest ways of a graph from a point of its surface (E. W. Dijkstra, 1959): where straight
+/// paths start from.
+class PathSearch
+{
+public:
+  /// Looks for one target only (A*), or for every vertex within reach of the source. The graph must
+  /// outlive the search.
+  PathSearch(const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target);
+  PathSearch(const PathGraph& graph, const SurfacePoint& source,
+    double reach = std::numeric_limits<double>::infinity());
+
+  const PathGraph& graph() const { return this->Graph; }
+  const SurfacePoint& source() const { return this->Source; }
+  /// Length of the shortest way to a vertex; infinite where none was found.
+  double distance(Index vertex) const { return this->Distance[vertex]; }
+  /// The shortest way to a target as a course; no knots where none was found.
+  PathCourse courseTo(const SurfacePoint& target) const;
+
+private:
+  void run(const SurfacePoint* target, double reach);
+
+  const PathGraph& Graph;
+  SurfacePoint Source;
+  std::vector<double> Distance;
+  /// The way that reaches each vertex, and whence; none from the source itself.
+  std::vector<const PathGraph::Way*> Reached;
+  Indices Before;
+};
+}

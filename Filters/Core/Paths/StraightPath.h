@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+#include "Base/Status.h"
+#include "Imprint/SurfaceTrace.h"
+#include "Paths/PathSearch.h"
+
+namespace flattening
+{
+/// A path that is as straight as the surface lets it be: straight in each triangle and across each
+/// edge, with at least pi on both sides of each vertex that it goes through, unless the surface
+/// ends there. No path near it is shorter.
+struct StraightPath
+{
+  SurfacePath path;
+  double length = 0.0;
+  Status status;
+};
+
+/// The straight path between two points anywhere on a surface.
+///
+/// It starts from the shortest way of the graph and is drawn tight, so that it is never longer than
+/// any way by edges. Where bumps or handles leave several straight paths, it is the one that lies
+/// as that way does.
+///
+/// Errors: EmptySurface; InvalidPointId (a point of no such vertex, edge or triangle);
+/// CurveLeavesSurface (the points lie on different components); NotConverged (there is a path, but
+/// rounding left a sharper angle at vertices; ids: points); OutOfMemory.
+StraightPath straightPath(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
+
+/// The straight path that lies near an earlier one, the hint: whoever drags an end gets a path that
+/// moves along and never jumps to the other side of a bump. The hint's ends need not be the new
+/// ones; any polyline of the surface will do. Errors: as above, and InvalidCurve (the hint is no
+/// path of this surface).
+StraightPath straightPathNear(const PathGraph& graph, const SurfacePath& hint,
+  const SurfacePoint& from, const SurfacePoint& to);
+
+/// The straight path to one of many targets, from a search that is kept.
+StraightPath straightPath(const PathSearch& search, const SurfacePoint& to);
+/// To all of them. Errors: as above, a status each.
+std::vector<StraightPath> straightPaths(const PathSearch& search,
+  const std::vector<SurfacePoint>& targets, const Execution& execution = {});
+
+/// Whether each two neighbours lie in the triangle between them, and all ids are of the mesh.
+bool liesOn(const TriangleMesh& mesh, const SurfacePath& path);
+}

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Paths/StripUnfolding.h"
+
+#include "Surface/TriangleFrame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Of the angle by which a path may miss a vertex and still go through it.
+constexpr double touchAngle = 1e-11;
+
+double cross(const Complex& u, const Complex& v)
+{
+  return u.real() * v.imag() - u.imag() * v.real();
+}
+
+double dot(const Complex& u, const Complex& v)
+{
+  return u.real() * v.real() + u.imag() * v.imag();
+}
+
+/// A point of the triangle of a half-edge, seen from the half-edge's start along it.
+Complex placeBeside(const TriangleMesh& mesh, Index h, const Point3& point)
+{
+  const Point3& from = mesh.point(mesh.from(h));
+  const Point3 along = mesh.point(mesh.to(h)) - from;
+  const Point3 way = point - from;
+  const double length = along.norm();
+  return { along.dot(way) / length, along.cross(way).norm() / length };
+}
+
+/// A strip of triangles in the plane, the start at its origin. Directions are handed on from
+/// triangle to triangle for themselves: taken from differences of places far from the origin they
+/// would lose the digits of short edges.
+class UnfoldedStrip
+{
+public:
+  struct Portal
+  {
+    Index halfedge;
+    Complex direction; ///< of the half-edge, of length 1
+    Complex right;     ///< its start, as one who leaves by it sees it
+    Complex left;
+  };
+
+  UnfoldedStrip(const TriangleMesh& mesh, const SurfacePoint& start, const Indices& crossed,
+    const SurfacePoint& end)
+    : Mesh(mesh)
+  {
+    this->Portals.reserve(crossed.size());
+    const Complex first = placeBeside(mesh, crossed[0], start.position);
+    this->Portals.push_back({ crossed[0], 1.0, -first, mesh.length(crossed[0]) - first });
+    for (std::size_t i = 1; i < crossed.size(); ++i)
+    {
+      this->unfold(crossed[i]);
+    }
+    const Portal& last = this->Portals.back();
+    this->EndPlace =
+      last.left - last.direction * placeBeside(mesh, mesh.twin(last.halfedge), end.position);
+  }
+
+  std::size_t size() const { return this->Portals.size(); }
+  const Portal& operator[](std::size_t i) const { return this->Portals[i]; }
+  Complex end() const { return this->EndPlace; }
+
+  /// The angle at a corner from the half-edge of its triangle to a direction; `behind` where the
+  /// triangle is the one that the portal leads to.
+  double angleAt(std::size_t portal, const Point3& corner, Complex direction, bool behind) const
+  {
+    const Portal& p = this->Portals[portal];
+    const Index h = behind ? this->Mesh.twin(p.halfedge) : p.halfedge;
+    const Complex local = (behind ? -1.0 : 1.0) * std::conj(p.direction) * direction;
+    const Complex turned = std::conj(-placeBeside(this->Mesh, h, corner)) * local;
+    return std::max(std::arg(turned), 0.0);
+  }
+
+private:
+  void unfold(Index next)
+  {
+    const Portal before = this->Portals.back();
+    const Index entry = this->Mesh.twin(before.halfedge);
+    const Index apex = this->Mesh.from(TriangleMesh::previous(entry));
+    const Complex local = placeBeside(this->Mesh, entry, this->Mesh.point(apex));
+    const Complex along = -before.direction;
+    const Complex place = before.left + along * local;
+    const bool keepsRight = next == TriangleMesh::next(entry);
+    const Complex way = keepsRight ? local - this->Mesh.length(entry) : -local;
+    Complex direction = along * way;
+    direction /= std::sqrt(std::norm(direction));
+    this->Portals.push_back(
+      { next, direction, keepsRight ? before.right : place, keepsRight ? place : before.left });
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<Portal> Portals;
+  Complex EndPlace;
+};
+
+/// A corner of the strip, with the portals that end in it.
+struct StripCorner
+{
+  Complex place;
+  Index vertex = none;
+  Index first = none;
+  Index last = none;
+  Index before = none; ///< on the shortest path to it
+};
+
+/// The funnel: two concave chains of corners from the apex to both ends of the last portal.
+class Funnel
+{
+public:
+  explicit Funnel(std::size_t portals)
+    : Chain(2 * portals + 5)
+    , Left(portals + 2)
+    , Apex(Left)
+    , Right(Left)
+  {
+    this->Corners.reserve(portals + 3);
+    this->Corners.push_back({ 0.0 });
+    this->Chain[this->Apex] = 0;
+  }
+
+  std::vector<StripCorner> Corners;
+
+  Index addLeft(const StripCorner& corner)
+  {
+    this->Corners.push_back(corner);
+    const Complex p = corner.place;
+    while (this->Left < this->Apex && this->side(this->Left + 1, this->Left, p) <= 0.0)
+    {
+      ++this->Left;
+    }
+    if (this->Left == this->Apex)
+    {
+      while (this->Apex < this->Right && this->side(this->Apex, this->Apex + 1, p) < 0.0)
+      {
+        ++this->Apex;
+      }
+      this->Left = this->Apex;
+    }
+    return this->append(this->Left, -1);
+  }
+
+  Index addRight(const StripCorner& corner)
+  {
+    this->Corners.push_back(corner);
+    const Complex p = corner.place;
+    while (this->Right > this->Apex && this->side(this->Right - 1, this->Right, p) >= 0.0)
+    {
+      --this->Right;
+    }
+    if (this->Right == this->Apex)
+    {
+      while (this->Apex > this->Left && this->side(this->Apex, this->Apex - 1, p) > 0.0)
+      {
+        --this->Apex;
+      }
+      this->Right = this->Apex;
+    }
+    return this->append(this->Right, 1);
+  }
+
+private:
+  Index append(std::size_t& end, int step)
+  {
+    const Index corner = static_cast<Index>(this->Corners.size()) - 1;
+    this->Corners.back().before = this->Chain[end];
+    end += step;
+    this->Chain[end] = corner;
+    return corner;
+  }
+  /// Positive where p lies on the left of the line through two places of the chain.
+  double side(std::size_t a, std::size_t b, Complex p) const
+  {
+    const Complex origin = this->Corners[this->Chain[a]].place;
+    return cross(this->Corners[this->Chain[b]].place - origin, p - origin);
+  }
+
+  Indices Chain;
+  std::size_t Left;
+  std::size_t Apex;
+  std::size_t Right;
+};
+
+/// The corners that the tight string from start to end goes through, both included.
+std::vector<StripCorner> tightString(const TriangleMesh& mesh, const UnfoldedStrip& strip)
+{
+  const auto count = static_cast<Index>(strip.size());
+  Funnel funnel(strip.size());
+  Index left = none;
+  Index right = none;
+  for (Index i = 0; i < count; ++i)
+  {
+    const Index h = strip[i].halfedge;
+    if (i == 0 || mesh.to(h) != funnel.Corners[left].vertex)
+    {
+      left = funnel.addLeft({ strip[i].left, mesh.to(h), i, i, none });
+    }
+    if (i == 0 || mesh.from(h) != funnel.Corners[right].vertex)
+    {
+      right = funnel.addRight({ strip[i].right, mesh.from(h), i, i, none });
+    }
+    funnel.Corners[left].last = i;
+    funnel.Corners[right].last = i;
+  }
+  funnel.addLeft({ strip.end(), none, count, count, none });
+  std::vector<StripCorner> string;
+  for (auto c = static_cast<Index>(funnel.Corners.size()) - 1; c != none;
+       c = funnel.Corners[c].before)
+  {
+    string.push_back(funnel.Corners[c]);
+  }
+  std::reverse(string.begin(), string.end());
+  return string;
+}
+
+/// Adds the corners that the way to b passes so closely that it goes through them.
+void pushTouched(const TriangleMesh& mesh, const UnfoldedStrip& strip, const StripCorner& b,
+  std::vector<StripCorner>& string)
+{
+  StripCorner a = string.back();
+  Complex way = b.place - a.place;
+  double square = std::norm(way);
+  for (Index i = a.last + 1; i < b.first; ++i)
+  {
+    for (const bool left : { true, false })
+    {
+      const Complex place = left ? strip[i].left : strip[i].right;
+      const Complex there = place - a.place;
+      const double done = dot(way, there);
+      if (!(std::abs(cross(way, there)) <= touchAngle * std::min(done, square - done)))
+      {
+        continue;
+      }
+      const auto endOf = [&](Index portal) {
+        const Index h = strip[portal].halfedge;
+        return left ? mesh.to(h) : mesh.from(h);
+      };
+      a = { place, endOf(i), i, i, none };
+      while (a.last + 1 < static_cast<Index>(strip.size()) && endOf(a.last + 1) == a.vertex)
+      {
+        ++a.last;
+      }
+      i = a.last;
+      way = b.place - a.place;
+      square = std::norm(way);
+      string.push_back(a);
+      break;
+    }
+  }
+}
+}
+
+PathCourse shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
+  const Indices& crossed, const SurfacePoint& end)
+{
+  PathCourse course;
+  course.knots.push_back(start);
+  if (crossed.empty())
+  {
+    course.knots.push_back(end);
+    course.legs.push_back({ {}, (end.position - start.position).norm() });
+    return course;
+  }
+  const UnfoldedStrip strip(mesh, start, crossed, end);
+  const std::vector<StripCorner> tight = tightString(mesh, strip);
+  std::vector<StripCorner> string{ tight.front() };
+  for (std::size_t k = 1; k < tight.size(); ++k)
+  {
+    pushTouched(mesh, strip, tight[k], string);
+    string.push_back(tight[k]);
+  }
+  for (std::size_t k = 1; k < string.size(); ++k)
+  {
+    const StripCorner& a = string[k - 1];
+    const StripCorner& b = string[k];
+    const SurfacePoint knot = b.vertex == none ? end : vertexPoint(mesh, b.vertex);
+    const Complex way = b.place - a.place;
+    PathLeg leg;
+    leg.length = std::abs(way);
+    if (a.last + 1 < b.first)
+    {
+      leg.crossed.assign(crossed.begin() + a.last + 1, crossed.begin() + b.first);
+      leg.startAngle = strip.angleAt(a.last + 1, course.knots.back().position, way, false);
+      leg.endAngle = strip.angleAt(b.first - 1, knot.position, -way, true);
+    }
+    course.legs.push_back(std::move(leg));
+    course.knots.push_back(knot);
+  }
+  return course;
+}
+
+Indices reducedStrip(const TriangleMesh& mesh, const SurfacePoint& start, const Indices& crossed,
+  const SurfacePoint& end)
+{
+  Indices strip;
+  for (const Index h : crossed)
+  {
+    if (!strip.empty() && strip.back() == mesh.twin(h))
+    {
+      strip.pop_back();
+    }
+    else
+    {
+      strip.push_back(h);
+    }
+  }
+  const auto holds = [&mesh](Index h, const SurfacePoint& point) {
+    return point.carrier == Carrier::Vertex ? mesh.from(h) == point.id || mesh.to(h) == point.id
+      : point.carrier == Carrier::Edge      ? edgeOf(mesh, h) == point.id
+                                            : false;
+  };
+  const auto first =
+    std::find_if(strip.begin(), strip.end(), [&](Index h) { return !holds(h, start); });
+  strip.erase(strip.begin(), first);
+  while (!strip.empty() && holds(strip.back(), end))
+  {
+    strip.pop_back();
+  }
+  return strip;
+}
+
+std::vector<double> crossingFractions(const TriangleMesh& mesh, const SurfacePoint& start,
+  const Indices& crossed, const SurfacePoint& end)
+{
+  std::vector<double> fractions;
+  if (crossed.empty())
+  {
+    return fractions;
+  }
+  const UnfoldedStrip strip(mesh, start, crossed, end);
+  for (std::size_t i = 0; i < strip.size(); ++i)
+  {
+    const double right = std::max(-cross(strip.end(), strip[i].right), 0.0);
+    const double left = std::max(cross(strip.end(), strip[i].left), 0.0);
+    const double both = right + left;
+    fractions.push_back(both > 0.0 ? right / both : 0.5);
+  }
+  return fractions;
+}
+}

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PathFacts.h"
+#include "Paths/StraightPath.h"
+#include "Renumbered.h"
+#include "Surface/SurfacePreparation.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr double exactly = 1e-9;
+
+/// A whole cone (a regular pyramid of many sides) with its apex, vertex 0.
+TriangleMesh wholeCone(Index sides, Index rings)
+{
+  Points3 points{ Point3(0.0, 0.0, 1.0) };
+  Triangles triangles;
+  const auto at = [sides](Index i, Index j) { return 1 + (j - 1) * sides + i % sides; };
+  for (Index j = 1; j <= rings; ++j)
+  {
+    for (Index i = 0; i < sides; ++i)
+    {
+      const double turn = 2.0 * pi * i / sides;
+      const double r = static_cast<double>(j) / rings;
+      points.emplace_back(0.5 * r * std::cos(turn), 0.5 * r * std::sin(turn), 1.0 - r);
+      if (j == 1)
+      {
+        triangles.push_back({ 0, at(i, 1), at(i + 1, 1) });
+      }
+      else
+      {
+        triangles.push_back({ at(i, j - 1), at(i, j), at(i + 1, j) });
+        triangles.push_back({ at(i, j - 1), at(i + 1, j), at(i + 1, j - 1) });
+      }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// A flat square of 12 x 12 squares without the 6 x 6 at its upper right.
+TriangleMesh flatAngle()
+{
+  const Surface square = patch(12, 12, [](double i, double j) { return Point3(i, j, 0.0); });
+  Triangles triangles;
+  for (const Triangle& t : square.mesh.triangles())
+  {
+    const Point3 center =
+      (square.mesh.point(t[0]) + square.mesh.point(t[1]) + square.mesh.point(t[2])) / 3.0;
+    if (center.x() < 6.0 || center.y() < 6.0)
+    {
+      triangles.push_back(t);
+    }
+  }
+  return prepareSurface(square.mesh.points(), triangles).mesh;
+}
+
+Index vertexAt(const TriangleMesh& mesh, const Point3& point)
+{
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if ((mesh.point(v) - point).norm() < 1e-12)
+    {
+      return v;
+    }
+  }
+  return none;
+}
+
+void expectExact(const Surface& surface, double innerRadius)
+{
+  const TriangleMesh& mesh = surface.mesh;
+  const PathGraph graph(mesh);
+  std::mt19937 random(1);
+  int tried = 0;
+  while (tried < 200)
+  {
+    const SurfacePoint from = randomPoint(mesh, random);
+    const SurfacePoint to = randomPoint(mesh, random);
+    const Point2 a = unrolled(mesh, surface.unrolled, from);
+    const Point2 b = unrolled(mesh, surface.unrolled, to);
+    const double s = std::clamp(-a.dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    if (!((a + s * (b - a)).norm() >= innerRadius))
+    {
+      continue; // the straight line leaves the surface
+    }
+    ++tried;
+    const StraightPath path = straightPath(graph, from, to);
+    ASSERT_TRUE(path.status.ok()) << path.status.message;
+    ASSERT_TRUE(liesOn(mesh, path.path));
+    EXPECT_NEAR(path.length, (b - a).norm(), exactly * (b - a).norm());
+    EXPECT_NEAR(path.length, lengthOf(path.path), 1e-12 * path.length);
+    EXPECT_LE(worstBend(mesh, path.path), exactly);
+  }
+}
+}
+
+TEST(StraightPath, IsALineOnAPlane)
+{
+  // Far enough inside that no line meets the wavy boundary.
+  Surface surface = flatPatch(30, 25);
+  const PathGraph graph(surface.mesh);
+  std::mt19937 random(1);
+  for (int k = 0; k < 200; ++k)
+  {
+    SurfacePoint ends[2];
+    for (SurfacePoint& end : ends)
+    {
+      Point2 place;
+      do
+      {
+        end = randomPoint(surface.mesh, random);
+        place = unrolled(surface.mesh, surface.unrolled, end);
+      } while (place.x() < 0.5 || place.x() > 29.5 || place.y() < 0.5 || place.y() > 24.5);
+    }
+    const StraightPath path = straightPath(graph, ends[0], ends[1]);
+    ASSERT_TRUE(path.status.ok());
+    const double distance = (ends[1].position - ends[0].position).norm();
+    EXPECT_NEAR(path.length, distance, exactly * distance);
+  }
+}
+
+TEST(StraightPath, IsALineOnAnUnrolledCylinder)
+{
+  expectExact(cylinder(40, 30), 0.0);
+}
+
+TEST(StraightPath, IsALineOnAnUnrolledCone)
+{
+  // The unrolled inner edge is a chain of chords of the circle with radius 0.4.
+  expectExact(cone(40, 30), 0.4);
+}
+
+TEST(StraightPath, TakesTheShorterWayRoundTheApexOfACone)
+{
+  const Index sides = 24;
+  const Index rings = 15;
+  const TriangleMesh mesh = wholeCone(sides, rings);
+  const PathGraph graph(mesh);
+  const double slant = (mesh.point(mesh.vertexCount() - 1) - mesh.point(0)).norm();
+  const Point3 a = mesh.point(1) - mesh.point(0);
+  const Point3 b = mesh.point(2) - mesh.point(0);
+  const double step = std::atan2(a.cross(b).norm(), a.dot(b));
+  std::mt19937 random(1);
+  for (int k = 0; k < 200; ++k)
+  {
+    const auto from = static_cast<Index>(random() % (mesh.vertexCount() - 1));
+    const auto to = static_cast<Index>(random() % (mesh.vertexCount() - 1));
+    const Index apart = std::abs(from % sides - to % sides);
+    if (apart == sides / 2)
+    {
+      continue; // both ways are as long
+    }
+    const double r = slant * (1 + from / sides) / rings;
+    const double s = slant * (1 + to / sides) / rings;
+    const double turn = step * std::min(apart, sides - apart);
+    const double exact = std::sqrt(r * r + s * s - 2.0 * r * s * std::cos(turn));
+    const StraightPath path =
+      straightPath(graph, vertexPoint(mesh, from + 1), vertexPoint(mesh, to + 1));
+    EXPECT_NEAR(path.length, exact, exactly * slant) << from << " " << to;
+  }
+}
+
+TEST(StraightPath, BendsRoundACornerOfTheBoundaryOnly)
+{
+  const TriangleMesh mesh = flatAngle();
+  const Index from = vertexAt(mesh, Point3(5.0, 12.0, 0.0));
+  const Index to = vertexAt(mesh, Point3(12.0, 3.0, 0.0));
+  const StraightPath path =
+    straightPath(PathGraph(mesh), vertexPoint(mesh, from), vertexPoint(mesh, to));
+  EXPECT_NEAR(path.length, std::hypot(1.0, 6.0) + std::hypot(6.0, 3.0), 1e-12);
+  EXPECT_LE(worstBend(mesh, path.path), exactly);
+}
+
+TEST(StraightPath, GoesAlongEdgesWhereTheyAreStraight)
+{
+  const Surface surface = patch(20, 20, [](double i, double j) { return Point3(i, j, 0.0); });
+  const StraightPath path = straightPath(PathGraph(surface.mesh), vertexPoint(surface.mesh, 3 * 21),
+    vertexPoint(surface.mesh, 3 * 21 + 20));
+  EXPECT_EQ(path.path.points.size(), 21U);
+  for (const SurfacePoint& point : path.path.points)
+  {
+    EXPECT_EQ(point.carrier, Carrier::Vertex);
+  }
+}
+
+TEST(StraightPath, IsTheSegmentWithinATriangle)
+{
+  const Surface surface = cushion(4, 4, 0.3);
+  std::mt19937 random(1);
+  const SurfacePoint vertex = vertexPoint(surface.mesh, surface.mesh.triangle(7)[1]);
+  SurfacePoint inside = randomPoint(surface.mesh, random);
+  while (inside.carrier != Carrier::Face || inside.id != 7)
+  {
+    inside = randomPoint(surface.mesh, random);
+  }
+  const PathGraph graph(surface.mesh);
+  const StraightPath path = straightPath(graph, vertex, inside);
+  EXPECT_EQ(path.path.triangles, Indices{ 7 });
+  EXPECT_EQ(path.length, (vertex.position - inside.position).norm());
+  const StraightPath point = straightPath(graph, inside, inside);
+  EXPECT_TRUE(point.status.ok());
+  EXPECT_EQ(point.length, 0.0);
+}
+
+TEST(StraightPath, StaysTheSameUnderMotionScaleAndRenumbering)
+{
+  const Surface surface = cushion(30, 30, 0.8);
+  const PathGraph graph(surface.mesh);
+  std::mt19937 random(3);
+  Indices place;
+  const Surface other = renumbered(surface, random, place);
+  const PathGraph otherGraph(other.mesh);
+  const Eigen::AngleAxisd turn(1.1, Point3(1.0, -2.0, 0.5).normalized());
+  for (const double scale : { 1e-3, 1e3 })
+  {
+    Points3 moved;
+    for (const Point3& point : surface.mesh.points())
+    {
+      moved.push_back(scale * (turn * point + Point3(1.0, 2.0, 3.0)));
+    }
+    const TriangleMesh mesh(moved, surface.mesh.triangles());
+    const PathGraph movedGraph(mesh);
+    for (int k = 0; k < 50; ++k)
+    {
+      const auto a = static_cast<Index>(random() % mesh.vertexCount());
+      const auto b = static_cast<Index>(random() % mesh.vertexCount());
+      const double length =
+        straightPath(graph, vertexPoint(surface.mesh, a), vertexPoint(surface.mesh, b)).length;
+      EXPECT_NEAR(straightPath(movedGraph, vertexPoint(mesh, a), vertexPoint(mesh, b)).length,
+        scale * length, 1e-9 * scale);
+      EXPECT_NEAR(straightPath(otherGraph, vertexPoint(other.mesh, place[a]),
+                    vertexPoint(other.mesh, place[b]))
+                    .length,
+        length, 1e-9);
+      EXPECT_NEAR(
+        straightPath(graph, vertexPoint(surface.mesh, b), vertexPoint(surface.mesh, a)).length,
+        length, 1e-9);
+    }
+  }
+}
+
+TEST(StraightPath, StaysOnItsSideOfABumpWhileAnEndIsDragged)
+{
+  // A peak with a path past it; the end goes behind the peak, to where the other side is shorter.
+  const Surface surface = patch(40, 40, [](double i, double j) {
+    const double r = std::hypot(i - 20.0, j - 20.0) / 8.0;
+    return Point3(i, j, 25.0 * std::exp(-r * r));
+  });
+  const TriangleMesh& mesh = surface.mesh;
+  const PathGraph graph(mesh);
+  const auto at = [&mesh](Index i, Index j) { return vertexPoint(mesh, j * 41 + i); };
+  const SurfacePoint start = at(20, 2);
+  StraightPath path = straightPath(graph, start, at(27, 38));
+  double farthest = 0.0;
+  for (Index i = 26; i >= 13; --i)
+  {
+    const StraightPath next = straightPathNear(graph, path.path, start, at(i, 38));
+    ASSERT_TRUE(next.status.ok()) << next.status.message;
+    EXPECT_LE(worstBend(mesh, next.path), exactly);
+    EXPECT_NEAR(next.length, path.length, 1.0 + 1e-9); // by the step of the end
+    for (const SurfacePoint& point : next.path.points)
+    {
+      if (std::abs(point.position.y() - 20.0) < 3.0)
+      {
+        EXPECT_GT(point.position.x(), 20.0);
+      }
+    }
+    path = next;
+    farthest = path.length - straightPath(graph, start, at(i, 38)).length;
+  }
+  EXPECT_GT(farthest, 1.0);
+  EXPECT_LT(straightPath(graph, start, at(13, 38)).path.points[20].position.x(), 20.0);
+}
+
+TEST(StraightPath, NearItselfIsItself)
+{
+  const Surface surface = cushion(25, 25, 0.6);
+  const PathGraph graph(surface.mesh);
+  std::mt19937 random(5);
+  for (int k = 0; k < 50; ++k)
+  {
+    const SurfacePoint from = randomPoint(surface.mesh, random);
+    const SurfacePoint to = randomPoint(surface.mesh, random);
+    const StraightPath path = straightPath(graph, from, to);
+    const StraightPath again = straightPathNear(graph, path.path, from, to);
+    EXPECT_NEAR(again.length, path.length, 1e-12 * path.length);
+    EXPECT_EQ(again.path.points.size(), path.path.points.size());
+  }
+}
+
+TEST(StraightPath, ToManyTargetsFromOneSearchAreAsToEachAlone)
+{
+  const Surface surface = cylinder(40, 30);
+  const PathGraph graph(surface.mesh);
+  std::mt19937 random(7);
+  const SurfacePoint source = randomPoint(surface.mesh, random);
+  std::vector<SurfacePoint> targets;
+  for (int k = 0; k < 100; ++k)
+  {
+    targets.push_back(randomPoint(surface.mesh, random));
+  }
+  const PathSearch search(graph, source);
+  const std::vector<StraightPath> paths = straightPaths(search, targets);
+  for (std::size_t k = 0; k < targets.size(); ++k)
+  {
+    EXPECT_NEAR(paths[k].length, straightPath(graph, source, targets[k]).length, 1e-12);
+  }
+  EXPECT_FALSE(std::isfinite(
+    PathSearch(graph, vertexPoint(surface.mesh, 0), 0.5).distance(surface.mesh.vertexCount() - 1)));
+}
+
+TEST(StraightPath, RefusesWhatItCannotJoin)
+{
+  const TriangleMesh two({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(3, 0, 0),
+                           Point3(4, 0, 0), Point3(3, 1, 0), Point3(9, 9, 9) },
+    { { 0, 1, 2 }, { 3, 4, 5 } });
+  const PathGraph graph(two);
+  EXPECT_EQ(straightPath(graph, vertexPoint(two, 0), vertexPoint(two, 4)).status.code,
+    StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(straightPath(graph, vertexPoint(two, 0), vertexPoint(two, 6)).status.code,
+    StatusCode::InvalidPointId);
+  EXPECT_EQ(straightPath(graph, { Carrier::Face, 2 }, vertexPoint(two, 0)).status.code,
+    StatusCode::InvalidPointId);
+  const SurfacePath elsewhere{ { vertexPoint(two, 0), vertexPoint(two, 4) }, { 0 } };
+  EXPECT_EQ(
+    straightPathNear(graph, elsewhere, vertexPoint(two, 0), vertexPoint(two, 1)).status.code,
+    StatusCode::InvalidCurve);
+  const TriangleMesh nothing;
+  EXPECT_EQ(straightPath(PathGraph(nothing), {}, {}).status.code, StatusCode::EmptySurface);
+}
