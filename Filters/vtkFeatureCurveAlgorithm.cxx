@@ -53,15 +53,22 @@ void vtkFeatureCurveAlgorithm::RemoveAllCurves()
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::AddCurveTolerance(const std::string& curve, double tolerance)
 {
-  this->CurveTolerances[curve] = tolerance;
-  this->Modified();
+  const auto [entry, added] = this->CurveTolerances.emplace(curve, tolerance);
+  if (added || entry->second != tolerance)
+  {
+    entry->second = tolerance;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
 {
-  this->CurveTolerances.clear();
-  this->Modified();
+  if (!this->CurveTolerances.empty())
+  {
+    this->CurveTolerances.clear();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "RemedyWords.h"
 #include "StatusInInput.h"
 
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
@@ -56,12 +57,34 @@ static_assert(same(vtkFlatteningAlgorithm::INCOMPATIBLE_KEYS, StatusCode::Incomp
 static_assert(same(vtkFlatteningAlgorithm::LENGTH_ERROR, StatusCode::LengthError), "");
 static_assert(same(vtkFlatteningAlgorithm::FLIPPED_TRIANGLES, StatusCode::FlippedTriangles), "");
 static_assert(same(vtkFlatteningAlgorithm::OVERLAP, StatusCode::Overlap), "");
+
+/// Set while it lives.
+class RunningMark
+{
+public:
+  explicit RunningMark(bool& running)
+    : Running(running)
+    , Before(running)
+  {
+    running = true;
+  }
+  ~RunningMark() { this->Running = this->Before; }
+  RunningMark(const RunningMark&) = delete;
+  RunningMark& operator=(const RunningMark&) = delete;
+
+private:
+  bool& Running;
+  bool Before;
+};
 }
 
 //------------------------------------------------------------------------------
 vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
 {
   this->Keep({});
+  this->StatusCode = NOT_RUN;
+  this->StatusMessage = this->StatusDefect =
+    "the filter has not run; update it, and see that its input can be read";
 }
 
 //------------------------------------------------------------------------------
@@ -71,6 +94,7 @@ vtkFlatteningAlgorithm::~vtkFlatteningAlgorithm() = default;
 vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const RunningMark mark(this->Running);
   // Core answers itself where its own memory runs out; here what stands around it does. TBB throws
   // a std::runtime_error where there is no memory for a thread.
   const auto ranOut = [this, outputVector]() {
@@ -94,9 +118,22 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkFlatteningAlgorithm::GetMTime()
+{
+  // The pipeline takes an aborted run for one that is up to date.
+  if (this->StatusCode == CANCELLED && !this->Running)
+  {
+    this->Modified();
+  }
+  return this->Superclass::GetMTime();
+}
+
+//------------------------------------------------------------------------------
 const char* vtkFlatteningAlgorithm::GetStatusName() const
 {
-  return flattening::statusName(static_cast<flattening::StatusCode>(this->StatusCode));
+  return this->StatusCode == NOT_RUN
+    ? "NotRun"
+    : flattening::statusName(static_cast<flattening::StatusCode>(this->StatusCode));
 }
 
 //------------------------------------------------------------------------------
@@ -187,6 +224,7 @@ void vtkFlatteningAlgorithm::Keep(const flattening::Status& outcome)
 bool vtkFlatteningAlgorithm::Conclude(const flattening::Status& outcome)
 {
   this->Keep(outcome);
+  this->SetErrorCode(this->IsRefused() ? vtkErrorCode::UserError : vtkErrorCode::NoError);
   if (this->IsRefused())
   {
     if (this->StatusCode != CANCELLED)

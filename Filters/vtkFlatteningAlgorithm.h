@@ -53,11 +53,12 @@ public:
     vtkInformationVector* outputVector) override;
 
   /**
-   * What a run can end with. Up to NUMERICAL_FAILURE there is no result; later codes mark a result
-   * with a broken promise.
+   * What a run can end with. Up to NUMERICAL_FAILURE, but for OK, there is no result; later codes
+   * mark a result with a broken promise.
    */
   enum StatusCodes
   {
+    NOT_RUN = -1, ///< no run yet, for example because the input could not be read
     OK = 0,
     CANCELLED,
     EMPTY_SURFACE,
@@ -87,7 +88,9 @@ public:
   ///@{
   /**
    * How the last run ended: one of StatusCodes, its fixed name ("NonManifoldEdge"), and the message
-   * that was given, empty where the status is OK.
+   * that was given, empty where the status is OK. A run that is refused sets
+   * vtkErrorCode::UserError as the ErrorCode of vtkAlgorithm, any other run that ends
+   * vtkErrorCode::NoError.
    */
   int GetStatusCode() const { return this->StatusCode; }
   const char* GetStatusName() const;
@@ -128,9 +131,14 @@ public:
   ///@}
 
   /**
-   * True where the last run gave no result.
+   * True where the last run gave no result, or there was none.
    */
   bool IsRefused() const;
+
+  /**
+   * A run that was aborted is done again by the next Update(), although nothing was changed.
+   */
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkFlatteningAlgorithm();
@@ -165,7 +173,8 @@ private:
   vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;
   void operator=(const vtkFlatteningAlgorithm&) = delete;
 
-  int StatusCode = OK;
+  int StatusCode = NOT_RUN;
+  bool Running = false;
   std::string StatusMessage;
   std::string StatusDefect;
   std::string StatusIdKind;

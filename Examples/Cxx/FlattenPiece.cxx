@@ -29,7 +29,7 @@ int main(int argc, char* argv[])
   flattening->Update();
   if (flattening->IsRefused())
   {
-    return EXIT_FAILURE; // the filter has said why
+    return EXIT_FAILURE; // the filter or a reader has said why
   }
 
   // What the filter measured stands in its field data, a row a piece.

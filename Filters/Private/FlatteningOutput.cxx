@@ -322,6 +322,20 @@ void writeTextureCoordinates(const Points2& positions, vtkPointData* points)
   points->AddArray(coordinates);
   points->SetActiveTCoords(coordinates->GetName());
 }
+
+/// Normals and tangents of the surface in space, which would shade the flat pieces by its shape.
+void dropDirections(vtkDataSetAttributes* arrays)
+{
+  for (const int attribute : { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TANGENTS })
+  {
+    int place[vtkDataSetAttributes::NUM_ATTRIBUTES];
+    arrays->GetAttributeIndices(place);
+    if (place[attribute] >= 0)
+    {
+      arrays->RemoveArray(place[attribute]);
+    }
+  }
+}
 }
 
 void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>& curves,
@@ -396,6 +410,8 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   cut->GetPointData()->ShallowCopy(flat->GetPointData());
   cut->GetCellData()->ShallowCopy(flat->GetCellData());
   writeTextureCoordinates(result.positions, cut->GetPointData());
+  dropDirections(flat->GetPointData());
+  dropDirections(flat->GetCellData());
 
   writeWires(result.wires, source.imprinted.curves, flat, wires);
   writeFlatLengths(result.wires, wires->GetCellData());

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What whoever knows VTK's filters expects of these as well: status before a run, error codes,
+// modification times, runs after an abort, and attributes that still mean something in the plane.
+#include "FlatteningTesting.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSurfaceDevelopability.h"
+#include "vtkWireWarpingFilter.h"
+#include "vtkXMLPolyDataReader.h"
+
+using namespace flatteningTesting;
+
+namespace
+{
+void statusBeforeARunIsNotRun(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> fresh;
+  check.equal(std::string(fresh->GetStatusName()), "NotRun", "status of a new filter");
+  check.that(fresh->IsRefused(), "a new filter has no result");
+
+  vtkObject::GlobalWarningDisplayOff(); // the executives tell of the reader, to nobody in
+                                        // particular
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName("/nonexistent/surface.vtp");
+  vtkNew<vtkSurfaceDevelopability> developability;
+  vtkNew<vtkWireWarpingFilter> filter;
+  for (vtkFlatteningAlgorithm* algorithm : { static_cast<vtkFlatteningAlgorithm*>(developability),
+         static_cast<vtkFlatteningAlgorithm*>(filter) })
+  {
+    algorithm->SetInputConnection(reader->GetOutputPort());
+    algorithm->Update();
+    check.equal(algorithm->GetStatusCode(), static_cast<int>(vtkFlatteningAlgorithm::NOT_RUN),
+      "status where the input cannot be read");
+    check.that(algorithm->IsRefused(), "no result where the input cannot be read");
+    check.that(
+      algorithm->GetStatusMessage()[0] != '\0', "a message where the input cannot be read");
+  }
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+void refusalsSetTheErrorCode(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(vtkNew<vtkPolyData>());
+  filter->Update();
+  check.equal(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError),
+    "error code of a refusal");
+  filter->SetInputData(makeGrid(3, 2));
+  filter->Update();
+  check.equal(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError),
+    "error code of the good run after it");
+}
+
+void sameValuesChangeNothing(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->AddCurveTolerance("hem", 0.02);
+  const vtkMTimeType before = filter->GetMTime();
+  filter->AddCurveTolerance("hem", 0.02);
+  filter->SetAreaBias(filter->GetAreaBias());
+  filter->SetScheme(filter->GetScheme());
+  filter->SetConformalPins(filter->GetConformalPins()[0], filter->GetConformalPins()[1]);
+  check.equal(filter->GetMTime(), before, "modification time after the same values");
+  filter->AddCurveTolerance("hem", 0.03);
+  check.that(filter->GetMTime() > before, "another tolerance is a change");
+  filter->RemoveAllCurveTolerances();
+  const vtkMTimeType empty = filter->GetMTime();
+  filter->RemoveAllCurveTolerances();
+  check.equal(filter->GetMTime(), empty, "modification time after removing nothing");
+}
+
+void anAbortedRunIsDoneAgain(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(makeQuarterSphere());
+  int runs = 0;
+  bool abort = true;
+  struct Observer
+  {
+    vtkAlgorithm* algorithm;
+    bool* abort;
+    int* runs;
+    void start() { ++*this->runs; }
+    void progress() { this->algorithm->SetAbortExecute(*this->abort ? 1 : 0); }
+  } observer{ filter, &abort, &runs };
+  filter->AddObserver(vtkCommand::StartEvent, &observer, &Observer::start);
+  filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::progress);
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Cancelled", "status of the aborted run");
+  abort = false;
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "status of the next update");
+  check.equal(runs, 2, "runs so far");
+  filter->Update();
+  check.equal(runs, 2, "runs after an update that has nothing to do");
+}
+
+void normalsDoNotFollowIntoThePlane(Checks& check)
+{
+  const vtkSmartPointer<vtkPolyData> surface = makeQuarterSphere();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->ComputeCellNormalsOn();
+  normals->SplittingOff();
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputConnection(normals->GetOutputPort());
+  filter->Update();
+  check.that(!isEmpty(filter->GetOutput()), "the piece is flattened");
+  check.that(
+    !filter->GetOutput()->GetPointData()->GetNormals(), "no normals at points of the plane");
+  check.that(!filter->GetOutput()->GetCellData()->GetNormals(), "no normals of cells in the plane");
+  check.that(filter->GetOutput(2)->GetPointData()->GetNormals(), "normals stay on the surface");
+}
+}
+
+int TestFilterManners(int, char*[])
+{
+  Checks check;
+  statusBeforeARunIsNotRun(check);
+  refusalsSetTheErrorCode(check);
+  sameValuesChangeNothing(check);
+  anAbortedRunIsDoneAgain(check);
+  normalsDoNotFollowIntoThePlane(check);
+  return check.result();
+}
