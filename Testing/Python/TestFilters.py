@@ -31,7 +31,8 @@ class Filters(unittest.TestCase):
             name = pathlib.Path(header).stem
             self.assertTrue(hasattr(sf, name), name)
             self.assertIn(name, sf.__all__)
-            self.assertTrue(issubclass(getattr(sf, name), vtkAlgorithm), name)
+            if name != "vtkFeatureCurveEditor":  # is worked with by commands
+                self.assertTrue(issubclass(getattr(sf, name), vtkAlgorithm), name)
 
     def test_classes_and_methods_are_documented(self):
         self.assertIn("wires", sf.vtkWireWarpingFilter.__doc__)

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/CurveDrawing.h"
+
+#include "Paths/StraightPath.h"
+
+namespace flattening
+{
+namespace
+{
+bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
+{
+  return a.carrier == b.carrier && a.id == b.id && a.weights == b.weights;
+}
+
+DrawnSegment drawSection(
+  const DrawingSurface& surface, const SurfacePoint& from, const SurfacePoint& to)
+{
+  DrawnSegment result;
+  result.path = traceSegment(surface.mesh(), surface.snap(), from, to);
+  if (!result.path.arrived)
+  {
+    result.status = { StatusCode::CurveLeavesSurface,
+      "no plane section joins two nodes: it meets the boundary or a fold", {},
+      { Remedy::RedrawCurve } };
+  }
+  return result;
+}
+
+/// The segment of a curve before that runs between the same nodes in the same way; null where there
+/// is none.
+const SurfacePath* keptSegment(const EditedCurve& before, const EditedCurve& curve, std::size_t s)
+{
+  const SurfacePoint& from = curve.nodes[s];
+  const SurfacePoint& to = curve.nodes[(s + 1) % curve.nodes.size()];
+  for (std::size_t other = 0; other < before.segments.size(); ++other)
+  {
+    if (before.kinds[other] == curve.kinds[s] && samePlace(before.nodes[other], from) &&
+      samePlace(before.nodes[(other + 1) % before.nodes.size()], to))
+    {
+      return &before.segments[other];
+    }
+  }
+  return nullptr;
+}
+
+/// Where a segment ran before one of its nodes was moved.
+const SurfacePath* hintFor(const EditedCurve& before, const EditedCurve& curve, std::size_t s)
+{
+  return before.nodes.size() == curve.nodes.size() && before.closed == curve.closed &&
+      before.kinds[s] == curve.kinds[s]
+    ? &before.segments[s]
+    : nullptr;
+}
+
+Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, EditedCurve& curve)
+{
+  std::vector<SurfacePoint> nodes;
+  for (const SurfacePoint& node : curve.nodes)
+  {
+    nodes.push_back(surface.pointNear(mirror.image(node.position)));
+  }
+  for (std::size_t s = 0; s < curve.segments.size(); ++s)
+  {
+    // Near the image of the segment, so that both sides go round a bump alike.
+    Points3 points = pointsAlong({ curve.segments[s] });
+    for (Point3& point : points)
+    {
+      point = mirror.image(point);
+    }
+    const SurfacePath hint = surface.pathThrough(points);
+    DrawnSegment drawn = drawSegment(surface, curve.kinds[s], nodes[s],
+      nodes[(s + 1) % nodes.size()], hint.arrived ? &hint : nullptr);
+    if (drawn.status.refused())
+    {
+      return drawn.status;
+    }
+    curve.image.push_back(std::move(drawn.path));
+  }
+  return {};
+}
+}
+
+DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const SurfacePoint& from,
+  const SurfacePoint& to, const SurfacePath* hint)
+{
+  if (kind == SegmentKind::Section)
+  {
+    return drawSection(surface, from, to);
+  }
+  StraightPath straight = hint ? straightPathNear(surface.graph(), *hint, from, to)
+                               : straightPath(surface.graph(), from, to);
+  return { std::move(straight.path), std::move(straight.status) };
+}
+
+Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
+  const EditedCurve* before, EditedCurve& curve)
+{
+  curve.segments.clear();
+  curve.image.clear();
+  for (std::size_t s = 0; s < segmentCount(curve.nodes.size(), curve.closed); ++s)
+  {
+    if (const SurfacePath* kept = before ? keptSegment(*before, curve, s) : nullptr)
+    {
+      curve.segments.push_back(*kept);
+      continue;
+    }
+    DrawnSegment drawn = drawSegment(surface, curve.kinds[s], curve.nodes[s],
+      curve.nodes[(s + 1) % curve.nodes.size()], before ? hintFor(*before, curve, s) : nullptr);
+    if (drawn.status.refused())
+    {
+      return drawn.status;
+    }
+    curve.segments.push_back(std::move(drawn.path));
+  }
+  return curve.traits.mirrored && mirror ? drawImage(surface, *mirror, curve) : Status();
+}
+}

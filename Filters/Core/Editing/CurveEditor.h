@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Editing/CurveHistory.h"
+#include "Editing/DrawingSurface.h"
+
+namespace flattening
+{
+/// Draws and changes curves on a surface, command by command, each of which can be undone.
+///
+/// A command that is refused changes nothing. Curves and nodes are counted from 0; a curve whose
+/// last node goes, goes. Curves keep their order, and a new one is the last.
+///
+/// Errors of all commands: InvalidOption (no such curve, node or segment, or a value out of range);
+/// those of drawSegment(); OutOfMemory.
+class CurveEditor
+{
+public:
+  explicit CurveEditor(std::shared_ptr<const DrawingSurface> surface);
+
+  const DrawingSurface& surface() const { return *this->Surface; }
+  const CurveSet& state() const { return this->History.present(); }
+  std::size_t curveCount() const { return this->state().curves.size(); }
+  const EditedCurve& curve(std::size_t c) const { return *this->state().curves[c]; }
+
+  /// Forgets everything, the past as well, and starts with these curves; their kinds, where they
+  /// are too few, are Geodesic. What they hold of segments are hints.
+  Status restart(const std::vector<EditedCurve>& curves, const std::optional<MirrorPlane>& mirror);
+
+  /// Adds a curve; its segments are drawn. Without a name, or with one that is taken, it gets
+  /// another.
+  Status add(EditedCurve curve);
+  Status remove(std::size_t c);
+  /// \param at the number that the node gets; behind the last one: the curve goes on
+  /// \param kind of the segments to its neighbours
+  Status insertNode(std::size_t c, std::size_t at, const SurfacePoint& point, SegmentKind kind);
+  Status moveNode(std::size_t c, std::size_t node, const SurfacePoint& point);
+  Status removeNode(std::size_t c, std::size_t node);
+  /// Closed, it runs from the last node to the first; from three nodes on.
+  Status setClosed(std::size_t c, bool closed);
+  /// At an inner node in two; a closed curve opens there.
+  Status split(std::size_t c, std::size_t node);
+  /// Appends the second curve to the first, both open, where they are nearest to each other; the
+  /// second goes. A curve joined with itself is closed.
+  Status join(std::size_t first, std::size_t second);
+  /// Adds the curve's image in the mirror plane as a curve of its own.
+  Status addImage(std::size_t c);
+  Status setKind(std::size_t c, std::size_t segment, SegmentKind kind);
+  /// Another name, type, shape, tolerance, or with an image in the mirror.
+  Status describe(std::size_t c, const CurveTraits& traits);
+  /// The plane of mirrored curves; without one they have no image.
+  Status setMirror(const std::optional<MirrorPlane>& mirror);
+
+  bool canUndo() const { return this->History.canUndo(); }
+  bool canRedo() const { return this->History.canRedo(); }
+  void undo() { this->History.undo(); }
+  void redo() { this->History.redo(); }
+  /// Until the end of the group all commands are undone as one.
+  void beginGroup() { this->History.beginGroup(); }
+  void endGroup() { this->History.endGroup(); }
+
+private:
+  Status replace(std::size_t c, EditedCurve changed);
+  Status checkCurve(std::size_t c) const;
+  Status checkNode(std::size_t c, std::size_t node) const;
+  std::string freeName(const std::string& wish) const;
+  bool nameTaken(const std::string& name, std::size_t except) const;
+
+  std::shared_ptr<const DrawingSurface> Surface;
+  CurveHistory History;
+};
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/CurveSnapping.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+constexpr double vertexReach = 1.0 / 3.0; // of the longest edge there
+
+/// Keeps the nearest of what is offered within reach.
+class Nearest
+{
+public:
+  Nearest(const SurfacePoint& point, double reach)
+    : Point(point)
+    , Least(reach)
+  {
+    this->Found.point = point;
+  }
+
+  void offer(const SurfacePoint& candidate, SnapTarget target, Index curve = none)
+  {
+    const double distance = (candidate.position - this->Point.position).norm();
+    if (distance < this->Least)
+    {
+      this->Least = distance;
+      this->Found = { candidate, target, curve };
+    }
+  }
+  bool found() const { return this->Found.target != SnapTarget::Nothing; }
+  const SnappedPoint& result() const { return this->Found; }
+
+private:
+  const SurfacePoint& Point;
+  double Least;
+  SnappedPoint Found;
+};
+
+/// Fraction of a segment at its point nearest to another.
+double nearestFraction(const Point3& a, const Point3& b, const Point3& point)
+{
+  const Point3 side = b - a;
+  const double square = side.squaredNorm();
+  return square > 0.0 ? std::clamp(side.dot(point - a) / square, 0.0, 1.0) : 0.0;
+}
+
+bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  return (point.carrier == Carrier::Vertex && mesh.onBoundary(point.id)) ||
+    (point.carrier == Carrier::Edge && mesh.twin(point.id) == none);
+}
+
+void offerNodes(
+  const DrawingSurface& surface, const CurveSet& set, const SnapOptions& options, Nearest& nearest)
+{
+  for (std::size_t c = 0; c < set.curves.size(); ++c)
+  {
+    const EditedCurve& curve = *set.curves[c];
+    const auto id = static_cast<Index>(c);
+    for (std::size_t k = 0; k < curve.nodes.size() && id != options.exceptCurve; ++k)
+    {
+      const bool tip = curve.traits.type == CurveType::Dart && !curve.closed &&
+        (k == 0 || k + 1 == curve.nodes.size()) && !atBoundary(surface.mesh(), curve.nodes[k]);
+      if (tip ? options.dartTip : options.curve)
+      {
+        nearest.offer(curve.nodes[k], tip ? SnapTarget::DartTip : SnapTarget::Curve, id);
+      }
+    }
+  }
+}
+
+void offerBoundary(const DrawingSurface& surface, const Point3& point, Nearest& nearest)
+{
+  const TriangleMesh& mesh = surface.mesh();
+  for (const Index h : surface.boundary())
+  {
+    const double fraction =
+      nearestFraction(mesh.point(mesh.from(h)), mesh.point(mesh.to(h)), point);
+    nearest.offer(fraction == 0.0 ? vertexPoint(mesh, mesh.from(h))
+        : fraction == 1.0         ? vertexPoint(mesh, mesh.to(h))
+                                  : edgePoint(mesh, h, fraction),
+      SnapTarget::Boundary);
+  }
+}
+
+void offerCurves(const DrawingSurface& surface, const CurveSet& set, const SnapOptions& options,
+  const Point3& point, Nearest& nearest)
+{
+  for (std::size_t c = 0; c < set.curves.size(); ++c)
+  {
+    const auto id = static_cast<Index>(c);
+    if (id == options.exceptCurve)
+    {
+      continue;
+    }
+    Nearest onCurve = nearest;
+    Point3 best = point;
+    for (const SurfacePath& segment : set.curves[c]->segments)
+    {
+      for (std::size_t k = 1; k < segment.points.size(); ++k)
+      {
+        const Point3& a = segment.points[k - 1].position;
+        const Point3& b = segment.points[k].position;
+        SurfacePoint place;
+        place.position = a + nearestFraction(a, b, point) * (b - a);
+        onCurve.offer(place, SnapTarget::Curve, id);
+        best = onCurve.result().curve == id ? onCurve.result().point.position : best;
+      }
+    }
+    if (onCurve.result().curve == id)
+    {
+      nearest.offer(surface.pointNear(best), SnapTarget::Curve, id);
+    }
+  }
+}
+
+/// The place in the point's triangle, or in that under its foot, where the surface meets the plane.
+void offerMirror(const DrawingSurface& surface, const MirrorPlane& mirror,
+  const SurfacePoint& point, Nearest& nearest)
+{
+  const TriangleMesh& mesh = surface.mesh();
+  const Point3 foot = point.position - mirror.height(point.position) * mirror.normal;
+  for (const Index t : trianglesAround(mesh, surface.pointNear(foot)))
+  {
+    Points3 crossings;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const Point3& a = mesh.point(mesh.from(h));
+      const Point3& b = mesh.point(mesh.to(h));
+      const double below = mirror.height(a);
+      const double above = mirror.height(b);
+      if (below * above <= 0.0 && below != above)
+      {
+        crossings.push_back(a + below / (below - above) * (b - a));
+      }
+    }
+    for (std::size_t k = 1; k < crossings.size(); ++k)
+    {
+      const Point3& a = crossings[0];
+      const Point3& b = crossings[k];
+      nearest.offer(surface.pointNear(a + nearestFraction(a, b, point.position) * (b - a)),
+        SnapTarget::MirrorPlane);
+    }
+  }
+}
+
+void offerVertices(const DrawingSurface& surface, const SurfacePoint& near, const Point3& point,
+  double reach, bool boundaryOnly, SnappedPoint& result)
+{
+  const TriangleMesh& mesh = surface.mesh();
+  for (const Index t : trianglesAround(mesh, near))
+  {
+    const double longest =
+      std::max({ mesh.length(3 * t), mesh.length(3 * t + 1), mesh.length(3 * t + 2) });
+    double least = std::min(reach, vertexReach * longest);
+    for (const Index v : mesh.triangle(t))
+    {
+      const double distance = (mesh.point(v) - point).norm();
+      if (distance < least && (!boundaryOnly || mesh.onBoundary(v)))
+      {
+        least = distance;
+        result = { vertexPoint(mesh, v), SnapTarget::Vertex, none };
+      }
+    }
+  }
+}
+}
+
+SnappedPoint snapPoint(const DrawingSurface& surface, const CurveSet& curves,
+  const SurfacePoint& point, const SnapOptions& options)
+{
+  Nearest points(point, options.reach);
+  offerNodes(surface, curves, options, points);
+  for (const Index corner : options.corner ? surface.corners() : Indices())
+  {
+    points.offer(vertexPoint(surface.mesh(), corner), SnapTarget::Corner);
+  }
+  if (points.found())
+  {
+    return points.result();
+  }
+  Nearest lines(point, options.reach);
+  if (options.boundary)
+  {
+    offerBoundary(surface, point.position, lines);
+  }
+  if (options.curve)
+  {
+    offerCurves(surface, curves, options, point.position, lines);
+  }
+  if (options.mirrorPlane && curves.mirror)
+  {
+    offerMirror(surface, *curves.mirror, point, lines);
+  }
+  SnappedPoint result = lines.result();
+  const bool onBoundary = result.target == SnapTarget::Boundary;
+  if (options.vertex && (!lines.found() || onBoundary))
+  {
+    offerVertices(surface, result.point, point.position, options.reach, onBoundary, result);
+  }
+  return result;
+}
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/EditedCurve.h"
+
+#include "Base/SameBits.h"
+#include "Paths/StraightPath.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+bool identical(const SurfacePoint& a, const SurfacePoint& b)
+{
+  return a.carrier == b.carrier && a.id == b.id &&
+    std::memcmp(a.weights.data(), b.weights.data(), sizeof(a.weights)) == 0 &&
+    sameBits({ a.position }, { b.position });
+}
+
+bool identical(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const SurfacePoint& p, const SurfacePoint& q) { return identical(p, q); });
+}
+
+bool identical(const std::vector<SurfacePath>& a, const std::vector<SurfacePath>& b)
+{
+  return std::equal(
+    a.begin(), a.end(), b.begin(), b.end(), [](const SurfacePath& p, const SurfacePath& q) {
+      return p.triangles == q.triangles && identical(p.points, q.points);
+    });
+}
+
+bool identical(const CurveTraits& a, const CurveTraits& b)
+{
+  return a.name == b.name && a.type == b.type && a.keyShape == b.keyShape &&
+    a.tolerance == b.tolerance && a.mirrored == b.mirrored;
+}
+}
+
+std::size_t segmentCount(std::size_t nodes, bool closed)
+{
+  return closed ? nodes : std::max<std::size_t>(nodes, 1) - 1;
+}
+
+double lengthOf(const EditedCurve& curve)
+{
+  double length = 0.0;
+  for (const SurfacePath& segment : curve.segments)
+  {
+    length += lengthOf(segment);
+  }
+  return length;
+}
+
+Points3 pointsAlong(const std::vector<SurfacePath>& segments)
+{
+  Points3 points;
+  for (const SurfacePath& segment : segments)
+  {
+    for (const SurfacePoint& point : segment.points)
+    {
+      if (points.empty() || points.back() != point.position)
+      {
+        points.push_back(point.position);
+      }
+    }
+  }
+  return points;
+}
+
+bool identical(const EditedCurve& a, const EditedCurve& b)
+{
+  return identical(a.traits, b.traits) && a.closed == b.closed && identical(a.nodes, b.nodes) &&
+    a.kinds == b.kinds && identical(a.segments, b.segments) && identical(a.image, b.image);
+}
+
+bool identical(const CurveSet& a, const CurveSet& b)
+{
+  const bool sameMirror = a.mirror.has_value() == b.mirror.has_value() &&
+    (!a.mirror ||
+      sameBits({ a.mirror->origin, a.mirror->normal }, { b.mirror->origin, b.mirror->normal }));
+  return sameMirror &&
+    std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
+      [](const auto& p, const auto& q) { return identical(*p, *q); });
+}
+}

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveEditorData.h"
+
+#include "CurveInput.h"
+#include "FieldArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <map>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+const char* const imageOf = "CurveImageOf";
+const char* const controlPoints = "ControlPoints";
+const char* const controlCurve = "ControlPointCurve";
+const char* const controlKind = "ControlPointKind";
+const char* const mirrorPlane = "MirrorPlane";
+const char* const imageName = " (image)";
+
+/// Polylines over points of their own.
+class LineWriter
+{
+public:
+  LineWriter() { this->Points->SetDataTypeToDouble(); }
+
+  void add(const Points3& points)
+  {
+    this->Lines->InsertNextCell(static_cast<int>(points.size()));
+    for (const Point3& point : points)
+    {
+      this->Lines->InsertCellPoint(this->Points->InsertNextPoint(point.data()));
+    }
+  }
+  void give(vtkPolyData* data)
+  {
+    data->Initialize();
+    data->SetPoints(this->Points);
+    data->SetLines(this->Lines);
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+};
+
+struct Row
+{
+  const EditedCurve* curve;
+  vtkIdType imageOf; ///< -1: the curve itself
+};
+
+void writeTraits(const std::vector<Row>& rows, vtkPolyData* data)
+{
+  vtkCellData* const cells = data->GetCellData();
+  const auto traits = [&rows](
+                        std::size_t k) -> const CurveTraits& { return rows[k].curve->traits; };
+  addRows<vtkIntArray>(cells, "CurveType", rows.size(),
+    [&](std::size_t k) { return static_cast<int>(traits(k).type); });
+  addRows<vtkStringArray>(cells, "CurveName", rows.size(),
+    [&](std::size_t k) { return traits(k).name + (rows[k].imageOf < 0 ? "" : imageName); });
+  addRows<vtkIntArray>(cells, "KeyShape", rows.size(),
+    [&](std::size_t k) { return static_cast<int>(traits(k).keyShape); });
+  addRows<vtkDoubleArray>(
+    cells, "LengthTolerance", rows.size(), [&](std::size_t k) { return traits(k).tolerance; });
+  addRows<vtkIdTypeArray>(
+    cells, imageOf, rows.size(), [&](std::size_t k) { return rows[k].imageOf; });
+}
+
+void writeNodes(const CurveSet& set, const std::vector<Row>& rows, vtkPolyData* data)
+{
+  vtkNew<vtkDoubleArray> places;
+  places->SetName(controlPoints);
+  places->SetNumberOfComponents(3);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName(controlCurve);
+  vtkNew<vtkIntArray> kinds;
+  kinds->SetName(controlKind);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    const EditedCurve& curve = *rows[row].curve;
+    for (std::size_t k = 0; k < curve.nodes.size() && rows[row].imageOf < 0; ++k)
+    {
+      places->InsertNextTuple(curve.nodes[k].position.data());
+      cells->InsertNextValue(static_cast<vtkIdType>(row));
+      kinds->InsertNextValue(
+        static_cast<int>(k < curve.kinds.size() ? curve.kinds[k] : SegmentKind::Geodesic));
+    }
+  }
+  vtkFieldData* const field = data->GetFieldData();
+  field->AddArray(places);
+  field->AddArray(cells);
+  field->AddArray(kinds);
+  if (set.mirror)
+  {
+    vtkNew<vtkDoubleArray> plane;
+    plane->SetName(mirrorPlane);
+    plane->SetNumberOfComponents(6);
+    const Point3& o = set.mirror->origin;
+    const Point3& n = set.mirror->normal;
+    plane->InsertNextTuple6(o.x(), o.y(), o.z(), n.x(), n.y(), n.z());
+    field->AddArray(plane);
+  }
+}
+
+Status refusal(const std::string& defect, const char* wayOut)
+{
+  return { StatusCode::InvalidCurve, defect, {}, { { Remedy::Give, wayOut } } };
+}
+
+/// A field array with so many components of numbers; null where there is none such.
+vtkDataArray* numbers(vtkPolyData* data, const char* name, int components)
+{
+  vtkDataArray* const array = data->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+}
+
+bool isImage(vtkPolyData* data, vtkIdType cell)
+{
+  vtkDataArray* const array = data->GetCellData()->GetArray(imageOf);
+  return array && cell < array->GetNumberOfTuples() && array->GetComponent(cell, 0) >= 0.0;
+}
+
+/// The control points of each cell.
+struct ControlPoints
+{
+  std::map<vtkIdType, EditedCurve> curves;
+  Status status;
+};
+
+ControlPoints readNodes(vtkPolyData* data, const DrawingSurface& surface)
+{
+  ControlPoints result;
+  if (!data->GetFieldData()->GetAbstractArray(controlPoints))
+  {
+    return result;
+  }
+  vtkDataArray* const places = numbers(data, controlPoints, 3);
+  vtkDataArray* const cells = numbers(data, controlCurve, 1);
+  vtkDataArray* const kinds = numbers(data, controlKind, 1);
+  const vtkIdType count = places ? places->GetNumberOfTuples() : 0;
+  if (!places || !cells || !kinds || cells->GetNumberOfTuples() != count ||
+    kinds->GetNumberOfTuples() != count)
+  {
+    result.status = refusal("the arrays of control points do not fit each other",
+      "ControlPoints with 3 components, and ControlPointCurve and ControlPointKind with as many "
+      "values");
+    return result;
+  }
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const Point3 place(
+      places->GetComponent(k, 0), places->GetComponent(k, 1), places->GetComponent(k, 2));
+    const double kind = kinds->GetComponent(k, 0);
+    if (!place.allFinite() || (kind != 0.0 && kind != 1.0))
+    {
+      result.status = refusal("control point " + std::to_string(k) +
+          (place.allFinite() ? " has an unknown kind" : " is not finite"),
+        "finite points, and 0 (geodesic) or 1 (section)");
+      return result;
+    }
+    EditedCurve& curve = result.curves[static_cast<vtkIdType>(cells->GetComponent(k, 0))];
+    curve.nodes.push_back(surface.pointNear(place));
+    curve.kinds.push_back(static_cast<SegmentKind>(static_cast<int>(kind)));
+  }
+  return result;
+}
+
+/// Which of a polyline's points each node is, in order; shorter where some are none of them.
+std::vector<std::size_t> placesOf(const EditedCurve& curve, const Points3& points)
+{
+  std::vector<std::size_t> places;
+  std::size_t k = 0;
+  for (const SurfacePoint& node : curve.nodes)
+  {
+    while (k < points.size() && points[k] != node.position)
+    {
+      ++k;
+    }
+    if (k == points.size())
+    {
+      break;
+    }
+    places.push_back(k);
+  }
+  return places;
+}
+
+/// Where the segments ran when they were written, so that they go round bumps on the same side.
+void readHints(const DrawingSurface& surface, const Points3& points, EditedCurve& curve)
+{
+  std::vector<std::size_t> places = placesOf(curve, points);
+  if (places.size() != curve.nodes.size())
+  {
+    return;
+  }
+  if (curve.closed)
+  {
+    places.push_back(points.size() - 1);
+  }
+  for (std::size_t s = 0; s + 1 < places.size(); ++s)
+  {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(places[s]);
+    const auto last = points.begin() + static_cast<std::ptrdiff_t>(places[s + 1]);
+    SurfacePath hint = surface.pathThrough({ first, last + 1 });
+    if (!hint.arrived)
+    {
+      curve.segments.clear();
+      return;
+    }
+    curve.segments.push_back(std::move(hint));
+  }
+}
+
+Status checkLine(const Polyline& line)
+{
+  const bool finite = std::all_of(
+    line.points.begin(), line.points.end(), [](const Point3& point) { return point.allFinite(); });
+  if (!finite || line.points.size() < 2)
+  {
+    return refusal("the curve \"" + line.name +
+        (finite ? "\" has fewer than two points" : "\" has points that are not finite"),
+      "two finite points or more");
+  }
+  return line.keyShape == KeyShape::Planar
+    ? refusal("the curve \"" + line.name + "\" has a PlanarShape, which would not follow its nodes",
+        "it without this array")
+    : Status();
+}
+
+EditedCurve curveOf(const Polyline& line, const EditedCurve* nodes, const DrawingSurface& surface)
+{
+  EditedCurve curve;
+  curve.closed = line.points.size() > 3 && line.points.front() == line.points.back();
+  if (nodes)
+  {
+    curve.nodes = nodes->nodes;
+    curve.kinds = nodes->kinds;
+    curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
+    readHints(surface, line.points, curve);
+  }
+  else
+  {
+    for (const Point3& point : line.points)
+    {
+      curve.nodes.push_back(surface.pointNear(point));
+    }
+    curve.nodes.resize(curve.nodes.size() - (curve.closed ? 1 : 0));
+    curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Section);
+  }
+  curve.traits.name = line.name;
+  curve.traits.type = line.type;
+  curve.traits.keyShape = line.keyShape;
+  curve.traits.tolerance = line.tolerance;
+  return curve;
+}
+}
+
+void writeCurveSet(const CurveSet& set, vtkPolyData* data)
+{
+  LineWriter lines;
+  std::vector<Row> rows;
+  for (const auto& curve : set.curves)
+  {
+    const Points3 points = pointsAlong(curve->segments);
+    if (points.size() < 2)
+    {
+      continue;
+    }
+    lines.add(points);
+    const auto row = static_cast<vtkIdType>(rows.size());
+    rows.push_back({ curve.get(), -1 });
+    const Points3 image = pointsAlong(curve->image);
+    if (image.size() > 1)
+    {
+      lines.add(image);
+      rows.push_back({ curve.get(), row });
+    }
+  }
+  lines.give(data);
+  writeTraits(rows, data);
+  writeNodes(set, rows, data);
+}
+
+void writeCurve(const EditedCurve& curve, vtkPolyData* data)
+{
+  LineWriter lines;
+  for (const SurfacePath& segment : curve.segments)
+  {
+    lines.add(pointsAlong({ segment }));
+  }
+  if (!curve.image.empty())
+  {
+    lines.add(pointsAlong(curve.image));
+  }
+  lines.give(data);
+}
+
+void writePath(const SurfacePath& path, vtkPolyData* data)
+{
+  LineWriter lines;
+  if (path.points.size() > 1)
+  {
+    lines.add(pointsAlong({ path }));
+  }
+  lines.give(data);
+}
+
+CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
+{
+  CurveSetInput result;
+  CurveInput input;
+  if (!readCurves(data, input))
+  {
+    result.status = input.outcome;
+    return result;
+  }
+  if (vtkDataArray* const plane = numbers(data, mirrorPlane, 6))
+  {
+    MirrorPlane mirror;
+    for (int k = 0; k < 3; ++k)
+    {
+      mirror.origin[k] = plane->GetComponent(0, k);
+      mirror.normal[k] = plane->GetComponent(0, k + 3);
+    }
+    result.mirror = mirror;
+  }
+  const ControlPoints nodes = readNodes(data, surface);
+  result.status = nodes.status;
+  std::map<vtkIdType, std::size_t> curveOfCell;
+  for (std::size_t k = 0; k < input.polylines.size() && result.status.ok(); ++k)
+  {
+    const Polyline& line = input.polylines[k];
+    const vtkIdType cell = input.cellOfPolyline[k];
+    const auto found = nodes.curves.find(cell);
+    result.status = checkLine(line);
+    if (isImage(data, cell))
+    {
+      const auto original =
+        static_cast<vtkIdType>(data->GetCellData()->GetArray(imageOf)->GetComponent(cell, 0));
+      if (curveOfCell.count(original))
+      {
+        result.curves[curveOfCell[original]].traits.mirrored = true;
+      }
+      continue;
+    }
+    if (!result.status.ok())
+    {
+      break;
+    }
+    curveOfCell[cell] = result.curves.size();
+    result.curves.push_back(
+      curveOf(line, found == nodes.curves.end() ? nullptr : &found->second, surface));
+  }
+  return result;
+}
+}
+}

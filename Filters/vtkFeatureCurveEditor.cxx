@@ -1,0 +1,579 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFeatureCurveEditor.h"
+
+#include "CurveEditorData.h"
+#include "Editing/CurveDrawing.h"
+#include "Editing/CurveEditor.h"
+#include "Editing/CurveSnapping.h"
+#include "RemedyWords.h"
+#include "SurfaceInput.h"
+
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+using namespace flattening;
+
+vtkStandardNewMacro(vtkFeatureCurveEditor);
+
+//------------------------------------------------------------------------------
+class vtkFeatureCurveEditor::Model
+{
+public:
+  explicit Model(TriangleMesh mesh)
+    : editor(std::make_shared<const DrawingSurface>(std::move(mesh)))
+  {
+  }
+
+  /// Null where there is none.
+  const EditedCurve* curve(int id) const
+  {
+    return id >= 0 && static_cast<std::size_t>(id) < this->editor.curveCount()
+      ? &this->editor.curve(static_cast<std::size_t>(id))
+      : nullptr;
+  }
+
+  CurveEditor editor;
+};
+
+namespace
+{
+Point3 pointOf(const double point[3])
+{
+  return { point[0], point[1], point[2] };
+}
+
+bool isFinite(const double point[3])
+{
+  return pointOf(point).allFinite();
+}
+
+template <typename Value>
+Value clampedKind(Value last, int kind)
+{
+  return static_cast<Value>(std::clamp(kind, 0, static_cast<int>(last)));
+}
+
+SegmentKind kindOf(int kind)
+{
+  return clampedKind(SegmentKind::Section, kind);
+}
+
+/// An id of Core; one that does not exist stays so.
+std::size_t idOf(int id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+const char* const noSurface = "there is no surface to draw on; give one by SetSurface()";
+const char* const notFinite = "a point is not finite";
+
+double distanceTo(const SurfacePath& path, const Point3& point)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < path.points.size(); ++k)
+  {
+    const Point3& a = path.points[k - 1].position;
+    const Point3 side = path.points[k].position - a;
+    const double square = side.squaredNorm();
+    const double t = square > 0.0 ? std::clamp(side.dot(point - a) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, (a + t * side - point).norm());
+  }
+  return least;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveEditor::vtkFeatureCurveEditor() = default;
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveEditor::~vtkFeatureCurveEditor() = default;
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Curves: " << this->GetNumberOfCurves() << "\n";
+  os << indent << "SnapToBoundary: " << this->SnapToBoundary << "\n";
+  os << indent << "SnapToCorners: " << this->SnapToCorners << "\n";
+  os << indent << "SnapToVertices: " << this->SnapToVertices << "\n";
+  os << indent << "SnapToCurves: " << this->SnapToCurves << "\n";
+  os << indent << "SnapToDartTips: " << this->SnapToDartTips << "\n";
+  os << indent << "SnapToMirrorPlane: " << this->SnapToMirrorPlane << "\n";
+  os << indent << "Message: " << this->Message << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::Refuse(const std::string& message)
+{
+  this->Message = message;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+template <typename Command>
+bool vtkFeatureCurveEditor::Carry(const Command& command)
+{
+  if (!this->Drawn)
+  {
+    return this->Refuse(noSurface);
+  }
+  const Status status = command(this->Drawn->editor);
+  this->Message = bridge::inWords(status);
+  if (status.refused())
+  {
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetSurface(vtkPolyData* surface)
+{
+  if (!surface)
+  {
+    return this->Refuse(noSurface);
+  }
+  try
+  {
+    bridge::LoadedSurface loaded = bridge::loadSurface(surface, CoincidentPoints::Automatic);
+    if (loaded.outcome.refused() || loaded.prepared.mesh.triangleCount() == 0)
+    {
+      return this->Refuse(bridge::inWords(loaded.outcome));
+    }
+    this->Drawn = std::make_unique<Model>(std::move(loaded.prepared.mesh));
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Refuse("out of memory");
+  }
+  this->Message.clear();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetNumberOfCurves() const
+{
+  return this->Drawn ? static_cast<int>(this->Drawn->editor.curveCount()) : 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFeatureCurveEditor::GetCurveName(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? found->traits.name : "";
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetCurveType(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? static_cast<int>(found->traits.type) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetCurveKeyShape(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? static_cast<int>(found->traits.keyShape) : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::GetCurveTolerance(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? found->traits.tolerance : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::GetCurveClosed(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found && found->closed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::GetCurveMirrored(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found && found->traits.mirrored;
+}
+
+//------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::GetCurveLength(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? lengthOf(*found) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetNumberOfNodes(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? static_cast<int>(found->nodes.size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::GetNode(int curve, int node, double point[3]) const
+{
+  const bool there = node >= 0 && node < this->GetNumberOfNodes(curve);
+  const Point3 place =
+    there ? this->Drawn->curve(curve)->nodes[idOf(node)].position : Point3(Point3::Zero());
+  std::copy_n(place.data(), 3, point);
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetNumberOfSegments(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? static_cast<int>(found->segments.size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetSegmentKind(int curve, int segment) const
+{
+  return segment >= 0 && segment < this->GetNumberOfSegments(curve)
+    ? static_cast<int>(this->Drawn->curve(curve)->kinds[idOf(segment)])
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::GetSegmentLength(int curve, int segment) const
+{
+  return segment >= 0 && segment < this->GetNumberOfSegments(curve)
+    ? lengthOf(this->Drawn->curve(curve)->segments[idOf(segment)])
+    : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::GetCurves(vtkPolyData* curves) const
+{
+  bridge::writeCurveSet(this->Drawn ? this->Drawn->editor.state() : CurveSet(), curves);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::GetCurve(int curve, vtkPolyData* line) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  bridge::writeCurve(found ? *found : EditedCurve(), line);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurves(vtkPolyData* curves)
+{
+  if (!curves)
+  {
+    return this->Refuse("there are no curves");
+  }
+  return this->Carry([curves](CurveEditor& editor) {
+    const bridge::CurveSetInput input = bridge::readCurveSet(curves, editor.surface());
+    return input.status.ok() ? editor.restart(input.curves, input.mirror) : input.status;
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::AddCurve(vtkPoints* nodes, int kind, bool closed)
+{
+  for (vtkIdType k = 0; nodes && k < nodes->GetNumberOfPoints(); ++k)
+  {
+    if (!isFinite(nodes->GetPoint(k)))
+    {
+      return this->Refuse(notFinite);
+    }
+  }
+  return this->Carry([&](CurveEditor& editor) {
+    EditedCurve curve;
+    for (vtkIdType k = 0; nodes && k < nodes->GetNumberOfPoints(); ++k)
+    {
+      curve.nodes.push_back(editor.surface().pointNear(pointOf(nodes->GetPoint(k))));
+    }
+    curve.closed = closed && curve.nodes.size() > 2;
+    curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kindOf(kind));
+    return editor.add(std::move(curve));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::RemoveCurve(int curve)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.remove(idOf(curve)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::InsertNode(int curve, int node, const double point[3], int kind)
+{
+  if (!isFinite(point))
+  {
+    return this->Refuse(notFinite);
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.insertNode(
+      idOf(curve), idOf(node), editor.surface().pointNear(pointOf(point)), kindOf(kind));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::MoveNode(int curve, int node, const double point[3])
+{
+  if (!isFinite(point))
+  {
+    return this->Refuse(notFinite);
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.moveNode(idOf(curve), idOf(node), editor.surface().pointNear(pointOf(point)));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::RemoveNode(int curve, int node)
+{
+  return this->Carry(
+    [=](CurveEditor& editor) { return editor.removeNode(idOf(curve), idOf(node)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveClosed(int curve, bool closed)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.setClosed(idOf(curve), closed); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SplitCurve(int curve, int node)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.split(idOf(curve), idOf(node)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::JoinCurves(int first, int second)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.join(idOf(first), idOf(second)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::AddMirrorImage(int curve)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.addImage(idOf(curve)); });
+}
+
+//------------------------------------------------------------------------------
+template <typename Change>
+bool vtkFeatureCurveEditor::Describe(int curve, const Change& change)
+{
+  return this->Carry([&](CurveEditor& editor) {
+    CurveTraits traits;
+    if (const EditedCurve* const found = this->Drawn->curve(curve))
+    {
+      traits = found->traits;
+    }
+    change(traits);
+    return editor.describe(idOf(curve), traits);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveName(int curve, const std::string& name)
+{
+  return this->Describe(curve, [&](CurveTraits& traits) { traits.name = name; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveType(int curve, int type)
+{
+  return this->Describe(
+    curve, [=](CurveTraits& traits) { traits.type = clampedKind(CurveType::Seam, type); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveKeyShape(int curve, int shape)
+{
+  return this->Describe(
+    curve, [=](CurveTraits& traits) { traits.keyShape = clampedKind(KeyShape::Straight, shape); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveTolerance(int curve, double tolerance)
+{
+  return this->Describe(curve, [=](CurveTraits& traits) { traits.tolerance = tolerance; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveMirrored(int curve, bool mirrored)
+{
+  return this->Describe(curve, [=](CurveTraits& traits) { traits.mirrored = mirrored; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetSegmentKind(int curve, int segment, int kind)
+{
+  return this->Carry(
+    [=](CurveEditor& editor) { return editor.setKind(idOf(curve), idOf(segment), kindOf(kind)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetMirrorPlane(const double origin[3], const double normal[3])
+{
+  const double length = vtkMath::Norm(normal);
+  if (!isFinite(origin) || !isFinite(normal) || !(length > 0.0))
+  {
+    return this->Refuse("a mirror plane has a finite origin, and a normal with a length");
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.setMirror(MirrorPlane{ pointOf(origin), pointOf(normal) / length });
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::RemoveMirrorPlane()
+{
+  return this->Carry([](CurveEditor& editor) { return editor.setMirror({}); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::HasMirrorPlane() const
+{
+  return this->Drawn && this->Drawn->editor.state().mirror;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::CanUndo() const
+{
+  return this->Drawn && this->Drawn->editor.canUndo();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::CanRedo() const
+{
+  return this->Drawn && this->Drawn->editor.canRedo();
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::Undo()
+{
+  if (this->CanUndo())
+  {
+    this->Drawn->editor.undo();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::Redo()
+{
+  if (this->CanRedo())
+  {
+    this->Drawn->editor.redo();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::BeginGroup()
+{
+  if (this->Drawn)
+  {
+    this->Drawn->editor.beginGroup();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::EndGroup()
+{
+  if (this->Drawn)
+  {
+    this->Drawn->editor.endGroup();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::SnapPoint(
+  const double point[3], double reach, int exceptCurve, double snapped[3]) const
+{
+  std::copy_n(point, 3, snapped);
+  if (!this->Drawn || !isFinite(point))
+  {
+    return NOTHING;
+  }
+  SnapOptions options;
+  options.reach = reach;
+  options.boundary = this->SnapToBoundary;
+  options.corner = this->SnapToCorners;
+  options.vertex = this->SnapToVertices;
+  options.curve = this->SnapToCurves;
+  options.dartTip = this->SnapToDartTips;
+  options.mirrorPlane = this->SnapToMirrorPlane;
+  options.exceptCurve = exceptCurve;
+  const DrawingSurface& surface = this->Drawn->editor.surface();
+  const SnappedPoint result =
+    snapPoint(surface, this->Drawn->editor.state(), surface.pointNear(pointOf(point)), options);
+  std::copy_n(result.point.position.data(), 3, snapped);
+  return static_cast<int>(result.target);
+}
+
+//------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::PreviewSegment(
+  const double from[3], const double to[3], int kind, vtkPolyData* line) const
+{
+  line->Initialize();
+  if (!this->Drawn || !isFinite(from) || !isFinite(to))
+  {
+    return -1.0;
+  }
+  const DrawingSurface& surface = this->Drawn->editor.surface();
+  const DrawnSegment drawn = drawSegment(
+    surface, kindOf(kind), surface.pointNear(pointOf(from)), surface.pointNear(pointOf(to)));
+  if (drawn.status.refused())
+  {
+    return -1.0;
+  }
+  bridge::writePath(drawn.path, line);
+  return lengthOf(drawn.path);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::FindNode(const double point[3], double reach, int found[2]) const
+{
+  double least = reach;
+  for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
+  {
+    for (int node = 0; node < this->GetNumberOfNodes(curve); ++node)
+    {
+      const double distance =
+        (this->Drawn->curve(curve)->nodes[idOf(node)].position - pointOf(point)).norm();
+      if (distance < least)
+      {
+        least = distance;
+        found[0] = curve;
+        found[1] = node;
+      }
+    }
+  }
+  return least < reach;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::FindSegment(const double point[3], double reach, int found[2]) const
+{
+  double least = reach;
+  for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
+  {
+    for (int segment = 0; segment < this->GetNumberOfSegments(curve); ++segment)
+    {
+      const double distance =
+        distanceTo(this->Drawn->curve(curve)->segments[idOf(segment)], pointOf(point));
+      if (distance < least)
+      {
+        least = distance;
+        found[0] = curve;
+        found[1] = segment;
+      }
+    }
+  }
+  return least < reach;
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFeatureCurveEditor
+ * @brief draw and change feature curves on a surface, without a window
+ *
+ * The model behind a program in which feature curves are drawn: a list of curves, each with *nodes*
+ * on the surface and *segments* between them, commands that change it, and undo and redo without
+ * limit. vtkFeatureCurveWidget works on it by mouse; a script may do so by these commands alone.
+ *
+ * Every place is given as a point in space, and means the point of the surface that is closest to
+ * it. Curves, nodes and segments are counted from 0; segment k starts at node k. A command that
+ * cannot be carried out changes nothing, returns false, and GetMessage() says why; asking for a
+ * curve, node or segment that is not there gives 0, and an empty name.
+ *
+ * GetCurves() gives the curves as polylines on the surface, with the cell arrays that
+ * vtkFeatureCurveAlgorithm documents, so that they go into port 1 of the filters as they are.
+ * Beside them are what SetCurves() needs to make them editable again, in a file as well:
+ *
+ * | array | on | type | meaning |
+ * |---|---|---|---|
+ * | `CurveImageOf` | cells | id | the cell that this one is the mirror image of; -1: drawn itself |
+ * | `ControlPoints` | field, 3 components | double | nodes of all curves, curve by curve |
+ * | `ControlPointCurve` | field | id | cell that the node belongs to |
+ * | `ControlPointKind` | field | int | SegmentKinds of the segment that starts there |
+ * | `MirrorPlane` | field, 6 components | double | origin and normal; no array: there is none |
+ *
+ * A polyline without control points gets a node at each of its points.
+ *
+ * ModifiedEvent is invoked after each change.
+ *
+ * @sa vtkFeatureCurveAlgorithm vtkWireWarpingFilter
+ */
+#ifndef vtkFeatureCurveEditor_h
+#define vtkFeatureCurveEditor_h
+
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for the model
+#include <string> // for names
+
+class vtkPoints;
+class vtkPolyData;
+
+class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveEditor : public vtkObject
+{
+public:
+  static vtkFeatureCurveEditor* New();
+  vtkTypeMacro(vtkFeatureCurveEditor, vtkObject)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How a curve gets from one node to the next: GEODESIC, by the straight path over the surface;
+   * SECTION, in the plane through both nodes and the surface's normal, as the filters lay a
+   * polyline onto a surface.
+   */
+  enum SegmentKinds
+  {
+    GEODESIC = 0,
+    SECTION = 1
+  };
+
+  /**
+   * What a point may snap to.
+   */
+  enum SnapTargets
+  {
+    NOTHING = 0,
+    BOUNDARY = 1,
+    CORNER = 2,
+    VERTEX = 3,
+    CURVE = 4,
+    DART_TIP = 5,
+    MIRROR_PLANE = 6
+  };
+
+  /**
+   * The surface to draw on; a copy is kept. Forgets all curves, and the past. False, and nothing
+   * changes, where it is no surface that can be drawn on.
+   */
+  bool SetSurface(vtkPolyData* surface);
+
+  /**
+   * What the last command has to say; empty where it was carried out.
+   */
+  const char* GetMessage() const { return this->Message.c_str(); }
+
+  ///@{
+  /**
+   * The curves as they are.
+   */
+  int GetNumberOfCurves() const;
+  std::string GetCurveName(int curve) const;
+  int GetCurveType(int curve) const;         ///< vtkFeatureCurveAlgorithm::CurveTypes
+  int GetCurveKeyShape(int curve) const;     ///< the values of the array `KeyShape`
+  double GetCurveTolerance(int curve) const; ///< the values of the array `LengthTolerance`
+  bool GetCurveClosed(int curve) const;
+  bool GetCurveMirrored(int curve) const;
+  double GetCurveLength(int curve) const;
+  int GetNumberOfNodes(int curve) const;
+  void GetNode(int curve, int node, double point[3]) const;
+  int GetNumberOfSegments(int curve) const;
+  int GetSegmentKind(int curve, int segment) const;
+  double GetSegmentLength(int curve, int segment) const;
+  ///@}
+
+  ///@{
+  /**
+   * Curves of two nodes or more as polylines on the surface, with control points; one curve alone
+   * as it is drawn, with a cell for its image in the mirror.
+   */
+  void GetCurves(vtkPolyData* curves) const;
+  void GetCurve(int curve, vtkPolyData* line) const;
+  ///@}
+
+  /**
+   * Starts with other curves, those that GetCurves() gave or any polylines on the surface, and
+   * forgets the past.
+   */
+  bool SetCurves(vtkPolyData* curves);
+
+  ///@{
+  /**
+   * Add a curve through nodes, as the last one, and remove one. The name of a new curve is "curve"
+   * with a number.
+   */
+  bool AddCurve(vtkPoints* nodes, int kind = GEODESIC, bool closed = false);
+  bool RemoveCurve(int curve);
+  ///@}
+
+  ///@{
+  /**
+   * Insert a node, which gets the number `node`; behind the last one the curve goes on. Move and
+   * remove one; with its last node a curve goes.
+   */
+  bool InsertNode(int curve, int node, const double point[3], int kind = GEODESIC);
+  bool MoveNode(int curve, int node, const double point[3]);
+  bool RemoveNode(int curve, int node);
+  ///@}
+
+  ///@{
+  /**
+   * Close a curve from its last node to its first, or open it there; split it in two at an inner
+   * node, a closed one open it at a node; append a curve to another where they are nearest to each
+   * other; add a curve's mirror image as a curve of its own.
+   */
+  bool SetCurveClosed(int curve, bool closed);
+  bool SplitCurve(int curve, int node);
+  bool JoinCurves(int first, int second);
+  bool AddMirrorImage(int curve);
+  ///@}
+
+  ///@{
+  /**
+   * What a curve is. A name is given once; a tolerance is in [0, 1).
+   */
+  bool SetCurveName(int curve, const std::string& name);
+  bool SetCurveType(int curve, int type);
+  bool SetCurveKeyShape(int curve, int shape);
+  bool SetCurveTolerance(int curve, double tolerance);
+  bool SetSegmentKind(int curve, int segment, int kind);
+  ///@}
+
+  ///@{
+  /**
+   * The mirror plane, and whether a curve has an image in it that follows all changes.
+   */
+  bool SetMirrorPlane(const double origin[3], const double normal[3]);
+  bool RemoveMirrorPlane();
+  bool HasMirrorPlane() const;
+  bool SetCurveMirrored(int curve, bool mirrored);
+  ///@}
+
+  ///@{
+  /**
+   * Undo and redo commands; those of a group are undone as one, such as the moves of a drag.
+   */
+  bool CanUndo() const;
+  bool CanRedo() const;
+  void Undo();
+  void Redo();
+  void BeginGroup();
+  void EndGroup();
+  ///@}
+
+  ///@{
+  /**
+   * What SnapPoint() heeds. Default: all on.
+   */
+  vtkSetMacro(SnapToBoundary, bool);
+  vtkGetMacro(SnapToBoundary, bool);
+  vtkBooleanMacro(SnapToBoundary, bool);
+  vtkSetMacro(SnapToCorners, bool);
+  vtkGetMacro(SnapToCorners, bool);
+  vtkBooleanMacro(SnapToCorners, bool);
+  vtkSetMacro(SnapToVertices, bool);
+  vtkGetMacro(SnapToVertices, bool);
+  vtkBooleanMacro(SnapToVertices, bool);
+  vtkSetMacro(SnapToCurves, bool);
+  vtkGetMacro(SnapToCurves, bool);
+  vtkBooleanMacro(SnapToCurves, bool);
+  vtkSetMacro(SnapToDartTips, bool);
+  vtkGetMacro(SnapToDartTips, bool);
+  vtkBooleanMacro(SnapToDartTips, bool);
+  vtkSetMacro(SnapToMirrorPlane, bool);
+  vtkGetMacro(SnapToMirrorPlane, bool);
+  vtkBooleanMacro(SnapToMirrorPlane, bool);
+  ///@}
+
+  /**
+   * The point of the surface that is meant by a point near it: what lies within reach, in the unit
+   * of length, draws it onto itself. First come single points (dart tips, nodes, corners), then
+   * lines (boundary, curves, mirror plane), last the vertices of the mesh.
+   * @param exceptCurve the curve whose node is moved, or -1
+   * @return one of SnapTargets
+   */
+  int SnapPoint(const double point[3], double reach, int exceptCurve, double snapped[3]) const;
+
+  /**
+   * The segment that would join two points, as a line, and its length; -1 where there is none.
+   */
+  double PreviewSegment(
+    const double from[3], const double to[3], int kind, vtkPolyData* line) const;
+
+  ///@{
+  /**
+   * The nearest node or segment within reach of a point, in the unit of length, as curve and number
+   * of the node or segment. False where there is none.
+   */
+  bool FindNode(const double point[3], double reach, int found[2]) const;
+  bool FindSegment(const double point[3], double reach, int found[2]) const;
+  ///@}
+
+protected:
+  vtkFeatureCurveEditor();
+  ~vtkFeatureCurveEditor() override;
+
+private:
+  vtkFeatureCurveEditor(const vtkFeatureCurveEditor&) = delete;
+  void operator=(const vtkFeatureCurveEditor&) = delete;
+
+  class Model;
+  template <typename Command>
+  bool Carry(const Command& command);
+  template <typename Change>
+  bool Describe(int curve, const Change& change);
+  bool Refuse(const std::string& message);
+
+  std::unique_ptr<Model> Drawn;
+  std::string Message;
+  bool SnapToBoundary = true;
+  bool SnapToCorners = true;
+  bool SnapToVertices = true;
+  bool SnapToCurves = true;
+  bool SnapToDartTips = true;
+  bool SnapToMirrorPlane = true;
+};
+
+#endif

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curves drawn on surfaces by commands, undone, and snapped.
+#include "Editing/CurveEditor.h"
+#include "Editing/CurveSnapping.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace flattening;
+
+namespace
+{
+std::shared_ptr<const DrawingSurface> drawing(const testmeshes::Surface& surface)
+{
+  return std::make_shared<const DrawingSurface>(surface.mesh);
+}
+
+EditedCurve through(
+  const DrawingSurface& surface, const Points3& points, SegmentKind kind = SegmentKind::Geodesic)
+{
+  EditedCurve curve;
+  for (const Point3& point : points)
+  {
+    curve.nodes.push_back(surface.pointNear(point));
+  }
+  curve.kinds.assign(points.size() - 1, kind);
+  return curve;
+}
+
+CurveSet copied(const CurveSet& set)
+{
+  CurveSet copy;
+  copy.mirror = set.mirror;
+  for (const auto& curve : set.curves)
+  {
+    copy.curves.push_back(std::make_shared<const EditedCurve>(*curve));
+  }
+  return copy;
+}
+
+testmeshes::Surface sheet(const std::function<double(double, double)>& height, double scale = 1.0)
+{
+  return testmeshes::patch(
+    20, 20, [&](double i, double j) -> Point3 { return scale * Point3(i, j, height(i, j)); });
+}
+/// 20 x 20, vertices at whole numbers.
+testmeshes::Surface plane(double scale = 1.0)
+{
+  return sheet([](double, double) { return 0.0; }, scale);
+}
+/// The same with a hill, on which no two ways are equally long.
+testmeshes::Surface hill(double scale = 1.0)
+{
+  return sheet(
+    [](double i, double j) {
+      return 3.0 * std::sin(pi * i / 20) * std::sin(pi * j / 20) +
+        0.1 * std::sin(1.7 * i + 2.9 * j * j);
+    },
+    scale);
+}
+
+/// Commands drawn at random; `size` of the surface makes the same ones on every scale.
+class RandomHand
+{
+public:
+  RandomHand(CurveEditor& editor, unsigned seed)
+    : Editor(editor)
+    , Generator(seed)
+  {
+  }
+
+  Status edit()
+  {
+    if (this->Editor.curveCount() == 0 || this->pick(12) == 0)
+    {
+      return this->Editor.add(through(this->Editor.surface(), { this->place() }));
+    }
+    const std::size_t c = this->pick(this->Editor.curveCount());
+    const EditedCurve& curve = this->Editor.curve(c);
+    const std::size_t node = this->pick(curve.nodes.size());
+    CurveTraits traits = curve.traits;
+    switch (this->pick(13))
+    {
+      case 0:
+        return this->Editor.remove(c);
+      case 1:
+      case 2:
+      case 3:
+        return this->Editor.insertNode(c, this->pick(curve.nodes.size() + 1),
+          this->Editor.surface().pointNear(this->place()),
+          this->pick(2) == 0 ? SegmentKind::Geodesic : SegmentKind::Section);
+      case 4:
+      case 5:
+        return this->Editor.moveNode(c, node, this->Editor.surface().pointNear(this->place()));
+      case 6:
+        return this->Editor.removeNode(c, node);
+      case 7:
+        return this->Editor.setClosed(c, !curve.closed);
+      case 8:
+        return this->Editor.split(c, node);
+      case 9:
+        return this->Editor.join(c, this->pick(this->Editor.curveCount()));
+      case 10:
+        return this->Editor.setKind(c, node, SegmentKind::Section);
+      case 11:
+        traits.mirrored = !traits.mirrored;
+        traits.type = static_cast<CurveType>(this->pick(4));
+        return this->Editor.describe(c, traits);
+      default:
+        return this->Editor.setMirror(MirrorPlane{ this->place(), Point3::UnitX() });
+    }
+  }
+
+  std::size_t pick(std::size_t count) { return this->Generator() % count; }
+
+private:
+  Point3 place()
+  {
+    const Points3& points = this->Editor.surface().mesh().points();
+    const Point3& a = points[this->pick(points.size())];
+    const Point3& b = points[this->pick(points.size())];
+    return 0.5 * (a + b);
+  }
+
+  CurveEditor& Editor;
+  std::mt19937 Generator;
+};
+}
+
+//------------------------------------------------------------------------------
+TEST(CurveEditor, AThousandRandomEditsUndoneGiveTheFirstStateBitForBit)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(
+    editor.restart({ through(editor.surface(), { { 1, 1, 0 }, { 15, 12, 0 } }) }, {}).ok());
+  const CurveSet first = copied(editor.state());
+  RandomHand hand(editor, 1);
+  int accepted = 0;
+  int refused = 0;
+  for (int k = 0; k < 1000; ++k)
+  {
+    const CurveSet before = copied(editor.state());
+    const bool ok = !hand.edit().refused();
+    ++(ok ? accepted : refused);
+    if (!ok)
+    {
+      ASSERT_TRUE(identical(editor.state(), before)) << "edit " << k;
+    }
+  }
+  EXPECT_GT(accepted, 500);
+  EXPECT_GT(refused, 10); // or no refusal was tried
+  const CurveSet last = copied(editor.state());
+  EXPECT_FALSE(identical(last, first));
+  while (editor.canUndo())
+  {
+    editor.undo();
+  }
+  EXPECT_TRUE(identical(editor.state(), first));
+  while (editor.canRedo())
+  {
+    editor.redo();
+  }
+  EXPECT_TRUE(identical(editor.state(), last));
+}
+
+TEST(CurveEditor, EditsInMetresAndMillimetresAreTheSame)
+{
+  CurveEditor unit(drawing(hill()));
+  RandomHand unitHand(unit, 7);
+  std::vector<std::pair<Status, CurveSet>> states;
+  for (int k = 0; k < 150; ++k)
+  {
+    const Status status = unitHand.edit();
+    states.emplace_back(status, unit.state());
+  }
+  for (const double scale : { 1e-3, 1e3 })
+  {
+    CurveEditor scaled(drawing(hill(scale)));
+    RandomHand scaledHand(scaled, 7);
+    for (const auto& [status, state] : states)
+    {
+      ASSERT_EQ(scaledHand.edit().code, status.code);
+      ASSERT_EQ(scaled.curveCount(), state.curves.size());
+      for (std::size_t c = 0; c < state.curves.size(); ++c)
+      {
+        EXPECT_EQ(scaled.curve(c).nodes.size(), state.curves[c]->nodes.size());
+        const double length = lengthOf(*state.curves[c]);
+        EXPECT_NEAR(lengthOf(scaled.curve(c)) / scale, length, 1e-9 * (1.0 + length));
+      }
+    }
+  }
+}
+
+TEST(CurveEditor, OnThePlaneSegmentsAreStraightAndAClosedCurveHasItsPerimeter)
+{
+  CurveEditor editor(drawing(plane()));
+  const Points3 places{ { 1.3, 2.1, 0 }, { 16.2, 3.4, 0 }, { 9.7, 15.8, 0 } };
+  ASSERT_TRUE(editor.add(through(editor.surface(), places)).ok());
+  const double open = (places[1] - places[0]).norm() + (places[2] - places[1]).norm();
+  EXPECT_NEAR(lengthOf(editor.curve(0)), open, 1e-9 * open);
+  ASSERT_TRUE(editor.setClosed(0, true).ok());
+  const double perimeter = open + (places[0] - places[2]).norm();
+  EXPECT_NEAR(lengthOf(editor.curve(0)), perimeter, 1e-9 * perimeter);
+  // A node on its way changes no length.
+  ASSERT_TRUE(editor
+                .insertNode(0, 3, editor.surface().pointNear(0.5 * (places[0] + places[2])),
+                  SegmentKind::Geodesic)
+                .ok());
+  EXPECT_NEAR(lengthOf(editor.curve(0)), perimeter, 1e-9 * perimeter);
+}
+
+TEST(CurveEditor, TheHalvesOfASplitCurveJoinToItAgain)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(
+    editor
+      .add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 }, { 14, 13, 0 }, { 18, 3, 0 } }))
+      .ok());
+  const double whole = lengthOf(editor.curve(0));
+  ASSERT_TRUE(editor.split(0, 2).ok());
+  ASSERT_EQ(editor.curveCount(), 2);
+  EXPECT_NE(editor.curve(0).traits.name, editor.curve(1).traits.name);
+  EXPECT_EQ(lengthOf(editor.curve(0)) + lengthOf(editor.curve(1)), whole);
+  ASSERT_TRUE(editor.join(1, 0).ok());
+  ASSERT_EQ(editor.curveCount(), 1);
+  EXPECT_EQ(editor.curve(0).nodes.size(), 4);
+  EXPECT_NEAR(lengthOf(editor.curve(0)), whole, 1e-9 * whole);
+}
+
+TEST(CurveEditor, AnOpenedLoopKeepsItsLength)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(
+    editor.add(through(editor.surface(), { { 4, 4, 0 }, { 15, 5, 0 }, { 10, 16, 0 } })).ok());
+  ASSERT_TRUE(editor.setClosed(0, true).ok());
+  const double around = lengthOf(editor.curve(0));
+  ASSERT_TRUE(editor.split(0, 1).ok());
+  EXPECT_FALSE(editor.curve(0).closed);
+  EXPECT_EQ(editor.curve(0).nodes.size(), 4);
+  EXPECT_NEAR(lengthOf(editor.curve(0)), around, 1e-9 * around);
+}
+
+TEST(CurveEditor, AMovedNodeLeavesTheSegmentsOfOtherNodes)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(
+    editor
+      .add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 }, { 14, 13, 0 }, { 18, 3, 0 } }))
+      .ok());
+  const EditedCurve before = editor.curve(0);
+  ASSERT_TRUE(editor.moveNode(0, 3, editor.surface().pointNear({ 17, 9, 0 })).ok());
+  for (const std::size_t s : { 0, 1 })
+  {
+    EXPECT_EQ(pointsAlong({ editor.curve(0).segments[s] }), pointsAlong({ before.segments[s] }));
+  }
+  EXPECT_NE(pointsAlong({ editor.curve(0).segments[2] }), pointsAlong({ before.segments[2] }));
+}
+
+TEST(CurveEditor, ADragIsUndoneAsOne)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(editor.add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 } })).ok());
+  const CurveSet before = copied(editor.state());
+  editor.beginGroup();
+  for (double x = 6.0; x < 16.0; x += 0.25)
+  {
+    ASSERT_TRUE(editor.moveNode(0, 1, editor.surface().pointNear({ x, 13, 0 })).ok());
+  }
+  editor.endGroup();
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+}
+
+TEST(CurveEditor, AMirroredCurveHasItsImageOnTheOtherSide)
+{
+  CurveEditor editor(drawing(plane()));
+  ASSERT_TRUE(editor.setMirror(MirrorPlane{ { 10, 0, 0 }, Point3::UnitX() }).ok());
+  EditedCurve curve = through(editor.surface(), { { 1.5, 2.5, 0 }, { 8.2, 17.1, 0 } });
+  curve.traits.mirrored = true;
+  ASSERT_TRUE(editor.add(curve).ok());
+  Points3 image = pointsAlong(editor.curve(0).image);
+  ASSERT_GE(image.size(), 2);
+  EXPECT_LT((image.front() - Point3(18.5, 2.5, 0)).norm(), 1e-9);
+  EXPECT_LT((image.back() - Point3(11.8, 17.1, 0)).norm(), 1e-9);
+  ASSERT_TRUE(editor.moveNode(0, 0, editor.surface().pointNear({ 3, 4, 0 })).ok());
+  image = pointsAlong(editor.curve(0).image);
+  EXPECT_LT((image.front() - Point3(17, 4, 0)).norm(), 1e-9);
+  ASSERT_TRUE(editor.addImage(0).ok());
+  EXPECT_NEAR(lengthOf(editor.curve(1)), lengthOf(editor.curve(0)), 1e-9);
+}
+
+TEST(CurveEditor, NamesAreTakenOnce)
+{
+  CurveEditor editor(drawing(hill()));
+  EditedCurve curve = through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 } });
+  curve.traits.name = "hem";
+  ASSERT_TRUE(editor.add(curve).ok());
+  ASSERT_TRUE(editor.add(curve).ok());
+  EXPECT_EQ(editor.curve(0).traits.name, "hem");
+  EXPECT_NE(editor.curve(1).traits.name, "hem");
+  CurveTraits traits = editor.curve(1).traits;
+  traits.name = "hem";
+  EXPECT_EQ(editor.describe(1, traits).code, StatusCode::InvalidOption);
+}
+
+//------------------------------------------------------------------------------
+TEST(CurveSnapping, PointsComeBeforeLinesAndLinesBeforeVertices)
+{
+  for (const double scale : { 1.0, 1e-3, 1e3 })
+  {
+    CurveEditor editor(drawing(plane(scale)));
+    EditedCurve dart =
+      through(editor.surface(), { scale * Point3(5, 0, 0), scale * Point3(5, 8.5, 0) });
+    dart.traits.type = CurveType::Dart;
+    ASSERT_TRUE(editor.add(dart).ok());
+    SnapOptions options;
+    options.reach = 0.4 * scale;
+    const auto snapped = [&](double x, double y) {
+      return snapPoint(editor.surface(), editor.state(),
+        editor.surface().pointNear(scale * Point3(x, y, 0)), options);
+    };
+    struct Case
+    {
+      Point3 from;
+      SnapTarget target;
+      Point3 to;
+    };
+    for (const Case& expected : { Case{ { 5.2, 8.7, 0 }, SnapTarget::DartTip, { 5, 8.5, 0 } },
+           Case{ { 5.2, 4.4, 0 }, SnapTarget::Curve, { 5, 4.4, 0 } },
+           Case{ { 0.2, 0.1, 0 }, SnapTarget::Corner, { 0, 0, 0 } },
+           Case{ { 12.5, 0.3, 0 }, SnapTarget::Boundary, { 12.5, 0, 0 } },
+           Case{ { 12.1, 0.3, 0 }, SnapTarget::Vertex, { 12, 0, 0 } },
+           Case{ { 12.2, 7.1, 0 }, SnapTarget::Vertex, { 12, 7, 0 } },
+           Case{ { 12.5, 7.45, 0 }, SnapTarget::Nothing, { 12.5, 7.45, 0 } } })
+    {
+      const SnappedPoint result = snapped(expected.from.x(), expected.from.y());
+      EXPECT_EQ(result.target, expected.target) << expected.from.transpose();
+      EXPECT_LT((result.point.position - scale * expected.to).norm(), 1e-9 * scale)
+        << expected.from.transpose();
+    }
+    options.reach = 0.0;
+    EXPECT_EQ(snapped(5.2, 8.7).target, SnapTarget::Nothing);
+  }
+}
+
+TEST(CurveSnapping, APointNearTheMirrorPlaneGoesOntoIt)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(editor.setMirror(MirrorPlane{ { 7.3, 0, 0 }, Point3::UnitX() }).ok());
+  SnapOptions options;
+  options.reach = 0.3;
+  const SurfacePoint near = editor.surface().pointNear({ 7.4, 9.6, 2.5 });
+  const SnappedPoint result = snapPoint(editor.surface(), editor.state(), near, options);
+  EXPECT_EQ(result.target, SnapTarget::MirrorPlane);
+  EXPECT_NEAR(result.point.position.x(), 7.3, 1e-9);
+  EXPECT_LT(
+    (editor.surface().pointNear(result.point.position).position - result.point.position).norm(),
+    1e-9);
+}
+
+TEST(CurveSnapping, TheCurveThatIsMovedDoesNotHoldItsNode)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(editor.add(through(editor.surface(), { { 3, 3, 0 }, { 12, 13, 0 } })).ok());
+  SnapOptions options;
+  options.reach = 0.3;
+  options.vertex = false;
+  const SurfacePoint near =
+    editor.surface().pointNear(pointsAlong(editor.curve(0).segments)[5] + Point3(0.1, 0, 0));
+  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), near, options).target, SnapTarget::Curve);
+  options.exceptCurve = 0;
+  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), near, options).target, SnapTarget::Nothing);
+}

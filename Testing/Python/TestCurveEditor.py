@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Feature curves drawn by the commands of vtkFeatureCurveEditor, into the filter and into files."""
+
+import math
+import os
+import tempfile
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import surfaceflattening as sf
+from surfaces import SOURCE, read
+
+TYPES = ("accessory", "key", "dart", "seam")
+
+
+def tutorial():
+    """Type, name and vertices of the tutorial's curves."""
+    with open(os.path.join(SOURCE, "Documentation", "tutorial_curves.txt"), encoding="utf-8") as file:
+        for line in file:
+            if not line.startswith("#"):
+                kind, name, *vertices = line.split()
+                yield TYPES.index(kind), name, [int(v) for v in vertices]
+
+
+def through_vertices(surface):
+    """The tutorial's curves as a user without an editor gives them."""
+    points, lines = vtkPoints(), vtkCellArray()
+    points.SetDataTypeToDouble()
+    types, names = vtkIntArray(), vtkStringArray()
+    types.SetName("CurveType")
+    names.SetName("CurveName")
+    for kind, name, vertices in tutorial():
+        lines.InsertNextCell(len(vertices))
+        for v in vertices:
+            lines.InsertCellPoint(points.InsertNextPoint(surface.GetPoint(v)))
+        types.InsertNextValue(kind)
+        names.InsertNextValue(name)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(lines)
+    data.GetCellData().AddArray(types)
+    data.GetCellData().AddArray(names)
+    return data
+
+
+def drawn(surface):
+    editor = sf.vtkFeatureCurveEditor()
+    assert editor.SetSurface(surface), editor.GetMessage()
+    for curve, (kind, name, vertices) in enumerate(tutorial()):
+        nodes = vtkPoints()
+        nodes.InsertNextPoint(surface.GetPoint(vertices[0]))
+        assert editor.AddCurve(nodes, editor.SECTION)
+        for v in vertices[1:]:
+            count = editor.GetNumberOfNodes(curve)
+            assert editor.InsertNode(curve, count, surface.GetPoint(v), editor.SECTION)
+        assert editor.SetCurveName(curve, name)
+        assert editor.SetCurveType(curve, kind)
+    return editor
+
+
+def flattened(surface, curves):
+    warping = sf.vtkWireWarpingFilter()
+    warping.SetInputData(surface)
+    warping.SetCurvesData(curves)
+    warping.Update()
+    rows = warping.GetOutput(0).GetFieldData()
+    lengths = warping.GetOutput(1).GetFieldData()
+    return ([rows.GetArray(name).GetValue(0) for name in ("AreaError", "AngleErrorMean", "Objective")],
+            vtk_to_numpy(lengths.GetArray("CurveFlatLengths")).tolist())
+
+
+def curves_of(editor):
+    curves = vtkPolyData()
+    editor.GetCurves(curves)
+    return curves
+
+
+class Editor(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.surface = read("shirt_front")
+        cls.editor = drawn(cls.surface)
+
+    def assert_close(self, actual, expected):
+        for a, b in zip(actual, expected, strict=True):
+            for x, y in zip(a, b, strict=True):
+                self.assertTrue(math.isclose(x, y, rel_tol=1e-7), (x, y))
+
+    def test_drawn_curves_give_the_report_of_those_given_by_vertices(self):
+        self.assert_close(flattened(self.surface, curves_of(self.editor)),
+                          flattened(self.surface, through_vertices(self.surface)))
+
+    def test_curves_from_a_file_can_be_edited_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "curves.vtp")
+            writer = vtkXMLPolyDataWriter()
+            writer.SetFileName(path)
+            writer.SetInputData(curves_of(self.editor))
+            writer.Write()
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(path)
+            reader.Update()
+            again = sf.vtkFeatureCurveEditor()
+            self.assertTrue(again.SetSurface(self.surface))
+            self.assertTrue(again.SetCurves(reader.GetOutput()), again.GetMessage())
+        self.assertEqual(again.GetNumberOfCurves(), 5)
+        self.assertFalse(again.CanUndo())
+        for curve in range(5):
+            self.assertEqual(again.GetCurveName(curve), self.editor.GetCurveName(curve))
+            self.assertEqual(again.GetCurveType(curve), self.editor.GetCurveType(curve))
+            self.assertEqual(again.GetNumberOfNodes(curve), self.editor.GetNumberOfNodes(curve))
+            self.assertEqual(again.GetSegmentKind(curve, 0), again.SECTION)
+        before, after = curves_of(self.editor), curves_of(again)
+        self.assertEqual(before.GetNumberOfPoints(), after.GetNumberOfPoints())
+        for k in range(before.GetNumberOfPoints()):
+            self.assertEqual(before.GetPoint(k), after.GetPoint(k))
+
+    def test_polylines_of_others_get_a_node_at_each_point(self):
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(self.surface)
+        others = read("shirt_front_curves")
+        self.assertTrue(editor.SetCurves(others), editor.GetMessage())
+        self.assertEqual(editor.GetNumberOfCurves(), others.GetNumberOfCells())
+        self.assertEqual(editor.GetNumberOfNodes(0), others.GetCell(0).GetNumberOfPoints())
+        self.assert_close(flattened(self.surface, curves_of(editor)), flattened(self.surface, others))
+
+    def test_what_cannot_be_is_refused_by_name_and_changes_nothing(self):
+        editor = drawn(self.surface)
+        for command, word in ((lambda: editor.SetCurveName(1, "centre_front"), "centre_front"),
+                              (lambda: editor.MoveNode(9, 0, (0, 0, 0)), "no curve 9"),
+                              (lambda: editor.MoveNode(0, -1, (0, 0, 0)), "no node"),
+                              (lambda: editor.MoveNode(0, 0, (math.nan, 0, 0)), "finite"),
+                              (lambda: editor.SetCurveTolerance(0, 1.5), "1.5"),
+                              (lambda: editor.SetCurveClosed(3, True), "at least 3"),
+                              (lambda: editor.SetMirrorPlane((0, 0, 0), (0, 0, 0)), "normal"),
+                              (lambda: editor.AddMirrorImage(0), "mirror plane")):
+            before = editor.GetMTime()
+            self.assertFalse(command())
+            self.assertIn(word, editor.GetMessage())
+            self.assertEqual(editor.GetMTime(), before)
+        empty = sf.vtkFeatureCurveEditor()
+        self.assertFalse(empty.RemoveCurve(0))
+        self.assertIn("surface", empty.GetMessage())
+
+    def test_damaged_control_points_are_refused(self):
+        curves = curves_of(self.editor)
+        curves.GetFieldData().GetArray("ControlPointKind").SetValue(0, 9)
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(self.surface)
+        self.assertFalse(editor.SetCurves(curves))
+        self.assertIn("control point 0", editor.GetMessage())
+        curves.GetFieldData().GetArray("ControlPointKind").SetNumberOfTuples(3)
+        self.assertFalse(editor.SetCurves(curves))
+        self.assertIn("do not fit", editor.GetMessage())
+
+
+if __name__ == "__main__":
+    unittest.main()
