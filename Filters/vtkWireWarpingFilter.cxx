@@ -39,6 +39,7 @@ vtkWireWarpingFilter::vtkWireWarpingFilter()
   this->CloseCuts = defaults.closeCuts;
   this->SkipClosed = defaults.skipClosed;
   this->ReleaseKeys = defaults.releaseKeys;
+  this->ReleaseTrials = defaults.tryReleases;
   this->Arrange = defaults.arrange;
   this->Spacing = defaults.spacing;
   this->MaximumLengthError = defaults.lengthTolerance;
@@ -118,6 +119,7 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   options.closeCuts = this->CloseCuts;
   options.skipClosed = this->SkipClosed;
   options.releaseKeys = this->ReleaseKeys;
+  options.tryReleases = this->ReleaseTrials;
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
   options.lengthTolerance = this->MaximumLengthError;
@@ -133,6 +135,7 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Solver: " << this->GetSolverAsString() << "\n";
   os << indent << "Interior: " << this->GetInteriorAsString() << "\n";
   os << indent << "ReleaseKeys: " << (this->ReleaseKeys ? "On" : "Off") << "\n";
+  os << indent << "ReleaseTrials: " << (this->ReleaseTrials ? "On" : "Off") << "\n";
   os << indent << "CloseCuts: " << (this->CloseCuts ? "On" : "Off") << "\n";
   os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";

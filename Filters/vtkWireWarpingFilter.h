@@ -80,7 +80,7 @@
  * that it becomes an accessory curve; 0: the curve as a whole), `ReleaseTried` (int, 0 or 1),
  * `ReleaseObjective`, `ReleaseAreaError`, `ReleaseHomogeneity` (double; Objective, AreaError and
  * GlobalHomogeneity of the piece flattened without that by the same scheme with the same options;
- * -1 where it was not tried or has no solution). Releases are tried in pieces that lie poorly: an
+ * -1 where it was not tried or has no solution). ReleaseTrials tries them in pieces that lie poorly: an
  * angle changed by more than 0.7 radians or, with Interior AS_RIGID_AS_POSSIBLE, GlobalHomogeneity
  * below 0.4 or flipped triangles. Those that were tried are ranked by AreaError with scheme
  * ISOMETRIC, by Objective else. Curves that were not tried follow by the magnitude of their
@@ -220,6 +220,17 @@ public:
   vtkSetMacro(ReleaseKeys, bool);
   vtkGetMacro(ReleaseKeys, bool);
   vtkBooleanMacro(ReleaseKeys, bool);
+  ///@}
+
+  ///@{
+  /**
+   * GLOBAL and ISOMETRIC: try what a release would bring where a piece lies poorly, which takes the
+   * time of up to six flattenings of the piece (see `ReleaseTried`). Off: the curves are ranked by
+   * their sensitivity alone. Default: on.
+   */
+  vtkSetMacro(ReleaseTrials, bool);
+  vtkGetMacro(ReleaseTrials, bool);
+  vtkBooleanMacro(ReleaseTrials, bool);
   ///@}
 
   ///@{
@@ -428,6 +439,7 @@ private:
   int Solver;
   int Interior;
   bool ReleaseKeys;
+  bool ReleaseTrials;
   bool CloseCuts;
   bool SkipClosed;
   int MaximumIterations;

@@ -17,6 +17,7 @@ Options defaultOptions()
   options.solver = solverNames[static_cast<std::size_t>(filter->GetSolver())];
   options.interior = interiorNames[static_cast<std::size_t>(filter->GetInterior())];
   options.releaseKeys = filter->GetReleaseKeys();
+  options.releaseTrials = filter->GetReleaseTrials();
   options.closeCuts = filter->GetCloseCuts();
   options.skipClosed = filter->GetSkipClosed();
   options.energy = energyNames[static_cast<std::size_t>(filter->GetDistortionEnergy())];
@@ -53,6 +54,7 @@ void setOptions(const Options& options, vtkWireWarpingFilter* filter)
   filter->SetSolver(valueOf(solverNames, options.solver));
   filter->SetInterior(valueOf(interiorNames, options.interior));
   filter->SetReleaseKeys(options.releaseKeys);
+  filter->SetReleaseTrials(options.releaseTrials);
   filter->SetCloseCuts(options.closeCuts);
   filter->SetSkipClosed(options.skipClosed);
   filter->SetDistortionEnergy(valueOf(energyNames, options.energy));

@@ -24,6 +24,8 @@ std::vector<Scope> scopesOf(const Options& options)
     { { "--solver", "--interior", "--tolerance", "--max-iterations", "--closure-tolerance",
         "--optimality-tolerance", "--max-length-error" },
       !conformal, wires },
+    { { "--no-release-trials" }, isometric || options.scheme == "global",
+      "for --scheme isometric and global, not for --scheme " + options.scheme },
     { { "--energy", "--area-bias", "--angle-weight", "--isometric-tolerance",
         "--isometric-iterations" },
       isometric, "for --scheme isometric, not for --scheme " + options.scheme },

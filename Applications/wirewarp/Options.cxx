@@ -122,6 +122,12 @@ void addMethods(CLI::App& app, Options& options)
   app.add_flag("--release-keys", options.releaseKeys, "Treat key curves as accessory curves")
     ->group(group);
   app
+    .add_flag_callback(
+      "--no-release-trials", [&options]() { options.releaseTrials = false; },
+      "Do not try what a release would bring where a piece lies poorly, which takes up to six "
+      "flattenings of it; rank the curves to release by their sensitivity")
+    ->group(group);
+  app
     .add_flag("--close-cuts", options.closeCuts,
       "Close darts and other cuts as far as their banks would lie over each other")
     ->group(group);

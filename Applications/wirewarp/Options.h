@@ -32,6 +32,7 @@ struct Options
   std::string solver;
   std::string interior;
   bool releaseKeys = false;
+  bool releaseTrials = false;
   bool closeCuts = false;
   bool skipClosed = false;
   std::map<std::string, double> tolerances; ///< of length, by name of curve

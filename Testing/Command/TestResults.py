@@ -229,6 +229,16 @@ class Results(command.CommandTest):
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")
         self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
 
+    def test_releases_are_tried_unless_that_is_switched_off(self):
+        piece = [os.path.join(command.DATA, "quarter_sphere" + end)
+                 for end in (".vtp", "_curves_two.vtp")]
+        tried, plain = (self.flatten(*piece, *option)["pieces"][0]
+                        for option in ((), ("--no-release-trials",)))
+        self.assertIsNotNone(tried["release"]["ranking"][0]["E_area_without"])
+        self.assertIsNone(plain["release"]["ranking"][0]["E_area_without"])
+        self.assertEqual(len(plain["release"]["ranking"]), 2)
+        self.assertEqual(plain["E_area"], tried["E_area"])
+
     def test_a_relaxation_that_runs_out_of_iterations_is_a_broken_promise(self):
         slow = ("lune.obj", "arc.txt", "--scheme", "global", "--interior", "relaxation",
                 "--relaxation-movement", "0")

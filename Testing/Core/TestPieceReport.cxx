@@ -175,6 +175,26 @@ TEST(PieceReport, AdviceOfTheIsometricSchemeIsWhatFollowingItGives)
   EXPECT_LE(advice.trials[0].areaError, advice.trials[1].areaError);
 }
 
+TEST(PieceReport, AdviceWithoutTrialsRanksBySensitivityAndChangesNothingElse)
+{
+  const Surface surface = quarterSphereWithTwoArcs();
+  for (const Scheme scheme : { Scheme::Global, Scheme::Isometric })
+  {
+    FlatteningOptions options;
+    options.scheme = scheme;
+    options.tryReleases = false;
+    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const FlatteningResult tried = flatten(surface, scheme);
+    EXPECT_EQ(result.positions, tried.positions);
+    EXPECT_TRUE(tried.pieces[0].advice.first().solved);
+    const ReleaseAdvice& advice = result.pieces[0].advice;
+    ASSERT_EQ(advice.ranking.size(), 2u);
+    EXPECT_FALSE(advice.first().solved);
+    EXPECT_GE(std::abs(result.curves[advice.ranking[0]].sensitivity),
+      std::abs(result.curves[advice.ranking[1]].sensitivity));
+  }
+}
+
 TEST(PieceReport, TheSolverThatWasUsedIsNamedAndWhyItIsAnother)
 {
   Surface surface = quarterSphere();

@@ -27,12 +27,13 @@ void optionsOfWireWarping(Checks& check)
 {
   vtkNew<vtkWireWarpingFilter> filter;
   const auto [scheme, angles, interior, isometric, conformal, closeCuts, skipClosed, releaseKeys,
-    arrange, spacing, lengthTolerance] = FlatteningOptions();
+    tryReleases, arrange, spacing, lengthTolerance] = FlatteningOptions();
   check.equal(filter->GetScheme(), number(scheme), "Scheme");
   check.equal(filter->GetScheme(), number(vtkWireWarpingFilter::ISOMETRIC), "the product's scheme");
   check.equal(filter->GetCloseCuts(), closeCuts, "CloseCuts");
   check.equal(filter->GetSkipClosed(), skipClosed, "SkipClosed");
   check.equal(filter->GetReleaseKeys(), releaseKeys, "ReleaseKeys");
+  check.equal(filter->GetReleaseTrials(), tryReleases, "ReleaseTrials");
   check.equal(filter->GetArrange(), arrange, "Arrange");
   check.equal(filter->GetSpacing(), spacing, "Spacing");
   check.equal(filter->GetMaximumLengthError(), lengthTolerance, "MaximumLengthError");

@@ -295,13 +295,14 @@ void propertiesAreClampedAndPrinted(Checks& check)
   filter->SetInteriorToRelaxation();
   std::ostringstream print;
   filter->Print(print);
-  for (const char* line : { "Scheme: Progressive", "Solver: Sequential", "Interior: Relaxation",
-         "ReleaseKeys: Off", "CloseCuts: Off", "MaximumIterations: 1", "ClosureTolerance: 1e-12",
-         "OptimalityTolerance: 1e-10", "RelaxationFactor: 1.5", "RelaxationMovement: 1e-05",
-         "RelaxationMinimumIterations: 10", "RelaxationMaximumIterations: 100",
-         "RigidEnergyTolerance: 1e-09", "RigidMaximumIterations: 200", "ConformalPins: -1 -1",
-         "Arrange: On", "Spacing: 0", "MaximumLengthError: 1e-09", "CoincidentPoints: Automatic",
-         "SplitTriangles: On", "ImprintTolerance: 0", "SnapTolerance: 0.001", "Status: NotRun" })
+  for (const char* line :
+    { "Scheme: Progressive", "Solver: Sequential", "Interior: Relaxation", "ReleaseKeys: Off",
+      "ReleaseTrials: On", "CloseCuts: Off", "MaximumIterations: 1", "ClosureTolerance: 1e-12",
+      "OptimalityTolerance: 1e-10", "RelaxationFactor: 1.5", "RelaxationMovement: 1e-05",
+      "RelaxationMinimumIterations: 10", "RelaxationMaximumIterations: 100",
+      "RigidEnergyTolerance: 1e-09", "RigidMaximumIterations: 200", "ConformalPins: -1 -1",
+      "Arrange: On", "Spacing: 0", "MaximumLengthError: 1e-09", "CoincidentPoints: Automatic",
+      "SplitTriangles: On", "ImprintTolerance: 0", "SnapTolerance: 0.001", "Status: NotRun" })
   {
     check.contains(print.str(), line, "PrintSelf");
   }

@@ -48,6 +48,7 @@ OPTIONS = {
 # Flags that turn a property from its default to this.
 FLAGS = {
     "--release-keys": ("ReleaseKeys", True),
+    "--no-release-trials": ("ReleaseTrials", False),
     "--close-cuts": ("CloseCuts", True),
     "--skip-closed": ("SkipClosed", True),
     "--no-arrange": ("Arrange", False),
@@ -60,6 +61,7 @@ PARAMETERS = {
     "solver": ("Solver", SOLVERS),
     "interior": ("Interior", INTERIORS),
     "release_keys": ("ReleaseKeys", None),
+    "release_trials": ("ReleaseTrials", None),
     "close_cuts": ("CloseCuts", None),
     "skip_closed": ("SkipClosed", None),
     "energy": ("DistortionEnergy", ENERGIES),

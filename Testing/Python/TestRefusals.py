@@ -149,6 +149,7 @@ class Arguments(unittest.TestCase):
             (["energy", "isometric", "global"], {"scheme": "global", "energy": "dirichlet"}),
             (["angle_weight"], {"paper_method": True, "angle_weight": 1.0}),
             (["area_bias", "rigid"], {"energy": "dirichlet", "area_bias": 0.5}),
+            (["release_trials", "lscm"], {"scheme": "lscm", "release_trials": False}),
             (["pins", "lscm"], {"pins": (0, 1)}),
             (["spacing", "arrange"], {"arrange": False, "spacing": 1.0}),
             (["scheme", "paper_method"], {"paper_method": True, "scheme": "progressive"}),

@@ -31,6 +31,9 @@ struct FlatteningOptions
   bool skipClosed = false;
   /// Treat key curves as accessory curves.
   bool releaseKeys = false;
+  /// Try what the advice on releases promises, which takes up to six flattenings of a piece that
+  /// lies poorly (see adviseByTrials()); otherwise curves are ranked by their sensitivity alone.
+  bool tryReleases = true;
   /// Lay the pieces beside each other, each upright (see arrangePieces()); otherwise each stays
   /// where its first wire edge put it.
   bool arrange = true;

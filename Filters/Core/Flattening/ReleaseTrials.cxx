@@ -70,6 +70,10 @@ ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
     return {};
   }
   ReleaseAdvice advice = adviseRelease(context.network, context.curves, flat.wires.angles);
+  if (!context.options.tryReleases)
+  {
+    return advice;
+  }
   // The Laplacian interior distorts by itself, whatever the wires.
   const bool poor = context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
     liesPoorly(context.piece.mesh, flat.placed.positions);

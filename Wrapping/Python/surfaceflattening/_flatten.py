@@ -64,6 +64,8 @@ def _refuse_idle(
     lengths = ("solver", "interior", "max_iterations", "max_length_error")
     scopes = (
         (lengths, scheme != "lscm", "schemes that keep lengths, not for 'lscm'"),
+        (("release_trials",), scheme in ("isometric", "global"),
+         f"schemes 'isometric' and 'global', not for {scheme!r}"),
         (("energy", "area_bias", "angle_weight"), scheme == "isometric",
          f"scheme='isometric', not for {scheme!r}"),
         (("area_bias",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
@@ -123,6 +125,7 @@ def _flatten(
     interior: str = "arap",
     paper_method: bool = False,
     release_keys: bool = False,
+    release_trials: bool = True,
     close_cuts: bool = False,
     skip_closed: bool = False,
     energy: str = "rigid",
@@ -147,7 +150,7 @@ def _flatten(
         scheme, interior = _method_of_the_paper(scheme, interior)
     _refuse_idle(scheme, energy, arrange, {
         "solver": solver, "interior": interior, "max_iterations": max_iterations,
-        "max_length_error": max_length_error, "energy": energy, "area_bias": area_bias,
+        "max_length_error": max_length_error, "release_trials": bool(release_trials), "energy": energy, "area_bias": area_bias,
         "angle_weight": angle_weight, "pins": tuple(pins) if isinstance(pins, Iterable) else pins, "spacing": spacing})
     filter_ = vtkWireWarpingFilter()
     filter_.CachingOff()  # it runs once
@@ -158,6 +161,7 @@ def _flatten(
         filter_, "coincident_points", "CoincidentPoints", coincident_points, COINCIDENT_POINTS
     )
     _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
+    _set(filter_, "release_trials", "ReleaseTrials", bool(release_trials))
     _set(filter_, "close_cuts", "CloseCuts", bool(close_cuts))
     _set(filter_, "skip_closed", "SkipClosed", bool(skip_closed))
     _set_word(filter_, "energy", "DistortionEnergy", energy, ENERGIES)
@@ -188,6 +192,7 @@ def flatten(
     interior: str = "arap",
     paper_method: bool = False,
     release_keys: bool = False,
+    release_trials: bool = True,
     close_cuts: bool = False,
     skip_closed: bool = False,
     energy: str = "rigid",
@@ -227,6 +232,9 @@ def flatten(
             minimum that the paper asks for, solver="sequential" by the paper's steps, where they
             converge.
         release_keys: treat key curves as accessory curves.
+        release_trials: "global" and "isometric": try what a release of a curve would bring where a
+            piece lies poorly, which takes up to six flattenings of it; False: report["pieces"] rank
+            the curves to release by their sensitivity alone.
         close_cuts: close darts and other cuts as far as their banks would lie over each other, at
             the price of more distortion; False: they overlap, which breaks a promise.
         skip_closed: leave out pieces that cannot be laid flat, since they have no boundary or have
@@ -278,6 +286,7 @@ def flatten(
         interior=interior,
         paper_method=paper_method,
         release_keys=release_keys,
+        release_trials=release_trials,
         close_cuts=close_cuts,
         skip_closed=skip_closed,
         energy=energy,
