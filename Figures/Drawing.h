@@ -28,6 +28,7 @@ struct FigureStyle
   double wireWidth = 4.0;
   int gap = 14;
   int titleHeight = 28;
+  int scaleHeight = 90; ///< of colours, with title and numbers
 };
 
 /// How the two sides of an opened dart are drawn.

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Figure.h"
 
+#include "ScaleBar.h"
+
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -15,6 +20,8 @@ namespace
 {
 /// So that the last digits of a result do not change the size of a picture.
 constexpr double rounding = 1e-6;
+constexpr int textSize = 18;
+constexpr int scaleLabels = 6;
 }
 
 //------------------------------------------------------------------------------
@@ -40,11 +47,17 @@ void Figure::nextRow()
 }
 
 //------------------------------------------------------------------------------
+void Figure::addScale(const std::string& title, ColorRange range)
+{
+  this->Scales.push_back({ title, range });
+}
+
+//------------------------------------------------------------------------------
 double Figure::neededPixel() const
 {
   double pixel = 0.0;
   double height = 0.0;
-  int available = this->MaximumHeight;
+  int available = this->MaximumHeight - (this->Scales.empty() ? 0 : this->style.scaleHeight);
   for (const Row& row : this->Rows)
   {
     double rowWidth = 0.0;
@@ -97,11 +110,39 @@ void Figure::finishRow(Row& row, int bottom, int height, double pixel) const
 }
 
 //------------------------------------------------------------------------------
+void Figure::drawScales(int windowHeight) const
+{
+  const double height = this->style.scaleHeight;
+  vtkNew<vtkRenderer> strip;
+  strip->SetViewport(0.0, 0.0, 1.0, height / windowHeight);
+  strip->SetBackground(1.0, 1.0, 1.0);
+  this->Window->AddRenderer(strip);
+  const double share = 1.0 / static_cast<double>(this->Scales.size());
+  for (std::size_t k = 0; k < this->Scales.size(); ++k)
+  {
+    const auto bar = makeScaleBar(makeColors(this->Scales[k].range), scaleLabels, textSize);
+    const double middle = (static_cast<double>(k) + 0.5) * share;
+    const double width = std::min(0.8 * share, 500.0 / this->Width);
+    bar->SetPosition(middle - 0.5 * width, 0.1);
+    bar->SetPosition2(width, 0.5);
+    strip->AddViewProp(bar);
+    vtkNew<vtkTextActor> title;
+    title->SetInput(this->Scales[k].title.c_str());
+    title->SetPosition(middle * this->Width, 0.72 * height);
+    title->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
+    title->GetTextProperty()->SetFontSize(textSize);
+    title->GetTextProperty()->SetJustificationToCentered();
+    strip->AddViewProp(title);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkRenderWindow* Figure::render()
 {
   this->Rows.remove_if([](const Row& row) { return row.empty(); });
   const double pixel = this->neededPixel();
-  int height = 0;
+  const int scales = this->Scales.empty() ? 0 : this->style.scaleHeight;
+  int height = scales;
   for (const Row& row : this->Rows)
   {
     height += this->rowHeight(row, pixel);
@@ -117,6 +158,10 @@ vtkRenderWindow* Figure::render()
     const int rowHeight = this->rowHeight(row, pixel);
     top -= rowHeight;
     this->finishRow(row, top, rowHeight, pixel);
+  }
+  if (scales > 0)
+  {
+    this->drawScales(height);
   }
   this->Window->Render();
   return this->Window;

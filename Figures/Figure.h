@@ -21,6 +21,8 @@ public:
   /// A drawing at the end of the row.
   Drawing& add();
   void nextRow();
+  /// A scale of colours below all rows, as many as there is room for beside each other.
+  void addScale(const std::string& title, ColorRange range);
 
   /// Draws everything.
   vtkRenderWindow* render();
@@ -36,7 +38,16 @@ private:
   int rowHeight(const Row& row, double pixel) const;
   void finishRow(Row& row, int bottom, int height, double pixel) const;
 
+  struct Scale
+  {
+    std::string title;
+    ColorRange range;
+  };
+
+  void drawScales(int windowHeight) const;
+
   vtkSmartPointer<vtkRenderWindow> Window;
+  std::vector<Scale> Scales;
   std::list<Row> Rows;
   int Width;
   int MaximumHeight;

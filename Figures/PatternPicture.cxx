@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternPicture.h"
 
+#include "ScaleBar.h"
+
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
-#include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
@@ -272,18 +273,7 @@ void PatternPicture::drawScale(const ColorMap& map)
   const double width = this->Window->GetSize()[0];
   const double height = this->Window->GetSize()[1];
   const double length = std::min(420.0, 0.35 * width);
-  vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(map.colors);
-  bar->SetOrientationToHorizontal();
-  bar->SetNumberOfLabels(map.labels);
-  bar->SetLabelFormat("%.3g");
-  bar->UnconstrainedFontSizeOn();
-  vtkTextProperty* const property = bar->GetLabelTextProperty();
-  property->SetColor(black.data());
-  property->SetFontSize(textSize);
-  property->BoldOff();
-  property->ItalicOff();
-  property->ShadowOff();
+  const auto bar = makeScaleBar(map.colors, map.labels, textSize);
   const double left = width - length - 3 * margin;
   bar->SetPosition(left / width, margin / height);
   bar->SetPosition2(length / width, barHeight / height);

@@ -8,6 +8,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -46,6 +47,7 @@ int main(int argc, char* argv[])
     figures::Figure figure(800, 800, 4);
     const double largest =
       figures::drawDevelopability(figure.add(), { { surface, nullptr } }, figures::facing(surface));
+    figure.addScale("angle defect E_dev, rad", { 0.0, std::max(largest, figures::developable) });
     std::cout << "largest angle defect: " << largest << " rad\n";
     if (toFile)
     {

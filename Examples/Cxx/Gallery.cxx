@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One picture a piece: the surface with its curves and its developability, the flat pieces of the
-// progressive scheme, the global scheme and LSCM, and maps of what they change: 1 - index of
-// homogeneity and of aspect ratio from 0, blue, to 0.5, red. overview.png is the picture of the
-// README.
+// isometric scheme, which is the default, of the global scheme and of LSCM, and maps of what they
+// change: 1 - index of homogeneity and of aspect ratio, with scales. overview.png is the picture of
+// the README.
 #include "Figure.h"
 #include "Panels.h"
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -48,7 +49,7 @@ void drawPiece(const std::string& folder, const std::string& name, const std::st
 {
   const std::vector<Piece> pieces{ readPiece(folder, name) };
   const Vector view = facing(pieces[0].surface);
-  const auto progressive = flattenAll(pieces, Method::Progressive);
+  const auto isometric = flattenAll(pieces, Method::Isometric);
   const auto global = flattenAll(pieces, Method::Global);
   const auto conformal = flattenAll(pieces, Method::Conformal);
 
@@ -56,7 +57,7 @@ void drawPiece(const std::string& folder, const std::string& name, const std::st
   Drawing& surface = figure.add();
   surface.setTitle("surface");
   drawSpace(surface, pieces, view);
-  addFlat(figure, progressive, "progressive");
+  addFlat(figure, isometric, "isometric");
   addFlat(figure, global, "global");
   addFlat(figure, conformal, "LSCM");
   figure.nextRow();
@@ -64,10 +65,12 @@ void drawPiece(const std::string& folder, const std::string& name, const std::st
   Drawing& map = figure.add();
   const double largest = drawDevelopability(map, pieces, view);
   map.setTitle(withNumber("E_dev up to %.2g rad", largest));
+  figure.addScale("E_dev, rad: 0 is developable", { 0.0, std::max(largest, developable) });
+  figure.addScale("1 - index of homogeneity, of aspect ratio: 0 is undistorted", { 0.0, 0.5 });
   for (const auto& [index, array] : { std::pair("homogeneity", "HomogeneityOfDistortion"),
          std::pair("aspect ratio", "AspectRatio") })
   {
-    addIndex(figure, global, std::string("global, ") + index, array);
+    addIndex(figure, isometric, std::string("isometric, ") + index, array);
     addIndex(figure, conformal, std::string("LSCM, ") + index, array);
   }
   figure.write(path);
@@ -81,7 +84,7 @@ void drawOverview(const std::string& folder, const std::string& path)
   Figure figure(width, maximumHeight, samples);
   drawSpace(figure.add(), pieces, { 0.0, 0.0, 1.0 });
   drawSpace(figure.add(), pieces, { 0.0, 0.0, -1.0 });
-  drawFlat(figure.add(), flattenAll(pieces, Method::Global));
+  drawFlat(figure.add(), flattenAll(pieces, Method::Isometric));
   figure.write(path);
 }
 }
