@@ -52,7 +52,7 @@ def floors_are_one_way():
     pattern = headers_of("Filters/Pattern/")
     private = headers_of("Filters/Private/")
     public = {header for header in headers_of("Filters/") if header.startswith("vtk")} - private
-    for name in cxx_files("Filters/", "Figures/", "Applications/", "Examples/"):
+    for name in cxx_files("Filters/", "Figures/", "Interaction/", "Applications/", "Examples/"):
         if name.startswith("Filters/Core/"):
             forbidden, floor = pattern | private | public, "Core"
         elif name.startswith("Filters/Pattern/"):
@@ -132,7 +132,7 @@ def every_source_is_built():
     lists = "\n".join(read(name) for name in tracked_files()
                       if pathlib.PurePath(name).name == "CMakeLists.txt")
     named = set(re.findall(r"[\w.]+", lists))
-    for name in cxx_files("Filters/", "Figures/", "Examples/", "Testing/"):
+    for name in cxx_files("Filters/", "Figures/", "Interaction/", "Examples/", "Testing/"):
         path = pathlib.PurePath(name)
         if path.suffix == ".cxx" and not {path.name, path.stem} & named:
             yield f"{name}: in no CMakeLists.txt"
@@ -165,7 +165,7 @@ def the_paper_is_mapped_to_functions():
         return
     rows = [line for line in found.group(1).split("\n") if line.startswith("|")][2:]
     code = {}
-    for name in cxx_files("Filters/", "Figures/", "Applications/", "Examples/"):
+    for name in cxx_files("Filters/", "Figures/", "Interaction/", "Applications/", "Examples/"):
         code[name] = "\n".join(line for _, line in code_lines(name))
     everything = "\n".join(code.values())
     named = 0

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePicker.h"
+
+#include <vtkGenericCell.h>
+#include <vtkMath.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace interaction
+{
+namespace
+{
+constexpr int directions = 16;
+constexpr vtkIdType mirrorSamples = 500; // points, which tell a symmetry
+
+/// The point of the scene at a place in the window, at a depth from 0, near, to 1.
+std::array<double, 3> worldAt(vtkRenderer* renderer, double x, double y, double depth)
+{
+  renderer->SetDisplayPoint(x, y, depth);
+  renderer->DisplayToWorld();
+  const double* const world = renderer->GetWorldPoint();
+  return { world[0] / world[3], world[1] / world[3], world[2] / world[3] };
+}
+}
+
+//------------------------------------------------------------------------------
+void SurfacePicker::setSurface(vtkPolyData* surface)
+{
+  this->Surface = surface && surface->GetNumberOfCells() > 0 ? surface : nullptr;
+  if (this->Surface)
+  {
+    this->Locator->SetDataSet(surface);
+    this->Locator->BuildLocator();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SurfacePicker::pickPixel(
+  vtkRenderer* renderer, double x, double y, std::array<double, 3>& point) const
+{
+  const std::array<double, 3> start = worldAt(renderer, x, y, 0.0);
+  const std::array<double, 3> end = worldAt(renderer, x, y, 1.0);
+  double t = 0.0;
+  double coordinates[3];
+  int subId = 0;
+  vtkIdType cell = -1;
+  return this->Locator->IntersectWithLine(
+           start.data(), end.data(), 0.0, t, point.data(), coordinates, subId, cell) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool SurfacePicker::pick(vtkRenderer* renderer, const std::array<int, 2>& pixel, int around,
+  std::array<double, 3>& point) const
+{
+  if (!this->Surface)
+  {
+    return false;
+  }
+  if (this->pickPixel(renderer, pixel[0], pixel[1], point))
+  {
+    return true;
+  }
+  for (int radius = 2; radius <= around; radius += 2)
+  {
+    for (int k = 0; k < directions; ++k)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * k / directions;
+      if (this->pickPixel(renderer, pixel[0] + radius * std::cos(angle),
+            pixel[1] + radius * std::sin(angle), point))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+Symmetry SurfacePicker::symmetry() const
+{
+  Symmetry best;
+  if (!this->Surface)
+  {
+    return best;
+  }
+  std::array<double, 3> center;
+  this->Surface->GetCenter(center.data());
+  best.origin = center;
+  double least = std::numeric_limits<double>::infinity();
+  vtkNew<vtkGenericCell> cell;
+  const vtkIdType step = std::max<vtkIdType>(1, this->Surface->GetNumberOfPoints() / mirrorSamples);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    double sum = 0.0;
+    double moved = 0.0;
+    for (vtkIdType k = 0; k < this->Surface->GetNumberOfPoints(); k += step)
+    {
+      std::array<double, 3> image;
+      this->Surface->GetPoint(k, image.data());
+      moved += 4.0 * (center[axis] - image[axis]) * (center[axis] - image[axis]);
+      image[axis] = 2.0 * center[axis] - image[axis];
+      double closest[3];
+      vtkIdType id = -1;
+      int subId = 0;
+      double square = 0.0;
+      this->Locator->FindClosestPoint(image.data(), closest, cell, id, subId, square);
+      sum += square;
+    }
+    // Against how far the image is, or a sheet would be its own across.
+    if (sum < least * moved)
+    {
+      least = sum / moved;
+      best.normal = { 0.0, 0.0, 0.0 };
+      best.normal[axis] = 1.0;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
+{
+  renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* const display = renderer->GetDisplayPoint();
+  const double x = display[0];
+  const double y = display[1];
+  const double depth = display[2];
+  const std::array<double, 3> beside = worldAt(renderer, x + 1.0, y, depth);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), beside.data()));
+}
+}

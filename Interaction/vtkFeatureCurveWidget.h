@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFeatureCurveWidget
+ * @brief draw feature curves on a surface by mouse and keys
+ *
+ * The hand at a vtkFeatureCurveEditor, for any program with a vtkRenderWindowInteractor; it needs
+ * VTK's rendering and nothing else. While the widget is enabled,
+ *
+ * - after NEW_CURVE clicks add nodes, and the next segment follows the mouse. A click on the first
+ *   node closes the curve; FINISH, or a click with the right button, ends it;
+ * - a click on a curve or a node chooses it, and nodes can be dragged;
+ * - a click with Control on a curve inserts a node, which can be dragged on;
+ * - nodes snap to what vtkFeatureCurveEditor::SnapPoint() says, unless Alt is held.
+ *
+ * Whatever is not done on a curve goes on to the interactor's style, so that the camera is turned
+ * by dragging beside curves, and by the other buttons.
+ *
+ * Everything else is an action with a name and a key. Programs show them in menus by the functions
+ * below and call Do(); with HandleKeys the keys work by themselves.
+ *
+ * Events: SelectionChangedEvent; StartInteractionEvent, InteractionEvent and EndInteractionEvent
+ * around each drag; CursorChangedEvent when GetHint() changed. Changes of curves are those of the
+ * editor.
+ *
+ * @sa vtkFeatureCurveEditor
+ */
+#ifndef vtkFeatureCurveWidget_h
+#define vtkFeatureCurveWidget_h
+
+#include "CurveActors.h"
+#include "SurfacePicker.h"
+
+#include <vtkInteractorObserver.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkFeatureCurveEditor;
+
+class vtkFeatureCurveWidget : public vtkInteractorObserver
+{
+public:
+  static vtkFeatureCurveWidget* New();
+  vtkTypeMacro(vtkFeatureCurveWidget, vtkInteractorObserver)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The curves, and the surface that they are drawn on, which the editor has as well. The renderer
+   * is that of the surface (SetDefaultRenderer()).
+   */
+  void SetEditor(vtkFeatureCurveEditor* editor);
+  vtkFeatureCurveEditor* GetEditor() { return this->Editor; }
+  void SetSurface(vtkPolyData* surface);
+
+  void SetEnabled(int enabled) override;
+
+  /**
+   * What can be done apart from clicks.
+   */
+  enum Actions
+  {
+    NEW_CURVE = 0,
+    FINISH,
+    REMOVE_NODE,
+    REMOVE_CURVE,
+    CLOSE,
+    SPLIT,
+    JOIN,
+    MIRROR,
+    MAKE_ACCESSORY,
+    MAKE_KEY,
+    MAKE_DART,
+    MAKE_SEAM,
+    STRAIGHT_KEY,
+    GEODESIC,
+    SECTION,
+    SNAP,
+    UNDO,
+    REDO,
+    NUMBER_OF_ACTIONS
+  };
+
+  ///@{
+  /**
+   * The words of an action, and its key as VTK names it, with "Control-" before it where that is
+   * held.
+   */
+  static const char* GetActionName(int action);
+  static const char* GetActionKey(int action);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an action makes sense now, whether it is a switch that is on, and do it: false where
+   * it does not or is refused, with GetHint() saying why.
+   */
+  bool CanDo(int action) const;
+  bool IsOn(int action) const;
+  bool Do(int action);
+  ///@}
+
+  ///@{
+  /**
+   * Let the keys of actions work. Default: on.
+   */
+  vtkSetMacro(HandleKeys, bool);
+  vtkGetMacro(HandleKeys, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How near a click has to be to what it means, in pixels. Default: 8.
+   */
+  vtkSetClampMacro(Reach, int, 1, 100);
+  vtkGetMacro(Reach, int);
+  ///@}
+
+  ///@{
+  /**
+   * The chosen curve and node, -1 where there is none, and whether a curve is being drawn.
+   */
+  int GetChosenCurve() const { return this->Chosen.curve; }
+  int GetChosenNode() const { return this->Chosen.node; }
+  void Choose(int curve, int node);
+  bool IsDrawing() const { return this->State == Mode::Drawing; }
+  ///@}
+
+  /**
+   * What a click would do now, or why the last action was refused: a line for the user.
+   */
+  const char* GetHint() const { return this->Hint.c_str(); }
+
+  /**
+   * Draws the curves as they are.
+   */
+  void Redraw();
+
+protected:
+  vtkFeatureCurveWidget();
+  ~vtkFeatureCurveWidget() override;
+
+private:
+  vtkFeatureCurveWidget(const vtkFeatureCurveWidget&) = delete;
+  void operator=(const vtkFeatureCurveWidget&) = delete;
+
+  enum class Mode
+  {
+    Choosing,
+    Drawing,
+    Dragging,
+    Joining, ///< the next curve that is clicked is joined to the chosen one
+  };
+  struct Aim
+  {
+    bool onSurface = false;
+    std::array<double, 3> point{}; ///< where a node would come
+    int snapped = 0;               ///< vtkFeatureCurveEditor::SnapTargets
+    interaction::CurveChoice node; ///< under the mouse
+    interaction::CurveChoice line; ///< under the mouse; node: the segment
+  };
+
+  static void Dispatch(vtkObject*, unsigned long event, void* client, void*);
+  void OnPress();
+  void OnRelease();
+  void OnMove();
+  void OnRightPress();
+  void OnKey();
+  /// A click, a press that did not move the mouse.
+  void OnClick();
+  bool StartDrag();
+  /// It begins a drag of the style, which turns the camera.
+  void HandPressOn();
+
+  Aim AimAt(int exceptCurve) const;
+  bool HasMoved() const;
+  bool AddNode(const Aim& aim);
+  bool StepBack();
+  bool SetKind(int kind);
+  bool ToggleMirror();
+  bool Finished(bool done);
+  void SetHint(const std::string& hint);
+  void UpdateHint(const Aim& aim);
+  void Render();
+
+  vtkSmartPointer<vtkFeatureCurveEditor> Editor;
+  unsigned long EditorTag = 0;
+  interaction::SurfacePicker Picker;
+  interaction::CurveActors Actors;
+  interaction::CurveChoice Chosen;
+  Mode State = Mode::Choosing;
+  unsigned long CurrentEvent = 0;
+  bool PressedHere = false;
+  std::array<int, 2> Pressed{};
+  bool HandleKeys = true;
+  bool Snapping = true;
+  int Kind = 0; ///< of new segments
+  int Reach = 8;
+  std::string Hint;
+};
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mouse and keys as the window gets them, with the curves that must come of them.
+#include "Drawing.h"
+#include "Pieces.h"
+#include "vtkFeatureCurveWidget.h"
+
+#include <vtkCamera.h>
+#include <vtkFeatureCurveEditor.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMath.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace
+{
+using Pixel = std::array<int, 2>;
+
+class FeatureCurveWidget : public testing::TestWithParam<double>
+{
+protected:
+  void SetUp() override { this->open(1.0); }
+
+  void open(double scale)
+  {
+    vtkNew<vtkTransform> transform;
+    transform->Scale(scale, scale, scale);
+    vtkNew<vtkTransformPolyDataFilter> scaled;
+    scaled->SetTransform(transform);
+    scaled->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    scaled->SetInputData(figures::readPiece(FLATTENING_DATA, "shirt_front").surface);
+    scaled->Update();
+    this->surface = scaled->GetOutput();
+    this->window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->window->SetOffScreenRendering(1);
+    this->window->SetSize(900, 900);
+    this->renderer = vtkSmartPointer<vtkRenderer>::New();
+    this->window->AddRenderer(this->renderer);
+    figures::Drawing drawing(this->renderer);
+    drawing.lookFrom(figures::facing(this->surface));
+    drawing.addSurface(this->surface);
+    const std::array<double, 2> size = drawing.size();
+    drawing.finish({ 0, 0, 900, 900 }, std::max(size[0], size[1]) / 860.0, {});
+    this->interactor = vtkSmartPointer<vtkRenderWindowInteractor>::New();
+    this->interactor->SetRenderWindow(this->window);
+    vtkNew<vtkInteractorStyleTrackballCamera> style;
+    this->interactor->SetInteractorStyle(style);
+    this->editor = vtkSmartPointer<vtkFeatureCurveEditor>::New();
+    ASSERT_TRUE(this->editor->SetSurface(this->surface));
+    this->widget = vtkSmartPointer<vtkFeatureCurveWidget>::New();
+    this->widget->SetInteractor(this->interactor);
+    this->widget->SetDefaultRenderer(this->renderer);
+    this->widget->SetEditor(this->editor);
+    this->widget->SetSurface(this->surface);
+    this->widget->SetEnabled(1);
+    this->interactor->Initialize();
+    this->window->Render();
+  }
+
+  Pixel pixelOf(const double point[3]) const
+  {
+    this->renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+    this->renderer->WorldToDisplay();
+    const double* const display = this->renderer->GetDisplayPoint();
+    return { static_cast<int>(std::lround(display[0])), static_cast<int>(std::lround(display[1])) };
+  }
+  Pixel vertex(vtkIdType id) const { return this->pixelOf(this->surface->GetPoint(id)); }
+  Pixel node(int curve, int id) const
+  {
+    double point[3];
+    this->editor->GetNode(curve, id, point);
+    return this->pixelOf(point);
+  }
+
+  void moveTo(const Pixel& pixel, bool alt = false, bool control = false)
+  {
+    this->interactor->SetEventInformation(pixel[0], pixel[1], control ? 1 : 0, 0);
+    this->interactor->SetAltKey(alt ? 1 : 0);
+    this->interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+  }
+  void click(const Pixel& pixel, bool alt = false, bool control = false)
+  {
+    this->moveTo(pixel, alt, control);
+    this->interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    this->interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+    this->interactor->SetAltKey(0);
+  }
+  void drag(const Pixel& from, const Pixel& to, bool control = false)
+  {
+    this->moveTo(from, false, control);
+    this->interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    for (int k = 1; k <= 10; ++k)
+    {
+      this->moveTo({ from[0] + (to[0] - from[0]) * k / 10, from[1] + (to[1] - from[1]) * k / 10 });
+    }
+    this->interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  }
+  void press(const char* key, bool control = false)
+  {
+    this->interactor->SetKeyEventInformation(control ? 1 : 0, 0, key[0], 0, key);
+    this->interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    this->interactor->InvokeEvent(vtkCommand::CharEvent);
+    this->interactor->SetControlKey(0);
+  }
+  void draw(const std::vector<Pixel>& pixels)
+  {
+    this->press("n");
+    for (const Pixel& pixel : pixels)
+    {
+      this->click(pixel);
+    }
+    this->press("Return");
+  }
+  double distance(int curve, int id, const double point[3]) const
+  {
+    double place[3];
+    this->editor->GetNode(curve, id, place);
+    return std::sqrt(vtkMath::Distance2BetweenPoints(place, point));
+  }
+
+  vtkSmartPointer<vtkPolyData> surface;
+  vtkSmartPointer<vtkRenderWindow> window;
+  vtkSmartPointer<vtkRenderer> renderer;
+  vtkSmartPointer<vtkRenderWindowInteractor> interactor;
+  vtkSmartPointer<vtkFeatureCurveEditor> editor;
+  vtkSmartPointer<vtkFeatureCurveWidget> widget;
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_F(FeatureCurveWidget, ClicksDrawACurveThroughTheVerticesTheyMean)
+{
+  // The tutorial's bust girth.
+  this->draw({ this->vertex(401), this->vertex(6), this->vertex(12) });
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 1);
+  ASSERT_EQ(this->editor->GetNumberOfNodes(0), 3);
+  int k = 0;
+  for (const vtkIdType id : { 401, 6, 12 })
+  {
+    EXPECT_EQ(this->distance(0, k++, this->surface->GetPoint(id)), 0.0) << id;
+  }
+  EXPECT_FALSE(this->widget->IsDrawing());
+}
+
+TEST_F(FeatureCurveWidget, BesideACurveADragTurnsTheCameraAndOnANodeItMovesTheNode)
+{
+  this->draw({ this->vertex(401), this->vertex(6), this->vertex(12) });
+  const double length = this->editor->GetCurveLength(0);
+  const double x = this->renderer->GetActiveCamera()->GetPosition()[0];
+  const Pixel place = this->node(0, 1);
+  this->drag(place, { place[0] + 40, place[1] - 70 });
+  EXPECT_EQ(this->renderer->GetActiveCamera()->GetPosition()[0], x);
+  EXPECT_NE(this->editor->GetCurveLength(0), length);
+  const Pixel moved = this->node(0, 1);
+  EXPECT_NEAR(moved[0], place[0] + 40, 12); // up to the reach of what it snaps to
+  EXPECT_NEAR(moved[1], place[1] - 70, 12);
+  this->press("z", true);
+  EXPECT_EQ(this->editor->GetCurveLength(0), length);
+  EXPECT_EQ(this->node(0, 1), place);
+
+  this->drag({ place[0] + 150, place[1] - 160 }, { place[0] + 190, place[1] - 160 });
+  EXPECT_NE(this->renderer->GetActiveCamera()->GetPosition()[0], x);
+  EXPECT_EQ(this->editor->GetCurveLength(0), length);
+}
+
+TEST_F(FeatureCurveWidget, AltTakesThePlaceAsItIs)
+{
+  Pixel place = this->vertex(6);
+  place[0] += 5;
+  this->press("n");
+  this->click(place);
+  EXPECT_EQ(this->distance(0, 0, this->surface->GetPoint(6)), 0.0);
+  this->press("z", true);
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 0);
+  this->click(place, true);
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 1);
+  EXPECT_GT(this->distance(0, 0, this->surface->GetPoint(6)), 0.0);
+  EXPECT_EQ(this->node(0, 0), place);
+}
+
+TEST_F(FeatureCurveWidget, AClickOnTheFirstNodeCloses)
+{
+  const Pixel middle = this->vertex(6);
+  const std::vector<Pixel> corners{ { middle[0] - 80, middle[1] - 90 },
+    { middle[0] + 70, middle[1] - 60 }, { middle[0] + 20, middle[1] + 80 } };
+  this->press("n");
+  for (const Pixel& corner : corners)
+  {
+    this->click(corner);
+  }
+  this->click(this->node(0, 0));
+  EXPECT_FALSE(this->widget->IsDrawing());
+  EXPECT_TRUE(this->editor->GetCurveClosed(0));
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 3);
+  this->press("c");
+  EXPECT_FALSE(this->editor->GetCurveClosed(0));
+}
+
+TEST_F(FeatureCurveWidget, ControlAndAClickInsertANode)
+{
+  this->draw({ this->vertex(401), this->vertex(12) });
+  const Pixel a = this->node(0, 0);
+  const Pixel b = this->node(0, 1);
+  // Somewhere on the line, which is not straight on the screen.
+  vtkNew<vtkPolyData> line;
+  this->editor->GetCurve(0, line);
+  const Pixel on = this->pixelOf(line->GetPoint(line->GetNumberOfPoints() / 2));
+  const double length = this->editor->GetCurveLength(0);
+  this->click(on, true, true);
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 3);
+  EXPECT_NEAR(this->editor->GetCurveLength(0), length, 1e-3 * length);
+  this->interactor->SetControlKey(0);
+  this->drag(this->node(0, 1), { on[0], on[1] - 60 });
+  EXPECT_GT(this->editor->GetCurveLength(0), 1.01 * length);
+  EXPECT_EQ(this->node(0, 0), a);
+  EXPECT_EQ(this->node(0, 2), b);
+  this->click(this->node(0, 1));
+  EXPECT_EQ(this->widget->GetChosenNode(), 1);
+  this->press("BackSpace");
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 2);
+}
+
+TEST_F(FeatureCurveWidget, ChosenCurvesGetTypesSplitJoinAndGo)
+{
+  this->draw({ this->vertex(401), this->vertex(6), this->vertex(12) });
+  this->draw({ this->vertex(402), this->vertex(7), this->vertex(13) });
+  EXPECT_EQ(this->widget->GetChosenCurve(), 1);
+  this->click({ 3, 3 });
+  EXPECT_EQ(this->widget->GetChosenCurve(), -1);
+  EXPECT_FALSE(this->widget->CanDo(vtkFeatureCurveWidget::MAKE_KEY));
+  this->click(this->node(0, 1));
+  ASSERT_EQ(this->widget->GetChosenCurve(), 0);
+  this->press("k");
+  EXPECT_EQ(this->editor->GetCurveType(0), 1);
+  this->press("t");
+  EXPECT_EQ(this->editor->GetCurveKeyShape(0), 1);
+  const double length = this->editor->GetCurveLength(0);
+  this->press("x");
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 3);
+  EXPECT_LT(this->editor->GetCurveLength(0), length);
+  this->press("j");
+  this->click(this->node(2, 1));
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 2);
+  EXPECT_NEAR(this->editor->GetCurveLength(0), length, 1e-9 * length);
+  this->press("Delete");
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
+  while (this->widget->CanDo(vtkFeatureCurveWidget::UNDO))
+  {
+    this->press("z", true);
+  }
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+}
+
+TEST_F(FeatureCurveWidget, AMirroredCurveLiesOnBothHalvesOfTheShirt)
+{
+  // The left side of the bust, off the middle plane x = 0.
+  this->draw({ this->vertex(401), this->vertex(6) });
+  this->press("m");
+  ASSERT_TRUE(this->editor->GetCurveMirrored(0)) << this->widget->GetHint();
+  vtkNew<vtkPolyData> both;
+  this->editor->GetCurves(both);
+  ASSERT_EQ(both->GetNumberOfCells(), 2);
+  double bounds[6];
+  both->GetBounds(bounds);
+  EXPECT_NEAR(bounds[0], -bounds[1], 1e-6 * bounds[1]);
+}
+
+TEST_F(FeatureCurveWidget, EveryActionHasAKeyOfItsOwnAndWords)
+{
+  std::set<std::string> keys;
+  for (int action = 0; action < vtkFeatureCurveWidget::NUMBER_OF_ACTIONS; ++action)
+  {
+    EXPECT_STRNE(vtkFeatureCurveWidget::GetActionName(action), "");
+    EXPECT_TRUE(keys.insert(vtkFeatureCurveWidget::GetActionKey(action)).second) << action;
+  }
+}
+
+TEST_P(FeatureCurveWidget, EveryUnitOfLengthBehavesAlike)
+{
+  const double scale = this->GetParam();
+  const auto session = [this] {
+    Pixel off = this->vertex(6);
+    off[1] += 30;
+    this->draw({ this->vertex(401), off, this->vertex(12) });
+    this->drag(this->node(0, 1), this->vertex(68));
+    this->press("g");
+    return this->editor->GetCurveLength(0);
+  };
+  const double length = session();
+  this->open(scale);
+  EXPECT_NEAR(session() / scale, length, 1e-6 * length);
+}
+INSTANTIATE_TEST_SUITE_P(Scales, FeatureCurveWidget, testing::Values(1e-3, 1e3));
