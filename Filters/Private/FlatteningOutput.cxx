@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatteningOutput.h"
 
-#include "StatusOutput.h"
+#include "PieceOutput.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"
@@ -22,183 +22,6 @@ namespace bridge
 {
 namespace
 {
-void writePieces(const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field)
-{
-  const std::vector<PieceReport>& pieces = result.pieces;
-  const std::size_t rows = pieces.size();
-  auto addIds = [&](const char* name, auto PieceReport::*member) {
-    addRows<vtkIdTypeArray>(
-      field, name, rows, [&](std::size_t row) { return vtkIdType{ pieces[row].*member }; });
-  };
-  addIds("Triangles", &PieceReport::triangles);
-  addIds("Vertices", &PieceReport::vertices);
-  addIds("WirePatches", &PieceReport::wirePatches);
-  addIds("WireNodes", &PieceReport::wireNodes);
-  addIds("FreeWireNodes", &PieceReport::freeWireNodes);
-  addIds("Constraints", &PieceReport::constraints);
-  addIds("Iterations", &PieceReport::iterations);
-  addRows<vtkIdTypeArray>(field, "Overlaps", rows,
-    [&](std::size_t row) { return static_cast<vtkIdType>(pieces[row].overlaps.count); });
-  addRows<vtkIntArray>(field, "OverlapsComplete", rows,
-    [&](std::size_t row) { return pieces[row].overlaps.complete ? 1 : 0; });
-  addRows<vtkDoubleArray>(
-    field, "Objective", rows, [&](std::size_t row) { return pieces[row].objective; });
-  addRows<vtkDoubleArray>(
-    field, "ClosureResidual", rows, [&](std::size_t row) { return pieces[row].closureResidual; });
-  addRows<vtkDoubleArray>(
-    field, "CutLength", rows, [&](std::size_t row) { return pieces[row].cutLength; });
-  addRows<vtkDoubleArray>(
-    field, "DistortionEnergy", rows, [&](std::size_t row) { return pieces[row].distortionEnergy; });
-  addRows<vtkDoubleArray>(
-    field, "AngleEnergy", rows, [&](std::size_t row) { return pieces[row].angleEnergy; });
-  addRows<vtkIdTypeArray>(field, "ReleaseFirst", rows, [&](std::size_t row) {
-    const Indices& ranking = pieces[row].advice.ranking;
-    return ranking.empty() ? none : ranking.front();
-  });
-  addRows<vtkDoubleArray>(field, "ObjectiveWithoutFirst", rows, [&](std::size_t row) {
-    const ReleaseTrial first = pieces[row].advice.first();
-    return first.solved ? first.objective : -1.0;
-  });
-  std::vector<QualitySummary> summaries;
-  summaries.reserve(pieces.size());
-  for (const PieceReport& piece : pieces)
-  {
-    summaries.push_back(piece.quality);
-  }
-  writeSummaries(summaries, field);
-  std::vector<Status> statuses;
-  for (const PieceReport& piece : pieces)
-  {
-    statuses.push_back(source.outcomeOfStage(piece.status, result.cut.get()));
-  }
-  writeStatuses(statuses, field);
-}
-
-/// Pieces that cannot be laid flat and were skipped.
-void writeLeftOut(
-  const CurvedSurface& source, const std::vector<PieceDefect>& leftOut, vtkFieldData* field)
-{
-  addRows<vtkIdTypeArray>(field, "LeftOutCells", leftOut.size(),
-    [&](std::size_t row) { return source.cellOf(leftOut[row].triangle); });
-  addRows<vtkIdTypeArray>(field, "LeftOutTriangles", leftOut.size(),
-    [&](std::size_t row) { return vtkIdType{ leftOut[row].triangles }; });
-  addRows<vtkStringArray>(field, "LeftOutReasons", leftOut.size(),
-    [&](std::size_t row) { return statusName(leftOut[row].code()); });
-}
-
-/// What was done, for a user who compares it with what was asked for.
-void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* field)
-{
-  const std::size_t rows = pieces.size();
-  addRows<vtkStringArray>(field, "SolverUsed", rows, [&](std::size_t row) {
-    const std::optional<AngleMethod>& used = pieces[row].solverUsed;
-    return !used ? "" : *used == AngleMethod::Newton ? "newton" : "sequential";
-  });
-  addRows<vtkStringArray>(field, "EnergyUsed", rows, [&](std::size_t row) {
-    const std::optional<DistortionEnergyKind>& used = pieces[row].energyUsed;
-    return !used                                         ? ""
-      : *used == DistortionEnergyKind::AsRigidAsPossible ? "rigid"
-                                                         : "symmetric-dirichlet";
-  });
-  addRows<vtkIntArray>(
-    field, "Repaired", rows, [&](std::size_t row) { return pieces[row].repaired ? 1 : 0; });
-  addRows<vtkStringArray>(field, "Fallbacks", rows, [&](std::size_t row) {
-    std::string all;
-    for (const std::string& fallback : pieces[row].fallbacks)
-    {
-      all += (all.empty() ? "" : "; ") + fallback;
-    }
-    return all;
-  });
-}
-
-/// One kind of iterations of all pieces, and the piece of each.
-template <class Record>
-struct History
-{
-  std::vector<vtkIdType> piece;
-  std::vector<Record> records;
-
-  History(const std::vector<PieceReport>& pieces, std::vector<Record> PieceReport::*member)
-  {
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-    {
-      const std::vector<Record>& added = pieces[p].*member;
-      this->records.insert(this->records.end(), added.begin(), added.end());
-      this->piece.resize(this->records.size(), static_cast<vtkIdType>(p));
-    }
-  }
-
-  template <class Array, class Value>
-  void write(vtkFieldData* field, const char* name, Value value) const
-  {
-    addRows<Array>(field, name, this->records.size(),
-      [&](std::size_t row) { return value(this->records[row]); });
-  }
-};
-
-void writeHistory(const std::vector<PieceReport>& pieces, vtkFieldData* field)
-{
-  const History<IterationRecord> angles(pieces, &PieceReport::history);
-  addRows<vtkIdTypeArray>(
-    field, "HistoryPiece", angles.piece.size(), [&](std::size_t row) { return angles.piece[row]; });
-  using Angles = const IterationRecord&;
-  angles.write<vtkStringArray>(field, "HistoryPhase", [](Angles r) { return r.phase; });
-  angles.write<vtkDoubleArray>(field, "HistoryObjective", [](Angles r) { return r.objective; });
-  angles.write<vtkDoubleArray>(field, "HistoryClosure", [](Angles r) { return r.closure; });
-  angles.write<vtkDoubleArray>(field, "HistoryOptimality", [](Angles r) { return r.optimality; });
-  angles.write<vtkDoubleArray>(field, "HistoryStep", [](Angles r) { return r.step; });
-
-  const History<IsometricIteration> isometric(pieces, &PieceReport::isometricHistory);
-  addRows<vtkIdTypeArray>(field, "IsometricHistoryPiece", isometric.piece.size(),
-    [&](std::size_t row) { return isometric.piece[row]; });
-  using Whole = const IsometricIteration&;
-  isometric.write<vtkIntArray>(
-    field, "IsometricHistoryExact", [](Whole r) { return r.exact ? 1 : 0; });
-  isometric.write<vtkDoubleArray>(
-    field, "IsometricHistoryEnergy", [](Whole r) { return r.energy; });
-  isometric.write<vtkDoubleArray>(
-    field, "IsometricHistoryLengthError", [](Whole r) { return r.constraint; });
-  isometric.write<vtkDoubleArray>(
-    field, "IsometricHistoryOptimality", [](Whole r) { return r.optimality; });
-  isometric.write<vtkDoubleArray>(field, "IsometricHistoryMove", [](Whole r) { return r.step; });
-}
-
-/// Per piece the curves to release, the best first.
-void writeReleases(const FlatteningResult& result, vtkFieldData* field)
-{
-  std::vector<vtkIdType> pieceOfRow;
-  std::vector<ReleaseTrial> trials;
-  std::vector<int> shapes;
-  for (std::size_t p = 0; p < result.pieces.size(); ++p)
-  {
-    const ReleaseAdvice& advice = result.pieces[p].advice;
-    trials.insert(trials.end(), advice.trials.begin(), advice.trials.end());
-    pieceOfRow.resize(trials.size(), static_cast<vtkIdType>(p));
-    for (const Index c : advice.ranking)
-    {
-      const Indices& free = result.pieces[p].released;
-      const bool released = std::find(free.begin(), free.end(), c) != free.end();
-      shapes.push_back(result.curves[c].type == CurveType::Key && !released ? 1 : 0);
-    }
-  }
-  const std::size_t rows = trials.size();
-  addRows<vtkIntArray>(field, "ReleaseShape", rows, [&](std::size_t row) { return shapes[row]; });
-  addRows<vtkIdTypeArray>(
-    field, "ReleasePiece", rows, [&](std::size_t row) { return pieceOfRow[row]; });
-  addRows<vtkIdTypeArray>(
-    field, "ReleaseCurve", rows, [&](std::size_t row) { return vtkIdType{ trials[row].curve }; });
-  addRows<vtkIntArray>(
-    field, "ReleaseTried", rows, [&](std::size_t row) { return trials[row].solved ? 1 : 0; });
-  const auto add = [&](const char* name, double ReleaseTrial::*member) {
-    addRows<vtkDoubleArray>(field, name, rows,
-      [&](std::size_t row) { return trials[row].solved ? trials[row].*member : -1.0; });
-  };
-  add("ReleaseObjective", &ReleaseTrial::objective);
-  add("ReleaseAreaError", &ReleaseTrial::areaError);
-  add("ReleaseHomogeneity", &ReleaseTrial::homogeneity);
-}
-
 void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
 {
   vtkNew<vtkIdTypeArray> edges;
@@ -418,11 +241,7 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   writeCurves(result.curves, wires->GetFieldData());
 
   vtkFieldData* field = flat->GetFieldData();
-  writePieces(source, result, field);
-  writeLeftOut(source, result.leftOut, field);
-  writeWhatWasDone(result.pieces, field);
-  writeHistory(result.pieces, field);
-  writeReleases(result, field);
+  writePieceReports(source, result, field);
   writeSeamPairs(*result.cut, flat);
   writeClosedSeams(result, field);
   writeOverlapEdges(result, field);

@@ -10,9 +10,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLeastSquaresConformalFilter.h"
-#include "vtkPatternWriter.h"
 #include "vtkSurfaceDevelopability.h"
-#include "vtkTestUtilities.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariantArray.h"
 #include "vtkWireWarpingFilter.h"
@@ -369,74 +367,15 @@ void textsWithNulCanBeWrittenAndRead(Checks& checks)
   filter->Update();
   checks.equal(text(filter->GetOutput(1), "CurveNames"), std::string("a\\0b"), "the curve's name");
 }
-
-void aPatternRefusesArraysThatAreTooShort(Checks& checks, const std::string& folder)
-{
-  const auto grid = makeGrid(3, 3);
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(grid);
-  filter->SetCurvesData(makeCurves(grid, { { 1, 5, 9 }, { 4, 5, 6, 7 } }, { 2, 0 }));
-  filter->Update();
-  struct Position
-  {
-    int port;
-    const char* array;
-    bool ofCells;
-  };
-  for (const Position& position :
-    { Position{ 0, "PieceId", true }, Position{ 1, "CurveType", true },
-      Position{ 1, "CurveId", true }, Position{ 1, "PieceId", true },
-      Position{ 1, "Connector", true }, Position{ 1, "CurveName", true },
-      Position{ 0, "SeamClosed", false }, Position{ 0, "SeamPairs", false } })
-  {
-    for (const vtkIdType tuples : { 0, 1 })
-    {
-      std::array<vtkSmartPointer<vtkPolyData>, 3> inputs;
-      for (int port = 0; port < 3; ++port)
-      {
-        inputs[port] = vtkSmartPointer<vtkPolyData>::New();
-        inputs[port]->DeepCopy(filter->GetOutput(port));
-      }
-      const auto array = std::string(position.array) == "CurveName"
-        ? make<vtkStringArray>(tuples, 1)
-        : make<vtkIdTypeArray>(tuples, 1);
-      array->SetName(position.array);
-      vtkFieldData* data = inputs[position.port]->GetFieldData();
-      if (position.ofCells)
-      {
-        data = inputs[position.port]->GetCellData();
-      }
-      data->AddArray(array);
-      vtkNew<vtkPatternWriter> writer;
-      const Messages messages(writer);
-      for (int port = 0; port < 3; ++port)
-      {
-        writer->SetInputData(port, inputs[port]);
-      }
-      writer->SetUnitToCentimetre();
-      writer->SetFileName((folder + "/short.svg").c_str());
-      writer->Write();
-      checks.equal(messages.errors.size(), std::size_t{ 1 }, position.array);
-      if (!messages.errors.empty())
-      {
-        checks.contains(messages.errors.front(), position.array, "the error");
-      }
-    }
-  }
-}
 }
 
-int TestShortArrays(int argc, char* argv[])
+int TestShortArrays(int, char*[])
 {
   Checks checks;
-  char* folder =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
   anArrayOfAnyKindAndLengthIsSafe(checks);
   arraysOfTheCurvesThatAreTooShortAreLeftOut(checks);
   arraysThatSayWhatACurveIsAreRefused(checks);
   cellsThatDoNotFitTheirCornersAreRefused(checks);
   textsWithNulCanBeWrittenAndRead(checks);
-  aPatternRefusesArraysThatAreTooShort(checks, folder);
-  delete[] folder;
   return checks.result();
 }

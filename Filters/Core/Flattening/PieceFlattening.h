@@ -20,6 +20,12 @@ struct FlatPiece
   double secondsInterior = 0.0;
 };
 
+/// The network of a flat piece's wires: that of its joined banks where some were.
+inline const WireNetwork& networkOf(const WiredPiece& wired, const FlatPiece& flat)
+{
+  return flat.joinedNetwork ? *flat.joinedNetwork : *wired.network;
+}
+
 /// What is the same for all pieces of a surface.
 struct PieceSettings
 {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CurvedSurface.h"
+#include "Flattening/FlatteningResult.h"
+
+class vtkFieldData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// Writes what is known of the pieces, as vtkWireWarpingFilter documents its field data: measures
+/// and statuses, what was done, iterations, what to release, and pieces that were left out.
+void writePieceReports(
+  const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field);
+}
+}

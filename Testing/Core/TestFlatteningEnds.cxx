@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a run that is refused or told to stop ends, and what it tells on its way.
+#include "Flattening/SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+FlatteningOptions optionsOf(Scheme scheme, InteriorMethod interior = InteriorMethod::Laplacian)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  options.interior.method = interior;
+  options.arrange = false;
+  return options;
+}
+
+FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
+{
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+void expectEmpty(const FlatteningResult& result)
+{
+  EXPECT_TRUE(result.status.refused());
+  EXPECT_FALSE(result.status.message.empty());
+  EXPECT_EQ(result.cut->mesh.vertexCount(), 0);
+  EXPECT_TRUE(result.positions.empty());
+  EXPECT_TRUE(result.triangles.empty());
+  EXPECT_TRUE(result.wires.empty());
+  EXPECT_TRUE(result.pieces.empty());
+  EXPECT_TRUE(result.curves.empty());
+}
+}
+
+TEST(FlatteningEnds, ARefusedSurfaceLeavesNothing)
+{
+  const Surface surface = cushion(4, 4, 0.2);
+  expectEmpty(flattenSurface(surface.mesh, { accessory("c", { 0, 24 }) }, {}, {}));
+  const TriangleMesh tetrahedron(
+    { Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(0, 0, 1) },
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+  const FlatteningResult closed = flattenSurface(tetrahedron, {}, {}, {});
+  EXPECT_STREQ(statusName(closed.status.code), "ClosedSurface");
+  expectEmpty(closed);
+}
+
+TEST(FlatteningEnds, AMeshWithoutTrianglesIsRefused)
+{
+  const FlatteningResult result = flattenSurface(TriangleMesh(), {}, {}, {});
+  EXPECT_STREQ(statusName(result.status.code), "EmptySurface");
+  expectEmpty(result);
+}
+
+TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsIsRefused)
+{
+  Surface surface = cushion(4, 4, 0.2);
+  surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
+  surface.curves[0].keyShape = KeyShape::Planar;
+  surface.curves[0].planarShape = { Point2(0, 0), Point2(1, 0) };
+  const FlatteningResult result = flatten(surface, {});
+  EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
+  expectEmpty(result);
+}
+
+TEST(FlatteningEnds, APlanarShapeWithoutAnAngleIsRefused)
+{
+  Surface surface = cushion(4, 4, 0.2);
+  surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
+  surface.curves[0].keyShape = KeyShape::Planar;
+  surface.curves[0].planarShape = { Point2(0, 0), Point2(1, 0), Point2(2, 0), Point2(2, 0),
+    Point2(3, 1) };
+  const FlatteningResult result = flatten(surface, {});
+  EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
+  expectEmpty(result);
+}
+
+TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
+{
+  Surface surface = cushion(6, 6, 0.3);
+  surface.curves = { rowCurve(6, 3), curveOf(CurveType::Dart, "dart", { 2, 9, 16 }) };
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
+  {
+    const FlatteningOptions options = optionsOf(scheme, InteriorMethod::AsRigidAsPossible);
+    int asked = 0;
+    Execution execution;
+    execution.cancel = [&asked] {
+      ++asked;
+      return false;
+    };
+    const FlatteningResult whole = flattenSurface(surface.mesh, surface.curves, options, execution);
+    ASSERT_FALSE(whole.status.refused());
+    const int all = asked;
+    ASSERT_GT(all, 5);
+    for (int stop = 0; stop < all; stop += 1 + all / 20)
+    {
+      asked = 0;
+      execution.cancel = [&asked, stop] { return asked++ >= stop; };
+      const FlatteningResult result =
+        flattenSurface(surface.mesh, surface.curves, options, execution);
+      EXPECT_STREQ(statusName(result.status.code), "Cancelled") << stop << " of " << all;
+      expectEmpty(result);
+    }
+  }
+}
+
+TEST(FlatteningEnds, ReportsProgressInOrder)
+{
+  Surface surface = cushion(9, 6, 0.2);
+  surface.curves = { columnCurve(9, 6, 4) };
+  surface.curves[0].type = CurveType::Seam;
+  std::vector<double> fractions;
+  Execution execution;
+  execution.progress = [&fractions](double fraction, const char* phase) {
+    EXPECT_NE(std::string(phase), "");
+    fractions.push_back(fraction);
+  };
+  flattenSurface(surface.mesh, surface.curves, {}, execution);
+  ASSERT_GE(fractions.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_DOUBLE_EQ(fractions.front(), 0.0);
+  EXPECT_DOUBLE_EQ(fractions.back(), 1.0);
+}
