@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathFacts.h"
+#include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Renumbered.h"
 #include "Surface/SurfacePreparation.h"

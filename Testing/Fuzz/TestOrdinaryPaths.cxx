@@ -2,6 +2,7 @@
 // Straight paths over sound surfaces of every shape.
 #include "../Core/PathFacts.h"
 #include "OrdinarySurface.h"
+#include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "Paths/CourseStraightening.h"
 
 #include "Paths/KnotTurn.h"
+#include "Paths/PathPoints.h"
 #include "Paths/StripUnfolding.h"
 
 #include <algorithm>
@@ -17,12 +18,6 @@ constexpr int mostTurns = 8;
 constexpr double leastGain = 1.0 - 1e-14;
 /// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
 constexpr double atVertex = 1e-13;
-
-bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
-{
-  return a.carrier == b.carrier && a.id == b.id &&
-    (a.carrier == Carrier::Vertex || a.weights == b.weights);
-}
 
 /// Straightens in passes. Each leads every run of knots that are too sharp on one side round them
 /// at once, and draws the whole strip between the knots before and after tight.

@@ -14,7 +14,7 @@ class PathSearch
 {
 public:
   /// Looks for one target only (A*), or for every vertex within reach of the source. The graph must
-  /// outlive the search.
+  /// outlive the search. \pre The source lies on the graph's mesh.
   PathSearch(const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target);
   PathSearch(const PathGraph& graph, const SurfacePoint& source,
     double reach = std::numeric_limits<double>::infinity());

@@ -3,6 +3,7 @@
 
 #include "Base/Memory.h"
 #include "Paths/CourseStraightening.h"
+#include "Paths/PathPoints.h"
 #include "Paths/PathRelaxation.h"
 
 #include <algorithm>
@@ -12,20 +13,6 @@ namespace flattening
 {
 namespace
 {
-bool liesOn(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  switch (point.carrier)
-  {
-    case Carrier::Vertex:
-      return point.id >= 0 && point.id < mesh.vertexCount() && mesh.outgoing(point.id) != none;
-    case Carrier::Edge:
-      return point.id >= 0 && point.id < mesh.halfedgeCount() && edgeOf(mesh, point.id) == point.id;
-    case Carrier::Face:
-      break;
-  }
-  return point.id >= 0 && point.id < mesh.triangleCount();
-}
-
 Status checkEnds(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
   if (mesh.triangleCount() == 0)
@@ -95,32 +82,6 @@ StraightPath fromSearch(const PathSearch& search, const SurfacePoint& to)
   }
   return drawnTight(mesh, courseAlong(mesh, relaxed(mesh, snap, std::move(start))));
 }
-
-void append(SurfacePath& path, const SurfacePath& more)
-{
-  path.points.insert(path.points.end(), more.points.begin() + 1, more.points.end());
-  path.triangles.insert(path.triangles.end(), more.triangles.begin(), more.triangles.end());
-}
-}
-
-bool liesOn(const TriangleMesh& mesh, const SurfacePath& path)
-{
-  if (path.points.empty() || path.points.size() != path.triangles.size() + 1 ||
-    !std::all_of(path.points.begin(), path.points.end(),
-      [&mesh](const SurfacePoint& point) { return liesOn(mesh, point); }))
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < path.triangles.size(); ++i)
-  {
-    const Index t = path.triangles[i];
-    if (t < 0 || t >= mesh.triangleCount() || !contains(mesh, t, path.points[i]) ||
-      !contains(mesh, t, path.points[i + 1]))
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 StraightPath straightPath(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
@@ -133,6 +94,22 @@ StraightPath straightPath(const PathGraph& graph, const SurfacePoint& from, cons
       return result;
     }
     return fromSearch(PathSearch(graph, from, to), to);
+  });
+}
+
+StraightPath localStraightPath(
+  const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
+{
+  return withinMemory([&] {
+    StraightPath result;
+    result.status = checkEnds(graph.mesh(), from, to);
+    if (!result.status.ok() || withinTriangle(graph.mesh(), from, to, result))
+    {
+      return result;
+    }
+    const SurfacePath section = traceSegment(graph.mesh(), graph.noSnap(), from, to);
+    return section.arrived ? drawnTight(graph.mesh(), courseAlong(graph.mesh(), section))
+                           : straightPath(graph, from, to);
   });
 }
 

@@ -29,6 +29,11 @@ struct StraightPath
 /// rounding left a sharper angle at vertices; ids: points); OutOfMemory.
 StraightPath straightPath(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
 
+/// The straight path that lies near the plane section between two points that are close to each
+/// other; without a search, in a time that does not depend on the size of the surface.
+StraightPath localStraightPath(
+  const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
+
 /// The straight path that lies near an earlier one, the hint: whoever drags an end gets a path that
 /// moves along and never jumps to the other side of a bump. The hint's ends need not be the new
 /// ones; any polyline of the surface will do. Errors: as above, and InvalidCurve (the hint is no
@@ -41,7 +46,4 @@ StraightPath straightPath(const PathSearch& search, const SurfacePoint& to);
 /// To all of them. Errors: as above, a status each.
 std::vector<StraightPath> straightPaths(const PathSearch& search,
   const std::vector<SurfacePoint>& targets, const Execution& execution = {});
-
-/// Whether each two neighbours lie in the triangle between them, and all ids are of the mesh.
-bool liesOn(const TriangleMesh& mesh, const SurfacePath& path);
 }

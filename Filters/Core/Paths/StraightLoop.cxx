@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Paths/StraightLoop.h"
+
+#include "Base/Memory.h"
+#include "Paths/CourseStraightening.h"
+#include "Paths/KnotTurn.h"
+#include "Paths/PathPoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+constexpr int mostRounds = 1000;
+constexpr int halvings = 100;
+/// A band that is so much shorter than it was is drawn together to a point.
+constexpr double vanishing = 1e-9;
+
+class RubberBand
+{
+public:
+  RubberBand(const TriangleMesh& mesh, SurfacePath loop)
+    : Mesh(mesh)
+    , Loop(std::move(loop))
+    , First(lengthOf(this->Loop))
+  {
+  }
+
+  StraightPath run()
+  {
+    StraightPath result;
+    int rounds = 0;
+    do
+    {
+      this->tighten();
+    } while (!this->vanished() && this->moveBase() && ++rounds < mostRounds);
+    result.path = this->Loop;
+    result.length = lengthOf(result.path);
+    if (this->vanished())
+    {
+      result.status = { StatusCode::CurveTooShort,
+        "a loop can be drawn together to a point of the surface", {}, { Remedy::RedrawCurve } };
+    }
+    else if (rounds == mostRounds || !this->Bent.empty())
+    {
+      result.status = { StatusCode::NotConverged,
+        "a loop is not straight at points " + listIds(this->Bent),
+        { ElementKind::Points, this->Bent }, { Remedy::MendSlivers } };
+    }
+    return result;
+  }
+
+private:
+  bool vanished() const
+  {
+    return this->Loop.points.size() < 3 || lengthOf(this->Loop) < vanishing * this->First;
+  }
+
+  /// Draws the band tight, held at its base.
+  void tighten()
+  {
+    this->Course = courseAlong(this->Mesh, this->Loop);
+    this->Bent = straighten(this->Mesh, this->Course);
+    this->Loop = pathAlong(this->Mesh, this->Course);
+  }
+
+  /// Makes another point the base where the band is not straight at this one; false where it is at
+  /// rest.
+  bool moveBase()
+  {
+    const std::size_t knots = this->Course.knots.size();
+    if (this->Loop.points.front().carrier == Carrier::Vertex)
+    {
+      const PathCourse& c = this->Course;
+      const KnotSide side = sharperSide(
+        this->Mesh, c.knots[knots - 2], c.legs.back(), c.knots[0], c.legs.front(), c.knots[1]);
+      if (!(side.angle < pi - straightAngle))
+      {
+        return false;
+      }
+    }
+    // A knot far from the base, or else an edge to slide along.
+    const std::size_t half = this->Loop.points.size() / 2;
+    std::size_t base = 0;
+    for (std::size_t i = 1; i + 1 < this->Loop.points.size(); ++i)
+    {
+      if (this->Loop.points[i].carrier == Carrier::Vertex &&
+        (base == 0 || apart(i, half) < apart(base, half)))
+      {
+        base = i;
+      }
+    }
+    if (base > 0)
+    {
+      this->rotate(base);
+      return true;
+    }
+    this->rotate(half);
+    return this->Loop.points.front().carrier == Carrier::Edge && this->slide();
+  }
+
+  static std::size_t apart(std::size_t a, std::size_t b) { return a < b ? b - a : a - b; }
+
+  void rotate(std::size_t base)
+  {
+    SurfacePath turned = partOf(this->Loop, base, this->Loop.points.size() - 1);
+    append(turned, partOf(this->Loop, 0, base));
+    this->Loop = std::move(turned);
+  }
+
+  /// How fast the band gets longer as its base moves along the edge.
+  double growth(const SurfacePath& loop, const Point3& along) const
+  {
+    const Point3& base = loop.points.front().position;
+    const Point3 out = (loop.points[1].position - base).normalized();
+    const Point3 in = (loop.points[loop.points.size() - 2].position - base).normalized();
+    return -(out + in).dot(along);
+  }
+
+  SurfacePath heldAt(double fraction) const
+  {
+    SurfacePath loop = this->Loop;
+    const Index edge = loop.points.front().id;
+    loop.points.front() = edgePoint(this->Mesh, edge, fraction);
+    loop.points.back() = loop.points.front();
+    PathCourse course = courseAlong(this->Mesh, loop);
+    straighten(this->Mesh, course);
+    return pathAlong(this->Mesh, course);
+  }
+
+  /// The length is a convex function of where the base is on its edge. Moves the base to its
+  /// minimum; to an end of the edge where that is none inside. True where the band is to be
+  /// tightened again.
+  bool slide()
+  {
+    const Index edge = this->Loop.points.front().id;
+    const Point3 along =
+      (this->Mesh.point(this->Mesh.to(edge)) - this->Mesh.point(this->Mesh.from(edge)))
+        .normalized();
+    double low = 0.0;
+    double high = 1.0;
+    for (int k = 0; k < halvings && high - low > 1e-16; ++k)
+    {
+      const double middle = 0.5 * (low + high);
+      const SurfacePath loop = this->heldAt(middle);
+      if (loop.points.size() < 3)
+      {
+        this->Loop = loop;
+        return false;
+      }
+      (this->growth(loop, along) > 0.0 ? high : low) = middle;
+    }
+    const double best = 0.5 * (low + high);
+    if (best > 1e-9 && best < 1.0 - 1e-9)
+    {
+      this->Loop = this->heldAt(best);
+      return false;
+    }
+    const SurfacePoint end =
+      vertexPoint(this->Mesh, best < 0.5 ? this->Mesh.from(edge) : this->Mesh.to(edge));
+    this->Loop.points.front() = end;
+    this->Loop.points.back() = end;
+    return true;
+  }
+
+  const TriangleMesh& Mesh;
+  SurfacePath Loop;
+  PathCourse Course;
+  Indices Bent;
+  double First;
+};
+
+Status checkLoop(const TriangleMesh& mesh, const SurfacePath& loop)
+{
+  if (!liesOn(mesh, loop) || loop.points.size() < 3 ||
+    !samePlace(loop.points.front(), loop.points.back()))
+  {
+    return { StatusCode::InvalidCurve, "a loop is no closed path over the surface", {},
+      { Remedy::RedrawCurve } };
+  }
+  return {};
+}
+}
+
+StraightPath straightLoop(const PathGraph& graph, const SurfacePath& loop)
+{
+  return withinMemory([&] {
+    StraightPath result;
+    result.status = checkLoop(graph.mesh(), loop);
+    return result.status.ok() ? RubberBand(graph.mesh(), loop).run() : result;
+  });
+}
+
+StraightPath straightLoopThrough(
+  const PathGraph& graph, const SurfacePath& loop, const std::vector<std::size_t>& held)
+{
+  return withinMemory([&] {
+    StraightPath result;
+    result.status = checkLoop(graph.mesh(), loop);
+    if (held.empty() || held.front() != 0 || held.back() + 1 >= loop.points.size() ||
+      !std::is_sorted(held.begin(), held.end()))
+    {
+      result.status = { StatusCode::InvalidOption,
+        "the points that hold a loop are not in its order", {},
+        { { Remedy::Give, "places in its list, the first 0" } } };
+    }
+    for (std::size_t k = 0; k < held.size() && result.status.ok(); ++k)
+    {
+      const std::size_t last = k + 1 < held.size() ? held[k + 1] : loop.points.size() - 1;
+      const StraightPath part = straightPathNear(
+        graph, partOf(loop, held[k], last), loop.points[held[k]], loop.points[last]);
+      if (!part.status.ok())
+      {
+        result.status = part.status;
+      }
+      if (k == 0)
+      {
+        result.path = part.path;
+      }
+      else
+      {
+        append(result.path, part.path);
+      }
+      result.length += part.length;
+    }
+    return result;
+  });
+}
+}

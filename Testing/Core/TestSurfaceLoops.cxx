@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plane sections, girths and loops drawn tight.
+#include "PathFacts.h"
+#include "Paths/PathPoints.h"
+#include "Paths/PlaneSection.h"
+#include "Paths/StraightLoop.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// Rings of a regular polygon above each other, with the radius and turn of each height; open at
+/// both ends, or closed by a point.
+TriangleMesh tube(Index sides, Index rings, const std::function<double(double)>& radius,
+  double twist = 0.0, bool capped = false)
+{
+  Points3 points;
+  Triangles triangles;
+  const auto at = [sides](Index i, Index j) { return j * sides + i % sides; };
+  for (Index j = 0; j <= rings; ++j)
+  {
+    for (Index i = 0; i < sides; ++i)
+    {
+      const double turn = 2.0 * pi * i / sides + twist * j;
+      const double r = radius(static_cast<double>(j) / rings);
+      points.emplace_back(
+        r * std::cos(turn), r * std::sin(turn), 4.0 * static_cast<double>(j) / rings);
+      if (j > 0)
+      {
+        triangles.push_back({ at(i, j - 1), at(i + 1, j - 1), at(i + 1, j) });
+        triangles.push_back({ at(i, j - 1), at(i + 1, j), at(i, j) });
+      }
+    }
+  }
+  if (capped)
+  {
+    points.emplace_back(0.0, 0.0, 4.5);
+    for (Index i = 0; i < sides; ++i)
+    {
+      triangles.push_back(
+        { at(i, rings), at(i + 1, rings), static_cast<Index>(points.size()) - 1 });
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+double perimeter(Index sides, double radius)
+{
+  return 2.0 * sides * radius * std::sin(pi / sides);
+}
+
+/// A vertex of a closed path has at least pi on both sides at its first point as well.
+double worstBendOfLoop(const TriangleMesh& mesh, const SurfacePath& loop)
+{
+  SurfacePath longer = loop;
+  append(longer, loop);
+  return worstBend(mesh, longer);
+}
+
+void expectInPlane(const SurfacePath& path, const Point3& origin, const Point3& normal)
+{
+  for (const SurfacePoint& point : path.points)
+  {
+    EXPECT_NEAR((point.position - origin).dot(normal), 0.0, 1e-12);
+  }
+}
+}
+
+TEST(PlaneSection, RoundATubeIsClosed)
+{
+  const TriangleMesh mesh = tube(24, 20, [](double) { return 1.0; });
+  std::mt19937 random(1);
+  for (int k = 0; k < 50; ++k)
+  {
+    SurfacePoint start = randomPoint(mesh, random);
+    while (start.position.z() < 0.3 || start.position.z() > 3.7)
+    {
+      start = randomPoint(mesh, random);
+    }
+    const PlaneSection section = planeSection(mesh, start, Point3(0.0, 0.0, 5.0));
+    ASSERT_TRUE(section.status.ok()) << section.status.message;
+    EXPECT_TRUE(section.closed);
+    EXPECT_TRUE(liesOn(mesh, section.path));
+    EXPECT_TRUE(samePlace(section.path.points.front(), start));
+    EXPECT_TRUE(samePlace(section.path.points.back(), start));
+    EXPECT_NEAR(section.length, perimeter(24, 1.0), 1e-9);
+    expectInPlane(section.path, start.position, Point3::UnitZ());
+  }
+}
+
+TEST(PlaneSection, OfAPatchGoesFromBoundaryToBoundary)
+{
+  const Surface surface = cushion(20, 20, 0.3);
+  std::mt19937 random(2);
+  for (int k = 0; k < 50; ++k)
+  {
+    const SurfacePoint start = randomPoint(surface.mesh, random);
+    const Point3 normal = Point3(1.0, 0.3 * k / 50.0, 0.0).normalized();
+    const PlaneSection section = planeSection(surface.mesh, start, normal);
+    ASSERT_TRUE(section.status.ok());
+    EXPECT_FALSE(section.closed);
+    EXPECT_TRUE(liesOn(surface.mesh, section.path));
+    expectInPlane(section.path, start.position, normal);
+    for (const SurfacePoint* end : { &section.path.points.front(), &section.path.points.back() })
+    {
+      const bool atBoundary = end->carrier == Carrier::Vertex
+        ? surface.mesh.onBoundary(end->id)
+        : end->carrier == Carrier::Edge && surface.mesh.twin(end->id) == none;
+      EXPECT_TRUE(atBoundary);
+    }
+  }
+}
+
+TEST(PlaneSection, IsRefusedWhereThePlaneOnlyTouches)
+{
+  const TriangleMesh mesh = tube(
+    12, 6, [](double) { return 1.0; }, 0.0, true);
+  EXPECT_EQ(
+    planeSection(mesh, vertexPoint(mesh, mesh.vertexCount() - 1), Point3::UnitZ()).status.code,
+    StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(planeSection(mesh, vertexPoint(mesh, 0), Point3::Zero()).status.code,
+    StatusCode::InvalidOption);
+}
+
+TEST(Girth, GoesThroughItsPoints)
+{
+  const TriangleMesh mesh = tube(24, 20, [](double t) { return 1.0 + 0.4 * t * t; });
+  const std::vector<SurfacePoint> points{ vertexPoint(mesh, 8 * 24), vertexPoint(mesh, 8 * 24 + 9),
+    vertexPoint(mesh, 10 * 24 + 15) };
+  std::vector<std::size_t> stations;
+  const PlaneSection three = girth(mesh, points, &stations);
+  ASSERT_TRUE(three.status.ok()) << three.status.message;
+  EXPECT_TRUE(three.closed);
+  EXPECT_TRUE(liesOn(mesh, three.path));
+  ASSERT_EQ(stations.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    EXPECT_TRUE(samePlace(three.path.points[stations[k]], points[k]));
+  }
+  EXPECT_EQ(girth(mesh, { points[0] }).status.code, StatusCode::InvalidOption);
+}
+
+TEST(Girth, ThroughTwoPointsIsTheShortest)
+{
+  // Opposite points of one height: the tape lies level.
+  const TriangleMesh mesh = tube(24, 20, [](double) { return 1.0; });
+  const std::vector<SurfacePoint> points{ vertexPoint(mesh, 8 * 24),
+    vertexPoint(mesh, 8 * 24 + 12) };
+  const PlaneSection two = girth(mesh, points);
+  ASSERT_TRUE(two.status.ok()) << two.status.message;
+  EXPECT_NEAR(two.length, perimeter(24, 1.0), 1e-9);
+}
+
+TEST(StraightLoop, ComesToRestInTheWaist)
+{
+  const Index sides = 20;
+  const TriangleMesh mesh =
+    tube(sides, 20, [](double t) { return 1.0 + 3.0 * (t - 0.5) * (t - 0.5); });
+  const PathGraph graph(mesh);
+  const PlaneSection start = planeSection(mesh,
+    edgePoint(mesh, edgeOf(mesh, mesh.find(14 * sides, 15 * sides)), 0.3), Point3(0.3, 0.1, 1.0));
+  ASSERT_TRUE(start.closed);
+  const StraightPath loop = straightLoop(graph, start.path);
+  ASSERT_TRUE(loop.status.ok()) << loop.status.message;
+  EXPECT_TRUE(liesOn(mesh, loop.path));
+  EXPECT_NEAR(loop.length, perimeter(sides, 1.0), 1e-9);
+  EXPECT_LE(worstBendOfLoop(mesh, loop.path), 1e-9);
+}
+
+TEST(StraightLoop, IsACircleRoundACylinder)
+{
+  for (const double twist : { 0.0, 0.05 })
+  {
+    const Index sides = 20;
+    const TriangleMesh mesh = tube(
+      sides, 20, [](double) { return 1.0; }, twist);
+    const PathGraph graph(mesh);
+    const PlaneSection start = planeSection(mesh,
+      edgePoint(mesh, edgeOf(mesh, mesh.find(10 * sides, 11 * sides)), 0.3), Point3(0.5, 0.2, 1.0));
+    ASSERT_TRUE(start.closed);
+    const StraightPath loop = straightLoop(graph, start.path);
+    ASSERT_TRUE(loop.status.ok()) << loop.status.message;
+    EXPECT_LT(loop.length, start.length);
+    EXPECT_LE(worstBendOfLoop(mesh, loop.path), 1e-9);
+    if (twist == 0.0)
+    {
+      EXPECT_NEAR(loop.length, perimeter(sides, 1.0), 1e-9);
+    }
+  }
+}
+
+TEST(StraightLoop, ThatCanSlipOffIsRefused)
+{
+  const TriangleMesh mesh = tube(
+    16, 10, [](double) { return 1.0; }, 0.0, true);
+  const PathGraph graph(mesh);
+  // Round a vertex of the wall.
+  SurfacePath loop;
+  const Index center = 5 * 16 + 3;
+  for (const Index h : VertexFan(mesh, center))
+  {
+    loop.points.push_back(vertexPoint(mesh, mesh.to(h)));
+    loop.triangles.push_back(h / 3);
+  }
+  loop.points.push_back(loop.points.front());
+  ASSERT_TRUE(liesOn(mesh, loop));
+  EXPECT_EQ(straightLoop(graph, loop).status.code, StatusCode::CurveTooShort);
+  loop.points.pop_back();
+  loop.triangles.pop_back();
+  EXPECT_EQ(straightLoop(graph, loop).status.code, StatusCode::InvalidCurve);
+}
+
+TEST(StraightLoop, IsStraightBetweenPointsThatAreHeld)
+{
+  const Index sides = 24;
+  const TriangleMesh mesh = tube(sides, 20, [](double) { return 1.0; });
+  const PathGraph graph(mesh);
+  std::vector<std::size_t> held;
+  const std::vector<SurfacePoint> points{ vertexPoint(mesh, 8 * sides),
+    vertexPoint(mesh, 8 * sides + 8), vertexPoint(mesh, 12 * sides + 16) };
+  const PlaneSection tape = girth(mesh, points, &held);
+  ASSERT_TRUE(tape.status.ok());
+  const StraightPath loop = straightLoopThrough(graph, tape.path, held);
+  ASSERT_TRUE(loop.status.ok()) << loop.status.message;
+  // Unrolled, the cylinder is a strip: a level third and two slanted ones that rise by 0.8.
+  const double third = perimeter(sides, 1.0) / 3.0;
+  EXPECT_NEAR(loop.length, third + 2.0 * std::hypot(third, 0.8), 1e-9);
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PathFacts.h"
+#include "Paths/PathPoints.h"
+#include "Paths/SurfaceSpline.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+SurfacePoint nearest(const TriangleMesh& mesh, const Point3& point)
+{
+  const ClosestPoint closest = SurfaceLocator(mesh).closest(point);
+  return pointOf(mesh, closest.triangle, closest.weights);
+}
+
+/// The sharpest turn of the polygon of every n-th part of the curve's length.
+double sharpestTurn(const TriangleMesh& mesh, const SurfaceSpline& spline, int parts)
+{
+  double sharpest = 0.0;
+  Points3 points;
+  for (int k = 0; k <= parts; ++k)
+  {
+    points.push_back(pointAlong(mesh, spline.path, spline.length * k / parts).position);
+  }
+  for (std::size_t k = 1; k + 1 < points.size(); ++k)
+  {
+    sharpest = std::max(sharpest, pi - angleAt(points[k], points[k - 1], points[k + 1]));
+  }
+  return sharpest;
+}
+}
+
+TEST(SurfaceSpline, GoesThroughItsPoints)
+{
+  const Surface surface = cushion(40, 40, 0.5);
+  const PathGraph graph(surface.mesh);
+  const SurfaceLocator locator(surface.mesh);
+  std::mt19937 random(1);
+  for (const bool closed : { false, true })
+  {
+    std::vector<SurfacePoint> points;
+    for (int k = 0; k < 6; ++k)
+    {
+      points.push_back(randomPoint(surface.mesh, random));
+    }
+    const SurfaceSpline spline = surfaceSpline(graph, locator, points, closed);
+    ASSERT_TRUE(spline.status.ok()) << spline.status.message;
+    EXPECT_TRUE(liesOn(surface.mesh, spline.path));
+    ASSERT_EQ(spline.stations.size(), closed ? 7U : 6U);
+    for (std::size_t k = 0; k < spline.stations.size(); ++k)
+    {
+      EXPECT_TRUE(samePlace(spline.path.points[spline.stations[k]], points[k % 6]));
+    }
+    EXPECT_NEAR(spline.length, lengthOf(spline.path), 1e-12);
+  }
+}
+
+TEST(SurfaceSpline, ThroughPointsOfACircleIsNearlyOne)
+{
+  const Surface surface =
+    patch(60, 60, [](double i, double j) { return Point3(i / 30.0 - 1.0, j / 30.0 - 1.0, 0.0); });
+  const PathGraph graph(surface.mesh);
+  const SurfaceLocator locator(surface.mesh);
+  std::vector<SurfacePoint> points;
+  for (int k = 0; k < 8; ++k)
+  {
+    points.push_back(nearest(surface.mesh,
+      Point3(0.7 * std::cos(pi * k / 4.0 + 0.1), 0.7 * std::sin(pi * k / 4.0 + 0.1), 0.0)));
+  }
+  const SurfaceSpline spline = surfaceSpline(graph, locator, points, true);
+  ASSERT_TRUE(spline.status.ok());
+  // The cubic polynomial through four of the points is that far from the circle half-way.
+  const double off = 0.7 * (1.0 - (9.0 * std::cos(pi / 8.0) - std::cos(3.0 * pi / 8.0)) / 8.0);
+  for (const SurfacePoint& point : spline.path.points)
+  {
+    EXPECT_NEAR(point.position.norm(), 0.7, 1.01 * off);
+  }
+}
+
+TEST(SurfaceSpline, ThroughPointsOfALineIsTheLine)
+{
+  Surface surface = flatPatch(30, 30);
+  const PathGraph graph(surface.mesh);
+  const SurfaceLocator locator(surface.mesh);
+  const SurfacePoint a = vertexPoint(surface.mesh, 5 * 31 + 4);
+  const SurfacePoint b = vertexPoint(surface.mesh, 22 * 31 + 27);
+  std::vector<SurfacePoint> points;
+  for (const double s : { 0.0, 0.1, 0.5, 0.6, 1.0 }) // uneven steps
+  {
+    points.push_back(nearest(surface.mesh, (1.0 - s) * a.position + s * b.position));
+  }
+  const SurfaceSpline spline = surfaceSpline(graph, locator, points, false);
+  ASSERT_TRUE(spline.status.ok());
+  EXPECT_NEAR(spline.length, (b.position - a.position).norm(), 1e-9);
+}
+
+TEST(SurfaceSpline, HasNoCorners)
+{
+  const Surface surface = cushion(60, 60, 0.25);
+  const PathGraph graph(surface.mesh);
+  const SurfaceLocator locator(surface.mesh);
+  std::vector<SurfacePoint> points;
+  for (const Point3& p :
+    { Point3(0.1, 0.2, 0), Point3(0.4, 0.7, 0.2), Point3(0.6, 0.3, 0.2), Point3(0.9, 0.8, 0.1) })
+  {
+    points.push_back(nearest(surface.mesh, p));
+  }
+  const SurfaceSpline corners = surfaceSpline(graph, locator, points, false, 0);
+  const SurfaceSpline spline = surfaceSpline(graph, locator, points, false, 5);
+  // With four times as many parts each turns much less, as on every smooth curve; a corner stays.
+  EXPECT_GT(
+    sharpestTurn(surface.mesh, corners, 256), 0.85 * sharpestTurn(surface.mesh, corners, 64));
+  EXPECT_LT(sharpestTurn(surface.mesh, spline, 256), 0.6 * sharpestTurn(surface.mesh, spline, 64));
+}
+
+TEST(SurfaceSpline, IsTheSameInEveryUnit)
+{
+  const Surface surface = cushion(30, 30, 0.5);
+  Points3 scaled;
+  for (const Point3& point : surface.mesh.points())
+  {
+    scaled.push_back(1e3 * point);
+  }
+  const TriangleMesh large(scaled, surface.mesh.triangles());
+  std::vector<SurfacePoint> points;
+  std::vector<SurfacePoint> largePoints;
+  for (const Index v : { 100, 500, 470, 900 })
+  {
+    points.push_back(vertexPoint(surface.mesh, v));
+    largePoints.push_back(vertexPoint(large, v));
+  }
+  const double length =
+    surfaceSpline(PathGraph(surface.mesh), SurfaceLocator(surface.mesh), points, false).length;
+  EXPECT_NEAR(surfaceSpline(PathGraph(large), SurfaceLocator(large), largePoints, false).length,
+    1e3 * length, 1e-6 * length);
+  EXPECT_EQ(
+    surfaceSpline(PathGraph(large), SurfaceLocator(large), { points[0] }, false).status.code,
+    StatusCode::CurveTooShort);
+}
