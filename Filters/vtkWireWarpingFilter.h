@@ -361,11 +361,10 @@ public:
 
   ///@{
   /**
-   * ISOMETRIC: weight of the wires' angles against the sheet: what a squared change of an angle by
-   * one radian costs, in the energy of a triangle of mean area. The larger, the nearer are the
-   * angles along the wires to those on the surface; 0 lets wires buckle. In pieces of more than
-   * 3000 triangles it grows with their number to the power 1.5, so that a finer mesh of the same
-   * surface gives the same shape. Default: 5. Range: [0, 100].
+   * ISOMETRIC: weight of the wires' bending against the sheet. The larger, the nearer are the
+   * angles along the wires to those on the surface; 0 lets wires buckle. A wire that the sheet
+   * presses is stiffer than one that it draws, so that none wrinkles; what a bend costs depends on
+   * the surface, not on how finely it is divided. Default: 5. Range: [0, 100].
    */
   vtkSetClampMacro(AngleWeight, double, 0.0, 100.0);
   vtkGetMacro(AngleWeight, double);

@@ -153,7 +153,7 @@ void addMethods(CLI::App& app, Options& options)
     ->group(group);
   app
     .add_option("--angle-weight", options.angleWeight,
-      "isometric: weight of the wires' angles against the sheet")
+      "isometric: weight of the wires' bending against the sheet")
     ->check(number(0.0, 100.0, "[0, 100]"))
     ->capture_default_str()
     ->group(group);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The isometric scheme's problem once more, written down from its definition and solved by other
-// means: an augmented Lagrangian, minimized by a quasi-Newton method from gradients alone.
+// means: an augmented Lagrangian, minimized by a quasi-Newton method from gradients alone. How
+// stiff the wires are is taken from the scheme; TestWireStiffness.cxx holds that against the
+// mechanics.
 #include "Flattening/SurfaceFlattening.h"
 #include "Isometric/IsometricWarping.h"
 #include "WiredSurface.h"
@@ -15,10 +17,15 @@ using namespace testmeshes;
 
 namespace
 {
-constexpr double angleWeight = 5.0;
+FlatteningResult flattenWith(const Surface& surface, Scheme scheme)
+{
+  FlatteningOptions options;
+  options.scheme = scheme;
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
 
-/// sum a_t |J - R|^2 + w sum (theta - alpha)^2 under exact lengths, in units of the root of the
-/// mean triangle area.
+/// sum a_t |J - R|^2 + sum k_i (theta_i - alpha_i)^2 under exact lengths, in units of the root of
+/// the mean triangle area.
 class Problem
 {
 public:
@@ -37,6 +44,7 @@ public:
       this->Sides.push_back(sides);
     }
     this->Unit = std::sqrt(area / mesh.triangleCount());
+    this->solve(surface);
     for (Eigen::Matrix2d& sides : this->Sides)
     {
       sides /= this->Unit;
@@ -88,10 +96,11 @@ public:
       const Point2 out = x.segment<2>(2 * after) - x.segment<2>(2 * at);
       const double angle = std::atan2(in.y(), in.x()) - std::atan2(out.y(), out.x());
       const double change = std::remainder(angle - net.alpha[i], 2.0 * pi);
-      sum += angleWeight * change * change;
-      const Point2 byIn = 2.0 * angleWeight * change / in.squaredNorm() * Point2(-in.y(), in.x());
+      const double stiffness = this->Solution.stiffness[i];
+      sum += stiffness * change * change;
+      const Point2 byIn = 2.0 * stiffness * change / in.squaredNorm() * Point2(-in.y(), in.x());
       const Point2 byOut =
-        -2.0 * angleWeight * change / out.squaredNorm() * Point2(-out.y(), out.x());
+        -2.0 * stiffness * change / out.squaredNorm() * Point2(-out.y(), out.x());
       gradient.segment<2>(2 * before) += byIn;
       gradient.segment<2>(2 * after) += byOut;
       gradient.segment<2>(2 * at) -= byIn + byOut;
@@ -131,7 +140,20 @@ public:
   }
 
 private:
+  void solve(const Surface& surface)
+  {
+    const FlatteningResult start = flattenWith(surface, Scheme::Global);
+    Points2 positions;
+    for (Index v : this->Wired.piece.vertices)
+    {
+      positions.push_back(start.positions[v]);
+    }
+    const AngleProblem problem = this->Wired.problem();
+    this->Solution = warpIsometrically(this->Wired.piece, problem, positions, {}, {}, {});
+  }
+
   WiredSurface Wired;
+  IsometricSolution Solution;
   std::vector<Eigen::Matrix2d> Sides; ///< of each triangle, in its own plane
   double Unit = 1.0;
 };
@@ -221,13 +243,6 @@ Surface smallCushion()
   return surface;
 }
 
-FlatteningResult flattenWith(const Surface& surface, Scheme scheme)
-{
-  FlatteningOptions options;
-  options.scheme = scheme;
-  options.isometric.angleWeight = angleWeight;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
-}
 }
 
 TEST(IsometricMinimum, AnotherMinimizerFindsNothingBelow)

@@ -22,7 +22,13 @@ struct DenseModel : NewtonKktModel
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> cGradient;
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> cHessian;
 
+  std::function<bool(const Eigen::VectorXd&)> whenSettling;
+
   Index unknownCount() const override { return this->unknowns; }
+  bool settle(const Eigen::VectorXd& multipliers) override
+  {
+    return this->whenSettling && this->whenSettling(multipliers);
+  }
   Index constraintCount() const override { return this->c ? 1 : 0; }
   std::vector<double> bounds() const override { return this->bound; }
   double objective(const Eigen::VectorXd& x, const Execution&) const override { return this->f(x); }
@@ -140,6 +146,51 @@ TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)
   EXPECT_LT((end.x - Eigen::Vector2d(0.5, 0.5)).norm(), 1e-12);
   // gradient + multiplier * (1, 1) = 0
   EXPECT_NEAR(end.multipliers[0], -0.5, 1e-12);
+}
+
+TEST(NewtonKkt, AModelSettlesOnceWithTheMultipliersAtItsMinimumAndIsSolvedAnew)
+{
+  // The point of the circle next to (2, 0), where the multiplier is 1; then that next to (0, 3).
+  DenseModel model = onTheCircle();
+  Eigen::Vector2d goal(2.0, 0.0);
+  model.f = [&](const Eigen::VectorXd& x) { return 0.5 * (x - goal).squaredNorm(); };
+  model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - goal); };
+  model.hessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2); };
+  std::vector<double> told;
+  model.whenSettling = [&](const Eigen::VectorXd& multipliers) {
+    told.push_back(multipliers[0]);
+    goal = Eigen::Vector2d(0.0, 3.0);
+    return true;
+  };
+  const NewtonKktState end = solved(model, Eigen::Vector2d(0.8, 0.5));
+  EXPECT_TRUE(end.converged());
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NEAR(told[0], 1.0, 1e-6);
+  EXPECT_LT((end.x - Eigen::Vector2d(0.0, 1.0)).norm(), 1e-9);
+  EXPECT_NEAR(end.multipliers[0], 2.0, 1e-9);
+}
+
+TEST(NewtonKkt, CorrectionsOfShorterStepsGoRoundASharpBend)
+{
+  // Along a narrow ring, nearly half round it: each step leaves the ring by the square of its
+  // length.
+  const auto iterations = [](int corrections) {
+    DenseModel model = onTheCircle();
+    const Eigen::Vector2d goal(-100.0, 0.0);
+    model.f = [=](const Eigen::VectorXd& x) { return 0.5 * (x - goal).squaredNorm(); };
+    model.gradient = [=](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - goal); };
+    model.hessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2); };
+    int steps = 0;
+    NewtonKktOptions options;
+    options.corrections = corrections;
+    options.observe = [&](const NewtonKktRecord& record) { steps = record.iteration; };
+    const NewtonKktState end =
+      solved(model, Eigen::Vector2d(std::cos(0.1), std::sin(0.1)), options);
+    EXPECT_TRUE(end.converged());
+    EXPECT_LT((end.x - Eigen::Vector2d(-1.0, 0.0)).norm(), 1e-9);
+    return steps;
+  };
+  EXPECT_LT(iterations(5), iterations(0));
 }
 
 TEST(NewtonKkt, EndsAtAMinimumNotAtASaddleWhereTheHessianIsIndefinite)

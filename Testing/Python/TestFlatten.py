@@ -206,8 +206,9 @@ class Results(unittest.TestCase):
         elastic = sf.flatten(points, triangles, [sf.Curve(arc, length_tolerance=0.05)])
         error = elastic.report["curves"][0]["error"]
         self.assertTrue(1e-6 < error <= 0.05 + 1e-9, error)
-        self.assertLess(elastic.report["pieces"][0]["objective"],
-                        rigid.report["pieces"][0]["objective"])
+        # What gives way spares the sheet.
+        self.assertLess(elastic.report["pieces"][0]["energy_rigid"],
+                        rigid.report["pieces"][0]["energy_rigid"])
 
     def test_the_report_is_plain_python(self):
         surface, curves = read("shirt_shoulder"), read("shirt_shoulder_curves")

@@ -196,6 +196,10 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
   {
     status.waysOut.emplace_back(Remedy::CloseCuts);
   }
+  if (report.boundaryLoops > 1)
+  {
+    status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
+  }
   status.waysOut.emplace_back(Remedy::DivideBySeam);
   return status;
 }

@@ -97,11 +97,11 @@ void IsometricModel::addAngles(const Eigen::VectorXd& x, bool exact, Eigen::Vect
     const NodeGeometry geometry = this->nodeGeometry(node, x, exact);
     const double d = geometry.angle - node.target;
     Eigen::Matrix<double, 6, 6> H =
-      2.0 * node.weight * (geometry.gradient * geometry.gradient.transpose());
-    H += 2.0 * node.weight * d * geometry.hessian;
+      2.0 * node.stiffness * (geometry.gradient * geometry.gradient.transpose());
+    H += 2.0 * node.stiffness * d * geometry.hessian;
     this->NodeBlocks[k].add(this->Assembler, H);
     this->NodeBlocks[k].scatter(
-      Eigen::Matrix<double, 6, 1>(2.0 * node.weight * d * geometry.gradient), gradient);
+      Eigen::Matrix<double, 6, 1>(2.0 * node.stiffness * d * geometry.gradient), gradient);
   }
 }
 

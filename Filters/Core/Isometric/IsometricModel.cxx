@@ -11,13 +11,10 @@ namespace flattening
 {
 namespace
 {
-/// Weight of the angles in a piece of so many triangles. The energy of one bend is in units of the
-/// mean triangle, so halving all edges would make wires eight times as easy to bend, until they
-/// crumple; above this count they stay as stiff as with it.
-double scaledAngleWeight(double weight, double triangles)
+/// Modulus of the sheet over that of |J - R|^2, for small strains.
+double modulusOf(const DistortionEnergy& energy)
 {
-  constexpr double referenceCount = 3000.0;
-  return weight * std::pow(std::max(1.0, triangles / referenceCount), 1.5);
+  return energy.kind == DistortionEnergyKind::SymmetricDirichlet ? 4.0 : 1.0;
 }
 
 Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
@@ -31,7 +28,7 @@ IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
   : Problem(problem)
   , Cells(piece.mesh.triangles())
   , Energy(energy)
-  , AngleWeight(scaledAngleWeight(angleWeight, piece.mesh.triangleCount()))
+  , Stiffness(angleWeight, piece.mesh.triangleCount(), modulusOf(energy))
   , CoordinateCount(2 * piece.mesh.vertexCount())
   , Assembler(0)
 {
@@ -73,9 +70,31 @@ IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
   this->declareEntries();
 }
 
+IsometricModel::Node IsometricModel::makeNode(Index node, const Indices& lengthOfEdge) const
+{
+  const WireNetwork& net = *this->Problem.network;
+  const std::array<Index, 2> edges{ net.edge[net.previous[node]], net.edge[node] };
+  Node result{ net.vertex[net.previous[node]], net.vertex[node], net.endVertex(node),
+    this->Problem.target[node], node, { lengthOfEdge[edges[0]], lengthOfEdge[edges[1]] }, {}, 0.0 };
+  result.hinge.angle = net.alpha[node];
+  for (Index e : edges)
+  {
+    result.hinge.length += 0.5 * net.edges[e].length / this->Unit;
+  }
+  result.hinge.sheetOnBothSides =
+    net.edges[edges[0]].otherSide != none || net.edges[edges[1]].otherSide != none;
+  result.stiffness = this->Problem.weight[node] * this->Stiffness.unknownForce(result.hinge);
+  return result;
+}
+
 void IsometricModel::addNodes()
 {
   const WireNetwork& net = *this->Problem.network;
+  Indices lengthOfEdge(net.edgeCount(), none);
+  for (std::size_t k = 0; k < this->LengthEdges.size(); ++k)
+  {
+    lengthOfEdge[this->LengthEdges[k]] = static_cast<Index>(k);
+  }
   for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
   {
     // Where all nodes of an interior vertex are locked, the last follows from the others.
@@ -90,8 +109,7 @@ void IsometricModel::addNodes()
       {
         continue;
       }
-      Node node{ net.vertex[net.previous[i]], net.vertex[i], net.endVertex(i),
-        this->Problem.target[i], this->Problem.weight[i] * this->AngleWeight };
+      Node node = this->makeNode(i, lengthOfEdge);
       if (this->Problem.locks.locked[i])
       {
         ++lockedHere;
@@ -101,7 +119,7 @@ void IsometricModel::addNodes()
           this->LockedNodes.push_back(node);
         }
       }
-      else if (node.weight > 0.0)
+      else if (node.stiffness > 0.0)
       {
         this->Nodes.push_back(node);
       }
@@ -229,7 +247,7 @@ IsometricModel::Terms IsometricModel::terms(
   for (const Node& node : this->Nodes)
   {
     const double d = this->nodeAngle(node, x) - node.target;
-    terms.angles += node.weight * d * d;
+    terms.angles += node.stiffness * d * d;
   }
   terms.total = terms.sheet + terms.angles;
   for (Index g = 0; g < this->groupCount(); ++g)
@@ -238,6 +256,28 @@ IsometricModel::Terms IsometricModel::terms(
     terms.total += 0.5 * this->Problem.groups[g].weight * h * h;
   }
   return terms;
+}
+
+bool IsometricModel::settle(const Eigen::VectorXd& multipliers)
+{
+  for (Node& node : this->Nodes)
+  {
+    // A multiplier above zero draws.
+    const double pressing = -std::min(multipliers[node.lengths[0]], multipliers[node.lengths[1]]);
+    node.stiffness =
+      this->Problem.weight[node.node] * this->Stiffness.underForce(node.hinge, pressing);
+  }
+  return !this->Nodes.empty();
+}
+
+std::vector<double> IsometricModel::stiffness() const
+{
+  std::vector<double> result(this->Problem.network->nodeCount(), 0.0);
+  for (const Node& node : this->Nodes)
+  {
+    result[node.node] = node.stiffness;
+  }
+  return result;
 }
 
 Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const

@@ -4,6 +4,7 @@
 #include "Angles/AngleProblem.h"
 #include "Base/Execution.h"
 #include "Embedding/DistortionEnergy.h"
+#include "Isometric/WireStiffness.h"
 #include "Sparse/NewtonKkt.h"
 #include "Sparse/SparseBlocks.h"
 
@@ -12,9 +13,10 @@ namespace flattening
 /// The isometric scheme's problem for one piece, in units of the root of the mean triangle area.
 ///
 /// Unknowns: x and y of every vertex, then the stretch h of each elastic curve. Minimized is
-///   sum a_t f(J_t) + w sum (theta_i - alpha_i)^2 + sum weight_g h_g^2 / 2
-/// with a_t the area of triangle t over the mean area, f the sheet's energy density and theta_i the
-/// planar angle of wire-node i; constraints are the length of each wire edge, |x_a - x_b| = l (1 +
+///   sum a_t f(J_t) + sum k_i (theta_i - alpha_i)^2 + sum weight_g h_g^2 / 2
+/// with a_t the area of triangle t over the mean area, f the sheet's energy density, theta_i the
+/// planar angle of wire-node i and k_i its stiffness, the same for all forces until settle() is
+/// told them; constraints are the length of each wire edge, |x_a - x_b| = l (1 +
 /// h), and the angle of each locked node. Edges of connectors are no constraint here: the triangles
 /// beside them hold them, and nodes on them have no angle term.
 class IsometricModel : public NewtonKktModel
@@ -42,7 +44,7 @@ public:
   struct Terms
   {
     double sheet = 0.0;
-    double angles = 0.0; ///< with its weight
+    double angles = 0.0; ///< with their stiffness
     double total = 0.0;
   };
   Terms terms(const Eigen::VectorXd& x, const Execution& execution) const;
@@ -51,6 +53,11 @@ public:
     return this->terms(x, execution).total;
   }
   Eigen::VectorXd constraints(const Eigen::VectorXd& x) const override;
+  /// Takes the multipliers of lengths for the forces in the wires, and makes these as stiff as they
+  /// ask for.
+  bool settle(const Eigen::VectorXd& multipliers) override;
+  /// Per wire-node k_i; 0 for nodes without a term.
+  std::vector<double> stiffness() const;
   double constraintRounding(const Eigen::VectorXd& x, double merit) const override;
   double gradientScale(double objective) const override;
 
@@ -77,7 +84,10 @@ private:
     Index at;
     Index after;
     double target;
-    double weight;
+    Index node;                   ///< of the network
+    std::array<Index, 2> lengths; ///< constraints, of both edges
+    WireHinge hinge;
+    double stiffness;
   };
   struct NodeGeometry
   {
@@ -87,6 +97,7 @@ private:
   };
 
   void addNodes();
+  Node makeNode(Index node, const Indices& lengthOfEdge) const;
   void declareEntries();
   std::vector<char> hubsOfWires() const;
   double nodeAngle(const Node& node, const Eigen::VectorXd& x) const;
@@ -102,7 +113,7 @@ private:
   const AngleProblem& Problem;
   Triangles Cells;
   DistortionEnergy Energy;
-  double AngleWeight;
+  WireStiffness Stiffness;
   double Unit = 1.0;
   Index CoordinateCount = 0;
   std::vector<TriangleFrame> Frames; ///< in units, so that their mean area is 1

@@ -9,11 +9,10 @@ namespace flattening
 struct IsometricOptions
 {
   DistortionEnergy energy;
-  /// Weight w of the wires' angles against the sheet's energy, 0 to 100: what a squared change of a
-  /// wire-node's angle by one radian costs, in the energy of a triangle of mean area. Lengths alone
-  /// would let wires buckle between their nodes; the larger it is, the nearer are the wires' angles
-  /// to those on the surface. In pieces of more than 3000 triangles it grows with their number to
-  /// the power 1.5, so that a finer mesh of the same surface gives the same shape.
+  /// Weight of the wires' bending against the sheet's energy, 0 to 100. Lengths alone would let
+  /// wires buckle between their nodes; the larger it is, the nearer are the wires' angles to those
+  /// on the surface. What a bend costs follows from the force that presses on the wire, the same on
+  /// every mesh of a surface (WireStiffness).
   double angleWeight = 5.0;
   int maximumIterations = 100;
   /// Stop when lengths hold to 1e-10 of the root of the mean triangle area and the gradient of the
@@ -37,7 +36,8 @@ struct IsometricSolution
   Points2 positions;
   std::vector<double> stretch;   ///< h per stretch group
   double distortionEnergy = 0.0; ///< sum of the density times area over the mean area
-  double angleEnergy = 0.0;      ///< w sum (theta - alpha)^2
+  double angleEnergy = 0.0;      ///< sum of stiffness (theta - alpha)^2
+  std::vector<double> stiffness; ///< per wire-node, in the same unit; 0 for nodes without a term
   int iterations = 0;
   std::vector<IsometricIteration> history;
   /// Ok, NotConverged (the positions are the best found), Cancelled.
@@ -50,7 +50,9 @@ struct IsometricSolution
 /// Sequential quadratic programming from the given positions, which the other schemes provide: the
 /// exact Hessian of the Lagrangian where it is convex on the tangent space of the constraints (read
 /// from the inertia of the KKT matrix), its convex part where not, an L1 merit function with
-/// second-order correction, and last a minimum-norm Newton iteration on the lengths alone.
+/// second-order correction, and last a minimum-norm Newton iteration on the lengths alone. Wires
+/// are equally stiff at first; once little is left to gain, the forces in them say how stiff each
+/// stays, and the iteration goes on with that.
 IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution);

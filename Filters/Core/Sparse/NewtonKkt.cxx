@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/NewtonKkt.h"
 
+#include "Sparse/MeritFunction.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +21,6 @@ constexpr int refinements = 2;
 constexpr double smallestShift = 1e-4;
 constexpr double shiftGrowth = 4.0;
 constexpr double largestShift = 1e12;
-/// Least weight of the constraints in the merit function, where no multiplier asks for one.
-constexpr double smallestPenalty = 1e-3;
 /// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
 constexpr double sufficientDecrease = 1e-4;
 /// A step that has to be shorter than 2^-40 of Newton's is lost in rounding.
@@ -52,6 +52,7 @@ public:
     , FirstBounded(Unknowns - static_cast<Index>(Bounds.size()))
     , Held(Bounds.size(), 0)
     , HeldStep(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(Bounds.size())))
+    , Merit(Constraints, options.penaltyMargin, options.penaltyShare)
   {
     if (this->State.multipliers.size() != this->Constraints)
     {
@@ -67,9 +68,12 @@ public:
     for (int iteration = 0; !this->cancelled(); ++iteration)
     {
       this->reportProgress(iteration);
-      const bool exact = iteration > 0 && this->LargestMove < this->Options.exactWithin;
-      this->linearize(exact ? Curvature::Exact : Curvature::Convex);
-      const Found found = this->lookAround();
+      Found found = this->look();
+      if (this->roughlyThere(found, iteration) &&
+        this->settle(found == Found::Step ? this->NewMultipliers : this->State.multipliers))
+      {
+        found = this->look();
+      }
       this->observe(iteration);
       residuals.push_back(largest(this->Point.constraints) +
         this->Optimality / this->Model.gradientScale(this->Objective));
@@ -79,7 +83,7 @@ public:
         ending = standsStill(residuals) ? Ending::Stalled : Ending::Exhausted;
         break;
       }
-      if (found != Found::Step || !this->advance())
+      if (found != Found::Step || !(this->advance() || this->settle(this->NewMultipliers)))
       {
         break;
       }
@@ -96,6 +100,43 @@ private:
     Step,
     Nothing,
   };
+
+  Found look()
+  {
+    const bool exact = this->TookStep && this->LargestMove < this->Options.exactWithin;
+    this->linearize(exact ? Curvature::Exact : Curvature::Convex);
+    return this->lookAround();
+  }
+
+  bool roughlyThere(Found found, int iteration) const
+  {
+    if (found != Found::Step)
+    {
+      return true;
+    }
+    return iteration >= this->Options.settleBy ||
+      (largest(this->Point.constraints) <= this->Options.settleConstraint &&
+        this->promised() <= this->Options.settlePromise * this->Objective);
+  }
+
+  /// Goes on with what the model settles for, as from a start.
+  bool settle(const Eigen::VectorXd& multipliers)
+  {
+    if (this->Settled || this->cancelled())
+    {
+      return false;
+    }
+    this->Settled = true;
+    if (!this->Model.settle(multipliers))
+    {
+      return false;
+    }
+    this->State.multipliers = multipliers;
+    this->Objective = this->Model.objective(this->State.x, this->Run);
+    this->Merit.forget();
+    this->TookStep = false;
+    return true;
+  }
 
   Index unknownOf(std::size_t bounded) const
   {
@@ -177,7 +218,10 @@ private:
 
   /// Whether the last step says by its size that no further one is worth it. Slivers and unknowns
   /// at their bound leave rounding in the gradient, not in the steps.
-  bool still() const { return this->TookWholeStep && this->LargestMove <= this->Options.stillMove; }
+  bool still() const
+  {
+    return this->TookStep && this->TookWholeStep && this->LargestMove <= this->Options.stillMove;
+  }
 
   bool feasible() const
   {
@@ -190,6 +234,9 @@ private:
     return optimality <
       this->Options.optimalityTolerance * this->Model.gradientScale(this->Objective);
   }
+
+  /// By how much the step would lower the objective.
+  double promised() const { return 0.5 * std::abs(this->Point.gradient.dot(this->Step)); }
 
   /// Tests the point with the multipliers that the last step left, which spares solving, then with
   /// those of the step from here.
@@ -210,8 +257,8 @@ private:
       return Found::Step;
     }
     const double optimality = this->optimality(this->NewMultipliers);
-    const double promised = 0.5 * std::abs(this->Point.gradient.dot(this->Step));
-    if (promised > this->Options.promiseTolerance * this->Objective && !this->optimal(optimality))
+    if (this->promised() > this->Options.promiseTolerance * this->Objective &&
+      !this->optimal(optimality))
     {
       return Found::Step;
     }
@@ -363,14 +410,13 @@ private:
   /// Goes along the step as far as the merit function falls.
   bool advance()
   {
-    this->Penalty = std::max(
-      this->Penalty, this->Options.penaltyMargin * largest(this->NewMultipliers) + smallestPenalty);
-    const double violation = this->Point.constraints.lpNorm<1>();
-    const double before = this->Objective + this->Penalty * violation;
-    const double slope = this->Point.gradient.dot(this->Step) - this->Penalty * violation;
+    this->Merit.raise(this->NewMultipliers);
+    const double violation = this->Merit.violation(this->Point.constraints);
+    const double before = this->Objective + violation;
+    const double slope = this->Point.gradient.dot(this->Step) - violation;
     // Below this a change of the merit function is rounding, and the Newton step is taken as it is.
     const double noise = objectiveRounding * (1.0 + std::abs(before)) +
-      this->Penalty * this->Model.constraintRounding(this->State.x, before);
+      this->Merit.largestPenalty() * this->Model.constraintRounding(this->State.x, before);
     const double move = largest(this->Step);
     double scale = move > this->Options.longestMove ? this->Options.longestMove / move : 1.0;
     for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
@@ -378,7 +424,7 @@ private:
       const double bound = before + sufficientDecrease * scale * std::min(slope, 0.0) + noise;
       const Eigen::VectorXd x = this->clipped(this->State.x + scale * this->Step);
       if (this->accept(x, bound, scale) ||
-        (halving == 0 && this->accept(this->corrected(x), bound, scale)))
+        (halving < this->Options.corrections && this->accept(this->corrected(x), bound, scale)))
       {
         return true;
       }
@@ -389,13 +435,14 @@ private:
   bool accept(const Eigen::VectorXd& x, double bound, double scale)
   {
     const double objective = this->Model.objective(x, this->Run);
-    if (!(objective + this->Penalty * this->Model.constraints(x).lpNorm<1>() <= bound))
+    if (!(objective + this->Merit.violation(this->Model.constraints(x)) <= bound))
     {
       return false;
     }
     const Eigen::VectorXd move = x - this->State.x;
     this->LargestMove = largest(move);
     this->MeanMove = move.norm() / std::sqrt(std::max<double>(1.0, this->Unknowns));
+    this->TookStep = true;
     this->TookWholeStep = scale == 1.0 && this->Shift == 0.0;
     this->Objective = objective;
     this->State.x = x;
@@ -422,10 +469,12 @@ private:
   double LastShift = 0.0; ///< of the last factorization
   Eigen::VectorXd Step;
   Eigen::VectorXd NewMultipliers;
-  double Penalty = 0.0;
+  MeritFunction Merit;
   double LargestMove = 0.0;
   double MeanMove = 0.0;
+  bool TookStep = false; ///< since the objective is what it is
   bool TookWholeStep = false;
+  bool Settled = false;
   bool ToldToStop = false;
 };
 }

@@ -36,6 +36,9 @@ public:
   virtual double constraintRounding(const Eigen::VectorXd& x, double merit) const = 0;
   /// What an entry of the gradient of the Lagrangian is small against, at this objective.
   virtual double gradientScale(double) const { return 1.0; }
+  /// Told once, near a minimum, the multipliers there: the model may take on the objective that it
+  /// is to end with. \return whether it is another one
+  virtual bool settle(const Eigen::VectorXd&) { return false; }
 
   struct Linearization
   {
@@ -95,15 +98,27 @@ struct NewtonKktOptions
   /// constraints need only hold to the second tolerance. Less than zero: never.
   double stillMove = -1.0;
   double stillConstraintTolerance = 0.0;
+  /// The model is told to settle where a further step promises to lower the objective by no more
+  /// than this fraction of it and no |c_i| is larger than the second; at the latest after so many
+  /// iterations, or where no step is found.
+  double settlePromise = 0.0;
+  double settleConstraint = 0.0;
+  int settleBy = std::numeric_limits<int>::max();
   /// Longer steps are shortened to one that moves no unknown by more: where the model's equations
   /// repeat themselves, as those of angles do, longer ones lead to another branch.
   double longestMove = std::numeric_limits<double>::infinity();
   /// The exact Hessian is tried where the step before was shorter; far from a minimum it is seldom
   /// convex. The first step counts as infinite.
   double exactWithin = std::numeric_limits<double>::infinity();
-  /// Weight of the constraints in the merit function over the largest multiplier. Above 1 it is
-  /// exact; the margin keeps it so while multipliers change, and shortens steps.
+  /// Weight of a constraint in the merit function over its multiplier. Above 1 it is exact; the
+  /// margin keeps it so while multipliers change, and shortens steps.
   double penaltyMargin = 1.5;
+  /// Least weight of a constraint over the largest one's: 1 gives all the same, less does not hold
+  /// constraints of one kind by the multipliers of another.
+  double penaltyShare = 1.0;
+  /// How many of the step's halvings are tried with second-order correction as well. Each costs a
+  /// solution; where constraints bend much, one that is left out costs a factorization.
+  int corrections = 1;
   /// Name in reports of progress; null: none are made.
   const char* phase = nullptr;
   std::function<void(const NewtonKktRecord&)> observe;

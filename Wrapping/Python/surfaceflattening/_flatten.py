@@ -244,7 +244,7 @@ def flatten(
             "dirichlet", symmetric Dirichlet, which forbids flipped triangles.
         area_bias: "isometric" with "rigid": above 0 a change of area costs more than one of angle
             (stiff sheet), below 0 less (stretchy sheet), in [-0.99, 0.99].
-        angle_weight: "isometric": weight of the wires' angles against the sheet, in [0, 100].
+        angle_weight: "isometric": weight of the wires' bending against the sheet, in [0, 100].
         coincident_points: whether points with equal coordinates are one: "automatic", only where
             hardly any two triangles share a point; "join", always; "keep", never.
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.
