@@ -25,20 +25,31 @@ double secondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void readInput(const Options& options, vtkWireWarpingFilter* filter)
+/// Returns the file of each connection of curves.
+std::vector<std::string> readInput(const Options& options, vtkWireWarpingFilter* filter)
 {
-  const vtkSmartPointer<vtkPolyData> surface = readSurface(options.surface);
-  filter->SetInputData(surface);
+  const SurfaceContents contents = readSurface(options.surface);
+  filter->SetInputData(contents.surface);
+  std::vector<std::string> files;
+  const auto connect = [&](const std::string& path, vtkPolyData* curves) {
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(curves);
+    filter->AddCurvesConnection(producer->GetOutputPort());
+    files.push_back(path);
+  };
+  if (contents.curves)
+  {
+    connect(options.surface, contents.curves);
+  }
   for (const std::string& path : options.curves)
   {
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(readCurves(path, surface));
-    filter->AddCurvesConnection(producer->GetOutputPort());
+    connect(path, readCurves(path, contents.surface));
   }
   for (const auto& [curve, tolerance] : options.tolerances)
   {
     filter->AddCurveTolerance(curve, tolerance);
   }
+  return files;
 }
 
 void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
@@ -95,13 +106,13 @@ Flattening flattenOne(const Options& options)
     vtkNew<vtkWireWarpingFilter> filter;
     filter->CachingOff(); // it runs once
     setOptions(options, filter);
-    readInput(options, filter);
+    const std::vector<std::string> curveFiles = readInput(options, filter);
     result.secondsRead = secondsSince(start);
     run(filter, options.quiet, result);
     if (result.refused())
     {
       const int curves = filter->GetStatusConnection();
-      const std::string& file = curves < 0 ? options.surface : options.curves[curves];
+      const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
       result.message = file + ": " + result.message;
     }
   }

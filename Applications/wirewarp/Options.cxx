@@ -26,11 +26,13 @@ const char* const description =
 
 const char* const footer =
   R"(Curve files: .vtp or .vtk with polylines on the surface (cell arrays CurveType: 0 accessory, 1 key,
-2 dart, 3 seam; CurveName; for more see vtkFeatureCurveAlgorithm), or text, one curve a line, '#' starts
-a comment:
+2 dart, 3 seam; CurveName; for more see vtkFeatureCurveAlgorithm); .obj with line elements, .dxf with
+LINE, LWPOLYLINE or POLYLINE, whose group or layer is called TYPE NAME; .csv with the columns name, x, y, z
+and, unless names begin with it, type; or text, one curve a line, '#' starts a comment:
     TYPE NAME v0 v1 ...
 TYPE is accessory (length kept), key (length and shape kept), dart (cut open) or seam (cut through);
-v0 v1 ... are vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too.
+v0 v1 ... are vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too. Points
+of curves need not be vertices: they are laid on SURFACE if no farther from it than --imprint-tolerance.
 Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a
 name, options that take a NAME mean all of them.
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadCurves.h"
 
+#include "CurveList.h"
 #include "InputError.h"
+#include "ReadCsvCurves.h"
+#include "ReadDxfCurves.h"
+#include "ReadObj.h"
 #include "ReadVtk.h"
 #include "TextFile.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkIntArray.h>
-#include <vtkPoints.h>
-#include <vtkStringArray.h>
-
-#include <algorithm>
-#include <array>
 #include <string_view>
 #include <vector>
 
@@ -20,14 +16,6 @@ namespace wirewarp
 {
 namespace
 {
-/// The value of the cell array CurveType, -1 for a word that is no type.
-int parseType(std::string_view word)
-{
-  static constexpr std::array<std::string_view, 4> types{ "accessory", "key", "dart", "seam" };
-  const auto* const found = std::find(types.begin(), types.end(), word);
-  return found == types.end() ? -1 : static_cast<int>(found - types.begin());
-}
-
 struct CurveReader
 {
   std::string path;
@@ -69,12 +57,7 @@ struct CurveReader
 vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData* surface)
 {
   const std::string text = readWholeFile(path);
-  vtkNew<vtkCellArray> polylines;
-  vtkNew<vtkIntArray> curveType;
-  curveType->SetName("CurveType");
-  vtkNew<vtkStringArray> curveName;
-  curveName->SetName("CurveName");
-
+  CurveList curves;
   CurveReader reader{ path, LineReader(text), surface->GetNumberOfPoints() };
   std::string line;
   while (reader.lines.next(line))
@@ -86,28 +69,28 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
     {
       continue;
     }
-    const int type = parseType(word);
+    const int type = curveTypeOf(word);
     if (type < 0)
     {
       reader.refuse("unknown curve type " + inQuotes(word) + "; use accessory, key, dart or seam");
     }
-    std::string name(takeWord(rest));
-    std::replace(name.begin(), name.end(), '\0', ' '); // VTK ends a text there when it writes it
+    const std::string name(takeWord(rest));
     if (name.empty())
     {
       reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
     }
-    const std::vector<vtkIdType> ids = reader.readIds(rest, name);
-    polylines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    curveType->InsertNextValue(type);
-    curveName->InsertNextValue(name);
+    curves.add(reader.readIds(rest, name), { type, name });
   }
+  return curves.polyData(surface->GetPoints());
+}
 
-  auto curves = vtkSmartPointer<vtkPolyData>::New();
-  curves->SetPoints(surface->GetPoints());
-  curves->SetLines(polylines);
-  curves->GetCellData()->AddArray(curveType);
-  curves->GetCellData()->AddArray(curveName);
+vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
+{
+  const vtkSmartPointer<vtkPolyData> curves = readObj(path).curves;
+  if (!curves)
+  {
+    throw InputError(path, "has no line element ('l'); save the feature curves as lines");
+  }
   return curves;
 }
 }
@@ -116,6 +99,18 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
 vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* surface)
 {
   const std::string extension = lowerCaseExtension(path);
+  if (extension == ".obj")
+  {
+    return readObjCurves(path);
+  }
+  if (extension == ".csv")
+  {
+    return readCsvCurves(path);
+  }
+  if (extension == ".dxf")
+  {
+    return readDxfCurves(path);
+  }
   if (extension != ".vtp" && extension != ".vtk")
   {
     return readCurveText(path, surface);

@@ -9,9 +9,10 @@
 namespace wirewarp
 {
 /// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and
-/// `CurveName`), or else from text, one curve a line:
+/// `CurveName`), from the lines of .obj (ReadObj.h), .csv (ReadCsvCurves.h) or .dxf
+/// (ReadDxfCurves.h), or else from text, one curve a line:
 ///
-///     TYPE NAME v0 v1 ...      # TYPE is accessory, key, dart or seam
+///     TYPE NAME v0 v1 ...      # TYPE is accessory, key, dart or seam, in letters of any case
 ///
 /// with 0-based vertex ids of the surface's file. Text curves come back as polylines on the
 /// surface's points. Throws InputError.

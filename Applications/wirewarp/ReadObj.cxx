@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadObj.h"
 
+#include "CurveList.h"
 #include "InputError.h"
 #include "TextFile.h"
 
@@ -68,13 +69,14 @@ struct ObjReader
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readObj(const std::string& path)
+ObjContents readObj(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkCellArray> polylines;
+  CurveList curves;
+  CurveTitle title;
 
   ObjReader reader{ path, LineReader(text), points, {} };
   std::string line;
@@ -102,7 +104,11 @@ vtkSmartPointer<vtkPolyData> readObj(const std::string& path)
       {
         reader.refuse("a line needs two vertices; the file may be truncated");
       }
-      polylines->InsertNextCell(static_cast<vtkIdType>(reader.ids.size()), reader.ids.data());
+      curves.add(reader.ids, title);
+    }
+    else if (keyword == "g" || keyword == "o")
+    {
+      title = curveTitle(rest);
     }
   }
   if (points->GetNumberOfPoints() == 0)
@@ -113,10 +119,6 @@ vtkSmartPointer<vtkPolyData> readObj(const std::string& path)
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(points);
   surface->SetPolys(polygons);
-  if (polylines->GetNumberOfCells() > 0)
-  {
-    surface->SetLines(polylines);
-  }
-  return surface;
+  return { surface, curves.empty() ? nullptr : curves.polyData(points) };
 }
 }

@@ -8,10 +8,18 @@
 
 namespace wirewarp
 {
+/// What an OBJ file holds, over one list of points.
+struct ObjContents
+{
+  vtkSmartPointer<vtkPolyData> surface; ///< its faces
+  vtkSmartPointer<vtkPolyData> curves;  ///< its line elements; null where there is none
+};
+
 /// Reads Wavefront OBJ with coordinates in double precision.
 ///
 /// `v`, `f` (polygons; `v`, `v/vt`, `v//vn`, `v/vt/vn`; negative ids count from the end) and `l`
-/// are read, everything else is passed over. Point k is the k-th `v` line: texture seams split
-/// nothing. Throws InputError with file and line.
-vtkSmartPointer<vtkPolyData> readObj(const std::string& path);
+/// are read, and of `g` and `o` the names, which give type and name to the lines below them: "dart
+/// left", see CurveList.h. Everything else is passed over. Point k is the k-th `v` line: texture
+/// seams split nothing. Throws InputError with file and line.
+ObjContents readObj(const std::string& path);
 }

@@ -10,20 +10,21 @@
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readSurface(const std::string& path)
+SurfaceContents readSurface(const std::string& path)
 {
   const std::string extension = lowerCaseExtension(path);
   if (extension == ".vtp" || extension == ".vtk" || extension == ".stl")
   {
-    return readVtk(path);
+    return { readVtk(path), nullptr };
   }
   if (extension == ".obj")
   {
-    return readObj(path);
+    const ObjContents contents = readObj(path);
+    return { contents.surface, contents.curves };
   }
   if (extension == ".ply")
   {
-    return readPly(path);
+    return { readPly(path), nullptr };
   }
   throw InputError(path,
     "a surface is read from .vtp, .vtk, .obj, .ply or .stl, not from " +

@@ -8,6 +8,12 @@
 
 namespace wirewarp
 {
+struct SurfaceContents
+{
+  vtkSmartPointer<vtkPolyData> surface; ///< of .vtp and .vtk with the polylines among its cells
+  vtkSmartPointer<vtkPolyData> curves;  ///< of .obj, over the same points; null where there is none
+};
+
 /// Reads a surface by its extension: .vtp .vtk .obj .ply .stl. Throws InputError.
-vtkSmartPointer<vtkPolyData> readSurface(const std::string& path);
+SurfaceContents readSurface(const std::string& path);
 }

@@ -4,6 +4,7 @@ import math
 import os
 
 import command
+import ezdxf
 
 SIZE = 8
 
@@ -56,6 +57,84 @@ class Curves(command.CommandTest):
         one = self.flatten("lune.obj", "two.txt")
         two = self.flatten("lune.obj", "two.txt", "--tolerance", "arc=0", "--tolerance", "meridian=0")
         self.assertEqual(one["pieces"][0]["objective"], two["pieces"][0]["objective"])
+
+    def refused(self, *arguments):
+        """The lines of an error, in one."""
+        run = self.run_command(*arguments)
+        self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+        return " ".join(command.error_lines(run))
+
+    def arc_rows(self):
+        """Points of the arc of arc.txt."""
+        with open(self.path("arc.txt"), encoding="utf-8") as file:
+            return [self.points[int(word)] for word in file.read().split()[2:]]
+
+    def assert_same_as_text(self, report, type_, name):
+        self.write("text.txt", f"{type_} {name} " + open(self.path("arc.txt"), encoding="utf-8").read()
+                   .split(maxsplit=2)[2])
+        expected = self.flatten("lune.obj", "text.txt")
+        self.assertEqual([(curve["name"], curve["type"]) for curve in report["curves"]],
+                         [(curve["name"], curve["type"]) for curve in expected["curves"]])
+        self.assertAlmostEqual(report["curves"][0]["length_3d"], expected["curves"][0]["length_3d"],
+                               delta=1e-9)
+        self.assertAlmostEqual(report["pieces"][0]["E_area"], expected["pieces"][0]["E_area"], delta=1e-6)
+
+    def test_types_may_have_capital_letters(self):
+        self.write("capital.txt", open(self.path("arc.txt"), encoding="utf-8").read().replace("acc", "Acc"))
+        self.assert_same_as_text(self.flatten("lune.obj", "capital.txt"), "accessory", "arc")
+
+    def test_lines_of_an_obj_file_are_curves_named_by_their_group(self):
+        with open(self.path("arc.txt"), encoding="utf-8") as file:
+            ids = [int(word) + 1 for word in file.read().split()[2:]]
+        lines = "".join(f"l {a} {b}\n" for a, b in zip(ids, ids[1:]))
+        self.write("own.obj", command.obj(self.points, self.triangles) + "g key-arc\n" + lines)
+        self.assert_same_as_text(self.flatten("own.obj"), "key", "arc")
+        rows = self.arc_rows()
+        self.write("curves.obj", "o Key arc\n" + "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in rows)
+                   + "l " + " ".join(str(k + 1) for k in range(len(rows))) + "\n")
+        self.assert_same_as_text(self.flatten("lune.obj", "curves.obj"), "key", "arc")
+
+    def test_rows_of_a_csv_table_are_points_of_curves(self):
+        rows = self.arc_rows()
+        self.write("a.csv", "x,y,z,Name,Type\n" + "".join(f"{x!r},{y!r},{z!r},arc,key\n" for x, y, z in rows))
+        self.assert_same_as_text(self.flatten("lune.obj", "a.csv"), "key", "arc")
+        self.write("b.csv", "name;x;y;z\r\n" + "".join(f"key arc;{x!r};{y!r};{z!r}\r\n" for x, y, z in rows))
+        self.assert_same_as_text(self.flatten("lune.obj", "b.csv"), "key", "arc")
+        for name, text, part in (("c.csv", "x,y,z\n0,0,0\n", "'name'"),
+                                 ("d.csv", "name,x,y,z\na,0,0\n", "coordinate"),
+                                 ("e.csv", "name,type,x,y,z\na,hem,0,0,0\n", "'hem'"),
+                                 ("f.csv", "name,x,y,z\na,0,0,0\n", "one point"),
+                                 ("g.csv", "name,x,y,z\n", "no curve")):
+            self.write(name, text)
+            self.assertIn(part, self.refused("lune.obj", name))
+
+    def test_polylines_of_a_dxf_file_are_curves_named_by_their_layer(self):
+        rows = self.arc_rows()
+        document = ezdxf.new("R2010")
+        document.layers.add("key arc")
+        document.modelspace().add_polyline3d(rows, dxfattribs={"layer": "key arc"})
+        document.modelspace().add_text("not a curve")
+        document.saveas(self.path("a.dxf"))
+        self.assert_same_as_text(self.flatten("lune.obj", "a.dxf"), "key", "arc")
+        document = ezdxf.new("R12")
+        for a, b in zip(rows, rows[1:]):
+            document.modelspace().add_line(a, b, dxfattribs={"layer": "KEY_arc"})
+        document.saveas(self.path("b.dxf"))
+        self.assert_same_as_text(self.flatten("lune.obj", "b.dxf"), "key", "arc")
+        # A flat sheet at z = 1 takes a light polyline, which has one elevation, closed.
+        self.write("flat.obj", command.obj([(i, j, 1.0) for j in range(5) for i in range(5)],
+                                           [t for j in range(4) for i in range(4) for t in
+                                            ((5 * j + i, 5 * j + i + 1, 5 * j + i + 6),
+                                             (5 * j + i, 5 * j + i + 6, 5 * j + i + 5))]))
+        document = ezdxf.new("R2010")
+        document.modelspace().add_lwpolyline([(1, 1), (3, 1), (3, 3), (1, 3)], close=True,
+                                             dxfattribs={"elevation": 1.0, "layer": "pocket"})
+        document.saveas(self.path("c.dxf"))
+        curve = self.flatten("flat.obj", "c.dxf")["curves"][0]
+        self.assertEqual((curve["name"], curve["type"]), ("pocket", "accessory"))
+        self.assertAlmostEqual(curve["length_3d"], 8.0, delta=1e-12)
+        self.write("text.dxf", "name,x\n1,2\n")
+        self.assertIn("group code", self.refused("lune.obj", "text.dxf"))
 
     def test_curves_without_a_name_are_known_by_that_of_the_table(self):
         with open(self.path("two.txt"), encoding="utf-8") as file:

@@ -123,6 +123,34 @@ def obj():
 
 
 # The name says what becomes of the file: a surface, curves of a sound surface, or a list of surfaces.
+CHAIN = (3, 4, 5)
+
+
+def obj_curves():
+    text = "o dart left\n" + "".join("v {} {} {}\n".format(*POINTS[k]) for k in CHAIN) + "l 1 2\nl 2 -1\n"
+    return text.encode()
+
+
+def csv_curves():
+    rows = "".join("key;a;{};{};{}\n".format(*POINTS[k]) for k in CHAIN)
+    return ("Type;Name;x;y;z\n" + rows).encode()
+
+
+def dxf_curves():
+    def entity(kind, *groups):
+        return "".join(f"{code}\n{value}\n" for code, value in ((0, kind), *groups))
+
+    def place(k, code=10):
+        return tuple((code + 10 * i, POINTS[k][i]) for i in range(3))
+
+    text = entity("SECTION", (2, "ENTITIES"))
+    text += entity("LINE", (8, "key a"), *place(CHAIN[0]), *place(CHAIN[1], 11))
+    text += entity("POLYLINE", (8, "b"), (66, 1), (70, 8))
+    text += "".join(entity("VERTEX", (8, "b"), *place(k), (70, 32)) for k in CHAIN[1:])
+    text += entity("SEQEND") + entity("ENDSEC") + entity("EOF")
+    return text.encode()
+
+
 SPECIMENS = {
     "ascii.vtp": xml_ascii(),
     "binary.vtp": xml_binary(compressed=False),
@@ -142,6 +170,9 @@ SPECIMENS = {
     "strips.ply": command.ply_strips(POINTS, [STRIP], "").encode(),
     "curves.vtk": legacy_curves(),
     "curves.vtp": xml_curves(),
+    "curves.obj": obj_curves(),
+    "curves.csv": csv_curves(),
+    "curves.dxf": dxf_curves(),
     "curves.txt": b"# two\naccessory a 3 4 5\nkey b 1 \\\n4 7 # up\n",
     "list.txt": b'# surfaces\nsound.obj curves.txt\n"a folder/sound.obj" # again\n\nsound.obj\n',
 }
