@@ -31,7 +31,13 @@ if (SURFACEFLATTENING_WRAP_PYTHON)
     WrappingPythonCore)
 endif ()
 
-find_package(VTK 9.1 REQUIRED COMPONENTS ${flattening_vtk_build_components})
+# Qt is for PatternEditor alone.
+set(flattening_vtk_optional_components)
+if (SURFACEFLATTENING_BUILD_APPLICATIONS)
+  list(APPEND flattening_vtk_optional_components OPTIONAL_COMPONENTS GUISupportQt)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${flattening_vtk_build_components}
+  ${flattening_vtk_optional_components})
 message(STATUS "VTK ${VTK_VERSION} in ${VTK_DIR}")
 
 if (SURFACEFLATTENING_WRAP_PYTHON)

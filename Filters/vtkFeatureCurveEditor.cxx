@@ -73,16 +73,15 @@ std::size_t idOf(int id)
 const char* const noSurface = "there is no surface to draw on; give one by SetSurface()";
 const char* const notFinite = "a point is not finite";
 
-double distanceTo(const SurfacePath& path, const Point3& point)
+double distanceTo(const SurfacePath& path, const SightMetric& sight, const Point3& point)
 {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < path.points.size(); ++k)
   {
     const Point3& a = path.points[k - 1].position;
-    const Point3 side = path.points[k].position - a;
-    const double square = side.squaredNorm();
-    const double t = square > 0.0 ? std::clamp(side.dot(point - a) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, (a + t * side - point).norm());
+    const Point3& b = path.points[k].position;
+    const Point3 nearest = a + sight.nearestFraction(a, b, point) * (b - a);
+    least = std::min(least, sight.distance(nearest, point));
   }
   return least;
 }
@@ -99,6 +98,8 @@ void vtkFeatureCurveEditor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Curves: " << this->GetNumberOfCurves() << "\n";
+  os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
+     << " " << this->ViewDirection[2] << "\n";
   os << indent << "SnapToBoundary: " << this->SnapToBoundary << "\n";
   os << indent << "SnapToCorners: " << this->SnapToCorners << "\n";
   os << indent << "SnapToVertices: " << this->SnapToVertices << "\n";
@@ -492,6 +493,15 @@ void vtkFeatureCurveEditor::EndGroup()
 }
 
 //------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::SetViewDirection(const double direction[3])
+{
+  if (isFinite(direction))
+  {
+    std::copy_n(direction, 3, this->ViewDirection);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkFeatureCurveEditor::SnapPoint(
   const double point[3], double reach, int exceptCurve, double snapped[3]) const
 {
@@ -509,6 +519,7 @@ int vtkFeatureCurveEditor::SnapPoint(
   options.dartTip = this->SnapToDartTips;
   options.mirrorPlane = this->SnapToMirrorPlane;
   options.exceptCurve = exceptCurve;
+  options.sight = SightMetric(pointOf(this->ViewDirection));
   const DrawingSurface& surface = this->Drawn->editor.surface();
   const SnappedPoint result =
     snapPoint(surface, this->Drawn->editor.state(), surface.pointNear(pointOf(point)), options);
@@ -539,13 +550,14 @@ double vtkFeatureCurveEditor::PreviewSegment(
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::FindNode(const double point[3], double reach, int found[2]) const
 {
+  const SightMetric sight(pointOf(this->ViewDirection));
   double least = reach;
   for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
   {
     for (int node = 0; node < this->GetNumberOfNodes(curve); ++node)
     {
       const double distance =
-        (this->Drawn->curve(curve)->nodes[idOf(node)].position - pointOf(point)).norm();
+        sight.distance(this->Drawn->curve(curve)->nodes[idOf(node)].position, pointOf(point));
       if (distance < least)
       {
         least = distance;
@@ -560,13 +572,14 @@ bool vtkFeatureCurveEditor::FindNode(const double point[3], double reach, int fo
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::FindSegment(const double point[3], double reach, int found[2]) const
 {
+  const SightMetric sight(pointOf(this->ViewDirection));
   double least = reach;
   for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
   {
     for (int segment = 0; segment < this->GetNumberOfSegments(curve); ++segment)
     {
       const double distance =
-        distanceTo(this->Drawn->curve(curve)->segments[idOf(segment)], pointOf(point));
+        distanceTo(this->Drawn->curve(curve)->segments[idOf(segment)], sight, pointOf(point));
       if (distance < least)
       {
         least = distance;

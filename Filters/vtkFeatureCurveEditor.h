@@ -207,6 +207,17 @@ public:
   vtkBooleanMacro(SnapToMirrorPlane, bool);
   ///@}
 
+  ///@{
+  /**
+   * The direction in which the user looks at the surface, for SnapPoint(), FindNode() and
+   * FindSegment(): along it distances count a tenth, since who aims at the side of a surface misses
+   * by much in depth. (0, 0, 0): all directions are alike. It is no change of the curves, and
+   * invokes no event. Default: (0, 0, 0).
+   */
+  void SetViewDirection(const double direction[3]);
+  vtkGetVector3Macro(ViewDirection, double);
+  ///@}
+
   /**
    * The point of the surface that is meant by a point near it: what lies within reach, in the unit
    * of length, draws it onto itself. First come single points (dart tips, nodes, corners), then
@@ -248,6 +259,7 @@ private:
 
   std::unique_ptr<Model> Drawn;
   std::string Message;
+  double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool SnapToBoundary = true;
   bool SnapToCorners = true;
   bool SnapToVertices = true;

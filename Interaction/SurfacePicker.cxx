@@ -13,6 +13,7 @@ namespace interaction
 namespace
 {
 constexpr int directions = 16;
+constexpr double leastFacing = 0.1;      // cosine; a surface seen from the very side has no end
 constexpr vtkIdType mirrorSamples = 500; // points, which tell a symmetry
 
 /// The point of the scene at a place in the window, at a depth from 0, near, to 1.
@@ -22,6 +23,19 @@ std::array<double, 3> worldAt(vtkRenderer* renderer, double x, double y, double 
   renderer->DisplayToWorld();
   const double* const world = renderer->GetWorldPoint();
   return { world[0] / world[3], world[1] / world[3], world[2] / world[3] };
+}
+
+/// Length of a pixel at a point, in the unit of the scene.
+double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
+{
+  renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* const display = renderer->GetDisplayPoint();
+  const double x = display[0];
+  const double y = display[1];
+  const double depth = display[2];
+  const std::array<double, 3> beside = worldAt(renderer, x + 1.0, y, depth);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), beside.data()));
 }
 }
 
@@ -37,28 +51,32 @@ void SurfacePicker::setSurface(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-bool SurfacePicker::pickPixel(
-  vtkRenderer* renderer, double x, double y, std::array<double, 3>& point) const
+bool SurfacePicker::pickPixel(vtkRenderer* renderer, double x, double y, SurfacePick& picked) const
 {
   const std::array<double, 3> start = worldAt(renderer, x, y, 0.0);
   const std::array<double, 3> end = worldAt(renderer, x, y, 1.0);
   double t = 0.0;
   double coordinates[3];
   int subId = 0;
-  vtkIdType cell = -1;
-  return this->Locator->IntersectWithLine(
-           start.data(), end.data(), 0.0, t, point.data(), coordinates, subId, cell) != 0;
+  vtkIdType id = -1;
+  if (this->Locator->IntersectWithLine(
+        start.data(), end.data(), 0.0, t, picked.point.data(), coordinates, subId, id) == 0)
+  {
+    return false;
+  }
+  picked.pixel = pixelSize(renderer, picked.point);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool SurfacePicker::pick(vtkRenderer* renderer, const std::array<int, 2>& pixel, int around,
-  std::array<double, 3>& point) const
+bool SurfacePicker::pick(
+  vtkRenderer* renderer, const std::array<int, 2>& pixel, int around, SurfacePick& picked) const
 {
   if (!this->Surface)
   {
     return false;
   }
-  if (this->pickPixel(renderer, pixel[0], pixel[1], point))
+  if (this->pickPixel(renderer, pixel[0], pixel[1], picked))
   {
     return true;
   }
@@ -68,7 +86,7 @@ bool SurfacePicker::pick(vtkRenderer* renderer, const std::array<int, 2>& pixel,
     {
       const double angle = 2.0 * vtkMath::Pi() * k / directions;
       if (this->pickPixel(renderer, pixel[0] + radius * std::cos(angle),
-            pixel[1] + radius * std::sin(angle), point))
+            pixel[1] + radius * std::sin(angle), picked))
       {
         return true;
       }
@@ -117,18 +135,5 @@ Symmetry SurfacePicker::symmetry() const
     }
   }
   return best;
-}
-
-//------------------------------------------------------------------------------
-double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
-{
-  renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
-  renderer->WorldToDisplay();
-  const double* const display = renderer->GetDisplayPoint();
-  const double x = display[0];
-  const double y = display[1];
-  const double depth = display[2];
-  const std::array<double, 3> beside = worldAt(renderer, x + 1.0, y, depth);
-  return std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), beside.data()));
 }
 }

@@ -18,6 +18,12 @@ struct Symmetry
   std::array<double, 3> normal{ 1.0, 0.0, 0.0 };
 };
 
+struct SurfacePick
+{
+  std::array<double, 3> point{};
+  double pixel = 0.0; ///< length of a pixel there, in the unit of the scene
+};
+
 /// The point of a surface that is seen at a place in the window.
 class SurfacePicker
 {
@@ -26,19 +32,16 @@ public:
 
   /// Looks at the pixels around as well, up to a distance, for who aims at the boundary and misses.
   /// \return whether the surface is seen there
-  bool pick(vtkRenderer* renderer, const std::array<int, 2>& pixel, int around,
-    std::array<double, 3>& point) const;
+  bool pick(
+    vtkRenderer* renderer, const std::array<int, 2>& pixel, int around, SurfacePick& picked) const;
   /// The plane through the middle of the surface, upright to an axis, in which the surface is most
   /// like its image.
   Symmetry symmetry() const;
 
 private:
-  bool pickPixel(vtkRenderer* renderer, double x, double y, std::array<double, 3>& point) const;
+  bool pickPixel(vtkRenderer* renderer, double x, double y, SurfacePick& picked) const;
 
   vtkNew<vtkStaticCellLocator> Locator;
   vtkSmartPointer<vtkPolyData> Surface;
 };
-
-/// Length of a pixel at a point, in the unit of the scene.
-double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point);
 }

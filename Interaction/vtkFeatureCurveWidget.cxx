@@ -2,6 +2,7 @@
 #include "vtkFeatureCurveWidget.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkFeatureCurveAlgorithm.h>
 #include <vtkFeatureCurveEditor.h>
@@ -96,7 +97,7 @@ void vtkFeatureCurveWidget::SetEditor(vtkFeatureCurveEditor* editor)
   if (editor)
   {
     this->EditorTag =
-      editor->AddObserver(vtkCommand::ModifiedEvent, this, &vtkFeatureCurveWidget::Redraw);
+      editor->AddObserver(vtkCommand::ModifiedEvent, this, &vtkFeatureCurveWidget::FollowEditor);
     this->Redraw();
   }
 }
@@ -173,23 +174,26 @@ vtkFeatureCurveWidget::Aim vtkFeatureCurveWidget::AimAt(int exceptCurve) const
   Aim aim;
   const int* const position = this->Interactor->GetEventPosition();
   const std::array<int, 2> pixel{ position[0], position[1] };
-  std::array<double, 3> point;
+  interaction::SurfacePick picked;
   if (!this->DefaultRenderer->IsInViewport(pixel[0], pixel[1]) ||
-    !this->Picker.pick(this->DefaultRenderer, pixel, this->Reach, point))
+    !this->Picker.pick(this->DefaultRenderer, pixel, this->Reach, picked))
   {
     return aim;
   }
   aim.onSurface = true;
-  const double reach = this->Reach * interaction::pixelSize(this->DefaultRenderer, point);
+  const double reach = this->Reach * picked.pixel;
+  const double* const point = picked.point.data();
+  double view[3];
+  this->DefaultRenderer->GetActiveCamera()->GetDirectionOfProjection(view);
+  this->Editor->SetViewDirection(view);
   const bool snap = this->Snapping && !this->Interactor->GetAltKey();
-  aim.snapped =
-    this->Editor->SnapPoint(point.data(), snap ? reach : 0.0, exceptCurve, aim.point.data());
+  aim.snapped = this->Editor->SnapPoint(point, snap ? reach : 0.0, exceptCurve, aim.point.data());
   int found[2];
-  if (this->Editor->FindNode(point.data(), reach, found))
+  if (this->Editor->FindNode(point, reach, found))
   {
     aim.node = { found[0], found[1] };
   }
-  if (this->Editor->FindSegment(point.data(), reach, found))
+  if (this->Editor->FindSegment(point, reach, found))
   {
     aim.line = { found[0], found[1] };
   }
@@ -400,6 +404,16 @@ void vtkFeatureCurveWidget::Choose(int curve, int node)
   }
   this->Redraw();
   this->UpdateHint({});
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::FollowEditor()
+{
+  this->Redraw();
+  if (this->State != Mode::Dragging)
+  {
+    this->UpdateHint({});
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -105,6 +105,7 @@ public:
    */
   vtkSetMacro(HandleKeys, bool);
   vtkGetMacro(HandleKeys, bool);
+  vtkBooleanMacro(HandleKeys, bool);
   ///@}
 
   ///@{
@@ -178,6 +179,7 @@ private:
   bool SetKind(int kind);
   bool ToggleMirror();
   bool Finished(bool done);
+  void FollowEditor();
   void SetHint(const std::string& hint);
   void UpdateHint(const Aim& aim);
   void Render();

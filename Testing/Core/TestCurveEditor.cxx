@@ -329,6 +329,7 @@ TEST(CurveSnapping, PointsComeBeforeLinesAndLinesBeforeVertices)
     };
     for (const Case& expected : { Case{ { 5.2, 8.7, 0 }, SnapTarget::DartTip, { 5, 8.5, 0 } },
            Case{ { 5.2, 4.4, 0 }, SnapTarget::Curve, { 5, 4.4, 0 } },
+           Case{ { 5.2, 4.1, 0 }, SnapTarget::Vertex, { 5, 4, 0 } },
            Case{ { 0.2, 0.1, 0 }, SnapTarget::Corner, { 0, 0, 0 } },
            Case{ { 12.5, 0.3, 0 }, SnapTarget::Boundary, { 12.5, 0, 0 } },
            Case{ { 12.1, 0.3, 0 }, SnapTarget::Vertex, { 12, 0, 0 } },
@@ -358,6 +359,23 @@ TEST(CurveSnapping, APointNearTheMirrorPlaneGoesOntoIt)
   EXPECT_LT(
     (editor.surface().pointNear(result.point.position).position - result.point.position).norm(),
     1e-9);
+}
+
+TEST(CurveSnapping, WhoLooksAtTheSideMissesInDepthAndStillHitsTheBoundary)
+{
+  const CurveEditor editor(drawing(plane()));
+  SnapOptions options;
+  options.reach = 0.3;
+  const SurfacePoint deep = editor.surface().pointNear({ 7.1, 1.6, 0 });
+  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), deep, options).target, SnapTarget::Nothing);
+  options.sight = SightMetric({ 0, 5, 0.1 });
+  const SnappedPoint snapped = snapPoint(editor.surface(), editor.state(), deep, options);
+  EXPECT_EQ(snapped.target, SnapTarget::Vertex);
+  EXPECT_EQ(snapped.point.position, Point3(7, 0, 0));
+  // What lies as far to the side stays out of reach.
+  const SurfacePoint beside = editor.surface().pointNear({ 1.6, 10.5, 0 });
+  EXPECT_EQ(
+    snapPoint(editor.surface(), editor.state(), beside, options).target, SnapTarget::Nothing);
 }
 
 TEST(CurveSnapping, TheCurveThatIsMovedDoesNotHoldItsNode)

@@ -8,21 +8,23 @@ namespace flattening
 namespace
 {
 constexpr double vertexReach = 1.0 / 3.0; // of the longest edge there
+constexpr double depthWeight = 0.1;
 
 /// Keeps the nearest of what is offered within reach.
 class Nearest
 {
 public:
-  Nearest(const SurfacePoint& point, double reach)
+  Nearest(const SurfacePoint& point, const SnapOptions& options)
     : Point(point)
-    , Least(reach)
+    , Sight(options.sight)
+    , Least(options.reach)
   {
     this->Found.point = point;
   }
 
   void offer(const SurfacePoint& candidate, SnapTarget target, Index curve = none)
   {
-    const double distance = (candidate.position - this->Point.position).norm();
+    const double distance = this->Sight.distance(candidate.position, this->Point.position);
     if (distance < this->Least)
     {
       this->Least = distance;
@@ -33,18 +35,11 @@ public:
   const SnappedPoint& result() const { return this->Found; }
 
 private:
-  const SurfacePoint& Point;
+  SurfacePoint Point;
+  SightMetric Sight;
   double Least;
   SnappedPoint Found;
 };
-
-/// Fraction of a segment at its point nearest to another.
-double nearestFraction(const Point3& a, const Point3& b, const Point3& point)
-{
-  const Point3 side = b - a;
-  const double square = side.squaredNorm();
-  return square > 0.0 ? std::clamp(side.dot(point - a) / square, 0.0, 1.0) : 0.0;
-}
 
 bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
 {
@@ -71,13 +66,14 @@ void offerNodes(
   }
 }
 
-void offerBoundary(const DrawingSurface& surface, const Point3& point, Nearest& nearest)
+void offerBoundary(
+  const DrawingSurface& surface, const SightMetric& sight, const Point3& point, Nearest& nearest)
 {
   const TriangleMesh& mesh = surface.mesh();
   for (const Index h : surface.boundary())
   {
     const double fraction =
-      nearestFraction(mesh.point(mesh.from(h)), mesh.point(mesh.to(h)), point);
+      sight.nearestFraction(mesh.point(mesh.from(h)), mesh.point(mesh.to(h)), point);
     nearest.offer(fraction == 0.0 ? vertexPoint(mesh, mesh.from(h))
         : fraction == 1.0         ? vertexPoint(mesh, mesh.to(h))
                                   : edgePoint(mesh, h, fraction),
@@ -104,7 +100,7 @@ void offerCurves(const DrawingSurface& surface, const CurveSet& set, const SnapO
         const Point3& a = segment.points[k - 1].position;
         const Point3& b = segment.points[k].position;
         SurfacePoint place;
-        place.position = a + nearestFraction(a, b, point) * (b - a);
+        place.position = a + options.sight.nearestFraction(a, b, point) * (b - a);
         onCurve.offer(place, SnapTarget::Curve, id);
         best = onCurve.result().curve == id ? onCurve.result().point.position : best;
       }
@@ -117,7 +113,7 @@ void offerCurves(const DrawingSurface& surface, const CurveSet& set, const SnapO
 }
 
 /// The place in the point's triangle, or in that under its foot, where the surface meets the plane.
-void offerMirror(const DrawingSurface& surface, const MirrorPlane& mirror,
+void offerMirror(const DrawingSurface& surface, const SightMetric& sight, const MirrorPlane& mirror,
   const SurfacePoint& point, Nearest& nearest)
 {
   const TriangleMesh& mesh = surface.mesh();
@@ -140,27 +136,50 @@ void offerMirror(const DrawingSurface& surface, const MirrorPlane& mirror,
     {
       const Point3& a = crossings[0];
       const Point3& b = crossings[k];
-      nearest.offer(surface.pointNear(a + nearestFraction(a, b, point.position) * (b - a)),
+      nearest.offer(surface.pointNear(a + sight.nearestFraction(a, b, point.position) * (b - a)),
         SnapTarget::MirrorPlane);
     }
   }
 }
 
-void offerVertices(const DrawingSurface& surface, const SurfacePoint& near, const Point3& point,
-  double reach, bool boundaryOnly, SnappedPoint& result)
+bool passes(const EditedCurve& curve, Index vertex)
+{
+  for (const SurfacePath& segment : curve.segments)
+  {
+    for (const SurfacePoint& point : segment.points)
+    {
+      if (point.carrier == Carrier::Vertex && point.id == vertex)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The nearest vertex around a place; where it is on a line, one of the line's.
+void offerVertices(
+  const DrawingSurface& surface, const CurveSet& set, double reach, SnappedPoint& result)
 {
   const TriangleMesh& mesh = surface.mesh();
-  for (const Index t : trianglesAround(mesh, near))
+  const SnappedPoint place = result;
+  const auto fits = [&](Index v) {
+    return place.target == SnapTarget::Nothing ||
+      (place.target == SnapTarget::Boundary && mesh.onBoundary(v)) ||
+      (place.target == SnapTarget::Curve &&
+        passes(*set.curves[static_cast<std::size_t>(place.curve)], v));
+  };
+  double nearest = reach;
+  for (const Index t : trianglesAround(mesh, place.point))
   {
     const double longest =
       std::max({ mesh.length(3 * t), mesh.length(3 * t + 1), mesh.length(3 * t + 2) });
-    double least = std::min(reach, vertexReach * longest);
     for (const Index v : mesh.triangle(t))
     {
-      const double distance = (mesh.point(v) - point).norm();
-      if (distance < least && (!boundaryOnly || mesh.onBoundary(v)))
+      const double distance = (mesh.point(v) - place.point.position).norm();
+      if (distance < std::min(nearest, vertexReach * longest) && fits(v))
       {
-        least = distance;
+        nearest = distance;
         result = { vertexPoint(mesh, v), SnapTarget::Vertex, none };
       }
     }
@@ -168,10 +187,27 @@ void offerVertices(const DrawingSurface& surface, const SurfacePoint& near, cons
 }
 }
 
+SightMetric::SightMetric(const Point3& direction)
+  : Direction(direction.norm() > 0.0 ? Point3(direction.normalized()) : Point3(Point3::Zero()))
+{
+}
+
+Point3 SightMetric::seen(const Point3& difference) const
+{
+  return difference - (1.0 - depthWeight) * this->Direction.dot(difference) * this->Direction;
+}
+
+double SightMetric::nearestFraction(const Point3& a, const Point3& b, const Point3& point) const
+{
+  const Point3 side = this->seen(b - a);
+  const double square = side.squaredNorm();
+  return square > 0.0 ? std::clamp(side.dot(this->seen(point - a)) / square, 0.0, 1.0) : 0.0;
+}
+
 SnappedPoint snapPoint(const DrawingSurface& surface, const CurveSet& curves,
   const SurfacePoint& point, const SnapOptions& options)
 {
-  Nearest points(point, options.reach);
+  Nearest points(point, options);
   offerNodes(surface, curves, options, points);
   for (const Index corner : options.corner ? surface.corners() : Indices())
   {
@@ -181,10 +217,10 @@ SnappedPoint snapPoint(const DrawingSurface& surface, const CurveSet& curves,
   {
     return points.result();
   }
-  Nearest lines(point, options.reach);
+  Nearest lines(point, options);
   if (options.boundary)
   {
-    offerBoundary(surface, point.position, lines);
+    offerBoundary(surface, options.sight, point.position, lines);
   }
   if (options.curve)
   {
@@ -192,13 +228,12 @@ SnappedPoint snapPoint(const DrawingSurface& surface, const CurveSet& curves,
   }
   if (options.mirrorPlane && curves.mirror)
   {
-    offerMirror(surface, *curves.mirror, point, lines);
+    offerMirror(surface, options.sight, *curves.mirror, point, lines);
   }
   SnappedPoint result = lines.result();
-  const bool onBoundary = result.target == SnapTarget::Boundary;
-  if (options.vertex && (!lines.found() || onBoundary))
+  if (options.vertex)
   {
-    offerVertices(surface, result.point, point.position, options.reach, onBoundary, result);
+    offerVertices(surface, curves, options.reach, result);
   }
   return result;
 }

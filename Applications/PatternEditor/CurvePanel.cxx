@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurvePanel.h"
+
+#include <vtkFeatureCurveEditor.h>
+
+#include <QFormLayout>
+#include <QVBoxLayout>
+
+namespace editor
+{
+namespace
+{
+constexpr const char* typeNames[] = { "accessory", "key", "dart", "seam" };
+constexpr double percent = 100.0;
+}
+
+//------------------------------------------------------------------------------
+CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
+  : Curves(curves)
+  , List(new QListWidget(this))
+  , Name(new QLineEdit(this))
+  , Type(new QComboBox(this))
+  , Straight(new QCheckBox("straight in the plane (key)", this))
+  , Mirrored(new QCheckBox("on both sides of the mirror plane", this))
+  , Tolerance(new QDoubleSpinBox(this))
+  , Length(new QLabel(this))
+{
+  for (const char* type : typeNames)
+  {
+    this->Type->addItem(type);
+  }
+  this->Tolerance->setRange(0.0, 99.0);
+  this->Tolerance->setDecimals(2);
+  this->Tolerance->setSuffix(" %");
+  this->List->setToolTip("The curves; click one to choose it.");
+  this->Tolerance->setToolTip("How far the length may go from that on the surface; 0: not at all.");
+  auto* const form = new QFormLayout;
+  form->addRow("Name", this->Name);
+  form->addRow("Type", this->Type);
+  form->addRow("", this->Straight);
+  form->addRow("", this->Mirrored);
+  form->addRow("Tolerance", this->Tolerance);
+  form->addRow("Length", this->Length);
+  auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(this->List, 1);
+  layout->addLayout(form);
+
+  connect(this->List, &QListWidget::currentRowChanged, [this](int row) {
+    if (!this->Showing && this->onChoose)
+    {
+      this->onChoose(row);
+    }
+  });
+  connect(this->Name, &QLineEdit::editingFinished, [this] {
+    const std::string name = this->Name->text().toStdString();
+    if (!this->Showing && name != this->Curves->GetCurveName(this->Chosen))
+    {
+      this->apply(this->Curves->SetCurveName(this->Chosen, name));
+    }
+  });
+  connect(this->Type, QOverload<int>::of(&QComboBox::activated),
+    [this](int type) { this->apply(this->Curves->SetCurveType(this->Chosen, type)); });
+  connect(this->Straight, &QCheckBox::clicked,
+    [this](bool on) { this->apply(this->Curves->SetCurveKeyShape(this->Chosen, on ? 1 : 0)); });
+  connect(this->Mirrored, &QCheckBox::clicked,
+    [this](bool on) { this->apply(this->Curves->SetCurveMirrored(this->Chosen, on)); });
+  connect(this->Tolerance, &QDoubleSpinBox::editingFinished, [this] {
+    const double tolerance = this->Tolerance->value() / percent;
+    if (!this->Showing && tolerance != this->Curves->GetCurveTolerance(this->Chosen))
+    {
+      this->apply(this->Curves->SetCurveTolerance(this->Chosen, tolerance));
+    }
+  });
+  this->show(-1);
+}
+
+//------------------------------------------------------------------------------
+void CurvePanel::apply(bool done)
+{
+  if (!done)
+  {
+    const std::string why = this->Curves->GetMessage();
+    this->showChosen();
+    this->onRefusal(why);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CurvePanel::show(int chosen)
+{
+  this->Showing = true;
+  this->Chosen = chosen;
+  const int count = this->Curves->GetNumberOfCurves();
+  while (this->List->count() > count)
+  {
+    delete this->List->takeItem(this->List->count() - 1);
+  }
+  for (int curve = 0; curve < count; ++curve)
+  {
+    if (curve == this->List->count())
+    {
+      this->List->addItem("");
+    }
+    this->List->item(curve)->setText(
+      QString("%1  -  %2, %3")
+        .arg(QString::fromStdString(this->Curves->GetCurveName(curve)))
+        .arg(typeNames[this->Curves->GetCurveType(curve)])
+        .arg(this->Curves->GetCurveLength(curve), 0, 'g', 4));
+  }
+  this->List->setCurrentRow(chosen);
+  this->Showing = false;
+  this->showChosen();
+}
+
+//------------------------------------------------------------------------------
+void CurvePanel::showChosen()
+{
+  this->Showing = true;
+  const int curve = this->Chosen;
+  for (QWidget* field : std::initializer_list<QWidget*>{
+         this->Name, this->Type, this->Straight, this->Mirrored, this->Tolerance })
+  {
+    field->setEnabled(curve >= 0);
+  }
+  if (!this->Name->hasFocus() || !this->Name->isModified())
+  {
+    this->Name->setText(QString::fromStdString(this->Curves->GetCurveName(curve)));
+  }
+  this->Type->setCurrentIndex(this->Curves->GetCurveType(curve));
+  this->Straight->setChecked(this->Curves->GetCurveKeyShape(curve) != 0);
+  this->Mirrored->setChecked(this->Curves->GetCurveMirrored(curve));
+  this->Mirrored->setEnabled(curve >= 0 && this->Curves->HasMirrorPlane());
+  this->Tolerance->setValue(percent * this->Curves->GetCurveTolerance(curve));
+  this->Length->setText(
+    curve < 0 ? "" : QString::number(this->Curves->GetCurveLength(curve), 'g', 6));
+  this->Showing = false;
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Coloring.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+
+namespace editor
+{
+/// The surface to draw on, in the colours of the measures.
+class SpaceView
+{
+public:
+  explicit SpaceView(vtkRenderer* renderer);
+
+  /// Looks at it from where most of it is seen.
+  void setSurface(const figures::PolyData& surface);
+  void color(const figures::FlatPiece& piece, figures::Coloring coloring);
+  void setEdges(bool shown);
+  void resetCamera();
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  figures::PolyData Surface;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkPolyDataMapper> EdgeMapper;
+  vtkNew<vtkActor> Boundary;
+};
+}
