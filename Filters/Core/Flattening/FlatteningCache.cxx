@@ -49,6 +49,7 @@ void FlatteningCache::renew(const TriangleMesh& surface, CurveLabels labels, boo
   {
     WiredPiece& wired = this->pieces[p];
     wired.piece = std::move(renewed[p]);
+    wired.disk = this->topology.ok();
     wired.network.reset();
     wired.interiors.current = false;
     wired.measures.reset();

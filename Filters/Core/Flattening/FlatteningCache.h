@@ -16,6 +16,7 @@ namespace flattening
 struct WiredPiece
 {
   Piece piece;
+  bool disk = false; ///< known to have a boundary and no handles
   std::optional<WireNetwork> network;
   InteriorSystems interiors;
   std::optional<SurfaceMeasures> measures;

@@ -27,7 +27,7 @@ PieceContext contextOf(
 {
   if (!wired.network)
   {
-    wired.network = buildWireNetwork(wired.piece);
+    wired.network = buildWireNetwork(wired.piece, wired.disk);
   }
   return { wired.piece, *wired.network, settings.cut, settings.curves, settings.options, execution,
     keep ? &wired.interiors : nullptr };

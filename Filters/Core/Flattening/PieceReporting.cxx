@@ -101,7 +101,7 @@ PieceReport reportPiece(const PieceContext& context, const FlatWires& flat)
   report.wirePatches = network.patchCount;
   report.wireNodes = network.nodeCount();
   report.freeWireNodes = network.nodeCount();
-  report.boundaryLoops = static_cast<Index>(piece.mesh.boundaryLoops().size());
+  report.boundaryLoops = network.boundaryLoops;
   report.wired = std::any_of(piece.curveOfHalfedge.begin(), piece.curveOfHalfedge.end(),
     [](Index curve) { return curve != none; });
   report.status = flat.status;

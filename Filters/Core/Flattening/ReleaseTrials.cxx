@@ -50,13 +50,7 @@ ReleaseTrial tryWithoutWire(const PieceContext& context, const CurveRules& rules
 {
   Piece bare = context.piece;
   std::replace(bare.curveOfHalfedge.begin(), bare.curveOfHalfedge.end(), curve, none);
-  const WireNetwork fewer = buildWireNetwork(bare);
-  if (!fewer.status.ok())
-  {
-    ReleaseTrial trial;
-    trial.curve = curve;
-    return trial;
-  }
+  const WireNetwork fewer = buildWireNetwork(bare, true);
   return measureTrial(
     { bare, fewer, context.cut, context.curves, context.options, context.execution }, rules, curve);
 }

@@ -26,14 +26,18 @@ public:
   {
   }
 
-  WireNetwork build()
+  WireNetwork build(bool disk)
   {
-    this->Network.status = refusalOf({ findDefect(this->Source) });
+    if (!disk)
+    {
+      this->Network.status = refusalOf({ findDefect(this->Source) });
+    }
     if (!this->Network.status.ok())
     {
       return std::move(this->Network);
     }
     this->BoundaryLoops = this->Mesh.boundaryLoops();
+    this->Network.boundaryLoops = static_cast<Index>(this->BoundaryLoops.size());
     this->putOuterLoopFirst();
     this->markWires();
     this->findPatches();
@@ -297,8 +301,8 @@ private:
 };
 }
 
-WireNetwork buildWireNetwork(const Piece& piece)
+WireNetwork buildWireNetwork(const Piece& piece, bool disk)
 {
-  return Builder(piece).build();
+  return Builder(piece).build(disk);
 }
 }

@@ -58,6 +58,9 @@ struct WireNetwork
   /// Per piece vertex its place in hostVertices, else none.
   Indices hostOfVertex;
 
+  /// Of the piece, the outer boundary and holes.
+  Index boundaryLoops = 0;
+
   Status status;
 
   Index nodeCount() const { return static_cast<Index>(this->vertex.size()); }
@@ -73,6 +76,7 @@ struct WireNetwork
 /// Finds wires, nodes, loops and patches of one piece.
 ///
 /// Boundary loops and wires that are not joined to the outer boundary are joined to it by
-/// connectors along shortest paths of mesh edges. Errors: ClosedSurface, Handle (ids: triangles).
-WireNetwork buildWireNetwork(const Piece& piece);
+/// connectors along shortest paths of mesh edges. \param disk that the piece has a boundary and no
+/// handles is known. Errors, where it is not: ClosedSurface, Handle (ids: triangles).
+WireNetwork buildWireNetwork(const Piece& piece, bool disk = false);
 }
