@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
+#include "StatusTesting.h"
 #include "Surface/SurfacePreparation.h"
 #include "WiredSurface.h"
 
@@ -14,6 +15,7 @@
 #include <sstream>
 
 using namespace flattening;
+using namespace statustesting;
 using namespace testmeshes;
 
 /// Makes every status of Documentation/errors.md happen.
@@ -21,21 +23,6 @@ namespace
 {
 const Points3 square{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) };
 const Triangles squareTriangles{ { 0, 1, 2 }, { 0, 2, 3 } };
-
-/// The code of a status, which names the defect and a way out wherever it is not Ok.
-StatusCode codeOf(const Status& status)
-{
-  EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
-  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.waysOut.empty())
-    << status.message;
-  return status.code;
-}
-
-bool has(const Status& status, Remedy remedy)
-{
-  return std::any_of(status.waysOut.begin(), status.waysOut.end(),
-    [remedy](const WayOut& wayOut) { return wayOut.remedy == remedy; });
-}
 
 StatusCode prepare(const Points3& points, const Triangles& triangles)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What statuses say is the case: which of several, which wires and keys, and a way out that is one.
 #include "Flattening/SurfaceFlattening.h"
+#include "StatusTesting.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -8,25 +9,11 @@
 #include <algorithm>
 
 using namespace flattening;
+using namespace statustesting;
 using namespace testmeshes;
 
 namespace
 {
-/// The code of a status, which names the defect and a way out wherever it is not Ok.
-StatusCode codeOf(const Status& status)
-{
-  EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
-  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.waysOut.empty())
-    << status.message;
-  return status.code;
-}
-
-bool has(const Status& status, Remedy remedy)
-{
-  return std::any_of(status.waysOut.begin(), status.waysOut.end(),
-    [remedy](const WayOut& wayOut) { return wayOut.remedy == remedy; });
-}
-
 FeatureCurve curve(const std::string& name, CurveType type)
 {
   FeatureCurve made;
@@ -243,4 +230,52 @@ TEST(StatusTruth, KeysThatCannotKeepTheirShapesAreNamedWithAWayOut)
     }
   }
   EXPECT_GT(clashes, 5);
+}
+
+TEST(StatusTruth, KeysWhoseReleaseDoesNotHelpAreAllNamedAndKept)
+{
+  // The patch in the middle has all its angles prescribed, and they are not those of a flat one. In
+  // a corner, away from the keys, a spike all of whose edges are wires cannot be laid flat.
+  Surface surface = cushion(10, 10, 0.3);
+  Points3 points = surface.mesh.points();
+  const Index top = 12;
+  points[top].z() += 1.0;
+  surface.mesh = TriangleMesh(std::move(points), surface.mesh.triangles());
+  surface.curves = { rowCurve(10, 4), rowCurve(10, 8), columnCurve(10, 10, 4),
+    columnCurve(10, 10, 8) };
+  for (FeatureCurve& key : surface.curves)
+  {
+    key.type = CurveType::Key;
+  }
+  FeatureCurve ring = curve("ring", CurveType::Accessory);
+  Index h = surface.mesh.outgoing(top);
+  do
+  {
+    const Index around = surface.mesh.to(h);
+    ring.vertices.push_back(around);
+    surface.curves.push_back(curve("ridge " + std::to_string(around), CurveType::Accessory));
+    surface.curves.back().vertices = { top, around };
+    h = surface.mesh.counterClockwise(h);
+  } while (h != surface.mesh.outgoing(top));
+  ring.vertices.push_back(ring.vertices.front());
+  surface.curves.push_back(ring);
+
+  FlatteningOptions options;
+  options.scheme = Scheme::Global;
+  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+  const Status& status = result.status;
+  EXPECT_EQ(codeOf(status), StatusCode::LengthError);
+  EXPECT_NE(status.message.find("giving up all of them does not help alone"), std::string::npos)
+    << status.message;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    EXPECT_NE(status.message.find('"' + surface.curves[c].name + '"'), std::string::npos);
+    EXPECT_FALSE(result.curves[c].released);
+  }
+  EXPECT_TRUE(has(status, Remedy::MakeAccessory));
+  // Without the spike their release does help.
+  surface.curves.resize(4);
+  const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, options, {});
+  EXPECT_EQ(without.status.code, StatusCode::IncompatibleKeys) << without.status.message;
+  EXPECT_FALSE(without.pieces[0].released.empty());
 }

@@ -11,9 +11,8 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from surfaces import DATA, points_of, polylines_of, triangles_of
+from surfaces import DATA, points_of, polylines_of, read_file, triangles_of
 
 COMMAND = os.environ["WIREWARP"]
 FLIPPED_STRAIN = 100.0
@@ -54,15 +53,10 @@ class Output:
     """What the command has written, and what numpy makes of points and triangles alone."""
 
     def __init__(self, folder):
-        def read(name):
-            reader = vtkXMLPolyDataReader()
-            reader.SetFileName(os.path.join(folder, name))
-            reader.Update()
-            return reader.GetOutput()
-
         with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
             self.report = json.load(file)
-        self.flat, self.wires, cut = read("flat.vtp"), read("wires.vtp"), read("cut.vtp")
+        self.flat, self.wires, cut = (
+            read_file(os.path.join(folder, name)) for name in ("flat.vtp", "wires.vtp", "cut.vtp"))
         self.plane, self.space = points_of(self.flat), points_of(cut)
         self.triangles = triangles_of(self.flat)
         self.chains = polylines_of(self.wires)

@@ -4,14 +4,8 @@ cosines, stretches by singular values, pieces and wire-patches by walking over t
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-
-def read_file(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput()
+from surfaces import points_of, polylines_of, read_file, triangles_of
 
 
 def arrays_of(attributes):
@@ -24,20 +18,6 @@ def arrays_of(attributes):
         else:
             result[array.GetName()] = [array.GetValue(row) for row in range(array.GetNumberOfValues())]
     return result
-
-
-def points_of(polydata):
-    return np.array(vtk_to_numpy(polydata.GetPoints().GetData()), float)
-
-
-def triangles_of(polydata):
-    return np.array(vtk_to_numpy(polydata.GetPolys().GetConnectivityArray())).reshape(-1, 3)
-
-
-def polylines_of(polydata):
-    offsets = vtk_to_numpy(polydata.GetLines().GetOffsetsArray())
-    ids = vtk_to_numpy(polydata.GetLines().GetConnectivityArray())
-    return [np.array(ids[a:b]) for a, b in zip(offsets[:-1], offsets[1:])]
 
 
 def corner_angles(points, triangles):

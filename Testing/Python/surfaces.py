@@ -11,12 +11,16 @@ SOURCE = os.environ["FLATTENING_SOURCE"]
 DATA = os.path.join(SOURCE, "Data")
 
 
-def read(name):
-    """A vtkPolyData of Data/."""
+def read_file(path):
     reader = vtkXMLPolyDataReader()
-    reader.SetFileName(os.path.join(DATA, name + ".vtp"))
+    reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
+
+
+def read(name):
+    """A vtkPolyData of Data/."""
+    return read_file(os.path.join(DATA, name + ".vtp"))
 
 
 def points_of(polydata):

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+/// What holds for every status.
+namespace statustesting
+{
+using namespace flattening;
+
+/// The code of a status, which names the defect and a way out wherever it is not Ok.
+inline StatusCode codeOf(const Status& status)
+{
+  EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
+  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.waysOut.empty())
+    << status.message;
+  return status.code;
+}
+
+inline bool has(const Status& status, Remedy remedy)
+{
+  return std::any_of(status.waysOut.begin(), status.waysOut.end(),
+    [remedy](const WayOut& wayOut) { return wayOut.remedy == remedy; });
+}
+}
