@@ -87,7 +87,7 @@ struct Verdict
   std::string fault; ///< empty where all is as it must be
   StatusCode code = StatusCode::Ok;
   Index triangles = 0;
-  double seconds = 0.0;
+  double seconds = 0.0; ///< of the processor
 };
 
 /// The whole way as vtkWireWarpingFilter goes it: preparation, imprint, flattening; then checks of
