@@ -69,5 +69,5 @@ def show_beside(flattening):
     return space, plane
 
 
-if __name__ == "__main__":
+if __name__ in ("__main__", "__vtkconsole__"):  # the latter is the name that ParaView runs macros under
     show_beside(pv.GetActiveSource())

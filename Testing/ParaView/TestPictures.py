@@ -2,6 +2,7 @@
 """Screenshots equal the baselines, and a wrong one would not."""
 
 import os
+import runpy
 import shutil
 import subprocess
 import sys
@@ -110,6 +111,16 @@ class Pictures(unittest.TestCase):
         self.assertEqual(ports[plane], {(flattening.SMProxy, 0), (flattening.SMProxy, 1)})
         with self.assertRaisesRegex(RuntimeError, "select"):
             show_beside(flattening.Input)
+
+    def test_the_macro_shows_the_pieces_of_the_active_source(self):
+        flattening = pv.WireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))
+        pv.SetActiveView(pv.CreateView("RenderView"))
+        pv.SetActiveSource(flattening)
+        before = len(pv.GetViews())
+        # As ParaView's window runs it: pqPythonMacroSupervisor, the shell's module.
+        runpy.run_path(os.path.join(SOURCE, "Examples", "ParaView", "flat_beside.py"),
+                       run_name="__vtkconsole__")
+        self.assertEqual(len(pv.GetViews()), before + 1)
 
 
 if __name__ == "__main__":
