@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/WireConnectors.h"
 
+#include "Base/Grouping.h"
 #include "Surface/VertexFan.h"
 
 #include <functional>
@@ -35,60 +36,101 @@ private:
   Indices Parent;
 };
 
-/// Shortest path from the vertices marked as sources to the nearest wire vertex of another
-/// component.
-Indices shortestPath(const TriangleMesh& mesh, const std::vector<char>& onWire,
-  Components& components, Index rootComponent)
+/// Shortest paths from the wires that hang together to the next of the others, one after the other:
+/// Prim's algorithm on Dijkstra's. What is joined becomes a source of the search, which goes on, so
+/// that distances only fall; of equally short paths that is taken which a search from the start
+/// would find.
+class ConnectorSearch
 {
-  using Entry = std::pair<double, Index>;
-  const double far = std::numeric_limits<double>::infinity();
-  std::vector<double> distance(mesh.vertexCount(), far);
-  Indices arrival(mesh.vertexCount(), none);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
+public:
+  explicit ConnectorSearch(const TriangleMesh& mesh)
+    : Mesh(mesh)
+    , Distance(mesh.vertexCount(), std::numeric_limits<double>::infinity())
+    , Arrival(mesh.vertexCount(), none)
   {
-    if (onWire[v] && components.find(v) == rootComponent)
-    {
-      distance[v] = 0.0;
-      queue.push({ 0.0, v });
-    }
   }
-  auto relax = [&](Index h, Index source, Index target, double d) {
-    const double candidate = d + mesh.length(h);
-    if (distance[source] == d && candidate < distance[target])
-    {
-      distance[target] = candidate;
-      arrival[target] = h;
-      queue.push({ candidate, target });
-    }
-  };
-  while (!queue.empty())
+
+  void addSource(Index v)
   {
-    const auto [d, v] = queue.top();
-    queue.pop();
-    if (d > distance[v])
+    this->Distance[v] = 0.0;
+    this->Arrival[v] = none;
+    this->Queue.push({ 0.0, v });
+  }
+
+  /// The half-edges to the nearest wire vertex that is no source, from there back; empty where
+  /// there is none.
+  Indices next(const std::vector<char>& onWire)
+  {
+    while (!this->Queue.empty())
     {
-      continue;
-    }
-    if (onWire[v] && d > 0.0)
-    {
-      Indices path;
-      for (Index at = v; arrival[at] != none;)
+      const auto [d, v] = this->Queue.top();
+      this->Queue.pop();
+      if (d > this->Distance[v])
       {
-        const Index h = arrival[at];
-        path.push_back(h);
-        at = mesh.from(h) == at ? mesh.to(h) : mesh.from(h);
+        continue;
       }
-      return path;
+      if (onWire[v] && d > 0.0)
+      {
+        return this->pathTo(v);
+      }
+      for (Index h : VertexFan(this->Mesh, v))
+      {
+        this->relax(h, v, this->Mesh.to(h));
+        this->relax(TriangleMesh::previous(h), v, this->Mesh.from(TriangleMesh::previous(h)));
+      }
     }
-    for (Index h : VertexFan(mesh, v))
+    return {};
+  }
+
+private:
+  using Entry = std::pair<double, Index>;
+
+  Index otherEnd(Index h, Index end) const
+  {
+    return this->Mesh.from(h) == end ? this->Mesh.to(h) : this->Mesh.from(h);
+  }
+
+  /// Whether the search comes to the source before the vertex from which the target is reached now.
+  bool comesFirst(Index source, Index target) const
+  {
+    if (this->Arrival[target] == none)
     {
-      relax(h, v, mesh.to(h), d);
-      relax(TriangleMesh::previous(h), v, mesh.from(TriangleMesh::previous(h)), d);
+      return false; // a source itself
+    }
+    const Index before = this->otherEnd(this->Arrival[target], target);
+    return Entry(this->Distance[source], source) < Entry(this->Distance[before], before);
+  }
+
+  void relax(Index h, Index source, Index target)
+  {
+    const double candidate = this->Distance[source] + this->Mesh.length(h);
+    if (candidate < this->Distance[target])
+    {
+      this->Distance[target] = candidate;
+      this->Arrival[target] = h;
+      this->Queue.push({ candidate, target });
+    }
+    else if (candidate == this->Distance[target] && this->comesFirst(source, target))
+    {
+      this->Arrival[target] = h;
     }
   }
-  return {};
-}
+
+  Indices pathTo(Index v) const
+  {
+    Indices path;
+    for (Index at = v; this->Arrival[at] != none; at = this->otherEnd(path.back(), at))
+    {
+      path.push_back(this->Arrival[at]);
+    }
+    return path;
+  }
+
+  const TriangleMesh& Mesh;
+  std::vector<double> Distance;
+  Indices Arrival;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Queue;
+};
 }
 
 Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire, Index root)
@@ -103,20 +145,42 @@ Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire
       components.join(mesh.from(h), mesh.to(h));
     }
   }
-  Index separate = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-  {
-    separate += onWire[v] && components.find(v) == v ? 1 : 0;
-  }
+  const Grouping wires =
+    groupMembers(static_cast<std::size_t>(mesh.vertexCount()), [&](const auto& visit) {
+      for (Index v = 0; v < mesh.vertexCount(); ++v)
+      {
+        if (onWire[v])
+        {
+          visit(components.find(v), v);
+        }
+      }
+    });
+  ConnectorSearch search(mesh);
+  std::vector<char> joined(mesh.vertexCount(), 0);
+  const auto join = [&](Index component) {
+    if (joined[component])
+    {
+      return;
+    }
+    joined[component] = 1;
+    for (Index v : wires[component])
+    {
+      search.addSource(v);
+    }
+  };
+  join(components.find(root));
   Indices connectors;
-  for (; separate > 1; --separate)
+  for (Indices path = search.next(onWire); !path.empty(); path = search.next(onWire))
   {
-    const Indices path = shortestPath(mesh, onWire, components, components.find(root));
     for (Index h : path)
     {
       connectors.push_back(h);
-      onWire[mesh.from(h)] = onWire[mesh.to(h)] = 1;
-      components.join(mesh.from(h), mesh.to(h));
+      for (Index v : { mesh.from(h), mesh.to(h) })
+      {
+        join(components.find(v));
+        onWire[v] = 1;
+        search.addSource(v);
+      }
     }
   }
   return connectors;
