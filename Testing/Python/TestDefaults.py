@@ -3,12 +3,14 @@
 defaults: the filters'. Testing/Cxx compares those with the algorithms', TestPluginDescription.py the
 plugin's with them."""
 
+import ast
 import glob
 import inspect
 import os
 import re
 import subprocess
 import sys
+import typing
 import unittest
 
 import surfaceflattening as sf
@@ -76,8 +78,18 @@ PARAMETERS = {
     "pins": ("ConformalPins", None),
     "max_iterations": ("MaximumIterations", None),
     "max_length_error": ("MaximumLengthError", None),
+    "closure_tolerance": ("ClosureTolerance", None),
+    "optimality_tolerance": ("OptimalityTolerance", None),
+    "relaxation_factor": ("RelaxationFactor", None),
+    "relaxation_movement": ("RelaxationMovement", None),
+    "relaxation_min_iterations": ("RelaxationMinimumIterations", None),
+    "relaxation_max_iterations": ("RelaxationMaximumIterations", None),
+    "rigid_tolerance": ("RigidEnergyTolerance", None),
+    "rigid_iterations": ("RigidMaximumIterations", None),
+    "isometric_tolerance": ("IsometricTolerance", None),
+    "isometric_iterations": ("IsometricMaximumIterations", None),
 }
-OTHER_PARAMETERS = {"points", "triangles", "curves", "paper_method", "progress"}
+OTHER_PARAMETERS = {"points", "triangles", "curves", "paper_method", "progress", "tolerance"}
 
 
 def default_of(name, words=None, filter_=None):
@@ -135,6 +147,31 @@ class Defaults(unittest.TestCase):
         self.assertEqual(set(parameters), set(PARAMETERS) | OTHER_PARAMETERS)
         for parameter, (name, words) in PARAMETERS.items():
             self.assertEqual(parameters[parameter].default, default_of(name, words), parameter)
+
+    def test_flatten_has_each_option_of_the_command_under_its_name(self):
+        parameters = set(inspect.signature(sf.flatten).parameters)
+        for option in set(OPTIONS) | set(FLAGS) | WITHOUT_DEFAULT:
+            name = option[2:].replace("-", "_")
+            if name == "no_split":
+                name = "split_triangles"
+            self.assertIn(name[3:] if name.startswith("no_") else name, parameters)
+
+    def test_type_checkers_are_told_the_same_options_and_defaults(self):
+        stub = os.path.join(os.path.dirname(sf.__file__), "_flatten.pyi")
+        with open(stub, encoding="utf-8") as file:
+            functions = [node for node in ast.parse(file.read()).body if isinstance(node, ast.FunctionDef)]
+        self.assertEqual([node.name for node in functions], ["flatten", "flatten_polydata"])
+        words = {name: words for name, (_, words) in PARAMETERS.items() if words}
+        for node in functions:
+            told = {argument.arg: ast.literal_eval(default)
+                    for argument, default in zip(node.args.kwonlyargs, node.args.kw_defaults)}
+            parameters = inspect.signature(getattr(sf, node.name)).parameters.values()
+            self.assertEqual(told, {parameter.name: parameter.default for parameter in parameters
+                                    if parameter.kind is parameter.KEYWORD_ONLY})
+            self.assertEqual(set(told), set(sf.Options.__annotations__))
+            hints = typing.get_type_hints(sf.Options)
+            for name, allowed in words.items():
+                self.assertEqual(set(typing.get_args(hints[name])), set(allowed))
 
     def test_the_headers_document_them(self):
         count = 0

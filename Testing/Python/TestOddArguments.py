@@ -180,6 +180,58 @@ class Arrays(OddCase):
         curve = np.ma.masked_equal(CURVE, 6)
         self.wrong(["curve 0", "masked"], lambda: sf.flatten(self.points, self.triangles, [curve]))
 
+    def test_masks_within_lists_are_seen(self):
+        rows = self.triangles.tolist()
+        rows[3] = np.ma.masked_equal(rows[3], rows[3][1])
+        self.wrong(["triangles", "masked"], lambda: sf.flatten(self.points, rows))
+        places = [tuple(point) for point in self.points]
+        places[2] = np.ma.array(places[2], mask=[False, True, False])
+        self.wrong(["points", "masked", ".filled()"], lambda: sf.flatten(places, self.triangles))
+        self.wrong(["curve 0", "masked"], lambda: sf.flatten(
+            self.points, self.triangles, [[5, 6, np.ma.masked]]))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            rows[3] = np.ma.array(self.triangles[3])
+            self.expect_same(self.points, rows)
+
+    def test_whole_numbers_are_coordinates_as_far_as_they_are_exact(self):
+        points, triangles = grid()
+        points = np.rint(points * 1000).astype(int)
+        expected = sf.flatten(points.astype(float), triangles, [points[CURVE].astype(float)])
+        for kind in (np.int32, np.int64, np.uint16, object):
+            given = points.astype(kind)
+            self.assertTrue(sf.flatten(given, triangles, [given[CURVE]]) == expected, kind)
+        for huge in (2**53 + 1, -2**53 - 1):
+            points[7, 0] = huge
+            self.wrong(["points", str(huge), "2**53", "unit"], lambda: sf.flatten(points, triangles))
+        self.wrong(["points", "numbers", "bool"], lambda: sf.flatten(points > 1, triangles))
+
+    def test_one_curve_in_place_of_a_list_is_named(self):
+        for curve in (CURVE, np.array(CURVE), tuple(CURVE), sf.Curve(CURVE), self.points[CURVE],
+                      range(5, 8), "hem"):
+            self.wrong(["list", "[curve]"], lambda curve=curve: sf.flatten(
+                self.points, self.triangles, curve), TypeError)
+        rows = np.array([[5, 6, 7], [10, 11, 12]])
+        self.assertEqual(len(sf.flatten(self.points, self.triangles, rows).report["curves"]), 2)
+
+    def test_options_that_are_not_there_and_flags_that_are_none(self):
+        call = lambda **options: sf.flatten(self.points, self.triangles, **options)
+        self.wrong(["flatten()", "'sheme'", "'scheme'"], lambda: call(sheme="global"), TypeError)
+        self.wrong(["flatten_polydata()", "'colour'"], lambda: sf.flatten_polydata(
+            sf.make_surface(self.points, self.triangles), colour=1), TypeError)
+        for value in ("no", 0, None, [True]):
+            self.wrong(["close_cuts", repr(value), "True or False"],
+                       lambda value=value: call(close_cuts=value), TypeError)
+        self.assertEqual(call(close_cuts=np.bool_(False)).report["status"], "Ok")
+        self.wrong(["tolerance", "dict"], lambda: call(tolerance=0.1), TypeError)
+        self.wrong(["tolerance of 'hem'", "'wide'"], lambda: call(tolerance={"hem": "wide"}), TypeError)
+
+    def test_shapes_say_what_helps(self):
+        self.wrong(["(20, 2)", "zeros for z"], lambda: sf.flatten(self.points[:, :2], self.triangles))
+        self.wrong(["(1, 4)", "flat list"], lambda: sf.flatten(self.points, [[0, 1, 6, 5]]))
+        self.wrong(["triangles", ".astype(int)"], lambda: sf.flatten(
+            self.points, self.triangles.astype(float)))
+
     def test_what_are_no_numbers_is_refused_by_name(self):
         self.wrong(["points", "real"], lambda: sf.flatten(self.points + 1j, self.triangles))
         self.wrong(["points", "numbers"], lambda: sf.flatten([["a", 0, 0]] * 20, self.triangles))

@@ -69,6 +69,87 @@ class SameNumbers(unittest.TestCase):
                     self.compare(mine[part], theirs[part], part)
 
 
+# Options, and the words of the command for them.
+OPTIONS = (
+    ({"max_iterations": 2, "scheme": "global"}, "--max-iterations 2 --scheme global"),
+    ({"solver": "sequential"}, "--solver sequential"),
+    ({"interior": "laplacian"}, "--interior laplacian"),
+    ({"paper_method": True}, "--paper-method"),
+    ({"release_keys": True, "release_trials": False}, "--release-keys --no-release-trials"),
+    ({"energy": "dirichlet"}, "--energy dirichlet"),
+    ({"area_bias": 0.5, "angle_weight": 20.0}, "--area-bias 0.5 --angle-weight 20"),
+    ({"isometric_iterations": 2}, "--isometric-iterations 2"),
+    ({"isometric_tolerance": 1.0}, "--isometric-tolerance 1"),
+    ({"scheme": "global", "rigid_iterations": 2}, "--scheme global --rigid-iterations 2"),
+    ({"scheme": "global", "rigid_tolerance": 1e-2}, "--scheme global --rigid-tolerance 1e-2"),
+    ({"scheme": "global", "interior": "relaxation", "relaxation_factor": 1.2, "relaxation_movement": 1e-3,
+      "relaxation_min_iterations": 3, "relaxation_max_iterations": 30},
+     "--scheme global --interior relaxation --relaxation-factor 1.2 --relaxation-movement 1e-3 "
+     "--relaxation-min-iterations 3 --relaxation-max-iterations 30"),
+    ({"closure_tolerance": 1e-2, "optimality_tolerance": 1e-1, "scheme": "global"},
+     "--closure-tolerance 1e-2 --optimality-tolerance 1e-1 --scheme global"),
+    ({"tolerance": {"waist_dart": 0.04}}, "--tolerance waist_dart=0.04"),
+    ({"scheme": "lscm", "pins": (3, 40)}, "--scheme lscm --pins 3 40"),
+    ({"arrange": False}, "--no-arrange"),
+    ({"spacing": 0.5, "split_triangles": False}, "--spacing 0.5 --no-split"),
+    ({"max_length_error": 1e-18}, "--max-length-error 1e-18"),
+    ({"imprint_tolerance": 1e-3, "snap_tolerance": 0.1}, "--imprint-tolerance 1e-3 --snap-tolerance 0.1"),
+)
+REFUSED = (
+    ({"paper_method": True, "scheme": "global"}, "--paper-method --scheme global"),
+    ({"paper_method": True, "interior": "arap"}, "--paper-method --interior arap"),
+    ({"scheme": "lscm", "solver": "newton"}, "--scheme lscm --solver newton"),
+    ({"scheme": "lscm", "tolerance": {"waist_dart": 0.1}}, "--scheme lscm --tolerance waist_dart=0.1"),
+    ({"scheme": "global", "angle_weight": 5.0}, "--scheme global --angle-weight 5"),
+    ({"energy": "dirichlet", "area_bias": 0.0}, "--energy dirichlet --area-bias 0"),
+    ({"scheme": "global", "isometric_iterations": 100}, "--scheme global --isometric-iterations 100"),
+    ({"interior": "laplacian", "rigid_iterations": 9}, "--interior laplacian --rigid-iterations 9"),
+    ({"relaxation_factor": 1.5}, "--relaxation-factor 1.5"),
+    ({"scheme": "progressive", "release_trials": False}, "--scheme progressive --no-release-trials"),
+    ({"arrange": False, "spacing": 0.05}, "--no-arrange --spacing 0.05"),
+    ({"pins": (3, 40)}, "--pins 3 40"),
+    ({"interior": "relaxation", "relaxation_factor": 2.5}, "--interior relaxation --relaxation-factor 2.5"),
+    ({"tolerance": {"waist_dart": 1.0}}, "--tolerance waist_dart=1"),
+    ({"tolerance": {"no_such": 0.1}}, "--tolerance no_such=0.1"),
+    ({"max_iterations": 0}, "--max-iterations 0"),
+    ({"spacing": -1.0}, "--spacing=-1"),
+)
+
+
+class SameOptions(SameNumbers):
+    test_pieces_and_curves = None
+
+    def test_they_give_the_same_report_and_each_changes_something(self):
+        surface, curves = read("pants_front"), read("pants_front_curves")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            plain = sf.flatten_polydata(surface, curves)
+            for options, words in OPTIONS:
+                with self.subTest(options=options):
+                    mine = sf.flatten_polydata(surface, curves, **options)
+                    theirs = self.report_of_command("pants_front", *words.split())
+                    self.assertEqual(mine.report["status"], theirs["status"])
+                    self.compare(mine.report["pieces"], [
+                        {**piece, "message": own["message"]}
+                        for piece, own in zip(theirs["pieces"], mine.report["pieces"])], "pieces")
+                    self.compare(mine.report["curves"], theirs["curves"], "curves")
+                    if not {"split_triangles", "imprint_tolerance", "release_keys"} & set(options):
+                        self.assertFalse(mine == plain)
+
+    def test_they_are_refused_for_the_same(self):
+        surface, curves = read("pants_front"), read("pants_front_curves")
+        for options, words in REFUSED:
+            with self.subTest(options=options):
+                with self.assertRaises(ValueError):
+                    sf.flatten_polydata(surface, curves, **options)
+                with tempfile.TemporaryDirectory() as folder:
+                    run = subprocess.run(
+                        [COMMAND, os.path.join(DATA, "pants_front.vtp"),
+                         os.path.join(DATA, "pants_front_curves.vtp"), *words.split(), "--output", folder],
+                        capture_output=True, text=True, check=False)
+                self.assertIn(run.returncode, (2, 3), words)
+
+
 if __name__ == "__main__":
     if not COMMAND:
         sys.exit("the command wirewarp is not built")

@@ -5,10 +5,20 @@ Two ways to use it:
 
 - the VTK filters (vtkWireWarpingFilter and its family) in pipelines of vtkPolyData. Objects of
   Python classes that derive from vtkPolyData, such as PyVista's, are handed over as they are;
-- :func:`flatten` for numpy arrays, :func:`flatten_polydata` for a vtkPolyData: one call, arrays and
-  a plain dict back, an exception where the input is refused.
+- :func:`flatten` for numpy arrays, :func:`flatten_polydata` for a vtkPolyData or a PyVista mesh: one
+  call, and a :class:`Flattening` back, which draws itself in notebooks, plot()s, goes on as a mesh with
+  to_polydata() and is cut from paper after write_pattern(); an exception where the input is refused.
 
-Neither needs a screen. The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
+Neither needs a screen. help(Report) and help(PieceReport) say what the measures are.
+
+Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the
+results of a single one. It saves no time: VTK's Python holds the interpreter's lock while a filter
+runs, so that they take turns, and other threads of the program get a turn only each time the run
+reports progress. One run uses several cores by itself. For many surfaces take processes
+(concurrent.futures.ProcessPoolExecutor; results, curves and errors can be sent between them) or the
+command wirewarp --batch.
+
+The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
 approach with length-preserved feature curves", Computer-Aided Design 40(3), 2008.
 """
 
@@ -17,14 +27,35 @@ from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._flatten import flatten, flatten_polydata
 from ._result import Flattening, Wire
+from ._types import (
+    CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape, Options, Paper, Part,
+    PieceReport, Report, Scheme, Solver, Unit, WireType)
+from ._version import __version__
 
 __all__ = [name for name in dir() if name.startswith("vtk") and name != "vtkFiltersFlattening"]
 __all__ += [
+    "CoincidentPoints",
+    "Coloring",
     "Curve",
+    "CurveReport",
+    "CurveType",
+    "Energy",
     "Flattening",
     "FlatteningError",
     "FlatteningWarning",
+    "Interior",
+    "KeyShape",
+    "Options",
+    "Paper",
+    "Part",
+    "PieceReport",
+    "Report",
+    "Scheme",
+    "Solver",
+    "Unit",
     "Wire",
+    "WireType",
+    "__version__",
     "flatten",
     "flatten_polydata",
     "make_curves",

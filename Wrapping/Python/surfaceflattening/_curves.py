@@ -5,7 +5,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,19 +13,25 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from ._equality import ComparedByValue
+from ._options import index_of
+from ._types import CurveType, KeyShape
+
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
-CURVE_TYPES = ("accessory", "key", "dart", "seam")
-KEY_SHAPES = ("surface", "straight")
+CURVE_TYPES: Tuple[CurveType, ...] = get_args(CurveType)
+KEY_SHAPES: Tuple[KeyShape, ...] = get_args(KeyShape)
+# The largest whole number below which float64 holds all of them.
+_EXACT = 2**53
 
 
-@dataclass(frozen=True)
-class Curve:
+@dataclass(frozen=True, eq=False)
+class Curve(ComparedByValue):
     """A feature curve of :func:`flatten`.
 
     Attributes:
         points: the curve from end to end, either ids of the surface's points, counted from 0
             (integers, shape (k,)), or positions on the surface in its unit of length (shape
-            (k, 3)); they need not be vertices. k is at least 2.
+            (k, 3), also of integers); they need not be vertices. k is at least 2.
         type: "accessory", length kept, shape free (default); "key", length and shape kept; "dart",
             cut open; "seam", cut through.
         name: its name in messages and in the report. Default: "curve N", N its place in the list.
@@ -38,9 +44,9 @@ class Curve:
     """
 
     points: ArrayLike
-    type: str = "accessory"
+    type: CurveType = "accessory"
     name: str = ""
-    key_shape: str = "surface"
+    key_shape: KeyShape = "surface"
     length_tolerance: float = 0.0
     planar_shape: Optional[ArrayLike] = None
 
@@ -50,39 +56,51 @@ def _demand_memory(values: NDArray[Any]) -> None:
     np.empty(3 * values.nbytes + (1 << 20), np.uint8)
 
 
-def _to_vtk(values: NDArray[Any]) -> Any:
+def to_vtk(values: NDArray[Any]) -> Any:
     """A copy."""
     _demand_memory(values)
     return numpy_to_vtk(values, deep=True)
 
 
-def _to_vtk_ids(values: NDArray[np.int64]) -> Any:
+def to_vtk_ids(values: NDArray[np.int64]) -> Any:
     """A copy."""
     _demand_memory(values)
     return numpy_to_vtkIdTypeArray(values, deep=True)
 
 
-def _make_points(coordinates: NDArray[np.float64]) -> vtkPoints:
+def make_points(coordinates: NDArray[np.float64]) -> vtkPoints:
+    """A copy."""
     points = vtkPoints()
-    points.SetData(_to_vtk(np.ascontiguousarray(coordinates)))
+    points.SetData(to_vtk(np.ascontiguousarray(coordinates)))
     return points
 
 
-def _make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
+def make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
+    """Cells of any number of points."""
     offsets = np.cumsum([0] + [len(cell) for cell in cells], dtype=np.int64)
     connectivity = np.concatenate(cells) if cells else np.empty(0, np.int64)
     result = vtkCellArray()
     result.SetData(
-        _to_vtk_ids(offsets),
-        _to_vtk_ids(connectivity.astype(np.int64)),
+        to_vtk_ids(offsets),
+        to_vtk_ids(connectivity.astype(np.int64)),
     )
     return result
 
 
+def _is_masked(values: Any) -> bool:
+    """Whether a value is hidden behind a mask, also in arrays within lists, whose masks numpy drops."""
+    if isinstance(values, (list, tuple)):
+        return any(isinstance(value, (list, tuple, np.ma.MaskedArray)) and _is_masked(value)
+                   for value in values)
+    has_mask: Callable[[Any], bool] = np.ma.is_masked
+    return has_mask(values)
+
+
 def _as_array(values: Any, what: str) -> NDArray[Any]:
     """An array of any type, with no value hidden behind a mask."""
-    if np.ma.is_masked(values):
-        raise ValueError(f"{what} has masked values; fill or remove them")
+    if _is_masked(values):
+        raise ValueError(f"{what}: some values are masked, and a masked value is none; remove what is "
+                         "masked, or give the values with .filled() or .data")
     try:
         return np.asarray(values)
     except ValueError as error:
@@ -93,6 +111,13 @@ def _as_numbers(values: Any, what: str) -> NDArray[np.float64]:
     array = _as_array(values, what)
     if np.iscomplexobj(array):
         raise ValueError(f"{what} must be real numbers, not {array.dtype}")
+    if array.dtype == np.bool_:
+        raise ValueError(f"{what} must be numbers, not {array.dtype}")
+    if array.dtype.kind in "iu":
+        inexact = array[(array > _EXACT) | (array < -_EXACT)]
+        if inexact.size:
+            raise ValueError(f"{what} hold the whole number {inexact[0]}; coordinates are exact up to "
+                             "2**53; take a larger unit")
     try:
         return array.astype(np.float64)
     except (TypeError, ValueError) as error:
@@ -108,7 +133,8 @@ def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
             isinstance(value, Integral) and not isinstance(value, bool) for value in array.flat):
         too_large = [value for value in array.flat if not -2**63 <= value < 2**63]
     elif array.size and not np.issubdtype(array.dtype, np.integer):
-        raise ValueError(f"{what} must be whole numbers, not {kind}")
+        hint = "; .astype(int) makes ids of floats that are whole" if kind.kind == "f" else ""
+        raise ValueError(f"{what} must be whole numbers, not {kind}{hint}")
     else:
         too_large = array[array >= 2**63].tolist() if array.dtype == np.uint64 else []
     if too_large:
@@ -132,31 +158,60 @@ def _name_of(curve: "Curve", place: int) -> str:
     return name
 
 
+def make_triangles(corners: NDArray[np.int64]) -> vtkCellArray:
+    """Cells of three corners each."""
+    cells = vtkCellArray()
+    cells.SetData(
+        to_vtk_ids(np.arange(0, corners.size + 1, 3, dtype=np.int64)),
+        to_vtk_ids(np.ascontiguousarray(corners).ravel()),
+    )
+    return cells
+
+
+def _polygons(faces: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
+    """Of a flat list: each the number of its corners and then their ids."""
+    at = 0
+    while at < len(faces):
+        count = int(faces[at])
+        if count < 3 or at + count >= len(faces):
+            raise ValueError(
+                f"triangles as a flat list must be polygons, each the number of its corners and then "
+                f"their ids; at {at} there are {count} corners, with {len(faces) - at - 1} values left")
+        yield faces[at + 1:at + 1 + count]
+        at += 1 + count
+
+
+def _flat_faces(faces: NDArray[np.int64]) -> vtkCellArray:
+    if faces.size % 4 == 0 and (faces[::4] == 3).all():
+        return make_triangles(faces.reshape(-1, 4)[:, 1:])
+    return make_cells(list(_polygons(faces)))
+
+
 def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
     """The surface as vtkPolyData, for the filters.
 
     Args:
-        points: positions in any unit of length, shape (n, 3).
-        triangles: ids of their corners, counted from 0, shape (m, 3).
+        points: positions in any unit of length, shape (n, 3). Whole numbers are coordinates as well.
+        triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
+            the number of its corners and then their ids, as PyVista's `faces`.
 
     Raises:
-        ValueError: another shape, or ids that are not whole numbers.
+        ValueError: another shape, ids that are not whole numbers, masked values, or whole numbers as
+            coordinates beyond 2**53.
     """
     coordinates = _as_numbers(points, "points")
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
-        raise ValueError(f"points must have the shape (n, 3), not {coordinates.shape}")
+        hint = "; add a column of zeros for z" if coordinates.shape[1:] == (2,) else ""
+        raise ValueError(f"points must have the shape (n, 3), not {coordinates.shape}{hint}")
     corners = _as_ids(triangles, "triangles")
-    if corners.ndim != 2 or corners.shape[1] != 3:
-        raise ValueError(f"triangles must have the shape (m, 3), not {corners.shape}")
-    offsets = np.arange(0, corners.size + 1, 3, dtype=np.int64)
-    cells = vtkCellArray()
-    cells.SetData(
-        _to_vtk_ids(offsets),
-        _to_vtk_ids(np.ascontiguousarray(corners).ravel()),
-    )
+    flat = corners.ndim == 1 and corners.size > 0
+    if not flat and (corners.ndim != 2 or corners.shape[1] != 3):
+        hint = "; quads are taken as a flat list" if corners.shape[1:] == (4,) else ""
+        raise ValueError(
+            f"triangles must have the shape (m, 3), or be a flat list, not {corners.shape}{hint}")
     surface = vtkPolyData()
-    surface.SetPoints(_make_points(coordinates))
-    surface.SetPolys(cells)
+    surface.SetPoints(make_points(coordinates))
+    surface.SetPolys(_flat_faces(corners) if flat else make_triangles(corners))
     return surface
 
 
@@ -179,12 +234,6 @@ def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDAr
     return positions
 
 
-def _index_of(value: str, names: Sequence[str], what: str) -> int:
-    if not isinstance(value, str) or value not in names:
-        raise ValueError(f"{what} is {value!r}; it must be one of {', '.join(names)}")
-    return names.index(value)
-
-
 def _tolerance_of(curve: Curve, what: str) -> float:
     try:
         return float(curve.length_tolerance)
@@ -194,12 +243,30 @@ def _tolerance_of(curve: Curve, what: str) -> float:
         ) from None
 
 
-def _strings(name: str, values: Sequence[str]) -> vtkStringArray:
+def named(name: str, array: Any) -> Any:
+    """The array, with a name."""
+    array.SetName(name)
+    return array
+
+
+def strings(name: str, values: Sequence[str]) -> vtkStringArray:
+    """An array of texts."""
     array = vtkStringArray()
     array.SetName(name)
     for value in values:
         array.InsertNextValue(value)
     return array
+
+
+def _demand_list(curves: Any) -> None:
+    """One curve alone would be taken for a list of curves."""
+    alone = isinstance(curves, (Curve, str))
+    if isinstance(curves, np.ndarray) and curves.dtype != object:
+        alone = curves.ndim == 1 and curves.size > 0 or curves.ndim == 2 and curves.dtype.kind == "f"
+    elif isinstance(curves, (list, tuple, range)) and len(curves) > 0:
+        alone = isinstance(curves[0], (Integral, float))
+    if alone:
+        raise TypeError("curves must be a list of curves; put a single one into brackets: [curve]")
 
 
 def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
@@ -215,8 +282,10 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
             NUL or what UTF-8 cannot hold.
     """
     surface = _as_numbers(points, "points")
-    positions, shapes, names = [], [], []
-    types, key_shapes, tolerances = [], [], []
+    _demand_list(curves)
+    positions: List[NDArray[np.float64]] = []
+    shapes: List[NDArray[np.float64]] = []
+    names, types, key_shapes, tolerances = [], [], [], []
     for place, given in enumerate(curves):
         curve = given if isinstance(given, Curve) else Curve(given)
         # Its name also keeps a curve of two points apart from the next.
@@ -224,8 +293,8 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         what = f"curve {place}" + (f" ({curve.name!r})" if curve.name else "")
         positions.append(_positions_of(curve, what, surface))
         names.append(name)
-        types.append(_index_of(curve.type, CURVE_TYPES, f"the type of {what}"))
-        key_shapes.append(_index_of(curve.key_shape, KEY_SHAPES, f"the key_shape of {what}"))
+        types.append(index_of(curve.type, CURVE_TYPES, f"the type of {what}"))
+        key_shapes.append(index_of(curve.key_shape, KEY_SHAPES, f"the key_shape of {what}"))
         tolerances.append(_tolerance_of(curve, what))
         shape = np.full((len(positions[-1]), 2), np.nan)
         if curve.planar_shape is not None:
@@ -243,20 +312,17 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         first += len(polyline)
 
     result = vtkPolyData()
-    result.SetPoints(_make_points(np.concatenate(positions) if positions else np.empty((0, 3))))
-    result.SetLines(_make_cells(lines))
+    result.SetPoints(make_points(np.concatenate(positions) if positions else np.empty((0, 3))))
+    result.SetLines(make_cells(lines))
     cell_data = result.GetCellData()
-    cell_data.AddArray(_strings("CurveName", names))
-    for array_name, values in (
+    cell_data.AddArray(strings("CurveName", names))
+    columns: Sequence[Tuple[str, NDArray[Any]]] = (
         ("CurveType", np.array(types, np.int32)),
         ("KeyShape", np.array(key_shapes, np.int32)),
         ("LengthTolerance", np.array(tolerances, np.float64)),
-    ):
-        array = _to_vtk(values)
-        array.SetName(array_name)
-        cell_data.AddArray(array)
+    )
+    for array_name, values in columns:
+        cell_data.AddArray(named(array_name, to_vtk(values)))
     if any(not np.isnan(shape).all() for shape in shapes):
-        array = _to_vtk(np.concatenate(shapes))
-        array.SetName("PlanarShape")
-        result.GetPointData().AddArray(array)
+        result.GetPointData().AddArray(named("PlanarShape", to_vtk(np.concatenate(shapes))))
     return result

@@ -3,9 +3,8 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-import inspect
 import warnings
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, List, Mapping, Optional, Sequence, Union
 
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -13,72 +12,14 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
+from ._options import make_filter, with_options
 from ._remedies import make_message
-from ._result import Flattening, as_text, make_result, texts_of
+from ._report import as_text, texts_of
+from ._result import Flattening, make_result
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
-# The words of the command wirewarp, in the order of the filter's enumerations.
-SCHEMES = ("progressive", "global", "isometric", "lscm")
-ENERGIES = ("rigid", "dirichlet")
-SOLVERS = ("newton", "sequential")
-INTERIORS = ("laplacian", "relaxation", "arap")
-COINCIDENT_POINTS = ("automatic", "join", "keep")
 
-
-def _set(filter_: Any, option: str, property_: str, value: Any) -> None:
-    """Sets a property; the filter clamps what is out of range, here it is refused."""
-    try:
-        getattr(filter_, "Set" + property_)(value)
-    except TypeError as error:
-        raise TypeError(f"{option} = {value!r}: {error}") from None
-    except OverflowError as error:
-        raise ValueError(f"{option} = {value!r} is out of range: {error}") from None
-    kept = getattr(filter_, "Get" + property_)()
-    if kept != value:
-        raise ValueError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
-
-
-def _set_word(filter_: Any, option: str, property_: str, value: str, words: Sequence[str]) -> None:
-    if value not in words:
-        raise ValueError(f"{option} is {value!r}; it must be one of {', '.join(words)}")
-    getattr(filter_, "Set" + property_)(words.index(value))
-
-
-def _default(option: str) -> Any:
-    return inspect.signature(flatten).parameters[option].default
-
-
-def _method_of_the_paper(scheme: str, interior: str) -> Tuple[str, str]:
-    """Scheme and interior of the paper; the others must not ask for anything else."""
-    pair = {"scheme": (scheme, "global"), "interior": (interior, "laplacian")}
-    for option, (given, papers) in pair.items():
-        if given not in (papers, _default(option)):
-            raise ValueError(f"{option} = {given!r} and paper_method=True contradict each other")
-    return "global", "laplacian"
-
-
-def _refuse_idle(
-    scheme: str, energy: str, arrange: bool, given: Dict[str, Any]
-) -> None:
-    """An option that the method has no use for means something else than it does."""
-    lengths = ("solver", "interior", "max_iterations", "max_length_error")
-    scopes = (
-        (lengths, scheme != "lscm", "schemes that keep lengths, not for 'lscm'"),
-        (("release_trials",), scheme in ("isometric", "global"),
-         f"schemes 'isometric' and 'global', not for {scheme!r}"),
-        (("energy", "area_bias", "angle_weight"), scheme == "isometric",
-         f"scheme='isometric', not for {scheme!r}"),
-        (("area_bias",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
-        (("pins",), scheme == "lscm", f"scheme='lscm', not for {scheme!r}"),
-        (("spacing",), arrange, "arrange=True"),
-    )
-    for options, holds, condition in scopes:
-        for option in options:
-            if not holds and given[option] != _default(option):
-                raise ValueError(f"{option} = {given[option]!r} is for {condition}; leave one of them out")
-
-
-def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
+def _update(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
     """Updates the filter; its messages become exceptions and warnings instead of lines on stderr."""
     raised: List[BaseException] = []
 
@@ -116,109 +57,37 @@ def _run(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
         warnings.warn(f"{name}: {message}", FlatteningWarning, stacklevel=4)
 
 
-def _flatten(
-    surface: vtkPolyData,
-    curves: Optional[vtkPolyData],
-    *,
-    scheme: str = "isometric",
-    solver: str = "newton",
-    interior: str = "arap",
-    paper_method: bool = False,
-    release_keys: bool = False,
-    release_trials: bool = True,
-    close_cuts: bool = False,
-    skip_closed: bool = False,
-    energy: str = "rigid",
-    area_bias: float = 0.0,
-    angle_weight: float = 5.0,
-    coincident_points: str = "automatic",
-    split_triangles: bool = True,
-    imprint_tolerance: float = 1e-5,
-    snap_tolerance: float = 1e-3,
-    arrange: bool = True,
-    spacing: float = 0.05,
-    pins: Tuple[int, int] = (-1, -1),
-    max_iterations: int = 300,
-    max_length_error: float = 1e-9,
-    progress: Optional[Callable[[float], Any]] = None,
-) -> Flattening:
-    for data, what in ((surface, "surface"), (curves, "curves")):
-        # The pipeline would print an error and give no result.
-        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
-            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
-    if paper_method:
-        scheme, interior = _method_of_the_paper(scheme, interior)
-    _refuse_idle(scheme, energy, arrange, {
-        "solver": solver, "interior": interior, "max_iterations": max_iterations,
-        "max_length_error": max_length_error, "release_trials": bool(release_trials), "energy": energy, "area_bias": area_bias,
-        "angle_weight": angle_weight, "pins": tuple(pins) if isinstance(pins, Iterable) else pins, "spacing": spacing})
-    filter_ = vtkWireWarpingFilter()
-    filter_.CachingOff()  # it runs once
-    _set_word(filter_, "scheme", "Scheme", scheme, SCHEMES)
-    _set_word(filter_, "solver", "Solver", solver, SOLVERS)
-    _set_word(filter_, "interior", "Interior", interior, INTERIORS)
-    _set_word(
-        filter_, "coincident_points", "CoincidentPoints", coincident_points, COINCIDENT_POINTS
-    )
-    _set(filter_, "release_keys", "ReleaseKeys", bool(release_keys))
-    _set(filter_, "release_trials", "ReleaseTrials", bool(release_trials))
-    _set(filter_, "close_cuts", "CloseCuts", bool(close_cuts))
-    _set(filter_, "skip_closed", "SkipClosed", bool(skip_closed))
-    _set_word(filter_, "energy", "DistortionEnergy", energy, ENERGIES)
-    _set(filter_, "area_bias", "AreaBias", area_bias)
-    _set(filter_, "angle_weight", "AngleWeight", angle_weight)
-    _set(filter_, "split_triangles", "SplitTriangles", bool(split_triangles))
-    _set(filter_, "imprint_tolerance", "ImprintTolerance", imprint_tolerance)
-    _set(filter_, "snap_tolerance", "SnapTolerance", snap_tolerance)
-    _set(filter_, "arrange", "Arrange", bool(arrange))
-    _set(filter_, "spacing", "Spacing", spacing)
-    _set(filter_, "pins", "ConformalPins", tuple(pins) if isinstance(pins, Iterable) else pins)
-    _set(filter_, "max_iterations", "MaximumIterations", max_iterations)
-    _set(filter_, "max_length_error", "MaximumLengthError", max_length_error)
+def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[str, Any],
+         function: str) -> Flattening:
+    filter_ = make_filter(options, function)
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)
-    _run(filter_, progress)
-    return make_result(*(filter_.GetOutput(port) for port in range(3)))
+    _update(filter_, options.get("progress"))
+    return make_result(*(filter_.GetOutput(port) for port in range(3)), type(surface))
 
 
+@with_options
 def flatten(
     points: ArrayLike,
     triangles: ArrayLike,
     curves: Sequence[Union[Curve, ArrayLike]] = (),
-    *,
-    scheme: str = "isometric",
-    solver: str = "newton",
-    interior: str = "arap",
-    paper_method: bool = False,
-    release_keys: bool = False,
-    release_trials: bool = True,
-    close_cuts: bool = False,
-    skip_closed: bool = False,
-    energy: str = "rigid",
-    area_bias: float = 0.0,
-    angle_weight: float = 5.0,
-    coincident_points: str = "automatic",
-    split_triangles: bool = True,
-    imprint_tolerance: float = 1e-5,
-    snap_tolerance: float = 1e-3,
-    arrange: bool = True,
-    spacing: float = 0.05,
-    pins: Tuple[int, int] = (-1, -1),
-    max_iterations: int = 300,
-    max_length_error: float = 1e-9,
-    progress: Optional[Callable[[float], Any]] = None,
+    **options: Any,
 ) -> Flattening:
     """Flattens a surface; its boundary and feature curves keep the length of each of their edges.
 
-    The arrays given are not changed. A surface is a manifold with a boundary and without handles;
-    triangles that run the wrong way are turned over.
+    A surface is a manifold with a boundary and without handles; triangles that run the wrong way are
+    turned over. The arrays given are not changed. The options are those of the command wirewarp, mean
+    the same and have the same defaults. Threads may call this at the same time; help(surfaceflattening)
+    says what that gains.
 
     Args:
-        points: positions in space in any unit of length, shape (n, 3).
-        triangles: ids of their corners, counted from 0, shape (m, 3).
-        curves: feature curves, each a :class:`Curve`, or what its `points` may be (then it is an
-            accessory curve). Without curves only the boundary keeps its length.
+        points: positions in space in any unit of length, shape (n, 3). Integers are taken for what they
+            are, up to 2**53; masked values are refused.
+        triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
+            the number of its corners and then their ids, as PyVista's `faces`.
+        curves: a list of feature curves, each a :class:`Curve`, or what its `points` may be (then it is
+            an accessory curve). Without curves only the boundary keeps its length.
         scheme: how boundary and curves get their shape: "isometric", wires and interior together,
             which distorts least; "global", all angles together (Eq. 13 of the paper);
             "progressive", wire-patch by wire-patch (Algorithm 2); "lscm", for comparison, keeps no
@@ -245,6 +114,8 @@ def flatten(
         area_bias: "isometric" with "rigid": above 0 a change of area costs more than one of angle
             (stiff sheet), below 0 less (stretchy sheet), in [-0.99, 0.99].
         angle_weight: "isometric": weight of the wires' bending against the sheet, in [0, 100].
+        tolerance: how far the lengths of curves may go, by name, each a fraction in [0, 1), in place of
+            their own length_tolerance.
         coincident_points: whether points with equal coordinates are one: "automatic", only where
             hardly any two triangles share a point; "join", always; "keep", never.
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.
@@ -258,7 +129,20 @@ def flatten(
             side of one, in [0, 1e6].
         pins: "lscm": ids of the two points that are pinned; -1: the boundary points farthest apart.
         max_iterations: most iterations of the solver, a piece.
+        closure_tolerance: the solver stops when no loop of wires is open by more than this fraction of
+            the perimeter, and
+        optimality_tolerance: no entry of the gradient of the Lagrangian is larger.
         max_length_error: largest relative error of a wire's edge that is no broken promise.
+        relaxation_factor: interior "relaxation": factor tau of Eq. 12, in (0, 2).
+        relaxation_movement: "relaxation" stops when no point moves farther than this fraction of the
+            mean wire edge.
+        relaxation_min_iterations: fewest iterations of "relaxation",
+        relaxation_max_iterations: and most.
+        rigid_tolerance: interior "arap" stops when the energy falls by less than this fraction of itself.
+        rigid_iterations: most iterations of "arap".
+        isometric_tolerance: scheme "isometric" stops when the relative gradient of the Lagrangian is
+            smaller.
+        isometric_iterations: most iterations of "isometric".
         progress: called with the fraction done, 0 to 1. What it raises ends the run and is raised
             again.
 
@@ -271,52 +155,36 @@ def flatten(
     Raises:
         FlatteningError: the input is refused; it carries code, name, ids and message.
         ValueError: an argument has a wrong shape, is not one of the words, is out of range, or is
-            other than its default where the method has no use for it.
+            given where the method has no use for it.
+        TypeError: an unknown option, or a value of another type.
 
     Warns:
         FlatteningWarning: there is a result, but a promise is broken (not converged, a length
             error, a flipped triangle, an overlap; report["status"] says which), or a part of the
             input was left out (report["warnings"]).
     """
-    return _flatten(
-        make_surface(points, triangles),
-        make_curves(curves, points),
-        scheme=scheme,
-        solver=solver,
-        interior=interior,
-        paper_method=paper_method,
-        release_keys=release_keys,
-        release_trials=release_trials,
-        close_cuts=close_cuts,
-        skip_closed=skip_closed,
-        energy=energy,
-        area_bias=area_bias,
-        angle_weight=angle_weight,
-        coincident_points=coincident_points,
-        split_triangles=split_triangles,
-        imprint_tolerance=imprint_tolerance,
-        snap_tolerance=snap_tolerance,
-        arrange=arrange,
-        spacing=spacing,
-        pins=pins,
-        max_iterations=max_iterations,
-        max_length_error=max_length_error,
-        progress=progress,
-    )
+    return _run(make_surface(points, triangles), make_curves(curves, points), options, "flatten")
 
 
+@with_options
 def flatten_polydata(
     surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
 ) -> Flattening:
-    """:func:`flatten` for a vtkPolyData, or an object of a class that derives from it (PyVista).
+    """:func:`flatten` for a vtkPolyData, or a mesh of a class that derives from it, as PyVista's do.
 
     Args:
         surface: polygons and triangle strips; its own line cells are feature curves as well.
         curves: further feature curves, polylines with the cell arrays that
             vtkFeatureCurveAlgorithm documents (CurveType, CurveName, ...).
-        options: the options of :func:`flatten`.
+        options: those of :func:`flatten`.
 
     Returns, raises and warns as :func:`flatten` does; the arrays of `surface` are among the point
-    and cell arrays of the result.
+    and cell arrays of the result, and the result's to_polydata() gives meshes of the class of
+    `surface`.
     """
-    return _flatten(surface, curves, **options)
+    for data, what in ((surface, "surface"), (curves, "curves")):
+        # The pipeline would print an error and give no result.
+        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
+            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData, such as a "
+                            "pyvista.PolyData; flatten() takes arrays")
+    return _run(surface, curves, options, "flatten_polydata")

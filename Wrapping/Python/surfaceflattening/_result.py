@@ -1,137 +1,202 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a flattening gives, as numpy arrays and plain Python."""
 
-from typing import Any, Dict, List, NamedTuple
+from __future__ import annotations  # help() prints hints as they are written here
+
+import os
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES
-from ._remedies import make_message
+from ._equality import ComparedByValue, same
+from ._report import make_report, values_of
+from ._types import Coloring, Paper, Part, Report, Unit, WireType
 
-Report = Dict[str, Any]
-
-# Name in the report and field data array, one row a piece.
-_PIECE_INTEGERS = {
-    "triangles": "Triangles",
-    "vertices": "Vertices",
-    "wire_patches": "WirePatches",
-    "wire_nodes": "WireNodes",
-    "free_wire_nodes": "FreeWireNodes",
-    "constraints": "Constraints",
-    "iterations": "Iterations",
-    "flipped": "FlippedTriangles",
-    "overlaps": "Overlaps",
-}
-_PIECE_NUMBERS = {
-    "objective": "Objective",
-    "closure_residual": "ClosureResidual",
-    "E_len": "EdgeLengthError",
-    "E_len_max": "MaxEdgeLengthError",
-    "E_ang": "AngleErrorMean",
-    "E_h": "GlobalHomogeneity",
-    "E_r": "GlobalAspectRatio",
-    "E_area": "AreaError",
-    "strain_p95": "StrainP95",
-    "energy_rigid": "RigidEnergy",
-    "cut_length": "CutLength",
-}
-_PIECE_TEXTS = {
-    "status": "Status",
-    "message": "StatusDefect",
-    "id_kind": "StatusIdKind",
-    "solver_used": "SolverUsed",
-    "energy_used": "EnergyUsed",
-    "fallbacks": "Fallbacks",
-}
-_SECONDS = {
-    "wires": "SecondsWires",
-    "interior": "SecondsInterior",
-    "quality": "SecondsQuality",
-    "total": "SecondsTotal",
-}
-_HISTORY = {
-    "phase": "HistoryPhase",
-    "objective": "HistoryObjective",
-    "closure": "HistoryClosure",
-    "optimality": "HistoryOptimality",
-    "step": "HistoryStep",
-}
-_ISOMETRIC_HISTORY = {
-    "exact": "IsometricHistoryExact",
-    "energy": "IsometricHistoryEnergy",
-    "length_error": "IsometricHistoryLengthError",
-    "optimality": "IsometricHistoryOptimality",
-    "move": "IsometricHistoryMove",
-}
-# Of a curve that may be released: what the piece would be without it.
-_RELEASE_NUMBERS = {
-    "objective_without": "ReleaseObjective",
-    "E_area_without": "ReleaseAreaError",
-    "E_h_without": "ReleaseHomogeneity",
-}
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
-class Wire(NamedTuple):
-    """A wire in the plane: a chain of the boundary, or one side of a feature curve."""
+@dataclass(frozen=True, eq=False)
+class Wire(ComparedByValue):
+    """A wire in the plane: a chain of the boundary, or one side of a feature curve.
 
-    #: Points along the wire, rows of Flattening.positions; int64, shape (k,).
+    Attributes:
+        vertices: points along the wire, rows of Flattening.positions; int64, shape (k,).
+        type: "accessory", "key", "dart", "seam", or "boundary", or "connector" (its length is free).
+        curve: place of the feature curve in the report's "curves", or -1.
+        name: name of the feature curve, or "boundary" or "connector".
+        piece: row of the report's "pieces".
+        boundary: whether it bounds its piece.
+        rest_length, flat_length: lengths on the surface and in the plane, unit of length.
+        length_error: largest relative length error of one of its edges.
+    """
+
     vertices: NDArray[np.int64]
-    #: "accessory", "key", "dart", "seam", or "boundary", or "connector" (its length is free).
-    type: str
-    #: Place of the feature curve in the report's "curves", or -1.
+    type: WireType
     curve: int
-    #: Name of the feature curve, or "boundary" or "connector".
     name: str
-    #: Row of the report's "pieces".
     piece: int
-    #: Whether it bounds its piece.
     boundary: bool
-    #: Lengths on the surface and in the plane, unit of length.
     rest_length: float
     flat_length: float
-    #: Largest relative length error of one of its edges.
     length_error: float
 
+    def __repr__(self) -> str:
+        return (f"<Wire {self.name!r}: {self.type}, {len(self.vertices)} points, piece {self.piece}, "
+                f"length {self.flat_length:.6g}>")
 
-class Flattening(NamedTuple):
-    """Flat pieces. n points and m triangles are those of the surface after cuts and imprints."""
 
-    #: Positions in the plane, unit of length of the surface; float64, shape (n, 2).
+@dataclass(frozen=True, eq=False)
+class Flattening(ComparedByValue):
+    """Flat pieces; n points and m triangles are those of the surface after cuts and imprints.
+
+    Two of them are equal where all values but the report's "seconds" are. A notebook shows the picture
+    and the measures.
+
+    Attributes:
+        positions: in the plane, unit of length of the surface; float64, shape (n, 2).
+        triangles: corners, counter-clockwise; int64, shape (m, 3).
+        points: the same points on the cut surface in space; float64, shape (n, 3).
+        point_arrays: by name, a value a point, such as "Developability" and "vtkOriginalPointIds"; see
+            vtkWireWarpingFilter for all names. Arrays of texts and without a name are not there.
+        cell_arrays: by name, a value a triangle, such as "HomogeneityOfDistortion", "AspectRatio",
+            "AreaRatio", "PieceId".
+        wires: boundary and feature curves in the plane, each a :class:`Wire`.
+        seam_pairs: cut edges that are sewn together: points a, b, c, d and the curve, edge ab to edge
+            cd, a to c and b to d; int64, shape (k, 5).
+        seam_closed: whether such a pair lies on each other because close_cuts closed the cut; bool,
+            shape (k,).
+        overlap_edges: boundary edges that cross in the plane: points a, b and c, d and the piece;
+            int64, shape (k, 5). 1000 pairs a piece at most; the report's "overlaps" counts all.
+        report: measures, plain Python that json can write, with the keys of wirewarp's report.json:
+            "status", "message", "ids", "id_kind", "remedies", "warnings", "left_out", "pieces" (E_len,
+            E_ang, E_h, ...), "curves" (length_3d, length_2d, error, ...) and "seconds". help(Report),
+            help(PieceReport) and help(CurveReport) say what each is.
+    """
+
     positions: NDArray[np.float64]
-    #: Corners of the triangles, counter-clockwise; int64, shape (m, 3).
     triangles: NDArray[np.int64]
-    #: The same points on the cut surface in space; float64, shape (n, 3).
     points: NDArray[np.float64]
-    #: By name, a value a point, such as "Developability" and "vtkOriginalPointIds"; see
-    #: vtkWireWarpingFilter for all names. Arrays of texts and without a name are not there.
     point_arrays: Dict[str, NDArray[Any]]
-    #: By name, a value a triangle, such as "HomogeneityOfDistortion", "AspectRatio", "AreaRatio",
-    #: "PieceId".
     cell_arrays: Dict[str, NDArray[Any]]
-    #: Boundary and feature curves in the plane.
     wires: List[Wire]
-    #: Cut edges that are sewn together: points a, b, c, d and the curve, edge ab to edge cd, a to c
-    #: and b to d; int64, shape (k, 5).
     seam_pairs: NDArray[np.int64]
-    #: Whether such a pair lies on each other because close_cuts closed the cut; bool, shape (k,).
     seam_closed: NDArray[np.bool_]
-    #: Boundary edges that cross in the plane: points a, b and c, d and the piece; int64, (k, 5).
-    #: 1000 pairs a piece at most; the report's "overlaps" counts all.
     overlap_edges: NDArray[np.int64]
-    #: Measures, plain Python that json can write, with the keys of wirewarp's report.json: "status",
-    #: "message", "ids", "id_kind", "remedies", "warnings", "left_out", "pieces" (E_len, E_ang, E_h, ...),
-    #: "curves" (length_3d, length_2d, error, ...)
-    #: and "seconds".
     report: Report
+    # Of the surface that was given, for to_polydata().
+    _mesh_class: type = field(default=vtkPolyData, repr=False, compare=False)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Flattening):
+            return NotImplemented
+        mine, theirs = (
+            {**vars(result), "report": {**cast(Dict[str, Any], result.report), "seconds": None},
+             "_mesh_class": None} for result in (self, other))
+        return same(mine, theirs)
 
-def as_text(value: Any) -> str:
-    """A text of VTK, which gives bytes where they are no UTF-8."""
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+    def __repr__(self) -> str:
+        report = self.report
+        pieces, count = report["pieces"], len(report["pieces"])
+        words = [f"{count} piece{'' if count == 1 else 's'}", f"{len(self.triangles)} triangles",
+                 report["status"]]
+        if pieces:
+            words.append(f"E_len_max {max(piece['E_len_max'] for piece in pieces):.1e}")
+            words.append(f"E_area {max(piece['E_area'] for piece in pieces):.3g}")
+        return f"<Flattening: {', '.join(words)}>"
+
+    def _repr_html_(self) -> str:
+        from ._html import to_html
+        return to_html(self)
+
+    def to_polydata(self, part: Part = "flat") -> Any:
+        """The result as a mesh, for VTK's pipelines and writers, and for PyVista.
+
+        Args:
+            part: "flat", the pieces in the plane (z is 0); "wires", their boundary and feature curves
+                as lines; "cut", the cut surface in space, point for point like "flat", with the flat
+                positions as texture coordinates.
+
+        Returns:
+            A vtkPolyData of its own, or an object of the class of the surface that was given to
+            flatten_polydata(), such as pyvista.PolyData. It has the arrays that vtkWireWarpingFilter
+            documents, but those of texts that came with the surface.
+        """
+        from ._polydata import to_polydata
+        return to_polydata(self, part, self._mesh_class)
+
+    def write_pattern(
+        self,
+        path: Union[str, os.PathLike[str]],
+        *,
+        unit: Optional[Unit] = None,
+        name: str = "pattern",
+        size: str = "",
+        quantity: int = 1,
+        piece_names: Sequence[str] = (),
+        allowance: float = 10.0,
+        curve_allowances: Optional[Mapping[str, float]] = None,
+        mitre_limit: float = 2.0,
+        notch_spacing: float = 100.0,
+        notch_length: float = 5.0,
+        cut_darts_out: bool = False,
+        paper: Paper = "A4",
+        page_overlap: float = 10.0,
+        max_pages: int = 200,
+    ) -> None:
+        """Writes a pattern to cut, true to scale: SVG, PDF or DXF (R12 after ASTM D6673 / AAMA).
+
+        The options are those of the command wirewarp and mean the same. Lengths among them are in mm.
+
+        Args:
+            path: the file, which ends in .svg, .pdf or .dxf. An earlier one stays where this fails.
+            unit: unit of length of the surface: "mm", "cm", "m" or "inch". None: cm, with a warning.
+            name, size: of the pattern, to be written on it.
+            quantity: how many of each piece are cut, 1 to 1,000,000.
+            piece_names: of the pieces, in the order of the report's.
+            allowance: seam allowance, in [0, 1e6].
+            curve_allowances: by the name of a curve, or "boundary", where it is another.
+            mitre_limit: longest mitre of a corner, in allowances, in [1, 100].
+            notch_spacing: distance of notches along seams and darts, in [0, 1e6]; 0: none but at the
+                mouths of darts.
+            notch_length: in [0, 1e6].
+            cut_darts_out: cut darts out along their allowance instead of folding them.
+            paper: of a PDF: "A4", "letter", "A3", "A0", or "sheet", one page for all.
+            page_overlap: how far its pages overlap, in [0, 50].
+            max_pages: a PDF of more pages is refused, since the unit is likely wrong; 1 to 100,000.
+
+        Raises:
+            ValueError: another file's extension, a word or a number out of range, a curve that is not
+                there, or what cannot be drawn.
+            OSError: the file cannot be written.
+        """
+        from ._pattern import write_pattern
+        options = {key: value for key, value in locals().items()
+                   if key not in ("self", "path", "write_pattern")}
+        write_pattern(self, os.fspath(path), options)
+
+    def plot(self, color_by: Optional[Coloring] = "homogeneity", *, ax: Optional[Axes] = None,
+             measures: bool = True) -> Axes:
+        """Draws pieces, wires and measures with matplotlib (Debian package python3-matplotlib).
+
+        Args:
+            color_by: what the colours show, the words of the command: of triangles "homogeneity" and
+                "area", what flattening does to the area, or "aspect-ratio", to the shape; of points
+                "developability", the surface's angle defect. None: one colour.
+            ax: the axes to draw into. None: those of a new figure.
+            measures: number the pieces and write a line of measures a piece below them.
+
+        Returns:
+            The axes; ``ax.figure.savefig("pieces.png")`` writes the picture.
+        """
+        from ._plot import plot
+        return plot(self, color_by, ax, measures)
 
 
 def _as_numpy(array: Any) -> NDArray[Any]:
@@ -143,23 +208,6 @@ def _as_numpy(array: Any) -> NDArray[Any]:
     return np.array(vtk_to_numpy(array))
 
 
-def _values(field: Any, name: str) -> List[Any]:
-    """An array of one component as Python values; empty where there is none."""
-    array = field.GetAbstractArray(name)
-    if array is None:
-        return []
-    if isinstance(array, vtkStringArray):
-        return [as_text(array.GetValue(row)) for row in range(array.GetNumberOfValues())]
-    values: List[Any] = vtk_to_numpy(array).tolist()
-    return values
-
-
-def texts_of(field: Any, name: str) -> List[str]:
-    """The rows of a string array; none where there is no such array."""
-    values: List[str] = _values(field, name)
-    return values
-
-
 def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
     result = {}
     for index in range(attributes.GetNumberOfArrays()):
@@ -169,8 +217,8 @@ def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
     return result
 
 
-def _rows(field: Any, name: str, components: int) -> NDArray[np.int64]:
-    array = field.GetAbstractArray(name)
+def _rows(field_data: Any, name: str, components: int) -> NDArray[np.int64]:
+    array = field_data.GetAbstractArray(name)
     if array is None:
         return np.empty((0, components), np.int64)
     return np.array(vtk_to_numpy(array), np.int64).reshape(-1, components)
@@ -179,7 +227,7 @@ def _rows(field: Any, name: str, components: int) -> NDArray[np.int64]:
 def _wires(output: vtkPolyData) -> List[Wire]:
     cells = output.GetCellData()
     columns = {
-        name: _values(cells, name)
+        name: values_of(cells, name)
         for name in ("CurveType", "CurveId", "CurveName", "PieceId", "Boundary", "Connector",
                      "RestLength", "FlatLength", "LengthError")
     }
@@ -187,7 +235,7 @@ def _wires(output: vtkPolyData) -> List[Wire]:
     connectivity = vtk_to_numpy(output.GetLines().GetConnectivityArray())
     result = []
     for row, kind in enumerate(columns["CurveType"]):
-        other = "connector" if columns["Connector"][row] else "boundary"
+        other: WireType = "connector" if columns["Connector"][row] else "boundary"
         result.append(Wire(
             vertices=np.array(connectivity[offsets[row]:offsets[row + 1]], np.int64),
             type=other if kind < 0 else CURVE_TYPES[kind],
@@ -202,87 +250,9 @@ def _wires(output: vtkPolyData) -> List[Wire]:
     return result
 
 
-def _add_history(
-        field: Any, key: str, owner: str, names: Dict[str, str], pieces: List[Report]) -> None:
-    """Adds a list of iterations to each piece, from arrays with a row an iteration."""
-    columns = {column: _values(field, name) for column, name in names.items()}
-    for entry in pieces:
-        entry[key] = []
-    for row, piece in enumerate(_values(field, owner)):
-        pieces[piece][key].append({column: values[row] for column, values in columns.items()})
-
-
-def _message(defect: str, remedies: List[Dict[str, str]]) -> str:
-    return make_message(defect, [(remedy["name"], remedy["subject"]) for remedy in remedies])
-
-
-def _report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
-    field, curve_field = flat.GetFieldData(), wires.GetFieldData()
-    columns = {key: _values(field, name)
-               for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
-    columns["overlaps_complete"] = [bool(all_) for all_ in _values(field, "OverlapsComplete")]
-    pieces: List[Report] = [
-        {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "ids": [],
-         "remedies": []}
-        for piece in range(len(columns["triangles"]))
-    ]
-    for row, value in zip(_values(field, "StatusIdPiece"), _values(field, "StatusId")):
-        pieces[row]["ids"].append(value)
-    for row, name, subject in zip(
-            *(_values(field, name) for name in ("RemedyPiece", "RemedyName", "RemedySubject"))):
-        pieces[row]["remedies"].append({"name": name, "subject": subject})
-    for piece in pieces:
-        piece["message"] = _message(piece["message"], piece["remedies"])
-    names = _values(curve_field, "CurveNames")
-    for entry, first, objective in zip(
-            pieces, _values(field, "ReleaseFirst"), _values(field, "ObjectiveWithoutFirst")):
-        entry["release"] = None if first < 0 else {
-            "first": names[first],
-            "objective_without_first": objective if objective >= 0.0 else None,
-            "ranking": []}
-    without = {key: _values(field, name) for key, name in _RELEASE_NUMBERS.items()}
-    for row, (piece, curve, shape, tried) in enumerate(zip(*(_values(field, name) for name in (
-            "ReleasePiece", "ReleaseCurve", "ReleaseShape", "ReleaseTried")))):
-        pieces[piece]["release"]["ranking"].append(
-            {"curve": names[curve], "release": "shape" if shape else "curve",
-             **{key: column[row] if tried else None for key, column in without.items()}})
-    for repaired, entry in zip(_values(field, "Repaired"), pieces):
-        entry["repaired"] = bool(repaired)
-    _add_history(field, "history", "HistoryPiece", _HISTORY, pieces)
-    _add_history(
-        field, "isometric_history", "IsometricHistoryPiece", _ISOMETRIC_HISTORY, pieces)
-    for entry in pieces:
-        for record in entry["isometric_history"]:
-            record["exact"] = bool(record["exact"])
-    curves = zip(*(_values(curve_field, name) for name in (
-        "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
-        "CurveTolerances", "CurveClosedLengths", "CurveSensitivities", "CurveReleased")))
-    remedies = [{"name": name, "subject": subject} for name, subject in zip(
-        _values(field, "RunRemedyName"), _values(field, "RunRemedySubject"))]
-    return {
-        "status": _values(field, "RunStatus")[0],
-        "message": _message(_values(field, "RunStatusDefect")[0], remedies),
-        "ids": _values(field, "RunStatusIds"),
-        "id_kind": _values(field, "RunStatusIdKind")[0],
-        "remedies": remedies,
-        "warnings": texts_of(field, "RunWarnings"),
-        "pieces": pieces,
-        "left_out": [
-            {"reason": reason, "cell": cell, "triangles": triangles}
-            for reason, cell, triangles in zip(*(_values(field, name) for name in (
-                "LeftOutReasons", "LeftOutCells", "LeftOutTriangles")))
-        ],
-        "curves": [
-            {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
-             "error": error, "tolerance": tolerance, "closed_length": closed,
-             "sensitivity": sensitivity, "released": bool(released)}
-            for name, kind, rest, length, error, tolerance, closed, sensitivity, released in curves
-        ],
-        "seconds": {key: _values(field, name)[0] for key, name in _SECONDS.items()},
-    }
-
-
-def make_result(flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData) -> Flattening:
+def make_result(
+    flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData, mesh_class: type = vtkPolyData
+) -> Flattening:
     """The three outputs of vtkWireWarpingFilter as arrays of their own."""
     corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray())
     return Flattening(
@@ -293,7 +263,8 @@ def make_result(flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData) -> Flat
         cell_arrays=_arrays(flat.GetCellData()),
         wires=_wires(wires),
         seam_pairs=_rows(flat.GetFieldData(), "SeamPairs", 5),
-        seam_closed=np.array(_values(flat.GetFieldData(), "SeamClosed"), np.bool_),
+        seam_closed=np.array(values_of(flat.GetFieldData(), "SeamClosed"), np.bool_),
         overlap_edges=_rows(flat.GetFieldData(), "OverlapEdges", 5),
-        report=_report(flat, wires),
+        report=make_report(flat, wires),
+        _mesh_class=mesh_class,
     )

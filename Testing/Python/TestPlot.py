@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""plot() draws pieces, wires and measures with matplotlib; without it a word says what to install."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+os.environ["MPLBACKEND"] = "Agg"
+
+import matplotlib  # noqa: E402  - the backend is chosen first
+import numpy as np  # noqa: E402
+from matplotlib import pyplot  # noqa: E402
+from matplotlib.collections import LineCollection, TriMesh  # noqa: E402
+
+import surfaceflattening as sf  # noqa: E402
+from surfaces import read  # noqa: E402
+
+
+class Plot(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = sf.flatten_polydata(read("tshirt"), read("tshirt_curves"))
+
+    def tearDown(self):
+        pyplot.close("all")
+
+    def wires_of(self, ax):
+        return {collection.get_label(): collection for collection in ax.collections
+                if isinstance(collection, LineCollection)}
+
+    def test_every_wire_is_drawn_in_its_length_and_the_colour_of_its_type(self):
+        drawn = self.wires_of(self.result.plot())
+        self.assertEqual(set(drawn), {wire.type for wire in self.result.wires})
+        for kind, collection in drawn.items():
+            lengths = [np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+                       for line in collection.get_segments()]
+            np.testing.assert_allclose(
+                lengths, [wire.flat_length for wire in self.result.wires if wire.type == kind])
+        self.assertEqual(matplotlib.colors.to_hex(drawn["key"].get_color()[0]), "#d90000")
+
+    def test_triangles_are_coloured_by_the_array_that_is_named(self):
+        for word, name in (("homogeneity", "HomogeneityOfDistortion"), ("area", "AreaRatio"),
+                           ("aspect-ratio", "AspectRatio")):
+            ax = self.result.plot(word)
+            (triangles,) = [collection for collection in ax.collections
+                            if not isinstance(collection, LineCollection)]
+            np.testing.assert_array_equal(triangles.get_array(), self.result.cell_arrays[name])
+        ax = self.result.plot("developability")
+        (triangles,) = [collection for collection in ax.collections if isinstance(collection, TriMesh)]
+        np.testing.assert_array_equal(
+            triangles.get_array(), self.result.point_arrays["Developability"])
+
+    def test_blue_is_ideal_and_red_is_not(self):
+        ax = self.result.plot()
+        (triangles,) = [collection for collection in ax.collections
+                        if not isinstance(collection, LineCollection)]
+        ideal, poor = triangles.to_rgba([1.0, 0.5])
+        self.assertGreater(ideal[2], ideal[0])
+        self.assertGreater(poor[0], poor[2])
+
+    def test_pieces_are_numbered_and_measured(self):
+        texts = [text.get_text() for text in self.result.plot().texts]
+        self.assertEqual([text for text in texts if text.isdigit()], ["0", "1", "2", "3"])
+        for piece in self.result.report["pieces"]:
+            self.assertTrue(any(f"E_area {piece['E_area']:.4f}" in text for text in texts))
+        self.assertEqual(len(self.result.plot(measures=False).texts), 0)
+
+    def test_it_draws_into_given_axes_and_a_file(self):
+        figure, (left, right) = pyplot.subplots(1, 2)
+        self.assertIs(self.result.plot(ax=right, color_by=None), right)
+        self.assertEqual(len(left.collections), 0)
+        self.assertEqual(right.get_aspect(), 1.0)
+        with tempfile.TemporaryDirectory() as folder:
+            figure.savefig(os.path.join(folder, "pieces.png"))
+            picture = pyplot.imread(os.path.join(folder, "pieces.png"))
+        half = picture.shape[1] // 2
+        self.assertTrue((picture[:, half:, :3] < 0.95).any())
+
+    def test_words_are_checked(self):
+        with self.assertRaisesRegex(ValueError, "color_by is 'beauty'; it must be one of homogeneity"):
+            self.result.plot("beauty")
+
+    def test_nothing_else_needs_matplotlib_and_a_word_says_what_to_install(self):
+        program = (
+            "import sys\n"
+            "sys.modules['matplotlib'] = None\n"
+            "import surfaceflattening as sf\n"
+            "r = sf.flatten([[0,0,0],[1,0,0],[1,1,0],[0,1,0]], [[0,1,2],[0,2,3]])\n"
+            "assert '<svg' in r._repr_html_()\n"
+            "try:\n"
+            "    r.plot()\n"
+            "except ImportError as error:\n"
+            "    print(error)\n")
+        run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+        self.assertIn("python3-matplotlib", run.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

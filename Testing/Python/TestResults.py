@@ -1,0 +1,358 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can be done with a result: compare, send, show, hand on as a mesh, cut from paper."""
+
+import copy
+import inspect
+import os
+import pickle
+import pydoc
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+from html.parser import HTMLParser
+from xml.etree import ElementTree
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+import surfaceflattening as sf
+from surfaces import grid, points_of, polylines_of, quarter_sphere, read, triangles_of
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def flattened(name="pants_front", **options):
+    return sf.flatten_polydata(read(name), read(name + "_curves"), **options)
+
+
+def outputs(name="pants_front"):
+    filter_ = sf.vtkWireWarpingFilter()
+    filter_.SetInputData(read(name))
+    filter_.SetCurvesData(read(name + "_curves"))
+    filter_.Update()
+    return filter_
+
+
+class Equality(unittest.TestCase):
+    def test_two_runs_of_the_same_are_equal_and_others_are_not(self):
+        one, again, other = flattened(), flattened(), flattened(scheme="global")
+        self.assertNotEqual(one.report["seconds"], again.report["seconds"])
+        self.assertTrue(one == again)
+        self.assertFalse(one != again)
+        self.assertFalse(one == other)
+        self.assertFalse(one == "pants")
+        again.positions[3, 1] += 1e-9
+        self.assertFalse(one == again)
+
+    def test_each_part_counts(self):
+        one = flattened("tshirt")
+        for change in (
+            lambda result: result.triangles.__setitem__((0, 0), 7),
+            lambda result: result.cell_arrays["AreaRatio"].__setitem__(5, 0.5),
+            lambda result: result.point_arrays.pop("Developability"),
+            lambda result: result.wires.pop(),
+            lambda result: result.wires[2].vertices.__setitem__(0, 1),
+            lambda result: result.report["curves"][0].__setitem__("name", "other"),
+            lambda result: result.seam_pairs.__setitem__((0, 0), 3),
+        ):
+            other = copy.deepcopy(one)
+            self.assertTrue(one == other)
+            change(other)
+            self.assertFalse(one == other)
+
+    def test_a_result_is_found_in_a_list(self):
+        one, other = flattened(), flattened(scheme="global")
+        self.assertEqual([one, other].index(flattened(scheme="global")), 1)
+        self.assertIn(other.wires[0], other.wires)
+
+    def test_curves_of_arrays_are_compared_by_value(self):
+        self.assertTrue(sf.Curve(np.array([1, 2, 3]), "key") == sf.Curve(np.array([1, 2, 3]), "key"))
+        self.assertTrue(sf.Curve(np.zeros((2, 3))) == sf.Curve(np.zeros((2, 3))))
+        self.assertFalse(sf.Curve(np.array([1, 2, 3])) == sf.Curve(np.array([1, 2, 4])))
+        self.assertFalse(sf.Curve(np.array([1, 2, 3])) == sf.Curve(np.array([1, 2])))
+        self.assertFalse(sf.Curve([1, 2], name="hem") == sf.Curve([1, 2]))
+
+    def test_results_and_curves_go_to_other_processes(self):
+        result = flattened()
+        self.assertTrue(pickle.loads(pickle.dumps(result)) == result)
+        curve = sf.Curve(np.array([1, 2]), "key", "hem")
+        self.assertTrue(pickle.loads(pickle.dumps(curve)) == curve)
+
+
+class Page(HTMLParser):
+    """Tags that are open or do not fit, and what the cells of tables hold."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.cells = [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.open.append(tag)
+        if tag in ("td", "th"):
+            self.cells.append("")
+
+    def handle_startendtag(self, tag, attrs):
+        pass
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] in ("td", "th"):
+            self.cells[-1] += data
+
+
+class Shown(unittest.TestCase):
+    def test_a_prompt_shows_a_line(self):
+        result = flattened("tshirt")
+        self.assertRegex(repr(result), r"^<Flattening: 4 pieces, \d+ triangles, Ok, ")
+        self.assertLess(len(repr(result)), 120)
+        self.assertIn(result.wires[0].name, repr(result.wires[0]))
+        self.assertLess(len(repr(result.wires[0])), 120)
+        self.assertIn("1 piece,", repr(flattened()))
+
+    def test_a_notebook_shows_every_triangle_every_wire_and_the_measures(self):
+        result = flattened("tshirt")
+        text = result._repr_html_()
+        picture = ElementTree.fromstring(re.search("<svg.*</svg>", text, re.DOTALL).group(0))
+        paths = picture.findall(SVG + "path")
+        triangles = sum(path.get("d").count("M") for path in paths if path.get("fill") != "none")
+        self.assertEqual(triangles, len(result.triangles))
+        wires = [path.find(SVG + "title").text for path in paths if path.get("fill") == "none"]
+        self.assertEqual(wires, [f"{wire.name} ({wire.type})" for wire in result.wires])
+        page = Page(text)
+        self.assertEqual(page.open, [])
+        for piece in result.report["pieces"]:
+            self.assertIn(f"{piece['E_area']:.4f}", page.cells)
+
+    def test_the_picture_has_the_proportions_of_the_pieces(self):
+        points, triangles = grid(4, 3)
+        text = sf.flatten(points, triangles)._repr_html_()
+        corners = np.array([[float(number) for number in pair.split(",")]
+                            for pair in re.findall(r"[ML](-?[\d.]+,-?[\d.]+)", text)])
+        extent = np.sort(corners.max(axis=0) - corners.min(axis=0))
+        self.assertAlmostEqual(extent[1] / extent[0], 4 / 3, delta=1e-3)
+
+    def test_names_are_text_and_no_markup(self):
+        points, triangles, arc = quarter_sphere()
+        result = sf.flatten(points, triangles, [sf.Curve(arc, name="<script>&")])
+        text = result._repr_html_()
+        self.assertNotIn("<script>", text)
+        self.assertIn("&lt;script&gt;&amp;", text)
+
+    def test_large_pieces_do_not_swell_a_notebook(self):
+        points, triangles = grid(100, 100)
+        result = sf.flatten(points, triangles, scheme="global")
+        text = result._repr_html_()
+        self.assertLess(len(text), 1_500_000)
+
+    def test_a_broken_promise_is_told(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            result = flattened("wetsuit_upper_front")
+        self.assertIn("Overlap", result._repr_html_())
+        self.assertIn("waist_dart_left", result._repr_html_())
+
+
+class Help(unittest.TestCase):
+    def test_every_key_of_the_report_is_explained(self):
+        result = flattened("tshirt")
+        release = next(piece["release"] for piece in result.report["pieces"] if piece["release"])
+        for class_, values in ((sf.Report, result.report), (sf.PieceReport, result.report["pieces"][0]),
+                               (sf.CurveReport, result.report["curves"][0])):
+            self.assertEqual(set(class_.__annotations__), set(values), class_.__name__)
+            text = pydoc.plain(pydoc.render_doc(class_))
+            told = text[text.index("Keys:"):]
+            for key in values:
+                self.assertRegex(told, rf"(?m)^[ |]*(\w+[,:] )*{key}[,:]|; {key}:", class_.__name__)
+        self.assertEqual(set(release), {"first", "objective_without_first", "ranking"})
+
+    def test_every_attribute_of_a_result_is_explained(self):
+        for class_ in (sf.Flattening, sf.Wire, sf.Curve):
+            text = pydoc.plain(pydoc.render_doc(class_))
+            told = text[text.index("Attributes:"):]
+            for name in class_.__dataclass_fields__:
+                if not name.startswith("_"):
+                    self.assertRegex(told, rf"(?m)^[ |]+(\w+, )*{name}[,:]")
+
+    def test_the_version_is_that_of_the_command(self):
+        printed = subprocess.run([os.environ["WIREWARP"], "--version"], capture_output=True, text=True,
+                                 check=True).stdout
+        self.assertIn(sf.__version__, printed)
+        self.assertRegex(sf.__version__, r"^\d+\.\d+\.\d+$")
+
+
+def arrays_of(data):
+    return {data.GetArrayName(k): data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())}
+
+
+class Meshes(unittest.TestCase):
+    def compare(self, mine, theirs):
+        np.testing.assert_array_equal(points_of(mine), points_of(theirs))
+        for get in ("GetPointData", "GetCellData", "GetFieldData"):
+            known = arrays_of(getattr(theirs, get)())
+            for name, array in arrays_of(getattr(mine, get)()).items():
+                self.assertIn(name, known)
+                self.assertEqual(array.GetNumberOfComponents(), known[name].GetNumberOfComponents(), name)
+                self.assertEqual(array.GetClassName() == "vtkStringArray",
+                                 known[name].GetClassName() == "vtkStringArray", name)
+                self.assertEqual([array.GetVariantValue(k).ToString() for k in range(array.GetNumberOfValues())],
+                                 [known[name].GetVariantValue(k).ToString()
+                                  for k in range(known[name].GetNumberOfValues())], name)
+
+    def test_they_are_the_outputs_of_the_filter(self):
+        for name in ("pants_front", "tshirt"):
+            filter_, result = outputs(name), flattened(name)
+            flat, wires, cut = (result.to_polydata(part) for part in ("flat", "wires", "cut"))
+            self.compare(flat, filter_.GetOutput(0))
+            self.compare(wires, filter_.GetOutput(1))
+            self.compare(cut, filter_.GetOutput(2))
+            for mesh, port in ((flat, 0), (cut, 2)):
+                np.testing.assert_array_equal(triangles_of(mesh), triangles_of(filter_.GetOutput(port)))
+            for mine, theirs in zip(polylines_of(wires), polylines_of(filter_.GetOutput(1)), strict=True):
+                np.testing.assert_array_equal(mine, theirs)
+            self.assertEqual(set(arrays_of(flat.GetCellData())),
+                             set(arrays_of(filter_.GetOutput(0).GetCellData())))
+            self.assertEqual(set(arrays_of(wires.GetCellData())),
+                             set(arrays_of(filter_.GetOutput(1).GetCellData())))
+            self.assertEqual(cut.GetPointData().GetTCoords().GetName(), "FlatPositions")
+
+    def test_they_are_of_the_caller(self):
+        result = flattened()
+        first = result.to_polydata()
+        first.GetPoints().SetPoint(0, 9.0, 9.0, 9.0)
+        first.GetCellData().GetArray("AreaRatio").SetValue(0, -1.0)
+        self.assertNotEqual(result.positions[0, 0], 9.0)
+        self.assertNotEqual(result.cell_arrays["AreaRatio"][0], -1.0)
+
+    def test_files_hold_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "flat.vtp")
+            writer, reader = vtkXMLPolyDataWriter(), vtkXMLPolyDataReader()
+            result = flattened()
+            writer.SetInputData(result.to_polydata())
+            writer.SetFileName(path)
+            self.assertTrue(writer.Write())
+            reader.SetFileName(path)
+            reader.Update()
+            np.testing.assert_array_equal(points_of(reader.GetOutput())[:, :2], result.positions)
+
+    def test_they_are_flattened_again_to_the_same(self):
+        points, triangles = grid()
+        flat = sf.flatten(points, triangles).to_polydata()
+        self.assertEqual(type(flat), vtkPolyData)
+        again = sf.flatten_polydata(flat)
+        self.assertLess(again.report["pieces"][0]["E_len_max"], 1e-12)
+
+    def test_other_parts_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "part is 'all'; it must be one of flat, wires, cut"):
+            flattened().to_polydata("all")
+
+
+class Patterns(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def content(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def test_they_are_those_of_the_filters(self):
+        filter_, result = outputs("tshirt"), flattened("tshirt")
+        writer = sf.vtkPatternWriter()
+        for port in range(3):
+            writer.SetInputConnection(port, filter_.GetOutputPort(port))
+        writer.SetUnitToCentimetre()
+        for name in ("shirt.svg", "shirt.dxf"):
+            writer.SetFileName(self.path("filter_" + name))
+            self.assertTrue(writer.Write())
+            result.write_pattern(self.path(name), unit="cm")
+            self.assertEqual(self.content(name), self.content("filter_" + name))
+
+    def test_they_are_those_of_the_command_with_the_same_options(self):
+        root = os.environ["FLATTENING_SOURCE"]
+        words = ["--unit", "inch", "--name", "Trousers", "--size", "40", "--quantity", "2", "--piece-name",
+                 "front", "--allowance", "12", "--curve-allowance", "boundary=20", "--mitre-limit", "3",
+                 "--notch-spacing", "70", "--cut-darts-out", "--paper", "letter", "--page-overlap", "5",
+                 "--max-pages", "900"]
+        subprocess.run([os.environ["WIREWARP"], os.path.join(root, "Data", "pants_front.vtp"),
+                        os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", "--output",
+                        self.path("out"), "--svg", "--dxf", "--pdf", *words], check=True)
+        for kind in ("svg", "dxf", "pdf"):
+            flattened().write_pattern(
+                self.path("own." + kind), unit="inch", name="Trousers", size="40", quantity=2,
+                piece_names=["front"], allowance=12, curve_allowances={"boundary": 20.0}, mitre_limit=3,
+                notch_spacing=70, cut_darts_out=True, paper="letter", page_overlap=5, max_pages=900)
+            mine, theirs = self.content("own." + kind), self.content(f"out/pattern.{kind}")
+            if kind == "pdf":  # it holds the time
+                self.assertAlmostEqual(len(mine), len(theirs), delta=64)
+                self.assertTrue(mine.startswith(b"%PDF"))
+            else:
+                self.assertEqual(mine, theirs)
+
+    def test_a_unit_that_is_not_given_is_warned_of(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            flattened().write_pattern(self.path("a.svg"))
+            flattened().write_pattern(self.path("b.svg"), unit="cm")
+        self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])
+        self.assertEqual(caught[0].filename, __file__)
+        self.assertIn("unit=", str(caught[0].message))
+        self.assertEqual(self.content("a.svg"), self.content("b.svg"))
+
+    def test_what_is_wrong_is_raised_by_name_and_nothing_is_printed(self):
+        result = flattened()
+        for kind, words, name, options in (
+            (ValueError, [".svg, .pdf, .dxf"], "a.png", {}),
+            (ValueError, ["unit", "'ft'", "mm, cm, m, inch"], "a.svg", {"unit": "ft"}),
+            (ValueError, ["paper", "'a4'"], "a.pdf", {"paper": "a4"}),
+            (ValueError, ["allowance", "-1", "0 to 1e+06"], "a.svg", {"allowance": -1}),
+            (ValueError, ["quantity", "1"], "a.svg", {"quantity": 0}),
+            (ValueError, ["no_such"], "a.svg", {"curve_allowances": {"no_such": 1.0}}),
+            (ValueError, ["max_pages", "out of range"], "a.pdf", {"max_pages": 0}),
+            (ValueError, ["page"], "a.pdf", {"unit": "m", "max_pages": 3}),
+            (TypeError, ["allowance", "'wide'"], "a.svg", {"allowance": "wide"}),
+            (TypeError, ["quantity", "1.5"], "a.svg", {"quantity": 1.5}),
+            (TypeError, ["piece_names"], "a.svg", {"piece_names": "front"}),
+            (ValueError, ["name", "UTF-8"], "a.svg", {"name": "a\ud800"}),
+            (OSError, ["nowhere"], "nowhere/a.svg", {}),
+        ):
+            with self.subTest(name=name, options=options):
+                with self.assertRaises(kind) as caught:
+                    result.write_pattern(self.path(name), **{"unit": "cm", **options})
+                for word in words:
+                    self.assertIn(word, str(caught.exception))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_paths_are_taken_as_python_has_them(self):
+        import pathlib
+        flattened().write_pattern(pathlib.Path(self.folder) / "a.svg", unit="cm")
+        self.assertIn(b"<svg", self.content("a.svg"))
+
+    def test_defaults_are_those_of_the_writer(self):
+        writer = sf.vtkPatternWriter()
+        parameters = inspect.signature(sf.Flattening.write_pattern).parameters
+        for option, property_ in (
+            ("quantity", "Quantity"), ("allowance", "Allowance"), ("mitre_limit", "MitreLimit"),
+            ("notch_spacing", "NotchSpacing"), ("notch_length", "NotchLength"), ("size", "PatternSize"),
+            ("page_overlap", "PageOverlap"), ("max_pages", "MaximumPages"), ("name", "PatternName"),
+            ("cut_darts_out", "CutDartsOut"),
+        ):
+            self.assertEqual(parameters[option].default, getattr(writer, "Get" + property_)(), option)
+
+
+if __name__ == "__main__":
+    if not os.environ["WIREWARP"]:
+        sys.exit("the command wirewarp is not built")
+    unittest.main()

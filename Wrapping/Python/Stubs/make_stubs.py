@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the type stubs of the wrapped filters, from the signatures in their docstrings.
+
+Usage: make_stubs.py MODULE FILE.pyi, with the module on PYTHONPATH. VTK's own generator, which Debian's
+packages leave out, does the same for VTK.
+"""
+
+import importlib
+import inspect
+import re
+import sys
+
+# Of a docstring: "Name(self, value:int, pair:(int, int)) -> str".
+SIGNATURE = re.compile(r"^(\w+)\((.*)\)(?: -> (.+))?$")
+VTK_MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkIOCore",
+               "vtkRenderingCore")
+# Of these VTK takes what Python's buffers and sequences hold.
+PLAIN = {"int", "float", "bool", "str", "bytes", "None", "object", "type", "Any", "Callable", "Buffer"}
+
+
+def signatures(doc):
+    """The Python signatures of a docstring, each before its C++ one."""
+    text = re.sub(r"\n {4,}", " ", doc or "")
+    lines = text.split("\n")
+    return [line for line, after in zip(lines, lines[1:] + [""])
+            if SIGNATURE.match(line) and after.startswith("C++:")]
+
+
+def split(text):
+    """At the commas outside of brackets."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character in "([") - (character in ")]")
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [part.strip() for part in parts if part.strip()]
+
+
+class Stubs:
+    """The text of a stub file, and what it needs of other modules."""
+
+    def __init__(self, module):
+        self.module = module
+        self.imports = {}
+        self.classes = [value for _, value in inspect.getmembers(module, inspect.isclass)]
+        self.names = {class_.__name__ for class_ in self.classes}
+
+    def type_of(self, text, takes):
+        """A type as the wrapper writes it: "(int, int)", "[int, ...]", "vtkPolyData"."""
+        text = text.strip()
+        if text[:1] in "([" and text[-1:] in ")]":
+            inner = split(text[1:-1])
+            if takes:
+                kinds = sorted({self.type_of(kind, takes) for kind in inner if kind != "..."})
+                return "Sequence[Any]" if len(kinds) != 1 else f"Sequence[{kinds[0]}]"
+            return "Tuple[" + ", ".join(kind if kind == "..." else self.type_of(kind, takes)
+                                        for kind in inner) + "]"
+        union = [self.name(word.strip()) for word in text.split("|")]
+        return union[0] if len(union) == 1 else f"Union[{', '.join(union)}]"
+
+    def name(self, word):
+        if word in PLAIN - {"object", "Callable", "Buffer"} or word in self.names:
+            return word
+        if word.split(".")[0] in self.names:
+            return "int"  # enumerations are
+        for module in VTK_MODULES:
+            if re.fullmatch(r"vtk\w+", word) and hasattr(self.vtk(module), word):
+                self.imports.setdefault(module, set()).add(word)
+                return word
+        return "Any"
+
+    def vtk(self, module):
+        try:
+            return importlib.import_module("vtkmodules." + module)
+        except ImportError:
+            return None
+
+    def parameter(self, text, place):
+        name, _, rest = text.partition(":")
+        kind, _, default = rest.partition("=")
+        name = name.strip()
+        if not name.isidentifier():
+            name = f"_arg{place}"
+        # An object may be None; what is owned elsewhere is not passed by keyword.
+        hint = self.type_of(kind, True) if kind else "Any"
+        if hint in self.names or re.fullmatch(r"vtk\w+", hint):
+            hint = f"Optional[{hint}]"
+        return f"__{name.lstrip('_')}: {hint}" + (" = ..." if default else "")
+
+    def method(self, name, signature, overloaded):
+        arguments, result = SIGNATURE.match(signature).group(2, 3)
+        parts = split(arguments)
+        own = parts[:1] == ["self"]
+        parameters = [self.parameter(part, place) for place, part in enumerate(parts[own:])]
+        hint = self.type_of(result, False) if result else "None"
+        lines = ["    @overload"] if overloaded else []
+        lines += [] if own else ["    @staticmethod"]
+        lines.append(f"    def {name}({', '.join(['self'] * own + parameters)}) -> {hint}: ...")
+        return lines
+
+    def class_(self, class_):
+        base = class_.__mro__[1]
+        if base.__name__ not in self.names:
+            self.imports.setdefault(base.__module__.split(".")[-1], set()).add(base.__name__)
+        lines = [f"class {class_.__name__}({base.__name__}):"]
+        doc = (class_.__doc__ or "").split("\n")[0].strip()
+        if doc:
+            lines.append(f'    """{doc}"""')
+        for name, value in sorted(vars(class_).items()):
+            if isinstance(value, int) and not isinstance(value, bool):
+                lines.append(f"    {name}: int")
+            elif isinstance(value, type):
+                lines.append(f"    class {name}(int): ...")
+            elif callable(value) and not name.startswith("__"):
+                found = dict.fromkeys(signatures(value.__doc__))
+                if found:
+                    for signature in found:
+                        lines += self.method(name, signature, len(found) > 1)
+                else:
+                    lines.append(f"    def {name}(self, *args: Any) -> Any: ...")
+        return lines
+
+    def text(self):
+        classes = [line for class_ in self.in_order() for line in ["", "", *self.class_(class_)]]
+        head = ["# Made by make_stubs.py from the module of the same name.",
+                "from typing import Any, Optional, Sequence, Tuple, Union, overload", ""]
+        head += [f"from vtkmodules.{module} import {', '.join(sorted(names))}"
+                 for module, names in sorted(self.imports.items())]
+        return "\n".join(head + classes) + "\n"
+
+    def in_order(self):
+        """Bases first."""
+        return sorted(self.classes, key=lambda class_: (len(class_.__mro__), class_.__name__))
+
+
+def main():
+    name, path = sys.argv[1:]
+    text = Stubs(importlib.import_module(name)).text()
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results as notebooks show them: the flat pieces as SVG, and a table of their measures."""
+
+from html import escape
+from typing import TYPE_CHECKING, Any, List, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._colors import IDEAL, PLAIN, WIRE_COLORS, homogeneity_colors
+
+if TYPE_CHECKING:
+    from ._result import Flattening
+
+_WIDTH, _HEIGHT = 640.0, 400.0
+# Beyond, a notebook would carry megabytes: the pieces are drawn in one colour.
+_MOST_COLORED = 6000
+_COLORS = 12
+_COLUMNS: Tuple[Tuple[str, str, str], ...] = (
+    ("piece", "piece", "d"), ("status", "status", ""), ("triangles", "triangles", "d"),
+    ("E_len_max", "largest length error", ".1e"), ("E_ang", "E_ang", ".4f"), ("E_h", "E_h", ".3f"),
+    ("E_area", "E_area", ".4f"), ("strain_p95", "strain, 95 % below", ".4f"))
+
+
+def _on_screen(positions: NDArray[np.float64]) -> Tuple[NDArray[np.float64], float, float]:
+    """Positions in a picture with y downwards, its width and height."""
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    extent = high - low
+    scale = min(_WIDTH / max(extent[0], 1e-300), _HEIGHT / max(extent[1], 1e-300))
+    placed = (positions - low) * scale
+    placed[:, 1] = extent[1] * scale - placed[:, 1]
+    return placed, float(extent[0] * scale), float(extent[1] * scale)
+
+
+def _path(points: NDArray[np.float64], close: bool) -> str:
+    steps = "L".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    return f"M{steps}Z" if close else f"M{steps}"
+
+
+def _triangles(result: "Flattening", placed: NDArray[np.float64]) -> List[str]:
+    colored = len(result.triangles) <= _MOST_COLORED
+    values = result.cell_arrays.get("HomogeneityOfDistortion")
+    if values is None or not colored:
+        groups: Any = [(PLAIN, np.arange(len(result.triangles)))]
+    else:
+        steps = np.clip(np.round((values - 0.5) / 0.5 * (_COLORS - 1)), 0, _COLORS - 1).astype(int)
+        colors = homogeneity_colors(_COLORS)
+        groups = [(colors[step], np.flatnonzero(steps == step)) for step in range(_COLORS)]
+    lines = []
+    for color, rows in groups:
+        if len(rows):
+            outline = "".join(_path(placed[corners], True) for corners in result.triangles[rows])
+            lines.append(f'<path d="{outline}" fill="{color}" stroke="{color}" stroke-width="0.5"/>')
+    return lines
+
+
+def _svg(result: "Flattening") -> str:
+    placed, width, height = _on_screen(result.positions)
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width + 8:.0f}" '
+             f'height="{height + 8:.0f}" viewBox="-4 -4 {width + 8:.1f} {height + 8:.1f}">']
+    lines += _triangles(result, placed)
+    for wire in result.wires:
+        stroke = 'stroke-width="0.7" stroke-dasharray="2"' if wire.type == "connector" else 'stroke-width="1.5"'
+        lines.append(f'<path d="{_path(placed[wire.vertices], False)}" fill="none" '
+                     f'stroke="{WIRE_COLORS[wire.type]}" {stroke}>'
+                     f"<title>{escape(wire.name)} ({wire.type})</title></path>")
+    return "".join([*lines, "</svg>"])
+
+
+def _table(result: "Flattening") -> str:
+    head = "".join(f"<th>{title}</th>" for _, title, _ in _COLUMNS)
+    pieces: Any = result.report["pieces"]
+    rows = "".join(
+        "<tr>" + "".join(f"<td>{escape(format(piece[key], form))}</td>" for key, _, form in _COLUMNS)
+        + "</tr>" for piece in pieces)
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def to_html(result: "Flattening") -> str:
+    """A picture and a table; where triangles are coloured, blue is ideal and red half the area."""
+    legend = (f'Triangles: <span style="color:{IDEAL}">blue</span>, the area kept, to red, half or twice '
+              "of it. " if len(result.triangles) <= _MOST_COLORED else "")
+    kinds = sorted({wire.type for wire in result.wires})
+    legend += "Wires: " + ", ".join(
+        f'<span style="color:{WIRE_COLORS[kind]}">{kind}</span>' for kind in kinds) + "."
+    message = result.report["message"]
+    said = f"<p><b>{escape(result.report['status'])}</b>: {escape(message)}</p>" if message else ""
+    return f"<div>{_svg(result)}<p>{legend}</p>{said}{_table(result)}</div>"

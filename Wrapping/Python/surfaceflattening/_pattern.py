@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results as patterns to cut."""
+
+import warnings
+from typing import TYPE_CHECKING, Any, List, Mapping, get_args
+
+from vtkmodules.vtkCommonMisc import vtkErrorCode
+
+from ._errors import FlatteningWarning
+from ._options import flag, index_of
+from ._polydata import to_polydata
+from ._types import Paper, Part, Unit
+from .vtkFiltersFlattening import vtkPatternWriter
+
+if TYPE_CHECKING:
+    from ._result import Flattening
+
+# Option: property of the writer, least and most, those of the command.
+_NUMBERS = {
+    "quantity": ("Quantity", 1, 1_000_000),
+    "allowance": ("Allowance", 0.0, 1e6),
+    "mitre_limit": ("MitreLimit", 1.0, 100.0),
+    "notch_spacing": ("NotchSpacing", 0.0, 1e6),
+    "notch_length": ("NotchLength", 0.0, 1e6),
+    "page_overlap": ("PageOverlap", 0.0, 50.0),
+    "max_pages": ("MaximumPages", 1, 100_000),
+}
+
+
+def _in_range(what: str, value: Any, least: float, most: float) -> Any:
+    try:
+        inside = least <= value <= most
+    except TypeError:
+        raise TypeError(f"{what} = {value!r} must be a number") from None
+    if not inside:
+        raise ValueError(f"{what} = {value!r} is out of range; it must be from {least:g} to {most:g}")
+    return value
+
+
+def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
+    for option, (property_, least, most) in _NUMBERS.items():
+        value = _in_range(option, options[option], least, most)
+        try:
+            getattr(writer, "Set" + property_)(value)
+        except TypeError as error:
+            raise TypeError(f"{option} = {value!r}: {error}") from None
+    if options["unit"] is not None:
+        writer.SetUnit(1 + index_of(options["unit"], get_args(Unit), "unit"))
+    writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
+    writer.SetCutDartsOut(flag(options["cut_darts_out"], "cut_darts_out"))
+    for option, set_text in (("name", writer.SetPatternName), ("size", writer.SetPatternSize)):
+        set_text(_text(option, options[option]))
+    if isinstance(options["piece_names"], str):
+        raise TypeError(f"piece_names = {options['piece_names']!r} must be a list of names")
+    for piece, name in enumerate(options["piece_names"]):
+        writer.SetPieceName(piece, _text(f"piece_names[{piece}]", name))
+    for curve, allowance in (options["curve_allowances"] or {}).items():
+        writer.SetCurveAllowance(curve, _in_range(f"allowance of {curve!r}", allowance, 0.0, 1e6))
+
+
+def _text(what: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{what} = {value!r} must be a string")
+    try:
+        value.encode()  # VTK ends the interpreter on a lone surrogate
+    except UnicodeEncodeError as error:
+        raise ValueError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
+    return value
+
+
+def write_pattern(result: "Flattening", path: str, options: Mapping[str, Any]) -> None:
+    """Writes the file, or raises what the writer says."""
+    writer = vtkPatternWriter()
+    _set_options(writer, options)
+    writer.SetFileName(_text("path", path))
+    parts: List[Part] = ["flat", "wires", "cut"]
+    for port, part in enumerate(parts):
+        writer.SetInputData(port, to_polydata(result, part))
+    for event in ("ErrorEvent", "WarningEvent"):
+        writer.AddObserver(event, lambda *_: None)  # instead of lines on stderr
+    if not writer.Write():
+        kind = OSError if writer.GetErrorCode() == vtkErrorCode.CannotOpenFileError else ValueError
+        raise kind(writer.GetErrorMessage())
+    if options["unit"] is None:
+        warnings.warn("the unit of the surface is taken as cm; state it with unit=\"mm\", \"cm\", \"m\" "
+                      "or \"inch\"", FlatteningWarning, stacklevel=3)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results drawn with matplotlib, which nothing else needs."""
+
+from typing import TYPE_CHECKING, Any, Optional, get_args
+
+import numpy as np
+
+from ._colors import PLAIN, WIRE_COLORS, blue_to_red
+from ._options import index_of
+from ._types import Coloring
+
+if TYPE_CHECKING:
+    from ._result import Flattening
+
+# Array, whether of points, title, values of the first and the last colour (blue and red), as wirewarp
+# --picture has them; of the developability the largest value.
+_COLORINGS = {
+    "homogeneity": ("HomogeneityOfDistortion", False, "homogeneity (1 is ideal)", 1.0, 0.5),
+    "aspect-ratio": ("AspectRatio", False, "aspect ratio (1 is ideal)", 1.0, 0.5),
+    "area": ("AreaRatio", False, "area in the plane / on the surface", 0.8, 1.2),
+    "developability": ("Developability", True, "developability: angle defect (rad)", 0.0, None),
+}
+
+
+def _pyplot() -> Any:
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise ImportError("plot() needs matplotlib; install it, on Debian the package "
+                          f"python3-matplotlib ({error})") from None
+    return pyplot
+
+
+def _draw_triangles(result: "Flattening", color_by: Optional[Coloring], ax: Any) -> None:
+    from matplotlib.colors import ListedColormap
+    x, y = result.positions.T
+    if color_by is None:
+        ax.tripcolor(x, y, result.triangles, facecolors=np.zeros(len(result.triangles)),
+                     cmap=ListedColormap([PLAIN]))
+        return
+    name, of_points, title, first, last = _COLORINGS[color_by]
+    values = (result.point_arrays if of_points else result.cell_arrays)[name]
+    if last is None:
+        last = max(float(values.max(initial=0.0)), 1e-3)
+    colors = blue_to_red(256)
+    low, high = min(first, last), max(first, last)
+    options = {"cmap": ListedColormap(colors if first < last else colors[::-1]), "vmin": low, "vmax": high}
+    if of_points:
+        drawn = ax.tripcolor(x, y, result.triangles, values, shading="gouraud", **options)
+    else:
+        drawn = ax.tripcolor(x, y, result.triangles, facecolors=values, **options)
+    ax.figure.colorbar(drawn, ax=ax, label=title, shrink=0.8)
+
+
+def _draw_wires(result: "Flattening", ax: Any) -> None:
+    from matplotlib.collections import LineCollection
+    for kind, color in WIRE_COLORS.items():
+        lines = [result.positions[wire.vertices] for wire in result.wires if wire.type == kind]
+        if lines:
+            thin = kind == "connector"
+            ax.add_collection(LineCollection(
+                lines, colors=color, linewidths=0.6 if thin else 1.4, label=kind,
+                linestyles="dotted" if thin else "solid"))
+    ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.02), ncol=6, frameon=False, fontsize="small")
+
+
+def _write_measures(result: "Flattening", ax: Any) -> None:
+    for piece in result.report["pieces"]:
+        rows = result.cell_arrays["PieceId"] == piece["piece"]
+        corners = result.positions[result.triangles[rows]].reshape(-1, 2)
+        ax.annotate(str(piece["piece"]), (corners.min(axis=0) + corners.max(axis=0)) / 2,
+                    ha="center", va="center", fontsize="large", fontweight="bold")
+    lines = [
+        f"piece {piece['piece']}: {piece['status']}, length error <= {piece['E_len_max']:.1e}, E_ang "
+        f"{piece['E_ang']:.4f}, E_h {piece['E_h']:.3f}, E_area {piece['E_area']:.4f}, strain "
+        f"{piece['strain_p95']:.4f}" for piece in result.report["pieces"]]
+    ax.text(0.0, -0.1, "\n".join(lines), transform=ax.transAxes, va="top", fontsize="small",
+            family="monospace")
+
+
+def plot(result: "Flattening", color_by: Optional[Coloring], ax: Any, measures: bool) -> Any:
+    """Draws pieces, wires and measures; the axes."""
+    if color_by is not None:
+        index_of(color_by, get_args(Coloring), "color_by")
+    pyplot = _pyplot()
+    if ax is None:
+        _, ax = pyplot.subplots(figsize=(9, 7), layout="constrained")
+    _draw_triangles(result, color_by, ax)
+    _draw_wires(result, ax)
+    ax.set_aspect("equal")
+    ax.autoscale_view()
+    ax.set_axis_off()
+    if measures:
+        _write_measures(result, ax)
+    return ax
