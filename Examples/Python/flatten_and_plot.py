@@ -15,7 +15,7 @@ import surfaceflattening as sf
 from picture import Picture
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("surface", help="triangles, a .vtp file")
     parser.add_argument("curves", help="feature curves, a .vtp file")

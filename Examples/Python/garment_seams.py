@@ -8,29 +8,34 @@ the length of the seam on the surface, so they can be sewn without easing.
 
 import argparse
 import sys
+from typing import List
 
 import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import surfaceflattening as sf
 from picture import Picture
 
 
-def read(path):
+def read(path: str) -> vtkPolyData:
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
 
 
-def bank_lengths(flat, seam_pairs):
+def bank_lengths(
+    flat: vtkPolyData, seam_pairs: NDArray[np.int64]
+) -> List[NDArray[np.float64]]:
     """Per row of SeamPairs the lengths of its two edges in the plane."""
     points = np.array([flat.GetPoint(k)[:2] for k in range(flat.GetNumberOfPoints())])
     first, second = seam_pairs[:, 0:2], seam_pairs[:, 2:4]
     return [np.linalg.norm(points[ids[:, 1]] - points[ids[:, 0]], axis=1) for ids in (first, second)]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("surface", help="triangles, a .vtp file")
     parser.add_argument("curves", help="feature curves with the garment's seams, a .vtp file")

@@ -8,28 +8,30 @@ sets contradict each other; then the keys are released, so that only their lengt
 
 import argparse
 import warnings
+from typing import List
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import surfaceflattening as sf
 from picture import Picture
 
 
-def read(path):
+def read(path: str) -> vtkPolyData:
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
 
 
-def keys_of(curves):
+def keys_of(curves: vtkPolyData) -> List[str]:
     data = curves.GetCellData()
     types, names = data.GetArray("CurveType"), data.GetAbstractArray("CurveName")
     return [names.GetValue(row) for row in range(names.GetNumberOfValues())
             if types.GetTuple1(row) == sf.vtkWireWarpingFilter.KEY]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("surface", help="triangles, a .vtp file")
     parser.add_argument("curves", nargs="+", help="sets of feature curves, .vtp files")

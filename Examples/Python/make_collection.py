@@ -14,14 +14,14 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter, vtkXMLPolyDataReader
 
 
-def read(path):
+def read(path: str) -> vtkPolyData:
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
 
 
-def join(surface, curves):
+def join(surface: vtkPolyData, curves: vtkPolyData) -> vtkPolyData:
     """One vtkPolyData of the surface's triangles and the curves' lines."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -48,7 +48,7 @@ def join(surface, curves):
     return result
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("collection", help="the .vtm file to write")
     parser.add_argument("pieces", nargs="+", metavar="SURFACE.vtp,CURVES.vtp")

@@ -7,14 +7,21 @@ group called "key ...", "dart ..." or "seam ..." are of that type, all others ke
 """
 
 import argparse
-import sys
+from typing import Dict, List, Tuple
 
 import surfaceflattening as sf
 
+TYPES: Dict[str, sf.CurveType] = {"key": "key", "dart": "dart", "seam": "seam"}
 
-def read_obj(path):
+
+def read_obj(
+    path: str
+) -> Tuple[List[List[float]], List[Tuple[int, int, int]], List[sf.Curve]]:
     """Points, triangles and curves; positions keep their double precision."""
-    points, triangles, lines, group = [], [], {}, ""
+    points: List[List[float]] = []
+    triangles: List[Tuple[int, int, int]] = []
+    lines: Dict[str, List[List[int]]] = {}
+    group = ""
     with open(path, encoding="utf-8", errors="replace") as file:
         for line in file:
             words = line.split("#")[0].split()
@@ -33,16 +40,16 @@ def read_obj(path):
                     triangles += [(ids[0], a, b) for a, b in zip(ids[1:], ids[2:])]
     curves = []
     for name, parts in lines.items():
-        kind = name.replace("_", " ").lower().split(" ")[0]
-        kind = kind if kind in ("key", "dart", "seam") else "accessory"
+        word = name.replace("_", " ").lower().split(" ")[0]
+        kind = TYPES.get(word, "accessory")
         for number, ids in enumerate(join(parts)):
             curves.append(sf.Curve(ids, kind, f"{name} {number + 1}" if number else name))
     return points, triangles, curves
 
 
-def join(parts):
+def join(parts: List[List[int]]) -> List[List[int]]:
     """Modellers write a line an edge: joins those that follow each other."""
-    chains = []
+    chains: List[List[int]] = []
     for ids in parts:
         if chains and chains[-1][-1] == ids[0]:
             chains[-1] += ids[1:]
@@ -51,7 +58,7 @@ def join(parts):
     return chains
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("surface", help="an .obj file")
     parser.add_argument("pattern", help="the .svg, .pdf or .dxf file to write")
@@ -62,26 +69,13 @@ def main():
     options = parser.parse_args()
 
     points, triangles, curves = read_obj(options.surface)
-    filter_ = sf.vtkWireWarpingFilter()
-    filter_.SetSchemeToIsometric()
-    filter_.SetInputData(sf.make_surface(points, triangles))
-    filter_.SetCurvesData(sf.make_curves(curves, points))
-    filter_.Update()
-    if filter_.IsRefused():
-        sys.exit(1)  # the filter has said why
-
-    writer = sf.vtkPatternWriter()
-    for port in range(3):
-        writer.SetInputConnection(port, filter_.GetOutputPort(port))
-    writer.SetFileName(options.pattern)
-    writer.SetUnitByName(options.unit)
-    writer.SetPatternName(options.name)
-    writer.SetAllowance(options.allowance)
-    if not writer.Write():
-        sys.exit(1)  # the writer has said why
-
-    pieces = filter_.GetOutput(0).GetFieldData().GetArray("Triangles").GetNumberOfTuples()
-    print(f"{options.pattern}: {pieces} piece(s), {len(curves)} curve(s)")
+    try:
+        result = sf.flatten(points, triangles, curves)
+        result.write_pattern(options.pattern, unit=options.unit, name=options.name,
+                             allowance=options.allowance)
+    except (sf.FlatteningError, ValueError, OSError) as error:
+        parser.exit(1, f"{error}\n")
+    print(f"{options.pattern}: {len(result.report['pieces'])} piece(s), {len(curves)} curve(s)")
 
 
 if __name__ == "__main__":

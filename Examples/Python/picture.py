@@ -3,10 +3,12 @@
 
 import os
 import sys
+from typing import List, Optional, Tuple
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 - draws the titles
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - draws everything else
 from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
@@ -16,7 +18,7 @@ BLACK, GREEN, RED, BLUE, PURPLE = (0, 0, 0), (0, 0.6, 0.1), (0.85, 0, 0), (0, 0.
 WIRE_COLORS = {-1: BLACK, 0: GREEN, 1: RED, 2: BLUE, 3: PURPLE}
 
 
-def blue_to_red(low, high):
+def blue_to_red(low: float, high: float) -> vtkLookupTable:
     """Colours from blue at low to red at high; low may be the larger."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
@@ -27,7 +29,7 @@ def blue_to_red(low, high):
     return table
 
 
-def _wire_colors():
+def _wire_colors() -> vtkLookupTable:
     table = vtkLookupTable()
     table.SetNumberOfTableValues(len(WIRE_COLORS))
     table.SetTableRange(-1.5, 3.5)
@@ -39,7 +41,7 @@ def _wire_colors():
 class Picture:
     """Panels in a row, all in one scale, so that sizes compare."""
 
-    def __init__(self, width=1200, height=800):
+    def __init__(self, width: int = 1200, height: int = 800) -> None:
         if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
             sys.exit("Debian's VTK draws through an X server, and DISPLAY names none: "
                      "run this with xvfb-run")
@@ -47,9 +49,10 @@ class Picture:
         self.window.SetOffScreenRendering(True)
         self.window.SetSize(width, height)
         self.window.SetMultiSamples(4)
-        self.panels = []
+        self.panels: List[Tuple[vtkRenderer, Tuple[float, ...]]] = []
 
-    def add(self, flat, wires, title, array=None, low=0.0, high=1.0):
+    def add(self, flat: vtkPolyData, wires: vtkPolyData, title: str, array: Optional[str] = None,
+            low: float = 0.0, high: float = 1.0) -> None:
         """One more panel: outputs 0 and 1 of the filter, the pieces coloured by a cell array."""
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
@@ -90,7 +93,7 @@ class Picture:
         self.window.AddRenderer(renderer)
         self.panels.append((renderer, flat.GetBounds()))
 
-    def write(self, path):
+    def write(self, path: str) -> None:
         """Draws the panels into a PNG file."""
         count = len(self.panels)
         width, height = self.window.GetSize()
