@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the commands of tutorial.md and draws the pictures of the documentation. Needs an X server.
 
+The pictures of the window are made by its test, which draws the tutorial's curves by mouse, where it is built;
+the variable PATTERN_EDITOR_TEST names it.
+
     make_pictures.py FOLDER    writes the pictures to FOLDER/images and, for the HTML pages alone,
                                FOLDER/pages/pieces.md with a picture of each piece
 """
@@ -19,6 +22,9 @@ from measures import COMMAND, DATA, HERE, PIECES
 
 WIDTH = 640  # of a picture in a page, in pixels
 COLUMNS, COLUMN_WIDTH = 3, 240  # of the gallery
+WINDOW_WIDTH = 900  # of a picture of the window
+EDITOR = os.environ.get("PATTERN_EDITOR_TEST",
+                        os.path.join(os.path.dirname(COMMAND), "TestPatternEditor"))
 
 
 def read(path):
@@ -83,6 +89,19 @@ def run_tutorial(folder, images):
                     os.path.join(made, "pattern", "pattern.pdf"), f"{images}/pattern"], check=True)
 
 
+def draw_editor(folder, images):
+    """The window, where it is built."""
+    if not os.path.isfile(EDITOR):
+        return
+    session = os.path.join(folder, "session")
+    os.makedirs(session, exist_ok=True)
+    subprocess.run([EDITOR, "--gtest_filter=*TheTutorialsCurvesDrawn*"], check=True,
+                   env={**os.environ, "PATTERN_EDITOR_PICTURES": session})
+    for name in ("drawing", "drawn"):
+        write(scaled(read(os.path.join(session, name + ".png")), WINDOW_WIDTH),
+              f"{images}/editor_{name}.png")
+
+
 def draw_pieces(folder, images):
     pieces = os.path.join(folder, "pieces")
     os.makedirs(pieces, exist_ok=True)
@@ -112,6 +131,7 @@ def main():
     for made in (images, os.path.join(folder, "pages")):
         os.makedirs(made, exist_ok=True)
     run_tutorial(folder, images)
+    draw_editor(folder, images)
     draw_pieces(folder, images)
 
 

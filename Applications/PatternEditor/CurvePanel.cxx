@@ -37,8 +37,8 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   auto* const form = new QFormLayout;
   form->addRow("Name", this->Name);
   form->addRow("Type", this->Type);
-  form->addRow("", this->Straight);
-  form->addRow("", this->Mirrored);
+  form->addRow(this->Straight);
+  form->addRow(this->Mirrored);
   form->addRow("Tolerance", this->Tolerance);
   form->addRow("Length", this->Length);
   auto* const layout = new QVBoxLayout(this);

@@ -228,14 +228,20 @@ bool EditorWindow::savePicture(const std::string& path)
 void EditorWindow::followCurves()
 {
   this->followChoice();
-  if (this->Surface && this->Live.isQuick())
+  if (!this->Surface)
+  {
+    return;
+  }
+  if (this->Live.isQuick(Care::Full))
   {
     this->flattenNow();
+    return;
   }
-  else if (this->Surface)
+  if (this->Live.isQuick(Care::Draft))
   {
-    this->Rest->start();
+    this->flattenNow(Care::Draft);
   }
+  this->Rest->start();
 }
 
 //------------------------------------------------------------------------------
@@ -255,12 +261,12 @@ void EditorWindow::followChoice()
 }
 
 //------------------------------------------------------------------------------
-void EditorWindow::flattenNow()
+void EditorWindow::flattenNow(Care care)
 {
   this->Rest->stop();
   vtkNew<vtkPolyData> curves;
   this->Curves->GetCurves(curves);
-  const bool flat = this->Live.run(curves);
+  const bool flat = this->Live.run(curves, care);
   this->tell(this->Live.message(), true);
   if (flat)
   {
@@ -280,7 +286,12 @@ void EditorWindow::showResult()
   {
     table += QString::fromStdString(row) + "\n";
   }
-  this->Measures->setText(table.trimmed());
+  table = table.trimmed();
+  if (this->Live.care() == Care::Draft)
+  {
+    table += "   (draft)";
+  }
+  this->Measures->setText(table);
   this->SpaceScene.color(this->Live.result(), this->Coloring);
   this->PlaneScene.show(this->Live.result(), this->Coloring);
   this->SpaceWidget->renderWindow()->Render();

@@ -72,7 +72,7 @@ private:
 
   void followCurves();
   void followChoice();
-  void flattenNow();
+  void flattenNow(Care care = Care::Full);
   void showResult();
   void tell(const std::string& words, bool bad);
   template <typename Work>

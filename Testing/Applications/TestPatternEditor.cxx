@@ -151,8 +151,12 @@ protected:
     const int turn = std::abs(aside) > 40 ? (aside > 0 ? -140 : 140) : 0;
     const QPoint ground(middle.x(), 6);
     this->turn(ground, ground + QPoint(turn, 0));
+    if (id == 12) // the end of the bust girth
+    {
+      this->moveTo(this->vertex(id));
+      this->picture("drawing");
+    }
     this->click(this->vertex(id));
-    this->picture("seen_" + std::to_string(id));
     this->turn(ground, ground - QPoint(turn, 0));
   }
   void turn(const QPoint& from, const QPoint& to)
@@ -192,7 +196,6 @@ protected:
       {
         this->clickSeen(id);
       }
-      this->picture("draw_" + curve.name);
       this->click({ 5, 5 }, Qt::RightButton);
       this->push(Hand::MAKE_ACCESSORY + curve.type);
       this->rename(curve.name);
@@ -223,7 +226,6 @@ protected:
 //------------------------------------------------------------------------------
 TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
 {
-  this->picture("opened");
   this->drawTutorial();
   this->waitForPieces();
   this->picture("drawn");
@@ -421,6 +423,10 @@ TEST_F(PatternEditor, FilesThatCannotBeReadOrWrittenAreNamed)
 int main(int argc, char* argv[])
 {
   testing::InitGoogleTest(&argc, argv);
+  if (GTEST_FLAG_GET(list_tests)) // which needs no X server
+  {
+    return RUN_ALL_TESTS();
+  }
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
