@@ -21,7 +21,7 @@ constexpr std::array<Words, 20> words{ {
   { "WriteAgain", "write the file again" },
   { "SkipClosed", "leave out what cannot be laid flat (--skip-closed)" },
   { "DivideInput", "divide the file" },
-  { "RaiseImprintTolerance", "raise --imprint-tolerance" },
+  { "RaiseImprintTolerance", "raise --imprint-tolerance to %" },
   { "SplitTriangles", "leave out --no-split" },
   { "RaiseSnapTolerance", "raise --snap-tolerance" },
   { "NameCurve", "name one of the curves for --tolerance" },

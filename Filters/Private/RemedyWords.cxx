@@ -43,7 +43,7 @@ const char* remedyWords(Remedy remedy)
     case Remedy::ProjectPoints:
       return "project the points onto the surface";
     case Remedy::RaiseImprintTolerance:
-      return "raise ImprintTolerance";
+      return "raise ImprintTolerance to %";
     case Remedy::AddCurvePoints:
       return "add points between them that follow the surface";
     case Remedy::EndAtBoundary:

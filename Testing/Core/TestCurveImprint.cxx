@@ -301,3 +301,37 @@ TEST(CurveImprint, CurvesOnTheEdgesOfAMillionTrianglesCostLittleMoreThanToBuildT
   RecordProperty("imprint", std::to_string(imprint));
   EXPECT_LT(imprint, 2.0 * build);
 }
+
+TEST(CurveImprint, TakesPicksThatLieALittleOffTheSurface)
+{
+  const TriangleMesh mesh = grid(10);
+  const double diagonal = 10.0 * std::sqrt(2.0);
+  Polyline line = polyline({ Point3(1.2, 1.3, 1e-3 * diagonal), Point3(5.4, 3.3, -1e-3 * diagonal),
+    Point3(8.0, 8.0, 1e-3 * diagonal) });
+  EXPECT_TRUE(imprintCurves(mesh, { line }, {}).status.ok());
+  // Farther off the message gives the number that takes it, and this does.
+  line.points[1].z() = 0.01313 * diagonal;
+  const auto refused = imprintCurves(mesh, { line }, {});
+  ASSERT_EQ(refused.status.code, StatusCode::CurvePointOffSurface);
+  ASSERT_EQ(refused.status.waysOut.size(), 2U);
+  EXPECT_EQ(refused.status.waysOut[1].remedy, Remedy::RaiseImprintTolerance);
+  EXPECT_EQ(refused.status.waysOut[1].subject, "0.014");
+  ImprintOptions options;
+  options.tolerance = std::stod(refused.status.waysOut[1].subject);
+  EXPECT_TRUE(imprintCurves(mesh, { line }, options).status.ok());
+  // Beyond the diagonal there is none.
+  line.points[1].z() = 2.0 * diagonal;
+  EXPECT_EQ(imprintCurves(mesh, { line }, {}).status.waysOut.size(), 1U);
+}
+
+TEST(CurveImprint, GoesToTheNearestVertexWhereNothingIsSplit)
+{
+  const TriangleMesh mesh = grid(10);
+  ImprintOptions options;
+  options.split = false;
+  options.tolerance = 1.0; // every vertex is within it
+  const auto result = imprintCurves(mesh,
+    { polyline({ Point3(1.2, 1.3, 0.1), Point3(1.9, 1.1, 0.2), Point3(3.3, 0.8, 0.0) }) }, options);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_EQ(result.curves[0].vertices, (Indices{ 12, 13, 14 }));
+}

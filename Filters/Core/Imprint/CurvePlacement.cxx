@@ -4,6 +4,8 @@
 #include "Imprint/VertexMatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -21,6 +23,13 @@ double diagonal(const TriangleMesh& mesh)
   }
   return bounds.isEmpty() ? 0.0 : bounds.diagonal().norm();
 }
+
+/// The next larger number of two digits.
+double roundedUp(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit * (1.0 - 1e-12)) * unit;
+}
 }
 
 CurvePlacement::CurvePlacement(
@@ -28,7 +37,8 @@ CurvePlacement::CurvePlacement(
   : Mesh(mesh)
   , Polylines(polylines)
   , Options(options)
-  , Reach(options.tolerance * diagonal(mesh))
+  , Diagonal(diagonal(mesh))
+  , Reach(options.tolerance * this->Diagonal)
   , AtVertex(mesh, std::max(0.01, options.snap))
 {
 }
@@ -41,7 +51,9 @@ void CurvePlacement::findVertices()
     this->First.push_back(queries.size());
     queries.insert(queries.end(), polyline.points.begin(), polyline.points.end());
   }
-  std::vector<Indices> candidates = matchVertices(this->Mesh, queries, this->Reach);
+  const double reach =
+    this->Options.split ? std::min(this->Reach, this->AtVertex.greatest()) : this->Reach;
+  std::vector<Indices> candidates = matchVertices(this->Mesh, queries, reach);
   this->keepNearVertices(queries, candidates);
   for (std::size_t c = 0; c < this->Polylines.size(); ++c)
   {
@@ -52,21 +64,41 @@ void CurvePlacement::findVertices()
   }
 }
 
-/// The tolerance says how far from the surface a point may be. Where triangles can be split, it
-/// must not drag points along the surface to vertices that are not meant.
+/// The tolerance says how far from the surface a point may be. It must not drag points along the
+/// surface to vertices that are not meant: where triangles can be split, those that are not near;
+/// else those that are not the nearest.
 void CurvePlacement::keepNearVertices(
   const Points3& queries, std::vector<Indices>& candidates) const
 {
-  for (std::size_t i = 0; i < queries.size() && this->Options.split; ++i)
+  for (std::size_t i = 0; i < queries.size(); ++i)
   {
     Indices& near = candidates[i];
+    const auto distance = [&](Index vertex) {
+      return (this->Mesh.point(vertex) - queries[i]).norm();
+    };
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Index vertex : near)
+    {
+      nearest = std::min(nearest, distance(vertex));
+    }
     near.erase(std::remove_if(near.begin(), near.end(),
                  [&](Index vertex) {
-                   return (this->Mesh.point(vertex) - queries[i]).norm() >
-                     this->AtVertex.ofVertex(vertex);
+                   return distance(vertex) > this->AtVertex.ofVertex(vertex) &&
+                     (this->Options.split || distance(vertex) > nearest);
                  }),
       near.end());
   }
+}
+
+WaysOut CurvePlacement::waysFrom(double farthest) const
+{
+  const double fraction = roundedUp(farthest / this->Diagonal);
+  WaysOut ways{ Remedy::ProjectPoints };
+  if (fraction <= 1.0) // the most that can be set
+  {
+    ways.push_back({ Remedy::RaiseImprintTolerance, shortNumber(fraction) });
+  }
+  return ways;
 }
 
 Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
@@ -94,6 +126,6 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
   return { StatusCode::CurvePointOffSurface,
     curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + shortNumber(farthest) +
       " off the surface, more than the tolerance of " + shortNumber(this->Reach),
-    { ElementKind::CurvePoints, off }, { Remedy::ProjectPoints, Remedy::RaiseImprintTolerance } };
+    { ElementKind::CurvePoints, off }, this->waysFrom(farthest) };
 }
 }

@@ -29,10 +29,12 @@ public:
 
 private:
   void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const;
+  WaysOut waysFrom(double farthest) const;
 
   const TriangleMesh& Mesh;
   const std::vector<Polyline>& Polylines;
   const ImprintOptions& Options;
+  double Diagonal;
   double Reach;          ///< greatest distance of a point from the surface
   SnapDistance AtVertex; ///< greatest distance of a point from the vertex that it is
   std::vector<std::size_t> First;

@@ -13,8 +13,9 @@ struct ImprintOptions
   bool split = true;
   /// Greatest distance of a curve point from the surface, as a fraction of the diagonal of the
   /// surface's bounding box; 0 to 1. A point within this and within 1 % of the mean edge length of
-  /// a vertex is that vertex (without splitting: within this alone).
-  double tolerance = 1e-5;
+  /// a vertex is that vertex (without splitting: the
+  /// nearest one within this). The default takes points as pickers and splines give them.
+  double tolerance = 2e-3;
   /// Curve points and crossings nearer to a vertex or edge than this fraction of the mean edge
   /// length move onto it, so that no slivers arise; 0 to 0.5. Where the longest edge of the
   /// triangles there is shorter than the mean it is a fraction of that.

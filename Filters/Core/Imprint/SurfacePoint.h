@@ -34,6 +34,8 @@ class SnapDistance
 public:
   SnapDistance(const TriangleMesh& mesh, double fraction);
 
+  /// No distance is greater, where no triangle was enlarged.
+  double greatest() const { return this->Fraction * this->Mean; }
   double ofVertex(Index vertex) const;
   double ofEdge(Index halfedge) const;
   double ofFace(Index triangle) const;

@@ -11,7 +11,7 @@ WORDS = {
     "WriteAgain": "give the ids of points that are there",
     "SkipClosed": "leave out what cannot be laid flat (skip_closed=True)",
     "DivideInput": "divide it",
-    "RaiseImprintTolerance": "raise imprint_tolerance",
+    "RaiseImprintTolerance": "raise imprint_tolerance to %",
     "SplitTriangles": "leave split_triangles True",
     "RaiseSnapTolerance": "raise snap_tolerance",
     "NamePins": "name two points of the surface in pins, or (-1, -1)",
