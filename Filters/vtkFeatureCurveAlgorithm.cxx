@@ -7,11 +7,44 @@
 #include "FlatteningOutput.h"
 #include "KeptRun.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+
+namespace
+{
+/// The data sets of all connections, with all leaves of composite ones, and which connection each
+/// is of.
+std::vector<vtkPolyData*> leavesOf(vtkInformationVector* connected, std::vector<int>& connections)
+{
+  std::vector<vtkPolyData*> leaves;
+  const auto add = [&](vtkDataObject* object, int connection) {
+    if (auto* const leaf = vtkPolyData::SafeDownCast(object))
+    {
+      leaves.push_back(leaf);
+      connections.push_back(connection);
+    }
+  };
+  for (int i = 0; i < connected->GetNumberOfInformationObjects(); ++i)
+  {
+    add(vtkPolyData::GetData(connected, i), i);
+    if (vtkCompositeDataSet* const group = vtkCompositeDataSet::GetData(connected, i))
+    {
+      const auto leaf = vtk::TakeSmartPointer(group->NewIterator());
+      for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+      {
+        add(leaf->GetCurrentDataObject(), i);
+      }
+    }
+  }
+  return leaves;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
@@ -81,9 +114,16 @@ const char* vtkFeatureCurveAlgorithm::GetCoincidentPointsAsString() const
 //------------------------------------------------------------------------------
 int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
+  if (port == 0)
   {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  else
+  {
+    // A composite data set first: a group of curves is taken whole, never iterated over.
+    info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   }
@@ -94,14 +134,8 @@ int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation*
 std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::LoadInput(
   vtkInformationVector** inputVector)
 {
-  std::vector<vtkPolyData*> curves;
-  for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
-  {
-    if (vtkPolyData* data = vtkPolyData::GetData(inputVector[1], i))
-    {
-      curves.push_back(data);
-    }
-  }
+  std::vector<int> connections;
+  const std::vector<vtkPolyData*> curves = leavesOf(inputVector[1], connections);
   static_assert(static_cast<int>(flattening::CoincidentPoints::Join) == JOIN, "");
   static_assert(static_cast<int>(flattening::CoincidentPoints::Keep) == KEEP, "");
   flattening::ImprintOptions options;
@@ -123,7 +157,12 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
     static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
     flattening::bridge::executionOf(this), *source);
   const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
-  this->StatusConnection = blamed == curves.end() ? -1 : static_cast<int>(blamed - curves.begin());
+  this->StatusConnection = blamed == curves.end() ? -1 : connections[blamed - curves.begin()];
+  if (this->StatusConnection >= 0 && inputVector[1]->GetNumberOfInformationObjects() > 1)
+  {
+    source->outcome.message = "connection " + std::to_string(this->StatusConnection) +
+      " of the curves: " + source->outcome.message;
+  }
   const bool loaded = this->Conclude(source->outcome) &&
     this->Conclude(flattening::bridge::applyTolerances(this->CurveTolerances, *source));
   if (!loaded)

@@ -16,7 +16,7 @@
  * points on the surface. **Line cells of the surface's own vtkPolyData are feature curves as
  * well**, so that a file, or a block of a composite data set, carries a piece with its curves.
  * Composite data sets are iterated over port 0; a curve on port 1 belongs to every block then, so
- * let blocks carry their own.
+ * let blocks carry their own. A composite data set on port 1 is all of its leaves.
  *
  * Every polyline of three or more points is one curve. Two-point lines of one data set that agree
  * in all of the cell arrays below are joined end to end first, up to points where other than two of
@@ -120,8 +120,9 @@ public:
   ///@{
   /**
    * Greatest distance of a curve's point from the surface, as a fraction of the diagonal of the
-   * surface's bounding box. A point farther away is refused (CURVE_POINT_OFF_SURFACE).
-   * Default: 1e-5. Range: [0, 1].
+   * surface's bounding box. A point farther away is refused (CURVE_POINT_OFF_SURFACE), and the
+   * message gives the fraction that takes it. The default takes points as pickers and splines give
+   * them. Default: 2e-3. Range: [0, 1].
    */
   vtkSetClampMacro(ImprintTolerance, double, 0.0, 1.0);
   vtkGetMacro(ImprintTolerance, double);

@@ -61,7 +61,7 @@ Value clampedKind(Value last, int kind)
 
 SegmentKind kindOf(int kind)
 {
-  return clampedKind(SegmentKind::Section, kind);
+  return clampedKind(SegmentKind::Spline, kind);
 }
 
 /// An id of Core; one that does not exist stays so.

@@ -52,12 +52,15 @@ public:
   /**
    * How a curve gets from one node to the next: GEODESIC, by the straight path over the surface;
    * SECTION, in the plane through both nodes and the surface's normal, as the filters lay a
-   * polyline onto a surface.
+   * polyline onto a surface, and round the surface through all nodes where a closed curve has two
+   * or three; EDGES, by the shortest way along edges; SPLINE, smoothly through all nodes.
    */
   enum SegmentKinds
   {
     GEODESIC = 0,
-    SECTION = 1
+    SECTION = 1,
+    EDGES = 2,
+    SPLINE = 3
   };
 
   /**

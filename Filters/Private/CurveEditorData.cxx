@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace flattening
@@ -162,11 +163,11 @@ ControlPoints readNodes(vtkPolyData* data, const DrawingSurface& surface)
     const Point3 place(
       places->GetComponent(k, 0), places->GetComponent(k, 1), places->GetComponent(k, 2));
     const double kind = kinds->GetComponent(k, 0);
-    if (!place.allFinite() || (kind != 0.0 && kind != 1.0))
+    if (!place.allFinite() || !(kind >= 0.0 && kind <= 3.0 && kind == std::floor(kind)))
     {
       result.status = refusal("control point " + std::to_string(k) +
           (place.allFinite() ? " has an unknown kind" : " is not finite"),
-        "finite points, and 0 (geodesic) or 1 (section)");
+        "finite points, and 0 (geodesic), 1 (section), 2 (edges) or 3 (spline)");
       return result;
     }
     EditedCurve& curve = result.curves[static_cast<vtkIdType>(cells->GetComponent(k, 0))];

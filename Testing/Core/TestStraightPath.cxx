@@ -314,6 +314,28 @@ TEST(StraightPath, ToManyTargetsFromOneSearchAreAsToEachAlone)
     PathSearch(graph, vertexPoint(surface.mesh, 0), 0.5).distance(surface.mesh.vertexCount() - 1)));
 }
 
+TEST(StraightPath, ByEdgesIsTheShortestWayByEdges)
+{
+  const Surface surface = cushion(20, 20, 0.5);
+  const PathGraph graph(surface.mesh);
+  std::mt19937 random(9);
+  for (int k = 0; k < 50; ++k)
+  {
+    const SurfacePoint from = randomPoint(surface.mesh, random);
+    const SurfacePoint to = randomPoint(surface.mesh, random);
+    const StraightPath path = pathByEdges(graph, from, to);
+    EXPECT_TRUE(liesOn(surface.mesh, path.path));
+    if (commonTriangle(surface.mesh, from, to) == none)
+    {
+      EXPECT_NEAR(path.length, lengthByEdges(surface.mesh, from, to), 1e-12);
+    }
+    for (std::size_t i = 1; i + 1 < path.path.points.size(); ++i)
+    {
+      EXPECT_EQ(path.path.points[i].carrier, Carrier::Vertex);
+    }
+  }
+}
+
 TEST(StraightPath, RefusesWhatItCannotJoin)
 {
   const TriangleMesh two({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(3, 0, 0),

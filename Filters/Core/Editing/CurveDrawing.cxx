@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CurveDrawing.h"
 
+#include "Paths/PathPoints.h"
+#include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
+#include "Paths/SurfaceSpline.h"
+
+#include <algorithm>
 
 namespace flattening
 {
 namespace
 {
-bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
-{
-  return a.carrier == b.carrier && a.id == b.id && a.weights == b.weights;
-}
-
 DrawnSegment drawSection(
   const DrawingSurface& surface, const SurfacePoint& from, const SurfacePoint& to)
 {
@@ -34,7 +34,8 @@ const SurfacePath* keptSegment(const EditedCurve& before, const EditedCurve& cur
   const SurfacePoint& to = curve.nodes[(s + 1) % curve.nodes.size()];
   for (std::size_t other = 0; other < before.segments.size(); ++other)
   {
-    if (before.kinds[other] == curve.kinds[s] && samePlace(before.nodes[other], from) &&
+    if (before.kinds[other] == curve.kinds[s] && curve.kinds[s] != SegmentKind::Spline &&
+      samePlace(before.nodes[other], from) &&
       samePlace(before.nodes[(other + 1) % before.nodes.size()], to))
     {
       return &before.segments[other];
@@ -52,6 +53,50 @@ const SurfacePath* hintFor(const EditedCurve& before, const EditedCurve& curve, 
     : nullptr;
 }
 
+/// What can only be drawn as a whole: a spline through all nodes, and a measuring tape of two or
+/// three. No segments where the curve is none of both.
+struct WholeCurve
+{
+  SurfacePath path;
+  std::vector<std::size_t> stations;
+  Status status;
+};
+
+WholeCurve drawWhole(
+  const DrawingSurface& surface, const EditedCurve& curve, const std::vector<SurfacePoint>& nodes)
+{
+  const auto count = [&curve](SegmentKind kind) {
+    return std::count(curve.kinds.begin(), curve.kinds.end(), kind);
+  };
+  WholeCurve whole;
+  if (count(SegmentKind::Spline) > 0 && nodes.size() > 2)
+  {
+    SurfaceSpline spline = surfaceSpline(surface.graph(), surface.locator(), nodes, curve.closed);
+    whole.path = std::move(spline.path);
+    whole.stations = std::move(spline.stations);
+    whole.status = std::move(spline.status);
+  }
+  else if (curve.closed && nodes.size() <= 3 &&
+    count(SegmentKind::Section) == static_cast<std::ptrdiff_t>(curve.kinds.size()))
+  {
+    // Where there is none, each segment is a section of its own.
+    PlaneSection tape = girth(surface.mesh(), nodes, &whole.stations);
+    if (tape.status.ok())
+    {
+      whole.stations.push_back(tape.path.points.size() - 1);
+      whole.path = std::move(tape.path);
+    }
+  }
+  return whole;
+}
+
+/// Whether segment s is a part of what was drawn as a whole.
+bool isOfWhole(const WholeCurve& whole, const EditedCurve& curve, std::size_t s)
+{
+  const bool spline = std::count(curve.kinds.begin(), curve.kinds.end(), SegmentKind::Spline) > 0;
+  return !whole.path.triangles.empty() && (!spline || curve.kinds[s] == SegmentKind::Spline);
+}
+
 Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, EditedCurve& curve)
 {
   std::vector<SurfacePoint> nodes;
@@ -59,8 +104,18 @@ Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, Edite
   {
     nodes.push_back(surface.pointNear(mirror.image(node.position)));
   }
+  const WholeCurve whole = drawWhole(surface, curve, nodes);
+  if (whole.status.refused())
+  {
+    return whole.status;
+  }
   for (std::size_t s = 0; s < curve.segments.size(); ++s)
   {
+    if (isOfWhole(whole, curve, s))
+    {
+      curve.image.push_back(partOf(whole.path, whole.stations[s], whole.stations[s + 1]));
+      continue;
+    }
     // Near the image of the segment, so that both sides go round a bump alike.
     Points3 points = pointsAlong({ curve.segments[s] });
     for (Point3& point : points)
@@ -87,8 +142,9 @@ DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const 
   {
     return drawSection(surface, from, to);
   }
-  StraightPath straight = hint ? straightPathNear(surface.graph(), *hint, from, to)
-                               : straightPath(surface.graph(), from, to);
+  StraightPath straight = kind == SegmentKind::Edges ? pathByEdges(surface.graph(), from, to)
+    : hint ? straightPathNear(surface.graph(), *hint, from, to)
+           : straightPath(surface.graph(), from, to);
   return { std::move(straight.path), std::move(straight.status) };
 }
 
@@ -97,8 +153,18 @@ Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>
 {
   curve.segments.clear();
   curve.image.clear();
+  const WholeCurve whole = drawWhole(surface, curve, curve.nodes);
+  if (whole.status.refused())
+  {
+    return whole.status;
+  }
   for (std::size_t s = 0; s < segmentCount(curve.nodes.size(), curve.closed); ++s)
   {
+    if (isOfWhole(whole, curve, s))
+    {
+      curve.segments.push_back(partOf(whole.path, whole.stations[s], whole.stations[s + 1]));
+      continue;
+    }
     if (const SurfacePath* kept = before ? keptSegment(*before, curve, s) : nullptr)
     {
       curve.segments.push_back(*kept);

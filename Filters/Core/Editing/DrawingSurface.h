@@ -17,6 +17,7 @@ public:
 
   const TriangleMesh& mesh() const { return this->Mesh; }
   const PathGraph& graph() const { return this->Graph; }
+  const SurfaceLocator& locator() const { return this->Locator; }
   const SnapDistance& snap() const { return this->Snap; }
   /// Boundary vertices where the boundary turns by more than 30 degrees.
   const Indices& corners() const { return this->Corners; }

@@ -14,6 +14,8 @@ enum class SegmentKind
 {
   Geodesic = 0, ///< the straight path over the surface
   Section = 1,  ///< in the plane through both nodes and the surface's normal
+  Edges = 2,    ///< the shortest way along edges
+  Spline = 3,   ///< the part between both of a smooth curve through all nodes
 };
 
 /// What a feature curve is, apart from where it runs.

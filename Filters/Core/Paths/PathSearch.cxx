@@ -49,21 +49,21 @@ double apart(const TriangleMesh& mesh, Index vertex, const SurfacePoint& point)
 }
 
 PathSearch::PathSearch(
-  const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target)
+  const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target, PathWays ways)
   : Graph(graph)
   , Source(source)
 {
-  this->run(&target, std::numeric_limits<double>::infinity());
+  this->run(&target, std::numeric_limits<double>::infinity(), ways);
 }
 
 PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, double reach)
   : Graph(graph)
   , Source(source)
 {
-  this->run(nullptr, reach);
+  this->run(nullptr, reach, PathWays::All);
 }
 
-void PathSearch::run(const SurfacePoint* target, double reach)
+void PathSearch::run(const SurfacePoint* target, double reach, PathWays ways)
 {
   const TriangleMesh& mesh = this->Graph.mesh();
   this->Distance.assign(mesh.vertexCount(), std::numeric_limits<double>::infinity());
@@ -98,7 +98,7 @@ void PathSearch::run(const SurfacePoint* target, double reach)
     for (const PathGraph::Way& way : this->Graph.from(v))
     {
       const double distance = this->Distance[v] + way.length;
-      if (distance < this->Distance[way.vertex])
+      if (distance < this->Distance[way.vertex] && (ways == PathWays::All || way.crossed == none))
       {
         this->Distance[way.vertex] = distance;
         this->Reached[way.vertex] = &way;

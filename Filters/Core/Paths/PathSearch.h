@@ -8,6 +8,13 @@
 
 namespace flattening
 {
+/// Which ways of a graph a search takes.
+enum class PathWays
+{
+  All,
+  Edges,
+};
+
 /// The shortest ways of a graph from a point of its surface (E. W. Dijkstra, 1959): where straight
 /// paths start from.
 class PathSearch
@@ -15,7 +22,8 @@ class PathSearch
 public:
   /// Looks for one target only (A*), or for every vertex within reach of the source. The graph must
   /// outlive the search. \pre The source lies on the graph's mesh.
-  PathSearch(const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target);
+  PathSearch(const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target,
+    PathWays ways = PathWays::All);
   PathSearch(const PathGraph& graph, const SurfacePoint& source,
     double reach = std::numeric_limits<double>::infinity());
 
@@ -27,7 +35,7 @@ public:
   PathCourse courseTo(const SurfacePoint& target) const;
 
 private:
-  void run(const SurfacePoint* target, double reach);
+  void run(const SurfacePoint* target, double reach, PathWays ways);
 
   const PathGraph& Graph;
   SurfacePoint Source;

@@ -60,6 +60,15 @@ StraightPath drawnTight(const TriangleMesh& mesh, PathCourse course)
   return result;
 }
 
+StraightPath notJoined()
+{
+  StraightPath result;
+  result.status = { StatusCode::CurveLeavesSurface,
+    "no path over the surface joins two points, which lie on different parts", {},
+    { Remedy::RedrawCurve } };
+  return result;
+}
+
 /// From the way of the search, or from the plane section between the ends where that is shorter.
 StraightPath fromSearch(const PathSearch& search, const SurfacePoint& to)
 {
@@ -68,11 +77,7 @@ StraightPath fromSearch(const PathSearch& search, const SurfacePoint& to)
   const PathCourse way = search.courseTo(to);
   if (way.knots.empty())
   {
-    StraightPath result;
-    result.status = { StatusCode::CurveLeavesSurface,
-      "no path over the surface joins two points, which lie on different parts", {},
-      { Remedy::RedrawCurve } };
-    return result;
+    return notJoined();
   }
   SurfacePath start = pathAlong(mesh, way);
   SurfacePath section = traceSegment(mesh, snap, search.source(), to);
@@ -143,6 +148,26 @@ StraightPath straightPathNear(
     append(whole, hint);
     append(whole, fromHint.path);
     return drawnTight(mesh, courseAlong(mesh, whole));
+  });
+}
+
+StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
+{
+  return withinMemory([&] {
+    StraightPath result;
+    result.status = checkEnds(graph.mesh(), from, to);
+    if (!result.status.ok() || withinTriangle(graph.mesh(), from, to, result))
+    {
+      return result;
+    }
+    const PathCourse way = PathSearch(graph, from, to, PathWays::Edges).courseTo(to);
+    if (way.knots.empty())
+    {
+      return notJoined();
+    }
+    result.path = pathAlong(graph.mesh(), way);
+    result.length = lengthOf(result.path);
+    return result;
   });
 }
 

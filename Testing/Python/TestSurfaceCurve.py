@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Feature curves through control points: vtkSurfaceCurve, and its way into the filters."""
+
+import math
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+
+import surfaceflattening as sf
+from surfaces import read
+
+
+def cylinder(columns=40, rows=20, scale=1.0):
+    """A part of a polyhedral cylinder of radius 1 and height 2, and the angle of each column."""
+    angle = 3.0 * np.arange(columns + 1) / columns
+    points = [(math.cos(a), math.sin(a), 2.0 * j / rows) for j in range(rows + 1) for a in angle]
+    at = lambda i, j: j * (columns + 1) + i
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            triangles += [(at(i, j), at(i + 1, j), at(i + 1, j + 1)),
+                          (at(i, j), at(i + 1, j + 1), at(i, j + 1))]
+    return sf.make_surface(scale * np.array(points), triangles)
+
+
+def tube(sides=24, rows=10):
+    points = [(math.cos(2 * math.pi * i / sides), math.sin(2 * math.pi * i / sides), 0.3 * j)
+              for j in range(rows + 1) for i in range(sides)]
+    at = lambda i, j: j * sides + i % sides
+    triangles = []
+    for j in range(rows):
+        for i in range(sides):
+            triangles += [(at(i, j), at(i + 1, j), at(i + 1, j + 1)),
+                          (at(i, j), at(i + 1, j + 1), at(i, j + 1))]
+    return sf.make_surface(np.array(points), triangles)
+
+
+def drawn(surface, points, **properties):
+    curve = sf.vtkSurfaceCurve()
+    curve.SetInputData(surface)
+    curve.SetNumberOfControlPoints(len(points))
+    for k, point in enumerate(points):
+        curve.SetControlPoint(k, *point)
+    for name, value in properties.items():
+        getattr(curve, "Set" + name)(value)
+    curve.Update()
+    return curve
+
+
+def positions(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def length(data, cell=0):
+    points = positions(data)[[data.GetCell(cell).GetPointId(k)
+                              for k in range(data.GetCell(cell).GetNumberOfPoints())]]
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+
+
+class Quiet(unittest.TestCase):
+    def setUp(self):
+        from vtkmodules.vtkCommonCore import vtkObject
+        vtkObject.GlobalWarningDisplayOff()
+        self.addCleanup(vtkObject.GlobalWarningDisplayOn)
+
+
+class Curves(Quiet):
+    def test_a_geodesic_is_a_line_on_the_unrolled_cylinder(self):
+        for scale in (1e-3, 1.0, 1e3):
+            start = scale * np.array((math.cos(0.3), math.sin(0.3), 0.2))
+            end = scale * np.array((math.cos(2.7), math.sin(2.7), 1.7))
+            out = drawn(cylinder(scale=scale), (start, end)).GetOutput()
+            chord = 2 * math.sin(3.0 / 80)  # columns 4 to 36
+            self.assertAlmostEqual(length(out) / (scale * math.hypot(32 * chord, 1.5)), 1.0, 9)
+
+    def test_control_points_off_the_surface_mean_the_closest_ones(self):
+        def pick(column, height, radius):
+            angle = 3.0 * column / 40
+            return (radius * math.cos(angle), radius * math.sin(angle), height)
+
+        near = drawn(cylinder(), (pick(4, 0.5, 1), pick(25, 1.5, 1))).GetOutput()
+        far = drawn(cylinder(), (pick(4, 0.5, 1.02), pick(25, 1.5, 1.7))).GetOutput()
+        np.testing.assert_allclose(positions(near), positions(far), atol=1e-12)
+
+    def test_arrays_say_what_the_curve_is(self):
+        out = drawn(cylinder(), ((1, 0, 0.5), (0, 1, 1.5)), CurveType=1, CurveName="grain",
+                    KeyShape=1, LengthTolerance=0.02).GetOutput()
+        cells = out.GetCellData()
+        self.assertEqual(cells.GetArray("CurveType").GetValue(0), 1)
+        self.assertEqual(cells.GetAbstractArray("CurveName").GetValue(0), "grain")
+        self.assertEqual(cells.GetArray("KeyShape").GetValue(0), 1)
+        self.assertEqual(cells.GetArray("LengthTolerance").GetValue(0), 0.02)
+        self.assertEqual(out.GetFieldData().GetArray("ControlPoints").GetNumberOfTuples(), 2)
+
+    def test_the_editor_goes_on_with_it(self):
+        surface = cylinder()
+        for kind in range(4):
+            out = drawn(surface, ((1, 0, 0.5), (0, 1, 1.5), (-0.9, 0.3, 0.4)), SegmentKind=kind,
+                        CurveName="c").GetOutput()
+            editor = sf.vtkFeatureCurveEditor()
+            self.assertTrue(editor.SetSurface(surface))
+            self.assertTrue(editor.SetCurves(out), editor.GetMessage())
+            self.assertEqual(editor.GetNumberOfNodes(0), 3)
+            self.assertEqual(editor.GetSegmentKind(0, 0), kind)
+            self.assertAlmostEqual(editor.GetCurveLength(0), length(out), 9)
+
+    def test_kinds_order_by_length(self):
+        points = ((1, 0, 0.3), (0, 1, 1.7), (-0.95, 0.2, 0.4))
+        lengths = [length(drawn(cylinder(), points, SegmentKind=kind).GetOutput())
+                   for kind in range(4)]
+        self.assertEqual(min(lengths), lengths[0])  # no way through the points is shorter
+        self.assertGreater(lengths[2], lengths[0] * 1.01)  # zigzag
+        self.assertGreater(lengths[3], lengths[0] * 1.001)  # round its points
+
+    def test_a_closed_section_is_a_measuring_tape(self):
+        out = drawn(tube(), ((1, 0, 1.5), (-1, 0, 1.5)), SegmentKind=1, Closed=True).GetOutput()
+        self.assertAlmostEqual(length(out), 48 * math.sin(math.pi / 24), 9)
+        line = out.GetCell(0)
+        self.assertEqual(tuple(line.GetPoints().GetPoint(0)),
+                         tuple(line.GetPoints().GetPoint(line.GetNumberOfPoints() - 1)))
+
+    def test_the_mirror_gives_the_image(self):
+        surface = tube()
+        out = drawn(surface, ((0.9, 0.4, 0.4), (0.2, 1, 2.0)), Mirror=True, CurveName="side")
+        self.assertEqual(out.GetOutput().GetNumberOfCells(), 2)
+        self.assertAlmostEqual(length(out.GetOutput(), 0), length(out.GetOutput(), 1), 6)
+        out.SetMirrorNormal(0, 0, 0)
+        out.Update()
+        self.assertEqual(out.GetStatusName(), "InvalidOption")
+        self.assertEqual(out.GetOutput().GetNumberOfCells(), 0)
+
+    def test_each_polyline_of_port_1_is_a_curve(self):
+        points, lines = vtkPoints(), vtkCellArray()
+        for pair in (((1, 0, 0.5), (0, 1, 0.5)), ((1, 0, 1.5), (0, 1, 1.2))):
+            lines.InsertNextCell(2)
+            for point in pair:
+                lines.InsertCellPoint(points.InsertNextPoint(point))
+        data = vtkPolyData()
+        data.SetPoints(points)
+        data.SetLines(lines)
+        curve = sf.vtkSurfaceCurve()
+        curve.SetInputData(cylinder())
+        curve.SetControlPointsData(data)
+        curve.SetCurveName("band")
+        curve.Update()
+        names = curve.GetOutput().GetCellData().GetAbstractArray("CurveName")
+        self.assertEqual([names.GetValue(k) for k in range(2)], ["band 1", "band 2"])
+
+    def test_what_is_wrong_is_said(self):
+        for points, status in (((), "CurveTooShort"), (((1, 0, 0), (1, 0, 0)), "CurveTooShort"),
+                               (((1, 0, 0), (math.nan, 0, 0)), "NonFinitePoint")):
+            curve = drawn(cylinder(), points)
+            self.assertEqual(curve.GetStatusName(), status)
+            self.assertEqual(curve.GetOutput().GetNumberOfCells(), 0)
+
+
+class IntoTheFilters(Quiet):
+    def setUp(self):
+        super().setUp()
+        self.surface = read("wetsuit_upper_front")
+        box = self.surface.GetBounds()
+        middle = [0.5 * (box[2 * k] + box[2 * k + 1]) for k in range(3)]
+        self.across = ((box[0], middle[1], middle[2]), (box[1], middle[1], middle[2]))
+        self.along = ((middle[0], box[2], middle[2]), (middle[0], box[3], middle[2]))
+
+    def curves(self):
+        return (drawn(self.surface, self.across, CurveName="across"),
+                drawn(self.surface, self.along, CurveName="along", CurveType=1))
+
+    def flat(self, *connections):
+        flatten = sf.vtkWireWarpingFilter()
+        flatten.SetInputData(self.surface)
+        for data in connections:
+            if isinstance(data, sf.vtkSurfaceCurve):
+                flatten.AddCurvesConnection(data.GetOutputPort())
+            else:
+                flatten.SetInputDataObject(1, data)
+        flatten.Update()
+        return flatten
+
+    def test_several_sources_go_into_one_list(self):
+        flatten = self.flat(*self.curves())
+        self.assertFalse(flatten.IsRefused(), flatten.GetStatusMessage())
+        names = flatten.GetOutput(1).GetCellData().GetAbstractArray("CurveName")
+        told = {names.GetValue(k) for k in range(names.GetNumberOfValues())}
+        self.assertLessEqual({"across", "along"}, told)
+
+    def test_a_group_of_curves_is_all_of_its_leaves(self):
+        first, second = self.curves()
+        inner, group = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+        inner.SetBlock(0, second.GetOutput())
+        group.SetBlock(0, first.GetOutput())
+        group.SetBlock(2, inner)
+        grouped = self.flat(group)
+        self.assertFalse(grouped.IsRefused(), grouped.GetStatusMessage())
+        self.assertIsInstance(grouped.GetOutputDataObject(0), vtkPolyData)  # nothing was iterated
+        listed = self.flat(first, second)
+        np.testing.assert_array_equal(positions(grouped.GetOutput(0)),
+                                      positions(listed.GetOutput(0)))
+
+    def test_a_refusal_names_the_connection_and_the_value(self):
+        first, second = self.curves()
+        moved = vtkPolyData()
+        moved.DeepCopy(second.GetOutput())
+        box = self.surface.GetBounds()
+        diagonal = math.dist(box[::2], box[1::2])
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        for point in positions(moved):
+            points.InsertNextPoint(point + np.array((0, 0, 0.05 * diagonal)))
+        moved.SetPoints(points)
+        flatten = sf.vtkWireWarpingFilter()
+        flatten.SetInputData(self.surface)
+        flatten.AddCurvesConnection(first.GetOutputPort())
+        flatten.AddInputDataObject(1, moved)
+        flatten.Update()
+        self.assertEqual(flatten.GetStatusName(), "CurvePointOffSurface")
+        self.assertEqual(flatten.GetStatusConnection(), 1)
+        self.assertIn("connection 1", flatten.GetStatusMessage())
+        self.assertIn('"along"', flatten.GetStatusMessage())
+        value = flatten.GetStatusRemedySubjects().GetValue(1)
+        self.assertIn("raise ImprintTolerance to " + value, flatten.GetStatusMessage())
+        flatten.SetImprintTolerance(float(value))
+        flatten.Update()
+        self.assertNotEqual(flatten.GetStatusName(), "CurvePointOffSurface")
+
+
+if __name__ == "__main__":
+    unittest.main()
