@@ -218,11 +218,11 @@ class Refusals(command.CommandTest):
 
     def test_the_way_out_names_options_of_the_command(self):
         loose = [*self.points]
-        loose[12] = (3.0, 3.0, 3.0)
+        loose[12] = [0.9 * x + 0.1 * 3.0 for x in loose[12]]
         self.write("loose.vtk", command.legacy_curves(loose, [(0, "loose", [11, 12, 13])]))
         self.write("across.txt", "accessory far 5 12\n")
         for arguments, option in (
-            (("loose.vtk",), "raise --imprint-tolerance"),
+            (("loose.vtk",), "raise --imprint-tolerance to 0."),
             (("across.txt", "--no-split"), "leave out --no-split"),
             (("--scheme", "lscm", "--pins", "3", "77"), "--pins"),
             (("--tolerance", "belt=0.1"), "for --tolerance"),
