@@ -94,7 +94,7 @@ class StandIns(Meshes, unittest.TestCase):
 
     def test_plain_meshes_stay_plain(self):
         result = sf.flatten_polydata(read("pants_front"), StandIn(read("pants_front_curves")))
-        self.assertIs(type(result.to_polydata()), vtkPolyData)
+        self.assertIs(type(result.to_polydata()), type(vtkPolyData()))  # newer VTKs have one of their own
         self.assertTrue(result == sf.flatten_polydata(read("pants_front"), read("pants_front_curves")))
 
 

@@ -6,9 +6,15 @@ import inspect
 import io
 import os
 import re
+import shutil
+import subprocess
+import sys
+import tempfile
 import textwrap
 import typing
 import unittest
+
+from vtkmodules.vtkCommonCore import vtkVersion
 
 import surfaceflattening as sf
 from surfaces import SOURCE
@@ -19,6 +25,9 @@ def python_block():
         section = re.search(r"^### Python\n(.*?)^##", file.read(), re.DOTALL | re.MULTILINE).group(1)
     blocks = re.findall(r"(?:^(?: {4}.*)?\n)+", section, re.MULTILINE)
     return textwrap.dedent(next(block for block in blocks if "import" in block))
+
+
+os.environ["MPLBACKEND"] = "Agg"  # for what it plots
 
 
 class Readme(unittest.TestCase):
@@ -32,6 +41,51 @@ class Readme(unittest.TestCase):
         self.assertEqual(curve["name"], "middle")
         self.assertAlmostEqual(curve["length_2d"], curve["length_3d"], delta=1e-12)
         self.assertIn("middle", printed.getvalue())
+
+    def run_copy(self, leave_out, before=""):
+        """What `import surfaceflattening` says of a copy of the package without a file."""
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(os.path.dirname(sf.__file__), os.path.join(folder, "surfaceflattening"),
+                            ignore=shutil.ignore_patterns(leave_out, "__pycache__"))
+            run = subprocess.run(
+                [sys.executable, "-c", before + "import surfaceflattening"], capture_output=True, text=True,
+                env={**os.environ, "PYTHONPATH": folder}, check=False)
+        self.assertEqual(run.returncode, 1)
+        return run.stderr
+
+    def test_a_package_that_is_not_built_says_what_to_build(self):
+        said = self.run_copy("*.so")
+        self.assertIn("--target surfaceflattening-python", self.readme())
+        self.assertIn("target surfaceflattening-python", said)
+
+    def test_a_python_without_its_vtk_is_told_which_one_it_needs(self):
+        said = self.run_copy("nothing", "import sys; sys.modules['vtkmodules'] = None; ")
+        self.assertIn(f"Python {sys.version_info.major}.{sys.version_info.minor} with VTK "
+                      f"{vtkVersion.GetVTKVersion()[:3]}", said)
+        self.assertIn(sys.executable, said)
+        self.assertIn("python3-vtk9", said)
+
+    def test_what_it_says_of_results_works(self):
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()):
+            exec(compile(python_block(), "README.md", "exec"), names)  # pylint: disable=exec-used
+        calls = re.findall(r"`(result\.\w+\(.*?\))`", self.readme())
+        self.assertEqual(len(calls), 3)
+        here = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                for call in calls:
+                    eval(call, names)  # pylint: disable=eval-used
+                self.assertEqual(os.listdir(), ["sheet.pdf"])
+            finally:
+                os.chdir(here)
+        for name in re.findall(r"`help\((sf[.\w]*)\)`", self.readme()):
+            self.assertTrue(eval(name, names).__doc__, name)  # pylint: disable=eval-used
+
+    def readme(self):
+        with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
+            return file.read()
 
     def test_hints_are_short_in_help_and_can_be_evaluated(self):
         self.assertLess(len(str(inspect.signature(sf.flatten))), 1000)

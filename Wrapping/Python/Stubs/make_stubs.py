@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the type stubs of the wrapped filters, from the signatures in their docstrings.
 
-Usage: make_stubs.py MODULE FILE.pyi, with the module on PYTHONPATH. VTK's own generator, which Debian's
-packages leave out, does the same for VTK.
+Usage: make_stubs.py MODULE FILE.so FILE.pyi. The package around the module is not imported, so that no more
+is needed than VTK. VTK's own generator, which Debian's packages leave out, does the same for VTK.
 """
 
 import importlib
+import importlib.util
 import inspect
 import re
 import sys
@@ -14,7 +15,7 @@ import sys
 SIGNATURE = re.compile(r"^(\w+)\((.*)\)(?: -> (.+))?$")
 VTK_MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkIOCore",
                "vtkRenderingCore")
-# Of these VTK takes what Python's buffers and sequences hold.
+# What the wrapper calls by Python's own names.
 PLAIN = {"int", "float", "bool", "str", "bytes", "None", "object", "type", "Any", "Callable", "Buffer"}
 
 
@@ -83,7 +84,7 @@ class Stubs:
         name = name.strip()
         if not name.isidentifier():
             name = f"_arg{place}"
-        # An object may be None; what is owned elsewhere is not passed by keyword.
+        # An object may be None; VTK's methods take no keywords.
         hint = self.type_of(kind, True) if kind else "Any"
         if hint in self.names or re.fullmatch(r"vtk\w+", hint):
             hint = f"Optional[{hint}]"
@@ -136,8 +137,11 @@ class Stubs:
 
 
 def main():
-    name, path = sys.argv[1:]
-    text = Stubs(importlib.import_module(name)).text()
+    name, library, path = sys.argv[1:]
+    spec = importlib.util.spec_from_file_location(name, library)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    text = Stubs(module).text()
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 

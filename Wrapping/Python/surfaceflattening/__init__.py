@@ -22,7 +22,17 @@ The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
 approach with length-preserved feature curves", Computer-Aided Design 40(3), 2008.
 """
 
-from .vtkFiltersFlattening import *  # noqa: F401,F403
+from ._version import BUILT_FOR, __version__
+
+try:
+    from .vtkFiltersFlattening import *  # noqa: F401,F403
+except ImportError as _error:
+    import sys as _sys
+    raise ImportError(
+        f"surfaceflattening cannot load its filters ({_error}). They are built for {BUILT_FOR} and need both: "
+        f"start that Python, on Debian /usr/bin/python3 with the package python3-vtk9; this is "
+        f"{_sys.executable} {_sys.version.split()[0]}. In a build folder the target surfaceflattening-python "
+        "makes them") from _error
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._flatten import flatten, flatten_polydata
@@ -30,7 +40,6 @@ from ._result import Flattening, Wire
 from ._types import (
     CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape, Options, Paper, Part,
     PieceReport, Report, Scheme, Solver, Unit, WireType)
-from ._version import __version__
 
 __all__ = [name for name in dir() if name.startswith("vtk") and name != "vtkFiltersFlattening"]
 __all__ += [

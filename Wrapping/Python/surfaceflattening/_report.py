@@ -50,6 +50,7 @@ _SECONDS = {
     "wires": "SecondsWires",
     "interior": "SecondsInterior",
     "quality": "SecondsQuality",
+    "core": "SecondsTotal",
     "total": "SecondsTotal",
 }
 _HISTORY = {

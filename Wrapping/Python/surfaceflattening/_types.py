@@ -251,9 +251,11 @@ class Seconds(TypedDict):
     Keys:
         wires, interior, quality: what placing wires, placing the interior and measuring took, summed
             over the pieces.
-        total: all that the algorithms took.
+        core: all that the algorithms took.
+        total: the same, since nothing is read or written.
     """
 
+    core: float
     wires: float
     interior: float
     quality: float
