@@ -85,8 +85,7 @@ const char* vtkWireWarpingFilter::GetDistortionEnergyAsString() const
 }
 
 //------------------------------------------------------------------------------
-int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
 {
   static_assert(static_cast<int>(flattening::Scheme::Progressive) == PROGRESSIVE, "");
   static_assert(static_cast<int>(flattening::Scheme::Conformal) == LEAST_SQUARES_CONFORMAL, "");
@@ -123,7 +122,14 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
   options.lengthTolerance = this->MaximumLengthError;
-  this->Flatten(inputVector, outputVector, options, this->ConformalPins);
+  return options;
+}
+
+//------------------------------------------------------------------------------
+int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Flatten(inputVector, outputVector, this->Settings(), this->ConformalPins);
   return 1;
 }
 

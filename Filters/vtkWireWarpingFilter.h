@@ -427,6 +427,11 @@ protected:
   vtkWireWarpingFilter();
   ~vtkWireWarpingFilter() override;
 
+  /**
+   * What the properties say, for Core.
+   */
+  flattening::FlatteningOptions Settings() const;
+
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -3,6 +3,7 @@
 
 #include "MethodNames.h"
 
+#include <vtkFeatureCurveSuggestion.h>
 #include <vtkNew.h>
 #include <vtkWireWarpingFilter.h>
 
@@ -44,6 +45,11 @@ Options defaultOptions()
   {
     options.pins[k] = static_cast<int>(filter->GetConformalPins()[k]);
   }
+  const vtkNew<vtkFeatureCurveSuggestion> suggestion;
+  options.bound = suggestion->GetBound();
+  options.maximumCuts = suggestion->GetMaximumCuts();
+  options.maximumCutLength = suggestion->GetMaximumCutLength();
+  options.symmetric = suggestion->GetSymmetric() ? "auto" : "off";
   return options;
 }
 
@@ -78,5 +84,25 @@ void setOptions(const Options& options, vtkWireWarpingFilter* filter)
   filter->SetArrange(options.arrange);
   filter->SetSpacing(options.spacing);
   filter->SetMaximumLengthError(options.maximumLengthError);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
+{
+  if (options.suggest.empty())
+  {
+    return vtkSmartPointer<vtkWireWarpingFilter>::New();
+  }
+  const auto filter = vtkSmartPointer<vtkFeatureCurveSuggestion>::New();
+  filter->SetSuggestedCuts(valueOf(suggestNames, options.suggest));
+  filter->SetBound(options.bound);
+  filter->SetMaximumCuts(options.maximumCuts);
+  filter->SetMaximumCutLength(options.maximumCutLength);
+  filter->SetSymmetric(options.symmetric == "auto");
+  for (const auto& [curve, weight] : options.preferences)
+  {
+    filter->AddPreference(curve, weight);
+  }
+  return filter;
 }
 }

@@ -18,6 +18,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vtp" };
+constexpr const char* curvesName = "curves.vtp";
 constexpr std::array<const char*, 3> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf" };
 constexpr const char* reportName = "report.json";
 
@@ -49,10 +50,18 @@ std::vector<std::string> writeResult(const Options& options, Flattening& result,
   files.add(dataNames[0], result.flat);
   files.add(dataNames[1], result.wires);
   files.add(dataNames[2], result.cut);
+  if (result.curves)
+  {
+    files.add(curvesName, result.curves);
+  }
   result.secondsWrite = std::chrono::duration<double>(Clock::now() - start).count();
   result.secondsTotal += result.secondsWrite;
   files.add(reportName, makeReport(options, result));
   discardPatterns(files);
+  if (!result.curves)
+  {
+    files.discard(curvesName); // the proposals of an earlier run
+  }
   files.publish();
   return patterns;
 }
@@ -65,6 +74,7 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
   {
     files.discard(name);
   }
+  files.discard(curvesName);
   discardPatterns(files);
   files.publish();
 }
@@ -82,6 +92,7 @@ void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
     }
   }
   inputs.refuseToReplace(folder / reportName, "--output");
+  inputs.refuseToReplace(folder / curvesName, "--output");
   if (options.picture.any())
   {
     inputs.refuseToReplace(options.picture.path, "--picture");

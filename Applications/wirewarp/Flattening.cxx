@@ -62,6 +62,10 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.flat = filter->GetOutput(0);
   result.wires = filter->GetOutput(1);
   result.cut = filter->GetOutput(2);
+  if (filter->GetNumberOfOutputPorts() > 3)
+  {
+    result.curves = filter->GetOutput(3);
+  }
   result.status = filter->GetStatusName();
   result.remedies = remediesOf(filter);
   result.message = messageOf(filter->GetStatusDefect(), result.remedies);
@@ -103,7 +107,7 @@ Flattening flattenOne(const Options& options)
   const Clock::time_point start = Clock::now();
   try
   {
-    vtkNew<vtkWireWarpingFilter> filter;
+    const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
     filter->CachingOff(); // it runs once
     setOptions(options, filter);
     const std::vector<std::string> curveFiles = readInput(options, filter);

@@ -27,6 +27,8 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> flat;
   vtkSmartPointer<vtkPolyData> wires;
   vtkSmartPointer<vtkPolyData> cut;
+  /// With --suggest: all curves, as vtkFeatureCurveSuggestion has them.
+  vtkSmartPointer<vtkPolyData> curves;
 
   double secondsRead = 0.0;
   double secondsWrite = 0.0; ///< of all files but the report itself

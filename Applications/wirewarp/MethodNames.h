@@ -11,6 +11,8 @@ constexpr std::array<const char*, 4> schemeNames{ "progressive", "global", "isom
 constexpr std::array<const char*, 2> solverNames{ "newton", "sequential" };
 constexpr std::array<const char*, 3> interiorNames{ "laplacian", "relaxation", "arap" };
 constexpr std::array<const char*, 2> energyNames{ "rigid", "dirichlet" };
+/// Of vtkFeatureCurveSuggestion's.
+constexpr std::array<const char*, 3> suggestNames{ "darts", "seams", "all" };
 
 /// \return the place of the word; \pre it is among the names
 template <std::size_t count>

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -41,7 +42,7 @@ Coordinates are read in double precision where the file holds them (STL holds si
 
 Files written to DIR: flat.vtp (pieces in the plane), wires.vtp (their wires), cut.vtp (the cut
 surface in space, point for point like flat.vtp), report.json (all measures), and what is asked for of
-pattern.svg, pattern.pdf, pattern.dxf. Earlier ones are replaced. With --batch they are written to
+pattern.svg, pattern.pdf, pattern.dxf; with --suggest also curves.vtp (all curves). Earlier ones are replaced. With --batch they are written to
 DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
 
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result, or files or the table cannot be written;
@@ -70,6 +71,19 @@ CLI::Validator wholeNumber(long long least, long long most, const std::string& r
       return valid ? std::string() : inQuotes(text) + " is not a whole number " + range;
     },
     range);
+}
+
+void addPreference(const std::string& entry, std::map<std::string, double>& preferences)
+{
+  const std::size_t sign = entry.rfind('=');
+  double value = 0.0;
+  if (sign == std::string::npos || sign == 0 || !parseNumber(entry.substr(sign + 1), value) ||
+    !std::isfinite(value) || value < 0.0)
+  {
+    throw CLI::ValidationError(
+      "--prefer", inQuotes(entry) + " is not NAME=WEIGHT with a weight from 0");
+  }
+  preferences[entry.substr(0, sign)] = value;
 }
 
 void addTolerance(const std::string& entry, std::map<std::string, double>& tolerances)
@@ -179,6 +193,57 @@ void addMethods(CLI::App& app, Options& options)
       "farthest apart)")
     ->check(wholeNumber(0, std::numeric_limits<int>::max(), "from 0"))
     ->type_name("V0 V1")
+    ->group(group);
+}
+
+void addSuggestions(CLI::App& app, Options& options)
+{
+  const std::string group = "Suggestions";
+  CLI::Option* const suggest = app.add_option("--suggest", options.suggest,
+    "Propose cuts with which the surface lies flat: darts, seams, or all; writes curves.vtp, all "
+    "curves ready to be edited. Scheme and options are those of the flattening to come");
+  suggest->check(CLI::IsMember({ "darts", "seams", "all" }))->group(group);
+  app
+    .add_option("--bound", options.bound,
+      "The strain that is good enough, on 95 % of each piece's area; 0: cut until --max-cuts or "
+      "--max-cut-length are used up")
+    ->check(number(0.0, 0.99, "[0, 0.99]"))
+    ->capture_default_str()
+    ->needs(suggest)
+    ->group(group);
+  app.add_option("--max-cuts", options.maximumCuts, "Most cuts to propose; a mirror image counts")
+    ->check(wholeNumber(1, std::numeric_limits<int>::max(), "from 1"))
+    ->capture_default_str()
+    ->needs(suggest)
+    ->group(group);
+  app
+    .add_option("--max-cut-length", options.maximumCutLength,
+      "Greatest length of all proposed cuts together, in the unit of SURFACE; 0: no limit")
+    ->check(number(0.0, std::numeric_limits<double>::max(), "[0, inf)"))
+    ->capture_default_str()
+    ->needs(suggest)
+    ->group(group);
+  app
+    .add_option("--symmetric", options.symmetric,
+      "auto: where the surface is its own mirror image so are the cuts")
+    ->check(CLI::IsMember({ "auto", "off" }))
+    ->capture_default_str()
+    ->needs(suggest)
+    ->group(group);
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--prefer",
+      [&options](const std::vector<std::string>& entries) {
+        for (const std::string& entry : entries)
+        {
+          addPreference(entry, options.preferences);
+        }
+      },
+      "How gladly a cut may begin or end on a curve: its price is divided by the weight; 0 forbids "
+      "it; may be given several times")
+    ->type_name("NAME=WEIGHT")
+    ->allow_extra_args(false)
+    ->needs(suggest)
     ->group(group);
 }
 
@@ -302,6 +367,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   app.add_option("CURVES", options.curves, "Files of feature curves: .vtp .vtk, or text")
     ->type_name("");
   addMethods(app, options);
+  addSuggestions(app, options);
   addLayout(app, options);
   addLimits(app, options);
   addOutput(app, options);

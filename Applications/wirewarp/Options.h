@@ -62,6 +62,13 @@ struct Options
   double spacing = 0.0;
   double maximumLengthError = 0.0;
 
+  std::string suggest; ///< which cuts to propose; empty: none
+  double bound = 0.0;
+  int maximumCuts = 0;
+  double maximumCutLength = 0.0; ///< 0: no limit
+  std::string symmetric;
+  std::map<std::string, double> preferences; ///< weights by name of curve
+
   PatternRequest pattern;
   PictureRequest picture;
 

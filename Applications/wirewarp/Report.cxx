@@ -4,6 +4,7 @@
 #include "FieldRows.h"
 #include "FlagWords.h"
 #include "SeamReport.h"
+#include "SuggestedCuts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -170,6 +171,20 @@ Json leftOutReports(const FieldRows& field)
   return pieces;
 }
 
+/// The proposed cuts, in the order of choice.
+Json suggestionReports(const Flattening& result)
+{
+  Json suggestions = Json::array();
+  for (const SuggestedCut& cut : suggestedCuts(result))
+  {
+    suggestions.push_back({ { "type", curveTypeName(cut.type) }, { "name", cut.name },
+      { "length", cut.length }, { "gain_predicted", cut.predictedGain }, { "gain", cut.gain },
+      { "opening", cut.opening }, { "strain_p95_before", cut.strainBefore },
+      { "strain_p95_after", cut.strainAfter }, { "mirror_of", cut.mirrorOf } });
+  }
+  return suggestions;
+}
+
 Json curveReports(const FieldRows& field)
 {
   Json curves = Json::array();
@@ -211,6 +226,7 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "remedies", remedyReports(result.remedies) }, { "warnings", texts(flat, "RunWarnings") },
     { "pieces", pieceReports(flat, wires) }, { "left_out", leftOutReports(flat) },
     { "curves", curveReports(wires) }, { "seams", seamReports(result) },
+    { "suggestions", suggestionReports(result) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },
         { "wires", flat.number("SecondsWires", 0) },

@@ -4,6 +4,7 @@
 #include "InputError.h"
 #include "Options.h"
 #include "PlainText.h"
+#include "SuggestedCuts.h"
 #include "Table.h"
 
 #include <vtkSMPTools.h>
@@ -37,7 +38,8 @@ void finishOutput()
 void say(const Options& options, const FilesOfFlattening& written)
 {
   std::cout << pieceTable(written.result);
-  std::cout << fallbacks(written.result) << releaseAdvice(written.result);
+  std::cout << fallbacks(written.result) << releaseAdvice(written.result)
+            << suggestionTable(written.result);
   if (options.listCurves)
   {
     std::cout << '\n' << curveTable(written.result);
@@ -46,6 +48,10 @@ void say(const Options& options, const FilesOfFlattening& written)
   for (const std::string& name : written.patterns)
   {
     std::cout << name << ", ";
+  }
+  if (written.result.curves)
+  {
+    std::cout << "curves.vtp, ";
   }
   std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to "
             << plainText(written.folder) << '\n';

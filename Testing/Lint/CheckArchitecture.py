@@ -11,7 +11,7 @@ import sys
 from Sources import ROOT, cxx_files, read, tracked_files
 
 # The rooms of Filters/Core, the uppermost first: each includes itself and what stands below.
-ROOMS = ("Flattening", "Isometric", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
+ROOMS = ("Suggestion", "Flattening", "Isometric", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
          "Surface", "Base")
 LINES_OF_A_LONG_FILE = 400
 SHARE_OF_LONG_FILES = 0.1

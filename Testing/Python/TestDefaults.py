@@ -56,6 +56,9 @@ FLAGS = {
     "--no-arrange": ("Arrange", False),
     "--no-split": ("SplitTriangles", False),
 }
+# The same of vtkFeatureCurveSuggestion.
+SUGGESTIONS = {
+    "--bound": "Bound", "--max-cuts": "MaximumCuts", "--max-cut-length": "MaximumCutLength"}
 WITHOUT_DEFAULT = {"--paper-method", "--tolerance", "--pins"}
 
 PARAMETERS = {
@@ -130,6 +133,21 @@ class Defaults(unittest.TestCase):
             with self.subTest(option):
                 default = default_of(name, words)
                 self.assertEqual(shown[option] if words else float(shown[option]), default)
+
+        suggestion = sf.vtkFeatureCurveSuggestion()
+        for option, name in SUGGESTIONS.items():
+            self.assertEqual(float(shown[option]), default_of(name, None, suggestion), option)
+        self.assertEqual(shown["--symmetric"], "auto" if suggestion.GetSymmetric() else "off")
+
+    def test_suggest_has_those_of_the_filter(self):
+        parameters = inspect.signature(sf.suggest).parameters
+        suggestion = sf.vtkFeatureCurveSuggestion()
+        for parameter, (name, words) in {
+                "cuts": ("SuggestedCuts", ("darts", "seams", "all")), "bound": ("Bound", None),
+                "max_cuts": ("MaximumCuts", None), "max_cut_length": ("MaximumCutLength", None),
+                "symmetric": ("Symmetric", None)}.items():
+            self.assertEqual(
+                parameters[parameter].default, default_of(name, words, suggestion), parameter)
 
     def test_flags_of_the_command_turn_what_the_filter_has_not(self):
         for option, (name, turned) in FLAGS.items():

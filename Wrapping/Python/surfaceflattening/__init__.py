@@ -8,6 +8,7 @@ Two ways to use it:
 - :func:`flatten` for numpy arrays, :func:`flatten_polydata` for a vtkPolyData or a PyVista mesh: one
   call, and a :class:`Flattening` back, which draws itself in notebooks, plot()s, goes on as a mesh with
   to_polydata() and is cut from paper after write_pattern(); an exception where the input is refused.
+  :func:`suggest` and :func:`suggest_polydata` propose the cuts as well.
 
 Neither needs a screen. help(Report) and help(PieceReport) say what the measures are.
 
@@ -37,6 +38,7 @@ from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._flatten import flatten, flatten_polydata
 from ._result import Flattening, Wire
+from ._suggestion import SuggestedCut, Suggestion, suggest, suggest_polydata
 from ._types import (
     CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape, Options, Paper, Part,
     PieceReport, Report, Scheme, Solver, Unit, WireType)
@@ -61,6 +63,8 @@ __all__ += [
     "Report",
     "Scheme",
     "Solver",
+    "SuggestedCut",
+    "Suggestion",
     "Unit",
     "Wire",
     "WireType",
@@ -69,4 +73,6 @@ __all__ += [
     "flatten_polydata",
     "make_curves",
     "make_surface",
+    "suggest",
+    "suggest_polydata",
 ]

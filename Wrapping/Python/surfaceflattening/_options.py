@@ -169,7 +169,9 @@ def _set_tolerances(filter_: Any, tolerances: Optional[Mapping[str, float]]) -> 
             raise TypeError(f"tolerance of {name!r} = {value!r}: {error}") from None
 
 
-def make_filter(options: Mapping[str, Any], function: str) -> vtkWireWarpingFilter:
+def make_filter(
+    options: Mapping[str, Any], function: str, filter_class: Any = vtkWireWarpingFilter
+) -> Any:
     """A filter with these options, or an exception that names the wrong one."""
     _refuse_unknown(options, function)
     if isinstance(options.get("pins"), Iterable):
@@ -188,7 +190,7 @@ def make_filter(options: Mapping[str, Any], function: str) -> vtkWireWarpingFilt
         if option.words:
             index_of(values[name], option.words, name)
     _refuse_idle(values, given)
-    filter_ = vtkWireWarpingFilter()
+    filter_ = filter_class()
     filter_.CachingOff()  # it runs once
     for name, option in PROPERTIES.items():
         value = option.words.index(values[name]) if option.words else values[name]

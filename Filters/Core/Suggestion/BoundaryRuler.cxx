@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/BoundaryRuler.h"
+
+#include "Surface/VertexFan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+constexpr double cornerTurn = pi / 6.0;
+/// Places this near to a vertex, in edge lengths, are the vertex.
+constexpr double snapFraction = 1e-3;
+/// Places whose distances differ by less, in squares of a boundary's length, are equally near.
+constexpr double equallyNear = 1e-18;
+}
+
+BoundaryRuler::BoundaryRuler(const TriangleMesh& mesh)
+  : Mesh(mesh)
+  , Places(mesh.vertexCount())
+{
+  for (const Indices& halfedges : mesh.boundaryLoops())
+  {
+    Loop loop;
+    double arc = 0.0;
+    for (Index h : halfedges)
+    {
+      const Index v = mesh.from(h);
+      this->Places[v] = { static_cast<Index>(this->Loops.size()), arc };
+      loop.vertices.push_back(v);
+      loop.halfedges.push_back(h);
+      loop.arcs.push_back(arc);
+      arc += mesh.length(h);
+      double angle = 0.0;
+      for (Index spoke : VertexFan(mesh, v))
+      {
+        angle += mesh.angle(spoke);
+      }
+      if (pi - angle > cornerTurn)
+      {
+        loop.corners.push_back(loop.arcs.back());
+      }
+    }
+    loop.arcs.push_back(arc);
+    this->Loops.push_back(std::move(loop));
+  }
+}
+
+BoundaryPlace BoundaryRuler::moved(const BoundaryPlace& place, double by) const
+{
+  const double length = this->length(place.loop);
+  const double arc = std::fmod(place.arc + by, length);
+  return { place.loop, arc < 0.0 ? arc + length : arc };
+}
+
+std::size_t BoundaryRuler::edgeAt(const BoundaryPlace& place) const
+{
+  const std::vector<double>& arcs = this->Loops[place.loop].arcs;
+  const auto after = std::upper_bound(arcs.begin() + 1, arcs.end() - 1, place.arc);
+  return static_cast<std::size_t>(after - arcs.begin()) - 1;
+}
+
+SurfacePoint BoundaryRuler::surfacePoint(const BoundaryPlace& place) const
+{
+  const Loop& loop = this->Loops[place.loop];
+  const std::size_t k = this->edgeAt(place);
+  const double length = loop.arcs[k + 1] - loop.arcs[k];
+  const double fraction = std::clamp((place.arc - loop.arcs[k]) / length, 0.0, 1.0);
+  const double snapped =
+    std::min(fraction, 1.0 - fraction) < snapFraction ? std::round(fraction) : fraction;
+  if (snapped == 0.0 || snapped == 1.0)
+  {
+    const std::size_t end = snapped == 0.0 ? k : (k + 1) % loop.vertices.size();
+    return vertexPoint(this->Mesh, loop.vertices[end]);
+  }
+  return edgePoint(this->Mesh, loop.halfedges[k], snapped);
+}
+
+Point3 BoundaryRuler::point(const BoundaryPlace& place) const
+{
+  return this->surfacePoint(place).position;
+}
+
+Point3 BoundaryRuler::inside(const BoundaryPlace& place) const
+{
+  const Triangle& t =
+    this->Mesh.triangle(this->Loops[place.loop].halfedges[this->edgeAt(place)] / 3);
+  return (this->Mesh.point(t[0]) + this->Mesh.point(t[1]) + this->Mesh.point(t[2])) / 3.0;
+}
+
+Index BoundaryRuler::vertex(const BoundaryPlace& place) const
+{
+  const Loop& loop = this->Loops[place.loop];
+  const std::size_t k = this->edgeAt(place);
+  const bool first = place.arc - loop.arcs[k] <= loop.arcs[k + 1] - place.arc;
+  return loop.vertices[first ? k : (k + 1) % loop.vertices.size()];
+}
+
+BoundaryPlace BoundaryRuler::nearest(const Point3& point, const Point3& inside) const
+{
+  BoundaryPlace best;
+  double least = std::numeric_limits<double>::infinity();
+  double leastMiss = 0.0;
+  for (Index l = 0; l < this->loopCount(); ++l)
+  {
+    const Loop& loop = this->Loops[l];
+    const double equal = equallyNear * this->length(l) * this->length(l);
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k)
+    {
+      const Point3& a = this->Mesh.point(loop.vertices[k]);
+      const Point3 along = this->Mesh.point(loop.vertices[(k + 1) % loop.vertices.size()]) - a;
+      const double square = along.squaredNorm();
+      const double fraction =
+        square > 0.0 ? std::clamp(along.dot(point - a) / square, 0.0, 1.0) : 0.0;
+      const double distance = (a + fraction * along - point).squaredNorm();
+      if (distance > least + equal)
+      {
+        continue;
+      }
+      const BoundaryPlace place{ l, loop.arcs[k] + fraction * (loop.arcs[k + 1] - loop.arcs[k]) };
+      const double miss =
+        (this->inside({ l, 0.5 * (loop.arcs[k] + loop.arcs[k + 1]) }) - inside).squaredNorm();
+      if (distance < least - equal || miss < leastMiss)
+      {
+        best = place;
+        least = std::min(least, distance);
+        leastMiss = miss;
+      }
+    }
+  }
+  return best;
+}
+
+double BoundaryRuler::distance(const BoundaryPlace& a, const BoundaryPlace& b) const
+{
+  if (a.loop != b.loop)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double way = std::abs(a.arc - b.arc);
+  return std::min(way, this->length(a.loop) - way);
+}
+
+Indices BoundaryRuler::spread(double spacing, double clear) const
+{
+  Indices result;
+  for (Index l = 0; l < this->loopCount(); ++l)
+  {
+    const Loop& loop = this->Loops[l];
+    double next = 0.0;
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k)
+    {
+      const BoundaryPlace here{ l, loop.arcs[k] };
+      const bool nearCorner =
+        std::any_of(loop.corners.begin(), loop.corners.end(), [&](double corner) {
+          return this->distance(here, { l, corner }) < clear;
+        });
+      if (!nearCorner && loop.arcs[k] >= next)
+      {
+        result.push_back(loop.vertices[k]);
+        next = loop.arcs[k] + spacing;
+      }
+    }
+  }
+  return result;
+}
+}

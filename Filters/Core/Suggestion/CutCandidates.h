@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+#include "Suggestion/SearchedPiece.h"
+
+namespace flattening
+{
+/// Plans for one cut, or a pair of mirror images: darts from places along the boundary to places
+/// spread over the inside, seams between places of the boundary, in the order of forecast gain per
+/// price. Left out are darts that would overlap.
+/// \param longest length of a plan's cuts, in all
+std::vector<CutPlan> planCuts(const SearchedPiece& piece, const ScaleFactor& factor,
+  const SearchOptions& options, double longest, const Execution& execution);
+
+/// The first of the plans that differ: of those that lie close to each other the one that comes
+/// first.
+std::vector<CutPlan> distinctPlans(
+  const SearchedPiece& piece, const std::vector<CutPlan>& plans, Index most);
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/CutTrials.h"
+#include "Suggestion/SearchedPiece.h"
+
+namespace flattening
+{
+/// A cut that has been flattened.
+struct TriedCut
+{
+  CutPlan plan;
+  TrialOutcome outcome;
+  double gain = 0.0;  ///< drop of the surface's energy
+  double score = 0.0; ///< gain per price
+
+  bool better(const TriedCut& other) const { return this->score > other.score; }
+};
+
+/// Finds the best next cut of a piece: ranks plans by forecast, flattens the first of them, and
+/// moves the best about while that helps.
+class CutSearch
+{
+public:
+  /// All must outlive it. \param trials of the whole surface with the cuts that it has \param
+  /// before those without another cut
+  CutSearch(const SearchedPiece& piece, const CutTrials& trials, const SearchOptions& options,
+    const TrialOutcome& before);
+
+  /// The best cut no longer than `longest`, or none. \param trialsLeft counts down
+  std::optional<TriedCut> run(const std::vector<CutPlan>& plans, double longest, Index& trialsLeft,
+    const Execution& execution) const;
+
+private:
+  std::vector<TriedCut> tryAll(
+    const std::vector<CutPlan>& plans, double longest, const Execution& execution) const;
+  TriedCut polished(
+    TriedCut cut, double longest, Index& trialsLeft, const Execution& execution) const;
+  std::vector<CutPlan> neighbours(const CutPlan& plan, double step) const;
+
+  const SearchedPiece& Piece;
+  const CutTrials& Trials;
+  const SearchOptions& Options;
+  const TrialOutcome& Before;
+};
+}

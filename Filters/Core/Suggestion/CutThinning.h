@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/CutTrials.h"
+#include "Suggestion/SuggestedCurve.h"
+
+namespace flattening
+{
+/// Takes back what the bound does not need of some cuts: whole cuts, and thirds of darts from the
+/// tip on, mirror images together, as long as the strain stays within the bound; what saves most
+/// first.
+/// \param now the outcome of the cuts, in and out \param trialsLeft counts down
+void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>& cuts,
+  TrialOutcome& now, Index& trialsLeft, const Execution& execution);
+
+/// The cuts with one and its mirror image left out, or cut back to a share of its length.
+std::vector<SuggestedCurve> withShare(
+  const std::vector<SuggestedCurve>& cuts, std::size_t which, double share);
+}

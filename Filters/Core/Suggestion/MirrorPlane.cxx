@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/MirrorPlane.h"
+
+#include "Imprint/SurfaceLocator.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+constexpr int mostRefinements = 10;
+/// About so many vertices are mirrored.
+constexpr Index samples = 500;
+/// Mirrored vertices that are this near, in sqrt(area / pi), need no refinement.
+constexpr double exactly = 1e-12;
+
+struct Moments
+{
+  double area = 0.0;
+  Point3 center = Point3::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
+Moments momentsOf(const TriangleMesh& mesh)
+{
+  Moments moments;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const double area = mesh.area(t);
+    for (int k = 0; k < 3; ++k)
+    {
+      // The edges' middles integrate polynomials of degree 2 exactly.
+      const Point3 middle =
+        0.5 * (mesh.point(mesh.triangle(t)[k]) + mesh.point(mesh.triangle(t)[(k + 1) % 3]));
+      moments.center += area / 3.0 * middle;
+      second += area / 3.0 * middle * middle.transpose();
+    }
+    moments.area += area;
+  }
+  moments.center /= moments.area;
+  second = second / moments.area - moments.center * moments.center.transpose();
+  moments.axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvectors();
+  return moments;
+}
+
+class Fitting
+{
+public:
+  explicit Fitting(const TriangleMesh& mesh)
+    : Mesh(mesh)
+    , Locator(mesh)
+    , Shape(momentsOf(mesh))
+    , Size(std::sqrt(this->Shape.area / pi))
+  {
+    const Index step = std::max<Index>(1, mesh.vertexCount() / samples);
+    for (Index v = 0; v < mesh.vertexCount(); v += step)
+    {
+      if (mesh.outgoing(v) != none)
+      {
+        this->Samples.push_back(v);
+      }
+    }
+  }
+
+  std::optional<MirrorPlane> run(double tolerance)
+  {
+    std::vector<Point3> normals{ Point3::UnitX(), Point3::UnitY(), Point3::UnitZ() };
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.emplace_back(this->Shape.axes.col(k));
+    }
+    std::optional<MirrorPlane> best;
+    for (const Point3& normal : normals)
+    {
+      const MirrorPlane plane = this->refined(normal);
+      if (plane.error < tolerance && (!best || plane.error < best->error))
+      {
+        best = plane;
+      }
+    }
+    return best;
+  }
+
+private:
+  MirrorPlane refined(const Point3& normal) const
+  {
+    MirrorPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 });
+    MirrorPlane plane = best;
+    for (int step = 0; step < mostRefinements && best.error > exactly; ++step)
+    {
+      plane = this->measured(this->step(plane));
+      if (plane.error < best.error)
+      {
+        best = plane;
+      }
+    }
+    return best;
+  }
+
+  MirrorPlane measured(MirrorPlane plane) const
+  {
+    plane.error = 0.0;
+    for (Index v : this->Samples)
+    {
+      plane.error += this->Locator.closest(plane.mirrored(this->Mesh.point(v))).distance;
+    }
+    plane.error /= static_cast<double>(this->Samples.size()) * this->Size;
+    return plane;
+  }
+
+  /// Gauss-Newton on the distances of mirrored points from the triangles' planes, over a turn of
+  /// the normal about two axes across it and a shift.
+  MirrorPlane step(const MirrorPlane& plane) const
+  {
+    const Point3 first = plane.normal.unitOrthogonal();
+    const Point3 second = plane.normal.cross(first);
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (Index v : this->Samples)
+    {
+      const Point3& p = this->Mesh.point(v);
+      const Point3 image = plane.mirrored(p);
+      const ClosestPoint closest = this->Locator.closest(image);
+      const Triangle& t = this->Mesh.triangle(closest.triangle);
+      const Point3 across =
+        areaVector(this->Mesh.point(t[0]), this->Mesh.point(t[1]), this->Mesh.point(t[2]))
+          .normalized();
+      const double side = plane.side(p);
+      const Eigen::Vector3d slope(
+        across.dot(-2.0 * (first.dot(p - this->Shape.center) * plane.normal + side * first)),
+        across.dot(-2.0 * (second.dot(p - this->Shape.center) * plane.normal + side * second)),
+        across.dot(2.0 * plane.normal) * this->Size);
+      const double miss = across.dot(image - closest.position);
+      matrix += slope * slope.transpose();
+      right -= miss * slope;
+    }
+    matrix.diagonal().array() += 1e-12 * matrix.trace();
+    const Eigen::Vector3d move = matrix.ldlt().solve(right);
+    MirrorPlane result;
+    result.normal = (plane.normal + move[0] * first + move[1] * second).normalized();
+    // The turn is about the centre.
+    result.offset = plane.offset - plane.normal.dot(this->Shape.center) +
+      result.normal.dot(this->Shape.center) + move[2] * this->Size;
+    return result;
+  }
+
+  const TriangleMesh& Mesh;
+  SurfaceLocator Locator;
+  Moments Shape;
+  double Size;
+  Indices Samples;
+};
+}
+
+MirrorPlane flattestPlane(const TriangleMesh& mesh)
+{
+  const Moments moments = momentsOf(mesh);
+  const Point3 normal = moments.axes.col(0);
+  return { normal, normal.dot(moments.center), 0.0 };
+}
+
+std::optional<MirrorPlane> findMirrorPlane(const TriangleMesh& mesh, double tolerance)
+{
+  return Fitting(mesh).run(tolerance);
+}
+}

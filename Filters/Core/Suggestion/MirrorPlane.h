@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/TriangleMesh.h"
+
+#include <optional>
+
+namespace flattening
+{
+/// A plane that mirrors a surface onto itself.
+struct MirrorPlane
+{
+  Point3 normal = Point3::UnitX(); ///< of unit length
+  double offset = 0.0;             ///< points p of the plane: normal . p = offset
+  /// Mean distance of mirrored vertices from the surface, as a fraction of sqrt(area / pi).
+  double error = 0.0;
+
+  double side(const Point3& point) const { return this->normal.dot(point) - this->offset; }
+  Point3 mirrored(const Point3& point) const
+  {
+    return point - 2.0 * this->side(point) * this->normal;
+  }
+  Point3 projected(const Point3& point) const { return point - this->side(point) * this->normal; }
+};
+
+/// The plane through the centre of area across the axis along which the surface extends least.
+MirrorPlane flattestPlane(const TriangleMesh& mesh);
+
+/// Finds the plane through the centre of area across one of the principal axes, or across x, y or
+/// z, that mirrors the surface onto itself best, brings mirrored vertices and surface as near to
+/// each other as it can (closest points, point to plane: Y. Chen, G. Medioni, "Object modelling by
+/// registration of multiple range images", Image and Vision Computing 10(3), 1992), and takes it
+/// where the mean distance is below `tolerance` times sqrt(area / pi).
+std::optional<MirrorPlane> findMirrorPlane(const TriangleMesh& mesh, double tolerance = 3e-3);
+}

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/OpeningCuts.h"
+
+#include "Paths/StraightPath.h"
+#include "Suggestion/EdgePaths.h"
+#include "Suggestion/PlaneSection.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace flattening
+{
+namespace
+{
+/// Loops longer than this share of the longest are joined to it; shorter ones are holes.
+constexpr double leastJoined = 0.2;
+
+/// Sets that are joined.
+class Groups
+{
+public:
+  explicit Groups(std::size_t count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  Index of(Index k)
+  {
+    while (this->Parent[k] != k)
+    {
+      k = this->Parent[k] = this->Parent[this->Parent[k]];
+    }
+    return k;
+  }
+  /// False where they are one already.
+  bool join(Index a, Index b)
+  {
+    const Index first = this->of(a);
+    const Index second = this->of(b);
+    this->Parent[first] = second;
+    return first != second;
+  }
+
+private:
+  Indices Parent;
+};
+
+Index firstVertex(const TriangleMesh& mesh)
+{
+  return mesh.triangle(0)[0];
+}
+
+Polyline lineBetween(const PathGraph& graph, Index start, Index end, CurveType type)
+{
+  const StraightPath path =
+    straightPath(graph, vertexPoint(graph.mesh(), start), vertexPoint(graph.mesh(), end));
+  Polyline line;
+  line.type = type;
+  for (const SurfacePoint& point : path.path.points)
+  {
+    line.points.push_back(point.position);
+  }
+  return line;
+}
+
+/// An edge under its two vertices.
+using Edge = std::pair<Index, Index>;
+
+Edge edgeBetween(Index a, Index b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+class HandleLoops
+{
+public:
+  explicit HandleLoops(const TriangleMesh& mesh)
+    : Mesh(mesh)
+    , Paths(mesh, { firstVertex(mesh) }, {}, EdgePaths::Through::Boundary)
+  {
+  }
+
+  std::vector<Polyline> run()
+  {
+    std::set<Edge> used;
+    std::vector<Polyline> lines;
+    for (Index h : this->generators())
+    {
+      Indices ring = this->Paths.path(this->Mesh.from(h));
+      const Indices back = this->Paths.path(this->Mesh.to(h));
+      ring.insert(ring.end(), back.rbegin(), back.rend());
+      this->addUnused(ring, used, lines);
+    }
+    return lines;
+  }
+
+private:
+  /// Edges in no tree.
+  Indices generators()
+  {
+    std::set<Edge> inTree;
+    for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
+    {
+      if (this->Paths.reaches(v) && this->Paths.before(v) != v)
+      {
+        inTree.insert(edgeBetween(v, this->Paths.before(v)));
+      }
+    }
+    // A boundary loop counts as one more triangle.
+    Index count = this->Mesh.triangleCount();
+    std::vector<Index> outside(this->Mesh.halfedgeCount(), none);
+    for (const Indices& loop : this->Mesh.boundaryLoops())
+    {
+      for (Index h : loop)
+      {
+        outside[h] = count;
+      }
+      ++count;
+    }
+    Indices edges;
+    for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
+    {
+      if (this->Mesh.twin(h) == none || h < this->Mesh.twin(h))
+      {
+        edges.push_back(h);
+      }
+    }
+    // Those that would close the longest loops first, so that the short ones are left.
+    const auto around = [this](Index h) {
+      return this->Paths.distance(this->Mesh.from(h)) + this->Paths.distance(this->Mesh.to(h)) +
+        this->Mesh.length(h);
+    };
+    std::stable_sort(
+      edges.begin(), edges.end(), [&](Index a, Index b) { return around(a) > around(b); });
+    Groups groups(count);
+    Indices left;
+    for (Index h : edges)
+    {
+      const Index twin = this->Mesh.twin(h);
+      if (inTree.count(edgeBetween(this->Mesh.from(h), this->Mesh.to(h))) == 0 &&
+        !groups.join(h / 3, twin == none ? outside[h] : twin / 3))
+      {
+        left.push_back(h);
+      }
+    }
+    return left;
+  }
+
+  /// The parts of a way whose edges no cut has yet, boundary edges apart.
+  void addUnused(const Indices& way, std::set<Edge>& used, std::vector<Polyline>& lines) const
+  {
+    bool open = false;
+    for (std::size_t k = 1; k < way.size(); ++k)
+    {
+      const Index a = way[k - 1];
+      const Index b = way[k];
+      const bool inside = this->Mesh.find(a, b) != none && this->Mesh.find(b, a) != none;
+      if (!inside || !used.insert(edgeBetween(a, b)).second)
+      {
+        open = false;
+        continue;
+      }
+      if (!open)
+      {
+        lines.emplace_back();
+        lines.back().type = CurveType::Seam;
+        lines.back().points.push_back(this->Mesh.point(a));
+      }
+      open = true;
+      lines.back().points.push_back(this->Mesh.point(b));
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  EdgePaths Paths;
+};
+
+/// Joins loops that are no mere holes to the longest one, each by the shortest way to what is
+/// joined already.
+std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
+{
+  const std::vector<Indices> loops = mesh.boundaryLoops();
+  const auto lengthOf = [&](const Indices& loop) {
+    return std::accumulate(
+      loop.begin(), loop.end(), 0.0, [&](double sum, Index h) { return sum + mesh.length(h); });
+  };
+  std::vector<std::size_t> apart;
+  for (std::size_t l = 1; l < loops.size(); ++l)
+  {
+    if (lengthOf(loops[l]) > leastJoined * lengthOf(loops[0]))
+    {
+      apart.push_back(l);
+    }
+  }
+  Indices joined;
+  const auto join = [&](const Indices& loop) {
+    for (Index h : loop)
+    {
+      joined.push_back(mesh.from(h));
+    }
+  };
+  if (!apart.empty())
+  {
+    join(loops[0]);
+  }
+  const PathGraph graph(mesh);
+  std::vector<Polyline> lines;
+  while (!apart.empty())
+  {
+    const EdgePaths paths(mesh, joined);
+    std::size_t nearest = 0;
+    Index end = none;
+    for (std::size_t k = 0; k < apart.size(); ++k)
+    {
+      for (Index h : loops[apart[k]])
+      {
+        if (end == none || paths.distance(mesh.from(h)) < paths.distance(end))
+        {
+          end = mesh.from(h);
+          nearest = k;
+        }
+      }
+    }
+    if (!paths.reaches(end))
+    {
+      break;
+    }
+    const Index start = paths.path(end).front();
+    lines.push_back(lineBetween(graph, start, end, CurveType::Seam));
+    join(loops[apart[nearest]]);
+    apart.erase(apart.begin() + static_cast<std::ptrdiff_t>(nearest));
+  }
+  return lines;
+}
+}
+
+std::vector<Polyline> openingCuts(
+  const TriangleMesh& mesh, const std::optional<MirrorPlane>& mirror)
+{
+  const auto loops = static_cast<Index>(mesh.boundaryLoops().size());
+  const Index handles = (2 - loops - eulerCharacteristic(mesh)) / 2;
+  if (handles > 0)
+  {
+    return HandleLoops(mesh).run();
+  }
+  return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh)) : joinLoops(mesh);
+}
+}

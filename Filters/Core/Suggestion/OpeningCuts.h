@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/MirrorPlane.h"
+#include "Surface/FeatureCurve.h"
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// Cuts without which a connected surface cannot be laid flat: along loops around its handles, two
+/// each; of a closed surface without handles, along its section with the mirror plane, or with the
+/// plane through its centre across the axis along which it extends least; between the boundary
+/// loops of tubes (loops that are short beside the longest are holes and stay).
+///
+/// The loops are the edges that neither a tree of shortest ways from one vertex nor a tree of
+/// triangles across the other edges needs, closed along the first tree (D. Eppstein, "Dynamic
+/// generators of topologically embedded graphs", SODA 2003; J. Erickson, K. Whittlesey, "Greedy
+/// optimal homotopy and homology generators", SODA 2005).
+std::vector<Polyline> openingCuts(
+  const TriangleMesh& mesh, const std::optional<MirrorPlane>& mirror = {});
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Surface/FeatureCurve.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+/// Which cuts may be proposed.
+enum class SuggestedCuts
+{
+  Darts,
+  Seams,
+  All,
+};
+
+/// All lengths are in units of R = sqrt(area / pi) of the piece, except where said.
+struct SearchOptions
+{
+  SuggestedCuts cuts = SuggestedCuts::All;
+  /// The strain, on 95 % of each piece's area, that is good enough; 0: go on until cuts or length
+  /// are used up.
+  double bound = 0.02;
+  Index maximumCuts = 8;
+  /// Of all proposed cuts together, in the surface's unit.
+  double maximumCutLength = std::numeric_limits<double>::infinity();
+  /// Find a mirror plane and keep to it.
+  bool symmetric = true;
+  /// Curves along which a cut may begin or end at another price: it is divided by the weight; 0
+  /// forbids it.
+  struct Preference
+  {
+    std::string curve;
+    double weight = 1.0;
+  };
+  std::vector<Preference> preferences;
+  /// What each cut costs beside its length.
+  double fixedPrice = 0.2;
+  double leastLength = 0.12;
+  /// Real flattenings to choose each cut from, after the forecast has ranked them.
+  Index trials = 24;
+  /// Of all real flattenings.
+  Index maximumTrials = 4000;
+};
+
+/// Errors: InvalidOption (a number out of its range, a preference for a curve that there is not).
+Status checkSearch(const SearchOptions& options, const std::vector<Polyline>& curves);
+}

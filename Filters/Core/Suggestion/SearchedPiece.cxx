@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/SearchedPiece.h"
+
+#include "Imprint/SurfacePoint.h"
+#include "Paths/StraightPath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Mirror images this near to the surface, in sqrt(area / pi), are taken as they are.
+constexpr double exactMirror = 1e-9;
+/// Ends of lines this near to a vertex, in mean edge lengths, move onto it.
+constexpr double snapFraction = 1e-3;
+/// Mean distance of mirrored vertices, in sqrt(area / pi), up to which a piece is its own image.
+constexpr double ownImage = 1e-2;
+
+double areaOf(const TriangleMesh& mesh)
+{
+  double area = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    area += mesh.area(t);
+  }
+  return area;
+}
+}
+
+SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
+  const std::optional<MirrorPlane>& mirror)
+  : Mesh(std::move(mesh))
+  , Barred(std::move(barred))
+  , Worth(std::move(worth))
+  , Area(areaOf(this->Mesh))
+  , Size(std::sqrt(this->Area / pi))
+  , Ruler(this->Mesh)
+  , Locator(this->Mesh)
+  , Graph(this->Mesh)
+  , Mirror(mirror)
+{
+  if (this->Mirror)
+  {
+    this->findMirrorVertices();
+  }
+}
+
+void SearchedPiece::findMirrorVertices()
+{
+  double sum = 0.0;
+  double worst = 0.0;
+  for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
+  {
+    const ClosestPoint closest = this->Locator.closest(this->Mirror->mirrored(this->Mesh.point(v)));
+    const auto heaviest = std::max_element(closest.weights.begin(), closest.weights.end());
+    this->MirrorVertex.push_back(
+      this->Mesh.triangle(closest.triangle)[heaviest - closest.weights.begin()]);
+    sum += closest.distance;
+    worst = std::max(worst, closest.distance);
+  }
+  // Vertices may have their images among them, and triangles not.
+  for (Index h = 0; h < this->Mesh.halfedgeCount() && worst < exactMirror * this->Size; ++h)
+  {
+    const Point3 middle =
+      0.5 * (this->Mesh.point(this->Mesh.from(h)) + this->Mesh.point(this->Mesh.to(h)));
+    worst = std::max(worst, this->Locator.closest(this->Mirror->mirrored(middle)).distance);
+  }
+  this->Mirror->error = worst / this->Size;
+  if (sum > ownImage * this->Size * this->Mesh.vertexCount())
+  {
+    this->Mirror.reset();
+  }
+}
+
+bool SearchedPiece::mirrorIsExact() const
+{
+  return this->Mirror && this->Mirror->error < exactMirror;
+}
+
+double SearchedPiece::worth(const BoundaryPlace& place) const
+{
+  return this->Worth.empty() ? 1.0 : this->Worth[this->Ruler.vertex(place)];
+}
+
+Point3 SearchedPiece::normalNear(const Point3& point) const
+{
+  return triangleNormal(this->Mesh, this->Locator.closest(point).triangle);
+}
+
+Point3 SearchedPiece::endOf(const CutPlan& plan) const
+{
+  if (plan.type == CurveType::Dart)
+  {
+    return plan.tip;
+  }
+  return this->Ruler.point(plan.role == MirrorRole::Across ? this->mirrored(plan.base) : plan.end);
+}
+
+BoundaryPlace SearchedPiece::mirrored(const BoundaryPlace& place) const
+{
+  return this->Ruler.nearest(this->Mirror->mirrored(this->Ruler.point(place)),
+    this->Mirror->mirrored(this->Ruler.inside(place)));
+}
+
+SurfacePoint SearchedPiece::surfacePoint(const Point3& point) const
+{
+  return snapToMesh(
+    this->Mesh, SnapDistance(this->Mesh, snapFraction), this->Locator.closest(point));
+}
+
+Points3 SearchedPiece::straightLine(const SurfacePoint& from, const SurfacePoint& to) const
+{
+  const StraightPath straight = straightPath(this->Graph, from, to);
+  Points3 points;
+  for (const SurfacePoint& point : straight.path.points)
+  {
+    points.push_back(point.position);
+  }
+  return straight.status.refused() ? Points3{} : points;
+}
+
+std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
+{
+  const bool dart = plan.type == CurveType::Dart;
+  const BoundaryPlace end = plan.role == MirrorRole::Across ? this->mirrored(plan.base) : plan.end;
+  Polyline line;
+  line.type = plan.type;
+  line.points = this->straightLine(this->Ruler.surfacePoint(plan.base),
+    dart ? this->surfacePoint(plan.tip) : this->Ruler.surfacePoint(end));
+  if (line.points.size() < 2)
+  {
+    return {};
+  }
+  std::vector<Polyline> lines{ line };
+  if (plan.role != MirrorRole::Pair)
+  {
+    return lines;
+  }
+  if (this->mirrorIsExact())
+  {
+    for (Point3& p : line.points)
+    {
+      p = this->Mirror->mirrored(p);
+    }
+  }
+  else
+  {
+    line.points = this->straightLine(this->Ruler.surfacePoint(this->mirrored(plan.base)),
+      dart ? this->surfacePoint(this->Mirror->mirrored(plan.tip))
+           : this->Ruler.surfacePoint(this->mirrored(plan.end)));
+  }
+  lines.push_back(line);
+  return line.points.size() < 2 ? std::vector<Polyline>{} : lines;
+}
+
+double SearchedPiece::price(const CutPlan& plan, double length, const SearchOptions& options) const
+{
+  const double fixed =
+    (plan.role == MirrorRole::Pair ? 2.0 : 1.0) * options.fixedPrice * this->Size;
+  double worth = this->worth(plan.base);
+  if (plan.type == CurveType::Seam)
+  {
+    worth = std::sqrt(worth * this->worth(plan.end));
+  }
+  return (fixed + length) / worth;
+}
+}

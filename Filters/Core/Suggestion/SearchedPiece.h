@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Imprint/SurfaceLocator.h"
+#include "Paths/PathGraph.h"
+#include "Quality/ScaleFactor.h"
+#include "Suggestion/CutPlan.h"
+#include "Suggestion/SearchOptions.h"
+
+#include <optional>
+
+namespace flattening
+{
+/// A piece of the surface with what a search for cuts asks of it again and again.
+class SearchedPiece
+{
+public:
+  /// \param barred per vertex, whether it lies on a key curve, which no cut may cross
+  /// \param worth per vertex, what the price of a cut that begins or ends there is divided by; 0: none
+  /// may
+  SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
+    const std::optional<MirrorPlane>& mirror);
+  SearchedPiece(const SearchedPiece&) = delete;
+  SearchedPiece& operator=(const SearchedPiece&) = delete;
+
+  const TriangleMesh& mesh() const { return this->Mesh; }
+  const BoundaryRuler& ruler() const { return this->Ruler; }
+  const std::vector<char>& barred() const { return this->Barred; }
+  double worth(const BoundaryPlace& place) const;
+  double area() const { return this->Area; }
+  /// R = sqrt(area / pi)
+  double size() const { return this->Size; }
+  /// The plane, where it mirrors this piece onto itself.
+  const std::optional<MirrorPlane>& mirror() const { return this->Mirror; }
+  /// Mirror images lie on the piece but for rounding.
+  bool mirrorIsExact() const;
+  Index mirrored(Index vertex) const { return this->MirrorVertex[vertex]; }
+  Point3 onto(const Point3& point) const { return this->Locator.closest(point).position; }
+  Point3 normalNear(const Point3& point) const;
+
+  Point3 baseOf(const CutPlan& plan) const { return this->Ruler.point(plan.base); }
+  Point3 endOf(const CutPlan& plan) const;
+  BoundaryPlace mirrored(const BoundaryPlace& place) const;
+  /// The lines to cut, straight on the surface: one, or two that are mirror images. Empty where
+  /// there is no way.
+  std::vector<Polyline> polylines(const CutPlan& plan) const;
+  /// What a plan costs whose lines have this length in all.
+  double price(const CutPlan& plan, double length, const SearchOptions& options) const;
+
+private:
+  void findMirrorVertices();
+  Points3 straightLine(const SurfacePoint& from, const SurfacePoint& to) const;
+  SurfacePoint surfacePoint(const Point3& point) const;
+
+  TriangleMesh Mesh;
+  std::vector<char> Barred;
+  std::vector<double> Worth;
+  double Area = 0.0;
+  double Size = 0.0;
+  BoundaryRuler Ruler;
+  SurfaceLocator Locator;
+  PathGraph Graph;
+  std::optional<MirrorPlane> Mirror;
+  Indices MirrorVertex;
+};
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/FeatureCurve.h"
+
+namespace flattening
+{
+/// A proposed cut.
+struct SuggestedCurve
+{
+  Polyline curve;
+  double length = 0.0;
+  /// Drops of the mean of u^2 (see ScaleFactor) and of the rigid energy over the surface, by this
+  /// cut after those before it; mirror images share one.
+  double predictedGain = 0.0;
+  double gain = 0.0;
+  double opening = 0.0;      ///< of a dart's mouth, by the forecast
+  double strainBefore = 0.0; ///< largest p95 strain of a piece without it and those after it
+  double strainAfter = 0.0;
+  Index mirrorOf = none; ///< the proposal that it is the mirror image of
+};
+}

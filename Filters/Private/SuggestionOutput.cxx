@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SuggestionOutput.h"
+
+#include "FieldArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+/// A curve of the input as a row beside the proposed ones.
+SuggestedCurve rowOf(const Polyline& curve)
+{
+  SuggestedCurve row;
+  row.curve = curve;
+  for (std::size_t k = 1; k < curve.points.size(); ++k)
+  {
+    row.length += (curve.points[k] - curve.points[k - 1]).norm();
+  }
+  return row;
+}
+
+void writeLines(const std::vector<SuggestedCurve>& rows, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkDoubleArray> shape;
+  shape->SetName("PlanarShape");
+  shape->SetNumberOfComponents(2);
+  bool shaped = false;
+  for (const SuggestedCurve& row : rows)
+  {
+    const Polyline& curve = row.curve;
+    lines->InsertNextCell(static_cast<int>(curve.points.size()));
+    for (std::size_t k = 0; k < curve.points.size(); ++k)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(curve.points[k].data()));
+      constexpr double no = std::numeric_limits<double>::quiet_NaN();
+      const bool has = curve.keyShape == KeyShape::Planar && k < curve.planarShape.size();
+      const Point2 place = has ? curve.planarShape[k] : Point2(no, no);
+      shape->InsertNextTypedTuple(place.data());
+      shaped = shaped || has;
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  if (shaped)
+  {
+    output->GetPointData()->AddArray(shape);
+  }
+}
+}
+
+void writeSuggestions(
+  const std::vector<Polyline>& curves, const CurveSuggestions& suggestions, vtkPolyData* output)
+{
+  std::vector<SuggestedCurve> rows;
+  for (const Polyline& curve : curves)
+  {
+    rows.push_back(rowOf(curve));
+  }
+  const std::size_t first = rows.size();
+  rows.insert(rows.end(), suggestions.cuts.begin(), suggestions.cuts.end());
+  writeLines(rows, output);
+
+  vtkCellData* const cells = output->GetCellData();
+  const std::size_t count = rows.size();
+  const auto addNumbers = [&](const char* name, double SuggestedCurve::*value) {
+    addRows<vtkDoubleArray>(cells, name, count, [&](std::size_t c) { return rows[c].*value; });
+  };
+  addRows<vtkIntArray>(
+    cells, "CurveType", count, [&](std::size_t c) { return static_cast<int>(rows[c].curve.type); });
+  addRows<vtkStringArray>(
+    cells, "CurveName", count, [&](std::size_t c) { return rows[c].curve.name; });
+  addRows<vtkIntArray>(cells, "KeyShape", count,
+    [&](std::size_t c) { return rows[c].curve.keyShape == KeyShape::Straight ? 1 : 0; });
+  addRows<vtkDoubleArray>(
+    cells, "LengthTolerance", count, [&](std::size_t c) { return rows[c].curve.tolerance; });
+  addRows<vtkIntArray>(cells, "Rank", count,
+    [&](std::size_t c) { return c < first ? -1 : static_cast<int>(c - first) + 1; });
+  addNumbers("Length", &SuggestedCurve::length);
+  addNumbers("PredictedGain", &SuggestedCurve::predictedGain);
+  addNumbers("Gain", &SuggestedCurve::gain);
+  addNumbers("Opening", &SuggestedCurve::opening);
+  addNumbers("StrainBefore", &SuggestedCurve::strainBefore);
+  addNumbers("StrainAfter", &SuggestedCurve::strainAfter);
+  addRows<vtkIntArray>(cells, "MirrorOf", count, [&](std::size_t c) {
+    return rows[c].mirrorOf == none ? -1 : static_cast<int>(rows[c].mirrorOf) + 1;
+  });
+
+  vtkFieldData* const field = output->GetFieldData();
+  addRows<vtkIntArray>(field, "BoundMet", 1, [&](std::size_t) { return suggestions.boundMet; });
+  addRows<vtkIntArray>(field, "Trials", 1, [&](std::size_t) { return suggestions.trials; });
+  addRows<vtkDoubleArray>(field, "Strain", 2,
+    [&](std::size_t k) { return k == 0 ? suggestions.strainBefore : suggestions.strainAfter; });
+  if (suggestions.mirror)
+  {
+    const MirrorPlane& plane = *suggestions.mirror;
+    addRows<vtkDoubleArray>(field, "MirrorPlane", 4, [&](std::size_t k) {
+      return k < 3 ? plane.normal[static_cast<Eigen::Index>(k)] : plane.offset;
+    });
+  }
+}
+
+std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
+{
+  return "the proposed cuts leave a strain of " + shortNumber(suggestions.strainAfter) +
+    " on 95 % of a piece, above the bound of " + shortNumber(bound) +
+    "; allow more or longer cuts, seams as well as darts, or a larger bound";
+}
+}
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/CurveSuggestion.h"
+
+class vtkPolyData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// Curves and then proposed cuts as polylines with points of their own; the arrays are those of
+/// vtkFeatureCurveSuggestion.
+void writeSuggestions(
+  const std::vector<Polyline>& curves, const CurveSuggestions& suggestions, vtkPolyData* output);
+
+/// How far the strain stays above the bound, for a warning.
+std::string describeShortfall(const CurveSuggestions& suggestions, double bound);
+}
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFeatureCurveSuggestion.h"
+
+#include "CurvedSurface.h"
+#include "FilterExecution.h"
+#include "Flattening/FlatteningOptions.h"
+#include "Suggestion/CurveSuggestion.h"
+#include "SuggestionOutput.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkFeatureCurveSuggestion);
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
+{
+  this->SetNumberOfOutputPorts(4);
+  const flattening::SearchOptions defaults;
+  this->SuggestedCuts = static_cast<int>(defaults.cuts);
+  this->Bound = defaults.bound;
+  this->MaximumCuts = defaults.maximumCuts;
+  this->Symmetric = defaults.symmetric;
+}
+
+//------------------------------------------------------------------------------
+vtkFeatureCurveSuggestion::~vtkFeatureCurveSuggestion() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkFeatureCurveSuggestion::GetSuggestedCutsAsString() const
+{
+  static const char* const names[] = { "Darts", "Seams", "DartsAndSeams" };
+  return names[this->SuggestedCuts];
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveSuggestion::AddPreference(const std::string& curve, double weight)
+{
+  this->Preferences[curve] = weight;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveSuggestion::RemoveAllPreferences()
+{
+  this->Preferences.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveSuggestion::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  static_assert(static_cast<int>(flattening::SuggestedCuts::Seams) == SEAMS, "");
+  static_assert(static_cast<int>(flattening::SuggestedCuts::All) == DARTS_AND_SEAMS, "");
+  this->Begin(outputVector);
+  flattening::CurveSuggestions suggestions;
+  const auto source = this->LoadInput(inputVector);
+  bool done = false;
+  if (source)
+  {
+    flattening::SuggestionOptions options;
+    options.search.cuts = static_cast<flattening::SuggestedCuts>(this->SuggestedCuts);
+    options.search.bound = this->Bound;
+    options.search.maximumCuts = this->MaximumCuts;
+    if (this->MaximumCutLength > 0.0)
+    {
+      options.search.maximumCutLength = this->MaximumCutLength;
+    }
+    options.search.symmetric = this->Symmetric;
+    for (const auto& [curve, weight] : this->Preferences)
+    {
+      options.search.preferences.push_back({ curve, weight });
+    }
+    options.imprint.tolerance = this->ImprintTolerance;
+    options.imprint.snap = this->SnapTolerance;
+    options.flattening = this->Settings();
+    suggestions = flattening::suggestCurves(source->surface.prepared.mesh, source->curves.polylines,
+      options, flattening::bridge::executionOf(this));
+    done = this->Conclude(source->outcomeOfStage(suggestions.status));
+  }
+  if (!done)
+  {
+    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    return 1;
+  }
+  vtkNew<vtkPolyData> proposed;
+  flattening::bridge::writeSuggestions({}, suggestions, proposed);
+  vtkNew<vtkPolyData> all;
+  flattening::bridge::writeSuggestions(source->curves.polylines, suggestions, all);
+  // The curves of the input, and the proposed ones as one more connection.
+  vtkNew<vtkInformationVector> curves;
+  curves->Copy(inputVector[1]);
+  if (!suggestions.cuts.empty())
+  {
+    vtkNew<vtkInformation> information;
+    information->Set(vtkDataObject::DATA_OBJECT(), proposed);
+    curves->Append(information);
+  }
+  vtkInformationVector* inputs[] = { inputVector[0], curves };
+  this->Superclass::RequestData(request, inputs, outputVector);
+  if (!this->IsRefused())
+  {
+    vtkPolyData::GetData(outputVector, 3)->ShallowCopy(all);
+    if (this->Bound > 0.0 && !suggestions.boundMet)
+    {
+      this->Warn({ flattening::bridge::describeShortfall(suggestions, this->Bound) });
+      this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveSuggestion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SuggestedCuts: " << this->GetSuggestedCutsAsString() << "\n";
+  os << indent << "Bound: " << this->Bound << "\n";
+  os << indent << "MaximumCuts: " << this->MaximumCuts << "\n";
+  os << indent << "MaximumCutLength: " << this->MaximumCutLength << "\n";
+  os << indent << "Symmetric: " << (this->Symmetric ? "On" : "Off") << "\n";
+  for (const auto& entry : this->Preferences)
+  {
+    os << indent << "Preference " << entry.first << ": " << entry.second << "\n";
+  }
+}

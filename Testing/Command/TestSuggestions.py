@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--suggest proposes cuts, writes all curves ready for the next run, and says what each gives."""
+
+import math
+import os
+
+import command
+
+
+def dome(columns, rows, height):
+    """A dome over the square from -1 to 1."""
+    points = []
+    for j in range(rows + 1):
+        for i in range(columns + 1):
+            x, y = 2 * i / columns - 1, 2 * j / rows - 1
+            points.append((x, y, height * (1 - x * x) * (1 - y * y)))
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b, c, d = a + 1, a + columns + 2, a + columns + 1
+            triangles += [(a, b, c), (a, c, d)] if (i + j) % 2 else [(a, b, d), (b, c, d)]
+    return points, triangles
+
+
+class Suggestions(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.points, self.triangles = dome(14, 14, 0.5)
+        self.write("dome.obj", command.obj(self.points, self.triangles))
+
+    def test_its_curves_give_the_next_run_the_same_pieces(self):
+        report = self.flatten("dome.obj", "--suggest", "all", "--bound", "0.04")
+        cuts = report["suggestions"]
+        self.assertTrue(cuts)
+        self.assertLessEqual(max(piece["strain_p95"] for piece in report["pieces"]), 0.04)
+        self.assertEqual(report["status"], "Ok")
+        strain = cuts[0]["strain_p95_before"]
+        for number, cut in enumerate(cuts, 1):
+            self.assertEqual(cut["name"], f"{cut['type']} {number}")
+            self.assertGreater(cut["gain"], 0)
+            self.assertGreater(cut["gain_predicted"], 0)
+            self.assertGreater(cut["length"], 0.1)
+        lengths = {curve["name"]: curve["length_3d"] for curve in report["curves"]}
+        for cut in cuts:
+            self.assertTrue(math.isclose(lengths[cut["name"]], cut["length"], rel_tol=1e-9))
+        os.rename(self.path("out"), self.path("first"))
+        again = self.flatten("dome.obj", os.path.join("first", "curves.vtp"))
+        self.assertNotIn("curves.vtp", os.listdir(self.path("out")))
+        for piece, other in zip(report["pieces"], again["pieces"]):
+            self.assertTrue(math.isclose(piece["strain_p95"], other["strain_p95"], rel_tol=1e-9))
+            self.assertEqual(piece["triangles"], other["triangles"])
+        uncut = self.flatten("dome.obj")
+        self.assertTrue(math.isclose(uncut["pieces"][0]["strain_p95"], strain, rel_tol=1e-9))
+
+    def test_nothing_is_cut_that_lies_flat(self):
+        self.write("sheet.obj", command.obj(*command.sheet()))
+        run = self.run_command("sheet.obj", "--suggest", "all", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("no cut is proposed", run.stdout)
+        self.assertEqual(self.report("out")["suggestions"], [])
+
+    def test_a_bound_out_of_reach_is_told(self):
+        report = self.flatten("dome.obj", "--suggest", "darts", "--bound", "0.001", "--max-cuts", "1")
+        self.assertEqual(len(report["suggestions"]), 1)
+        self.assertEqual(report["suggestions"][0]["type"], "dart")
+        self.assertTrue(any("above the bound of 0.001" in text for text in report["warnings"]))
+
+    def test_the_same_for_any_number_of_threads(self):
+        cuts = [self.flatten("dome.obj", "--suggest", "all", "--bound", "0", "--max-cuts", "2",
+                             "--threads", threads)["suggestions"] for threads in ("1", "3")]
+        self.assertEqual(cuts[0], cuts[1])
+
+    def test_a_preference_names_a_curve(self):
+        run = self.run_command("dome.obj", "--suggest", "all", "--prefer", "waist=2")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn('no curve is named "waist"', run.stderr)
+
+    def test_bad_usage_is_refused(self):
+        for arguments in (["--bound", "0.02"], ["--suggest", "pleats"], ["--suggest", "all", "--bound", "-1"],
+                          ["--suggest", "all", "--bound", "nan"], ["--suggest", "all", "--max-cuts", "0"],
+                          ["--suggest", "all", "--prefer", "waist"], ["--suggest", "all", "--symmetric", "x"],
+                          ["--suggest", "all", "--prefer", "waist=-1"]):
+            run = self.run_command("dome.obj", *arguments)
+            self.assertEqual(run.returncode, 2, arguments)
+
+
+if __name__ == "__main__":
+    command.main()

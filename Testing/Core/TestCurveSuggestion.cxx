@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/CurveSuggestion.h"
+
+#include "Flattening/SurfaceFlattening.h"
+#include "Imprint/CurveImprint.h"
+#include "Suggestion/OpeningCuts.h"
+#include "TestMeshes.h"
+#include "TestThreads.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// A dome over a square, its own mirror image in x = 0 and y = 0.
+TriangleMesh dome(double height)
+{
+  return patch(16, 16, [=](double i, double j) {
+    const double x = i / 8.0 - 1.0;
+    const double y = j / 8.0 - 1.0;
+    return Point3(x, y, height * (1.0 - x * x) * (1.0 - 0.8 * y * y));
+  }).mesh;
+}
+
+/// The same with a bump on each side of x = 0, and none of y = 0.
+TriangleMesh twoBumps()
+{
+  return patch(20, 14, [](double i, double j) {
+    const double x = i / 10.0 - 1.0;
+    const double y = j / 10.0;
+    const double square = (std::abs(x) - 0.5) * (std::abs(x) - 0.5) + (y - 0.9) * (y - 0.9);
+    return Point3(x, y, 0.25 * std::exp(-9.0 * square));
+  }).mesh;
+}
+
+TriangleMesh torus(Index around, Index across)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index i = 0; i < around; ++i)
+  {
+    for (Index j = 0; j < across; ++j)
+    {
+      const double a = 2.0 * pi * i / around;
+      const double b = 2.0 * pi * j / across;
+      points.emplace_back(
+        (3.0 + std::cos(b)) * std::cos(a), (3.0 + std::cos(b)) * std::sin(a), std::sin(b));
+      const Index p = i * across + j;
+      const Index q = (i + 1) % around * across + j;
+      const Index r = (i + 1) % around * across + (j + 1) % across;
+      const Index s = i * across + (j + 1) % across;
+      triangles.push_back({ p, q, r });
+      triangles.push_back({ p, r, s });
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// The unit sphere: an octahedron whose edges are halved again and again.
+TriangleMesh sphere(int halvings)
+{
+  Points3 points{ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+  Triangles triangles{ { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
+    { 3, 1, 5 }, { 0, 3, 5 } };
+  for (int k = 0; k < halvings; ++k)
+  {
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b) {
+      const auto found = middles.emplace(std::minmax(a, b), static_cast<Index>(points.size()));
+      if (found.second)
+      {
+        points.emplace_back((points[a] + points[b]).normalized());
+      }
+      return found.first->second;
+    };
+    Triangles finer;
+    for (const auto& [a, b, c] : triangles)
+    {
+      const Index x = middle(a, b);
+      const Index y = middle(b, c);
+      const Index z = middle(c, a);
+      finer.insert(finer.end(), { { a, x, z }, { b, y, x }, { c, z, y }, { x, y, z } });
+    }
+    triangles = finer;
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// What the caller gets who takes the proposals and flattens.
+FlatteningResult flattened(
+  const TriangleMesh& mesh, std::vector<Polyline> curves, const CurveSuggestions& suggestions)
+{
+  for (const SuggestedCurve& cut : suggestions.cuts)
+  {
+    curves.push_back(cut.curve);
+  }
+  const ImprintedSurface surface = imprintCurves(mesh, curves, {});
+  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
+  return flattenSurface(surface.mesh, surface.curves, {}, {});
+}
+
+double largestStrain(const FlatteningResult& result)
+{
+  double strain = 0.0;
+  for (const PieceReport& piece : result.pieces)
+  {
+    strain = std::max(strain, piece.quality.strainP95);
+  }
+  return strain;
+}
+
+SuggestionOptions optionsOf(double bound, Index most)
+{
+  SuggestionOptions options;
+  options.search.bound = bound;
+  options.search.maximumCuts = most;
+  options.search.trials = 8;
+  return options;
+}
+}
+
+TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
+{
+  for (const Surface& surface : { flatPatch(8, 6), cone(12, 5), cylinder(12, 6) })
+  {
+    const CurveSuggestions suggestions = suggestCurves(surface.mesh, {}, optionsOf(0.02, 8));
+    EXPECT_TRUE(suggestions.status.ok());
+    EXPECT_TRUE(suggestions.cuts.empty());
+    EXPECT_TRUE(suggestions.boundMet);
+    EXPECT_LT(suggestions.strainBefore, 1e-9);
+  }
+}
+
+TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
+{
+  const TriangleMesh mesh = dome(0.45);
+  const double before = largestStrain(flattenSurface(mesh, {}, {}, {}));
+  ASSERT_GT(before, 0.06);
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.035, 10));
+  EXPECT_TRUE(suggestions.boundMet);
+  EXPECT_FALSE(suggestions.cuts.empty());
+  EXPECT_NEAR(suggestions.strainBefore, before, 1e-12);
+  const FlatteningResult result = flattened(mesh, {}, suggestions);
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LE(largestStrain(result), 0.035);
+  EXPECT_NEAR(largestStrain(result), suggestions.strainAfter, 1e-9);
+}
+
+TEST(CurveSuggestion, MirrorsItsCutsOnAMirroredSurface)
+{
+  const TriangleMesh mesh = twoBumps();
+  SuggestionOptions options = optionsOf(0.0, 2);
+  options.search.cuts = SuggestedCuts::Darts;
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  ASSERT_TRUE(suggestions.mirror.has_value());
+  EXPECT_NEAR(std::abs(suggestions.mirror->normal.x()), 1.0, 1e-9);
+  ASSERT_EQ(suggestions.cuts.size(), 2u);
+  const SuggestedCurve& cut = suggestions.cuts[0];
+  const SuggestedCurve& image = suggestions.cuts[1];
+  EXPECT_EQ(cut.mirrorOf, none);
+  EXPECT_EQ(image.mirrorOf, 0);
+  ASSERT_EQ(cut.curve.points.size(), image.curve.points.size());
+  for (std::size_t k = 0; k < cut.curve.points.size(); ++k)
+  {
+    const Point3& p = cut.curve.points[k];
+    EXPECT_LT((image.curve.points[k] - Point3(-p.x(), p.y(), p.z())).norm(), 1e-9);
+  }
+  EXPECT_NEAR(cut.length, image.length, 1e-12);
+  EXPECT_LT(cut.curve.points.front().x() * image.curve.points.front().x(), 0.0);
+}
+
+TEST(CurveSuggestion, KeepsToItsLimits)
+{
+  const TriangleMesh mesh = dome(0.6);
+  SuggestionOptions options = optionsOf(0.0, 3);
+  options.search.symmetric = false;
+  options.search.maximumCutLength = 0.9;
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  EXPECT_FALSE(suggestions.boundMet);
+  ASSERT_FALSE(suggestions.cuts.empty());
+  EXPECT_LE(suggestions.cuts.size(), 3u);
+  double length = 0.0;
+  for (const SuggestedCurve& cut : suggestions.cuts)
+  {
+    length += cut.length;
+    EXPECT_GT(cut.gain, 0.0);
+  }
+  EXPECT_LE(length, 0.9);
+
+  options.search.cuts = SuggestedCuts::Seams;
+  options.search.maximumCuts = 1;
+  options.search.maximumCutLength = 1e9;
+  for (const SuggestedCurve& cut : suggestCurves(mesh, {}, options).cuts)
+  {
+    EXPECT_EQ(cut.curve.type, CurveType::Seam);
+  }
+}
+
+TEST(CurveSuggestion, NeverCutsAKeyCurveNorStartsWhereThatIsForbidden)
+{
+  const TriangleMesh mesh = dome(0.3);
+  Polyline key;
+  key.name = "across";
+  key.type = CurveType::Key;
+  Polyline hem;
+  hem.name = "hem";
+  for (Index i = 0; i <= 16; ++i)
+  {
+    key.points.push_back(mesh.point(8 * 17 + i));
+    hem.points.push_back(mesh.point(i));
+  }
+  SuggestionOptions options = optionsOf(0.0, 2);
+  options.search.preferences.push_back({ "hem", 0.0 });
+  const CurveSuggestions suggestions = suggestCurves(mesh, { key, hem }, options);
+  ASSERT_FALSE(suggestions.cuts.empty());
+  for (const SuggestedCurve& cut : suggestions.cuts)
+  {
+    const double side = cut.curve.points.back().y();
+    for (const Point3& p : cut.curve.points)
+    {
+      EXPECT_GT(p.y() * side, 0.0) << cut.curve.name;
+    }
+    EXPECT_GT(cut.curve.points.front().y(), -1.0 + 1e-9);
+  }
+  const FlatteningResult result = flattened(mesh, { key, hem }, suggestions);
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+}
+
+TEST(CurveSuggestion, IsTheSameForAnyNumberOfThreads)
+{
+  const TriangleMesh mesh = twoBumps();
+  const CurveSuggestions alone = suggestCurves(mesh, {}, optionsOf(0.0, 2));
+  const CurveSuggestions many = suggestCurves(mesh, {}, optionsOf(0.0, 2), withThreads(3));
+  ASSERT_EQ(alone.cuts.size(), many.cuts.size());
+  for (std::size_t k = 0; k < alone.cuts.size(); ++k)
+  {
+    EXPECT_EQ(alone.cuts[k].curve.points, many.cuts[k].curve.points);
+    EXPECT_EQ(alone.cuts[k].gain, many.cuts[k].gain);
+  }
+}
+
+TEST(CurveSuggestion, EndsWhenItIsCancelled)
+{
+  Execution execution;
+  execution.cancel = [] { return true; };
+  EXPECT_EQ(
+    suggestCurves(dome(0.4), {}, optionsOf(0.0, 4), execution).status.code, StatusCode::Cancelled);
+}
+
+TEST(CurveSuggestion, RefusesWhatIsNoOption)
+{
+  for (double bound : { -0.1, std::nan("") })
+  {
+    EXPECT_EQ(
+      suggestCurves(dome(0.2), {}, optionsOf(bound, 4)).status.code, StatusCode::InvalidOption);
+  }
+  SuggestionOptions options = optionsOf(0.02, 4);
+  options.search.preferences.push_back({ "nobody", 2.0 });
+  const Status status = suggestCurves(dome(0.2), {}, options).status;
+  EXPECT_EQ(status.code, StatusCode::InvalidOption);
+  EXPECT_NE(status.message.find("nobody"), std::string::npos);
+}
+
+TEST(CurveSuggestion, CutsABallIntoPiecesThatFlatten)
+{
+  const TriangleMesh mesh = sphere(2);
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.25, 4));
+  EXPECT_TRUE(suggestions.boundMet);
+  const FlatteningResult result = flattened(mesh, {}, suggestions);
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LE(largestStrain(result), 0.25);
+  EXPECT_GT(result.pieces.size(), 1u);
+}
+
+TEST(OpeningCuts, MakeADiskOfATorus)
+{
+  const TriangleMesh mesh = torus(14, 9);
+  const ImprintedSurface surface = imprintCurves(mesh, openingCuts(mesh), {});
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  EXPECT_EQ(cut.pieceCount, 1);
+  EXPECT_EQ(eulerCharacteristic(cut.mesh), 1);
+  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 1u);
+}
+
+TEST(OpeningCuts, JoinTheEndsOfATubeAndLeaveASmallHole)
+{
+  const auto tube = [](Index from) {
+    Surface surface = patch(24, 16, [](double i, double j) {
+      const double turn = 2.0 * pi * i / 24.0;
+      return Point3(std::cos(turn), std::sin(turn), 0.2 * j);
+    });
+    Triangles triangles;
+    for (Triangle t : surface.mesh.triangles())
+    {
+      for (Index& v : t)
+      {
+        v = v % 25 == 24 ? v - 24 : v;
+      }
+      triangles.push_back(t);
+    }
+    triangles.erase(triangles.begin() + 350, triangles.begin() + 350 + from);
+    return TriangleMesh(surface.mesh.points(), triangles);
+  };
+  EXPECT_EQ(openingCuts(tube(0)).size(), 1u);
+  const TriangleMesh holed = tube(1);
+  ASSERT_EQ(holed.boundaryLoops().size(), 3u);
+  const ImprintedSurface surface = imprintCurves(holed, openingCuts(holed), {});
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 2u);
+}

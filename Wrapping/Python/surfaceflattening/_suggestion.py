@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One call from a surface to curves that let it lie flat."""
+
+from __future__ import annotations  # help() prints hints as they are written here
+
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Union
+
+from numpy.typing import ArrayLike
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._curves import CURVE_TYPES, Curve, make_curves, make_surface
+from ._flatten import _update
+from ._options import flag, index_of, make_filter, set_property
+from ._report import values_of
+from ._result import Flattening, make_result
+from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
+
+# The words of the command wirewarp, in the order of the filter's enumeration.
+SUGGESTED_CUTS = ("darts", "seams", "all")
+
+
+class SuggestedCut(NamedTuple):
+    """A proposed cut."""
+
+    #: As flatten() takes it.
+    curve: Curve
+    #: On the surface, unit of length.
+    length: float
+    #: By how much it lowers the mean of the squared scale factor, by forecast.
+    predicted_gain: float
+    #: By how much it lowers the mean rigid energy, in truth, after the cuts before it.
+    gain: float
+    #: Of a dart's mouth by forecast, unit of length.
+    opening: float
+    #: The largest strain on 95 % of a piece, before and after.
+    strain_before: float
+    strain_after: float
+    #: Place of the cut that it is the mirror image of, or -1.
+    mirror_of: int
+
+
+class Suggestion(NamedTuple):
+    """Proposed cuts, and the surface flattened with them."""
+
+    cuts: List[SuggestedCut]
+    #: Whether the strain of every piece is within the bound.
+    bound_met: bool
+    #: The flat pieces with the curves given and all cuts.
+    flattening: Flattening
+
+
+def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
+    """The output 3 of vtkFeatureCurveSuggestion."""
+    cells = curves.GetCellData()
+    columns = zip(*(values_of(cells, name) for name in (
+        "CurveType", "CurveName", "Rank", "Length", "PredictedGain", "Gain", "Opening",
+        "StrainBefore", "StrainAfter", "MirrorOf")))
+    cuts = []
+    for cell, (kind, name, rank, *numbers, mirror_of) in enumerate(columns):
+        if rank > 0:
+            ids = curves.GetCell(cell).GetPointIds()
+            points = vtk_to_numpy(curves.GetPoints().GetData())[
+                [ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
+            cuts.append(SuggestedCut(
+                Curve(points, CURVE_TYPES[kind], name), *numbers, mirror_of - 1 if mirror_of > 0 else -1))
+    met = values_of(curves.GetFieldData(), "BoundMet")
+    return Suggestion(cuts, bool(met and met[0]), flattening)
+
+
+def suggest(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    curves: Sequence[Union[Curve, ArrayLike]] = (),
+    *,
+    cuts: str = "all",
+    bound: float = 0.02,
+    max_cuts: int = 8,
+    max_cut_length: float = 0.0,
+    symmetric: bool = True,
+    prefer: Optional[Mapping[str, float]] = None,
+    **options: Any,
+) -> Suggestion:
+    """Proposes darts and seams with which a surface lies flat, and flattens it with them.
+
+    The curves given stay as they are, and key curves are not cut. A surface that is closed, a tube or
+    has handles is cut open first.
+
+    Args:
+        points, triangles, curves: as for :func:`flatten`.
+        cuts: "darts", "seams" or "all".
+        bound: the strain that is good enough, on 95 % of each piece's area; 0: cut until max_cuts or
+            max_cut_length are used up. In [0, 0.99].
+        max_cuts: the most cuts to propose; a mirror image counts.
+        max_cut_length: the greatest length of all proposed cuts together, unit of `points`; 0: no
+            limit.
+        symmetric: where the surface is its own mirror image so are the cuts.
+        prefer: by name of a curve, how gladly a cut may begin or end on it: its price is divided by
+            the number, and 0 forbids it.
+        options: the options of :func:`flatten`, with which the cuts are tried.
+
+    Returns:
+        A :class:`Suggestion`: the proposed curves in the order of choice, ready for :func:`flatten`
+        behind those given, what each gives, and the flat pieces.
+
+    Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
+    """
+    return _suggest(
+        make_surface(points, triangles), make_curves(curves, points), cuts=cuts, bound=bound,
+        max_cuts=max_cuts, max_cut_length=max_cut_length, symmetric=symmetric, prefer=prefer,
+        **options)
+
+
+def suggest_polydata(
+    surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
+) -> Suggestion:
+    """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one."""
+    return _suggest(surface, curves, **options)
+
+
+def _suggest(
+    surface: vtkPolyData,
+    curves: Optional[vtkPolyData],
+    *,
+    cuts: str = "all",
+    bound: float = 0.02,
+    max_cuts: int = 8,
+    max_cut_length: float = 0.0,
+    symmetric: bool = True,
+    prefer: Optional[Mapping[str, float]] = None,
+    **options: Any,
+) -> Suggestion:
+    for data, what in ((surface, "surface"), (curves, "curves")):
+        # The pipeline would print an error and give no result.
+        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
+            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
+    filter_ = make_filter(options, "suggest", vtkFeatureCurveSuggestion)
+    set_property(filter_, "cuts", "SuggestedCuts", index_of(cuts, SUGGESTED_CUTS, "cuts"))
+    set_property(filter_, "bound", "Bound", bound)
+    set_property(filter_, "max_cuts", "MaximumCuts", max_cuts)
+    set_property(filter_, "max_cut_length", "MaximumCutLength", max_cut_length)
+    set_property(filter_, "symmetric", "Symmetric", flag(symmetric, "symmetric"))
+    for name, weight in (prefer or {}).items():
+        filter_.AddPreference(name, weight)
+    filter_.SetInputData(surface)
+    if curves is not None:
+        filter_.SetCurvesData(curves)
+    _update(filter_, options.get("progress"))
+    flattening = make_result(*(filter_.GetOutput(port) for port in range(3)), type(surface))
+    return make_suggestion(filter_.GetOutput(3), flattening)
