@@ -79,13 +79,13 @@ class Stubs:
             return None
 
     def parameter(self, text, place):
-        name, _, rest = text.partition(":")
+        name, named, rest = text.partition(":")
+        if not named:  # in the header it has none
+            name, rest = f"arg{place}", text
         kind, _, default = rest.partition("=")
         name = name.strip()
-        if not name.isidentifier():
-            name = f"_arg{place}"
         # An object may be None; VTK's methods take no keywords.
-        hint = self.type_of(kind, True) if kind else "Any"
+        hint = self.type_of(kind, True)
         if hint in self.names or re.fullmatch(r"vtk\w+", hint):
             hint = f"Optional[{hint}]"
         return f"__{name.lstrip('_')}: {hint}" + (" = ..." if default else "")
