@@ -77,6 +77,7 @@ public:
       return refusal({ StatusCode::Cancelled, "cancelled while choosing cuts" });
     }
     this->nameCuts();
+    this->measureCuts();
     this->Result.strainAfter = this->Now.strainP95;
     this->Result.rigidEnergyAfter = this->Now.energy / this->Area;
     this->Result.boundMet = this->withinBound(this->Now.strainP95);
@@ -147,12 +148,37 @@ private:
       const TrialOutcome now = this->Now;
       this->Result.cuts = withShare(cuts, k, 0.0);
       this->Now = this->Whole.run(this->chosen(), this->Run);
-      if (!this->Now.valid || !this->addCut() || !(this->Now.energy < now.energy) ||
-        this->Result.cuts.size() > cuts.size())
+      if (!this->Now.valid || !this->addCut() || !this->Now.soundAfter(now) ||
+        this->Now.energy >= now.energy || this->Result.cuts.size() > cuts.size())
       {
         this->Result.cuts = cuts;
         this->Now = now;
       }
+    }
+  }
+
+  /// What each cut gives after those before it, now that some are shorter or gone.
+  void measureCuts()
+  {
+    std::vector<SuggestedCurve>& cuts = this->Result.cuts;
+    std::vector<Polyline> lines;
+    TrialOutcome before = this->Whole.run(lines, this->Run);
+    for (std::size_t k = 0; k < cuts.size() && !this->Run.cancelled(); ++k)
+    {
+      lines.push_back(cuts[k].curve);
+      const bool paired = k + 1 < cuts.size() && cuts[k + 1].mirrorOf == static_cast<Index>(k);
+      if (paired)
+      {
+        lines.push_back(cuts[++k].curve);
+      }
+      const TrialOutcome after = this->Whole.run(lines, this->Run);
+      for (std::size_t j = paired ? k - 1 : k; j <= k; ++j)
+      {
+        cuts[j].strainBefore = before.strainP95;
+        cuts[j].strainAfter = after.strainP95;
+        cuts[j].gain = before.valid ? (before.energy - after.energy) / this->Area : 0.0;
+      }
+      before = after;
     }
   }
 

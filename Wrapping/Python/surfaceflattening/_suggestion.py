@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, Curve, make_curves, make_surface
-from ._flatten import _update
+from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
 from ._options import flag, index_of, make_filter, set_property
 from ._report import values_of
 from ._result import Flattening, make_result
@@ -53,17 +53,21 @@ class Suggestion(NamedTuple):
 def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
     """The output 3 of vtkFeatureCurveSuggestion."""
     cells = curves.GetCellData()
-    columns = zip(*(values_of(cells, name) for name in (
-        "CurveType", "CurveName", "Rank", "Length", "PredictedGain", "Gain", "Opening",
-        "StrainBefore", "StrainAfter", "MirrorOf")))
+    kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
+    ranks, mirrors = values_of(cells, "Rank"), values_of(cells, "MirrorOf")
+    numbers = [values_of(cells, name) for name in (
+        "Length", "PredictedGain", "Gain", "Opening", "StrainBefore", "StrainAfter")]
     cuts = []
-    for cell, (kind, name, rank, *numbers, mirror_of) in enumerate(columns):
-        if rank > 0:
-            ids = curves.GetCell(cell).GetPointIds()
-            points = vtk_to_numpy(curves.GetPoints().GetData())[
-                [ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
-            cuts.append(SuggestedCut(
-                Curve(points, CURVE_TYPES[kind], name), *numbers, mirror_of - 1 if mirror_of > 0 else -1))
+    for cell, rank in enumerate(ranks):
+        if rank < 1:
+            continue
+        ids = curves.GetCell(cell).GetPointIds()
+        points = vtk_to_numpy(curves.GetPoints().GetData())[
+            [ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
+        length, predicted, gain, opening, before, after = (column[cell] for column in numbers)
+        cuts.append(SuggestedCut(
+            Curve(points, CURVE_TYPES[kinds[cell]], names[cell]), length, predicted, gain, opening,
+            before, after, mirrors[cell] - 1 if mirrors[cell] > 0 else -1))
     met = values_of(curves.GetFieldData(), "BoundMet")
     return Suggestion(cuts, bool(met and met[0]), flattening)
 
@@ -146,5 +150,6 @@ def _suggest(
     if curves is not None:
         filter_.SetCurvesData(curves)
     _update(filter_, options.get("progress"))
-    flattening = make_result(*(filter_.GetOutput(port) for port in range(3)), type(surface))
+    flattening = make_result(
+        filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
     return make_suggestion(filter_.GetOutput(3), flattening)
