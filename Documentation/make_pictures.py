@@ -102,6 +102,15 @@ def draw_editor(folder, images):
               f"{images}/editor_{name}.png")
 
 
+def draw_suggestion(folder, images):
+    """What is proposed for a piece without curves."""
+    picture = os.path.join(folder, "suggestions.png")
+    subprocess.run([COMMAND, f"{DATA}/wetsuit_upper_front.vtp", "--suggest", "all", "--bound", "0.03",
+                    "--quiet", "--output", os.path.join(folder, "suggestions"), "--picture", picture],
+                   check=True)
+    write(scaled(read(picture), WIDTH), f"{images}/suggestions.png")
+
+
 def draw_pieces(folder, images):
     pieces = os.path.join(folder, "pieces")
     os.makedirs(pieces, exist_ok=True)
@@ -132,6 +141,7 @@ def main():
         os.makedirs(made, exist_ok=True)
     run_tutorial(folder, images)
     draw_editor(folder, images)
+    draw_suggestion(folder, images)
     draw_pieces(folder, images)
 
 
