@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What can be done apart from clicks: the actions of vtkFeatureCurveWidget.
+#include "vtkFeatureCurveWidget.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkFeatureCurveAlgorithm.h>
+#include <vtkFeatureCurveEditor.h>
+#include <vtkRenderWindowInteractor.h>
+
+namespace
+{
+struct Action
+{
+  const char* name;
+  const char* key;
+};
+
+constexpr std::array<Action, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> actions{ {
+  { "New curve", "n" },
+  { "End curve", "Return" },
+  { "Remove node", "BackSpace" },
+  { "Remove curve", "Delete" },
+  { "Closed", "c" },
+  { "Split at node", "x" },
+  { "Join with the next curve clicked", "j" },
+  { "Mirrored", "m" },
+  { "Accessory: keeps its length", "a" },
+  { "Key: keeps its shape as well", "k" },
+  { "Dart: cut open", "d" },
+  { "Seam: separates pieces", "s" },
+  { "Straight in the plane", "t" },
+  { "Straight over the surface", "g" },
+  { "Plane section", "p" },
+  { "Snap (Alt: not now)", "F3" },
+  { "Undo", "Control-z" },
+  { "Redo", "Control-y" },
+} };
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFeatureCurveWidget::GetActionName(int action)
+{
+  return action >= 0 && action < NUMBER_OF_ACTIONS ? actions[static_cast<std::size_t>(action)].name
+                                                   : "";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFeatureCurveWidget::GetActionKey(int action)
+{
+  return action >= 0 && action < NUMBER_OF_ACTIONS ? actions[static_cast<std::size_t>(action)].key
+                                                   : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::CanDo(int action) const
+{
+  const bool drawing = this->State == Mode::Drawing;
+  const int nodes = this->Editor ? this->Editor->GetNumberOfNodes(this->Chosen.curve) : 0;
+  switch (action)
+  {
+    case NEW_CURVE:
+    case GEODESIC:
+    case SECTION:
+    case SNAP:
+      return this->Editor != nullptr;
+    case FINISH:
+      return drawing;
+    case REMOVE_NODE:
+      return nodes > 0 && (drawing || this->Chosen.node >= 0);
+    case CLOSE:
+      return nodes > 2 || (this->Editor && this->Editor->GetCurveClosed(this->Chosen.curve));
+    case SPLIT:
+      return !drawing && this->Chosen.node >= 0 &&
+        (this->Editor->GetCurveClosed(this->Chosen.curve) ||
+          (this->Chosen.node > 0 && this->Chosen.node < nodes - 1));
+    case JOIN:
+      return !drawing && nodes > 0 && this->Editor->GetNumberOfCurves() > 1;
+    case STRAIGHT_KEY:
+      return nodes > 0 &&
+        this->Editor->GetCurveType(this->Chosen.curve) == vtkFeatureCurveAlgorithm::KEY;
+    case UNDO:
+      return this->Editor && this->Editor->CanUndo();
+    case REDO:
+      return this->Editor && this->Editor->CanRedo();
+    default:
+      return nodes > 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::IsOn(int action) const
+{
+  if (action == SNAP)
+  {
+    return this->Snapping;
+  }
+  if (!this->Editor)
+  {
+    return false;
+  }
+  const int curve = this->Chosen.curve;
+  const bool chosen = curve >= 0;
+  const int kind =
+    chosen && this->State != Mode::Drawing ? this->Editor->GetSegmentKind(curve, 0) : this->Kind;
+  switch (action)
+  {
+    case NEW_CURVE:
+      return this->State == Mode::Drawing;
+    case JOIN:
+      return this->State == Mode::Joining;
+    case CLOSE:
+      return this->Editor->GetCurveClosed(curve);
+    case MIRROR:
+      return this->Editor->GetCurveMirrored(curve);
+    case STRAIGHT_KEY:
+      return this->Editor->GetCurveKeyShape(curve) != 0;
+    case GEODESIC:
+    case SECTION:
+      return kind == action - GEODESIC;
+    case MAKE_ACCESSORY:
+    case MAKE_KEY:
+    case MAKE_DART:
+    case MAKE_SEAM:
+      return chosen && this->Editor->GetCurveType(curve) == action - MAKE_ACCESSORY;
+    default:
+      return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::Do(int action)
+{
+  if (!this->CanDo(action))
+  {
+    return false;
+  }
+  const int curve = this->Chosen.curve;
+  bool done = true;
+  switch (action)
+  {
+    case NEW_CURVE:
+      this->State = Mode::Drawing;
+      this->Choose(-1, -1);
+      break;
+    case FINISH:
+      this->State = Mode::Choosing;
+      if (this->Editor->GetNumberOfNodes(curve) == 1)
+      {
+        this->Editor->RemoveCurve(curve);
+        this->Choose(-1, -1);
+      }
+      this->Choose(this->Chosen.curve, -1);
+      break;
+    case REMOVE_NODE:
+      done = this->StepBack();
+      break;
+    case REMOVE_CURVE:
+      this->State = Mode::Choosing;
+      done = this->Finished(this->Editor->RemoveCurve(curve));
+      this->Choose(-1, -1);
+      break;
+    case CLOSE:
+      done =
+        this->Finished(this->Editor->SetCurveClosed(curve, !this->Editor->GetCurveClosed(curve)));
+      break;
+    case SPLIT:
+      done = this->Finished(this->Editor->SplitCurve(curve, this->Chosen.node));
+      this->Choose(curve, -1);
+      break;
+    case JOIN:
+      this->State = Mode::Joining;
+      this->SetHint("click the curve to join with");
+      break;
+    case MIRROR:
+      done = this->ToggleMirror();
+      break;
+    case STRAIGHT_KEY:
+      done = this->Finished(
+        this->Editor->SetCurveKeyShape(curve, 1 - this->Editor->GetCurveKeyShape(curve)));
+      break;
+    case GEODESIC:
+    case SECTION:
+      done = this->SetKind(action - GEODESIC);
+      break;
+    case SNAP:
+      this->Snapping = !this->Snapping;
+      break;
+    case UNDO:
+      this->Editor->Undo();
+      break;
+    case REDO:
+      this->Editor->Redo();
+      break;
+    default:
+      done = this->Finished(this->Editor->SetCurveType(curve, action - MAKE_ACCESSORY));
+  }
+  if (done && action != JOIN)
+  {
+    this->UpdateHint({});
+  }
+  this->Render();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::StepBack()
+{
+  const int curve = this->Chosen.curve;
+  const int last = this->Editor->GetNumberOfNodes(curve) - 1;
+  const bool drawing = this->State == Mode::Drawing;
+  const bool done =
+    this->Finished(this->Editor->RemoveNode(curve, drawing ? last : this->Chosen.node));
+  if (done && last == 0)
+  {
+    this->Choose(-1, -1);
+  }
+  else if (done)
+  {
+    this->Choose(curve, drawing ? last - 1 : -1);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::ToggleMirror()
+{
+  const int curve = this->Chosen.curve;
+  this->Editor->BeginGroup();
+  bool done = true;
+  if (!this->Editor->HasMirrorPlane())
+  {
+    const interaction::Symmetry symmetry = this->Picker.symmetry();
+    done = this->Editor->SetMirrorPlane(symmetry.origin.data(), symmetry.normal.data());
+  }
+  done = done && this->Editor->SetCurveMirrored(curve, !this->Editor->GetCurveMirrored(curve));
+  this->Editor->EndGroup();
+  return this->Finished(done);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::SetKind(int kind)
+{
+  this->Kind = kind;
+  if (this->State == Mode::Drawing)
+  {
+    return true;
+  }
+  const int curve = this->Chosen.curve;
+  bool done = true;
+  this->Editor->BeginGroup();
+  for (int k = 0; k < this->Editor->GetNumberOfSegments(curve) && done; ++k)
+  {
+    done = this->Editor->SetSegmentKind(curve, k, kind);
+  }
+  this->Editor->EndGroup();
+  return this->Finished(done);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::OnKey()
+{
+  const char* const symbol = this->Interactor->GetKeySym();
+  if (!this->HandleKeys || !symbol)
+  {
+    return;
+  }
+  const std::string key = std::string(this->Interactor->GetControlKey() ? "Control-" : "") + symbol;
+  for (int action = 0; action < NUMBER_OF_ACTIONS; ++action)
+  {
+    if (key == GetActionKey(action))
+    {
+      // A key comes as two events; the style must see neither.
+      if (this->CurrentEvent == vtkCommand::KeyPressEvent)
+      {
+        this->Do(action);
+      }
+      this->EventCallbackCommand->SetAbortFlag(1);
+      return;
+    }
+  }
+}
