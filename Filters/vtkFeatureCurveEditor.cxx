@@ -295,7 +295,7 @@ bool vtkFeatureCurveEditor::AddCurve(vtkPoints* nodes, int kind, bool closed)
     {
       curve.nodes.push_back(editor.surface().pointNear(pointOf(nodes->GetPoint(k))));
     }
-    curve.closed = closed && curve.nodes.size() > 2;
+    curve.closed = closed;
     curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kindOf(kind));
     return editor.add(std::move(curve));
   });

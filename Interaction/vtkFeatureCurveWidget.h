@@ -74,6 +74,9 @@ public:
     STRAIGHT_KEY,
     GEODESIC,
     SECTION,
+    EDGES,
+    SPLINE,
+    GIRTH,
     SNAP,
     UNDO,
     REDO,
@@ -178,6 +181,7 @@ private:
   bool StepBack();
   bool SetKind(int kind);
   bool ToggleMirror();
+  bool MakeGirth();
   bool Finished(bool done);
   void FollowEditor();
   void SetHint(const std::string& hint);

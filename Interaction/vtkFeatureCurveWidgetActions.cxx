@@ -32,6 +32,9 @@ constexpr std::array<Action, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> actions{ 
   { "Straight in the plane", "t" },
   { "Straight over the surface", "g" },
   { "Plane section", "p" },
+  { "Along edges of the mesh", "e" },
+  { "Smooth through all nodes", "b" },
+  { "Girth through two or three nodes", "o" },
   { "Snap (Alt: not now)", "F3" },
   { "Undo", "Control-z" },
   { "Redo", "Control-y" },
@@ -62,6 +65,8 @@ bool vtkFeatureCurveWidget::CanDo(int action) const
     case NEW_CURVE:
     case GEODESIC:
     case SECTION:
+    case EDGES:
+    case SPLINE:
     case SNAP:
       return this->Editor != nullptr;
     case FINISH:
@@ -76,6 +81,8 @@ bool vtkFeatureCurveWidget::CanDo(int action) const
           (this->Chosen.node > 0 && this->Chosen.node < nodes - 1));
     case JOIN:
       return !drawing && nodes > 0 && this->Editor->GetNumberOfCurves() > 1;
+    case GIRTH:
+      return (nodes == 2 || nodes == 3) && !this->Editor->GetCurveClosed(this->Chosen.curve);
     case STRAIGHT_KEY:
       return nodes > 0 &&
         this->Editor->GetCurveType(this->Chosen.curve) == vtkFeatureCurveAlgorithm::KEY;
@@ -117,6 +124,8 @@ bool vtkFeatureCurveWidget::IsOn(int action) const
       return this->Editor->GetCurveKeyShape(curve) != 0;
     case GEODESIC:
     case SECTION:
+    case EDGES:
+    case SPLINE:
       return kind == action - GEODESIC;
     case MAKE_ACCESSORY:
     case MAKE_KEY:
@@ -181,7 +190,12 @@ bool vtkFeatureCurveWidget::Do(int action)
       break;
     case GEODESIC:
     case SECTION:
+    case EDGES:
+    case SPLINE:
       done = this->SetKind(action - GEODESIC);
+      break;
+    case GIRTH:
+      done = this->MakeGirth();
       break;
     case SNAP:
       this->Snapping = !this->Snapping;
@@ -279,4 +293,20 @@ void vtkFeatureCurveWidget::OnKey()
       return;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::MakeGirth()
+{
+  const int curve = this->Chosen.curve;
+  this->State = Mode::Choosing;
+  this->Editor->BeginGroup();
+  bool done = true;
+  for (int k = 0; k < this->Editor->GetNumberOfSegments(curve) && done; ++k)
+  {
+    done = this->Editor->SetSegmentKind(curve, k, vtkFeatureCurveEditor::SECTION);
+  }
+  done = done && this->Editor->SetCurveClosed(curve, true);
+  this->Editor->EndGroup();
+  return this->Finished(done);
 }

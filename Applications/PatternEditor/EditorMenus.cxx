@@ -35,6 +35,8 @@ bool isSwitch(int action)
     case vtkFeatureCurveWidget::STRAIGHT_KEY:
     case vtkFeatureCurveWidget::GEODESIC:
     case vtkFeatureCurveWidget::SECTION:
+    case vtkFeatureCurveWidget::EDGES:
+    case vtkFeatureCurveWidget::SPLINE:
     case vtkFeatureCurveWidget::SNAP:
       return true;
     default:
@@ -120,7 +122,7 @@ void EditorWindow::makeViewMenu()
     });
   }
   QAction* const edges = menu->addAction("Edges of the mesh");
-  edges->setShortcut(QKeySequence("E"));
+  edges->setShortcut(QKeySequence("W"));
   edges->setCheckable(true);
   QObject::connect(edges, &QAction::triggered, [this](bool shown) {
     this->SpaceScene.setEdges(shown);

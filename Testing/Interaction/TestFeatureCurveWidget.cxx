@@ -271,6 +271,25 @@ TEST_F(FeatureCurveWidget, AMirroredCurveLiesOnBothHalvesOfTheShirt)
   EXPECT_NEAR(bounds[0], -bounds[1], 1e-6 * bounds[1]);
 }
 
+TEST_F(FeatureCurveWidget, KeysChooseHowACurveRuns)
+{
+  this->draw({ this->vertex(401), this->vertex(68), this->vertex(12) });
+  const double straight = this->editor->GetCurveLength(0);
+  for (const char* key : { "p", "e", "b" })
+  {
+    this->press(key);
+    EXPECT_GT(this->editor->GetCurveLength(0), straight) << key; // than which nothing is shorter
+  }
+  EXPECT_TRUE(this->widget->IsOn(vtkFeatureCurveWidget::SPLINE));
+  this->press("g");
+  EXPECT_EQ(this->editor->GetCurveLength(0), straight);
+  while (this->widget->CanDo(vtkFeatureCurveWidget::UNDO))
+  {
+    this->press("z", true);
+  }
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+}
+
 TEST_F(FeatureCurveWidget, EveryActionHasAKeyOfItsOwnAndWords)
 {
   std::set<std::string> keys;

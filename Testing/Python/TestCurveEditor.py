@@ -136,7 +136,7 @@ class Editor(unittest.TestCase):
                               (lambda: editor.MoveNode(0, -1, (0, 0, 0)), "no node"),
                               (lambda: editor.MoveNode(0, 0, (math.nan, 0, 0)), "finite"),
                               (lambda: editor.SetCurveTolerance(0, 1.5), "1.5"),
-                              (lambda: editor.SetCurveClosed(3, True), "at least 3"),
+                              (lambda: editor.SetCurveClosed(3, True), "no closed section"),
                               (lambda: editor.SetMirrorPlane((0, 0, 0), (0, 0, 0)), "normal"),
                               (lambda: editor.AddMirrorImage(0), "mirror plane")):
             before = editor.GetMTime()

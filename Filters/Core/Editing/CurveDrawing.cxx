@@ -26,13 +26,22 @@ DrawnSegment drawSection(
   return result;
 }
 
+/// Whether a curve is drawn as a measuring tape, where there is such a section.
+bool isTape(const EditedCurve& curve)
+{
+  return curve.closed && curve.nodes.size() <= 3 &&
+    std::all_of(curve.kinds.begin(), curve.kinds.end(),
+      [](SegmentKind kind) { return kind == SegmentKind::Section; });
+}
+
 /// The segment of a curve before that runs between the same nodes in the same way; null where there
 /// is none.
 const SurfacePath* keptSegment(const EditedCurve& before, const EditedCurve& curve, std::size_t s)
 {
   const SurfacePoint& from = curve.nodes[s];
   const SurfacePoint& to = curve.nodes[(s + 1) % curve.nodes.size()];
-  for (std::size_t other = 0; other < before.segments.size(); ++other)
+  // Parts of a tape lie in its plane, not in their own.
+  for (std::size_t other = 0; other < before.segments.size() && !isTape(before); ++other)
   {
     if (before.kinds[other] == curve.kinds[s] && curve.kinds[s] != SegmentKind::Spline &&
       samePlace(before.nodes[other], from) &&
@@ -65,19 +74,16 @@ struct WholeCurve
 WholeCurve drawWhole(
   const DrawingSurface& surface, const EditedCurve& curve, const std::vector<SurfacePoint>& nodes)
 {
-  const auto count = [&curve](SegmentKind kind) {
-    return std::count(curve.kinds.begin(), curve.kinds.end(), kind);
-  };
   WholeCurve whole;
-  if (count(SegmentKind::Spline) > 0 && nodes.size() > 2)
+  if (std::count(curve.kinds.begin(), curve.kinds.end(), SegmentKind::Spline) > 0 &&
+    nodes.size() > 2)
   {
     SurfaceSpline spline = surfaceSpline(surface.graph(), surface.locator(), nodes, curve.closed);
     whole.path = std::move(spline.path);
     whole.stations = std::move(spline.stations);
     whole.status = std::move(spline.status);
   }
-  else if (curve.closed && nodes.size() <= 3 &&
-    count(SegmentKind::Section) == static_cast<std::ptrdiff_t>(curve.kinds.size()))
+  else if (isTape(curve))
   {
     // Where there is none, each segment is a section of its own.
     PlaneSection tape = girth(surface.mesh(), nodes, &whole.stations);
@@ -85,6 +91,10 @@ WholeCurve drawWhole(
     {
       whole.stations.push_back(tape.path.points.size() - 1);
       whole.path = std::move(tape.path);
+    }
+    else if (nodes.size() < 3)
+    {
+      whole.status = std::move(tape.status); // there and back the same way is no loop
     }
   }
   return whole;

@@ -37,6 +37,15 @@ Status checkTraits(const CurveTraits& traits)
   return {};
 }
 
+/// Three nodes make a loop, and two by a plane section round the surface.
+bool canBeClosed(const EditedCurve& curve)
+{
+  return curve.nodes.size() > 2 ||
+    (curve.nodes.size() == 2 && !curve.kinds.empty() &&
+      std::all_of(curve.kinds.begin(), curve.kinds.end(),
+        [](SegmentKind kind) { return kind == SegmentKind::Section; }));
+}
+
 bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
 {
   return a.position == b.position;
@@ -155,7 +164,7 @@ Status CurveEditor::add(EditedCurve curve)
     {
       return status;
     }
-    curve.closed = curve.closed && curve.nodes.size() > 2;
+    curve.closed = curve.closed && canBeClosed(curve);
     curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
     curve.traits.name = this->freeName(curve.traits.name);
     EditedCurve before = curve; // hints, where it holds segments
@@ -252,7 +261,7 @@ Status CurveEditor::removeNode(std::size_t c, std::size_t node)
     {
       changed.kinds.erase(at(changed.kinds, std::min(node, changed.kinds.size() - 1)));
     }
-    if (changed.closed && changed.nodes.size() < 3)
+    if (changed.closed && !canBeClosed(changed))
     {
       changed.closed = false;
       changed.kinds.resize(segmentCount(changed.nodes.size(), false));
@@ -271,10 +280,11 @@ Status CurveEditor::setClosed(std::size_t c, bool closed)
       return status;
     }
     EditedCurve changed = this->curve(c);
-    if (changed.nodes.size() < 3)
+    if (closed && !canBeClosed(changed))
     {
       return refusal("curve '" + changed.traits.name + "' has " +
-        std::to_string(changed.nodes.size()) + " nodes; a closed one has at least 3");
+        std::to_string(changed.nodes.size()) +
+        " nodes; a closed one has at least 3, or 2 where it is a plane section");
     }
     if (closed && samePlace(changed.nodes.front(), changed.nodes.back()))
     {
