@@ -14,6 +14,8 @@ struct PlacedPiece
   std::optional<IsometricSolution> isometric;
   /// Isometric scheme: the energy of the solution; another one than was asked for where that folds.
   DistortionEnergyKind energyUsed = DistortionEnergyKind::AsRigidAsPossible;
+  /// Isometric scheme: the solution came from a convex embedding, not from the wires' angles.
+  bool fromConvexStart = false;
   Status status;
   double seconds = 0.0; ///< that placeWires() took
 };

@@ -65,6 +65,12 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
           "the "
           "global scheme has put it");
   }
+  if (flat.placed.fromConvexStart)
+  {
+    all.emplace_back(
+      "the isometric scheme started from a convex map: the wires' own angles led to a "
+      "worse piece");
+  }
   const double error = largestLengthError(context, flat);
   if (!(error <= options.lengthTolerance))
   {

@@ -3,6 +3,8 @@
 
 #include "Angles/WireProblem.h"
 #include "Base/Stopwatch.h"
+#include "Flattening/ConvexWarping.h"
+#include "Quality/FlatteningQuality.h"
 
 namespace flattening
 {
@@ -19,6 +21,37 @@ FlatWires flattenConformally(const PieceContext& context)
   flat.secondsInterior = watch.seconds();
   return flat;
 }
+
+/// The isometric scheme from where the wires' angles have put the piece; where the result is
+/// doubtful, from a convex embedding as well, and the better one counts.
+void warpFromBetterStart(const PieceContext& context, FlatWires& flat)
+{
+  warpPlacedPiece(context, flat.wires, flat.placed);
+  if (flat.placed.status.refused() || !isDoubtful(context, flat.placed))
+  {
+    return;
+  }
+  std::optional<PlacedPiece> second = warpFromConvexStart(context, flat.wires);
+  // Keys that keep it from a minimum had better be released.
+  const bool helps = second && (second->status.ok() || !flat.wires.locks());
+  if (helps && isBetter(context, *second, flat.placed))
+  {
+    second->seconds = flat.placed.seconds;
+    flat.placed = std::move(*second);
+  }
+}
+
+/// Angles without a solution were only a start; where there is a way to one it is told.
+void forgetAngles(const PieceContext& context, FlatWires& flat)
+{
+  const bool good = flat.status.waysOut.empty() && flat.placed.status.ok() &&
+    flat.placed.isometric && flat.placed.isometric->status.ok() &&
+    countFlipped(context.piece.mesh, flat.placed.positions) == 0;
+  if (good && flat.status.code == StatusCode::NotConverged)
+  {
+    flat.status = {};
+  }
+}
 }
 
 FlatWires finishScheme(const PieceContext& context, PlacedWires placed)
@@ -30,7 +63,8 @@ FlatWires finishScheme(const PieceContext& context, PlacedWires placed)
   const bool refused = flat.status.refused() || flat.placed.status.refused();
   if (context.options.scheme == Scheme::Isometric && !refused)
   {
-    warpPlacedPiece(context, flat.wires, flat.placed);
+    warpFromBetterStart(context, flat);
+    forgetAngles(context, flat);
   }
   noteStatus(flat.placed.status, flat.status);
   return flat;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Embedding/ConvexEmbedding.h"
+
+#include "Sparse/LinearSolver.h"
+#include "Surface/TriangleFrame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace flattening
+{
+namespace
+{
+/// Weights of edges within these bounds, in cotangents: below, between obtuse angles, triangles
+/// would collapse; above, beside slivers, digits are lost.
+constexpr double smallestWeight = 0.05;
+constexpr double largestWeight = 20.0;
+
+struct WeightedEdge
+{
+  Index from;
+  Index to;
+  double weight;
+};
+
+std::vector<WeightedEdge> cotangentEdges(const TriangleMesh& mesh)
+{
+  std::vector<WeightedEdge> sides;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangle(t);
+    const TriangleFrame frame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+    for (int k = 0; k < 3; ++k)
+    {
+      const int l = (k + 1) % 3;
+      const double cotangents =
+        -4.0 * frame.area * (frame.gradient[k] * std::conj(frame.gradient[l])).real();
+      sides.push_back({ std::min(c[k], c[l]), std::max(c[k], c[l]), cotangents });
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const WeightedEdge& a, const WeightedEdge& b) {
+    return std::tie(a.from, a.to, a.weight) < std::tie(b.from, b.to, b.weight);
+  });
+  std::vector<WeightedEdge> edges;
+  for (const WeightedEdge& side : sides)
+  {
+    const bool same =
+      !edges.empty() && edges.back().from == side.from && edges.back().to == side.to;
+    if (same)
+    {
+      edges.back().weight += side.weight;
+    }
+    else
+    {
+      edges.push_back(side);
+    }
+  }
+  for (WeightedEdge& edge : edges)
+  {
+    edge.weight = std::clamp(edge.weight, smallestWeight, largestWeight);
+  }
+  return edges;
+}
+
+/// On a circle of the loop's length, anti-clockwise.
+void placeOnCircle(const TriangleMesh& mesh, const Indices& loop, Points2& positions)
+{
+  std::vector<double> length;
+  double perimeter = 0.0;
+  for (Index h : loop)
+  {
+    length.push_back((mesh.point(mesh.to(h)) - mesh.point(mesh.from(h))).norm());
+    perimeter += length.back();
+  }
+  double along = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const double angle = 2.0 * pi * along / perimeter;
+    positions[mesh.from(loop[k])] =
+      perimeter / (2.0 * pi) * Point2(std::cos(angle), std::sin(angle));
+    along += length[k];
+  }
+}
+
+bool placeInside(const std::vector<WeightedEdge>& edges, const std::vector<char>& fixed,
+  Points2& positions, const Execution& execution)
+{
+  Indices row(positions.size(), none);
+  Index rows = 0;
+  for (std::size_t v = 0; v < row.size(); ++v)
+  {
+    row[v] = fixed[v] ? none : rows++;
+  }
+  if (rows == 0)
+  {
+    return true;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(rows, 2);
+  const auto pull = [&](Index at, Index other, double weight) {
+    if (row[at] == none)
+    {
+      return;
+    }
+    entries.emplace_back(row[at], row[at], weight);
+    if (row[other] == none)
+    {
+      rhs.row(row[at]) += weight * positions[other].transpose();
+    }
+    else if (row[other] < row[at])
+    {
+      entries.emplace_back(row[at], row[other], -weight);
+    }
+  };
+  for (const WeightedEdge& edge : edges)
+  {
+    pull(edge.from, edge.to, edge.weight);
+    pull(edge.to, edge.from, edge.weight);
+  }
+  SparseMatrix matrix(rows, rows);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  LinearSolver solver(LinearMethod::Cholesky);
+  if (!solver.factorize(matrix, execution))
+  {
+    return false;
+  }
+  const Eigen::MatrixXd inside = solver.solve(rhs);
+  if (inside.rows() != rows)
+  {
+    return false;
+  }
+  for (std::size_t v = 0; v < row.size(); ++v)
+  {
+    if (row[v] != none)
+    {
+      positions[v] = inside.row(row[v]).transpose();
+    }
+  }
+  return true;
+}
+}
+
+Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution)
+{
+  const std::vector<Indices> loops = mesh.boundaryLoops();
+  if (loops.empty() || execution.cancelled())
+  {
+    return {};
+  }
+  const auto vertices = static_cast<std::size_t>(mesh.vertexCount());
+  Points2 positions(vertices + loops.size() - 1, Point2::Zero());
+  std::vector<char> fixed(positions.size(), 0);
+  std::vector<WeightedEdge> edges = cotangentEdges(mesh);
+  placeOnCircle(mesh, loops.front(), positions);
+  for (Index h : loops.front())
+  {
+    fixed[mesh.from(h)] = 1;
+  }
+  for (std::size_t k = 1; k < loops.size(); ++k)
+  {
+    for (Index h : loops[k])
+    {
+      edges.push_back({ mesh.from(h), static_cast<Index>(vertices + k - 1), 1.0 });
+    }
+  }
+  if (!placeInside(edges, fixed, positions, execution))
+  {
+    return {};
+  }
+  positions.resize(vertices);
+  return positions;
+}
+}
