@@ -19,7 +19,7 @@ import sys
 from Sources import ROOT, cxx_files, read
 
 CLANG_TIDY, BUILD = sys.argv[1], pathlib.Path(sys.argv[2])
-FOLDERS = ("Filters/", "Applications/", "Examples/")
+FOLDERS = ("Filters/", "Interaction/", "Applications/", "Examples/")
 CACHE = BUILD / "tidy"
 
 headers = {pathlib.PurePath(name).name: name for name in cxx_files(*FOLDERS) if name.endswith(".h")}

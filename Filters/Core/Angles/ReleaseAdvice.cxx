@@ -112,7 +112,8 @@ ReleaseAdvice adviseRelease(const WireNetwork& network, const std::vector<Featur
 }
 
 Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& network,
-  const std::vector<FeatureCurve>& curves, const Indices& released, const AngleSolution& solution)
+  const std::vector<FeatureCurve>& curves, Indices keys, const Indices& released,
+  const AngleSolution& solution)
 {
   Indices candidates;
   for (std::size_t k = 0; k < advice.ranking.size() && candidates.size() < mostTried; ++k)
@@ -122,7 +123,6 @@ Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& networ
       candidates.push_back(advice.ranking[k]);
     }
   }
-  Indices keys = keyCurves(network, curves);
   keys.erase(std::remove_if(keys.begin(), keys.end(),
                [&](Index key) { return !isShaped(curves, released, key); }),
     keys.end());

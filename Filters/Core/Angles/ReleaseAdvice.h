@@ -50,10 +50,12 @@ struct ReleaseAdvice
 ReleaseAdvice adviseRelease(const WireNetwork& network, const std::vector<FeatureCurve>& curves,
   const AngleSolution& solution);
 
-/// The three curves whose lengths and the three keys whose shapes cost most. \param released keys
-/// whose shapes are given up already: their lengths are left to release.
+/// The three curves whose lengths and the three keys whose shapes cost most. \param keys of the
+/// piece (keyCurves()); \param released keys whose shapes are given up already: their lengths are
+/// left to release.
 Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& network,
-  const std::vector<FeatureCurve>& curves, const Indices& released, const AngleSolution& solution);
+  const std::vector<FeatureCurve>& curves, Indices keys, const Indices& released,
+  const AngleSolution& solution);
 
 /// What a trial is judged by: what its scheme minimizes.
 enum class ReleaseMeasure

@@ -91,7 +91,7 @@ std::optional<PlacedWires> release(
 PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules)
 {
   CurveRules asked = rules;
-  const Indices keys = keyCurves(context.network, context.curves);
+  const Indices keys = keyCurves(context.network, context.piece, context.cut, context.curves);
   if (context.options.releaseKeys)
   {
     asked.released = keys;
@@ -120,8 +120,8 @@ std::optional<PlacedWires> placeWithoutFoldingKeys(
   {
     return std::nullopt;
   }
-  std::optional<PlacedWires> released =
-    release(context, wires.rules, keyCurves(context.network, context.curves), true);
+  std::optional<PlacedWires> released = release(context, wires.rules,
+    keyCurves(context.network, context.piece, context.cut, context.curves), true);
   if (released)
   {
     place(context, *released);

@@ -4,6 +4,7 @@
 #include "Angles/AngleSolver.h"
 #include "Flattening/PieceReporting.h"
 #include "Quality/FlatteningQuality.h"
+#include "Wires/KeyCurveLocks.h"
 
 #include <algorithm>
 
@@ -83,8 +84,9 @@ ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
     context.options, execution };
   const CurveRules& rules = flat.wires.rules;
   std::vector<ReleaseTrial> trials;
-  for (Index curve :
-    releaseCandidates(advice, context.network, context.curves, rules.released, flat.wires.angles))
+  for (Index curve : releaseCandidates(advice, context.network, context.curves,
+         keyCurves(context.network, context.piece, context.cut, context.curves), rules.released,
+         flat.wires.angles))
   {
     const bool shaped = context.curves[curve].type == CurveType::Key && !rules.releases(curve);
     trials.push_back(

@@ -18,6 +18,7 @@ struct SideSum
 {
   Indices nodes;
   double angle;
+  Index curve = none;
 };
 
 /// The wire-nodes at a vertex from the wire edge towards one neighbour, counter-clockwise, to the
@@ -89,8 +90,8 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     const FeatureCurve& curve = curves[c];
-    if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Surface ||
-      rules.releases(static_cast<Index>(c)))
+    const auto key = static_cast<Index>(c);
+    if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Surface || rules.releases(key))
     {
       continue;
     }
@@ -145,11 +146,11 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
       }
       if (forward != none && backwardVertex != none)
       {
-        sums[host].push_back({ nodesBetween(network, forward, backwardVertex), pi - turn });
+        sums[host].push_back({ nodesBetween(network, forward, backwardVertex), pi - turn, key });
       }
       if (backward != none && forwardVertex != none)
       {
-        sums[host].push_back({ nodesBetween(network, backward, forwardVertex), pi + turn });
+        sums[host].push_back({ nodesBetween(network, backward, forwardVertex), pi + turn, key });
       }
     }
   }
@@ -226,7 +227,8 @@ NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const Cu
   return locks;
 }
 
-Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
+Indices keyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves)
 {
   Indices keys;
   for (const WireEdge& edge : network.edges)
@@ -234,6 +236,17 @@ Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& c
     if (edge.curve != none && curves[edge.curve].type == CurveType::Key)
     {
       keys.push_back(edge.curve);
+    }
+  }
+  // A curve along edges that belong to others has a shape to keep nevertheless.
+  for (const std::vector<SideSum>& sums : collectSideSums(network, piece, cut, curves, {}))
+  {
+    for (const SideSum& sum : sums)
+    {
+      if (!sum.nodes.empty())
+      {
+        keys.push_back(sum.curve);
+      }
     }
   }
   std::sort(keys.begin(), keys.end());

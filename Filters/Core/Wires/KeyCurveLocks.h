@@ -24,6 +24,7 @@ NodeLocks freeNodes(const WireNetwork& network);
 NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const CurveRules& rules = {});
 
-/// Key curves with an edge in the network, ascending.
-Indices keyCurves(const WireNetwork& network, const std::vector<FeatureCurve>& curves);
+/// Key curves that have an edge in the network or prescribe an angle there, ascending.
+Indices keyCurves(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves);
 }
