@@ -225,7 +225,10 @@ public:
    * The point of the surface that is meant by a point near it: what lies within reach, in the unit
    * of length, draws it onto itself. First come single points (dart tips, nodes, corners), then
    * lines (boundary, curves, mirror plane), last the vertices of the mesh.
+   * @param point near the surface
+   * @param reach how far things draw, in the unit of length
    * @param exceptCurve the curve whose node is moved, or -1
+   * @param snapped the point on the surface that is meant
    * @return one of SnapTargets
    */
   int SnapPoint(const double point[3], double reach, int exceptCurve, double snapped[3]) const;

@@ -142,7 +142,7 @@ void CurveActors::hide(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void CurveActors::drawCurves(const vtkFeatureCurveEditor& editor, const CurveChoice& chosen)
+void CurveActors::drawCurves(const vtkFeatureCurveEditor& editor, const CurveChoice& chosen) const
 {
   CellWriter lines;
   CellWriter chosenLine;
@@ -176,7 +176,7 @@ void CurveActors::drawCurves(const vtkFeatureCurveEditor& editor, const CurveCho
 }
 
 //------------------------------------------------------------------------------
-void CurveActors::drawMarker(const std::array<double, 3>& point, bool snapped)
+void CurveActors::drawMarker(const std::array<double, 3>& point, bool snapped) const
 {
   CellWriter place;
   place.addPoint(point.data(), snapped ? chosenColor : nodeColor);

@@ -36,9 +36,9 @@ public:
   void show(vtkRenderer* renderer);
   void hide(vtkRenderer* renderer);
 
-  void drawCurves(const vtkFeatureCurveEditor& editor, const CurveChoice& chosen);
+  void drawCurves(const vtkFeatureCurveEditor& editor, const CurveChoice& chosen) const;
   vtkPolyData* preview() { return this->Preview.data; }
-  void drawMarker(const std::array<double, 3>& point, bool snapped);
+  void drawMarker(const std::array<double, 3>& point, bool snapped) const;
   void drawLabel(const std::string& text, const std::array<int, 2>& pixel);
   void hideMarker();
 

@@ -56,12 +56,12 @@ figures::PolyData readPolyData(const std::string& path)
     throw std::runtime_error("cannot read " + path);
   }
   const std::string extension = extensionOf(path);
-  const figures::PolyData data = extension == ".vtp" ? readBy<vtkXMLPolyDataReader>(path)
-    : extension == ".vtk"                            ? readBy<vtkPolyDataReader>(path)
-    : extension == ".obj"                            ? readBy<vtkOBJReader>(path)
-    : extension == ".ply"                            ? readBy<vtkPLYReader>(path)
-    : extension == ".stl"                            ? readBy<vtkSTLReader>(path)
-                                                     : nullptr;
+  figures::PolyData data = extension == ".vtp" ? readBy<vtkXMLPolyDataReader>(path)
+    : extension == ".vtk"                      ? readBy<vtkPolyDataReader>(path)
+    : extension == ".obj"                      ? readBy<vtkOBJReader>(path)
+    : extension == ".ply"                      ? readBy<vtkPLYReader>(path)
+    : extension == ".stl"                      ? readBy<vtkSTLReader>(path)
+                                               : nullptr;
   if (!data)
   {
     throw std::runtime_error(path + " is no .vtp, .vtk, .obj, .ply or .stl");

@@ -121,6 +121,7 @@ void EditorWindow::makeViewMenu()
       this->showResult();
     });
   }
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the group's parent deletes it
   QAction* const edges = menu->addAction("Edges of the mesh");
   edges->setShortcut(QKeySequence("W"));
   edges->setCheckable(true);

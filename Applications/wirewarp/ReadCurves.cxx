@@ -86,7 +86,7 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
 
 vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
 {
-  const vtkSmartPointer<vtkPolyData> curves = readObj(path).curves;
+  vtkSmartPointer<vtkPolyData> curves = readObj(path).curves;
   if (!curves)
   {
     throw InputError(path, "has no line element ('l'); save the feature curves as lines");

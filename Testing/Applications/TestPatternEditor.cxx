@@ -123,7 +123,15 @@ protected:
     this->window->curves()->GetNode(curve, id, point);
     return this->pixelOf(point);
   }
-  void moveTo(const QPoint& place) { QTest::mouseMove(this->window->spaceWidget(), place); }
+  /// Without the X server's pointer, whose moves arrive when the server finds time, in the middle
+  /// of a drag as well.
+  void moveTo(const QPoint& place, Qt::MouseButtons buttons = Qt::NoButton)
+  {
+    QWidget* const view = this->window->spaceWidget();
+    QMouseEvent event(
+      QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton, buttons, Qt::NoModifier);
+    QApplication::sendEvent(view, &event);
+  }
   void click(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
   {
     this->moveTo(place);
@@ -136,10 +144,7 @@ protected:
     QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
     for (int k = 1; k <= steps; ++k)
     {
-      const QPoint place = from + (to - from) * k / steps;
-      QMouseEvent event(QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton,
-        Qt::LeftButton, Qt::NoModifier);
-      QApplication::sendEvent(view, &event);
+      this->moveTo(from + (to - from) * k / steps, Qt::LeftButton);
     }
     QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, to);
   }

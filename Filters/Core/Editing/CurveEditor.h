@@ -32,9 +32,9 @@ public:
   /// another.
   Status add(EditedCurve curve);
   Status remove(std::size_t c);
-  /// \param at the number that the node gets; behind the last one: the curve goes on
+  /// \param node the number that the node gets; behind the last one: the curve goes on
   /// \param kind of the segments to its neighbours
-  Status insertNode(std::size_t c, std::size_t at, const SurfacePoint& point, SegmentKind kind);
+  Status insertNode(std::size_t c, std::size_t node, const SurfacePoint& point, SegmentKind kind);
   Status moveNode(std::size_t c, std::size_t node, const SurfacePoint& point);
   Status removeNode(std::size_t c, std::size_t node);
   /// Closed, it runs from the last node to the first; from three nodes on.

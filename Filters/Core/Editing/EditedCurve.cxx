@@ -13,8 +13,7 @@ namespace
 bool identical(const SurfacePoint& a, const SurfacePoint& b)
 {
   return a.carrier == b.carrier && a.id == b.id &&
-    std::memcmp(a.weights.data(), b.weights.data(), sizeof(a.weights)) == 0 &&
-    sameBits({ a.position }, { b.position });
+    sameBits({ Point3(a.weights.data()), a.position }, { Point3(b.weights.data()), b.position });
 }
 
 bool identical(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b)

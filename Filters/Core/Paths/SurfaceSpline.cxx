@@ -133,7 +133,7 @@ private:
     const std::array<double, 4> weights = lagrangeWeights(
       { -before, 0.0, here, here + after }, { before > 0.0, true, true, after > 0.0 }, 0.5 * here);
     const double inner = weights[1] + weights[2];
-    const SurfacePoint middle = pointAlong(mesh, leg.path, leg.length * weights[2] / inner);
+    SurfacePoint middle = pointAlong(mesh, leg.path, leg.length * weights[2] / inner);
     if (!(inner > 1.0))
     {
       return middle;

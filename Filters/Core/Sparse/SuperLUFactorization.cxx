@@ -97,7 +97,7 @@ std::size_t bytesOfFactors(std::size_t size, std::size_t entries)
 {
   const auto fill = static_cast<std::size_t>(sp_ienv(6));
   const auto panel = static_cast<std::size_t>(sp_ienv(1));
-  const auto block = static_cast<std::size_t>(sp_ienv(3) + sp_ienv(4));
+  const auto block = static_cast<std::size_t>(sp_ienv(3)) + static_cast<std::size_t>(sp_ienv(4));
   const std::size_t guess = fill * entries * (2 * sizeof(int) + 2 * sizeof(double));
   const std::size_t integers = (2 * panel + 24) * size * sizeof(int);
   const std::size_t numbers = (panel * size + std::max(size, block * panel)) * sizeof(double);

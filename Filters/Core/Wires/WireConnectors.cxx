@@ -155,6 +155,11 @@ Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire
         }
       }
     });
+  Index apart = 0; // components that hang together with no other yet
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    apart += onWire[v] && components.find(v) == v ? 1 : 0;
+  }
   ConnectorSearch search(mesh);
   std::vector<char> joined(mesh.vertexCount(), 0);
   const auto join = [&](Index component) {
@@ -163,6 +168,7 @@ Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire
       return;
     }
     joined[component] = 1;
+    apart -= onWire[component] ? 1 : 0; // the vertex that stands for it is on it
     for (Index v : wires[component])
     {
       search.addSource(v);
@@ -170,8 +176,13 @@ Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire
   };
   join(components.find(root));
   Indices connectors;
-  for (Indices path = search.next(onWire); !path.empty(); path = search.next(onWire))
+  while (apart > 0)
   {
+    const Indices path = search.next(onWire);
+    if (path.empty())
+    {
+      break;
+    }
     for (Index h : path)
     {
       connectors.push_back(h);
