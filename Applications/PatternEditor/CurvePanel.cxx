@@ -20,8 +20,8 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   , List(new QListWidget(this))
   , Name(new QLineEdit(this))
   , Type(new QComboBox(this))
-  , Straight(new QCheckBox("straight in the plane (key)", this))
-  , Mirrored(new QCheckBox("on both sides of the mirror plane", this))
+  , Straight(new QCheckBox("straight in the plane", this))
+  , Mirrored(new QCheckBox("mirrored", this))
   , Tolerance(new QDoubleSpinBox(this))
   , Length(new QLabel(this))
 {
@@ -32,6 +32,8 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   this->Tolerance->setRange(0.0, 99.0);
   this->Tolerance->setDecimals(2);
   this->Tolerance->setSuffix(" %");
+  this->Straight->setToolTip("Of a key: it becomes a straight line in the flat piece.");
+  this->Mirrored->setToolTip("The curve lies on both sides of the mirror plane.");
   this->List->setToolTip("The curves; click one to choose it.");
   this->Tolerance->setToolTip("How far the length may go from that on the surface; 0: not at all.");
   auto* const form = new QFormLayout;

@@ -51,6 +51,8 @@ class Description(unittest.TestCase):
         for proxy in self.proxies:
             self.assertEqual(proxy.find("Hints/ShowInMenu").get("category"), "Surface Flattening")
             self.assertTrue(proxy.find("Documentation").get("short_help"))
+            # paraview.simple calls a proxy by its label.
+            self.assertEqual(proxy.get("label").replace(" ", ""), proxy.get("name"))
 
     def test_every_method_has_a_property(self):
         by_name = {proxy.get("name"): proxy for proxy in self.proxies}
