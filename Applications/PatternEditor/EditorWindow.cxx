@@ -88,6 +88,9 @@ EditorWindow::~EditorWindow()
   this->Curves->RemoveAllObservers();
   this->Hand->RemoveAllObservers();
   this->Hand->SetEnabled(0);
+  // The name's field ends its editing when it loses the focus, and that renames a curve: not once
+  // the curves are gone.
+  this->hide();
 }
 
 //------------------------------------------------------------------------------
