@@ -1,6 +1,7 @@
 # Debian packages, made by `cpack` in the build tree: surfaceflattening has the library, the command and
-# the Python package, surfaceflattening-dev what a C++ project needs. The tree of the ParaView plugin
-# makes surfaceflattening-paraview.
+# the Python package, surfaceflattening-editor the window PatternEditor, which needs Qt,
+# surfaceflattening-dev what a C++ project needs. The tree of the ParaView plugin makes
+# surfaceflattening-paraview.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME surfaceflattening)
 set(CPACK_PACKAGE_VENDOR "The SurfaceFlattening authors")
@@ -14,6 +15,7 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}") # the library itself
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 
@@ -33,5 +35,12 @@ else ()
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "surfaceflattening (= ${PROJECT_VERSION}), libvtk9-dev")
+  if (TARGET PatternEditor)
+    list(APPEND CPACK_COMPONENTS_ALL editor)
+    set(CPACK_COMPONENT_EDITOR_GROUP editor)
+    set(CPACK_DEBIAN_EDITOR_PACKAGE_NAME surfaceflattening-editor)
+    set(CPACK_DEBIAN_EDITOR_PACKAGE_SECTION graphics)
+    set(CPACK_DEBIAN_EDITOR_PACKAGE_DEPENDS "surfaceflattening (= ${PROJECT_VERSION})")
+  endif ()
 endif ()
 include(CPack)

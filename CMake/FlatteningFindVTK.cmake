@@ -5,6 +5,7 @@ set(flattening_vtk_components # what a user of the library needs as well
   CommonExecutionModel
   FiltersCore
   IOCore
+  ParallelCore
   vtksys)
 set(flattening_vtk_build_components ${flattening_vtk_components})
 if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR BUILD_TESTING)
@@ -15,7 +16,6 @@ if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR 
     IOGeometry
     IOImage
     IOLegacy
-    IOPLY
     IOXML
     InteractionStyle
     RenderingAnnotation
@@ -35,6 +35,9 @@ endif ()
 set(flattening_vtk_optional_components)
 if (SURFACEFLATTENING_BUILD_APPLICATIONS)
   list(APPEND flattening_vtk_optional_components OPTIONAL_COMPONENTS GUISupportQt)
+  # Qt 6 would list what to deploy by a walk through the folders, which never ends in a root that is a
+  # folder of its own (see FlatteningModule).
+  set_property(GLOBAL PROPERTY _qt_have_generated_deploy_support TRUE)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${flattening_vtk_build_components}
   ${flattening_vtk_optional_components})

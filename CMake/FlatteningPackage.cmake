@@ -27,6 +27,28 @@ foreach (place IN ITEMS "${CMAKE_INSTALL_DOCDIR}:documentation" "${CMAKE_INSTALL
     RENAME copyright
     COMPONENT "${component}")
 endforeach ()
+
+# Pages, pieces and examples in the folders that they have in the project, so that links hold and the
+# commands of the pages work from there.
+set(share_dir "${CMAKE_INSTALL_DATADIR}/surfaceflattening")
+install(
+  FILES CHANGELOG.md CITATION.cff LICENSE README.md packages.txt
+  DESTINATION "${share_dir}"
+  COMPONENT documentation)
+install(
+  FILES CMake/SurfaceFlattening.remote.cmake
+  DESTINATION "${share_dir}/CMake"
+  COMPONENT documentation)
+install(
+  DIRECTORY Data Documentation Examples
+  DESTINATION "${share_dir}"
+  COMPONENT documentation
+  FILES_MATCHING
+    REGEX "\\.(md|txt|png|svg|vtp|cxx|h|py)$"
+    REGEX "Examples/(CMakeLists.txt|Cxx/CMakeLists.txt)$" EXCLUDE # parts of the project's build
+    REGEX "Documentation/(CMakeLists.txt|[^/]*\\.py)$" EXCLUDE
+    REGEX "Data/Generate" EXCLUDE
+    REGEX "__pycache__" EXCLUDE)
 install(
   FILES
     "${CMAKE_CURRENT_SOURCE_DIR}/CITATION.cff"

@@ -7,7 +7,9 @@ set(flattening_plugin_testing "${BUILD_TESTING}")
 set(BUILD_TESTING OFF) # the module's own tests are those of the first build tree
 
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
-set(VTK_DIR "${ParaView_DIR}/vtk") # no other VTK will do
+if (EXISTS "${ParaView_DIR}/vtk")
+  set(VTK_DIR "${ParaView_DIR}/vtk") # its own, and no other VTK will do; Debian's since 6.1 has that of the system
+endif ()
 include(FlatteningFindVTK)
 include(FlatteningModule)
 
@@ -25,11 +27,34 @@ paraview_plugin_scan(
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME plugin) # of the list of plugins, which has no option for it
 paraview_plugin_build(
   PLUGINS              ${plugins}
+  AUTOLOAD             ${plugins} # where PV_PLUGIN_CONFIG_FILE names the list
   PLUGINS_FILE_NAME    SurfaceFlattening.xml
   RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_COMPONENT    plugin)
+
+# ParaView's programs with the plugin.
+file(READ Plugin/link-macro.sh link_macro)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS Plugin/link-macro.sh)
+foreach (program IN ITEMS paraview pvpython pvbatch pvserver)
+  configure_file(Plugin/start.in "${CMAKE_BINARY_DIR}/bin/${program}" @ONLY
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+endforeach ()
+
+# Of an installed plugin: the same in one command, and the macro and scripts.
+configure_file(Plugin/start-installed.in "${CMAKE_BINARY_DIR}/surfaceflattening-paraview" @ONLY)
+install(
+  PROGRAMS "${CMAKE_BINARY_DIR}/surfaceflattening-paraview"
+  DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  COMPONENT plugin)
+install(
+  FILES
+    Examples/ParaView/figure9.py
+    Examples/ParaView/flat_beside.py
+    Examples/ParaView/flatten_collection.py
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/surfaceflattening-paraview"
+  COMPONENT plugin)
 
 if (flattening_plugin_testing)
   enable_testing()

@@ -11,32 +11,76 @@ fail()
   exit 1
 }
 
+# Runs apt-get with the given arguments, as root. Another program may be installing packages, as a new
+# machine does by itself: apt-get waits for dpkg's locks if told to, but not for that of the lists.
+apt_get()
+{
+  local as_root=() said tries
+  if ((EUID != 0)); then
+    as_root=(sudo)
+  fi
+  said=$(mktemp)
+  for ((tries = 0; tries < 120; ++tries)); do
+    if "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
+      apt-get -q -o DPkg::Lock::Timeout=600 "$@" 2>"$said"; then
+      cat "$said" >&2
+      rm -f "$said"
+      return
+    fi
+    cat "$said" >&2
+    grep -q 'Could not get lock' "$said" || break
+    echo "Waiting for the program that holds apt's lock" >&2
+    sleep "${APT_PAUSE:-5}"
+  done
+  rm -f "$said"
+  return 1
+}
+
+# Prints those of the given packages that can be installed; fails where there is none.
+apt_knows()
+{
+  local package known=1
+  for package in "$@"; do
+    if apt-cache show "$package" >/dev/null 2>&1; then
+      echo "$package"
+      known=0
+    fi
+  done
+  return "$known"
+}
+
 # Installs what the given lists name and dpkg does not know as installed.
 install_packages()
 {
   command -v apt-get >/dev/null ||
-    fail "this script is for Debian 12; elsewhere build with CMake as README.md says"
-  local wanted missing=() installed package
+    fail "this script is for Debian; elsewhere build with CMake as README.md says"
+  # A package with a question mark is installed where there is one of that name.
+  local wanted missing=() maybe=() installed package
   wanted=$(cd "$root" && sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$@")
   # shellcheck disable=SC2086 # one word a package
-  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null |
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' ${wanted//\?/} 2>/dev/null |
     sed -n 's/^installed //p') || true
   for package in $wanted; do
-    grep -qxF "$package" <<<"$installed" || missing+=("$package")
+    if grep -qxF "${package#\?}" <<<"$installed"; then
+      continue
+    elif [[ $package == \?* ]]; then
+      maybe+=("${package#\?}")
+    else
+      missing+=("$package")
+    fi
   done
-  if ((${#missing[@]} == 0)); then
+  if ((${#missing[@]} == 0)) && ! apt_knows "${maybe[@]}" >/dev/null; then
     return
   fi
 
-  local as_root=()
   if ((EUID != 0)); then
     command -v sudo >/dev/null || fail "run as root, or install: ${missing[*]}"
-    as_root=(sudo)
   fi
-  echo "Installing ${missing[*]}"
-  "${as_root[@]}" apt-get update -q
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends "${missing[@]}"
+  echo "Installing ${missing[*]} ${maybe[*]}"
+  apt_get update
+  # shellcheck disable=SC2207 # one word a package
+  missing+=($(apt_knows "${maybe[@]}")) || true
+  apt_get install -y --no-install-recommends "${missing[@]}"
 }
 
 # Configures build/ and builds the given targets. With WARNINGS_AS_ERRORS=ON in the environment, as

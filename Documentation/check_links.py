@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Links and pictures of README.md and of the pages of Documentation lead to files of the project."""
+"""Links and pictures of README.md and of the pages of Documentation lead to files of the project, or of
+the folder into which it was installed, where that is given."""
 
 import os
 import re
@@ -10,8 +11,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def main():
-    pages = [os.path.join(HERE, name) for name in sorted(os.listdir(HERE)) if name.endswith(".md")]
-    pages.append(os.path.join(HERE, "..", "README.md"))
+    root = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(HERE)
+    folder = os.path.join(root, "Documentation")
+    pages = [os.path.join(folder, name) for name in sorted(os.listdir(folder)) if name.endswith(".md")]
+    pages.append(os.path.join(root, "README.md"))
     count, broken = 0, []
     for page in pages:
         with open(page, encoding="utf-8") as file:
@@ -21,7 +24,7 @@ def main():
                 continue
             count += 1
             if not os.path.exists(os.path.join(os.path.dirname(page), link)):
-                broken.append(f"{os.path.relpath(page, HERE)}: no file {link}")
+                broken.append(f"{os.path.relpath(page, root)}: no file {link}")
     if broken or count < 10:
         sys.exit("\n".join(broken) or "there are hardly any links")
 

@@ -19,10 +19,12 @@ from pages import HERE, filled, table, unsaid
 METHODS = {  # and what they are called here
     "CGAL LSCM": "CGAL LSCM",
     "CGAL ARAP": "CGAL ARAP",
+    "BFF": "geometry-central BFF",
     "laplacian": "global, Laplacian interior",
     "rigid": "global, rigid interior",
     "isometric": "isometric",
 }
+PEERS = ("CGAL LSCM", "CGAL ARAP", "BFF")
 PARTS = {"read": "reading", "core": "core", "filter": "filter", "write": "writing"}
 
 
@@ -50,7 +52,7 @@ class Sizes:
         self.threads = max(row["threads"] for row in self.rows)
 
     def row(self, method, triangles, threads=None):
-        threads = 1 if method.startswith("CGAL") else threads or self.threads
+        threads = 1 if method in PEERS else threads or self.threads
         found = [row for row in self.rows if
                  (row["method"], row["triangles"], row["threads"]) == (method, triangles, threads)]
         return found[0] if found else None
@@ -63,7 +65,7 @@ class Sizes:
 
     def ratio(self, row, peer, key="seconds"):
         other = self.row(peer, row["triangles"])
-        if not other or key not in other or row["method"].startswith("CGAL"):
+        if not other or key not in other or row["method"] in PEERS:
             return ""
         ratio = other[key] / row[key]
         return f"1/{short(ratio)}" if ratio >= 1.0 else short(1.0 / ratio)
@@ -74,17 +76,18 @@ class Sizes:
             for method, name in METHODS.items():
                 row, one = self.row(method, size), self.row(method, size, 1)
                 if row:
-                    ours = not method.startswith("CGAL")
+                    ours = method not in PEERS
                     processor = one and one.get("processor_seconds")
                     lines.append((
                         f"{size:,}", name, short(1e3 * row["seconds"]),
-                        self.ratio(row, "CGAL LSCM"), self.ratio(row, "CGAL ARAP"),
+                        self.ratio(row, "CGAL LSCM"), self.ratio(row, "CGAL ARAP"), self.ratio(row, "BFF"),
                         short(1e3 * processor) if processor else "",
                         self.ratio(one, "CGAL LSCM", "processor_seconds") if processor else "",
                         short(1e3 * row["seconds_wires"]) if ours else "",
-                        f"{row['bytes_a_triangle']:,.0f}", f"{row['E_len']:.1e}",
-                        f"{row['E_ang']:.4f}", f"{row['E_h']:.3f}", row["flips"]))
-        return table(("triangles", "method", "ms", "of CGAL LSCM", "of CGAL ARAP",
+                        *((f"{row['bytes_a_triangle']:,.0f}", f"{row['E_len']:.1e}",
+                           f"{row['E_ang']:.4f}", f"{row['E_h']:.3f}", row["flips"])
+                          if "E_ang" in row else ("", "", "", "", ""))))
+        return table(("triangles", "method", "ms", "of CGAL LSCM", "of CGAL ARAP", "of BFF",
                       "processor, ms", "of CGAL LSCM's", "its wires, ms", "bytes a triangle", "E_len", "E_ang", "E_h", "flips"), lines)
 
     def growth(self):
@@ -103,7 +106,7 @@ class Sizes:
         for method, name in METHODS.items():
             for size in self.sizes:
                 one, more = self.row(method, size, 1), self.row(method, size)
-                if not method.startswith("CGAL") and one and more and one is not more:
+                if method not in PEERS and one and more and one is not more:
                     gain = one["seconds"] / more["seconds"]
                     lines.append((name, f"{size:,}", short(1e3 * one["seconds"]),
                                   short(1e3 * more["seconds"]), f"{gain:.2f}",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plots as SVG, without any package: lines on logarithmic axes, and stacked bars."""
+"""Plots as SVG, without any package: lines on logarithmic axes, panels of lines, and stacked bars."""
 
 import math
 from xml.sax.saxutils import escape
@@ -70,6 +70,49 @@ def log_log(series, across, up, label):
         y = top + 20 + 24 * k
         canvas.line(right + 16, y - 4, right + 40, y - 4, color, 2)
         canvas.text(right + 48, y, name)
+    return canvas.document()
+
+
+def panels(titles, names, rows, across):
+    """Small plots, a row of them for each of `rows`, (what is plotted, [series of each panel]); a series is
+    a list of (x, y) for each of `names`, a single point a mark. All start at 0; a row has one scale of y."""
+    width, height, gap, left, top = 150, 130, 14, 74, 64
+    canvas = Canvas(left + (width + gap) * len(titles) + MARGIN, top + (height + gap + 20) * len(rows) + 30)
+    for k, name in enumerate(names):
+        x = left + 230 * k
+        canvas.box(x, MARGIN - 4, 14, 14, COLORS[k])
+        canvas.text(x + 20, MARGIN + 8, name)
+    most_x = [max(x for _, panel in rows for series in panel[c] for x, _ in series) for c in range(len(titles))]
+    for r, (what, panel) in enumerate(rows):
+        bottom = top + height + (height + gap + 20) * r
+        most = max(y for series in panel for points in series for _, y in points)
+        step = 10.0**math.floor(math.log10(most))
+        step *= next(f for f in (0.2, 0.5, 1.0, 2.0) if most / (step * f) <= 5)
+        canvas.text(MARGIN, bottom - height / 2, what, "middle", turned=True)
+        for c, title in enumerate(titles):
+            x0 = left + (width + gap) * c
+
+            def place(x, y):
+                return x0 + 0.94 * width * x / most_x[c], bottom - 0.94 * height * y / most
+
+            for k in range(math.floor(most / step) + 1):
+                _, y = place(0, k * step)
+                canvas.line(x0, y, x0 + width, y, "#ddd")
+                if c == 0:
+                    canvas.text(x0 - 6, y + 4, f"{k * step:g}", "end")
+            for x in range(math.floor(most_x[c]) + 1):
+                canvas.line(place(x, 0)[0], bottom, place(x, 0)[0], bottom + 4, "#888")
+                canvas.text(place(x, 0)[0], bottom + 18, f"{x}", "middle")
+            if r == 0:
+                canvas.text(x0 + width / 2, bottom - height - 8, title, "middle")
+            for k, points in enumerate(panel[c]):
+                places = [place(*point) for point in points]
+                path = " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
+                canvas.add(f'<polyline points="{path}" fill="none" stroke="{COLORS[k]}" stroke-width="2"/>')
+                for x, y in places:
+                    size = 5 if len(places) == 1 else 3
+                    canvas.add(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{size}" fill="{COLORS[k]}"/>')
+    canvas.text(left + (width + gap) * len(titles) / 2, canvas.height - 8, across, "middle")
     return canvas.document()
 
 

@@ -5,6 +5,7 @@
 
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -24,13 +25,13 @@ vtkSmartPointer<vtkLookupTable> makeLightColors(ColorRange range)
   return table;
 }
 
-/// Blue below, white at and red above 1.
-vtkSmartPointer<vtkLookupTable> makeAreaColors(double low, double high)
+/// Blue below, white at and red above the middle.
+vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, double high)
 {
   vtkNew<vtkColorTransferFunction> function;
   function->SetColorSpaceToDiverging();
   function->AddRGBPoint(low, 0.230, 0.299, 0.754);
-  function->AddRGBPoint(1.0, 0.9, 0.9, 0.9);
+  function->AddRGBPoint(middle, 0.9, 0.9, 0.9);
   function->AddRGBPoint(high, 0.706, 0.016, 0.150);
   constexpr int count = 256;
   vtkNew<vtkLookupTable> table;
@@ -42,6 +43,15 @@ vtkSmartPointer<vtkLookupTable> makeAreaColors(double low, double high)
     table->SetTableValue(k, color[0], color[1], color[2]);
   }
   return table;
+}
+
+constexpr double rightAngle = 90.0;
+
+/// By how many degrees the threads' angle may change, of the pieces' material.
+double lockingAngle(const PolyData& flat)
+{
+  vtkDataArray* const limits = flat->GetFieldData()->GetArray("ShearLimit");
+  return limits && limits->GetNumberOfTuples() > 0 ? limits->GetTuple1(0) : rightAngle;
 }
 }
 
@@ -56,6 +66,16 @@ const char* nameOf(Coloring coloring)
       return "aspect-ratio";
     case Coloring::Area:
       return "area";
+    case Coloring::Stretch:
+      return "stretch";
+    case Coloring::Warp:
+      return "warp";
+    case Coloring::Weft:
+      return "weft";
+    case Coloring::Shear:
+      return "shear";
+    case Coloring::Distance:
+      return "distance";
     default:
       return "homogeneity";
   }
@@ -64,9 +84,18 @@ const char* nameOf(Coloring coloring)
 //------------------------------------------------------------------------------
 std::optional<Coloring> coloringOf(const std::string& name)
 {
-  const auto* const found = std::find_if(colorings.begin(), colorings.end(),
-    [&name](Coloring coloring) { return name == nameOf(coloring); });
-  return found == colorings.end() ? std::nullopt : std::optional<Coloring>(*found);
+  if (name == nameOf(Coloring::Distance))
+  {
+    return Coloring::Distance;
+  }
+  const auto isCalled = [&name](Coloring coloring) { return name == nameOf(coloring); };
+  const auto* found = std::find_if(colorings.begin(), colorings.end(), isCalled);
+  if (found != colorings.end())
+  {
+    return *found;
+  }
+  found = std::find_if(threadColorings.begin(), threadColorings.end(), isCalled);
+  return found == threadColorings.end() ? std::nullopt : std::optional<Coloring>(*found);
 }
 
 //------------------------------------------------------------------------------
@@ -85,8 +114,40 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
     case Coloring::AspectRatio:
       return { "AspectRatio", false, "aspect ratio (1 is ideal)", makeLightColors(indexRange), 6 };
     case Coloring::Area:
-      return { "AreaRatio", false, "area in the plane / on the surface", makeAreaColors(0.8, 1.2),
-        5 };
+      return { "AreaRatio", false, "area in the plane / on the surface",
+        makeDivergingColors(0.8, 1.0, 1.2), 5 };
+    case Coloring::Stretch:
+    {
+      // In steps, as pattern makers know it.
+      vtkSmartPointer<vtkLookupTable> steps = makeLightColors({ 100.0, 120.0 });
+      steps->SetNumberOfTableValues(8);
+      steps->ForceBuild();
+      return { "DominantStretch", false, "largest stretch of warp, weft or bias (%)", steps, 5 };
+    }
+    case Coloring::Distance:
+    {
+      const char* const name = "Distance";
+      vtkDataArray* const values = flat->GetPointData()->GetArray(name);
+      const double largest = values ? values->GetRange()[1] : 0.0;
+      return { name, true, "sewn surface: distance from the design (unit of length)",
+        makeLightColors({ 0.0, largest > 0.0 ? largest : 1.0 }), 3 };
+    }
+    case Coloring::Warp:
+      return { "StrainWarp", false, "strain of the warp (drawn above 0)",
+        makeDivergingColors(-0.05, 0.0, 0.05), 5 };
+    case Coloring::Weft:
+      return { "StrainWeft", false, "strain of the weft (drawn above 0)",
+        makeDivergingColors(-0.05, 0.0, 0.05), 5 };
+    case Coloring::Shear:
+    {
+      const double limit = lockingAngle(flat);
+      const bool locks = limit < rightAngle;
+      const double end = locks ? limit : 15.0;
+      return { "ShearAngle", false,
+        std::string("shear: trellis angle off the right one (degrees") +
+          (locks ? "; the material's limit at the ends)" : ")"),
+        makeDivergingColors(-end, 0.0, end), 5 };
+    }
     default:
       return { "HomogeneityOfDistortion", false, "homogeneity (1 is ideal)",
         makeLightColors(indexRange), 6 };

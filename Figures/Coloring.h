@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 namespace figures
 {
@@ -16,27 +17,40 @@ enum class Coloring
   Developability,
   Homogeneity,
   AspectRatio,
-  Area
+  Area,
+  Stretch,
+  Warp,
+  Weft,
+  Shear,
+  Distance ///< of the sewn surface from the design
 };
 
 constexpr std::array<Coloring, 4> colorings{ Coloring::Developability, Coloring::Homogeneity,
   Coloring::AspectRatio, Coloring::Area };
 
-/// "developability", "homogeneity", "aspect-ratio", "area".
+/// Those of pieces on a material.
+constexpr std::array<Coloring, 4> threadColorings{ Coloring::Stretch, Coloring::Warp,
+  Coloring::Weft, Coloring::Shear };
+
+/// "developability", "homogeneity", "aspect-ratio", "area", "stretch", "warp", "weft", "shear",
+/// "distance".
 const char* nameOf(Coloring coloring);
 std::optional<Coloring> coloringOf(const std::string& name);
 
-/// An array of the outputs of vtkWireWarpingFilter and how it is coloured.
+/// An array of the outputs of vtkWireWarpingFilter, or of vtkSewnShape, and how it is coloured.
 struct ColorMap
 {
   const char* array;
   bool onPoints;
-  const char* title;
+  std::string title;
   vtkSmartPointer<vtkLookupTable> colors;
   int labels; ///< numbers along the scale, so that they are round
 };
 
-/// Blue is good and red is poor; of areas, blue is smaller and red larger than on the surface.
-/// @param flat what is coloured: the developability's range follows its largest value
+/// Blue is good and red is poor; of areas, blue is smaller and red larger than on the surface. The
+/// largest stretch has steps of 2.5 % from 100 to 120 %; of warp and weft, blue is compressed and
+/// red drawn; of the shear, blue and red are its two senses, up to the material's limit, where
+/// threads lock, or 15 degrees where it has none.
+/// @param flat what is coloured: the ranges of developability and distance follow its largest value
 ColorMap makeColorMap(Coloring coloring, const PolyData& flat);
 }

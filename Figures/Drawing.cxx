@@ -181,6 +181,15 @@ void Drawing::addSurface(const PolyData& surface)
 }
 
 //------------------------------------------------------------------------------
+void Drawing::addGhost(const PolyData& surface)
+{
+  constexpr double opacity = 0.35;
+  vtkProperty* const property = this->addActor(surface, true)->GetProperty();
+  property->SetColor(0.5, 0.5, 0.5);
+  property->SetOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
 void Drawing::addPointMap(const PolyData& surface, const char* array, ColorRange range)
 {
   this->addMap(surface, array, true, makeColors(range));

@@ -52,6 +52,8 @@ public:
   void lookFrom(const Vector& direction, const Vector& up = { 0.0, 1.0, 0.0 });
 
   void addSurface(const PolyData& surface);
+  /// A surface through which others are seen.
+  void addGhost(const PolyData& surface);
   void addPointMap(const PolyData& surface, const char* array, ColorRange range);
   void addCellMap(const PolyData& surface, const char* array, ColorRange range);
   void addMap(const PolyData& surface, const char* array, bool onPoints, vtkLookupTable* colors);

@@ -159,9 +159,18 @@ void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
   Drawing space(this->Space);
   space.lookFrom(facing(scene.piece.cut));
   Drawing plane(this->Plane);
-  space.addMap(scene.piece.cut, map.array, map.onPoints, map.colors);
+  if (scene.sewn)
+  {
+    space.addGhost(scene.piece.cut);
+    space.addMap(scene.sewn, map.array, map.onPoints, map.colors);
+    space.addWires(scene.piece.wiresOn(scene.sewn), DartSides::Blue);
+  }
+  else
+  {
+    space.addMap(scene.piece.cut, map.array, map.onPoints, map.colors);
+    space.addWires(scene.piece.wiresOn(scene.piece.cut), DartSides::Blue);
+  }
   plane.addMap(scene.piece.flat, map.array, map.onPoints, map.colors);
-  space.addWires(scene.piece.wiresInSpace(), DartSides::Blue);
   plane.addWires(scene.piece.wires, DartSides::Blue);
   if (hasLines(scene.releasedInSpace))
   {

@@ -15,6 +15,7 @@ namespace figures
 struct PatternScene
 {
   FlatPiece piece;
+  PolyData sewn; ///< Coloring::Distance: output 0 of vtkSewnShape
   Coloring coloring = Coloring::Homogeneity;
   /// Curves that are no wires, as lines in space and in the plane, or null.
   PolyData releasedInSpace;

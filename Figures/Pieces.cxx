@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pieces.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
+#include "Files.h"
+
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkLeastSquaresConformalFilter.h>
@@ -33,15 +33,10 @@ PolyData read(const std::string& path)
   return reader->GetOutput();
 }
 
-void ignore(vtkObject*, unsigned long, void*, void*) {}
-
 FlatPiece run(vtkFeatureCurveAlgorithm* filter, const Piece& piece)
 {
   // The outputs tell of broken promises too, and a refusal is thrown.
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetCallback(ignore);
-  filter->AddObserver(vtkCommand::WarningEvent, listener);
-  filter->AddObserver(vtkCommand::ErrorEvent, listener);
+  silence(filter);
   filter->SetInputData(piece.surface);
   filter->SetCurvesData(piece.curves);
   filter->Update();
@@ -84,11 +79,11 @@ std::vector<std::string> listPieces(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-PolyData FlatPiece::wiresInSpace() const
+PolyData FlatPiece::wiresOn(const PolyData& surface) const
 {
   PolyData result = vtkSmartPointer<vtkPolyData>::New();
   result->ShallowCopy(this->wires);
-  result->SetPoints(this->cut->GetPoints()); // ids are those of the flat piece
+  result->SetPoints(surface->GetPoints()); // ids are those of the flat piece
   return result;
 }
 
@@ -102,7 +97,7 @@ double FlatPiece::number(const char* array, vtkIdType row) const
 //------------------------------------------------------------------------------
 FlatPiece flatten(const Piece& piece, Method method, Interior interior)
 {
-  if (method == Method::Conformal)
+  if (method == Method::LeastSquaresConformal)
   {
     vtkNew<vtkLeastSquaresConformalFilter> filter;
     return run(filter, piece);
@@ -120,9 +115,7 @@ FlatPiece flatten(const Piece& piece, Method method, Interior interior)
 PolyData measureDevelopability(const PolyData& surface)
 {
   vtkNew<vtkSurfaceDevelopability> filter;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetCallback(ignore);
-  filter->AddObserver(vtkCommand::ErrorEvent, listener);
+  silence(filter);
   filter->SetInputData(surface);
   filter->Update();
   if (filter->IsRefused())

@@ -29,7 +29,7 @@ enum class Method
   Progressive,
   Global,
   Isometric,
-  Conformal
+  LeastSquaresConformal
 };
 
 enum class Interior
@@ -45,8 +45,8 @@ struct FlatPiece
   PolyData wires;
   PolyData cut;
 
-  /// The wires on the cut surface.
-  PolyData wiresInSpace() const;
+  /// The wires on a surface that is point for point the flat piece.
+  PolyData wiresOn(const PolyData& surface) const;
   /// A value of the flat piece's field data.
   double number(const char* array, vtkIdType row = 0) const;
 };

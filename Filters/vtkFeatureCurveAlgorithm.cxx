@@ -1,33 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveAlgorithm.h"
 
+#include "BlockLayout.h"
 #include "CurveTolerances.h"
 #include "CurvedSurface.h"
+#include "CutEndWords.h"
+#include "Distribution.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
 #include "KeptRun.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
 /// The data sets of all connections, with all leaves of composite ones, and which connection each
 /// is of.
-std::vector<vtkPolyData*> leavesOf(vtkInformationVector* connected, std::vector<int>& connections)
+flattening::bridge::ConnectedCurves leavesOf(vtkInformationVector* connected)
 {
-  std::vector<vtkPolyData*> leaves;
+  flattening::bridge::ConnectedCurves leaves;
   const auto add = [&](vtkDataObject* object, int connection) {
     if (auto* const leaf = vtkPolyData::SafeDownCast(object))
     {
-      leaves.push_back(leaf);
-      connections.push_back(connection);
+      leaves.data.emplace_back(leaf);
+      leaves.connections.push_back(connection);
     }
   };
   for (int i = 0; i < connected->GetNumberOfInformationObjects(); ++i)
@@ -131,11 +137,63 @@ int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
+const char* vtkFeatureCurveAlgorithm::GetOutputPointsPrecisionAsString() const
+{
+  static const char* const names[] = { "Single", "Double", "Default" };
+  return names[this->OutputPointsPrecision];
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::BeginRun(vtkInformationVector** inputVector)
+{
+  namespace bridge = flattening::bridge;
+  this->Gathered.reset();
+  if (auto* const processes = bridge::processesOf(this->GetDistributed()))
+  {
+    this->Gathered = std::make_unique<bridge::ConnectedCurves>(
+      bridge::gatherCurves(leavesOf(inputVector[1]), processes));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::FinishData(vtkInformationVector* outputVector)
+{
+  // Outputs share their points, rounded ones as well.
+  std::map<vtkPoints*, vtkSmartPointer<vtkPoints>> rounded;
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkPolyData* const output = vtkPolyData::GetData(outputVector, port);
+    vtkPoints* const points = output->GetPoints();
+    if (this->OutputPointsPrecision != SINGLE_PRECISION || !points)
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkPoints>& copy = rounded[points];
+    if (!copy)
+    {
+      copy = vtkSmartPointer<vtkPoints>::New();
+      copy->SetDataTypeToFloat();
+      copy->GetData()->DeepCopy(points->GetData());
+    }
+    output->SetPoints(copy);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::LayBeside(
+  vtkDataObject* surfaces, vtkDataObject* flat, double spacing)
+{
+  flattening::bridge::layBeside(
+    surfaces, flat, spacing, flattening::bridge::processesOf(this->GetDistributed()));
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::LoadInput(
   vtkInformationVector** inputVector)
 {
-  std::vector<int> connections;
-  const std::vector<vtkPolyData*> curves = leavesOf(inputVector[1], connections);
+  const flattening::bridge::ConnectedCurves connected =
+    this->Gathered ? *this->Gathered : leavesOf(inputVector[1]);
+  const std::vector<vtkPolyData*> curves(connected.data.begin(), connected.data.end());
   static_assert(static_cast<int>(flattening::CoincidentPoints::Join) == JOIN, "");
   static_assert(static_cast<int>(flattening::CoincidentPoints::Keep) == KEEP, "");
   flattening::ImprintOptions options;
@@ -157,7 +215,8 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
     static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
     flattening::bridge::executionOf(this), *source);
   const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
-  this->StatusConnection = blamed == curves.end() ? -1 : connections[blamed - curves.begin()];
+  this->StatusConnection =
+    blamed == curves.end() ? -1 : connected.connections[blamed - curves.begin()];
   if (this->StatusConnection >= 0 && inputVector[1]->GetNumberOfInformationObjects() > 1)
   {
     source->outcome.message = "connection " + std::to_string(this->StatusConnection) +
@@ -183,6 +242,7 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
   const auto source = this->LoadInput(inputVector);
   if (source && this->Conclude(source->pinVertices(pins, options.conformal.pins)))
   {
+    this->Warn(flattening::bridge::describeShortEnds(*source));
     const flattening::FlatteningResult result =
       flattening::flattenSurface(source->imprinted.mesh, source->imprinted.curves, options,
         flattening::bridge::executionOf(this), this->Kept ? &this->Kept->pieces : nullptr);
@@ -212,5 +272,6 @@ void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "CurveTolerance " << entry.first << ": " << entry.second << "\n";
   }
+  os << indent << "OutputPointsPrecision: " << this->GetOutputPointsPrecisionAsString() << "\n";
   os << indent << "Caching: " << (this->Caching ? "On" : "Off") << "\n";
 }

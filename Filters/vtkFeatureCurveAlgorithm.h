@@ -32,6 +32,18 @@
  *
  * A value that is not in this table is refused with the id of its cell or point (INVALID_CURVE).
  *
+ * What they have in common:
+ * @code
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
+ * flattening->SetCurvesData(curves);
+ * flattening->AddCurveTolerance("side seam", 0.02); // may be eased by 2 %
+ * flattening->SetImprintTolerance(5e-3);            // picked a little off the surface
+ * flattening->Update();
+ * @endcode
+ *
+ * @warning Curves on port 1 are those of every block; a surface in several partitions is refused.
+ *
  * @sa vtkFlatteningAlgorithm vtkWireWarpingFilter vtkFeatureCurveCutter
  * vtkFeatureCurveImprinter vtkLeastSquaresConformalFilter
  */
@@ -49,6 +61,7 @@ namespace flattening
 {
 namespace bridge
 {
+struct ConnectedCurves;
 struct CurvedSurface;
 struct KeptRun;
 }
@@ -169,11 +182,32 @@ public:
   vtkBooleanMacro(Caching, bool);
   ///@}
 
+  ///@{
+  /**
+   * Precision of the points of the outputs, one of vtkAlgorithm::DesiredOutputPrecision:
+   * DOUBLE_PRECISION; SINGLE_PRECISION, for viewers and files that want no more: the points are
+   * rounded last of all, by up to 6e-8 of a coordinate, and every array, measure and status is that
+   * of the result before; DEFAULT_PRECISION, the same as DOUBLE_PRECISION whatever the input has,
+   * since exact lengths need it. Patterns to cut are to be written from points in double precision.
+   * Default: DEFAULT_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  const char* GetOutputPointsPrecisionAsString() const;
+  ///@}
+
 protected:
   vtkFeatureCurveAlgorithm();
   ~vtkFeatureCurveAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  void BeginRun(vtkInformationVector** inputVector) override;
+  void FinishData(vtkInformationVector* outputVector) override;
+
+  /**
+   * Lays the flat pieces of the whole output beside the surfaces in space.
+   */
+  void LayBeside(vtkDataObject* surfaces, vtkDataObject* flat, double spacing);
 
   /**
    * Reads surface and curves. Null after a refusal, which has been told then.
@@ -193,6 +227,7 @@ protected:
   double ImprintTolerance;
   double SnapTolerance;
   bool Caching = true;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
   std::map<std::string, double> CurveTolerances;
 
 private:
@@ -200,6 +235,7 @@ private:
   void operator=(const vtkFeatureCurveAlgorithm&) = delete;
 
   std::unique_ptr<flattening::bridge::KeptRun> Kept;
+  std::unique_ptr<flattening::bridge::ConnectedCurves> Gathered; // in a run
   int StatusConnection = -1;
 };
 

@@ -21,6 +21,21 @@
  *
  * A refused input leaves both outputs without points and cells.
  *
+ * @code
+ * vtkNew<vtkFeatureCurveCutter> cutter;
+ * cutter->SetInputData(surface);
+ * cutter->SetCurvesData(curves); // darts and seams among them are cut
+ * cutter->Update();
+ * vtkPolyData* cut = cutter->GetOutput();
+ * if (vtkDataArray* pairs = cut->GetFieldData()->GetArray("SeamPairs"))
+ * {
+ *   std::cout << pairs->GetNumberOfTuples() << " pairs of edges to sew\n";
+ * }
+ * @endcode
+ *
+ * @warning Ids of points and cells are not those of the input; `vtkOriginalPointIds` and
+ * `vtkOriginalCellIds` lead back.
+ *
  * @sa vtkWireWarpingFilter
  */
 #ifndef vtkFeatureCurveCutter_h

@@ -28,6 +28,19 @@
  *
  * ModifiedEvent is invoked after each change.
  *
+ * @code
+ * vtkNew<vtkFeatureCurveEditor> editor;
+ * if (!editor->SetSurface(surface) || !editor->SetCurves(curves))
+ * {
+ *   std::cerr << editor->GetMessage() << "\n";
+ * }
+ * vtkNew<vtkPolyData> edited;
+ * editor->GetCurves(edited);
+ * std::cout << edited->GetNumberOfLines() << " curves\n";
+ * @endcode
+ *
+ * @warning Not a filter: it does not follow later changes of the surface that it was given.
+ *
  * @sa vtkFeatureCurveAlgorithm vtkWireWarpingFilter
  */
 #ifndef vtkFeatureCurveEditor_h
@@ -41,6 +54,13 @@
 
 class vtkPoints;
 class vtkPolyData;
+namespace flattening
+{
+namespace bridge
+{
+class CurveEditorModel;
+}
+}
 
 class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveEditor : public vtkObject
 {
@@ -130,6 +150,41 @@ public:
   bool AddCurve(vtkPoints* nodes, int kind = GEODESIC, bool closed = false);
   bool RemoveCurve(int curve);
   ///@}
+
+  /**
+   * Add the curve at a distance from one, measured over the surface, with its type, tolerance and
+   * key shape, and smooth where that one is: as one curve, or several where the boundary interrupts
+   * it. Where the surface can be unrolled it is exact but for the rounding of corners, elsewhere
+   * within 3 thousandths of the distance of points that straight lines reach which leave the curve
+   * at right angles.
+   * @param curve its number
+   * @param distance in the unit of length; positive: on the left of who walks along the curve on
+   * the outside, negative: on the right. Refused: 0, and where no point is that far
+   */
+  bool AddOffset(int curve, double distance);
+
+  /**
+   * Pull a closed curve tight, as a rubber band that cannot leave the surface comes to rest: the
+   * shortest curve that it can be moved to over the surface. It gets other nodes, three as a rule.
+   * @param curve its number. Refused: an open curve, and one that shrinks to a point
+   */
+  bool TightenCurve(int curve);
+
+  /**
+   * The distance of a point from a curve in the sense of AddOffset(); NaN where no way leads there.
+   * @param curve its number
+   * @param point near the surface
+   */
+  double GetDistance(int curve, const double point[3]) const;
+
+  /**
+   * Add a curve of few nodes along a stroke by hand, or along any polyline, as the last one; one
+   * that ends within three times the tolerance of its start is closed.
+   * @param stroke points near the surface, in their order
+   * @param tolerance how far the curve may be from the stroke, in the unit of length; above 0
+   * @param kind SPLINE, or GEODESIC, straight from node to node; others count as GEODESIC
+   */
+  bool AddStroke(vtkPoints* stroke, double tolerance, int kind = SPLINE);
 
   ///@{
   /**
@@ -256,14 +311,13 @@ private:
   vtkFeatureCurveEditor(const vtkFeatureCurveEditor&) = delete;
   void operator=(const vtkFeatureCurveEditor&) = delete;
 
-  class Model;
   template <typename Command>
   bool Carry(const Command& command);
   template <typename Change>
   bool Describe(int curve, const Change& change);
   bool Refuse(const std::string& message);
 
-  std::unique_ptr<Model> Drawn;
+  std::unique_ptr<flattening::bridge::CurveEditorModel> Drawn;
   std::string Message;
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool SnapToBoundary = true;

@@ -31,6 +31,19 @@
  * CURVE_LEAVES_SURFACE (a segment meets the boundary, or cannot be followed), CURVE_NOT_ON_EDGES
  * (with SplitTriangles off), INVALID_CURVE, NUMERICAL_FAILURE (triangles too thin to split).
  *
+ * @code
+ * vtkNew<vtkFeatureCurveImprinter> imprinter;
+ * imprinter->SetInputData(surface);
+ * imprinter->SetCurvesData(curves);
+ * imprinter->Update();
+ * vtkPolyData* finer = imprinter->GetOutput(0);
+ * vtkPolyData* chains = imprinter->GetOutput(1); // over the points of finer
+ * std::cout << finer->GetNumberOfCells() << " triangles, " << chains->GetNumberOfLines()
+ *           << " curves on their edges\n";
+ * @endcode
+ *
+ * @warning Normals that are interpolated at new points are not made unit again.
+ *
  * @sa vtkFeatureCurveCutter vtkWireWarpingFilter
  */
 #ifndef vtkFeatureCurveImprinter_h

@@ -6,6 +6,7 @@
 #include "Flattening/FlatteningOptions.h"
 #include "Suggestion/CurveSuggestion.h"
 #include "SuggestionOutput.h"
+#include "WeightInput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,6 +24,7 @@ vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
   this->SuggestedCuts = static_cast<int>(defaults.cuts);
   this->Bound = defaults.bound;
   this->MaximumCuts = defaults.maximumCuts;
+  this->MaximumWork = defaults.maximumWork;
   this->Symmetric = defaults.symmetric;
 }
 
@@ -32,7 +34,7 @@ vtkFeatureCurveSuggestion::~vtkFeatureCurveSuggestion() = default;
 //------------------------------------------------------------------------------
 const char* vtkFeatureCurveSuggestion::GetSuggestedCutsAsString() const
 {
-  static const char* const names[] = { "Darts", "Seams", "DartsAndSeams" };
+  static const char* const names[] = { "Darts", "Seams", "DartsAndSeams", "Lines" };
   return names[this->SuggestedCuts];
 }
 
@@ -56,13 +58,15 @@ int vtkFeatureCurveSuggestion::RequestData(
 {
   static_assert(static_cast<int>(flattening::SuggestedCuts::Seams) == SEAMS, "");
   static_assert(static_cast<int>(flattening::SuggestedCuts::All) == DARTS_AND_SEAMS, "");
+  static_assert(static_cast<int>(flattening::SuggestedCuts::Lines) == LINES, "");
   this->Begin(outputVector);
   flattening::CurveSuggestions suggestions;
   const auto source = this->LoadInput(inputVector);
   bool done = false;
-  if (source)
+  flattening::SuggestionOptions options;
+  if (source &&
+    this->Conclude(flattening::bridge::readWeights(*source, this->WeightArray, options.weights)))
   {
-    flattening::SuggestionOptions options;
     options.search.cuts = static_cast<flattening::SuggestedCuts>(this->SuggestedCuts);
     options.search.bound = this->Bound;
     options.search.maximumCuts = this->MaximumCuts;
@@ -70,6 +74,7 @@ int vtkFeatureCurveSuggestion::RequestData(
     {
       options.search.maximumCutLength = this->MaximumCutLength;
     }
+    options.search.maximumWork = this->MaximumWork;
     options.search.symmetric = this->Symmetric;
     for (const auto& [curve, weight] : this->Preferences)
     {
@@ -94,7 +99,7 @@ int vtkFeatureCurveSuggestion::RequestData(
   // The curves of the input, and the proposed ones as one more connection.
   vtkNew<vtkInformationVector> curves;
   curves->Copy(inputVector[1]);
-  if (!suggestions.cuts.empty())
+  if (!suggestions.curves.empty())
   {
     vtkNew<vtkInformation> information;
     information->Set(vtkDataObject::DATA_OBJECT(), proposed);
@@ -105,9 +110,12 @@ int vtkFeatureCurveSuggestion::RequestData(
   if (!this->IsRefused())
   {
     vtkPolyData::GetData(outputVector, 3)->ShallowCopy(all);
-    if (this->Bound > 0.0 && !suggestions.boundMet)
+    const std::string shortfall = this->SuggestedCuts == LINES
+      ? std::string()
+      : flattening::bridge::describeShortfall(suggestions, this->Bound);
+    if (!shortfall.empty())
     {
-      this->Warn({ flattening::bridge::describeShortfall(suggestions, this->Bound) });
+      this->Warn({ shortfall });
       this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
     }
   }
@@ -122,9 +130,11 @@ void vtkFeatureCurveSuggestion::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bound: " << this->Bound << "\n";
   os << indent << "MaximumCuts: " << this->MaximumCuts << "\n";
   os << indent << "MaximumCutLength: " << this->MaximumCutLength << "\n";
+  os << indent << "MaximumWork: " << this->MaximumWork << "\n";
   os << indent << "Symmetric: " << (this->Symmetric ? "On" : "Off") << "\n";
   for (const auto& entry : this->Preferences)
   {
     os << indent << "Preference " << entry.first << ": " << entry.second << "\n";
   }
+  os << indent << "WeightArray: " << this->WeightArray << "\n";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkFeatureCurveSuggestion
- * @brief propose darts and seams for a surface, and flatten it with them
+ * @brief propose darts and seams, or lines to draw, for a surface, and flatten it with them
  *
  * Looks for straight cuts that let the surface lie flat with little strain: thousands are ranked by
  * what Yamabe's equation foretells of them, the best of each round are flattened with the scheme
@@ -12,6 +12,16 @@
  * are; key curves are not cut. Where the surface is its own mirror image so are the cuts. The same
  * for any number of threads.
  *
+ * With LINES no cut is proposed, but what a designer draws first, piece by piece: the centre line
+ * of a piece that is its own mirror image, or a grain line along the others, as straight key
+ * curves; girths where the surface is widest or narrowest across its long axis, and style lines
+ * over what lies flat worst, as accessory curves where they raise the energy by no more than 5 %.
+ * Each is flattened with those before it, so that its price is known.
+ *
+ * WeightArray says where distortion matters: cuts are then chosen by energies and strains for which
+ * each cell counts as if its area were so many times as large, and so are `PredictedGain`, `Gain`
+ * and strains of this filter, but not those of the flat pieces.
+ *
  * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter. **Outputs 0 to 2** are
  * those of vtkWireWarpingFilter, for the surface with all curves.
  *
@@ -20,15 +30,39 @@
  * (string; "dart 1", "seam 2", ...), `KeyShape` (int), `LengthTolerance` (double), `Rank` (int;
  * from 1, -1: a curve of the input), `Length` (double, unit of length), `PredictedGain` and `Gain`
  * (double; by how much the cut lowers the mean of u^2 by forecast and the mean rigid energy in
- * truth, after those of lower rank), `Opening` (double, unit of length; of a dart's mouth, by
- * forecast), `StrainBefore` and `StrainAfter` (double; the largest `StrainP95`), `MirrorOf` (int;
- * the rank of the cut that it is the mirror image of, or -1). Point array, where a curve has one:
- * `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double; without and with all cuts),
- * `MirrorPlane` (double; normal and offset, where there is one), `Trials` (int; how many
- * flattenings were made).
+ * truth, after those of lower rank; a line's is what it costs, and negative), `Opening` (double,
+ * unit of length; of a dart's mouth, or of the widest
+ * place of one that ends inside at both ends, by forecast), `AreaErrorBefore` and `AreaErrorAfter`
+ * (double; mean change of area), `StrainBefore` and `StrainAfter` (double; the largest
+ * `StrainP95`), `MirrorOf` (int; the rank of the cut that it is the mirror image of, or -1). Point
+ * array, where a curve has one: `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double;
+ * without and with all cuts), `MirrorPlane` (double; normal and offset, where there is one),
+ * `Trials` (int; how many flattenings were made), `Work` (double; what they took, see MaximumWork),
+ * and for lines that were tried and not proposed `LeftOutCurveName`, `LeftOutCurveType`,
+ * `LeftOutLength`, `LeftOutGain`, `LeftOutAreaErrorBefore`, `LeftOutAreaErrorAfter`,
+ * `LeftOutStrainBefore`, `LeftOutStrainAfter` and `LeftOutSound` (int; 1: the line only costs too
+ * much, 0: it breaks a promise, such as that no triangle is turned over).
  *
  * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
- * left. INVALID_OPTION: a preference for a curve that there is not.
+ * left, where, and what ended the search: the most cuts or their length, MaximumWork, or that cuts
+ * do so little that the bound would take several times MaximumCuts (noise is no nearer to flat
+ * after any number of darts). INVALID_OPTION: a preference for a curve that there is not; a
+ * WeightArray that there is not, or with numbers that are no weights.
+ *
+ * @code
+ * vtkNew<vtkFeatureCurveSuggestion> suggestion;
+ * suggestion->SetInputData(surface);
+ * suggestion->SetSuggestedCutsToDarts();
+ * suggestion->SetBound(0.02);
+ * suggestion->Update();
+ * vtkNew<vtkWireWarpingFilter> again; // the curves are ordinary ones
+ * again->SetInputData(surface);
+ * again->AddCurvesConnection(suggestion->GetOutputPort(3));
+ * again->Update();
+ * @endcode
+ *
+ * @warning Each trial is a flattening of the whole surface: seconds for a garment piece of a thousand
+ * triangles, minutes for large ones. Progress is told, and an abort is heard.
  *
  * @sa vtkWireWarpingFilter vtkFeatureCurveImprinter
  */
@@ -52,19 +86,22 @@ public:
   {
     DARTS = 0,
     SEAMS = 1,
-    DARTS_AND_SEAMS = 2
+    DARTS_AND_SEAMS = 2,
+    LINES = 3
   };
 
   ///@{
   /**
    * Which cuts are proposed: DARTS, SEAMS, or DARTS_AND_SEAMS. What opens a closed surface, a tube
-   * or a handle is proposed always. Default: DARTS_AND_SEAMS.
+   * or a handle is proposed with each of these. LINES: no cuts, but centre and grain lines, girths
+   * and style lines; Bound and the limits of cuts do not matter then. Default: DARTS_AND_SEAMS.
    */
-  vtkSetClampMacro(SuggestedCuts, int, DARTS, DARTS_AND_SEAMS);
+  vtkSetClampMacro(SuggestedCuts, int, DARTS, LINES);
   vtkGetMacro(SuggestedCuts, int);
   void SetSuggestedCutsToDarts() { this->SetSuggestedCuts(DARTS); }
   void SetSuggestedCutsToSeams() { this->SetSuggestedCuts(SEAMS); }
   void SetSuggestedCutsToDartsAndSeams() { this->SetSuggestedCuts(DARTS_AND_SEAMS); }
+  void SetSuggestedCutsToLines() { this->SetSuggestedCuts(LINES); }
   const char* GetSuggestedCutsAsString() const;
   ///@}
 
@@ -96,6 +133,18 @@ public:
 
   ///@{
   /**
+   * The most work that the search may take, in millions of steps of an iteration on one triangle,
+   * and on surfaces of more than 5,000 triangles in proportion more; 0: no limit. A million
+   * takes one to two seconds of one processor. What is under way when it is used up is brought to
+   * its end, and a warning names it. Work is counted, not timed: cuts are the same on every
+   * machine. Default: 25.
+   */
+  vtkSetClampMacro(MaximumWork, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumWork, double);
+  ///@}
+
+  ///@{
+  /**
    * Look for a plane that mirrors the surface onto itself, and propose cuts that it mirrors as
    * well. Default: on.
    */
@@ -113,6 +162,16 @@ public:
   void RemoveAllPreferences();
   ///@}
 
+  ///@{
+  /**
+   * Name of a cell array of the surface, one number a cell, that says how much distortion matters
+   * there: 0 where it does not at all. Only ratios count. Where the weights are not mirrored
+   * neither are the cuts. Of no effect with LINES. Default: empty, everywhere alike.
+   */
+  vtkSetStdStringFromCharMacro(WeightArray);
+  vtkGetCharFromStdStringMacro(WeightArray);
+  ///@}
+
 protected:
   vtkFeatureCurveSuggestion();
   ~vtkFeatureCurveSuggestion() override;
@@ -123,8 +182,10 @@ protected:
   double Bound;
   int MaximumCuts;
   double MaximumCutLength = 0.0;
+  double MaximumWork;
   bool Symmetric;
   std::map<std::string, double> Preferences;
+  std::string WeightArray;
 
 private:
   vtkFeatureCurveSuggestion(const vtkFeatureCurveSuggestion&) = delete;

@@ -2,13 +2,18 @@
 #include "vtkFlatteningAlgorithm.h"
 
 #include "Base/Memory.h"
+#include "Distribution.h"
 #include "FieldArrays.h"
 #include "RemedyWords.h"
 #include "StatusInInput.h"
 
+#include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -57,6 +62,9 @@ static_assert(same(vtkFlatteningAlgorithm::INCOMPATIBLE_KEYS, StatusCode::Incomp
 static_assert(same(vtkFlatteningAlgorithm::LENGTH_ERROR, StatusCode::LengthError), "");
 static_assert(same(vtkFlatteningAlgorithm::FLIPPED_TRIANGLES, StatusCode::FlippedTriangles), "");
 static_assert(same(vtkFlatteningAlgorithm::OVERLAP, StatusCode::Overlap), "");
+static_assert(same(vtkFlatteningAlgorithm::INVALID_MATERIAL, StatusCode::InvalidMaterial), "");
+static_assert(same(vtkFlatteningAlgorithm::MISSING_GRAIN, StatusCode::MissingGrain), "");
+static_assert(same(vtkFlatteningAlgorithm::BEYOND_LIMITS, StatusCode::BeyondLimits), "");
 
 /// Set while it lives.
 class RunningMark
@@ -85,6 +93,10 @@ vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
   this->StatusCode = NOT_RUN;
   this->StatusMessage = this->StatusDefect =
     "the filter has not run; update it, and see that its input can be read";
+  this->AllOwners =
+    std::make_unique<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>>();
+  this->Owners = std::make_unique<flattening::bridge::SurfaceOwners>();
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkFlatteningAlgorithm::LeaveRun);
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +117,21 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   };
   try
   {
-    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+    if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+    {
+      this->EnterRun(inputVector);
+    }
+    const bool run = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
+    if (run && !this->HasSurface(outputVector))
+    {
+      return 1;
+    }
+    const vtkTypeBool done = this->Superclass::ProcessRequest(request, inputVector, outputVector);
+    if (run)
+    {
+      this->FinishData(outputVector);
+    }
+    return done;
   }
   catch (const std::bad_alloc&)
   {
@@ -115,6 +141,101 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   {
     return ranOut();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::EnterRun(vtkInformationVector** inputVector)
+{
+  // The executive says so for the whole composite data set first, then for each of its blocks.
+  vtkDataObject* const surface =
+    this->GetNumberOfInputConnections(0) > 0 ? vtkDataObject::GetData(inputVector[0]) : nullptr;
+  const bool composite = vtkCompositeDataSet::SafeDownCast(surface) != nullptr;
+  if (!this->AmongBlocks || composite)
+  {
+    *this->AllOwners =
+      flattening::bridge::ownersOf(surface, flattening::bridge::processesOf(this->Distributed));
+    this->AmongBlocks = composite;
+    this->BeginRun(inputVector);
+  }
+  const auto owners = this->AllOwners->find(surface);
+  *this->Owners =
+    owners == this->AllOwners->end() ? flattening::bridge::SurfaceOwners() : owners->second;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::LeaveRun()
+{
+  vtkDataObject* const input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  if (this->AmongBlocks && !vtkCompositeDataSet::SafeDownCast(input))
+  {
+    return;
+  }
+  if (this->StatusCode == CANCELLED && this->GetAbortExecute())
+  {
+    this->SetAbortExecute(0); // It has been heard; VTK 9.3 would keep it for the next run.
+  }
+  this->AmongBlocks = false;
+  this->AllOwners->clear();
+  this->EndRun(input, this->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::BeginRun(vtkInformationVector** vtkNotUsed(inputVector)) {}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::EndRun(
+  vtkDataObject* vtkNotUsed(input), vtkDataObject* vtkNotUsed(output))
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlatteningAlgorithm::TakesParts() const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::FinishData(vtkInformationVector* vtkNotUsed(outputVector)) {}
+
+//------------------------------------------------------------------------------
+bool vtkFlatteningAlgorithm::HasSurface(vtkInformationVector* outputVector)
+{
+  const bool spread = this->Owners->parts > 1 && !this->TakesParts();
+  if (!spread && this->Owners->here)
+  {
+    return true;
+  }
+  this->Begin(outputVector);
+  if (spread)
+  {
+    flattening::Status refusal;
+    refusal.code = StatusCode::InvalidOption;
+    refusal.message = this->Owners->processes > 1
+      ? "the surface is spread over " + std::to_string(this->Owners->processes) +
+        " processes, and each would flatten its part for itself; give all of it to one process "
+        "(in ParaView: Aggregate Dataset to 1 process, then Coincident Points: Join)"
+      : "the surface comes in " + std::to_string(this->Owners->parts) +
+        " partitions, and each would be flattened for itself; join them (in ParaView: Merge "
+        "Blocks, "
+        "then Coincident Points: Join), or give surfaces of their own as blocks of a multi-block "
+        "data set";
+    if (this->Owners->first)
+    {
+      this->Conclude(refusal);
+    }
+    else
+    {
+      this->Keep(refusal);
+      this->SetErrorCode(vtkErrorCode::UserError);
+    }
+    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    return false;
+  }
+  this->StatusCode = NOT_RUN;
+  this->StatusMessage = this->StatusDefect = "another process has the surface";
+  this->SetErrorCode(vtkErrorCode::NoError);
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -265,7 +386,7 @@ void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
     const auto copy = vtk::TakeSmartPointer(array->NewInstance());
     copy->DeepCopy(array);
     copy->SetName(name);
-    field->AddArray(copy);
+    flattening::bridge::addUnlessEmpty(field, copy);
   };
   addCopy(this->StatusIds, "RunStatusIds");
   addCopy(this->StatusRemedies, "RunRemedyName");
@@ -280,5 +401,6 @@ void vtkFlatteningAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Status: " << this->GetStatusName() << "\n";
   os << indent << "StatusMessage: " << this->StatusMessage << "\n";
   os << indent << "StatusIds: " << this->StatusIds->GetNumberOfValues() << " ids\n";
+  os << indent << "Distributed: " << (this->Distributed ? "On" : "Off") << "\n";
   os << indent << "Warnings: " << this->Warnings.size() << "\n";
 }

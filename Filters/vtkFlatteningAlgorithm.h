@@ -20,6 +20,24 @@
  * filter runs once a block, and the status is that of the block that ran last; those filters that
  * document a `RunStatus` array leave each block's own status in the field data of its output.
  *
+ * Lists in the field data that have no row are left out.
+ *
+ * What a program does with it:
+ * @code
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
+ * flattening->Update();
+ * if (flattening->IsRefused())
+ * {
+ *   std::cerr << flattening->GetStatusName() << ": " << flattening->GetStatusMessage() << "\n";
+ *   vtkIdTypeArray* ids = flattening->GetStatusIds(); // of flattening->GetStatusIdKind()
+ *   std::cerr << ids->GetNumberOfValues() << " " << flattening->GetStatusIdKind() << "\n";
+ * }
+ * @endcode
+ *
+ * @warning A status is that of the last run: before the first Update(), and where the input could
+ * not be read, it is NOT_RUN.
+ *
  * @sa vtkFeatureCurveAlgorithm vtkWireWarpingFilter
  */
 #ifndef vtkFlatteningAlgorithm_h
@@ -29,15 +47,22 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the ids
 
+#include <map>    // for the processes
+#include <memory> // for the processes
 #include <string> // for the message
 #include <vector> // for the warnings
 
+class vtkDataObject;
 class vtkIdTypeArray;
 class vtkStringArray;
 
 namespace flattening
 {
 struct Status;
+namespace bridge
+{
+struct SurfaceOwners;
+}
 }
 
 class VTKFILTERSFLATTENING_EXPORT vtkFlatteningAlgorithm : public vtkPolyDataAlgorithm
@@ -82,7 +107,10 @@ public:
     INCOMPATIBLE_KEYS,
     LENGTH_ERROR,
     FLIPPED_TRIANGLES,
-    OVERLAP
+    OVERLAP,
+    INVALID_MATERIAL,
+    MISSING_GRAIN,
+    BEYOND_LIMITS
   };
 
   ///@{
@@ -135,6 +163,19 @@ public:
    */
   bool IsRefused() const;
 
+  ///@{
+  /**
+   * All processes of vtkMultiProcessController's global controller run this filter, each with its
+   * part of the input, as in ParaView. A surface is flattened by the process that has it, and the
+   * others give empty outputs without a word (NOT_RUN); one of which several have a part is refused
+   * (INVALID_OPTION), since each would take its part for the whole; curves on port 1 are curves for
+   * the blocks of every process. Off: the filter knows nothing of other processes. Default: off.
+   */
+  vtkSetMacro(Distributed, bool);
+  vtkGetMacro(Distributed, bool);
+  vtkBooleanMacro(Distributed, bool);
+  ///@}
+
   /**
    * A run that was aborted is done again by the next Update(), although nothing was changed.
    */
@@ -143,6 +184,24 @@ public:
 protected:
   vtkFlatteningAlgorithm();
   ~vtkFlatteningAlgorithm() override;
+
+  /**
+   * Called before and after a run, once also where the input is a composite data set, for whose
+   * blocks RequestData() is called one by one. The second gets the whole input and output.
+   */
+  virtual void BeginRun(vtkInformationVector** inputVector);
+  virtual void EndRun(vtkDataObject* input, vtkDataObject* output);
+
+  /**
+   * Whether a process can do its part of a surface that is spread over several, with the ghost
+   * cells that it has.
+   */
+  virtual bool TakesParts() const;
+
+  /**
+   * Called after each RequestData().
+   */
+  virtual void FinishData(vtkInformationVector* outputVector);
 
   /**
    * Empties the outputs and forgets the status of the last run.
@@ -168,6 +227,9 @@ protected:
   void WriteRunStatus(vtkPolyData* output) const;
 
 private:
+  void EnterRun(vtkInformationVector** inputVector);
+  void LeaveRun();
+  bool HasSurface(vtkInformationVector* outputVector);
   void Keep(const flattening::Status& outcome);
 
   vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;
@@ -175,6 +237,11 @@ private:
 
   int StatusCode = NOT_RUN;
   bool Running = false;
+  bool Distributed = false;
+  bool AmongBlocks = false;
+  /// Of the surface, or of each block, and of that which is at hand.
+  std::unique_ptr<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>> AllOwners;
+  std::unique_ptr<flattening::bridge::SurfaceOwners> Owners;
   std::string StatusMessage;
   std::string StatusDefect;
   std::string StatusIdKind;

@@ -26,6 +26,16 @@
  * cross, a row a pair; at most MaximumOverlaps of all). Meanings: see vtkWireWarpingFilter. Flips
  * and overlaps are a result here, not a broken promise.
  *
+ * @code
+ * vtkNew<vtkFlatteningQuality> quality;
+ * quality->SetInputData(surface); // in space, with its flat positions as texture coordinates
+ * quality->Update();
+ * vtkFieldData* measures = quality->GetOutput()->GetFieldData();
+ * std::cout << measures->GetArray("AreaError")->GetComponent(0, 0) << "\n";
+ * @endcode
+ *
+ * @warning Texture coordinates between 0 and 1 are no lengths: scale them, or all areas are wrong.
+ *
  * @sa vtkWireWarpingFilter vtkLeastSquaresConformalFilter
  */
 #ifndef vtkFlatteningQuality_h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlatteningTable.h"
 
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -8,8 +9,10 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkFlatteningTable);
@@ -25,22 +28,38 @@ const Names pieceArrays{ "Status", "StatusMessage", "StatusDefect", "StatusIdKin
   "GlobalAspectRatio", "AreaError", "StrainP95", "RigidEnergy", "FlippedTriangles", "Overlaps",
   "OverlapsComplete", "Objective", "ClosureResidual", "CutLength", "DistortionEnergy",
   "AngleEnergy", "ReleaseFirst", "ObjectiveWithoutFirst", "SolverUsed", "EnergyUsed", "Repaired",
-  "Fallbacks" };
+  "Fallbacks", "ForecastAreaLoss", "ForecastAreaLossAfterCut", "ForecastCutFrom", "ForecastCutTo",
+  "Verdict" };
 
 const Names curveArrays{ "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths",
   "CurveLengthErrors", "CurveTolerances", "CurveClosedLengths", "CurveSensitivities",
   "CurveReleased" };
 
-void addNumbers(vtkTable* table, const char* name, vtkIdType rows)
+const Names keyArrays{ "KeyTrial", "KeyCurve", "KeyPrice", "AreaError", "StrainP95", "Status",
+  "Released" };
+
+/// Column, and the array of a refused surface that it is.
+const std::vector<std::pair<const char*, const char*>> refusalArrays{ { "Status", "RunStatus" },
+  { "StatusMessage", "RunStatusMessage" } };
+
+void addNumbers(vtkTable* table, const char* name, vtkIdType rows, vtkIdType first = 0)
 {
   vtkNew<vtkIdTypeArray> numbers;
   numbers->SetName(name);
   numbers->SetNumberOfValues(rows);
   for (vtkIdType row = 0; row < rows; ++row)
   {
-    numbers->SetValue(row, row);
+    numbers->SetValue(row, first + row);
   }
   table->AddColumn(numbers);
+}
+
+/// Whether a data set without rows is one that a flattening gives.
+bool isOfFlattening(vtkPolyData* data)
+{
+  const bool wires = data->GetCellData()->HasArray("CurveId") != 0;
+  const bool elsewhere = data->GetNumberOfPoints() == 0; // with another process
+  return wires || elsewhere;
 }
 
 void addColumns(vtkTable* table, vtkFieldData* field, const Names& names, vtkIdType rows)
@@ -86,7 +105,22 @@ int vtkFlatteningTable::RequestData(vtkInformation* vtkNotUsed(request),
   {
     addColumns(table, field, curveArrays, curves->GetNumberOfTuples());
   }
-  else
+  else if (vtkAbstractArray* const trials = field->GetAbstractArray("KeyTrial"))
+  {
+    addColumns(table, field, keyArrays, trials->GetNumberOfTuples());
+  }
+  else if (field->HasArray("RunStatus") && input->GetNumberOfPoints() == 0)
+  {
+    addNumbers(table, "Piece", 1, -1);
+    for (const auto& [name, array] : refusalArrays)
+    {
+      const auto column = vtk::TakeSmartPointer(field->GetAbstractArray(array)->NewInstance());
+      column->DeepCopy(field->GetAbstractArray(array));
+      column->SetName(name);
+      table->AddColumn(column);
+    }
+  }
+  else if (!isOfFlattening(input))
   {
     vtkWarningMacro(
       << "the input has no measures of flat pieces (output 0 of vtkWireWarpingFilter) "

@@ -11,17 +11,26 @@
  * its name (see vtkWireWarpingFilter): `Status`, `StatusMessage`, counts, lengths' and angles'
  * errors, `AreaError`, `StrainP95`, ...;
  * - of output 1, the wires: a row a feature curve, in the order of the ids in the cell array
- *   `CurveId`. Columns: `CurveNames`, `CurveTypes` (0 key, 1 accessory, 2 dart, 3 seam),
- *   `CurveRestLengths`, `CurveFlatLengths`, ...
+ *   `CurveId`. Columns: `CurveNames`, `CurveTypes` (0 accessory, 1 key, 2 dart, 3 seam),
+ *   `CurveRestLengths`, `CurveFlatLengths`, ...;
+ * - of output 3 of vtkKeyCurvePrices: a row a trial, with its columns.
  *
- * Any other vtkPolyData gives a table without rows and columns, and a warning.
+ * A surface that was refused has one row, with the `Piece` -1, its `Status` and `StatusMessage`.
+ * Wires without a feature curve give a table without rows and columns; so does any other
+ * vtkPolyData, with a warning.
  *
  * @code
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
  * vtkNew<vtkFlatteningTable> pieces;
  * pieces->SetInputConnection(flattening->GetOutputPort());
  * vtkNew<vtkDelimitedTextWriter> writer;
  * writer->SetInputConnection(pieces->GetOutputPort());
+ * writer->SetFileName("pieces.csv");
+ * writer->Write();
  * @endcode
+ *
+ * @warning Rows of composite data sets are those of each block: Piece counts from 0 in each.
  *
  * @sa vtkWireWarpingFilter
  */

@@ -29,13 +29,22 @@ int vtkLeastSquaresConformalFilter::RequestData(vtkInformation* vtkNotUsed(reque
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   flattening::FlatteningOptions options;
-  options.scheme = flattening::Scheme::Conformal;
+  options.scheme = flattening::Scheme::LeastSquaresConformal;
   options.conformal.areaNormalized = this->AreaNormalized;
   options.skipClosed = this->SkipClosed;
   options.arrange = this->Arrange;
   options.spacing = this->Spacing;
   this->Flatten(inputVector, outputVector, options, this->Pins);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkLeastSquaresConformalFilter::EndRun(vtkDataObject* input, vtkDataObject* output)
+{
+  if (this->BesideSurface)
+  {
+    this->LayBeside(input, output, this->Spacing);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -46,5 +55,6 @@ void vtkLeastSquaresConformalFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaNormalized: " << (this->AreaNormalized ? "On" : "Off") << "\n";
   os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
+  os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
 }

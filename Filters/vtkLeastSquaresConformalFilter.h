@@ -15,6 +15,17 @@
  * for automatic texture atlas generation", ACM Transactions on Graphics 21(3), 2002,
  * https://doi.org/10.1145/566654.566590.
  *
+ * @code
+ * vtkNew<vtkLeastSquaresConformalFilter> conformal;
+ * conformal->SetInputData(surface);
+ * conformal->Update();
+ * vtkFieldData* measures = conformal->GetOutput()->GetFieldData();
+ * std::cout << "mean error of an edge: " << measures->GetArray("EdgeLengthError")->GetRange()[1]
+ *           << "\n";
+ * @endcode
+ *
+ * @warning Sewn edges come out with different lengths: not for patterns to cut.
+ *
  * @sa vtkWireWarpingFilter vtkFlatteningQuality
  */
 #ifndef vtkLeastSquaresConformalFilter_h
@@ -71,6 +82,18 @@ public:
 
   ///@{
   /**
+   * Lay the flat pieces to the right of the surface, at half its height, so that a viewer shows
+   * both, and those of the blocks of a composite data set in rows beside each other; z stays 0, and
+   * measures, lengths and `FlatPositions` are those of the pieces before they were moved. Off: each
+   * surface's pieces start from the origin, over those of other blocks. Default: off.
+   */
+  vtkSetMacro(BesideSurface, bool);
+  vtkGetMacro(BesideSurface, bool);
+  vtkBooleanMacro(BesideSurface, bool);
+  ///@}
+
+  ///@{
+  /**
    * Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one.
    * Default: 0.05. Range: 0 to 1e6.
    */
@@ -82,6 +105,7 @@ protected:
   vtkLeastSquaresConformalFilter();
   ~vtkLeastSquaresConformalFilter() override;
 
+  void EndRun(vtkDataObject* input, vtkDataObject* output) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -91,6 +115,7 @@ private:
   vtkIdType Pins[2] = { -1, -1 };
   bool AreaNormalized;
   bool SkipClosed;
+  bool BesideSurface = false;
   bool Arrange;
   double Spacing;
 };

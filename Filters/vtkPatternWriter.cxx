@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternWriter.h"
 
-#include "DxfWriter.h"
+#include "Base/Memory.h"
 #include "FileAside.h"
-#include "PatternBuilder.h"
+#include "PatternFile.h"
 #include "PatternInput.h"
-#include "PdfWriter.h"
-#include "SvgWriter.h"
+#include "RemedyWords.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkErrorCode.h"
+#include "vtkFeatureCurveAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include <vtksys/SystemTools.hxx>
+#include "vtkStringArray.h"
 
 #include <cstdlib>
 #include <ctime>
@@ -24,6 +24,8 @@ vtkStandardNewMacro(vtkPatternWriter);
 namespace
 {
 namespace pattern = flattening::pattern;
+using flattening::Status;
+using flattening::StatusCode;
 
 /// The day and minute, UTC. SOURCE_DATE_EPOCH makes files that can be made again bit for bit.
 void setTime(pattern::Pattern& drawing)
@@ -47,10 +49,28 @@ void setTime(pattern::Pattern& drawing)
   }
 }
 
-unsigned long errorCodeOf(pattern::PatternCode code)
+/// The filter whose first output came here unchanged; null where there is none.
+vtkAlgorithm* flatteningBehind(vtkAlgorithmOutput* connection)
 {
-  return code == pattern::PatternCode::CannotWrite ? vtkErrorCode::CannotOpenFileError
-                                                   : vtkErrorCode::UserError;
+  while (connection)
+  {
+    vtkAlgorithm* const producer = connection->GetProducer();
+    if (vtkFeatureCurveAlgorithm::SafeDownCast(producer))
+    {
+      return producer->GetNumberOfOutputPorts() >= 3 && connection->GetIndex() == 0 ? producer
+                                                                                    : nullptr;
+    }
+    const bool handsOn =
+      producer->GetNumberOfInputPorts() == 1 && producer->GetNumberOfInputConnections(0) == 1;
+    connection = handsOn ? producer->GetInputConnection(0, 0) : nullptr;
+  }
+  return nullptr;
+}
+
+unsigned long errorCodeOf(StatusCode code)
+{
+  return code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError
+                                            : vtkErrorCode::UserError;
 }
 }
 
@@ -61,10 +81,7 @@ vtkPatternWriter::vtkPatternWriter()
 }
 
 //------------------------------------------------------------------------------
-vtkPatternWriter::~vtkPatternWriter()
-{
-  this->SetFileName(nullptr);
-}
+vtkPatternWriter::~vtkPatternWriter() = default;
 
 //------------------------------------------------------------------------------
 int vtkPatternWriter::FillInputPortInformation(int port, vtkInformation* info)
@@ -78,23 +95,10 @@ int vtkPatternWriter::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkPatternWriter::GetFileFormatAsString() const
-{
-  static const char* const names[] = { "Automatic", "SVG", "PDF", "DXF" };
-  return names[this->FileFormat];
-}
-
-//------------------------------------------------------------------------------
 const char* vtkPatternWriter::GetUnitAsString() const
 {
   static const char* const names[] = { "Unspecified", "Millimetre", "Centimetre", "Metre", "Inch" };
   return names[this->Unit];
-}
-
-//------------------------------------------------------------------------------
-const char* vtkPatternWriter::GetPaperAsString() const
-{
-  return pattern::paperName(static_cast<pattern::PaperSize>(this->Paper));
 }
 
 //------------------------------------------------------------------------------
@@ -130,6 +134,31 @@ void vtkPatternWriter::SetPieceName(int piece, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternWriter::SetPieceQuantity(int piece, int quantity)
+{
+  if (piece < 0 || piece > 1000000 || quantity < 0)
+  {
+    vtkErrorMacro("There can be no piece " << piece << " of which " << quantity
+                                           << " are cut; both are counted from 0.");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(piece);
+  if (this->PieceQuantities.size() <= index)
+  {
+    this->PieceQuantities.resize(index + 1, 0);
+  }
+  this->PieceQuantities[index] = quantity;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllPieceQuantities()
+{
+  this->PieceQuantities.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceNames()
 {
   this->PieceNames.clear();
@@ -151,96 +180,105 @@ void vtkPatternWriter::RemoveAllCurveAllowances()
 }
 
 //------------------------------------------------------------------------------
-int vtkPatternWriter::ChosenFormat() const
+void vtkPatternWriter::AddCurveNotch(const std::string& curve, double distance)
 {
-  if (this->FileFormat != AUTOMATIC)
-  {
-    return this->FileFormat;
-  }
-  const std::string extension =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
-  return extension == ".svg" ? SVG
-    : extension == ".pdf"    ? PDF
-    : extension == ".dxf"    ? DXF
-                             : AUTOMATIC;
+  this->CurveNotches[curve].push_back(distance);
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
-flattening::pattern::PatternOptions vtkPatternWriter::MakeOptions() const
+void vtkPatternWriter::RemoveAllCurveNotches()
+{
+  this->CurveNotches.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
 {
   static_assert(static_cast<int>(pattern::Unit::Unspecified) == UNSPECIFIED, "");
   static_assert(static_cast<int>(pattern::Unit::Inch) == INCH, "");
-  pattern::PatternOptions options;
-  options.unit = static_cast<pattern::Unit>(this->Unit);
-  options.name = this->PatternName;
-  options.size = this->PatternSize;
-  options.quantity = this->Quantity;
-  options.pieceNames = this->PieceNames;
-  options.allowance = this->Allowance;
-  options.allowanceOfCurve = this->CurveAllowances;
-  options.mitreLimit = this->MitreLimit;
-  options.notchSpacing = this->NotchSpacing;
-  options.notchLength = this->NotchLength;
-  options.darts = this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
+  static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
+  static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
+  static_assert(static_cast<int>(pattern::PaperSize::A0) == A0, "");
+  static_assert(static_cast<int>(pattern::PaperSize::Sheet) == SHEET, "");
+  pattern::FileOptions options;
+  options.format = static_cast<pattern::FileFormat>(format);
+  options.pattern.unit = static_cast<pattern::Unit>(this->Unit);
+  options.pattern.name = this->PatternName;
+  options.pattern.size = this->PatternSize;
+  options.pattern.quantity = this->Quantity;
+  options.pattern.pieceQuantities = this->PieceQuantities;
+  options.pattern.pieceNames = this->PieceNames;
+  options.pattern.allowance = this->Allowance;
+  options.pattern.allowanceOfCurve = this->CurveAllowances;
+  options.pattern.mitreLimit = this->MitreLimit;
+  options.pattern.notchSpacing = this->NotchSpacing;
+  options.pattern.notchesOfCurve = this->CurveNotches;
+  options.pattern.notchLength = this->NotchLength;
+  options.pattern.cutOnFold = this->CutOnFold;
+  options.pattern.pairs = this->CutPairs;
+  options.pattern.fairTolerance = this->FairTolerance;
+  options.pattern.darts =
+    this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
+  options.pages.paper = static_cast<pattern::PaperSize>(this->Paper);
+  options.pages.overlap = this->PageOverlap;
+  options.pages.maximumPages = this->MaximumPages;
+  options.walkTable = this->WalkTable;
+  options.fabric.width = this->FabricWidth;
+  options.fabric.nap = this->FabricNap;
+  options.fabric.gap = this->FabricGap;
+  options.laserColours = this->LaserColors;
   return options;
 }
 
 //------------------------------------------------------------------------------
-void vtkPatternWriter::Refuse(unsigned long code, const std::string& message)
+const char* vtkPatternWriter::GetWarning(int warning) const
 {
-  this->ErrorMessage = message;
-  this->SetErrorCode(code);
-  vtkErrorMacro(<< message);
+  return warning >= 0 && warning < this->GetNumberOfWarnings()
+    ? this->Warnings[static_cast<std::size_t>(warning)].c_str()
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
-void vtkPatternWriter::WriteData()
+const char* vtkPatternWriter::GetNote(int note) const
 {
-  this->ErrorMessage.clear();
-  if (!this->FileName || !*this->FileName)
+  return note >= 0 && note < this->GetNumberOfNotes()
+    ? this->Notes[static_cast<std::size_t>(note)].c_str()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkPatternWriter::DataOf(int port)
+{
+  if (this->GetNumberOfInputConnections(port) > 0)
   {
-    this->Refuse(vtkErrorCode::NoFileNameError, "a file name is needed; set FileName");
-    return;
+    return vtkPolyData::SafeDownCast(this->GetInput(port));
   }
-  const int format = this->ChosenFormat();
-  if (format == AUTOMATIC)
-  {
-    this->Refuse(vtkErrorCode::UnrecognizedFileTypeError,
-      std::string(this->FileName) +
-        " ends with none of .svg, .pdf, .dxf; name it so, or set FileFormat");
-    return;
-  }
-  const auto data = [this](int port) {
-    return this->GetNumberOfInputConnections(port) > 0
-      ? vtkPolyData::SafeDownCast(this->GetInput(port))
-      : nullptr;
-  };
+  vtkAlgorithm* const flattening = this->FollowPipeline && this->GetNumberOfInputConnections(0) > 0
+    ? flatteningBehind(this->GetInputConnection(0, 0))
+    : nullptr;
+  auto* const flat = vtkPolyData::SafeDownCast(flattening ? this->GetInput(0) : nullptr);
+  auto* const made =
+    vtkPolyData::SafeDownCast(flattening ? flattening->GetOutputDataObject(0) : nullptr);
+  // Ids of points hold only as long as nobody has changed these.
+  const bool same = flat && made && flat->GetPoints() == made->GetPoints() &&
+    flat->GetNumberOfCells() == made->GetNumberOfCells();
+  return same ? vtkPolyData::SafeDownCast(flattening->GetOutputDataObject(port)) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+Status vtkPatternWriter::WritePattern(int format)
+{
   pattern::PatternSource source;
-  pattern::PatternStatus status =
-    flattening::bridge::readPattern(data(0), data(1), data(2), source);
+  Status status =
+    flattening::bridge::readPattern(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
   pattern::Pattern drawing;
-  if (status.ok())
-  {
-    status = pattern::buildPattern(source, this->MakeOptions(), drawing);
-  }
+  setTime(drawing);
   std::string content;
   if (status.ok())
   {
-    setTime(drawing);
-    if (format == PDF)
-    {
-      static_assert(static_cast<int>(pattern::PaperSize::A0) == A0, "");
-      static_assert(static_cast<int>(pattern::PaperSize::Sheet) == SHEET, "");
-      pattern::PageOptions pages;
-      pages.paper = static_cast<pattern::PaperSize>(this->Paper);
-      pages.overlap = this->PageOverlap;
-      pages.maximumPages = this->MaximumPages;
-      status = pattern::makePdf(drawing, pages, content);
-    }
-    else
-    {
-      content = format == SVG ? pattern::makeSvg(drawing) : pattern::makeDxf(drawing);
-    }
+    status = pattern::makePatternFile(source, this->MakeOptions(format), drawing, content);
   }
   if (status.ok())
   {
@@ -251,10 +289,57 @@ void vtkPatternWriter::WriteData()
       status = file.publish();
     }
   }
+  if (status.ok())
+  {
+    this->FabricLength = drawing.fabric ? drawing.fabric->length : 0.0;
+    this->FabricEfficiency = drawing.fabric ? drawing.fabric->efficiency : 0.0;
+    for (const pattern::PatternPiece& piece : drawing.pieces)
+    {
+      this->Warnings.insert(this->Warnings.end(), piece.warnings.begin(), piece.warnings.end());
+      this->Notes.insert(this->Notes.end(), piece.notes.begin(), piece.notes.end());
+    }
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::WriteData()
+{
+  this->Keep({});
+  this->Warnings.clear();
+  this->Notes.clear();
+  this->FabricLength = 0.0;
+  this->FabricEfficiency = 0.0;
+  if (!this->FileName || !*this->FileName)
+  {
+    this->Refuse(vtkErrorCode::NoFileNameError,
+      { StatusCode::InvalidOption, "there is no file name", {},
+        { { flattening::Remedy::Give, "FileName" } } });
+    return;
+  }
+  const int format = this->ChosenFormat();
+  if (format == AUTOMATIC)
+  {
+    this->Refuse(vtkErrorCode::UnrecognizedFileTypeError,
+      { StatusCode::InvalidOption,
+        std::string(this->FileName) + " ends with none of " + pattern::knownExtensions(), {},
+        { flattening::Remedy::NameAnotherFile } });
+    return;
+  }
+  struct Ending
+  {
+    Status status;
+  };
+  const Status status =
+    flattening::withinMemory([&] { return Ending{ this->WritePattern(format) }; }).status;
   if (!status.ok())
   {
-    this->Refuse(errorCodeOf(status.code), status.message);
+    this->Refuse(errorCodeOf(status.code), status);
     return;
+  }
+  for (const std::string& warning : this->Warnings)
+  {
+    vtkWarningMacro(<< warning);
   }
   if (this->Unit == UNSPECIFIED)
   {
@@ -266,12 +351,14 @@ void vtkPatternWriter::WriteData()
 void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "FileFormat: " << this->GetFileFormatAsString() << "\n";
   os << indent << "Unit: " << this->GetUnitAsString() << "\n";
   os << indent << "PatternName: " << this->PatternName << "\n";
   os << indent << "PatternSize: " << this->PatternSize << "\n";
   os << indent << "Quantity: " << this->Quantity << "\n";
+  for (std::size_t p = 0; p < this->PieceQuantities.size(); ++p)
+  {
+    os << indent << "PieceQuantity " << p << ": " << this->PieceQuantities[p] << "\n";
+  }
   for (std::size_t p = 0; p < this->PieceNames.size(); ++p)
   {
     os << indent << "PieceName " << p << ": " << this->PieceNames[p] << "\n";
@@ -285,8 +372,22 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NotchSpacing: " << this->NotchSpacing << "\n";
   os << indent << "NotchLength: " << this->NotchLength << "\n";
   os << indent << "CutDartsOut: " << (this->CutDartsOut ? "On" : "Off") << "\n";
-  os << indent << "Paper: " << this->GetPaperAsString() << "\n";
-  os << indent << "PageOverlap: " << this->PageOverlap << "\n";
-  os << indent << "MaximumPages: " << this->MaximumPages << "\n";
-  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+  for (const auto& [curve, distances] : this->CurveNotches)
+  {
+    os << indent << "CurveNotches " << curve << ":";
+    for (const double distance : distances)
+    {
+      os << " " << distance;
+    }
+    os << "\n";
+  }
+  os << indent << "CutOnFold: " << (this->CutOnFold ? "On" : "Off") << "\n";
+  os << indent << "CutPairs: " << (this->CutPairs ? "On" : "Off") << "\n";
+  os << indent << "FairTolerance: " << this->FairTolerance << "\n";
+  os << indent << "FabricWidth: " << this->FabricWidth << "\n";
+  os << indent << "FabricNap: " << (this->FabricNap ? "On" : "Off") << "\n";
+  os << indent << "FabricGap: " << this->FabricGap << "\n";
+  os << indent << "FabricLength: " << this->FabricLength << "\n";
+  os << indent << "FabricEfficiency: " << this->FabricEfficiency << "\n";
+  os << indent << "FollowPipeline: " << (this->FollowPipeline ? "On" : "Off") << "\n";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPatternWriter
- * @brief write flat pieces as a pattern to cut: SVG, PDF or DXF at true scale
+ * @brief write flat pieces as a pattern to cut: SVG, PDF, DXF or HPGL at true scale, or the walk of its seams
  *
  * Inputs are the outputs of vtkWireWarpingFilter, or data with the same arrays:
  *
@@ -12,23 +12,38 @@
  * | 2, optional | the cut surface in space, point for point like port 0 | lengths on the surface, for notches and for `data-length`; absent: the flat lengths |
  *
  * Each piece is drawn with its cut line, its sew lines, its feature curves, darts with legs and
- * fold line and a drill hole near the tip, notches, a grainline along its first key curve, its
- * name, size, quantity, number and the names of its curves. Pieces are moved beside each other, not
- * turned or scaled: **every wire has in the file the length that it has on the surface**, to
- * 1e-9 mm in SVG, 1e-8 mm in DXF and 0.001 mm in PDF for each coordinate. Lines made here (cut
- * line) keep to a 10,000th of a millimetre.
+ * fold line and a drill hole near the tip, notches, a grainline along its first straight key curve,
+ * its name, size, quantity, number and the names of its curves. Pieces are moved beside each other,
+ * not turned or scaled: **every wire has in the file the length that it has on the surface**, to
+ * 1e-9 mm in SVG, 1e-8 mm in DXF, 0.001 mm in PDF and 0.0125 mm in HPGL for each coordinate. Lines
+ * made here (cut line) keep to a 10,000th of a millimetre.
  *
- * - **SVG**: user unit millimetre; a group a piece, a class a kind of line (`cut-line`,
- *   `cut-out`, `sew-line`, `dart-leg`, `dart-fold`, `key-curve`, `internal`, `notch`, `dart-mark`,
- *   `drill-hole`, `grain`); paths of wires have `data-curve` and `data-length`, notches
+ * - **SVG**: user unit millimetre; a group a piece, in it a group a role, both layers in Inkscape, the
+ *   role's name as class (`cut-line`,
+ *   `cut-out`, `sew-line`, `dart-leg`, `dart-fold`, `fold`, `key-curve`, `internal`, `notch`,
+ * `dart-mark`, `drill-hole`, `grain`); paths of wires have `data-curve` and `data-length`, notches
  *   `data-arc-length` (mm on the surface).
  * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses to join
  *   them at, row and column on each page, a map, and a test rectangle of 100 mm x 50 mm. Blank
  * pages are left out; of the two ways to hold the paper the one with fewer pages is taken.
  * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece; layers 1 boundary and
- *   system texts, 2 turn points, 3 curve points, 4 notches, 7 grainline, 8 internal lines, 11
- *   cutouts, 13 drill holes, 14 sew lines and dart legs, 15 annotation. Millimetres with "Units:
+ *   system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half pieces, 7 grainline,
+ * 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15 annotation. Notches
+ * are points with an angle, as pattern systems read them, and short lines, as others show them;
+ * drill holes points and circles. Blocks bear the names of their pieces. Millimetres with "Units:
  * METRIC", or, for a surface in inches, inches with "Units: ENGLISH". Texts are 7-bit (\\U+XXXX).
+ * - **HPGL**: for plotters and cutters; a 40th of a millimetre, pen 1 draws, pen 2 cuts the cut lines last.
+ *   Texts are 7-bit, other characters question marks.
+ * - **GarmentCode**: JSON of panels and stitches (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on
+ *   Graphics 42(6), 2023): sew lines in centimetres without allowance, straight and cubic edges
+ * labelled by their curves, stitches between edges of one length, and each panel placed in space
+ * where its piece fits the surface best. A piece with a hole is refused.
+ * - **Walk**: a table of comma-separated values, a row for each interval of a seam or dart between two
+ *   notches: `curve`, `type` (seam, dart), `piece_a`, `piece_b`, `interval` (from 1), `from_mm`,
+ * `to_mm` (along the curve, on the surface), `length_a_mm`, `length_b_mm` (of the two sides,
+ * measured on the flat pieces), `difference_mm`, `ease_percent` (of side a over side b),
+ * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
+ * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point).
  *
  * The cut line is the union of the piece with the strips of its seam allowance (Clipper), with
  * mitred corners of limited length. A folded dart's mouth gets a roof, so that the folded cloth
@@ -36,19 +51,38 @@
  * there.
  *
  * **Errors**: nothing to draw, broken input, an invalid option, a pattern too large for the pages,
- * a file that cannot be written. One vtkErrorMacro says what and the way out, Write() returns 0,
- * GetErrorCode() and GetErrorMessage() tell it again, and an earlier file of that name stays as it
- * was: the new one is written aside and then renamed.
+ * memory that ran out, a file that cannot be written. One vtkErrorMacro says what and the way out,
+ * Write() returns 0, GetStatusName(), GetErrorCode() and GetErrorMessage() tell it again, and an
+ * earlier file of that name stays as it was: the new one is written aside and then renamed.
  *
  * All lengths of this class are **millimetres**, whatever the unit of the surface.
  *
- * @sa vtkWireWarpingFilter
+ * @code
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
+ * flattening->SetCurvesData(curves);
+ * vtkNew<vtkPatternWriter> writer;
+ * for (int port = 0; port < 3; ++port)
+ * {
+ *   writer->SetInputConnection(port, flattening->GetOutputPort(port));
+ * }
+ * writer->SetUnitToCentimetre();
+ * writer->SetFileName("pattern.pdf");
+ * if (!writer->Write())
+ * {
+ *   std::cerr << writer->GetErrorMessage() << "\n";
+ * }
+ * @endcode
+ *
+ * @warning With points of single precision lengths are those of the rounded points.
+ *
+ * @sa vtkPatternFileWriter, vtkWireWarpingFilter
  */
 #ifndef vtkPatternWriter_h
 #define vtkPatternWriter_h
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkPatternFileWriter.h"
 
 #include <map>    // for the allowances
 #include <string> // for names
@@ -56,51 +90,21 @@
 
 namespace flattening
 {
+struct Status;
 namespace pattern
 {
-struct PatternOptions;
+struct FileOptions;
 }
 }
 
-class VTKFILTERSFLATTENING_EXPORT vtkPatternWriter : public vtkWriter
+class vtkPolyData;
+
+class VTKFILTERSFLATTENING_EXPORT vtkPatternWriter : public vtkPatternFileWriter
 {
 public:
   static vtkPatternWriter* New();
-  vtkTypeMacro(vtkPatternWriter, vtkWriter)
+  vtkTypeMacro(vtkPatternWriter, vtkPatternFileWriter)
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The file to write. Required.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
-
-  /**
-   * What to write.
-   */
-  enum FileFormats
-  {
-    AUTOMATIC = 0,
-    SVG = 1,
-    PDF = 2,
-    DXF = 3
-  };
-
-  ///@{
-  /**
-   * What to write; AUTOMATIC: what the extension of FileName says (.svg, .pdf, .dxf, in either
-   * case); any other extension is an error. Default: AUTOMATIC.
-   */
-  vtkSetClampMacro(FileFormat, int, AUTOMATIC, DXF);
-  vtkGetMacro(FileFormat, int);
-  void SetFileFormatToAutomatic() { this->SetFileFormat(AUTOMATIC); }
-  void SetFileFormatToSVG() { this->SetFileFormat(SVG); }
-  void SetFileFormatToPDF() { this->SetFileFormat(PDF); }
-  void SetFileFormatToDXF() { this->SetFileFormat(DXF); }
-  const char* GetFileFormatAsString() const;
-  ///@}
 
   /**
    * Unit of length of the input.
@@ -160,6 +164,16 @@ public:
 
   ///@{
   /**
+   * How many of one piece are cut, by its id from 0, in place of Quantity; 0: that many. A piece
+   * that is not there is an error when writing. Of pieces in pairs (CutPairs) so many pairs.
+   * Default: 0. Range: from 0.
+   */
+  void SetPieceQuantity(int piece, int quantity);
+  void RemoveAllPieceQuantities();
+  ///@}
+
+  ///@{
+  /**
    * Name of one piece, by its id from 0. Where there is none: PatternName, with the piece's number
    * where there are several.
    */
@@ -207,6 +221,17 @@ public:
 
   ///@{
   /**
+   * A notch on all curves of a name, this far from their start on the surface, in millimetres: on
+   * both sides of a seam or dart, or on a feature curve along the boundary, such as a hem. Curves
+   * with notches of their own have none by NotchSpacing. A name that is not there and a distance
+   * beyond the end of the longest curve are errors when writing.
+   */
+  void AddCurveNotch(const std::string& curve, double distance);
+  void RemoveAllCurveNotches();
+  ///@}
+
+  ///@{
+  /**
    * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: from 0.
    */
   vtkSetClampMacro(NotchLength, double, 0.0, VTK_DOUBLE_MAX);
@@ -224,53 +249,111 @@ public:
   vtkBooleanMacro(CutDartsOut, bool);
   ///@}
 
-  /**
-   * Paper of a PDF.
-   */
-  enum Papers
-  {
-    A4 = 0,
-    LETTER = 1,
-    A3 = 2,
-    A0 = 3,
-    SHEET = 4
-  };
-
   ///@{
   /**
-   * Paper of a PDF. SHEET: one page as large as the pattern, up to 5080 mm. Default: A4.
+   * Of pieces that are symmetric, all their wires included and within 0.5 mm, draw one half, to be
+   * cut on the fold of the cloth: the other half of the piece is its exact mirror image. A note
+   * says so of each piece, and by how much the halves differed; DXF has the fold line in layer 6.
+   * Pieces that are not symmetric are drawn whole. Default: off.
    */
-  vtkSetClampMacro(Paper, int, A4, SHEET);
-  vtkGetMacro(Paper, int);
-  void SetPaperToA4() { this->SetPaper(A4); }
-  void SetPaperToLetter() { this->SetPaper(LETTER); }
-  void SetPaperToA3() { this->SetPaper(A3); }
-  void SetPaperToA0() { this->SetPaper(A0); }
-  void SetPaperToSheet() { this->SetPaper(SHEET); }
-  const char* GetPaperAsString() const;
+  vtkSetMacro(CutOnFold, bool);
+  vtkGetMacro(CutOnFold, bool);
+  vtkBooleanMacro(CutOnFold, bool);
   ///@}
 
   ///@{
   /**
-   * How far pages of a PDF overlap, in millimetres. Default: 10. Range: 0 to 50.
+   * Of two pieces that are mirror images of each other, all their wires included and within 0.5 mm,
+   * draw the first alone, to be cut in pairs of which one is turned over ("cut 1 pair"). Off, both
+   * are drawn and named each other's mirror image. Default: off.
    */
-  vtkSetClampMacro(PageOverlap, double, 0.0, 50.0);
-  vtkGetMacro(PageOverlap, double);
+  vtkSetMacro(CutPairs, bool);
+  vtkGetMacro(CutPairs, bool);
+  vtkBooleanMacro(CutPairs, bool);
   ///@}
 
   ///@{
   /**
-   * A pattern that needs more pages is refused, since its unit is likely wrong. Default: 200.
-   * Range: from 1.
+   * Draw borders and feature curves smoothly: between corners (turns of more than 30 degrees that
+   * are no part of a round) as cubic splines of least bending, straight where they are nearly so,
+   * no point of the flat piece farther from them than this many millimetres across. Each stretch
+   * from notch to notch keeps its length to 1e-10 of it, both sides of a seam alike; stretches that
+   * cannot keep to the tolerance stay as the mesh has them, and a note says so. SVG and PDF hold
+   * Bezier curves, DXF and HPGL their points; DXF marks the ends of the curves alone as curve
+   * points. 0: all lines are those of the mesh. Default: 0. Range: from 0.
    */
-  vtkSetClampMacro(MaximumPages, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaximumPages, int);
+  vtkSetClampMacro(FairTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FairTolerance, double);
   ///@}
 
+  ///@{
   /**
-   * What the last Write() said; empty after success.
+   * Of SVG, PDF and HPGL: lay the pieces on cloth of this width across the grain, in millimetres,
+   * in place of putting them in rows. All copies of all pieces are laid, whole also where
+   * CutOnFold, one of each pair (CutPairs) turned over, each with its grain along the cloth and at
+   * least FabricGap from the next. A note says how long the cloth must be and which share of it is
+   * used; the search for a short lay is one of bounded work, with the same result on every machine.
+   * A piece that is wider than the cloth is an error when writing (PatternTooLarge). Needs Clipper.
+   * 0: in rows. Default: 0. Range: from 0 to 1e5.
    */
-  const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
+  vtkSetClampMacro(FabricWidth, double, 0.0, 1e5);
+  vtkGetMacro(FabricWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * The cloth of FabricWidth has an up and a down, as velvet and prints have, and all pieces lie
+   * the same way; off, they may be turned by half a turn. Default: off.
+   */
+  vtkSetMacro(FabricNap, bool);
+  vtkGetMacro(FabricNap, bool);
+  vtkBooleanMacro(FabricNap, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Least distance of pieces on the cloth of FabricWidth, in millimetres. Default: 5. Range: 0 to
+   * 1000.
+   */
+  vtkSetClampMacro(FabricGap, double, 0.0, 1000.0);
+  vtkGetMacro(FabricGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the last Write() with a FabricWidth found: the length of the cloth in millimetres, and the
+   * share of it that is pieces, above 0 and at most 1. Both are 0 where there was none.
+   */
+  vtkGetMacro(FabricLength, double);
+  vtkGetMacro(FabricEfficiency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where ports 1 and 2 have no connection, take what the flattening filter that made the flat
+   * pieces gives there, also through filters in between that hand the pieces on as they are. For
+   * programs that know one input of a writer alone, such as ParaView. Default: off.
+   */
+  vtkSetMacro(FollowPipeline, bool);
+  vtkGetMacro(FollowPipeline, bool);
+  vtkBooleanMacro(FollowPipeline, bool);
+  ///@}
+
+  ///@{
+  /// What the last Write() drew otherwise than may be expected, a sentence each: a grainline that
+  /// is upright because all key curves of its piece bend. VTK's warnings say it as well.
+  int GetNumberOfWarnings() const { return static_cast<int>(this->Warnings.size()); }
+  const char* GetWarning(int warning) const;
+  ///@}
+
+  ///@{
+  /**
+   * What FairTolerance did in the last Write(), a sentence each: how many curves and straight lines
+   * are in place of how many edges of a piece and how far from them, and which could not be.
+   */
+  int GetNumberOfNotes() const { return static_cast<int>(this->Notes.size()); }
+  const char* GetNote(int note) const;
+  ///@}
 
 protected:
   vtkPatternWriter();
@@ -283,28 +366,36 @@ private:
   vtkPatternWriter(const vtkPatternWriter&) = delete;
   void operator=(const vtkPatternWriter&) = delete;
 
-  /// AUTOMATIC where the extension says nothing.
-  int ChosenFormat() const;
-  flattening::pattern::PatternOptions MakeOptions() const;
-  void Refuse(unsigned long code, const std::string& message);
+  flattening::pattern::FileOptions MakeOptions(int format) const;
+  /// The data set of a port; null where there is none.
+  vtkPolyData* DataOf(int port);
+  /// Writes the file, from what is connected.
+  flattening::Status WritePattern(int format);
 
-  char* FileName = nullptr;
-  int FileFormat = AUTOMATIC;
   int Unit = UNSPECIFIED;
   std::string PatternName = "pattern";
   std::string PatternSize;
   int Quantity = 1;
+  std::vector<int> PieceQuantities;
   std::vector<std::string> PieceNames;
   double Allowance = 10.0;
   std::map<std::string, double> CurveAllowances;
+  std::map<std::string, std::vector<double>> CurveNotches;
   double MitreLimit = 2.0;
   double NotchSpacing = 100.0;
   double NotchLength = 5.0;
   bool CutDartsOut = false;
-  int Paper = A4;
-  double PageOverlap = 10.0;
-  int MaximumPages = 200;
-  std::string ErrorMessage;
+  bool CutOnFold = false;
+  bool CutPairs = false;
+  double FairTolerance = 0.0;
+  double FabricWidth = 0.0;
+  bool FabricNap = false;
+  double FabricGap = 5.0;
+  double FabricLength = 0.0;
+  double FabricEfficiency = 0.0;
+  bool FollowPipeline = false;
+  std::vector<std::string> Warnings;
+  std::vector<std::string> Notes;
 };
 
 #endif

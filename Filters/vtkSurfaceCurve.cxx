@@ -4,8 +4,10 @@
 #include "CurveEditorData.h"
 #include "CurvedSurface.h"
 #include "Editing/CurveDrawing.h"
+#include "Editing/DerivedCurves.h"
 #include "SurfaceInput.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -114,6 +116,25 @@ Status drawCurveOf(const DrawingSurface& surface, const Points3& points,
   }
   curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kind);
   return drawCurve(surface, mirror, nullptr, curve);
+}
+
+/// Puts what follows from a curve, the last one, in its place.
+Status replaceCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
+  DerivedCurves derived, std::vector<EditedCurve>& curves)
+{
+  const EditedCurve drawn = std::move(curves.back());
+  curves.pop_back();
+  Status status = std::move(derived.status);
+  for (EditedCurve& part : derived.curves)
+  {
+    if (!status.refused())
+    {
+      part.traits = drawn.traits;
+      status = drawNewCurve(surface, mirror, part);
+      curves.push_back(std::move(part));
+    }
+  }
+  return status;
 }
 }
 
@@ -259,23 +280,39 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
       controls.back().emplace_back(point.data());
     }
   }
+  std::vector<EditedCurve> curves;
   for (std::size_t k = 0; k < controls.size() && !status.refused(); ++k)
   {
     EditedCurve curve;
     curve.closed = this->Closed;
-    const bool numbered = controls.size() > 1 && !this->CurveName.empty();
-    curve.traits.name = this->CurveName + (numbered ? " " + std::to_string(k + 1) : "");
     curve.traits.type = static_cast<flattening::CurveType>(this->CurveType);
     curve.traits.keyShape = static_cast<flattening::KeyShape>(this->KeyShape);
     curve.traits.tolerance = this->LengthTolerance;
     curve.traits.mirrored = this->Mirror;
     status = drawCurveOf(*this->Drawn->surface, controls[k], set.mirror,
       static_cast<flattening::SegmentKind>(this->SegmentKind), curve);
-    set.curves.push_back(std::make_shared<const EditedCurve>(std::move(curve)));
+    curves.push_back(std::move(curve));
+    const DrawingSurface& surface = *this->Drawn->surface;
+    if (this->Tight && !status.refused())
+    {
+      status = replaceCurve(surface, set.mirror, tightCurve(surface, curves.back()), curves);
+    }
+    if (this->Offset != 0.0 && !status.refused())
+    {
+      status = replaceCurve(
+        surface, set.mirror, offsetCurves(surface, curves.back(), this->Offset), curves);
+    }
+  }
+  const bool numbered = curves.size() > 1 && !this->CurveName.empty();
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    curves[k].traits.name = this->CurveName + (numbered ? " " + std::to_string(k + 1) : "");
+    set.curves.push_back(std::make_shared<const EditedCurve>(std::move(curves[k])));
   }
   if (this->Conclude(status))
   {
     bridge::writeCurveSet(set, output);
+    output->GetCellData()->SetActiveScalars("CurveType");
   }
   this->WriteRunStatus(output);
   return 1;
@@ -288,6 +325,8 @@ void vtkSurfaceCurve::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ControlPoints: " << this->ControlPoints.size() << "\n";
   os << indent << "SegmentKind: " << this->GetSegmentKindAsString() << "\n";
   os << indent << "Closed: " << (this->Closed ? "On" : "Off") << "\n";
+  os << indent << "Tight: " << (this->Tight ? "On" : "Off") << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "CurveType: " << this->GetCurveTypeAsString() << "\n";
   os << indent << "CurveName: " << this->CurveName << "\n";
   os << indent << "KeyShape: " << this->GetKeyShapeAsString() << "\n";

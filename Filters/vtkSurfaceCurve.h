@@ -21,7 +21,24 @@
  * name get numbers behind it. After a refusal the output is without points and cells. Codes beside
  * those of the surface: NON_FINITE_POINT, CURVE_TOO_SHORT (fewer than two different control points,
  * three of a closed curve that is no section), CURVE_LEAVES_SURFACE (control points on parts of the
- * surface that are not connected, or that no section joins), INVALID_OPTION.
+ * surface that are not connected, or that no section joins; no point at the Offset),
+ * INVALID_OPTION.
+ *
+ * @code
+ * vtkNew<vtkSurfaceCurve> drawn;
+ * drawn->SetInputData(surface);
+ * drawn->SetNumberOfControlPoints(2);
+ * drawn->SetControlPoint(0, 0.0, 0.0, 0.0);
+ * drawn->SetControlPoint(1, 10.0, 20.0, 0.0);
+ * drawn->SetCurveType(vtkFeatureCurveAlgorithm::DART);
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
+ * flattening->AddCurvesConnection(drawn->GetOutputPort());
+ * flattening->Update();
+ * @endcode
+ *
+ * @warning A control point far from the surface still means its closest point, which may not be the
+ * one that was meant.
  *
  * @sa vtkFeatureCurveEditor vtkFeatureCurveImprinter vtkWireWarpingFilter
  */
@@ -97,6 +114,31 @@ public:
 
   ///@{
   /**
+   * Pull a closed curve tight, as a rubber band that cannot leave the surface comes to rest: the
+   * shortest curve that it can be moved to, such as the waist of a body between two girths. Control
+   * points say only round what it runs. Default: off. Refused where the curve is open
+   * (INVALID_OPTION) or shrinks to a point (CURVE_TOO_SHORT).
+   */
+  vtkSetMacro(Tight, bool);
+  vtkGetMacro(Tight, bool);
+  vtkBooleanMacro(Tight, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Draw the curve at this distance from the one through the control points in its place, measured
+   * over the surface, in the unit of its coordinates: above 0 on the left of who walks along the
+   * control points on the outside, below 0 on the right; 0: the curve itself. As
+   * vtkFeatureCurveEditor::AddOffset(), as several curves where the boundary interrupts it.
+   * Default: 0. Refused where no point is that far (CURVE_LEAVES_SURFACE), and where it is not
+   * finite (INVALID_OPTION).
+   */
+  vtkSetMacro(Offset, double);
+  vtkGetMacro(Offset, double);
+  ///@}
+
+  ///@{
+  /**
    * The array `CurveType` of the output: 0 accessory, 1 key, 2 dart, 3 seam. Default: 0.
    */
   vtkSetClampMacro(CurveType, int, 0, 3);
@@ -164,6 +206,8 @@ private:
   std::vector<std::array<double, 3>> ControlPoints;
   int SegmentKind = GEODESIC;
   bool Closed = false;
+  bool Tight = false;
+  double Offset = 0.0;
   int CurveType = 0;
   std::string CurveName;
   int KeyShape = 0;

@@ -55,6 +55,12 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
+bool vtkSurfaceDevelopability::TakesParts() const
+{
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceDevelopability::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

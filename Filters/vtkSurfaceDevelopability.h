@@ -15,6 +15,16 @@
  * short for their points or cells. After a refusal (see vtkFlatteningAlgorithm)
  * the output is without points and cells.
  *
+ * @code
+ * vtkNew<vtkSurfaceDevelopability> measured;
+ * measured->SetInputData(surface);
+ * measured->Update();
+ * vtkDataArray* defect = measured->GetOutput()->GetPointData()->GetArray("Developability");
+ * std::cout << "largest angle defect: " << defect->GetRange()[1] << " rad\n";
+ * @endcode
+ *
+ * @warning The defect is that of one point: on a finer mesh of the same shape each is smaller.
+ *
  * @sa vtkWireWarpingFilter
  */
 #ifndef vtkSurfaceDevelopability_h
@@ -34,6 +44,7 @@ protected:
   vtkSurfaceDevelopability();
   ~vtkSurfaceDevelopability() override;
 
+  bool TakesParts() const override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWireWarpingFilter.h"
 
+#include "ClothInput.h"
+#include "CurveFractions.h"
 #include "Flattening/SurfaceFlattening.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkWireWarpingFilter);
 
@@ -37,6 +41,7 @@ vtkWireWarpingFilter::vtkWireWarpingFilter()
     this->ConformalPins[pin] = defaults.conformal.pins[pin];
   }
   this->CloseCuts = defaults.closeCuts;
+  this->DartLegs = static_cast<int>(defaults.dartLegs);
   this->SkipClosed = defaults.skipClosed;
   this->ReleaseKeys = defaults.releaseKeys;
   this->ReleaseTrials = defaults.tryReleases;
@@ -85,16 +90,79 @@ const char* vtkWireWarpingFilter::GetDistortionEnergyAsString() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWireWarpingFilter::AddCurveEase(const std::string& curve, int piece, double fraction)
+{
+  this->Eases.push_back({ curve, std::max(piece, -1), fraction });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::RemoveAllCurveEases()
+{
+  if (!this->Eases.empty())
+  {
+    this->Eases.clear();
+    this->CurveEasesText.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::SetCurveEases(const char* text)
+{
+  std::vector<flattening::bridge::CurveFraction> eases;
+  if (!flattening::bridge::readFractions(text ? text : "", true, eases))
+  {
+    vtkErrorMacro("\"" << text << "\" is not NAME:PIECE=PERCENT%, with pieces from 1 and less than "
+                       << "100 %, several separated by semicolons.");
+    return;
+  }
+  this->RemoveAllCurveEases();
+  this->CurveEasesText = text ? text : "";
+  for (const flattening::bridge::CurveFraction& ease : eases)
+  {
+    this->AddCurveEase(ease.curve, ease.piece, ease.fraction);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::SetCurveTolerances(const char* text)
+{
+  std::vector<flattening::bridge::CurveFraction> tolerances;
+  if (!flattening::bridge::readFractions(text ? text : "", false, tolerances))
+  {
+    vtkErrorMacro("\"" << text << "\" is not NAME=PERCENT% with a percentage from 0 and below 100, "
+                       << "several separated by semicolons.");
+    return;
+  }
+  this->RemoveAllCurveTolerances();
+  this->CurveTolerancesText = text ? text : "";
+  for (const flattening::bridge::CurveFraction& tolerance : tolerances)
+  {
+    this->AddCurveTolerance(tolerance.curve, tolerance.fraction);
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetDartLegsAsString() const
+{
+  static const char* const names[] = { "Free", "Straight", "Mirrored" };
+  return names[this->DartLegs];
+}
+
+//------------------------------------------------------------------------------
 flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
 {
   static_assert(static_cast<int>(flattening::Scheme::Progressive) == PROGRESSIVE, "");
-  static_assert(static_cast<int>(flattening::Scheme::Conformal) == LEAST_SQUARES_CONFORMAL, "");
+  static_assert(
+    static_cast<int>(flattening::Scheme::LeastSquaresConformal) == LEAST_SQUARES_CONFORMAL, "");
   static_assert(static_cast<int>(flattening::AngleMethod::Sequential) == SEQUENTIAL, "");
   static_assert(
     static_cast<int>(flattening::InteriorMethod::AsRigidAsPossible) == AS_RIGID_AS_POSSIBLE, "");
   static_assert(
     static_cast<int>(flattening::DistortionEnergyKind::SymmetricDirichlet) == SYMMETRIC_DIRICHLET,
     "");
+  static_assert(static_cast<int>(flattening::DartLegs::Mirrored) == MIRRORED, "");
 
   flattening::FlatteningOptions options;
   options.scheme = static_cast<flattening::Scheme>(this->Scheme);
@@ -115,7 +183,16 @@ flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
   options.isometric.angleWeight = this->AngleWeight;
   options.isometric.maximumIterations = this->IsometricMaximumIterations;
   options.isometric.tolerance = this->IsometricTolerance;
+  if (!this->Material.empty())
+  {
+    options.cloth = flattening::bridge::readCloth(this->Material, this->Grain);
+  }
   options.closeCuts = this->CloseCuts;
+  for (const Ease& ease : this->Eases)
+  {
+    options.eases.push_back({ ease.Curve, ease.Piece, ease.Fraction });
+  }
+  options.dartLegs = static_cast<flattening::DartLegs>(this->DartLegs);
   options.skipClosed = this->SkipClosed;
   options.releaseKeys = this->ReleaseKeys;
   options.tryReleases = this->ReleaseTrials;
@@ -126,11 +203,29 @@ flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWireWarpingFilter::ListMaterials(vtkTable* materials)
+{
+  if (materials)
+  {
+    flattening::bridge::writeMaterials(materials);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Flatten(inputVector, outputVector, this->Settings(), this->ConformalPins);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::EndRun(vtkDataObject* input, vtkDataObject* output)
+{
+  if (this->BesideSurface)
+  {
+    this->LayBeside(input, output, this->Spacing);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -143,6 +238,12 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReleaseKeys: " << (this->ReleaseKeys ? "On" : "Off") << "\n";
   os << indent << "ReleaseTrials: " << (this->ReleaseTrials ? "On" : "Off") << "\n";
   os << indent << "CloseCuts: " << (this->CloseCuts ? "On" : "Off") << "\n";
+  os << indent << "DartLegs: " << this->GetDartLegsAsString() << "\n";
+  for (const Ease& ease : this->Eases)
+  {
+    os << indent << "CurveEase " << ease.Curve << " in piece " << ease.Piece << ": "
+       << ease.Fraction << "\n";
+  }
   os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "ClosureTolerance: " << this->ClosureTolerance << "\n";
@@ -158,9 +259,12 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AngleWeight: " << this->AngleWeight << "\n";
   os << indent << "IsometricMaximumIterations: " << this->IsometricMaximumIterations << "\n";
   os << indent << "IsometricTolerance: " << this->IsometricTolerance << "\n";
+  os << indent << "Material: " << this->Material << "\n";
+  os << indent << "Grain: " << this->Grain << "\n";
   os << indent << "ConformalPins: " << this->ConformalPins[0] << " " << this->ConformalPins[1]
      << "\n";
   os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
+  os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "MaximumLengthError: " << this->MaximumLengthError << "\n";
 }

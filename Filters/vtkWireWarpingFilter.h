@@ -26,6 +26,15 @@
  * | `Developability` | points | double | abs(2 pi - sum of angles) on the surface in radians, 0 on the boundary |
  * | `vtkOriginalPointIds` | points | id | point of the input; -1 for a point made by imprinting |
  *
+ * With a Material also, on cells (double unless stated): `StrainWarp`, `StrainWeft` (the length of
+ * a thread on the surface over its length in the plane, less 1: above 0 it is drawn there, below 0
+ * compressed), `ShearAngle` (degrees by which the angle between the threads leaves the right one,
+ * the trellis angle; signed), `OutOfLimit` (unsigned char; 1 where a thread or the shear is beyond
+ * the limits of the material), `DominantThread` (unsigned char: which strain is the largest, 0
+ * warp, 1 weft, 2 the bias between them), `DominantStretch` (percent: 100 plus that strain in
+ * percent). Triangles that are turned over have strains of 100 and a shear of 90 degrees. The warp
+ * of every piece lies along y.
+ *
  * Field data of output 0, **one row a piece**: `Triangles`, `Vertices`, `WirePatches`, `WireNodes`,
  * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id; all pairs of
  * boundary edges that cross), `OverlapsComplete` (int; 0 where there were too many edges near each
@@ -44,8 +53,16 @@
  * `CutLength` (unit of length, on the surface: of the darts and seams that bound or slit the piece,
  * each once, as far as CloseCuts has not closed them) (double); `Status`, `StatusMessage`,
  * `StatusDefect`, `StatusIdKind` (string). Scheme ISOMETRIC: `DistortionEnergy` and `AngleEnergy`,
- * the two terms of its energy in units of the mean triangle area (double). Where to start if a
- * piece is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is none) and
+ * the two terms of its energy in units of the mean triangle area (double). With a Material:
+ * `StrainWarpRms`, `StrainWeftRms` (root mean square of StrainWarp and StrainWeft by area on the
+ * surface), `ShearRms` (the same of ShearAngle, degrees), `ShareOutOfLimit`, `ShareOver5Percent`
+ * (shares of that area where OutOfLimit is 1, and where warp or weft is drawn or compressed by more
+ * than 5 %), `ShareLocked` (that where the threads are sheared to the limit or beyond),
+ * `ShearLimit` (that limit, by which the angle between the threads may change: the locking angle of
+ * a woven composite; degrees, infinite where there is none), `GrainAngle` (degrees, see Grain)
+ * (double), `GrainCurve` (string; the curve from which it is measured, empty: the upright),
+ * `OneWay` (int; 1 where the material must not be turned by half a turn). Where to start if a piece
+ * is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is none) and
  * `ObjectiveWithoutFirst` (double; its `ReleaseObjective`).
  *
  * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
@@ -60,9 +77,14 @@
  *
  * What was done, **one row a piece** (string unless stated): `SolverUsed` ("newton", "sequential",
  * empty with LEAST_SQUARES_CONFORMAL), `EnergyUsed` (scheme ISOMETRIC: "rigid",
- * "symmetric-dirichlet"), `Repaired` (int; 1 where progressive angles did not close and the nearest
- * that do were taken), `Fallbacks` (what was done in place of what was asked for, and why, and what
- * a last correction of lengths left off by more than MaximumLengthError; else empty).
+ * "symmetric-dirichlet", "cloth"), `Repaired` (int; 1 where progressive angles did not close and
+ * the nearest that do were taken), `Fallbacks` (what was done in place of what was asked for, and
+ * why, and what a last correction of lengths left off by more than MaximumLengthError; else empty),
+ * `Verdict` (that the plane has no room for the piece and where it may be cut; else empty).
+ * `ForecastAreaLoss`, `ForecastAreaLossAfterCut` (double; known before flattening: the part of the
+ * area that is lost where the boundary keeps its lengths, and with that cut; 0 where it is less
+ * than 0.3), `ForecastCutFrom`, `ForecastCutTo` (id; points of the input that the cut joins along
+ * edges, -1: none).
  *
  * **One row an iteration of the wires' angles**: `HistoryPiece` (id), `HistoryPhase` (string),
  * `HistoryObjective` (rad^2), `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`
@@ -97,7 +119,8 @@
  * `CurveType` (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1),
  * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the whole wire bounds
  * its piece; 0 also where CloseCuts has closed a part of it), `Connector` (unsigned char, 1 where
- * it joins a loose loop and its length is free), `RestLength`, `FlatLength` (unit of length),
+ * it joins a loose loop and its length is free), `WireKind` (int, for colours: `CurveType`, but -2
+ * for connectors), `RestLength`, `FlatLength` (unit of length),
  * `LengthError` (double; the largest relative error of one of its edges). Field data, one row a
  * feature curve: `CurveNames` (string), `CurveTypes` (int), `CurveRestLengths`, `CurveFlatLengths`,
  * `CurveLengthErrors`, `CurveTolerances` (0 where rigid), `CurveClosedLengths` (of a cut, see
@@ -109,14 +132,41 @@
  * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit
  * of length, so that a pattern keeps its scale).
  *
+ * Active scalars, by which viewers colour at first, are `HomogeneityOfDistortion` of outputs 0 and
+ * 2 and `WireKind` of output 1, unless the input has active scalars of its own.
+ *
+ * **A list without rows is no array**: where there is no cut, no crossing, no warning, nothing left
+ * out or to release, ..., the field data has none of that name.
+ *
  * After a refusal all outputs are without points and cells, and the field data of output 0 has
- * `RunStatus`, `RunStatusMessage`, `RunStatusIds` and `RunWarnings` alone. Promises whose breach is
+ * the arrays of `RunStatus`, its message and ids, and `RunWarnings` alone. Promises whose breach is
  * told as a warning and in `Status`: the solver converged, key curves are compatible, no wire edge
  * is off by more than MaximumLengthError, no triangle is flipped, no piece overlaps itself.
+ *
+ * @code
+ * vtkNew<vtkXMLPolyDataReader> surface;
+ * surface->SetFileName("shirt_front.vtp");
+ * vtkNew<vtkXMLPolyDataReader> curves;
+ * curves->SetFileName("shirt_front_curves.vtp");
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputConnection(surface->GetOutputPort());
+ * flattening->AddCurvesConnection(curves->GetOutputPort());
+ * flattening->Update();
+ * if (!flattening->IsRefused())
+ * {
+ *   vtkPolyData* flat = flattening->GetOutput();
+ *   std::cout << flat->GetNumberOfCells() << " triangles, strained by at most "
+ *             << flat->GetFieldData()->GetArray("StrainP95")->GetRange()[1] << "\n";
+ * }
+ * @endcode
  *
  * The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening approach with
  * length-preserved feature curves", Computer-Aided Design 40(3), 2008,
  * https://doi.org/10.1016/j.cad.2007.11.005; equation numbers are the paper's.
+ *
+ * @warning What is refused gives empty outputs, not an exception: ask IsRefused() before reading
+ * arrays. A piece that overlaps itself is given, with a warning: ask the status before cutting
+ * cloth.
  *
  * @sa vtkFeatureCurveCutter vtkLeastSquaresConformalFilter vtkFlatteningQuality
  */
@@ -125,6 +175,11 @@
 
 #include "vtkFeatureCurveAlgorithm.h"
 #include "vtkFiltersFlatteningModule.h" // for the export macro
+
+#include <string> // for the names
+#include <vector> // for the eases
+
+class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkWireWarpingFilter : public vtkFeatureCurveAlgorithm
 {
@@ -243,6 +298,68 @@ public:
   vtkSetMacro(CloseCuts, bool);
   vtkGetMacro(CloseCuts, bool);
   vtkBooleanMacro(CloseCuts, bool);
+  ///@}
+
+  /**
+   * How the legs of a dart lie.
+   */
+  enum DartLegsForms
+  {
+    FREE = 0,
+    STRAIGHT = 1,
+    MIRRORED = 2
+  };
+
+  ///@{
+  /**
+   * How the legs of a dart lie: FREE, each as the piece distorts least, so that they fit when sewn
+   * but may miss each other when folded; STRAIGHT, both straight; MIRRORED, both the mean of the
+   * curves that free legs are. Legs that are not free are exact mirror images and fold on each
+   * other, at the price of more distortion; a dart with two tips is MIRRORED, since straight legs
+   * would close it. Darts whose legs cannot be so keep free ones, which `Fallbacks` says.
+   * LEAST_SQUARES_CONFORMAL has no use for it. Default: FREE.
+   */
+  vtkSetClampMacro(DartLegs, int, FREE, MIRRORED);
+  vtkGetMacro(DartLegs, int);
+  void SetDartLegsToFree() { this->SetDartLegs(FREE); }
+  void SetDartLegsToStraight() { this->SetDartLegs(STRAIGHT); }
+  void SetDartLegsToMirrored() { this->SetDartLegs(MIRRORED); }
+  const char* GetDartLegsAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Ease: makes all curves of a name, a seam or a named edge of the boundary, by a fraction longer
+   * in one piece (from 0; -1: the only one that they are in) than on the surface, 0.03 for 3 %;
+   * less than 0 makes them shorter. What they are sewn to keeps the length of the surface, and the
+   * ease is spread evenly. The curve needs a length tolerance as large (AddCurveTolerance()). A
+   * curve that is not there, lies in other pieces, has both sides in the piece or is to change by
+   * more than its tolerance is refused when the filter runs (INVALID_OPTION). Default: no ease.
+   */
+  void AddCurveEase(const std::string& curve, int piece, double fraction);
+  void RemoveAllCurveEases();
+  ///@}
+
+  ///@{
+  /**
+   * The same as a line of text, for programs whose panels hold texts: NAME:PIECE=PERCENT%, or
+   * NAME=PERCENT% where a curve lies in one piece alone, several separated by semicolons, as
+   * "side:1=+3%; cap:2=5%". Pieces are numbered from 1 here, as in patterns. It takes the place of
+   * all eases; text that says nothing is an error and changes nothing. Get gives what was set.
+   * Default: empty.
+   */
+  void SetCurveEases(const char* text);
+  const char* GetCurveEases() const { return this->CurveEasesText.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * All length tolerances of curves (AddCurveTolerance()) as a line of text: NAME=PERCENT%, several
+   * separated by semicolons, each from 0 and below 100 %. Text that says nothing is an error and
+   * changes nothing. Get gives what was set. Default: empty.
+   */
+  void SetCurveTolerances(const char* text);
+  const char* GetCurveTolerances() const { return this->CurveTolerancesText.c_str(); }
   ///@}
 
   ///@{
@@ -386,6 +503,43 @@ public:
 
   ///@{
   /**
+   * What the pieces are cut from: the name of a material that ListMaterials() knows, or a JSON file
+   * with its numbers (see Documentation/materials.md). ISOMETRIC then minimizes the energy of its
+   * threads, in the place of DistortionEnergy, and keeps their strains within its limits as far as
+   * lengths allow; other schemes, and the material "isotropic", only measure what the threads would
+   * have to do. Of a material that is unknown or without meaning there is nothing to lay pieces on:
+   * they are plain sheets, marked INVALID_MATERIAL; strains that stay beyond the limits on more
+   * than 5 % of a piece's area mark it BEYOND_LIMITS. Default: empty, no material.
+   */
+  vtkSetStdStringFromCharMacro(Material);
+  vtkGetCharFromStdStringMacro(Material);
+  ///@}
+
+  ///@{
+  /**
+   * How pieces lie on the material: an angle in degrees from the upright of the piece to the warp,
+   * counter-clockwise in the plane (upright is its first key curve from start to end, else the long
+   * side of the smallest rectangle around the piece as it lies without the material); the name of a
+   * curve, along which the warp runs from its start to its end, or NAME:DEGREES at an angle from
+   * it; several of these separated by semicolons, of which each piece takes the first that lies in
+   * it; or "free", the angle at which the material is strained least. A piece without any of the
+   * curves is laid by its upright and marked MISSING_GRAIN. Default: empty, upright.
+   */
+  vtkSetStdStringFromCharMacro(Grain);
+  vtkGetCharFromStdStringMacro(Grain);
+  ///@}
+
+  /**
+   * The materials that are known by name, a row each: `Name`, `Description` (string), `Warp`,
+   * `Weft`, `Shear` (stiffness in N/m), `Compression` (over that in tension), `WarpLeast`,
+   * `WarpGreatest`, `WeftLeast`, `WeftGreatest` (limits of strains, in percent), `ShearLimit`
+   * (degrees) (double; -1 or infinite where there is none), `OneWay` (int), `Source` (string; of
+   * the numbers).
+   */
+  static void ListMaterials(vtkTable* materials);
+
+  ///@{
+  /**
    * LEAST_SQUARES_CONFORMAL: the two points of the surface that are pinned; -1: the two boundary
    * points that are farthest apart. Default: -1, -1.
    */
@@ -403,6 +557,18 @@ public:
   vtkSetMacro(Arrange, bool);
   vtkGetMacro(Arrange, bool);
   vtkBooleanMacro(Arrange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Lay the flat pieces to the right of the surface, at half its height, so that a viewer shows
+   * both, and those of the blocks of a composite data set in rows beside each other; z stays 0, and
+   * measures, lengths and `FlatPositions` are those of the pieces before they were moved. Off: each
+   * surface's pieces start from the origin, over those of other blocks. Default: off.
+   */
+  vtkSetMacro(BesideSurface, bool);
+  vtkGetMacro(BesideSurface, bool);
+  vtkBooleanMacro(BesideSurface, bool);
   ///@}
 
   ///@{
@@ -432,6 +598,7 @@ protected:
    */
   flattening::FlatteningOptions Settings() const;
 
+  void EndRun(vtkDataObject* input, vtkDataObject* output) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -445,6 +612,7 @@ private:
   bool ReleaseKeys;
   bool ReleaseTrials;
   bool CloseCuts;
+  int DartLegs;
   bool SkipClosed;
   int MaximumIterations;
   double ClosureTolerance;
@@ -460,7 +628,19 @@ private:
   double AngleWeight;
   int IsometricMaximumIterations;
   double IsometricTolerance;
+  struct Ease
+  {
+    std::string Curve;
+    int Piece;
+    double Fraction;
+  };
+  std::vector<Ease> Eases;
+  std::string CurveEasesText;
+  std::string CurveTolerancesText;
+  std::string Material;
+  std::string Grain;
   vtkIdType ConformalPins[2];
+  bool BesideSurface = false;
   bool Arrange;
   double Spacing;
   double MaximumLengthError;

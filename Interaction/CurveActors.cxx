@@ -8,6 +8,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -24,6 +25,7 @@ constexpr std::array<Color, 4> typeColors{ { { 0, 153, 26 }, { 217, 0, 0 }, { 0,
   { 153, 0, 191 } } };
 constexpr Color chosenColor{ 255, 150, 0 };
 constexpr Color nodeColor{ 40, 40, 40 };
+constexpr int labelGap = 13; // pixels
 
 void setColor(vtkActor* actor, const Color& color)
 {
@@ -84,6 +86,12 @@ private:
 }
 
 //------------------------------------------------------------------------------
+std::array<unsigned char, 3> colorOfType(int type)
+{
+  return typeColors[static_cast<std::size_t>(std::clamp(type, 0, 3))];
+}
+
+//------------------------------------------------------------------------------
 CurveActors::CurveActors()
 {
   // What lies on the surface is drawn a little before it, the later layers before the earlier.
@@ -128,6 +136,7 @@ void CurveActors::show(vtkRenderer* renderer)
     renderer->AddViewProp(layer->actor);
   }
   renderer->AddViewProp(this->Label);
+  this->Renderer = renderer;
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +148,7 @@ void CurveActors::hide(vtkRenderer* renderer)
     renderer->RemoveViewProp(layer->actor);
   }
   renderer->RemoveViewProp(this->Label);
+  this->Renderer = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -152,9 +162,8 @@ void CurveActors::drawCurves(const vtkFeatureCurveEditor& editor, const CurveCho
   double point[3];
   for (int curve = 0; curve < editor.GetNumberOfCurves(); ++curve)
   {
-    const int type = std::clamp(editor.GetCurveType(curve), 0, 3);
     editor.GetCurve(curve, line);
-    lines.addLines(line, typeColors[static_cast<std::size_t>(type)]);
+    lines.addLines(line, colorOfType(editor.GetCurveType(curve)));
     if (curve == chosen.curve)
     {
       chosenLine.addLines(line, chosenColor);
@@ -176,6 +185,22 @@ void CurveActors::drawCurves(const vtkFeatureCurveEditor& editor, const CurveCho
 }
 
 //------------------------------------------------------------------------------
+void CurveActors::drawStroke(vtkPoints* points) const
+{
+  vtkNew<vtkPoints> copy;
+  copy->DeepCopy(points);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<int>(copy->GetNumberOfPoints()));
+  for (vtkIdType k = 0; k < copy->GetNumberOfPoints(); ++k)
+  {
+    line->InsertCellPoint(k);
+  }
+  this->Preview.data->Initialize();
+  this->Preview.data->SetPoints(copy);
+  this->Preview.data->SetLines(line);
+}
+
+//------------------------------------------------------------------------------
 void CurveActors::drawMarker(const std::array<double, 3>& point, bool snapped) const
 {
   CellWriter place;
@@ -189,8 +214,20 @@ void CurveActors::drawMarker(const std::array<double, 3>& point, bool snapped) c
 void CurveActors::drawLabel(const std::string& text, const std::array<int, 2>& pixel)
 {
   this->Label->SetInput(text.c_str());
-  this->Label->SetPosition(pixel[0] + 14, pixel[1] + 12);
+  // On the other side of the mouse where the window ends.
+  const bool fits = this->Renderer == nullptr ||
+    pixel[0] + labelGap + this->labelWidth() <= this->Renderer->GetRenderWindow()->GetSize()[0];
+  this->Label->GetTextProperty()->SetJustification(fits ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
+  this->Label->SetPosition(pixel[0] + (fits ? labelGap : -labelGap), pixel[1] + labelGap);
   this->Label->SetVisibility(text.empty() ? 0 : 1);
+}
+
+//------------------------------------------------------------------------------
+int CurveActors::labelWidth()
+{
+  double size[2];
+  this->Label->GetSize(this->Renderer, size);
+  return static_cast<int>(size[0]);
 }
 
 //------------------------------------------------------------------------------

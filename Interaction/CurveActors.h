@@ -6,6 +6,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
 #include <array>
@@ -26,6 +27,9 @@ struct CurveChoice
   }
 };
 
+/// Red, green and blue of a type of curves, from 0 to 255: as in the figures.
+std::array<unsigned char, 3> colorOfType(int type);
+
 /// What is drawn of an editor's curves: lines in the colours of their types, nodes, what is chosen,
 /// the segment that would come next, and the place that a click would take with a word beside it.
 class CurveActors
@@ -38,6 +42,8 @@ public:
 
   void drawCurves(const vtkFeatureCurveEditor& editor, const CurveChoice& chosen) const;
   vtkPolyData* preview() { return this->Preview.data; }
+  /// In the place of the next segment.
+  void drawStroke(vtkPoints* points) const;
   void drawMarker(const std::array<double, 3>& point, bool snapped) const;
   void drawLabel(const std::string& text, const std::array<int, 2>& pixel);
   void hideMarker();
@@ -50,6 +56,7 @@ private:
     vtkNew<vtkActor> actor;
   };
   void makeLayer(Layer& layer, double size, double units);
+  int labelWidth();
 
   Layer Lines;
   Layer ChosenLine;
@@ -58,5 +65,6 @@ private:
   Layer Preview;
   Layer Marker;
   vtkNew<vtkTextActor> Label;
+  vtkSmartPointer<vtkRenderer> Renderer; ///< that shows it all; null while hidden
 };
 }

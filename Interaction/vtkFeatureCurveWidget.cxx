@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The state of vtkFeatureCurveWidget and its words; the mouse and the actions are in files of their
+// own.
 #include "vtkFeatureCurveWidget.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkFeatureCurveEditor.h>
-#include <vtkInteractorStyle.h>
 #include <vtkObjectFactory.h>
-#include <vtkPoints.h>
 #include <vtkRenderWindowInteractor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 using interaction::CurveChoice;
 
@@ -20,8 +19,6 @@ vtkStandardNewMacro(vtkFeatureCurveWidget);
 
 namespace
 {
-constexpr int stillHand = 3; // pixels that a click may move
-
 /// By SnapTargets.
 constexpr std::array<const char*, 7> targetNames{ "", "boundary", "corner", "vertex", "curve",
   "dart tip", "mirror plane" };
@@ -54,6 +51,7 @@ void vtkFeatureCurveWidget::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "StrokeTolerance: " << this->StrokeTolerance << "\n";
   os << indent << "HandleKeys: " << this->HandleKeys << "\n";
   os << indent << "Hint: " << this->Hint << "\n";
 }
@@ -83,6 +81,18 @@ void vtkFeatureCurveWidget::SetSurface(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::SetCurveRenderer(vtkRenderer* renderer)
+{
+  this->CurveRenderer = renderer;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkFeatureCurveWidget::LayerOfCurves()
+{
+  return this->CurveRenderer ? this->CurveRenderer.Get() : this->DefaultRenderer;
+}
+
+//------------------------------------------------------------------------------
 void vtkFeatureCurveWidget::SetEnabled(int enabled)
 {
   if (!this->Interactor || !this->DefaultRenderer || (enabled != 0) == (this->Enabled != 0))
@@ -93,7 +103,7 @@ void vtkFeatureCurveWidget::SetEnabled(int enabled)
   if (!enabled)
   {
     this->Interactor->RemoveObserver(this->EventCallbackCommand);
-    this->Actors.hide(this->DefaultRenderer);
+    this->Actors.hide(this->LayerOfCurves());
     this->InvokeEvent(vtkCommand::DisableEvent, nullptr);
     return;
   }
@@ -104,265 +114,9 @@ void vtkFeatureCurveWidget::SetEnabled(int enabled)
   {
     this->Interactor->AddObserver(event, this->EventCallbackCommand, this->Priority);
   }
-  this->Actors.show(this->DefaultRenderer);
+  this->Actors.show(this->LayerOfCurves());
   this->Redraw();
   this->InvokeEvent(vtkCommand::EnableEvent, nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::Dispatch(vtkObject*, unsigned long event, void* client, void*)
-{
-  auto* const self = static_cast<vtkFeatureCurveWidget*>(client);
-  if (!self->Editor)
-  {
-    return;
-  }
-  self->CurrentEvent = event;
-  switch (event)
-  {
-    case vtkCommand::LeftButtonPressEvent:
-      self->OnPress();
-      break;
-    case vtkCommand::LeftButtonReleaseEvent:
-      self->OnRelease();
-      break;
-    case vtkCommand::LeftButtonDoubleClickEvent:
-      self->Do(FINISH);
-      break;
-    case vtkCommand::RightButtonPressEvent:
-      self->OnRightPress();
-      break;
-    case vtkCommand::MouseMoveEvent:
-      self->OnMove();
-      break;
-    default:
-      self->OnKey();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkFeatureCurveWidget::Aim vtkFeatureCurveWidget::AimAt(int exceptCurve) const
-{
-  Aim aim;
-  const int* const position = this->Interactor->GetEventPosition();
-  const std::array<int, 2> pixel{ position[0], position[1] };
-  interaction::SurfacePick picked;
-  if (!this->DefaultRenderer->IsInViewport(pixel[0], pixel[1]) ||
-    !this->Picker.pick(this->DefaultRenderer, pixel, this->Reach, picked))
-  {
-    return aim;
-  }
-  aim.onSurface = true;
-  const double reach = this->Reach * picked.pixel;
-  const double* const point = picked.point.data();
-  double view[3];
-  this->DefaultRenderer->GetActiveCamera()->GetDirectionOfProjection(view);
-  this->Editor->SetViewDirection(view);
-  const bool snap = this->Snapping && !this->Interactor->GetAltKey();
-  aim.snapped = this->Editor->SnapPoint(point, snap ? reach : 0.0, exceptCurve, aim.point.data());
-  int found[2];
-  if (this->Editor->FindNode(point, reach, found))
-  {
-    aim.node = { found[0], found[1] };
-  }
-  if (this->Editor->FindSegment(point, reach, found))
-  {
-    aim.line = { found[0], found[1] };
-  }
-  return aim;
-}
-
-//------------------------------------------------------------------------------
-bool vtkFeatureCurveWidget::HasMoved() const
-{
-  const int* const now = this->Interactor->GetEventPosition();
-  return std::abs(now[0] - this->Pressed[0]) > stillHand ||
-    std::abs(now[1] - this->Pressed[1]) > stillHand;
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::OnPress()
-{
-  const int* const position = this->Interactor->GetEventPosition();
-  this->Pressed = { position[0], position[1] };
-  this->PressedHere = this->DefaultRenderer->IsInViewport(position[0], position[1]) != 0;
-  if (this->PressedHere)
-  {
-    // The style would take all that follows for itself. It gets the press when it is no click.
-    this->EventCallbackCommand->SetAbortFlag(1);
-    if (this->State == Mode::Choosing)
-    {
-      this->StartDrag();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::HandPressOn()
-{
-  this->PressedHere = false;
-  this->Actors.hideMarker();
-  if (auto* const style = vtkInteractorStyle::SafeDownCast(this->Interactor->GetInteractorStyle()))
-  {
-    style->OnLeftButtonDown();
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkFeatureCurveWidget::StartDrag()
-{
-  const Aim aim = this->AimAt(-1);
-  CurveChoice node = aim.node;
-  const bool insert = node.curve < 0 && aim.line.curve >= 0 && this->Interactor->GetControlKey();
-  if (node.curve < 0 && !insert)
-  {
-    return false;
-  }
-  this->Editor->BeginGroup();
-  if (insert)
-  {
-    node = { aim.line.curve, aim.line.node + 1 };
-    const int kind = this->Editor->GetSegmentKind(aim.line.curve, aim.line.node);
-    if (!this->Finished(this->Editor->InsertNode(node.curve, node.node, aim.point.data(), kind)))
-    {
-      this->Editor->EndGroup();
-      return true;
-    }
-  }
-  this->Choose(node.curve, node.node);
-  this->State = Mode::Dragging;
-  this->InvokeEvent(vtkCommand::StartInteractionEvent, nullptr);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::OnMove()
-{
-  if (this->State == Mode::Dragging)
-  {
-    if (this->HasMoved())
-    {
-      const Aim aim = this->AimAt(this->Chosen.curve);
-      if (aim.onSurface &&
-        this->Finished(
-          this->Editor->MoveNode(this->Chosen.curve, this->Chosen.node, aim.point.data())))
-      {
-        this->Pressed = { -2 * stillHand, -2 * stillHand }; // it has moved, wherever it goes now
-        this->UpdateHint(aim);
-        this->InvokeEvent(vtkCommand::InteractionEvent, nullptr);
-      }
-    }
-    this->EventCallbackCommand->SetAbortFlag(1);
-    this->Render();
-    return;
-  }
-  if (this->PressedHere && this->HasMoved())
-  {
-    this->HandPressOn();
-    return;
-  }
-  const Aim aim = this->AimAt(-1);
-  this->Actors.hideMarker();
-  if (aim.onSurface && this->State == Mode::Drawing)
-  {
-    this->Actors.drawMarker(aim.point, aim.snapped != 0);
-  }
-  else if (aim.node.curve >= 0)
-  {
-    std::array<double, 3> node;
-    this->Editor->GetNode(aim.node.curve, aim.node.node, node.data());
-    this->Actors.drawMarker(node, true);
-  }
-  this->UpdateHint(aim);
-  this->Render();
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::OnRelease()
-{
-  const bool here = this->PressedHere;
-  this->PressedHere = false;
-  if (this->State == Mode::Dragging)
-  {
-    this->Editor->EndGroup();
-    this->State = Mode::Choosing;
-    this->EventCallbackCommand->SetAbortFlag(1);
-    this->InvokeEvent(vtkCommand::EndInteractionEvent, nullptr);
-    this->Render();
-  }
-  else if (here && !this->HasMoved())
-  {
-    this->OnClick();
-    this->Render();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::OnRightPress()
-{
-  if (this->State == Mode::Drawing)
-  {
-    this->Do(FINISH);
-    this->EventCallbackCommand->SetAbortFlag(1);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::OnClick()
-{
-  const Aim aim = this->AimAt(-1);
-  const int curve = aim.node.curve >= 0 ? aim.node.curve : aim.line.curve;
-  if (this->State == Mode::Drawing)
-  {
-    if (aim.onSurface)
-    {
-      this->AddNode(aim);
-    }
-  }
-  else if (this->State == Mode::Joining)
-  {
-    this->State = Mode::Choosing;
-    if (curve >= 0 && this->Finished(this->Editor->JoinCurves(this->Chosen.curve, curve)))
-    {
-      this->Choose(this->Chosen.curve - (curve < this->Chosen.curve ? 1 : 0), -1);
-    }
-  }
-  else
-  {
-    this->Choose(curve, aim.node.curve >= 0 ? aim.node.node : -1);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkFeatureCurveWidget::AddNode(const Aim& aim)
-{
-  const int count = this->Editor->GetNumberOfNodes(this->Chosen.curve);
-  if (count == 0)
-  {
-    vtkNew<vtkPoints> nodes;
-    nodes->SetDataTypeToDouble();
-    nodes->InsertNextPoint(aim.point.data());
-    const int curve = this->Editor->GetNumberOfCurves();
-    const bool added = this->Finished(this->Editor->AddCurve(nodes));
-    this->Choose(added ? curve : -1, added ? 0 : -1);
-    return added;
-  }
-  if (aim.node == CurveChoice{ this->Chosen.curve, count - 1 })
-  {
-    return this->Do(FINISH);
-  }
-  if (aim.node == CurveChoice{ this->Chosen.curve, 0 } && count > 2)
-  {
-    return this->Finished(this->Editor->SetCurveClosed(this->Chosen.curve, true)) &&
-      this->Do(FINISH);
-  }
-  const bool added = this->Finished(
-    this->Editor->InsertNode(this->Chosen.curve, count, aim.point.data(), this->Kind));
-  if (added)
-  {
-    this->Choose(this->Chosen.curve, count);
-  }
-  return added;
 }
 
 //------------------------------------------------------------------------------
@@ -467,6 +221,34 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
     }
     words += count == 0 ? "Click where the curve starts."
                         : "Click to go on; Return or the right button ends the curve.";
+  }
+  else if (this->State == Mode::Offsetting)
+  {
+    if (aim.onSurface)
+    {
+      const double distance = this->Editor->GetDistance(curve, aim.point.data());
+      label = std::isfinite(distance) ? shortNumber(std::abs(distance)) + " away" : "no way there";
+    }
+    words += "Click where the offset is to run; Return leaves it.";
+  }
+  else if (this->State == Mode::Sketching)
+  {
+    words = "Draw a curve with the left button held; Return leaves it.";
+  }
+  else if (this->State == Mode::Dragging && this->Chosen.node >= 0)
+  {
+    const int segments = this->Editor->GetNumberOfSegments(curve);
+    const int before = this->Chosen.node > 0 ? this->Chosen.node - 1
+      : this->Editor->GetCurveClosed(curve)  ? segments - 1
+                                             : -1;
+    for (const int segment : { before, this->Chosen.node })
+    {
+      if (segment >= 0 && segment < segments)
+      {
+        label += (label.empty() ? "" : " | ") +
+          shortNumber(this->Editor->GetSegmentLength(curve, segment));
+      }
+    }
   }
   else if (this->State == Mode::Choosing)
   {

@@ -8,6 +8,10 @@
  *
  * - after NEW_CURVE clicks add nodes, and the next segment follows the mouse. A click on the first
  *   node closes the curve; FINISH, or a click with the right button, ends it;
+ * - after FREEHAND a stroke with the button held becomes a smooth curve of few nodes within
+ *   StrokeTolerance of it, closed where it ends where it started;
+ * - after OFFSET a click adds the curve through that place which keeps its distance from the chosen
+ *   one;
  * - a click on a curve or a node chooses it, and nodes can be dragged;
  * - a click with Control on a curve inserts a node, which can be dragged on;
  * - nodes snap to what vtkFeatureCurveEditor::SnapPoint() says, unless Alt is held.
@@ -31,6 +35,8 @@
 #include "SurfacePicker.h"
 
 #include <vtkInteractorObserver.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -52,6 +58,16 @@ public:
   vtkFeatureCurveEditor* GetEditor() { return this->Editor; }
   void SetSurface(vtkPolyData* surface);
 
+  ///@{
+  /**
+   * The renderer that curves are drawn by, where it is not that of the surface: over the same
+   * camera in a layer above, so that the surface need not be drawn again (vtkStillRenderer).
+   * Default: none. Set before the widget is enabled.
+   */
+  void SetCurveRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetCurveRenderer() { return this->CurveRenderer; }
+  ///@}
+
   void SetEnabled(int enabled) override;
 
   /**
@@ -60,12 +76,15 @@ public:
   enum Actions
   {
     NEW_CURVE = 0,
+    FREEHAND,
     FINISH,
     REMOVE_NODE,
     REMOVE_CURVE,
     CLOSE,
+    TIGHTEN,
     SPLIT,
     JOIN,
+    OFFSET,
     MIRROR,
     MAKE_ACCESSORY,
     MAKE_KEY,
@@ -121,6 +140,14 @@ public:
 
   ///@{
   /**
+   * How far a curve may be from the stroke that it is made of, in pixels. Default: 3.
+   */
+  vtkSetClampMacro(StrokeTolerance, double, 0.1, 100.0);
+  vtkGetMacro(StrokeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * The chosen curve and node, -1 where there is none, and whether a curve is being drawn.
    */
   int GetChosenCurve() const { return this->Chosen.curve; }
@@ -152,12 +179,17 @@ private:
     Choosing,
     Drawing,
     Dragging,
-    Joining, ///< the next curve that is clicked is joined to the chosen one
+    Joining,    ///< the next curve that is clicked is joined to the chosen one
+    Offsetting, ///< the next place that is clicked gets a curve as far from the chosen one
+    Sketching,  ///< the next press begins a stroke
+    Stroking,
   };
   struct Aim
   {
     bool onSurface = false;
     std::array<double, 3> point{}; ///< where a node would come
+    std::array<double, 3> seen{};  ///< under the mouse itself
+    double pixel = 0.0;            ///< its length there
     int snapped = 0;               ///< vtkFeatureCurveEditor::SnapTargets
     interaction::CurveChoice node; ///< under the mouse
     interaction::CurveChoice line; ///< under the mouse; node: the segment
@@ -172,6 +204,9 @@ private:
   /// A click, a press that did not move the mouse.
   void OnClick();
   bool StartDrag();
+  void StartStroke();
+  void GoOnStroke(const Aim& aim);
+  void FinishStroke();
   /// It begins a drag of the style, which turns the camera.
   void HandPressOn();
 
@@ -190,6 +225,9 @@ private:
 
   vtkSmartPointer<vtkFeatureCurveEditor> Editor;
   unsigned long EditorTag = 0;
+  vtkRenderer* LayerOfCurves();
+
+  vtkSmartPointer<vtkRenderer> CurveRenderer;
   interaction::SurfacePicker Picker;
   interaction::CurveActors Actors;
   interaction::CurveChoice Chosen;
@@ -201,6 +239,9 @@ private:
   bool Snapping = true;
   int Kind = 0; ///< of new segments
   int Reach = 8;
+  double StrokeTolerance = 3.0;
+  vtkNew<vtkPoints> Stroke;
+  double StrokePixel = 0.0; ///< length of a pixel where the stroke began
   std::string Hint;
 };
 

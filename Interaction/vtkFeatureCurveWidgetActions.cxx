@@ -18,12 +18,15 @@ struct Action
 
 constexpr std::array<Action, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> actions{ {
   { "New curve", "n" },
+  { "New curve by a stroke", "f" },
   { "End curve", "Return" },
   { "Remove node", "BackSpace" },
   { "Remove curve", "Delete" },
   { "Closed", "c" },
+  { "Pull tight round the surface", "u" },
   { "Split at node", "x" },
   { "Join with the next curve clicked", "j" },
+  { "Offset through the next place clicked", "l" },
   { "Mirrored", "m" },
   { "Accessory: keeps its length", "a" },
   { "Key: keeps its shape as well", "k" },
@@ -63,6 +66,7 @@ bool vtkFeatureCurveWidget::CanDo(int action) const
   switch (action)
   {
     case NEW_CURVE:
+    case FREEHAND:
     case GEODESIC:
     case SECTION:
     case EDGES:
@@ -70,17 +74,21 @@ bool vtkFeatureCurveWidget::CanDo(int action) const
     case SNAP:
       return this->Editor != nullptr;
     case FINISH:
-      return drawing;
+      return this->State != Mode::Choosing && this->State != Mode::Dragging;
     case REMOVE_NODE:
       return nodes > 0 && (drawing || this->Chosen.node >= 0);
     case CLOSE:
       return nodes > 2 || (this->Editor && this->Editor->GetCurveClosed(this->Chosen.curve));
+    case TIGHTEN:
+      return !drawing && this->Editor && this->Editor->GetCurveClosed(this->Chosen.curve);
     case SPLIT:
       return !drawing && this->Chosen.node >= 0 &&
         (this->Editor->GetCurveClosed(this->Chosen.curve) ||
           (this->Chosen.node > 0 && this->Chosen.node < nodes - 1));
     case JOIN:
       return !drawing && nodes > 0 && this->Editor->GetNumberOfCurves() > 1;
+    case OFFSET:
+      return !drawing && nodes > 1;
     case GIRTH:
       return (nodes == 2 || nodes == 3) && !this->Editor->GetCurveClosed(this->Chosen.curve);
     case STRAIGHT_KEY:
@@ -114,8 +122,12 @@ bool vtkFeatureCurveWidget::IsOn(int action) const
   {
     case NEW_CURVE:
       return this->State == Mode::Drawing;
+    case FREEHAND:
+      return this->State == Mode::Sketching || this->State == Mode::Stroking;
     case JOIN:
       return this->State == Mode::Joining;
+    case OFFSET:
+      return this->State == Mode::Offsetting;
     case CLOSE:
       return this->Editor->GetCurveClosed(curve);
     case MIRROR:
@@ -152,6 +164,10 @@ bool vtkFeatureCurveWidget::Do(int action)
       this->State = Mode::Drawing;
       this->Choose(-1, -1);
       break;
+    case FREEHAND:
+      this->State = Mode::Sketching;
+      this->Choose(-1, -1);
+      break;
     case FINISH:
       this->State = Mode::Choosing;
       if (this->Editor->GetNumberOfNodes(curve) == 1)
@@ -173,6 +189,10 @@ bool vtkFeatureCurveWidget::Do(int action)
       done =
         this->Finished(this->Editor->SetCurveClosed(curve, !this->Editor->GetCurveClosed(curve)));
       break;
+    case TIGHTEN:
+      done = this->Finished(this->Editor->TightenCurve(curve));
+      this->Choose(curve, -1);
+      break;
     case SPLIT:
       done = this->Finished(this->Editor->SplitCurve(curve, this->Chosen.node));
       this->Choose(curve, -1);
@@ -180,6 +200,9 @@ bool vtkFeatureCurveWidget::Do(int action)
     case JOIN:
       this->State = Mode::Joining;
       this->SetHint("click the curve to join with");
+      break;
+    case OFFSET:
+      this->State = Mode::Offsetting;
       break;
     case MIRROR:
       done = this->ToggleMirror();
@@ -279,7 +302,8 @@ void vtkFeatureCurveWidget::OnKey()
   {
     return;
   }
-  const std::string key = std::string(this->Interactor->GetControlKey() ? "Control-" : "") + symbol;
+  std::string key = std::string(this->Interactor->GetControlKey() ? "Control-" : "") + symbol;
+  key = key == "Escape" ? GetActionKey(FINISH) : key;
   for (int action = 0; action < NUMBER_OF_ACTIONS; ++action)
   {
     if (key == GetActionKey(action))

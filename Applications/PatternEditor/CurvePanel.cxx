@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvePanel.h"
 
+#include "CurveActors.h"
+
+#include <vtkFeatureCurveAlgorithm.h>
 #include <vtkFeatureCurveEditor.h>
 
 #include <QFormLayout>
+#include <QIcon>
+#include <QPixmap>
 #include <QVBoxLayout>
+
+#include <array>
 
 namespace editor
 {
@@ -12,6 +19,37 @@ namespace
 {
 constexpr const char* typeNames[] = { "accessory", "key", "dart", "seam" };
 constexpr double percent = 100.0;
+constexpr int swatchSize = 12; // pixels
+
+/// The colour in which curves of a type are drawn.
+QColor colorOf(int type)
+{
+  const std::array<unsigned char, 3> color = interaction::colorOfType(type);
+  return { color[0], color[1], color[2] };
+}
+
+QIcon swatch(int type)
+{
+  QPixmap square(swatchSize, swatchSize);
+  square.fill(colorOf(type));
+  return QIcon(square);
+}
+
+/// The types in their colours.
+QLabel* makeLegend()
+{
+  QString words;
+  for (int type = 0; type < 4; ++type)
+  {
+    words += QString("<span style='color:%1'>&#9632;</span>&nbsp;%2 ")
+               .arg(colorOf(type).name())
+               .arg(typeNames[type]);
+  }
+  auto* const legend = new QLabel(words);
+  legend->setObjectName("legend");
+  legend->setWordWrap(true);
+  return legend;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -25,16 +63,17 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   , Tolerance(new QDoubleSpinBox(this))
   , Length(new QLabel(this))
 {
-  for (const char* type : typeNames)
+  for (int type = 0; type < 4; ++type)
   {
-    this->Type->addItem(type);
+    this->Type->addItem(swatch(type), typeNames[type]);
   }
   this->Tolerance->setRange(0.0, 99.0);
   this->Tolerance->setDecimals(2);
   this->Tolerance->setSuffix(" %");
   this->Straight->setToolTip("Of a key: it becomes a straight line in the flat piece.");
   this->Mirrored->setToolTip("The curve lies on both sides of the mirror plane.");
-  this->List->setToolTip("The curves; click one to choose it.");
+  this->List->setToolTip("The curves with their lengths; click one to choose it.");
+  this->List->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   this->Tolerance->setToolTip("How far the length may go from that on the surface; 0: not at all.");
   auto* const form = new QFormLayout;
   form->addRow("Name", this->Name);
@@ -45,6 +84,7 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   form->addRow("Length", this->Length);
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(this->List, 1);
+  layout->addWidget(makeLegend());
   layout->addLayout(form);
 
   connect(this->List, &QListWidget::currentRowChanged, [this](int row) {
@@ -64,8 +104,10 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
     [this](int type) { this->apply(this->Curves->SetCurveType(this->Chosen, type)); });
   connect(this->Straight, &QCheckBox::clicked,
     [this](bool on) { this->apply(this->Curves->SetCurveKeyShape(this->Chosen, on ? 1 : 0)); });
-  connect(this->Mirrored, &QCheckBox::clicked,
-    [this](bool on) { this->apply(this->Curves->SetCurveMirrored(this->Chosen, on)); });
+  connect(this->Mirrored, &QCheckBox::clicked, [this] {
+    this->onMirror();
+    this->showChosen(); // as it was, where the surface has no mirror plane
+  });
   connect(this->Tolerance, &QDoubleSpinBox::editingFinished, [this] {
     const double tolerance = this->Tolerance->value() / percent;
     if (!this->Showing && tolerance != this->Curves->GetCurveTolerance(this->Chosen))
@@ -88,6 +130,13 @@ void CurvePanel::apply(bool done)
 }
 
 //------------------------------------------------------------------------------
+void CurvePanel::setUnit(const QString& unit)
+{
+  this->Unit = unit;
+  this->showChosen();
+}
+
+//------------------------------------------------------------------------------
 void CurvePanel::show(int chosen)
 {
   this->Showing = true;
@@ -103,11 +152,18 @@ void CurvePanel::show(int chosen)
     {
       this->List->addItem("");
     }
-    this->List->item(curve)->setText(
-      QString("%1  -  %2, %3")
-        .arg(QString::fromStdString(this->Curves->GetCurveName(curve)))
-        .arg(typeNames[this->Curves->GetCurveType(curve)])
-        .arg(this->Curves->GetCurveLength(curve), 0, 'g', 4));
+    const int type = this->Curves->GetCurveType(curve);
+    const QString words = QString("%1: %2")
+                            .arg(QString::fromStdString(this->Curves->GetCurveName(curve)))
+                            .arg(this->Curves->GetCurveLength(curve), 0, 'g', 4);
+    QListWidgetItem* const item = this->List->item(curve);
+    // What is as it was is not painted again, at each step of a drag.
+    if (item->text() != words || item->data(Qt::UserRole) != type)
+    {
+      item->setText(words);
+      item->setData(Qt::UserRole, type);
+      item->setIcon(swatch(type));
+    }
   }
   this->List->setCurrentRow(chosen);
   this->Showing = false;
@@ -130,11 +186,13 @@ void CurvePanel::showChosen()
   }
   this->Type->setCurrentIndex(this->Curves->GetCurveType(curve));
   this->Straight->setChecked(this->Curves->GetCurveKeyShape(curve) != 0);
+  this->Straight->setEnabled(
+    curve >= 0 && this->Curves->GetCurveType(curve) == vtkFeatureCurveAlgorithm::KEY);
   this->Mirrored->setChecked(this->Curves->GetCurveMirrored(curve));
-  this->Mirrored->setEnabled(curve >= 0 && this->Curves->HasMirrorPlane());
   this->Tolerance->setValue(percent * this->Curves->GetCurveTolerance(curve));
-  this->Length->setText(
-    curve < 0 ? "" : QString::number(this->Curves->GetCurveLength(curve), 'g', 6));
+  this->Length->setText(curve < 0
+      ? ""
+      : QString("%1 %2").arg(this->Curves->GetCurveLength(curve), 0, 'g', 6).arg(this->Unit));
   this->Showing = false;
 }
 }

@@ -28,9 +28,17 @@ public:
   std::function<void(int)> onChoose;
   /// A change was refused, with the reason.
   std::function<void(const std::string&)> onRefusal;
+  /// The chosen curve is to get an image in the mirror, or to lose it.
+  std::function<void()> onMirror;
+
+  /// Of all lengths.
+  void setUnit(const QString& unit);
 
   QLineEdit* name() { return this->Name; }
   QListWidget* list() { return this->List; }
+  QCheckBox* straight() { return this->Straight; }
+  QCheckBox* mirrored() { return this->Mirrored; }
+  QString length() const { return this->Length->text(); }
 
 private:
   void apply(bool done);
@@ -38,6 +46,7 @@ private:
 
   vtkFeatureCurveEditor* Curves;
   int Chosen = -1;
+  QString Unit;
   bool Showing = false; ///< values are set by show(), not by the user
   QListWidget* List;
   QLineEdit* Name;

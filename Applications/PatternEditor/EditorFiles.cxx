@@ -1,121 +1,138 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EditorFiles.h"
+// What EditorWindow reads and writes.
+#include "EditorWindow.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
-#include <vtkPatternWriter.h>
-#include <vtkPolyDataReader.h>
-#include <vtkSTLReader.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
+#include "Files.h"
+#include "ReadCurves.h"
+#include "ReadSurface.h"
+#include "WindowWords.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <stdexcept>
 
 namespace editor
 {
-namespace
+template <typename Work>
+bool EditorWindow::attempt(const Work& work)
 {
-void silence(vtkObject* object)
-{
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  object->AddObserver(vtkCommand::WarningEvent, listener);
-  object->AddObserver(vtkCommand::ErrorEvent, listener);
-}
-
-template <typename Reader>
-figures::PolyData readBy(const std::string& path)
-{
-  vtkNew<Reader> reader;
-  silence(reader);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-std::string extensionOf(const std::string& path)
-{
-  const std::size_t dot = path.find_last_of("./");
-  std::string extension = dot == std::string::npos || path[dot] != '.' ? "" : path.substr(dot);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
-}
-}
-
-//------------------------------------------------------------------------------
-figures::PolyData readPolyData(const std::string& path)
-{
-  if (!std::ifstream(path))
+  try
   {
-    throw std::runtime_error("cannot read " + path);
+    work();
+    return true;
   }
-  const std::string extension = extensionOf(path);
-  figures::PolyData data = extension == ".vtp" ? readBy<vtkXMLPolyDataReader>(path)
-    : extension == ".vtk"                      ? readBy<vtkPolyDataReader>(path)
-    : extension == ".obj"                      ? readBy<vtkOBJReader>(path)
-    : extension == ".ply"                      ? readBy<vtkPLYReader>(path)
-    : extension == ".stl"                      ? readBy<vtkSTLReader>(path)
-                                               : nullptr;
-  if (!data)
+  catch (const std::runtime_error& error)
   {
-    throw std::runtime_error(path + " is no .vtp, .vtk, .obj, .ply or .stl");
-  }
-  if (data->GetNumberOfCells() == 0)
-  {
-    throw std::runtime_error(path + " holds nothing, or not what its name says");
-  }
-  return data;
-}
-
-//------------------------------------------------------------------------------
-void writePolyData(const std::string& path, vtkPolyData* data)
-{
-  const std::string aside = path + ".part";
-  // By way of memory: on a full disk VTK's writer of files crashes.
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetDataModeToBinary();
-  writer->WriteToOutputStringOn();
-  silence(writer);
-  writer->SetInputData(data);
-  const bool written = writer->Write() == 1;
-  std::ofstream file(aside, std::ios::binary);
-  file << writer->GetOutputString();
-  file.close();
-  if (!written || !file || std::rename(aside.c_str(), path.c_str()) != 0)
-  {
-    std::remove(aside.c_str());
-    throw std::runtime_error("cannot write " + path);
+    this->tell(error.what(), true);
+    return false;
   }
 }
 
 //------------------------------------------------------------------------------
-void writePattern(const std::string& path, const figures::FlatPiece& piece, const std::string& unit,
-  const std::string& name)
+bool EditorWindow::openSurface(const std::string& path)
 {
-  vtkNew<vtkPatternWriter> writer;
-  silence(writer);
-  writer->SetUnitByName(unit);
-  writer->SetPatternName(name);
-  writer->SetInputData(0, piece.flat);
-  writer->SetInputData(1, piece.wires);
-  writer->SetInputData(2, piece.cut);
-  writer->SetFileName(path.c_str());
-  if (writer->Write() != 1)
-  {
-    throw std::runtime_error(writer->GetErrorMessage());
-  }
+  return this->attempt([&] {
+    this->tell("", false);
+    const wirewarp::SurfaceContents contents = wirewarp::readSurface(path);
+    const figures::PolyData& surface = contents.surface;
+    if (!this->Curves->SetSurface(surface))
+    {
+      throw std::runtime_error(this->Curves->GetMessage());
+    }
+    this->Surface = surface;
+    this->Name = std::filesystem::path(path).stem().string();
+    this->Saved = this->Curves->GetMTime();
+    const int unit = this->Unit->findText(QString::fromStdString(contents.unit));
+    this->Unit->setCurrentIndex(unit < 0 ? this->Unit->currentIndex() : unit);
+    this->showSize();
+    this->Hand->SetSurface(surface);
+    this->SpaceScene.setSurface(surface);
+    this->Proposed->set({});
+    this->PlaneScene.start(surface, this->Space->GetActiveCamera());
+    this->Reader.setPiece({});
+    this->Live->setSurface(surface);
+    this->Measures->clear();
+    this->setWindowTitle(QString::fromStdString(this->Name + " - PatternEditor"));
+    if (contents.curves)
+    {
+      this->showCurves(contents.curves);
+    }
+    this->askForPieces(Care::Full);
+    this->followChoice();
+  });
 }
 
 //------------------------------------------------------------------------------
-std::string stemOf(const std::string& path)
+bool EditorWindow::openCurves(const std::string& path)
 {
-  const std::string file = path.substr(path.find_last_of('/') + 1);
-  return file.substr(0, file.rfind('.'));
+  return this->attempt([&] {
+    if (!this->Surface)
+    {
+      throw std::runtime_error("open a surface before its curves");
+    }
+    this->showCurves(wirewarp::readCurves(path, this->Surface));
+  });
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::showCurves(vtkPolyData* lines)
+{
+  if (!this->Curves->SetCurves(lines))
+  {
+    throw std::runtime_error(this->Curves->GetMessage());
+  }
+  this->Saved = this->Curves->GetMTime();
+  this->Hand->Choose(-1, -1);
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::saveCurves(const std::string& path)
+{
+  return this->attempt([&] {
+    vtkNew<vtkPolyData> drawn;
+    this->Curves->GetCurves(drawn);
+    figures::writePolyData(path, drawn);
+    this->Saved = this->Curves->GetMTime();
+    this->tell("saved " + path, false);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::savePattern(const std::string& path)
+{
+  return this->attempt([&] {
+    this->waitForPieces();
+    if (!this->Live->hasResult())
+    {
+      throw std::runtime_error("there is no flat piece yet to make a pattern of");
+    }
+    figures::writePattern(path, this->Live->result(), this->Unit->currentText().toStdString(),
+      this->Name, [](const vtkPatternWriter* writer) { return messageOf(writer); });
+    this->tell("saved " + path, false);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::savePicture(const std::string& path)
+{
+  return this->attempt([&] {
+    if (!this->grab().save(QString::fromStdString(path)))
+    {
+      throw std::runtime_error("cannot write " + path);
+    }
+    this->tell("saved " + path, false);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::saveSurface(const std::string& path)
+{
+  return this->attempt([&] {
+    if (!this->Surface)
+    {
+      throw std::runtime_error("there is no surface to save");
+    }
+    figures::writePolyData(path, this->Surface);
+    this->tell("saved " + path, false);
+  });
 }
 }

@@ -8,10 +8,15 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include <vector>
+
 namespace editor
 {
 namespace
 {
+/// What readSurface() takes.
+const char* const surfaceFiles = "Surfaces (*.vtp *.vtk *.obj *.ply *.stl *.off *.gltf *.glb)";
+
 /// A key of VTK in the words of Qt.
 QKeySequence keyOf(const QString& key)
 {
@@ -25,8 +30,10 @@ bool isSwitch(int action)
   switch (action)
   {
     case vtkFeatureCurveWidget::NEW_CURVE:
+    case vtkFeatureCurveWidget::FREEHAND:
     case vtkFeatureCurveWidget::CLOSE:
     case vtkFeatureCurveWidget::JOIN:
+    case vtkFeatureCurveWidget::OFFSET:
     case vtkFeatureCurveWidget::MIRROR:
     case vtkFeatureCurveWidget::MAKE_ACCESSORY:
     case vtkFeatureCurveWidget::MAKE_KEY:
@@ -57,6 +64,7 @@ QAction* EditorWindow::addAction(
 {
   QAction* const action = menu->addAction(name);
   action->setShortcut(QKeySequence(key));
+  action->setIconText(name + "  [" + key + "]");
   QObject::connect(action, &QAction::triggered, [this, run] { (this->*run)(); });
   return action;
 }
@@ -66,10 +74,16 @@ void EditorWindow::makeFileMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu("&File");
   this->addAction(menu, "Open surface...", "Ctrl+O", &EditorWindow::askSurface);
-  this->addAction(menu, "Open curves...", "Ctrl+Shift+O", &EditorWindow::askCurves);
-  this->addAction(menu, "Save curves...", "Ctrl+S", &EditorWindow::askSave);
+  QAction* const open =
+    this->addAction(menu, "Open curves...", "Ctrl+Shift+O", &EditorWindow::askCurves);
+  QAction* const save = this->addAction(menu, "Save curves...", "Ctrl+S", &EditorWindow::askSave);
+  QAction* const surface =
+    this->addAction(menu, "Save surface...", "Ctrl+Shift+S", &EditorWindow::askSaveSurface);
   menu->addSeparator();
-  this->addAction(menu, "Export pattern...", "Ctrl+E", &EditorWindow::askPattern);
+  QAction* const pattern =
+    this->addAction(menu, "Export pattern...", "Ctrl+E", &EditorWindow::askPattern);
+  this->SurfaceActions = { open, save, surface, pattern };
+  this->BarActions = { save, pattern };
   this->addAction(menu, "Save picture...", "Ctrl+P", &EditorWindow::askPicture);
   menu->addSeparator();
   QAction* const quit = menu->addAction("Quit");
@@ -89,7 +103,12 @@ void EditorWindow::makeHandActions()
     QAction* const action =
       (editing ? edit : curve)->addAction(vtkFeatureCurveWidget::GetActionName(id));
     const QKeySequence key = keyOf(vtkFeatureCurveWidget::GetActionKey(id));
-    action->setShortcut(key);
+    QList<QKeySequence> keys{ key };
+    if (id == vtkFeatureCurveWidget::FINISH)
+    {
+      keys.append(QKeySequence("Escape"));
+    }
+    action->setShortcuts(keys);
     action->setCheckable(isSwitch(id));
     action->setIconText(action->text() + "  [" + key.toString() + "]");
     QObject::connect(action, &QAction::triggered, [this, id] {
@@ -101,6 +120,19 @@ void EditorWindow::makeHandActions()
     });
     this->HandActions[static_cast<std::size_t>(id)] = action;
   }
+  this->OffsetAction =
+    this->addAction(curve, "Offset by a distance...", "Ctrl+L", &EditorWindow::askOffset);
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::makeProposalMenu(QVBoxLayout* side)
+{
+  QMenu* const menu = this->menuBar()->addMenu("&Proposals");
+  this->SurfaceActions.push_back(
+    this->addAction(menu, "Propose cuts", "F6", &EditorWindow::propose));
+  this->Proposed = new ProposalBox(menu);
+  side->insertWidget(1, this->Proposed);
+  this->connectProposals();
 }
 
 //------------------------------------------------------------------------------
@@ -108,9 +140,13 @@ void EditorWindow::makeViewMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu("&View");
   auto* const group = new QActionGroup(this);
-  for (std::size_t k = 0; k < figures::colorings.size(); ++k)
+  // Those of threads show what they can where there is a material.
+  std::vector<figures::Coloring> colorings(figures::colorings.begin(), figures::colorings.end());
+  colorings.insert(
+    colorings.end(), figures::threadColorings.begin(), figures::threadColorings.end());
+  for (std::size_t k = 0; k < colorings.size(); ++k)
   {
-    const figures::Coloring coloring = figures::colorings[k];
+    const figures::Coloring coloring = colorings[k];
     QAction* const action = menu->addAction(QString("Colours: %1").arg(figures::nameOf(coloring)));
     action->setShortcut(QKeySequence(QString::number(k + 1)));
     action->setCheckable(true);
@@ -139,11 +175,26 @@ void EditorWindow::makeBar()
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
   for (const QAction* entry : this->menuBar()->actions())
   {
-    if (entry->text() == "&Edit" || entry->text() == "&Curve")
+    if (entry->text() == "&File")
+    {
+      bar->addAction(
+        entry->menu()->actions().front()); // without a surface nothing else can be done
+      bar->addSeparator();
+    }
+    else if (entry->text() == "&Edit" || entry->text() == "&Curve")
     {
       bar->addActions(entry->menu()->actions());
       bar->addSeparator();
     }
+    else if (entry->text() == "&Proposals")
+    {
+      bar->addAction(entry->menu()->actions().front()); // the others are on the box's buttons
+    }
+  }
+  bar->addSeparator();
+  for (QAction* const action : this->BarActions)
+  {
+    bar->addAction(action);
   }
   this->addToolBar(Qt::LeftToolBarArea, bar);
 }
@@ -151,9 +202,9 @@ void EditorWindow::makeBar()
 //------------------------------------------------------------------------------
 void EditorWindow::askSurface()
 {
-  const QString file = this->mayForgetCurves() ? QFileDialog::getOpenFileName(this, "Open surface",
-                                                   {}, "Surfaces (*.vtp *.vtk *.obj *.ply *.stl)")
-                                               : QString();
+  const QString file = this->mayForgetCurves()
+    ? QFileDialog::getOpenFileName(this, "Open surface", {}, surfaceFiles)
+    : QString();
   if (!file.isEmpty())
   {
     this->openSurface(file.toStdString());
@@ -164,7 +215,8 @@ void EditorWindow::askSurface()
 void EditorWindow::askCurves()
 {
   const QString file = this->mayForgetCurves()
-    ? QFileDialog::getOpenFileName(this, "Open curves", {}, "Curves (*.vtp *.vtk)")
+    ? QFileDialog::getOpenFileName(
+        this, "Open curves", {}, "Curves (*.vtp *.vtk *.obj *.csv *.dxf *.txt)")
     : QString();
   if (!file.isEmpty())
   {
@@ -182,6 +234,19 @@ void EditorWindow::askSave()
   if (!file.empty())
   {
     this->saveCurves(file);
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::askSaveSurface()
+{
+  const std::string file =
+    chosenFile(QFileDialog::getSaveFileName(this, "Save surface",
+                 QString::fromStdString(this->Name + ".vtp"), "Surfaces (*.vtp)"),
+      ".vtp");
+  if (!file.empty())
+  {
+    this->saveSurface(file);
   }
 }
 

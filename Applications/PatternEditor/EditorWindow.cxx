@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EditorWindow.h"
 
-#include "EditorFiles.h"
 #include "PatternPicture.h"
 
 #include <vtkFeatureCurveEditor.h>
@@ -10,6 +9,7 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QFontDatabase>
 #include <QMessageBox>
@@ -17,15 +17,22 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include <stdexcept>
-
 namespace editor
 {
 namespace
 {
 constexpr int restMilliseconds = 150;
+// Seconds. Pieces that come later would be behind the mouse, drafts that come later no help.
+constexpr double quick = 0.040;
+constexpr double quickDraft = 0.5;
 constexpr int sideWidth = 270;
 constexpr std::size_t tableRows = 6;
+constexpr int fewestRows = 3;
+constexpr int messageRows = 2;
+const char* const measureWords =
+  "E_len: error of the lengths of boundary and curves, E_ang: of the triangles' angles, "
+  "E_area: of areas, all 0 at best.\nE_h, E_r: the least and the largest change of area, of width "
+  "to height, 1 at best.\nflips, overlaps: what cannot be cut so.";
 const char* const broken = "color: #b00000; font-weight: bold";
 }
 
@@ -33,13 +40,18 @@ const char* const broken = "color: #b00000; font-weight: bold";
 EditorWindow::EditorWindow()
   : SpaceScene(this->Space)
   , PlaneScene(this->Plane)
+  , Live(std::make_unique<LiveFlattening>(
+      [this] { QCoreApplication::postEvent(this, new QEvent(QEvent::User)); }))
   , SpaceWidget(this->addView(this->Space))
   , PlaneWidget(this->addView(this->Plane))
   , Panel(new CurvePanel(this->Curves))
+  , Cloth(new ClothBox)
   , Unit(new QComboBox)
+  , Size(new QLabel)
   , Measures(new QLabel)
   , Message(new QLabel)
   , Hint(new QLabel)
+  , Readout(new QLabel)
   , Rest(new QTimer(this))
 {
   auto* const views = new QSplitter(Qt::Horizontal);
@@ -48,7 +60,8 @@ EditorWindow::EditorWindow()
   sideLayout->addWidget(this->Panel, 1);
   sideLayout->addWidget(new QLabel("Unit of the surface"));
   sideLayout->addWidget(this->Unit);
-  side->setMaximumWidth(sideWidth);
+  sideLayout->addWidget(this->Size);
+  side->setFixedWidth(sideWidth);
   views->addWidget(this->SpaceWidget);
   views->addWidget(this->PlaneWidget);
   views->addWidget(side);
@@ -59,32 +72,45 @@ EditorWindow::EditorWindow()
   auto* const central = new QWidget;
   auto* const layout = new QVBoxLayout(central);
   layout->addWidget(views, 1);
+  layout->addWidget(this->Readout);
   layout->addWidget(this->Measures);
   layout->addWidget(this->Message);
   this->setCentralWidget(central);
   this->statusBar()->addWidget(this->Hint, 1);
   this->Message->setWordWrap(true);
   this->Measures->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  // The views keep their size when a line more is said.
+  this->Measures->setMinimumHeight(fewestRows * this->Measures->fontMetrics().lineSpacing());
+  this->Measures->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  this->Message->setMinimumHeight(messageRows * this->Message->fontMetrics().lineSpacing());
+  this->Message->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   this->Unit->addItems({ "cm", "mm", "m", "inch" });
   this->Unit->setToolTip("What a length of 1 means in the pattern.");
+  QObject::connect(this->Unit, QOverload<int>::of(&QComboBox::currentIndexChanged),
+    [this](int) { this->showSize(); });
+  this->Measures->setToolTip(measureWords);
   this->Plane->SetBackground(1.0, 1.0, 1.0);
 
   this->Rest->setSingleShot(true);
   this->Rest->setInterval(restMilliseconds);
-  QObject::connect(this->Rest, &QTimer::timeout, [this] { this->flattenNow(); });
+  QObject::connect(this->Rest, &QTimer::timeout, [this] { this->askForPieces(Care::Full); });
+  this->makeCloth(sideLayout);
   this->connectHand();
   this->makeFileMenu();
   this->makeHandActions();
+  this->makeProposalMenu(sideLayout);
   this->makeViewMenu();
   this->makeBar();
   this->resize(1500, 900);
   this->setWindowTitle("PatternEditor");
+  this->followChoice(); // there is no surface yet, and little that can be done
   this->Hint->setText("Open a surface: File > Open surface, Ctrl+O.");
 }
 
 //------------------------------------------------------------------------------
 EditorWindow::~EditorWindow()
 {
+  this->Live.reset(); // its thread tells this window of what it finds
   this->Curves->RemoveAllObservers();
   this->Hand->RemoveAllObservers();
   this->Hand->SetEnabled(0);
@@ -118,8 +144,16 @@ QVTKOpenGLNativeWidget* EditorWindow::addView(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void EditorWindow::connectHand()
 {
+  vtkRenderWindow* const window = this->SpaceWidget->renderWindow();
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(this->Front);
+  this->Front->SetLayer(1);
+  this->Front->SetActiveCamera(this->Space->GetActiveCamera());
+  this->Front->PreserveDepthBufferOn();
+  this->Front->InteractiveOff(); // the style turns the surface's camera
   this->Hand->SetInteractor(this->SpaceWidget->interactor());
   this->Hand->SetDefaultRenderer(this->Space);
+  this->Hand->SetCurveRenderer(this->Front);
   this->Hand->SetEditor(this->Curves);
   this->Hand->HandleKeysOff();
   this->Hand->SetEnabled(1);
@@ -128,103 +162,7 @@ void EditorWindow::connectHand()
   this->Hand->AddObserver(vtkCommand::CursorChangedEvent, this, &EditorWindow::followChoice);
   this->Panel->onChoose = [this](int curve) { this->Hand->Choose(curve, -1); };
   this->Panel->onRefusal = [this](const std::string& why) { this->tell(why, true); };
-}
-
-//------------------------------------------------------------------------------
-template <typename Work>
-bool EditorWindow::attempt(const Work& work)
-{
-  try
-  {
-    work();
-    return true;
-  }
-  catch (const std::runtime_error& error)
-  {
-    this->tell(error.what(), true);
-    return false;
-  }
-}
-
-//------------------------------------------------------------------------------
-bool EditorWindow::openSurface(const std::string& path)
-{
-  return this->attempt([&] {
-    const figures::PolyData surface = readPolyData(path);
-    if (!this->Curves->SetSurface(surface))
-    {
-      throw std::runtime_error(this->Curves->GetMessage());
-    }
-    this->Surface = surface;
-    this->Name = stemOf(path);
-    this->Saved = this->Curves->GetMTime();
-    this->Hand->SetSurface(surface);
-    this->SpaceScene.setSurface(surface);
-    this->PlaneScene.clear();
-    this->Live.setSurface(surface);
-    this->setWindowTitle(QString::fromStdString(this->Name + " - PatternEditor"));
-    this->flattenNow();
-    this->followChoice();
-  });
-}
-
-//------------------------------------------------------------------------------
-bool EditorWindow::openCurves(const std::string& path)
-{
-  return this->attempt([&] {
-    const figures::PolyData lines = readPolyData(path);
-    if (lines->GetNumberOfLines() == 0)
-    {
-      throw std::runtime_error(path + " holds no lines; is it a surface?");
-    }
-    if (!this->Curves->SetCurves(lines))
-    {
-      throw std::runtime_error(this->Curves->GetMessage());
-    }
-    this->Saved = this->Curves->GetMTime();
-    this->Hand->Choose(-1, -1);
-  });
-}
-
-//------------------------------------------------------------------------------
-bool EditorWindow::saveCurves(const std::string& path)
-{
-  return this->attempt([&] {
-    vtkNew<vtkPolyData> drawn;
-    this->Curves->GetCurves(drawn);
-    writePolyData(path, drawn);
-    this->Saved = this->Curves->GetMTime();
-    this->tell("saved " + path, false);
-  });
-}
-
-//------------------------------------------------------------------------------
-bool EditorWindow::savePattern(const std::string& path)
-{
-  return this->attempt([&] {
-    if (this->Rest->isActive())
-    {
-      this->flattenNow();
-    }
-    if (!this->Live.hasResult())
-    {
-      throw std::runtime_error("there is no flat piece yet to make a pattern of");
-    }
-    writePattern(path, this->Live.result(), this->Unit->currentText().toStdString(), this->Name);
-    this->tell("saved " + path, false);
-  });
-}
-
-//------------------------------------------------------------------------------
-bool EditorWindow::savePicture(const std::string& path)
-{
-  return this->attempt([&] {
-    if (!this->grab().save(QString::fromStdString(path)))
-    {
-      throw std::runtime_error("cannot write " + path);
-    }
-    this->tell("saved " + path, false);
-  });
+  this->Panel->onMirror = [this] { this->action(vtkFeatureCurveWidget::MIRROR)->trigger(); };
 }
 
 //------------------------------------------------------------------------------
@@ -235,14 +173,15 @@ void EditorWindow::followCurves()
   {
     return;
   }
-  if (this->Live.isQuick(Care::Full))
+  this->tell("", false);
+  if (this->Live->seconds(Care::Full) < quick)
   {
-    this->flattenNow();
+    this->askForPieces(Care::Full);
     return;
   }
-  if (this->Live.isQuick(Care::Draft))
+  if (this->Live->seconds(Care::Draft) < quickDraft)
   {
-    this->flattenNow(Care::Draft);
+    this->askForPieces(Care::Draft);
   }
   this->Rest->start();
 }
@@ -252,6 +191,14 @@ void EditorWindow::followChoice()
 {
   this->Panel->show(this->Hand->GetChosenCurve());
   this->Hint->setText(this->Hand->GetHint());
+  for (QAction* const action : this->SurfaceActions)
+  {
+    action->setEnabled(this->Surface != nullptr);
+  }
+  if (this->OffsetAction)
+  {
+    this->OffsetAction->setEnabled(this->Hand->GetChosenCurve() >= 0);
+  }
   for (int id = 0; id < vtkFeatureCurveWidget::NUMBER_OF_ACTIONS; ++id)
   {
     QAction* const action = this->action(id);
@@ -264,41 +211,90 @@ void EditorWindow::followChoice()
 }
 
 //------------------------------------------------------------------------------
-void EditorWindow::flattenNow(Care care)
+void EditorWindow::askForPieces(Care care)
 {
   this->Rest->stop();
   vtkNew<vtkPolyData> curves;
   this->Curves->GetCurves(curves);
-  const bool flat = this->Live.run(curves, care);
-  this->tell(this->Live.message(), true);
-  if (flat)
+  this->Live->ask(curves, care);
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::customEvent(QEvent*)
+{
+  this->takePieces();
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::takePieces()
+{
+  if (this->Live->take())
   {
+    // What something else has said stays where there is nothing new to say.
+    const std::string& words = this->Live->message();
+    if (!words.empty() || this->Message->text().toStdString() == this->Broken)
+    {
+      this->tell(words, true);
+    }
+    this->Broken = words;
     this->showResult();
   }
 }
 
 //------------------------------------------------------------------------------
+void EditorWindow::waitForPieces()
+{
+  if (this->Rest->isActive())
+  {
+    this->askForPieces(Care::Full);
+  }
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  while (this->Live->isBusy())
+  {
+    QApplication::processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
+    this->takePieces();
+  }
+  QApplication::restoreOverrideCursor();
+}
+
+//------------------------------------------------------------------------------
 void EditorWindow::showResult()
 {
-  if (!this->Live.hasResult())
+  if (!this->Live->hasResult())
   {
     return;
   }
   QString table;
-  for (const std::string& row : figures::errorTable(this->Live.result(), tableRows))
+  for (const std::string& row : figures::errorTable(this->Live->result(), tableRows))
   {
     table += QString::fromStdString(row) + "\n";
   }
   table = table.trimmed();
-  if (this->Live.care() == Care::Draft)
+  if (this->Live->care() == Care::Draft)
   {
     table += "   (draft)";
   }
   this->Measures->setText(table);
-  this->SpaceScene.color(this->Live.result(), this->Coloring);
-  this->PlaneScene.show(this->Live.result(), this->Coloring);
+  this->SpaceScene.color(this->Live->result(), this->shownColoring());
+  this->PlaneScene.show(this->Live->result(), this->shownColoring());
+  this->Reader.setPiece(this->PlaneScene.shown());
   this->SpaceWidget->renderWindow()->Render();
   this->PlaneWidget->renderWindow()->Render();
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::showSize()
+{
+  this->Panel->setUnit(this->Unit->currentText());
+  if (this->Surface)
+  {
+    const double* const bounds = this->Surface->GetBounds();
+    this->Size->setText(QString("It is %1 x %2 x %3 %4.")
+                          .arg(bounds[1] - bounds[0], 0, 'g', 3)
+                          .arg(bounds[3] - bounds[2], 0, 'g', 3)
+                          .arg(bounds[5] - bounds[4], 0, 'g', 3)
+                          .arg(this->Unit->currentText()));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ClothBox.h"
 #include "CurvePanel.h"
 #include "LiveFlattening.h"
 #include "PlaneView.h"
+#include "PointReadout.h"
+#include "ProposalBox.h"
 #include "SpaceView.h"
 #include "vtkFeatureCurveWidget.h"
+#include "vtkStillRenderer.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkFeatureCurveEditor.h>
@@ -14,9 +18,12 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include <array>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace editor
 {
@@ -35,30 +42,53 @@ public:
   bool saveCurves(const std::string& path);
   bool savePattern(const std::string& path);
   bool savePicture(const std::string& path);
+  bool saveSurface(const std::string& path);
+  ///@}
+
+  ///@{
+  /// Looks for cuts, with a dialog that shows how far it is and can stop it; what is found waits in
+  /// proposals(). Adds the curve at a distance from the chosen one.
+  void propose();
+  bool addOffset(double distance);
   ///@}
 
   vtkFeatureCurveEditor* curves() { return this->Curves; }
   vtkFeatureCurveWidget* hand() { return this->Hand; }
-  const LiveFlattening& flattening() const { return this->Live; }
+  const LiveFlattening& flattening() const { return *this->Live; }
   /// Whether the flat pieces are still to follow the last change.
-  bool isWaiting() const { return this->Rest->isActive(); }
+  bool isWaiting() const { return this->Rest->isActive() || this->Live->isBusy(); }
   vtkRenderer* space() { return this->Space; }
   QVTKOpenGLNativeWidget* spaceWidget() { return this->SpaceWidget; }
+  QVTKOpenGLNativeWidget* planeWidget() { return this->PlaneWidget; }
+  vtkPolyData* surface() { return this->Surface; }
   CurvePanel* panel() { return this->Panel; }
+  ProposalBox* proposals() { return this->Proposed; }
+  ClothBox* cloth() { return this->Cloth; }
+  /// What the flat piece under the mouse has to say.
+  QString readout() const { return this->Readout->text(); }
+  vtkRenderer* plane() { return this->Plane; }
+  const PlaneView& planeView() const { return this->PlaneScene; }
   QString message() const { return this->Message->text(); }
+  QComboBox* unit() { return this->Unit; }
+  QString size() const { return this->Size->text(); }
   /// The action of vtkFeatureCurveWidget::Actions.
   QAction* action(int id) { return this->HandActions[static_cast<std::size_t>(id)]; }
 
 protected:
   void closeEvent(QCloseEvent* event) override;
+  /// Of the thread that flattens: there are pieces to take.
+  void customEvent(QEvent* event) override;
 
 private:
   QVTKOpenGLNativeWidget* addView(vtkRenderer* renderer);
   void makeBar();
   void makeHandActions();
   void makeFileMenu();
+  void makeProposalMenu(QVBoxLayout* side);
   void makeViewMenu();
+  void makeCloth(QVBoxLayout* side);
   void connectHand();
+  void connectProposals();
   QAction* addAction(
     QMenu* menu, const QString& name, const QString& key, void (EditorWindow::*run)());
 
@@ -67,37 +97,58 @@ private:
   void askSave();
   void askPattern();
   void askPicture();
+  void askSaveSurface();
+  void askOffset();
   void resetViews();
   bool mayForgetCurves();
+  void showCurves(vtkPolyData* lines);
 
   void followCurves();
   void followChoice();
-  void flattenNow(Care care = Care::Full);
+  void askForPieces(Care care);
+  void takePieces();
+  /// Goes on with all but what the user does until the pieces have followed.
+  void waitForPieces();
   void showResult();
+  /// How large the surface is in the unit chosen: who sees it knows whether that is the unit.
+  void showSize();
+  void followCloth();
+  void readPlane();
+  figures::Coloring shownColoring() const;
   void tell(const std::string& words, bool bad);
   template <typename Work>
   bool attempt(const Work& work);
 
   vtkNew<vtkFeatureCurveEditor> Curves;
   vtkNew<vtkFeatureCurveWidget> Hand;
-  vtkNew<vtkRenderer> Space;
+  vtkNew<vtkStillRenderer> Space;
+  vtkNew<vtkRenderer> Front; ///< what moves over the surface
   vtkNew<vtkRenderer> Plane;
   SpaceView SpaceScene;
   PlaneView PlaneScene;
-  LiveFlattening Live;
+  std::unique_ptr<LiveFlattening> Live;
   figures::PolyData Surface;
   figures::Coloring Coloring = figures::Coloring::Homogeneity;
   std::string Name;
+  std::string Broken;     ///< the last words of the flattening
   vtkMTimeType Saved = 0; ///< of the curves when they were last on disk
 
   QVTKOpenGLNativeWidget* SpaceWidget;
   QVTKOpenGLNativeWidget* PlaneWidget;
   CurvePanel* Panel;
+  ClothBox* Cloth;
+  PointReadout Reader;
+  ProposalBox* Proposed = nullptr;
   QComboBox* Unit;
+  QLabel* Size;
   QLabel* Measures;
   QLabel* Message;
   QLabel* Hint;
-  QTimer* Rest; ///< runs while slow flattening waits for the mouse
+  QLabel* Readout;
+  QTimer* Rest; ///< runs while careful flattening waits for the mouse to rest
   std::array<QAction*, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> HandActions{};
+  std::vector<QAction*> SurfaceActions; ///< need a surface
+  std::vector<QAction*> BarActions;     ///< of the File menu, at the bar's end
+  QAction* OffsetAction = nullptr;      ///< needs a chosen curve
 };
 }

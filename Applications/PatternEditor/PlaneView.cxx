@@ -2,40 +2,191 @@
 #include "PlaneView.h"
 
 #include "Drawing.h"
+#include "ScaleBar.h"
 
 #include <vtkCamera.h>
-#include <vtkNew.h>
-#include <vtkRenderWindow.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCoordinate.h>
+#include <vtkFeatureCurveAlgorithm.h>
+#include <vtkIdList.h>
+#include <vtkMath.h>
+#include <vtkProperty.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace editor
 {
-void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring)
+namespace
 {
-  vtkNew<vtkCamera> before;
-  before->DeepCopy(this->Renderer->GetActiveCamera());
-  figures::Drawing drawing(this->Renderer);
-  const figures::ColorMap map = figures::makeColorMap(coloring, piece.flat);
-  drawing.addMap(piece.flat, map.array, map.onPoints, map.colors);
-  drawing.addWires(piece.wires, figures::DartSides::Blue);
-  const int* const window = this->Renderer->GetRenderWindow()->GetSize();
-  const std::array<int, 2> pixels{ std::max(window[0], 100), std::max(window[1], 100) };
-  const std::array<double, 2> size = drawing.size();
-  const double pixel = std::max(size[0] / (0.9 * pixels[0]), size[1] / (0.9 * pixels[1]));
-  drawing.finish({ 0, 0, pixels[0], pixels[1] }, pixel, {});
-  if (this->CameraSet)
+constexpr double margin = 1.12;
+constexpr float wireWidth = 3.0F; // pixels
+
+/// Kinds of wires, those drawn over others last.
+constexpr std::array<figures::Vector, 5> wireColors{ { figures::accessoryColor, figures::keyColor,
+  figures::dartColor, figures::seamColor, figures::boundaryColor } };
+constexpr std::size_t boundaryKind = wireColors.size() - 1;
+
+std::size_t kindOf(vtkCellData* wires, vtkIdType cell)
+{
+  vtkDataArray* const types = wires->GetArray("CurveType");
+  vtkDataArray* const boundary = wires->GetArray("Boundary");
+  const int type = types ? static_cast<int>(types->GetComponent(cell, 0)) : -1;
+  // The banks of a dart are shown as such, although they bound the piece.
+  const bool dart = type == vtkFeatureCurveAlgorithm::DART;
+  const bool bounds = boundary && boundary->GetComponent(cell, 0) != 0.0;
+  return type < 0 || (bounds && !dart) ? boundaryKind : static_cast<std::size_t>(type);
+}
+
+vtkIdType pieceCount(vtkPolyData* flat)
+{
+  vtkDataArray* const ids = flat->GetCellData()->GetArray("PieceId");
+  return ids && ids->GetNumberOfTuples() > 0 ? static_cast<vtkIdType>(ids->GetRange()[1]) + 1 : 0;
+}
+
+/// The wires with a colour each, in the order in which they are drawn.
+figures::PolyData colored(const figures::PolyData& wires)
+{
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  vtkNew<vtkIdList> ids;
+  for (std::size_t kind = 0; kind < wireColors.size(); ++kind)
   {
-    this->Renderer->GetActiveCamera()->DeepCopy(before);
-    this->Renderer->ResetCameraClippingRange();
+    for (vtkIdType cell = 0; cell < wires->GetNumberOfCells(); ++cell)
+    {
+      if (kindOf(wires->GetCellData(), cell) == kind)
+      {
+        wires->GetCellPoints(cell, ids);
+        lines->InsertNextCell(ids);
+        const figures::Vector& color = wireColors[kind];
+        colors->InsertNextTuple3(255.0 * color[0], 255.0 * color[1], 255.0 * color[2]);
+      }
+    }
   }
-  this->CameraSet = true;
+  figures::PolyData drawn = figures::PolyData::New();
+  drawn->SetPoints(wires->GetPoints());
+  drawn->SetLines(lines);
+  drawn->GetCellData()->SetScalars(colors);
+  return drawn;
+}
 }
 
 //------------------------------------------------------------------------------
-void PlaneView::clear()
+PlaneView::PlaneView(vtkRenderer* renderer)
+  : Renderer(renderer)
 {
-  this->Renderer->RemoveAllViewProps();
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Actor->SetMapper(this->Mapper);
+  this->Actor->GetProperty()->LightingOff();
+  this->Wires->SetMapper(this->WireMapper);
+  this->Wires->GetProperty()->LightingOff();
+  this->Wires->GetProperty()->SetLineWidth(wireWidth);
+  this->Mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  this->Mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 10.0);
+  this->WireMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  this->WireMapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -10.0);
+  for (vtkActor* actor : { this->Actor.Get(), this->Wires.Get() })
+  {
+    actor->VisibilityOff();
+    renderer->AddViewProp(actor);
+  }
+  this->Title->VisibilityOff();
+  renderer->AddViewProp(this->Title);
+}
+
+//------------------------------------------------------------------------------
+void PlaneView::start(vtkPolyData* surface, vtkCamera* camera)
+{
+  figures::Vector right;
+  figures::Vector up;
+  figures::Vector along;
+  camera->OrthogonalizeViewUp();
+  camera->GetViewUp(up.data());
+  camera->GetDirectionOfProjection(along.data());
+  vtkMath::Cross(along.data(), up.data(), right.data());
+  this->Steady.start(surface, right, up);
+  this->Actor->VisibilityOff();
+  this->Wires->VisibilityOff();
+  this->Title->VisibilityOff();
+  if (this->Scale)
+  {
+    this->Scale->VisibilityOff();
+  }
+  this->Shown = nullptr;
   this->CameraSet = false;
+}
+
+//------------------------------------------------------------------------------
+void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring)
+{
+  const figures::FlatPiece settled = this->Steady.settle(piece);
+  const figures::ColorMap map = figures::makeColorMap(coloring, settled.flat);
+  this->Mapper->SetInputData(settled.flat);
+  this->Mapper->SetLookupTable(map.colors);
+  this->Mapper->UseLookupTableScalarRangeOn();
+  this->Mapper->SetInterpolateScalarsBeforeMapping(map.onPoints ? 1 : 0);
+  map.onPoints ? this->Mapper->SetScalarModeToUsePointFieldData()
+               : this->Mapper->SetScalarModeToUseCellFieldData();
+  this->Mapper->SelectColorArray(map.array);
+  this->WireMapper->SetInputData(colored(settled.wires));
+  this->Actor->VisibilityOn();
+  this->Wires->VisibilityOn();
+  this->Shown = settled.flat;
+  this->showScale(map);
+  const vtkIdType count = pieceCount(settled.flat);
+  if (!this->CameraSet || count != this->PieceCount)
+  {
+    this->resetCamera(settled.flat);
+    this->CameraSet = true;
+    this->PieceCount = count;
+  }
+  this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void PlaneView::showScale(const figures::ColorMap& map)
+{
+  // Shares of the view.
+  constexpr double left = 0.02;
+  constexpr double below = 0.015;
+  constexpr double width = 0.7;
+  constexpr double height = 0.055;
+  constexpr int textSize = 13;
+  if (this->Scale)
+  {
+    this->Renderer->RemoveViewProp(this->Scale);
+  }
+  this->Scale = figures::makeScaleBar(map.colors, map.labels, textSize);
+  this->Scale->SetPosition(left, below);
+  this->Scale->SetPosition2(width, height);
+  this->Renderer->AddViewProp(this->Scale);
+  vtkCoordinate* const place = this->Title->GetPositionCoordinate();
+  place->SetCoordinateSystemToNormalizedViewport();
+  place->SetValue(left, below + height + 0.005);
+  this->Title->GetTextProperty()->SetFontSize(textSize);
+  this->Title->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
+  this->Title->SetInput(map.title.c_str());
+  this->Title->VisibilityOn();
+}
+
+//------------------------------------------------------------------------------
+void PlaneView::resetCamera(vtkPolyData* flat)
+{
+  double bounds[6];
+  flat->GetBounds(bounds);
+  vtkCamera* const camera = this->Renderer->GetActiveCamera();
+  const double width = bounds[1] - bounds[0];
+  const double height = bounds[3] - bounds[2];
+  const double center[2] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) };
+  camera->SetFocalPoint(center[0], center[1], 0.0);
+  camera->SetPosition(center[0], center[1], width + height);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(
+    0.5 * margin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
 }
 }

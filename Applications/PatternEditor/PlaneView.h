@@ -2,8 +2,14 @@
 #pragma once
 
 #include "Coloring.h"
+#include "SteadyPieces.h"
 
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
 
 namespace editor
 {
@@ -11,18 +17,31 @@ namespace editor
 class PlaneView
 {
 public:
-  explicit PlaneView(vtkRenderer* renderer)
-    : Renderer(renderer)
-  {
-  }
+  explicit PlaneView(vtkRenderer* renderer);
 
-  /// The camera stays as the user has it, but for the first pieces and after reset().
+  /// Shows no pieces until those of another surface come, which a camera sees in space.
+  void start(vtkPolyData* surface, vtkCamera* camera);
+  /// The camera stays as the user has it, but for the first pieces, after reset(), and where there
+  /// are more pieces or fewer than before.
   void show(const figures::FlatPiece& piece, figures::Coloring coloring);
-  void clear();
   void reset() { this->CameraSet = false; }
+  /// The pieces where they are shown; null: none are.
+  const figures::PolyData& shown() const { return this->Shown; }
 
 private:
+  void resetCamera(vtkPolyData* flat);
+  void showScale(const figures::ColorMap& map);
+
   vtkSmartPointer<vtkRenderer> Renderer;
+  SteadyPieces Steady;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkPolyDataMapper> WireMapper;
+  vtkNew<vtkActor> Wires;
+  vtkSmartPointer<vtkScalarBarActor> Scale;
+  vtkNew<vtkTextActor> Title; ///< of the scale
+  figures::PolyData Shown;
   bool CameraSet = false;
+  vtkIdType PieceCount = 0;
 };
 }

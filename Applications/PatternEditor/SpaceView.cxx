@@ -4,16 +4,23 @@
 #include "Drawing.h"
 
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkFeatureEdges.h>
+#include <vtkMath.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace editor
 {
 namespace
 {
-constexpr double closer = 1.3; // than VTK's own whole view, which leaves room for every turn
+constexpr std::array<unsigned char, 4> strongGhost{ 255, 90, 0, 255 };
+constexpr std::array<unsigned char, 4> paleGhost{ 255, 150, 60, 130 };
+constexpr double margin = 1.08;
 }
 
 //------------------------------------------------------------------------------
@@ -31,6 +38,14 @@ SpaceView::SpaceView(vtkRenderer* renderer)
   this->Boundary->GetProperty()->SetColor(0.0, 0.0, 0.0);
   this->Boundary->GetProperty()->SetLineWidth(2.0F);
   this->EdgeMapper->ScalarVisibilityOff();
+  this->Ghosts->SetMapper(this->GhostMapper);
+  this->Ghosts->GetProperty()->SetLineWidth(5.0F);
+  this->Ghosts->GetProperty()->LightingOff();
+  this->Ghosts->PickableOff();
+  this->Ghosts->VisibilityOff();
+  this->GhostMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  this->GhostMapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -300.0);
+  renderer->AddViewProp(this->Ghosts);
   renderer->AddViewProp(this->Actor);
   renderer->AddViewProp(this->Boundary);
 }
@@ -73,6 +88,22 @@ void SpaceView::setEdges(bool shown)
 }
 
 //------------------------------------------------------------------------------
+void SpaceView::showGhosts(const figures::PolyData& lines, std::size_t chosen)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    const bool strong = line == static_cast<vtkIdType>(chosen);
+    const std::array<unsigned char, 4> color = strong ? strongGhost : paleGhost;
+    colors->InsertNextTypedTuple(color.data());
+  }
+  lines->GetCellData()->SetScalars(colors);
+  this->GhostMapper->SetInputData(lines);
+  this->Ghosts->SetVisibility(lines->GetNumberOfCells() > 0 ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
 void SpaceView::resetCamera()
 {
   if (!this->Surface)
@@ -94,6 +125,24 @@ void SpaceView::resetCamera()
   double bounds[6];
   this->Surface->GetBounds(bounds);
   this->Renderer->ResetCamera(bounds);
-  camera->Zoom(closer);
+  // VTK's own whole view leaves room for every turn; this one fills the window.
+  double up[3];
+  double along[3];
+  double right[3];
+  camera->OrthogonalizeViewUp();
+  camera->GetViewUp(up);
+  camera->GetDirectionOfProjection(along);
+  vtkMath::Cross(along, up, right);
+  double height = 0.0;
+  double width = 0.0;
+  for (vtkIdType k = 0; k < this->Surface->GetNumberOfPoints(); ++k)
+  {
+    double way[3];
+    vtkMath::Subtract(this->Surface->GetPoint(k), center, way);
+    height = std::max(height, std::abs(vtkMath::Dot(way, up)));
+    width = std::max(width, std::abs(vtkMath::Dot(way, right)));
+  }
+  camera->SetParallelScale(
+    margin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
 }
 }

@@ -20,6 +20,8 @@ public:
   void setSurface(const figures::PolyData& surface);
   void color(const figures::FlatPiece& piece, figures::Coloring coloring);
   void setEdges(bool shown);
+  /// Lines that are no curves yet, one of them stronger.
+  void showGhosts(const figures::PolyData& lines, std::size_t chosen);
   void resetCamera();
 
 private:
@@ -29,5 +31,7 @@ private:
   vtkNew<vtkActor> Actor;
   vtkNew<vtkPolyDataMapper> EdgeMapper;
   vtkNew<vtkActor> Boundary;
+  vtkNew<vtkPolyDataMapper> GhostMapper;
+  vtkNew<vtkActor> Ghosts;
 };
 }

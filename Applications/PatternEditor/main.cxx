@@ -17,8 +17,10 @@ int main(int argc, char* argv[])
       const bool help = std::strcmp(argv[k], "--help") == 0;
       (help ? std::cout : std::cerr)
         << "usage: PatternEditor [SURFACE [CURVES]]\n"
-           "Draws curves on a surface (.vtp, .vtk, .obj, .ply, .stl) and shows it flat.\n"
-           "CURVES: what it saved before, or any polylines on the surface (.vtp, .vtk)\n";
+           "Draws curves on a surface (.vtp, .vtk, .obj, .ply, .stl, .off, .gltf, .glb) and shows\n"
+           "it flat.\n"
+           "CURVES: what it saved before, or any polylines on the surface (.vtp, .vtk,\n"
+           ".obj, .csv, .dxf), or lists of vertex ids (.txt)\n";
       return help ? 0 : 1;
     }
   }

@@ -4,6 +4,7 @@
 #include "MethodNames.h"
 
 #include <vtkFeatureCurveSuggestion.h>
+#include <vtkKeyCurvePrices.h>
 #include <vtkNew.h>
 #include <vtkWireWarpingFilter.h>
 
@@ -20,12 +21,15 @@ Options defaultOptions()
   options.releaseKeys = filter->GetReleaseKeys();
   options.releaseTrials = filter->GetReleaseTrials();
   options.closeCuts = filter->GetCloseCuts();
+  options.dartLegs = dartLegNames[static_cast<std::size_t>(filter->GetDartLegs())];
   options.skipClosed = filter->GetSkipClosed();
   options.energy = energyNames[static_cast<std::size_t>(filter->GetDistortionEnergy())];
   options.areaBias = filter->GetAreaBias();
   options.angleWeight = filter->GetAngleWeight();
   options.isometricMaximumIterations = filter->GetIsometricMaximumIterations();
   options.isometricTolerance = filter->GetIsometricTolerance();
+  options.material = filter->GetMaterial();
+  options.grain = filter->GetGrain();
   options.maximumIterations = filter->GetMaximumIterations();
   options.closureTolerance = filter->GetClosureTolerance();
   options.optimalityTolerance = filter->GetOptimalityTolerance();
@@ -49,6 +53,7 @@ Options defaultOptions()
   options.bound = suggestion->GetBound();
   options.maximumCuts = suggestion->GetMaximumCuts();
   options.maximumCutLength = suggestion->GetMaximumCutLength();
+  options.maximumWork = suggestion->GetMaximumWork();
   options.symmetric = suggestion->GetSymmetric() ? "auto" : "off";
   return options;
 }
@@ -62,12 +67,15 @@ void setOptions(const Options& options, vtkWireWarpingFilter* filter)
   filter->SetReleaseKeys(options.releaseKeys);
   filter->SetReleaseTrials(options.releaseTrials);
   filter->SetCloseCuts(options.closeCuts);
+  filter->SetDartLegs(valueOf(dartLegNames, options.dartLegs));
   filter->SetSkipClosed(options.skipClosed);
   filter->SetDistortionEnergy(valueOf(energyNames, options.energy));
   filter->SetAreaBias(options.areaBias);
   filter->SetAngleWeight(options.angleWeight);
   filter->SetIsometricMaximumIterations(options.isometricMaximumIterations);
   filter->SetIsometricTolerance(options.isometricTolerance);
+  filter->SetMaterial(options.material.c_str());
+  filter->SetGrain(options.grain.c_str());
   filter->SetMaximumIterations(options.maximumIterations);
   filter->SetClosureTolerance(options.closureTolerance);
   filter->SetOptimalityTolerance(options.optimalityTolerance);
@@ -89,6 +97,14 @@ void setOptions(const Options& options, vtkWireWarpingFilter* filter)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
 {
+  if (options.reshaping.any())
+  {
+    return makeReshapingFilter(options.reshaping);
+  }
+  if (options.priceKeys)
+  {
+    return vtkSmartPointer<vtkKeyCurvePrices>::New();
+  }
   if (options.suggest.empty())
   {
     return vtkSmartPointer<vtkWireWarpingFilter>::New();
@@ -98,11 +114,13 @@ vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
   filter->SetBound(options.bound);
   filter->SetMaximumCuts(options.maximumCuts);
   filter->SetMaximumCutLength(options.maximumCutLength);
+  filter->SetMaximumWork(options.maximumWork);
   filter->SetSymmetric(options.symmetric == "auto");
   for (const auto& [curve, weight] : options.preferences)
   {
     filter->AddPreference(curve, weight);
   }
+  filter->SetWeightArray(options.weights.c_str());
   return filter;
 }
 }

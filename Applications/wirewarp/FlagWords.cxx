@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlagWords.h"
 
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkStringArray.h>
-
-#include <array>
-
 namespace wirewarp
 {
 namespace
 {
-struct Words
-{
-  const char* remedy;
-  const char* words;
-};
-
 /// Those that name an option. The filters' words serve for the others.
-constexpr std::array<Words, 20> words{ {
+constexpr RemedyPhrases phrases{
   { "WriteAgain", "write the file again" },
   { "SkipClosed", "leave out what cannot be laid flat (--skip-closed)" },
+  { "OuterSide", "take one side of a sheet with thickness (--outer-side)" },
   { "DivideInput", "divide the file" },
   { "RaiseImprintTolerance", "raise --imprint-tolerance to %" },
   { "SplitTriangles", "leave out --no-split" },
@@ -40,50 +30,32 @@ constexpr std::array<Words, 20> words{ {
   { "ReleaseCurves", "remove % or make it elastic (--tolerance)" },
   { "MakeAccessory",
     "turn % into accessory curves (in the curves' file, or --release-keys for all keys)" },
+  { "AllowSewingIterations", "raise --resew-iterations" },
+  { "TestPanels", "use --resew panel" },
   { "AllowLengthError", "raise --max-length-error" },
   { "CloseCuts", "close the cuts as far as they cross (--close-cuts)" },
-} };
+  { "NameGrain", "name a curve of the piece with --grain: %" },
+  { "GiveGrainAngle", "give degrees or \"free\" (--grain)" },
+  { "TakeSofterCloth", "take a material that gives more (--material)" },
+  { "CheckUnit", "check the unit (--unit)" },
+  { "WidenNotches", "raise --notch-spacing" },
+  { "PrintOnPages", "print on several pages (--paper A4, letter, A3 or A0)" },
+  { "TakeLargerPaper", "take larger paper (--paper)" },
+  { "WriteOtherFormat", "write --svg or --dxf" },
+  { "NameAnotherFile", "name another folder with --output" },
+};
 }
 
 //------------------------------------------------------------------------------
 std::string remedyWords(const std::string& name)
 {
-  for (const Words& entry : words)
-  {
-    if (name == entry.remedy)
-    {
-      return entry.words;
-    }
-  }
-  const char* const filters = vtkFlatteningAlgorithm::GetRemedyWords(name.c_str());
-  return filters ? filters : "";
+  return phraseOf(phrases, name);
 }
 
 //------------------------------------------------------------------------------
 std::string messageOf(const std::string& defect, const std::vector<Remedy>& remedies)
 {
-  std::string text = defect;
-  const char* join = "; ";
-  for (const Remedy& remedy : remedies)
-  {
-    std::string way = remedyWords(remedy.name);
-    const std::size_t at = way.find('%');
-    text += join + (at == std::string::npos ? way : way.replace(at, 1, remedy.subject));
-    join = ", or ";
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::vector<Remedy> remediesOf(const vtkFlatteningAlgorithm* filter)
-{
-  std::vector<Remedy> remedies;
-  vtkStringArray* const names = filter->GetStatusRemedies();
-  for (vtkIdType k = 0; k < names->GetNumberOfValues(); ++k)
-  {
-    remedies.push_back({ names->GetValue(k), filter->GetStatusRemedySubjects()->GetValue(k) });
-  }
-  return remedies;
+  return describe(defect, remedies, phrases);
 }
 
 //------------------------------------------------------------------------------

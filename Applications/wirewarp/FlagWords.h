@@ -2,28 +2,19 @@
 #pragma once
 
 #include "FieldRows.h"
+#include "RemedyPhrases.h"
 
 #include <string>
 #include <vector>
 
-class vtkFlatteningAlgorithm;
-
 namespace wirewarp
 {
-/// A way out of a defect as the filters name it.
-struct Remedy
-{
-  std::string name;
-  std::string subject; ///< what it is to be applied to; may be empty
-};
-
 /// How the command says the remedy of a name: with its options; % stands for the subject.
 std::string remedyWords(const std::string& name);
 
 /// A defect and its ways out.
 std::string messageOf(const std::string& defect, const std::vector<Remedy>& remedies);
 
-/// The ways out that a filter found for its last run, and the report's for one piece.
-std::vector<Remedy> remediesOf(const vtkFlatteningAlgorithm* filter);
+/// The ways out that the report has for one piece.
 std::vector<Remedy> remediesOf(const FieldRows& field, vtkIdType piece);
 }

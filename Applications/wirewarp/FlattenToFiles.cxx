@@ -19,7 +19,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vtp" };
 constexpr const char* curvesName = "curves.vtp";
-constexpr std::array<const char*, 3> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf" };
+constexpr const char* flattenableName = "flattenable.vtp";
+constexpr const char* sewnName = "sewn.vtp";
+constexpr std::array<const char*, 6> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
+  "pattern.plt", "pattern.json", "walk.csv" };
 constexpr const char* reportName = "report.json";
 
 InputFiles inputFiles(const Options& options)
@@ -29,6 +32,10 @@ InputFiles inputFiles(const Options& options)
   for (const std::string& path : options.curves)
   {
     inputs.add(path);
+  }
+  if (!options.body.empty())
+  {
+    inputs.add(options.body);
   }
   return inputs;
 }
@@ -50,17 +57,34 @@ std::vector<std::string> writeResult(const Options& options, Flattening& result,
   files.add(dataNames[0], result.flat);
   files.add(dataNames[1], result.wires);
   files.add(dataNames[2], result.cut);
-  if (result.curves)
+  vtkPolyData* const curves = result.flattenable ? result.flattenableCurves : result.curves;
+  if (curves)
   {
-    files.add(curvesName, result.curves);
+    files.add(curvesName, curves);
+  }
+  if (result.flattenable)
+  {
+    files.add(flattenableName, result.flattenable);
+  }
+  if (result.sewn)
+  {
+    files.add(sewnName, result.sewn);
   }
   result.secondsWrite = std::chrono::duration<double>(Clock::now() - start).count();
   result.secondsTotal += result.secondsWrite;
   files.add(reportName, makeReport(options, result));
   discardPatterns(files);
-  if (!result.curves)
+  if (!curves)
   {
     files.discard(curvesName); // the proposals of an earlier run
+  }
+  if (!result.flattenable)
+  {
+    files.discard(flattenableName);
+  }
+  if (!result.sewn)
+  {
+    files.discard(sewnName);
   }
   files.publish();
   return patterns;
@@ -75,6 +99,8 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
     files.discard(name);
   }
   files.discard(curvesName);
+  files.discard(flattenableName);
+  files.discard(sewnName);
   discardPatterns(files);
   files.publish();
 }
@@ -84,15 +110,18 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
 void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
 {
   const std::filesystem::path folder = outputFolder(options);
-  for (const auto& names : { dataNames, patternNames })
+  for (const char* name : dataNames)
   {
-    for (const char* name : names)
-    {
-      inputs.refuseToReplace(folder / name, "--output");
-    }
+    inputs.refuseToReplace(folder / name, "--output");
+  }
+  for (const char* name : patternNames)
+  {
+    inputs.refuseToReplace(folder / name, "--output");
   }
   inputs.refuseToReplace(folder / reportName, "--output");
   inputs.refuseToReplace(folder / curvesName, "--output");
+  inputs.refuseToReplace(folder / flattenableName, "--output");
+  inputs.refuseToReplace(folder / sewnName, "--output");
   if (options.picture.any())
   {
     inputs.refuseToReplace(options.picture.path, "--picture");

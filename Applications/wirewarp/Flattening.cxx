@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
+#include "CurveDistance.h"
 #include "FilterOptions.h"
 #include "InputError.h"
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "SurfaceMending.h"
+#include "Units.h"
 #include "VtkMessages.h"
 
 #include <vtkIdTypeArray.h>
@@ -25,17 +28,44 @@ double secondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Returns the file of each connection of curves.
-std::vector<std::string> readInput(const Options& options, vtkWireWarpingFilter* filter)
+/// What --unit says goes before what the file says.
+void setUnit(const Options& options, const SurfaceContents& contents, Flattening& result)
 {
-  const SurfaceContents contents = readSurface(options.surface);
+  const std::string& stated = options.pattern.unit.empty() ? contents.unit : options.pattern.unit;
+  result.unitStated = !stated.empty();
+  result.unit = result.unitStated ? stated : result.unit;
+}
+
+vtkSmartPointer<vtkPolyData> mended(
+  const Options& options, const SurfaceContents& contents, Flattening& result)
+{
+  MendingRequest request;
+  request.weld = options.weld;
+  request.doubled = contents.doubled;
+  request.fillHoles = options.fillHoles;
+  request.millimetres = millimetresOf(result.unit);
+  request.outerSide = options.outerSide;
+  MendedSurface mend = mendSurface(contents.surface, request);
+  result.notes = std::move(mend.notes);
+  return mend.surface;
+}
+
+/// Returns the file of each connection of curves.
+std::vector<std::string> readInput(
+  const Options& options, vtkWireWarpingFilter* filter, Flattening& result)
+{
+  SurfaceContents contents = readSurface(options.surface);
+  setUnit(options, contents, result);
+  contents.surface = mended(options, contents, result);
   filter->SetInputData(contents.surface);
   std::vector<std::string> files;
+  std::vector<vtkPolyData*> read; // which the filter's connections keep
   const auto connect = [&](const std::string& path, vtkPolyData* curves) {
     vtkNew<vtkTrivialProducer> producer;
     producer->SetOutput(curves);
     filter->AddCurvesConnection(producer->GetOutputPort());
     files.push_back(path);
+    read.push_back(curves);
   };
   if (contents.curves)
   {
@@ -45,11 +75,26 @@ std::vector<std::string> readInput(const Options& options, vtkWireWarpingFilter*
   {
     connect(path, readCurves(path, contents.surface));
   }
+  result.curveDistance = largestDistance(contents.surface, read);
+  for (const EaseRequest& ease : options.eases)
+  {
+    filter->AddCurveEase(ease.curve, ease.piece, ease.fraction);
+  }
   for (const auto& [curve, tolerance] : options.tolerances)
   {
     filter->AddCurveTolerance(curve, tolerance);
   }
   return files;
+}
+
+void addSizes(Flattening& result)
+{
+  result.sizes = pieceSizes(result);
+  const std::string warning = sizeWarning(result);
+  if (!warning.empty())
+  {
+    result.notes.push_back(warning);
+  }
 }
 
 void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
@@ -62,12 +107,17 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.flat = filter->GetOutput(0);
   result.wires = filter->GetOutput(1);
   result.cut = filter->GetOutput(2);
-  if (filter->GetNumberOfOutputPorts() > 3)
+  takeReshaped(filter, result);
+  if (!result.flattenable && filter->GetNumberOfOutputPorts() > 3)
   {
-    result.curves = filter->GetOutput(3);
+    (filter->IsA("vtkKeyCurvePrices") ? result.keyPrices : result.curves) = filter->GetOutput(3);
   }
   result.status = filter->GetStatusName();
   result.remedies = remediesOf(filter);
+  if (result.status == "ClosedSurface")
+  {
+    result.remedies.push_back({ "OuterSide", "" });
+  }
   result.message = messageOf(filter->GetStatusDefect(), result.remedies);
   result.idKind = filter->GetStatusIdKind();
   vtkIdTypeArray* const ids = filter->GetStatusIds();
@@ -110,14 +160,20 @@ Flattening flattenOne(const Options& options)
     const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
     filter->CachingOff(); // it runs once
     setOptions(options, filter);
-    const std::vector<std::string> curveFiles = readInput(options, filter);
+    giveBody(options.body, filter);
+    const std::vector<std::string> curveFiles = readInput(options, filter, result);
     result.secondsRead = secondsSince(start);
     run(filter, options.quiet, result);
+    const int curves = filter->GetStatusConnection();
+    const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
+    sewAgain(options.resewing, options.body, options.material, options.quiet, result);
     if (result.refused())
     {
-      const int curves = filter->GetStatusConnection();
-      const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
       result.message = file + ": " + result.message;
+    }
+    else
+    {
+      addSizes(result);
     }
   }
   catch (const InputError& error)

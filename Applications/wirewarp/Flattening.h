@@ -3,6 +3,7 @@
 
 #include "FlagWords.h"
 #include "Options.h"
+#include "PieceSizes.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -29,6 +30,24 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> cut;
   /// With --suggest: all curves, as vtkFeatureCurveSuggestion has them.
   vtkSmartPointer<vtkPolyData> curves;
+  /// With --price-keys: output 3 of vtkKeyCurvePrices.
+  vtkSmartPointer<vtkPolyData> keyPrices;
+
+  /// With --flattenable: outputs 3 to 5 of vtkMakeFlattenable.
+  vtkSmartPointer<vtkPolyData> flattenable;
+  vtkSmartPointer<vtkPolyData> flattenableCurves;
+  vtkSmartPointer<vtkPolyData> flatBefore;
+
+  /// With --resew: output 0 of vtkSewnShape.
+  vtkSmartPointer<vtkPolyData> sewn;
+
+  std::string unit = "cm"; ///< of the surface, as in Units.h
+  bool unitStated = false; ///< by --unit or by the file; else it is taken for granted
+
+  std::vector<PieceSize> sizes;
+  double curveDistance = 0.0; ///< of the curves' points from the surface, at most
+  /// What the command itself warns of, beside the filter's RunWarnings.
+  std::vector<std::string> notes;
 
   double secondsRead = 0.0;
   double secondsWrite = 0.0; ///< of all files but the report itself

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IdleOptions.h"
 
+#include "Coloring.h"
+
+#include <algorithm>
 #include <vector>
 
 namespace wirewarp
@@ -15,20 +18,29 @@ struct Scope
   std::string condition;
 };
 
+bool ofThreads(const std::string& coloring)
+{
+  const auto& all = figures::threadColorings;
+  return std::any_of(all.begin(), all.end(),
+    [&](figures::Coloring thread) { return coloring == figures::nameOf(thread); });
+}
+
 std::vector<Scope> scopesOf(const Options& options)
 {
   const bool isometric = options.scheme == "isometric";
   const bool conformal = options.scheme == "lscm";
   const std::string wires = "for a scheme that keeps lengths, not for --scheme lscm";
   return {
-    { { "--solver", "--interior", "--tolerance", "--max-iterations", "--closure-tolerance",
-        "--optimality-tolerance", "--max-length-error" },
+    { { "--solver", "--interior", "--tolerance", "--ease", "--dart-legs", "--max-iterations",
+        "--closure-tolerance", "--optimality-tolerance", "--max-length-error" },
       !conformal, wires },
     { { "--no-release-trials" }, isometric || options.scheme == "global",
       "for --scheme isometric and global, not for --scheme " + options.scheme },
     { { "--energy", "--area-bias", "--angle-weight", "--isometric-tolerance",
         "--isometric-iterations" },
       isometric, "for --scheme isometric, not for --scheme " + options.scheme },
+    { { "--energy", "--area-bias" }, options.material.empty() || options.material == "isotropic",
+      "for a sheet without --material, or --material isotropic" },
     { { "--area-bias" }, options.energy == "rigid",
       "for --energy rigid, not for --energy dirichlet" },
     { { "--pins" }, conformal, "for --scheme lscm, not for --scheme " + options.scheme },
@@ -38,6 +50,12 @@ std::vector<Scope> scopesOf(const Options& options)
       conformal ? wires : "for --interior relaxation, not for --interior " + options.interior },
     { { "--rigid-tolerance", "--rigid-iterations" }, !conformal && options.interior == "arap",
       conformal ? wires : "for --interior arap, not for --interior " + options.interior },
+    { { "--color-by" }, options.picture.coloring != "distance" || options.resewing.any(),
+      "for --resew where it is distance" },
+    { { "--color-by" }, !ofThreads(options.picture.coloring) || !options.material.empty(),
+      "for --material where it is " + options.picture.coloring },
+    { { "--body" }, options.resewing.any() || options.reshaping.any(),
+      "for --resew or --flattenable" },
     { { "--spacing" }, options.arrange,
       "for pieces that are laid side by side, not for --no-arrange" },
   };

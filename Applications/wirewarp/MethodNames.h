@@ -11,8 +11,9 @@ constexpr std::array<const char*, 4> schemeNames{ "progressive", "global", "isom
 constexpr std::array<const char*, 2> solverNames{ "newton", "sequential" };
 constexpr std::array<const char*, 3> interiorNames{ "laplacian", "relaxation", "arap" };
 constexpr std::array<const char*, 2> energyNames{ "rigid", "dirichlet" };
+constexpr std::array<const char*, 3> dartLegNames{ "free", "straight", "mirrored" };
 /// Of vtkFeatureCurveSuggestion's.
-constexpr std::array<const char*, 3> suggestNames{ "darts", "seams", "all" };
+constexpr std::array<const char*, 4> suggestNames{ "darts", "seams", "all", "lines" };
 
 /// \return the place of the word; \pre it is among the names
 template <std::size_t count>

@@ -3,6 +3,9 @@
 
 #include "FilterOptions.h"
 #include "IdleOptions.h"
+#include "Materials.h"
+#include "MethodOptions.h"
+#include "NumberOptions.h"
 #include "PlainText.h"
 #include "TextFile.h"
 
@@ -29,21 +32,30 @@ const char* const footer =
   R"(Curve files: .vtp or .vtk with polylines on the surface (cell arrays CurveType: 0 accessory, 1 key,
 2 dart, 3 seam; CurveName; for more see vtkFeatureCurveAlgorithm); .obj with line elements, .dxf with
 LINE, LWPOLYLINE or POLYLINE, whose group or layer is called TYPE NAME; .csv with the columns name, x, y, z
-and, unless names begin with it, type; or text, one curve a line, '#' starts a comment:
+and, unless names begin with it, type, an empty row between two of one name; or text, one curve a line,
+'#' starts a comment:
     TYPE NAME v0 v1 ...
-TYPE is accessory (length kept), key (length and shape kept), dart (cut open) or seam (cut through);
+    edge NAME v0 v1 ...
+TYPE is accessory (length kept), key (length and shape kept), straight (a key that is straight in the
+plane: centre line, grainline, fold), dart (cut open) or seam (cut through);
+edge is an accessory curve along the boundary, the shorter way from each vertex to the next: by its name a
+hem or neckline has its own allowance and notches, and it stays a sew line of the pattern;
 v0 v1 ... are vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too. Points
 of curves need not be vertices: they are laid on SURFACE if no farther from it than --imprint-tolerance.
 Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a
 name, options that take a NAME mean all of them.
 
-Units: lengths are in the unit of SURFACE, angles in radians, times in seconds.
+Units: lengths are in the unit of SURFACE, angles in radians, times in seconds; sizes are printed in mm and
+cm, by --unit, or by a comment of OBJ such as "# units: mm", or as if SURFACE were in cm.
+Pieces are numbered from 1 where they are read of; PieceId and "piece" of report.json count from 0.
 Coordinates are read in double precision where the file holds them (STL holds single precision).
 
 Files written to DIR: flat.vtp (pieces in the plane), wires.vtp (their wires), cut.vtp (the cut
 surface in space, point for point like flat.vtp), report.json (all measures), and what is asked for of
-pattern.svg, pattern.pdf, pattern.dxf; with --suggest also curves.vtp (all curves). Earlier ones are replaced. With --batch they are written to
-DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
+pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg,
+lay.plt; with --suggest also
+curves.vtp (all curves), with --flattenable flattenable.vtp (the moved surface) and curves.vtp (the curves on
+it), with --resew sewn.vtp (the cloth at rest, point for point like flat.vtp). Earlier ones are replaced. With --batch they are written to DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
 
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result, or files or the table cannot be written;
 4 flattened, but a promise is broken (not converged, a length error above --max-length-error, a flipped
@@ -51,148 +63,76 @@ triangle, an overlap): files are written.
 
 Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --output shirt)";
 
-CLI::Validator number(double least, double most, const std::string& range)
-{
-  return CLI::Validator(
-    [least, most, range](std::string& text) {
-      double value = 0.0;
-      const bool valid = parseNumber(text, value) && value >= least && value <= most;
-      return valid ? std::string() : inQuotes(text) + " is not a number in " + range;
-    },
-    "in " + range);
-}
-
-CLI::Validator wholeNumber(long long least, long long most, const std::string& range)
-{
-  return CLI::Validator(
-    [least, most, range](std::string& text) {
-      long long value = 0;
-      const bool valid = parseInteger(text, value) && value >= least && value <= most;
-      return valid ? std::string() : inQuotes(text) + " is not a whole number " + range;
-    },
-    range);
-}
-
 void addPreference(const std::string& entry, std::map<std::string, double>& preferences)
 {
-  const std::size_t sign = entry.rfind('=');
+  std::string name;
   double value = 0.0;
-  if (sign == std::string::npos || sign == 0 || !parseNumber(entry.substr(sign + 1), value) ||
-    !std::isfinite(value) || value < 0.0)
+  if (!splitNameAndNumber(entry, name, value) || !std::isfinite(value) || value < 0.0)
   {
     throw CLI::ValidationError(
       "--prefer", inQuotes(entry) + " is not NAME=WEIGHT with a weight from 0");
   }
-  preferences[entry.substr(0, sign)] = value;
+  preferences[name] = value;
 }
 
-void addTolerance(const std::string& entry, std::map<std::string, double>& tolerances)
+void addMending(CLI::App& app, Options& options)
 {
-  // The last sign, because a name may hold one.
-  const std::size_t sign = entry.rfind('=');
-  double value = 0.0;
-  if (sign == std::string::npos || sign == 0 || !parseNumber(entry.substr(sign + 1), value) ||
-    !(value >= 0.0 && value < 1.0))
-  {
-    throw CLI::ValidationError(
-      "--tolerance", inQuotes(entry) + " is not NAME=FRACTION with a fraction in [0, 1)");
-  }
-  tolerances[entry.substr(0, sign)] = value;
+  const std::string group = "Mending SURFACE";
+  app
+    .add_flag("--weld", options.weld,
+      "Join points that lie on each other, as texture seams leave them, within a millionth of the "
+      "size")
+    ->group(group);
+  app
+    .add_option("--fill-holes", options.fillHoles,
+      "Close openings up to so many millimetres across, where triangles are missing")
+    ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
+    ->type_name("MM")
+    ->group(group);
+  app
+    .add_flag("--outer-side", options.outerSide,
+      "Of a closed sheet with thickness take the outer side alone: the larger one within its rim")
+    ->group(group);
 }
 
-void addMethods(CLI::App& app, Options& options)
+void addMaterials(CLI::App& app, Options& options)
 {
-  const std::string group = "Method";
-  app
-    .add_option("--scheme", options.scheme,
-      "How the wires get their shape: isometric (wires and interior together), global (all angles "
-      "together), progressive (patch by patch), lscm (for comparison: keeps no length)")
-    ->check(CLI::IsMember({ "isometric", "global", "progressive", "lscm" }))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--solver", options.solver,
-      "How the angles are solved for: newton (exact), sequential (the paper's). isometric only "
-      "starts from that solution; not for lscm")
-    ->check(CLI::IsMember({ "newton", "sequential" }))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--interior", options.interior,
-      "How points between wires are placed: arap (as rigid as possible), laplacian, relaxation "
-      "(the paper's iteration). isometric only starts there; not for lscm")
-    ->check(CLI::IsMember({ "arap", "laplacian", "relaxation" }))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_flag_callback(
-      "--paper-method",
-      [&options]() {
-        options.scheme = "global";
-        options.interior = "laplacian";
-      },
-      "The paper's method: --scheme global --interior laplacian. newton finds the minimum that the "
-      "paper asks for; --solver sequential goes there by the paper's steps, where they converge")
-    ->excludes("--scheme", "--interior")
-    ->group(group);
-  app.add_flag("--release-keys", options.releaseKeys, "Treat key curves as accessory curves")
-    ->group(group);
-  app
-    .add_flag_callback(
-      "--no-release-trials", [&options]() { options.releaseTrials = false; },
-      "Do not try what a release would bring where a piece lies poorly, which takes up to six "
-      "flattenings of it; rank the curves to release by their sensitivity")
-    ->group(group);
-  app
-    .add_flag("--close-cuts", options.closeCuts,
-      "Close darts and other cuts as far as their banks would lie over each other")
-    ->group(group);
-  app
-    .add_flag("--skip-closed", options.skipClosed,
-      "Leave out pieces without boundary or with handles, which cannot be laid flat, and flatten "
-      "the "
-      "others; without it such a surface is refused")
-    ->group(group);
-  app
-    .add_option("--energy", options.energy,
-      "isometric: what deforming the sheet costs: rigid (as rigid as possible), dirichlet "
-      "(symmetric Dirichlet, which forbids flipped triangles)")
-    ->check(CLI::IsMember({ "rigid", "dirichlet" }))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--area-bias", options.areaBias,
-      "isometric with rigid: above 0 a change of area costs more than one of angle (stiff sheet), "
-      "below 0 less (stretchy sheet)")
-    ->check(number(-0.99, 0.99, "[-0.99, 0.99]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--angle-weight", options.angleWeight,
-      "isometric: weight of the wires' bending against the sheet")
-    ->check(number(0.0, 100.0, "[0, 100]"))
-    ->capture_default_str()
+  const std::string group = "Material";
+  CLI::Option* const material = app.add_option("--material", options.material,
+    "What the pieces are cut from: a name of --list-materials, or a JSON file with its numbers. "
+    "isometric keeps the strain of its threads small and within its limits; other schemes only "
+    "measure it");
+  material->type_name("NAME|FILE")
+    ->check(CLI::Validator(
+      [](std::string& text) { return text.empty() ? std::string("it has no name") : ""; }, ""))
     ->group(group);
   app
     .add_option_function<std::vector<std::string>>(
-      "--tolerance",
+      "--grain",
       [&options](const std::vector<std::string>& entries) {
+        options.grain.clear();
         for (const std::string& entry : entries)
         {
-          addTolerance(entry, options.tolerances);
+          options.grain += (options.grain.empty() ? "" : ";") + entry;
         }
       },
-      "Make a curve elastic: its length may change by up to this fraction, from 0 up to but not "
-      "including 1; may be given several times")
-    ->type_name("NAME=FRACTION")
+      "How pieces lie on it: along a curve, or NAME:DEGREES at an angle from it (several times: "
+      "each "
+      "piece by the first that it has); by an angle from the upright of the piece (its first key "
+      "curve, else its long side) to the warp, counter-clockwise; or free, where the material is "
+      "strained least (default: 0)")
+    ->type_name("CURVE|DEGREES|free")
     ->allow_extra_args(false)
+    ->needs(material)
     ->group(group);
   app
-    .add_option("--pins", options.pins,
-      "lscm: the two vertices that are pinned, ids counted from 0 (default: the boundary vertices "
-      "farthest apart)")
-    ->check(wholeNumber(0, std::numeric_limits<int>::max(), "from 0"))
-    ->type_name("V0 V1")
+    .add_flag_callback(
+      "--list-materials",
+      []() {
+        printMaterials(std::cout);
+        throw CLI::Success();
+      },
+      "Print the materials known by name with the sources of their numbers, and exit")
     ->group(group);
 }
 
@@ -200,9 +140,11 @@ void addSuggestions(CLI::App& app, Options& options)
 {
   const std::string group = "Suggestions";
   CLI::Option* const suggest = app.add_option("--suggest", options.suggest,
-    "Propose cuts with which the surface lies flat: darts, seams, or all; writes curves.vtp, all "
-    "curves ready to be edited. Scheme and options are those of the flattening to come");
-  suggest->check(CLI::IsMember({ "darts", "seams", "all" }))->group(group);
+    "Propose cuts with which the surface lies flat: darts, seams, or all; or lines: centre and "
+    "grain lines, girths and style lines, each with what it costs. Writes curves.vtp, all curves "
+    "ready to be edited. Scheme and options are those of the flattening to come");
+  suggest->transform(CLI::IsMember({ "darts", "seams", "all", "lines" }, CLI::ignore_case))
+    ->group(group);
   app
     .add_option("--bound", options.bound,
       "The strain that is good enough, on 95 % of each piece's area; 0: cut until --max-cuts or "
@@ -224,9 +166,17 @@ void addSuggestions(CLI::App& app, Options& options)
     ->needs(suggest)
     ->group(group);
   app
+    .add_option("--max-work", options.maximumWork,
+      "Most work of the search, in millions of steps on one triangle, each one to two seconds of "
+      "one processor; on surfaces above 5000 triangles in proportion more; 0: no limit")
+    ->check(number(0.0, std::numeric_limits<double>::max(), "[0, inf)"))
+    ->capture_default_str()
+    ->needs(suggest)
+    ->group(group);
+  app
     .add_option("--symmetric", options.symmetric,
       "auto: where the surface is its own mirror image so are the cuts")
-    ->check(CLI::IsMember({ "auto", "off" }))
+    ->transform(CLI::IsMember({ "auto", "off" }, CLI::ignore_case))
     ->capture_default_str()
     ->needs(suggest)
     ->group(group);
@@ -245,6 +195,25 @@ void addSuggestions(CLI::App& app, Options& options)
     ->allow_extra_args(false)
     ->needs(suggest)
     ->group(group);
+  app
+    .add_option("--weights", options.weights,
+      "Cell array of SURFACE that says how much distortion matters there; 0: not at all. Only "
+      "ratios count")
+    ->type_name("ARRAY")
+    ->needs(suggest)
+    ->group(group);
+}
+
+void addPrices(CLI::App& app, Options& options)
+{
+  app
+    .add_flag("--price-keys", options.priceKeys,
+      "Tell what the planar shape of each key curve costs, by flattenings without each and with "
+      "each "
+      "alone")
+    ->excludes("--suggest")
+    ->excludes("--flattenable")
+    ->group("Suggestions");
 }
 
 void addLayout(CLI::App& app, Options& options)
@@ -361,13 +330,26 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   std::ostringstream version;
   version << "wirewarp " << WIREWARP_VERSION << " (VTK " << vtkVersion::GetVTKVersion() << ')';
   app.set_version_flag("--version", version.str(), "Print the version and exit");
-  CLI::Option* const surface = app.add_option(
-    "SURFACE", options.surface, "The surface: .vtp .vtk .obj .ply .stl, of polygons or triangles");
+  CLI::Option* const surface = app.add_option("SURFACE", options.surface,
+    "The surface: .vtp .vtk .obj .ply .stl .off .gltf .glb, of polygons or triangles");
   surface->type_name("");
-  app.add_option("CURVES", options.curves, "Files of feature curves: .vtp .vtk, or text")
+  app
+    .add_option(
+      "CURVES", options.curves, "Files of feature curves: .vtp .vtk .obj .dxf .csv, or text")
     ->type_name("");
+  addMending(app, options);
   addMethods(app, options);
+  addMaterials(app, options);
   addSuggestions(app, options);
+  addReshapingOptions(app, options.reshaping);
+  addPrices(app, options);
+  addResewingOptions(app, options.resewing);
+  app
+    .add_option("--body", options.body,
+      "A surface that --resew's cloth does not go through and --flattenable does not enter, its "
+      "normals outwards: a body, a last")
+    ->type_name("FILE")
+    ->group("Sewing again");
   addLayout(app, options);
   addLimits(app, options);
   addOutput(app, options);

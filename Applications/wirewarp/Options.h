@@ -3,6 +3,8 @@
 
 #include "Patterns.h"
 #include "Picture.h"
+#include "Resewing.h"
+#include "Reshaping.h"
 
 #include <array>
 #include <map>
@@ -21,6 +23,14 @@ enum ExitCode
   PromiseBroken = 4,
 };
 
+/// A curve that is longer in one piece than on the surface.
+struct EaseRequest
+{
+  std::string curve;
+  int piece = -1; ///< from 0; -1: the only one
+  double fraction = 0.0;
+};
+
 /// The command line. Of what vtkWireWarpingFilter is told defaultOptions() has the defaults.
 struct Options
 {
@@ -34,14 +44,22 @@ struct Options
   bool releaseKeys = false;
   bool releaseTrials = false;
   bool closeCuts = false;
+  std::string dartLegs;
   bool skipClosed = false;
+  bool weld = false;
+  double fillHoles = 0.0; ///< mm; 0: none
+  bool outerSide = false;
   std::map<std::string, double> tolerances; ///< of length, by name of curve
+  std::vector<EaseRequest> eases;
 
   std::string energy;
   double areaBias = 0.0;
   double angleWeight = 0.0;
   int isometricMaximumIterations = 0;
   double isometricTolerance = 0.0;
+
+  std::string material; ///< a name or a file; empty: none
+  std::string grain;    ///< as vtkWireWarpingFilter has it
 
   int maximumIterations = 0;
   double closureTolerance = 0.0;
@@ -62,13 +80,19 @@ struct Options
   double spacing = 0.0;
   double maximumLengthError = 0.0;
 
+  bool priceKeys = false;
   std::string suggest; ///< which cuts to propose; empty: none
   double bound = 0.0;
   int maximumCuts = 0;
   double maximumCutLength = 0.0; ///< 0: no limit
+  double maximumWork = 0.0;      ///< 0: no limit
   std::string symmetric;
   std::map<std::string, double> preferences; ///< weights by name of curve
+  std::string weights;                       ///< a cell array; empty: none
 
+  std::string body; ///< a file; empty: none
+  ReshapingRequest reshaping;
+  ResewingRequest resewing;
   PatternRequest pattern;
   PictureRequest picture;
 

@@ -81,10 +81,10 @@ void OutputFiles::add(const std::string& name, vtkPolyData* data)
   {
     const VtkMessages messages;
     vtkNew<vtkXMLPolyDataWriter> writer;
-    // Debian's ParaView 5.11 cannot read appended data.
+    // With the Expat of Debian 12's security updates ParaView 5.11 refuses appended data.
     writer->SetDataModeToBinary();
-    // Higher levels cost more time than the 1 % of space that they save is worth.
-    writer->SetCompressionLevel(1);
+    // Zlib takes three times as long to make files of seven tenths of the size.
+    writer->SetCompressorTypeToLZ4();
     writer->WriteToOutputStringOn();
     writer->SetInputData(data);
     if (writer->Write() != 1 || !messages.errors().empty())

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns.h"
 
+#include "FlagWords.h"
 #include "Flattening.h"
 #include "InputError.h"
+#include "NumberOptions.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
 #include "TextFile.h"
+#include "Units.h"
 #include "VtkMessages.h"
 
 #include <vtkPatternWriter.h>
@@ -14,32 +17,24 @@
 
 #include <filesystem>
 #include <iostream>
+#include <limits>
+#include <new>
+#include <set>
 
 namespace wirewarp
 {
 namespace
 {
-CLI::Validator length(double least, double most, const std::string& range)
+/// Puts the name that the unit has here in place of another one of it, such as "CM" or "inches".
+std::string unitWord(std::string& word)
 {
-  return CLI::Validator(
-    [least, most, range](std::string& text) {
-      double value = 0.0;
-      const bool valid = parseNumber(text, value) && value >= least && value <= most;
-      return valid ? std::string() : inQuotes(text) + " is not a number in " + range;
-    },
-    "in " + range);
-}
-
-/// Splits NAME=MM at the last '=', since names may hold one.
-bool splitAllowance(const std::string& text, std::string& name, double& allowance)
-{
-  const std::size_t at = text.rfind('=');
-  if (at == std::string::npos || at == 0)
+  const std::string unit = unitNamed(word);
+  if (unit.empty())
   {
-    return false;
+    return inQuotes(word) + " is none of mm, cm, m, inch";
   }
-  name = text.substr(0, at);
-  return parseNumber(text.substr(at + 1), allowance) && allowance >= 0.0 && allowance <= 1e6;
+  word = unit;
+  return {};
 }
 
 int paperValue(const std::string& name)
@@ -51,16 +46,18 @@ int paperValue(const std::string& name)
                           : vtkPatternWriter::A4;
 }
 
-void configure(vtkPatternWriter* writer, const PatternRequest& request, const std::string& surface)
+void configure(vtkPatternWriter* writer, const PatternRequest& request, const std::string& surface,
+  const std::string& unit)
 {
-  if (!request.unit.empty())
-  {
-    writer->SetUnitByName(request.unit);
-  }
+  writer->SetUnitByName(unit);
   writer->SetPatternName(
     request.name.empty() ? std::filesystem::path(surface).stem().string() : request.name);
   writer->SetPatternSize(request.size);
   writer->SetQuantity(request.quantity);
+  for (std::size_t p = 0; p < request.pieceQuantities.size(); ++p)
+  {
+    writer->SetPieceQuantity(static_cast<int>(p), request.pieceQuantities[p]);
+  }
   for (std::size_t p = 0; p < request.pieceNames.size(); ++p)
   {
     writer->SetPieceName(static_cast<int>(p), request.pieceNames[p]);
@@ -70,15 +67,42 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
   {
     std::string name;
     double allowance = 0.0;
-    splitAllowance(text, name, allowance);
+    splitNameAndNumber(text, name, allowance);
     writer->SetCurveAllowance(name, allowance);
+  }
+  for (const std::string& text : request.curveNotches)
+  {
+    std::string name;
+    double distance = 0.0;
+    splitNameAndNumber(text, name, distance);
+    writer->AddCurveNotch(name, distance);
   }
   writer->SetMitreLimit(request.mitreLimit);
   writer->SetNotchSpacing(request.notchSpacing);
   writer->SetCutDartsOut(request.cutDartsOut);
+  writer->SetCutOnFold(request.cutOnFold);
+  writer->SetWalkTable(request.walk);
+  writer->SetCutPairs(request.cutPairs);
+  writer->SetFairTolerance(request.fairTolerance);
+  writer->SetLaserColors(request.laserColours);
+  writer->SetFabricNap(request.nap);
+  writer->SetFabricGap(request.fabricGap);
   writer->SetPaper(paperValue(request.paper));
   writer->SetPageOverlap(request.overlap);
   writer->SetMaximumPages(request.maximumPages);
+}
+
+/// What the writer refused to write to a path, in the command's words.
+std::string refusalOf(vtkPatternWriter* writer, const std::string& path)
+{
+  if (std::string(writer->GetStatusName()) == "OutOfMemory")
+  {
+    throw std::bad_alloc();
+  }
+  // The file of that name is one beside the user's, whom nobody has told of it.
+  std::string defect = writer->GetStatusDefect();
+  const std::size_t at = defect.find(path + ' ');
+  return messageOf(at == 0 ? defect.substr(path.size() + 1) : defect, remediesOf(writer));
 }
 }
 
@@ -91,10 +115,21 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
   app.add_flag("--pdf", request.pdf, "Write pattern.pdf, 1:1 on pages to be joined")->group(group);
   app.add_flag("--dxf", request.dxf, "Write pattern.dxf, R12 after ASTM D6673 / AAMA")
     ->group(group);
+  app.add_flag("--plt", request.plt, "Write pattern.plt, HPGL: pen 1 draws, pen 2 cuts")
+    ->group(group);
   app
-    .add_option(
-      "--unit", request.unit, "Unit of SURFACE: mm, cm, m, inch (default: cm, with a warning)")
-    ->check(CLI::IsMember({ "mm", "cm", "m", "inch" }))
+    .add_flag("--garmentcode", request.garmentCode,
+      "Write pattern.json, panels and stitches as GarmentCode has them")
+    ->group(group);
+  app
+    .add_flag("--walk", request.walk,
+      "Write walk.csv: both sides of every seam and dart from notch to notch, their lengths, the "
+      "difference, and the angles at their ends; with --pdf also as a table after the pattern")
+    ->group(group);
+  app
+    .add_option("--unit", request.unit,
+      "Unit of SURFACE: mm, cm, m, inch (default: what the file states, or cm)")
+    ->transform(CLI::Validator(unitWord, "{mm,cm,m,inch}"))
     ->group(group);
   app.add_option("--name", request.name, "Name of the pattern (default: that of the file SURFACE)")
     ->group(group);
@@ -104,30 +139,30 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->capture_default_str()
     ->group(group);
   app
+    .add_option("--piece-quantity", request.pieceQuantities,
+      "How many of a piece are cut, in place of --quantity; the first is for piece 1, repeat it "
+      "for "
+      "the next")
+    ->allow_extra_args(false)
+    ->check(CLI::Range(1, 1000000))
+    ->group(group);
+  app
     .add_option("--piece-name", request.pieceNames,
-      "Name of a piece; the first is for piece 0, repeat it for the next")
+      "Name of a piece; the first is for piece 1, repeat it for the next")
     ->allow_extra_args(false)
     ->group(group);
   app.add_option("--allowance", request.allowance, "Seam allowance")
-    ->check(length(0.0, large, "[0, 1e6]"))
+    ->check(number(0.0, large, "[0, 1e6]"))
     ->capture_default_str()
     ->group(group);
   app
     .add_option("--curve-allowance", request.curveAllowances,
       "Seam allowance along one curve, or along 'boundary'; repeat it for the next")
     ->allow_extra_args(false)
-    ->check(CLI::Validator(
-      [](std::string& text) {
-        std::string name;
-        double allowance = 0.0;
-        return splitAllowance(text, name, allowance)
-          ? std::string()
-          : inQuotes(text) + " is not the name of a curve, '=', and a number in [0, 1e6]";
-      },
-      "NAME=MM"))
+    ->check(nameAndMillimetres())
     ->group(group);
   app.add_option("--mitre-limit", request.mitreLimit, "Longest mitre of a corner, in allowances")
-    ->check(length(1.0, 100.0, "[1, 100]"))
+    ->check(number(1.0, 100.0, "[1, 100]"))
     ->capture_default_str()
     ->group(group);
   app
@@ -135,19 +170,66 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
       "Distance of notches along seams and darts, from their start, on the surface; the middle "
       "where "
       "they are shorter. 0: none but at the mouths of darts")
-    ->check(length(0.0, large, "[0, 1e6]"))
+    ->check(number(0.0, large, "[0, 1e6]"))
     ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--curve-notch", request.curveNotches,
+      "A notch so far from the start of a curve, a seam, a dart or an edge, in place of those by "
+      "--notch-spacing; repeat it for the next")
+    ->allow_extra_args(false)
+    ->check(nameAndMillimetres())
     ->group(group);
   app
     .add_flag("--cut-darts-out", request.cutDartsOut,
       "Cut darts out along their seam allowance instead of folding them")
     ->group(group);
+  app
+    .add_flag("--cut-on-fold", request.cutOnFold,
+      "Draw a half of each symmetric piece, to be cut on the fold of the cloth")
+    ->group(group);
+  app
+    .add_flag("--cut-pairs", request.cutPairs,
+      "Of two pieces that are mirror images draw the first alone, to be cut in pairs of which one "
+      "is turned over")
+    ->group(group);
+  app
+    .add_option("--fair", request.fairTolerance,
+      "Draw borders and curves as smooth splines of the same lengths, straight where nearly so, at "
+      "most this far from the points of the mesh; 0: as the mesh has them")
+    ->check(number(0.0, 100.0, "[0, 100]"))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_flag("--laser-colors", request.laserColours,
+      "Draw the SVG in thin lines with a colour of its own for each role, as laser cutters want it")
+    ->group(group);
+  CLI::Option* const width =
+    app
+      .add_option("--fabric-width", request.fabricWidth,
+        "Write lay.svg, and with --plt lay.plt: all copies of all pieces on cloth of this width, "
+        "with their grain along it, as short as a search finds it; its length and which share of "
+        "it "
+        "is used are told")
+      ->check(number(std::numeric_limits<double>::min(), 1e5, "(0, 1e5]"))
+      ->type_name("MM")
+      ->group(group);
+  app
+    .add_flag(
+      "--nap", request.nap, "The cloth has an up and a down: no piece is turned by half a turn")
+    ->needs(width)
+    ->group(group);
+  app.add_option("--fabric-gap", request.fabricGap, "Least distance of pieces on the cloth")
+    ->check(number(0.0, 1000.0, "[0, 1000]"))
+    ->capture_default_str()
+    ->needs(width)
+    ->group(group);
   app.add_option("--paper", request.paper, "Paper of the PDF; sheet: one page for all")
-    ->check(CLI::IsMember({ "A4", "letter", "A3", "A0", "sheet" }, CLI::ignore_case))
+    ->transform(CLI::IsMember({ "A4", "letter", "A3", "A0", "sheet" }, CLI::ignore_case))
     ->capture_default_str()
     ->group(group);
   app.add_option("--page-overlap", request.overlap, "How far pages overlap")
-    ->check(length(0.0, 50.0, "[0, 50]"))
+    ->check(number(0.0, 50.0, "[0, 50]"))
     ->capture_default_str()
     ->group(group);
   app
@@ -163,8 +245,10 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   const Flattening& result, OutputFiles& files)
 {
   std::vector<std::string> names;
+  std::set<std::string> warnings; // of all formats alike
+  std::set<std::string> notes;
   vtkNew<vtkPatternWriter> writer;
-  configure(writer, request, surface);
+  configure(writer, request, surface, result.unit);
   writer->SetInputData(0, result.flat);
   writer->SetInputData(1, result.wires);
   writer->SetInputData(2, result.cut);
@@ -177,14 +261,37 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     writer->SetFileFormat(format);
     files.add(name, [&writer](const std::string& path) {
       writer->SetFileName(path.c_str());
-      return writer->Write() == 1 ? std::string() : std::string(writer->GetErrorMessage());
+      return writer->Write() == 1 ? std::string() : refusalOf(writer, path);
     });
+    for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
+    {
+      warnings.insert(writer->GetWarning(k));
+    }
+    for (int k = 0; k < writer->GetNumberOfNotes(); ++k)
+    {
+      notes.insert(writer->GetNote(k));
+    }
     names.push_back(name);
   };
   add(request.svg, "pattern.svg", vtkPatternWriter::SVG);
   add(request.pdf, "pattern.pdf", vtkPatternWriter::PDF);
   add(request.dxf, "pattern.dxf", vtkPatternWriter::DXF);
-  if (!names.empty() && request.unit.empty())
+  add(request.plt, "pattern.plt", vtkPatternWriter::HPGL);
+  add(request.garmentCode, "pattern.json", vtkPatternWriter::GARMENT_CODE);
+  add(request.walk, "walk.csv", vtkPatternWriter::WALK);
+  writer->SetFabricWidth(request.fabricWidth);
+  add(request.fabricWidth > 0.0, "lay.svg", vtkPatternWriter::SVG);
+  add(request.fabricWidth > 0.0 && request.plt, "lay.plt", vtkPatternWriter::HPGL);
+  for (const std::string& warning : warnings)
+  {
+    std::cerr << "wirewarp: warning: " << plainText(warning)
+              << "; draw it as 'straight NAME v0 v1', or with KeyShape 1\n";
+  }
+  for (const std::string& note : notes)
+  {
+    std::cerr << "wirewarp: note: " << plainText(note) << "\n";
+  }
+  if (!names.empty() && !result.unitStated)
   {
     std::cerr << "wirewarp: warning: the unit of " << plainText(surface)
               << " is taken as cm; state it with --unit mm, cm, m or inch\n";

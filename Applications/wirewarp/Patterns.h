@@ -21,27 +21,44 @@ struct PatternRequest
   bool svg = false;
   bool pdf = false;
   bool dxf = false;
+  bool plt = false;
+  bool garmentCode = false;
+  bool walk = false;
   std::string unit; ///< empty: not stated, cm is taken
   std::string name; ///< empty: that of the surface's file
   std::string size;
   int quantity = 1;
+  std::vector<int> pieceQuantities;
   std::vector<std::string> pieceNames;
   double allowance = 10.0;
   std::vector<std::string> curveAllowances; ///< NAME=MM
   double mitreLimit = 2.0;
   double notchSpacing = 100.0;
   bool cutDartsOut = false;
+  std::vector<std::string> curveNotches; ///< NAME=MM
+  bool cutOnFold = false;
+  bool cutPairs = false;
+  double fairTolerance = 0.0;
+  bool laserColours = false;
+  double fabricWidth = 0.0; ///< 0: no lay
+  bool nap = false;
+  double fabricGap = 5.0;
   std::string paper = "A4";
   double overlap = 10.0;
   int maximumPages = 200;
 
-  bool any() const { return this->svg || this->pdf || this->dxf; }
+  bool any() const
+  {
+    return this->svg || this->pdf || this->dxf || this->plt || this->garmentCode || this->walk ||
+      this->fabricWidth > 0.0;
+  }
 };
 
 void addPatternOptions(CLI::App& app, PatternRequest& request);
 
-/// Adds pattern.svg, pattern.pdf and pattern.dxf to the files. Throws InputError where one cannot
-/// be drawn.
+/// Adds pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg and
+/// lay.plt to the files.
+/// Throws InputError where one cannot be drawn.
 /// \return their names
 std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
   const Flattening& result, OutputFiles& files);

@@ -10,6 +10,8 @@
 #include "TextFile.h"
 #include "VtkMessages.h"
 
+#include <vtkPointData.h>
+
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -29,7 +31,21 @@ std::vector<std::string> coloringNames()
   {
     names.emplace_back(figures::nameOf(coloring));
   }
+  for (const figures::Coloring coloring : figures::threadColorings)
+  {
+    names.emplace_back(figures::nameOf(coloring));
+  }
+  names.emplace_back(figures::nameOf(figures::Coloring::Distance));
   return names;
+}
+
+/// The flat pieces with what is known of the sewn surface, which is point for point like them.
+figures::PolyData withDistance(const figures::PolyData& flat, const figures::PolyData& sewn)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(flat);
+  result->GetPointData()->AddArray(sewn->GetPointData()->GetArray("Distance"));
+  return result;
 }
 }
 
@@ -58,8 +74,12 @@ void addPictureOptions(CLI::App& app, PictureRequest& request)
   app
     .add_option("--color-by", request.coloring,
       "What the picture's colours show: the surface's angle defects, or for each triangle what "
-      "flattening does to its area (homogeneity, area) and its shape")
-    ->check(CLI::IsMember(coloringNames()))
+      "flattening does to its area (homogeneity, area) and its shape; with --material what its "
+      "threads do: stretch (the largest, 100 to 120 %), warp, weft (strains), shear (trellis "
+      "angle); with --resew distance: the sewn surface, coloured by how far it lies from the "
+      "design, "
+      "which is seen through")
+    ->transform(CLI::IsMember(coloringNames(), CLI::ignore_case))
     ->capture_default_str()
     ->group(group);
 }
@@ -94,6 +114,16 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
   scene.title =
     std::filesystem::path(options.surface).stem().string() + ", scheme " + options.scheme;
+  if (!options.material.empty())
+  {
+    scene.title += ", " + std::filesystem::path(options.material).stem().string();
+  }
+  if (scene.coloring == figures::Coloring::Distance)
+  {
+    scene.sewn = result.sewn;
+    scene.piece.flat = withDistance(result.flat, result.sewn);
+    scene.title += ", sewn again (" + options.resewing.test + ")";
+  }
   scene.warning = result.exitCode == PromiseBroken;
   scene.message = scene.warning ? result.message : "";
   const VtkMessages messages;

@@ -18,7 +18,7 @@ constexpr std::chrono::seconds logPeriod(10);
 Progress::Progress(vtkAlgorithm* filter, bool quiet)
   : Filter(filter)
   , Terminal(isatty(STDERR_FILENO) == 1)
-  , Next(Clock::now() + (this->Terminal ? std::chrono::seconds(1) : logPeriod))
+  , Next(this->Begin + (this->Terminal ? std::chrono::seconds(1) : logPeriod))
 {
   if (!quiet)
   {
@@ -48,8 +48,9 @@ void Progress::show()
   this->Shown = true;
   const double percent = 100.0 * std::clamp(this->Filter->GetProgress(), 0.0, 1.0);
   const char* const phase = this->Filter->GetProgressText();
-  std::fprintf(
-    stderr, this->Terminal ? "\r\033[K%3.0f %% %s" : "%3.0f %% %s\n", percent, phase ? phase : "");
+  const double seconds = std::chrono::duration<double>(now - this->Begin).count();
+  std::fprintf(stderr, this->Terminal ? "\r\033[K%3.0f %% %s, %.0f s" : "%3.0f %% %s, %.0f s\n",
+    percent, phase ? phase : "", seconds);
   std::fflush(stderr);
 }
 }

@@ -26,6 +26,7 @@ private:
   unsigned long Observer = 0;
   bool Terminal;
   bool Shown = false;
+  Clock::time_point Begin = Clock::now();
   Clock::time_point Next;
 };
 }

@@ -3,8 +3,10 @@
 
 #include "FieldRows.h"
 #include "FlagWords.h"
+#include "KeyPriceTable.h"
 #include "SeamReport.h"
 #include "SuggestedCuts.h"
+#include "Units.h"
 
 #include <nlohmann/json.hpp>
 
@@ -103,6 +105,25 @@ Json remedyReports(const std::vector<Remedy>& remedies)
   return list;
 }
 
+/// What the threads of a piece have to do; null without a material.
+Json clothReport(const FieldRows& field, vtkIdType piece)
+{
+  if (field.count("StrainWarpRms") == 0)
+  {
+    return nullptr;
+  }
+  return { { "strain_warp_rms", field.number("StrainWarpRms", piece) },
+    { "strain_weft_rms", field.number("StrainWeftRms", piece) },
+    { "shear_rms", field.number("ShearRms", piece) },
+    { "share_out_of_limit", field.number("ShareOutOfLimit", piece) },
+    { "share_over_5_percent", field.number("ShareOver5Percent", piece) },
+    { "share_locked", field.number("ShareLocked", piece) },
+    { "shear_limit", field.number("ShearLimit", piece) }, // infinite: null
+    { "grain_angle", field.number("GrainAngle", piece) },
+    { "grain_curve", field.text("GrainCurve", piece) },
+    { "one_way", field.integer("OneWay", piece) != 0 } };
+}
+
 /// How a piece ended, in the keys that the report has for all of them.
 Json pieceStatus(const FieldRows& field, vtkIdType piece)
 {
@@ -149,13 +170,40 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
       { "solver_used", field.text("SolverUsed", piece) },
       { "energy_used", field.text("EnergyUsed", piece) },
       { "repaired", field.integer("Repaired", piece) != 0 },
-      { "fallbacks", field.text("Fallbacks", piece) },
+      { "fallbacks", field.text("Fallbacks", piece) }, { "verdict", field.text("Verdict", piece) },
+      { "forecast_area_loss", field.number("ForecastAreaLoss", piece) },
+      { "forecast_area_loss_after_cut", field.number("ForecastAreaLossAfterCut", piece) },
+      { "forecast_cut_from", field.integer("ForecastCutFrom", piece) },
+      { "forecast_cut_to", field.integer("ForecastCutTo", piece) },
       { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() },
       { "isometric_history", Json::array() } });
     pieces.back().update(pieceStatus(field, piece));
+    pieces.back()["cloth"] = clothReport(field, piece);
   }
   addHistory(field, pieces);
   return pieces;
+}
+
+Json warningReports(const Flattening& result)
+{
+  Json warnings = texts(FieldRows(result.flat), "RunWarnings");
+  for (const std::string& note : result.notes)
+  {
+    warnings.push_back(note);
+  }
+  return warnings;
+}
+
+Json sizeReports(const Flattening& result)
+{
+  Json sizes = Json::array();
+  for (const PieceSize& size : result.sizes)
+  {
+    sizes.push_back({ { "width_mm", size.width }, { "height_mm", size.height },
+      { "eased_in", size.easedIn }, { "stretched", size.stretched }, { "worst_change", size.worst },
+      { "worst_place", size.place } });
+  }
+  return sizes;
 }
 
 /// Pieces that --skip-closed left out.
@@ -171,18 +219,118 @@ Json leftOutReports(const FieldRows& field)
   return pieces;
 }
 
-/// The proposed cuts, in the order of choice.
+Json suggestionReport(const SuggestedCut& cut)
+{
+  return { { "type", curveTypeName(cut.type) }, { "name", cut.name }, { "length", cut.length },
+    { "gain", cut.gain }, { "E_area_before", cut.areaErrorBefore },
+    { "E_area_after", cut.areaErrorAfter }, { "strain_p95_before", cut.strainBefore },
+    { "strain_p95_after", cut.strainAfter } };
+}
+
+/// The proposed cuts or lines, in the order of choice.
 Json suggestionReports(const Flattening& result)
 {
   Json suggestions = Json::array();
   for (const SuggestedCut& cut : suggestedCuts(result))
   {
-    suggestions.push_back({ { "type", curveTypeName(cut.type) }, { "name", cut.name },
-      { "length", cut.length }, { "gain_predicted", cut.predictedGain }, { "gain", cut.gain },
-      { "opening", cut.opening }, { "strain_p95_before", cut.strainBefore },
-      { "strain_p95_after", cut.strainAfter }, { "mirror_of", cut.mirrorOf } });
+    Json row = suggestionReport(cut);
+    row["gain_predicted"] = cut.predictedGain;
+    row["opening"] = cut.opening;
+    row["mirror_of"] = cut.mirrorOf;
+    suggestions.push_back(std::move(row));
   }
   return suggestions;
+}
+
+/// How the surface was moved, and its pieces before; null without --flattenable.
+Json flattenableReport(const Options& options, const Flattening& result)
+{
+  const FieldRows field(result.flattenable);
+  if (field.count("BoundMet") == 0)
+  {
+    return nullptr;
+  }
+  return { { "bound", options.reshaping.bound }, { "bound_met", field.integer("BoundMet", 0) != 0 },
+    { "keep", options.reshaping.keep }, { "keep_boundary", options.reshaping.keepBoundary },
+    { "outside_bias", options.reshaping.outsideBias },
+    { "strain_p95_before", field.number("Strain", 0) },
+    { "strain_p95_after", field.number("Strain", 1) }, { "size", field.number("Size", 0) },
+    { "shift_mean", field.number("ShiftMean", 0) }, { "shift_p95", field.number("ShiftP95", 0) },
+    { "shift_max", field.number("ShiftMax", 0) },
+    { "shift_outwards_mean", field.number("ShiftOutwardsMean", 0) },
+    { "shift_inwards_max", field.number("ShiftInwardsMax", 0) },
+    { "shift_mean_relative", field.number("RelativeShiftMean", 0) },
+    { "shift_max_relative", field.number("RelativeShiftMax", 0) },
+    { "trials", field.count("TrialStrain") },
+    { "pieces_before", pieceReports(FieldRows(result.flatBefore), FieldRows(result.wires)) } };
+}
+
+Json leftOutLineReports(const Flattening& result)
+{
+  Json lines = Json::array();
+  for (const LeftOutLine& line : leftOutLines(result))
+  {
+    Json row = suggestionReport(line);
+    row["sound"] = line.sound;
+    lines.push_back(std::move(row));
+  }
+  return lines;
+}
+
+Json keyPriceReports(const Flattening& result)
+{
+  Json trials = Json::array();
+  for (const KeyTrialRow& row : keyTrials(result))
+  {
+    trials.push_back({ { "trial", row.what }, { "price", row.price }, { "E_area", row.areaError },
+      { "strain_p95", row.strainP95 }, { "status", row.status }, { "released", row.released } });
+  }
+  return trials;
+}
+
+/// Of sewn cloth; null without a material.
+Json sewnThreads(const FieldRows& field, vtkIdType row)
+{
+  if (field.count("StrainWarpRms") == 0)
+  {
+    return nullptr;
+  }
+  return { { "strain_warp_rms", field.number("StrainWarpRms", row) },
+    { "strain_weft_rms", field.number("StrainWeftRms", row) },
+    { "shear_rms", field.number("ShearRms", row) } };
+}
+
+/// One row a piece, or all that is sewn together; none without --resew.
+Json resewnReports(const Options& options, const FieldRows& field)
+{
+  Json rows = Json::array();
+  for (vtkIdType row = 0; row < field.count("DistanceMean"); ++row)
+  {
+    rows.push_back({ { "test", options.resewing.test }, { "pieces", field.integer("Pieces", row) },
+      { "triangles", field.integer("Triangles", row) }, { "size", field.number("Size", row) },
+      { "distance_mean", field.number("DistanceMean", row) },
+      { "distance_rms", field.number("DistanceRMS", row) },
+      { "distance_p95", field.number("DistanceP95", row) },
+      { "distance_max", field.number("DistanceMax", row) },
+      { "distance_mean_relative", field.number("RelativeDistanceMean", row) },
+      { "distance_max_relative", field.number("RelativeDistanceMax", row) },
+      { "normal_deviation_mean", field.number("NormalDeviationMean", row) },
+      { "strain_mean", field.number("StrainMean", row) },
+      { "strain_p95", field.number("StrainP95", row) },
+      { "strain_max", field.number("StrainMax", row) },
+      { "compressed_area", field.number("CompressedArea", row) },
+      { "cloth", sewnThreads(field, row) },
+      { "energy_membrane", field.number("MembraneEnergy", row) },
+      { "energy_bending", field.number("BendingEnergy", row) },
+      { "body_depth", field.number("BodyDepth", row) },
+      { "second_distance_mean",
+        options.resewing.secondStart ? Json(field.number("SecondDistanceMean", row)) : nullptr },
+      { "several_shapes",
+        options.resewing.secondStart ? Json(field.integer("SeveralShapes", row) != 0) : nullptr },
+      { "iterations", field.integer("Iterations", row) },
+      { "converged", field.integer("Converged", row) != 0 } });
+  }
+  return rows;
 }
 
 Json curveReports(const FieldRows& field)
@@ -220,13 +368,21 @@ std::string makeReport(const Options& options, const Flattening& result)
   const Json report = { { "surface", options.surface }, { "curve_files", options.curves },
     { "scheme", options.scheme }, { "solver", conformal ? Json() : Json(options.solver) },
     { "interior", conformal ? Json() : Json(options.interior) },
+    { "material", options.material.empty() ? Json() : Json(options.material) },
+    { "grain", options.material.empty() ? Json() : Json(options.grain) },
     { "release_keys", options.releaseKeys }, { "skip_closed", options.skipClosed },
     { "version", WIREWARP_VERSION }, { "exit_code", result.exitCode }, { "status", result.status },
     { "message", result.message }, { "ids", result.ids }, { "id_kind", result.idKind },
-    { "remedies", remedyReports(result.remedies) }, { "warnings", texts(flat, "RunWarnings") },
-    { "pieces", pieceReports(flat, wires) }, { "left_out", leftOutReports(flat) },
-    { "curves", curveReports(wires) }, { "seams", seamReports(result) },
-    { "suggestions", suggestionReports(result) },
+    { "remedies", remedyReports(result.remedies) }, { "warnings", warningReports(result) },
+    { "unit", result.unit }, { "unit_stated", result.unitStated },
+    { "curve_distance_mm", result.curveDistance * millimetresOf(result.unit) },
+    { "pieces", pieceReports(flat, wires) }, { "sizes", sizeReports(result) },
+    { "left_out", leftOutReports(flat) }, { "curves", curveReports(wires) },
+    { "seams", seamReports(result) }, { "suggestions", suggestionReports(result) },
+    { "flattenable", flattenableReport(options, result) },
+    { "suggestions_left_out", leftOutLineReports(result) },
+    { "key_prices", keyPriceReports(result) },
+    { "resewn", resewnReports(options, FieldRows(result.sewn)) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },
         { "wires", flat.number("SecondsWires", 0) },

@@ -6,6 +6,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkStringArray.h>
 
 #include <iomanip>
@@ -41,6 +42,8 @@ std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
     cut.predictedGain = at("PredictedGain", row);
     cut.gain = at("Gain", row);
     cut.opening = at("Opening", row);
+    cut.areaErrorBefore = at("AreaErrorBefore", row);
+    cut.areaErrorAfter = at("AreaErrorAfter", row);
     cut.strainBefore = at("StrainBefore", row);
     cut.strainAfter = at("StrainAfter", row);
     const auto mirrorOf = static_cast<vtkIdType>(at("MirrorOf", row));
@@ -51,26 +54,82 @@ std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
 }
 
 //------------------------------------------------------------------------------
+std::vector<LeftOutLine> leftOutLines(const Flattening& result)
+{
+  std::vector<LeftOutLine> lines;
+  vtkFieldData* const field = result.curves ? result.curves->GetFieldData() : nullptr;
+  auto* const names =
+    field ? vtkStringArray::SafeDownCast(field->GetAbstractArray("LeftOutCurveName")) : nullptr;
+  for (vtkIdType row = 0; names && row < names->GetNumberOfValues(); ++row)
+  {
+    const auto at = [field, row](const std::string& array) {
+      return field->GetArray(("LeftOut" + array).c_str())->GetComponent(row, 0);
+    };
+    LeftOutLine line;
+    line.type = static_cast<long long>(at("CurveType"));
+    line.name = names->GetValue(row);
+    line.length = at("Length");
+    line.gain = at("Gain");
+    line.areaErrorBefore = at("AreaErrorBefore");
+    line.areaErrorAfter = at("AreaErrorAfter");
+    line.strainBefore = at("StrainBefore");
+    line.strainAfter = at("StrainAfter");
+    line.sound = at("Sound") != 0.0;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+namespace
+{
+void writeHead(const char* what, std::ostream& text)
+{
+  text << "\n"
+       << std::left << std::setw(14) << what << std::right << std::setw(12) << "length"
+       << std::setw(12) << "gain" << std::setw(22) << "E_area" << std::setw(22) << "strain_p95"
+       << '\n';
+}
+
+void writeRow(const SuggestedCut& cut, std::ostream& text)
+{
+  text << std::left << std::setw(14) << plainText(cut.name) << std::right << std::setprecision(4)
+       << std::setw(12) << cut.length << std::setw(12) << cut.gain << std::setw(11)
+       << cut.areaErrorBefore << " -> " << std::left << std::setw(7) << cut.areaErrorAfter
+       << std::right << std::setw(11) << cut.strainBefore << " -> " << std::left << cut.strainAfter;
+}
+}
+
+//------------------------------------------------------------------------------
 std::string suggestionTable(const Flattening& result)
 {
   if (!result.curves)
   {
     return "";
   }
+  std::ostringstream text;
   const std::vector<SuggestedCut> cuts = suggestedCuts(result);
   if (cuts.empty())
   {
-    return "\nno cut is proposed\n";
+    text << "\nnothing is proposed\n";
   }
-  std::ostringstream text;
-  text << "\n"
-       << std::left << std::setw(12) << "proposed" << std::right << std::setw(12) << "length"
-       << std::setw(12) << "gain" << std::setw(22) << "strain_p95" << '\n';
+  else
+  {
+    writeHead("proposed", text);
+  }
   for (const SuggestedCut& cut : cuts)
   {
-    text << std::left << std::setw(12) << plainText(cut.name) << std::right << std::setprecision(4)
-         << std::setw(12) << cut.length << std::setw(12) << cut.gain << std::setw(11)
-         << cut.strainBefore << " -> " << std::left << cut.strainAfter << '\n';
+    writeRow(cut, text);
+    text << '\n';
+  }
+  const std::vector<LeftOutLine> lines = leftOutLines(result);
+  if (!lines.empty())
+  {
+    writeHead("left out", text);
+  }
+  for (const LeftOutLine& line : lines)
+  {
+    writeRow(line, text);
+    text << (line.sound ? "" : "  breaks what holds without it") << '\n';
   }
   return text.str();
 }

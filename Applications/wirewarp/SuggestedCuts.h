@@ -17,14 +17,23 @@ struct SuggestedCut
   double predictedGain = 0.0;
   double gain = 0.0;
   double opening = 0.0;
+  double areaErrorBefore = 0.0;
+  double areaErrorAfter = 0.0;
   double strainBefore = 0.0;
   double strainAfter = 0.0;
   std::string mirrorOf; ///< name of the cut that it is the mirror image of
 };
 
+/// A line that was tried and not proposed.
+struct LeftOutLine : SuggestedCut
+{
+  bool sound = true; ///< it only costs too much
+};
+
 /// What --suggest proposed; empty without it.
 std::vector<SuggestedCut> suggestedCuts(const Flattening& result);
+std::vector<LeftOutLine> leftOutLines(const Flattening& result);
 
-/// The same as a table, or that nothing is to be cut; empty without --suggest.
+/// Both as tables, or that nothing is proposed; empty without --suggest.
 std::string suggestionTable(const Flattening& result);
 }

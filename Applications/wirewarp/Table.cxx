@@ -5,6 +5,7 @@
 #include "FlagWords.h"
 #include "PlainText.h"
 #include "Report.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -51,6 +52,17 @@ std::string layOut(const std::vector<Row>& rows, std::size_t left)
   return text;
 }
 
+/// Pieces are counted from 1 wherever somebody reads of them, as on the pattern.
+std::string nameOf(vtkIdType piece)
+{
+  return std::to_string(piece + 1);
+}
+
+std::string sizeInMillimetres(const PieceSize& size)
+{
+  return format("%.0f", size.width) + "x" + format("%.0f", size.height);
+}
+
 /// The row of the first curve to release in a piece; past the last where there is none.
 vtkIdType firstRelease(const FieldRows& field, vtkIdType piece)
 {
@@ -88,12 +100,13 @@ std::string pieceTable(const Flattening& result)
   const vtkIdType pieces = field.count("Triangles");
   const std::string optimized = format("%.3f", field.number("SecondsWires", 0));
   const std::string all = format("%.3f", field.number("SecondsTotal", 0));
-  std::vector<Row> rows{ { "piece", "triangles", "wire-patches", "E_len x1e3", "E_len max",
-    "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips", "overlaps", "iterations",
-    "T_opt [s]", "T_all [s]", "status" } };
+  std::vector<Row> rows{ { "piece", "triangles", "size [mm]", "wire-patches", "E_len x1e3",
+    "E_len max", "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips", "overlaps",
+    "iterations", "T_opt [s]", "T_all [s]", "status" } };
   for (vtkIdType piece = 0; piece < pieces; ++piece)
   {
-    rows.push_back({ std::to_string(piece), std::to_string(field.integer("Triangles", piece)),
+    rows.push_back({ nameOf(piece), std::to_string(field.integer("Triangles", piece)),
+      sizeInMillimetres(result.sizes[static_cast<std::size_t>(piece)]),
       std::to_string(field.integer("WirePatches", piece)),
       format("%.2f", 1e3 * field.number("EdgeLengthError", piece)),
       format("%.1e", field.number("MaxEdgeLengthError", piece)),
@@ -146,6 +159,19 @@ std::string curveTable(const Flattening& result)
 }
 
 //------------------------------------------------------------------------------
+std::string curveDistance(const Flattening& result)
+{
+  // Coordinates as files have them, with seven figures, are on the surface.
+  if (!result.cut || result.curveDistance <= 1e-6 * result.cut->GetLength())
+  {
+    return "";
+  }
+  return "the points of curves were up to " +
+    format("%.2g", result.curveDistance * millimetresOf(result.unit)) +
+    " mm off the surface, and laid on it\n";
+}
+
+//------------------------------------------------------------------------------
 std::string releaseAdvice(const Flattening& result)
 {
   const FieldRows field(result.flat);
@@ -162,7 +188,7 @@ std::string releaseAdvice(const Flattening& result)
     if (!better.empty())
     {
       const bool key = field.integer("ReleaseShape", row) != 0;
-      text += "piece " + std::to_string(piece) + " has no good exact solution: without " +
+      text += "piece " + nameOf(piece) + " has no good exact solution: without " +
         (key ? "the shape of the key curve " : "the curve ") +
         plainText(wires.text("CurveNames", field.integer("ReleaseCurve", row))) + ' ' + better +
         (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
@@ -181,6 +207,10 @@ std::string warnings(const Flattening& result, const std::string& where)
   {
     text += "wirewarp: warning: " + plainText(where + field.text("RunWarnings", row)) + '\n';
   }
+  for (const std::string& note : result.notes)
+  {
+    text += "wirewarp: warning: " + plainText(where + note) + '\n';
+  }
   return text;
 }
 
@@ -191,9 +221,13 @@ std::string fallbacks(const Flattening& result)
   std::string text;
   for (vtkIdType piece = 0; piece < field.count("Fallbacks"); ++piece)
   {
+    if (!field.text("Verdict", piece).empty())
+    {
+      text += "piece " + nameOf(piece) + ": " + field.text("Verdict", piece) + '\n';
+    }
     if (!field.text("Fallbacks", piece).empty())
     {
-      text += "piece " + std::to_string(piece) + ": " + field.text("Fallbacks", piece) + '\n';
+      text += "piece " + nameOf(piece) + ": " + field.text("Fallbacks", piece) + '\n';
     }
   }
   return text;
@@ -208,9 +242,8 @@ std::string brokenPromises(const Flattening& result, const std::string& where)
   {
     if (field.text("Status", piece) != "Ok")
     {
-      text += "wirewarp: broken promise: " + plainText(where) + "piece " + std::to_string(piece) +
-        ": " + plainText(messageOf(field.text("StatusDefect", piece), remediesOf(field, piece))) +
-        '\n';
+      text += "wirewarp: broken promise: " + plainText(where) + "piece " + nameOf(piece) + ": " +
+        plainText(messageOf(field.text("StatusDefect", piece), remediesOf(field, piece))) + '\n';
     }
   }
   return text.empty() ? "wirewarp: broken promise: " + plainText(where + result.message) + '\n'

@@ -7,11 +7,15 @@
 
 namespace wirewarp
 {
-/// A row a piece with the columns of the paper's Table 1 and what else a user must know.
+/// A row a piece, numbered from 1, with its size, the columns of the paper's Table 1 and what else
+/// a user must know.
 std::string pieceTable(const Flattening& result);
 
 /// A row a feature curve: its length on the surface and in the plane.
 std::string curveTable(const Flattening& result);
+
+/// How far the curves were from the surface that they were laid on; empty where on it.
+std::string curveDistance(const Flattening& result);
 
 /// Where a piece has no good exact solution: which curve to release first, and what that brings.
 std::string releaseAdvice(const Flattening& result);

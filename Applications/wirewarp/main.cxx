@@ -2,8 +2,10 @@
 #include "Batch.h"
 #include "FlattenToFiles.h"
 #include "InputError.h"
+#include "KeyPriceTable.h"
 #include "Options.h"
 #include "PlainText.h"
+#include "Reshaping.h"
 #include "SuggestedCuts.h"
 #include "Table.h"
 
@@ -37,9 +39,10 @@ void finishOutput()
 
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  std::cout << pieceTable(written.result);
-  std::cout << fallbacks(written.result) << releaseAdvice(written.result)
-            << suggestionTable(written.result);
+  std::cout << pieceTable(written.result) << verdicts(written.result);
+  std::cout << curveDistance(written.result) << fallbacks(written.result)
+            << releaseAdvice(written.result) << suggestionTable(written.result)
+            << reshapingTable(written.result) << keyPriceTable(written.result);
   if (options.listCurves)
   {
     std::cout << '\n' << curveTable(written.result);

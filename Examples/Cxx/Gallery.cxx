@@ -51,7 +51,7 @@ void drawPiece(const std::string& folder, const std::string& name, const std::st
   const Vector view = facing(pieces[0].surface);
   const auto isometric = flattenAll(pieces, Method::Isometric);
   const auto global = flattenAll(pieces, Method::Global);
-  const auto conformal = flattenAll(pieces, Method::Conformal);
+  const auto conformal = flattenAll(pieces, Method::LeastSquaresConformal);
 
   Figure figure(width, maximumHeight, samples);
   Drawing& surface = figure.add();

@@ -126,7 +126,7 @@ struct Measured
 
 Measured measure(const Piece& piece, const Example& example, Method method)
 {
-  if (method == Method::Conformal)
+  if (method == Method::LeastSquaresConformal)
   {
     const bool sphere = std::string(example.name) == "quarter_sphere";
     return { sphere ? mapQuarterSphere(piece) : flatten(piece, method), {} };
@@ -164,7 +164,7 @@ void printRow(const Example& example, Method method, const Measured& measured)
 {
   const FlatPiece& paper = measured.paper;
   const std::string optimized =
-    method == Method::Conformal ? "Nil" : milliseconds(paper.number("SecondsWires"));
+    method == Method::LeastSquaresConformal ? "Nil" : milliseconds(paper.number("SecondsWires"));
   std::cout << opening(example.title, format("%.0f", paper.number("Triangles")), nameOf(method))
             << format("%7s %7s %6.3f %6.3f %7s %7s %6.0f | ",
                  thousandths(paper.number("EdgeLengthError")).c_str(),
@@ -211,7 +211,7 @@ bool check(const Example& example, Method method, const Measured& measured)
       expect(std::isfinite(piece->number(array)), std::string(array) + " is not finite");
     }
     const double error = piece->number("MaxEdgeLengthError");
-    expect(method == Method::Conformal || error <= 1e-10,
+    expect(method == Method::LeastSquaresConformal || error <= 1e-10,
       format("a wire edge is off by %.3g of its length", error));
   }
   if (std::string(example.name) == "quarter_sphere" && method != Method::Isometric)
@@ -224,7 +224,7 @@ bool check(const Example& example, Method method, const Measured& measured)
     same(1e3 * paper.number("EdgeLengthError"), row.lengthError);
     same(1e3 * paper.number("AngleErrorMean"), row.angleError);
     same(paper.number("GlobalHomogeneity"), row.homogeneity);
-    if (method == Method::Conformal)
+    if (method == Method::LeastSquaresConformal)
     {
       same(paper.number("GlobalAspectRatio"), row.aspectRatio);
     }
@@ -249,9 +249,9 @@ int main(int argc, char* argv[])
     {
       const Piece piece = readPiece(argv[1], example.name, example.set);
       for (const Method method :
-        { Method::Progressive, Method::Global, Method::Isometric, Method::Conformal })
+        { Method::Progressive, Method::Global, Method::Isometric, Method::LeastSquaresConformal })
       {
-        if (method == Method::Conformal && !example.conformal)
+        if (method == Method::LeastSquaresConformal && !example.conformal)
         {
           continue;
         }

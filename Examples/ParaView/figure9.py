@@ -63,7 +63,7 @@ def show_figure():
             display.AmbientColor = display.DiffuseColor = [0.86, 0.86, 0.83]
             display = pv.Show(curves, view)
             display.Position = [0.0, 0.0, 0.3]  # in front of the surface's edges
-            color_wires(display)
+            color_wires(display, "CurveType")
         else:
             flat = pv.WireWarping(
                 registrationName=scheme, Input=surface, Curves=curves, Scheme=scheme)

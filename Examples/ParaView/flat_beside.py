@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shows the flat pieces of a Wire Warping filter in a view of their own, beside the surface.
 
-In ParaView's window: keep this with Macros > Import New Macro; select an applied filter and call it.
+In ParaView's window: select an applied filter and call Macros > flat_beside. There it is where ParaView was
+started by the script that comes with the plugin; otherwise Macros > Import New Macro keeps it.
 
 Surface and pieces are coloured by the homogeneity of distortion, blue where ideal, red where a triangle
 grew or shrank to half its area. Outlines are black, accessory curves green, key curves red, darts blue,
-seams violet.
+seams violet; connectors, which join loose curves and keep no length, thin and grey. The pieces of a
+collection's blocks lie beside each other.
 """
 
 import paraview.simple as pv
 
-WIRE_COLORS = {  # CurveType: name and colour
+WIRE_COLORS = {  # WireKind or CurveType: name and colour
+    -2: ("connector", (0.7, 0.7, 0.7)),
     -1: ("boundary", (0.0, 0.0, 0.0)),
     0: ("accessory", (0.0, 0.6, 0.1)),
     1: ("key", (0.85, 0.0, 0.0)),
@@ -19,10 +22,10 @@ WIRE_COLORS = {  # CurveType: name and colour
 }
 
 
-def color_wires(display):
-    """Colours of the array CurveType, as categories."""
-    pv.ColorBy(display, ("CELLS", "CurveType"))
-    colors = pv.GetColorTransferFunction("CurveType")
+def color_wires(display, array="WireKind"):
+    """Colours of an array of types, as categories."""
+    pv.ColorBy(display, ("CELLS", array))
+    colors = pv.GetColorTransferFunction(array)
     colors.InterpretValuesAsCategories = 1
     colors.AnnotationsInitialized = 1
     colors.Annotations = [text for value, (name, _) in WIRE_COLORS.items() for text in (str(value), name)]
@@ -41,12 +44,50 @@ def color_homogeneity(display):
     display.Ambient, display.Diffuse = 1.0, 0.0
 
 
+def show_wires(flattening, view):
+    """The wires; connectors apart, where there are any, since they are drawn thinner."""
+    wires = pv.OutputPort(flattening, 1)
+    kinds = wires.GetDataInformation().GetCellDataInformation().GetArrayInformation("WireKind")
+    lowest, highest = kinds.GetComponentRange(0) if kinds else (0, 0)
+    if lowest > -2:
+        color_wires(pv.Show(wires, view))
+        return
+    for name, low, high, width in (("Connectors", -2, -2, 1), ("Wires", -1, max(highest, -1), 3)):
+        part = pv.Threshold(registrationName=name, Input=wires, Scalars=["CELLS", "WireKind"],
+                            LowerThreshold=low, UpperThreshold=high)
+        display = pv.Show(part, view)
+        color_wires(display)
+        display.LineWidth = width
+
+
 def show_flat(flattening, view):
     """Flat pieces and wires in a view that looks at the plane."""
     color_homogeneity(pv.Show(pv.OutputPort(flattening, 0), view))
-    color_wires(pv.Show(pv.OutputPort(flattening, 1), view))
+    show_wires(flattening, view)
     view.InteractionMode = "2D"
     pv.ResetCamera(view)
+
+
+def color_drawn_curves(view):
+    """Those that are seen in the view get the colours of their types."""
+    for display in list(view.Representations):
+        if not display.GetProperty("Input") or not display.Visibility:
+            continue
+        arrays = display.Input.GetDataInformation().GetCellDataInformation()
+        if arrays.GetArrayInformation("CurveType"):
+            color_wires(display, "CurveType")
+            display.SetScalarBarVisibility(view, False)
+
+
+def show_legend(display, view):
+    """Below the pieces, which are about as wide as the view."""
+    display.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(pv.GetColorTransferFunction("HomogeneityOfDistortion"), view)
+    bar.Title = "homogeneity"
+    bar.Orientation = "Horizontal"
+    bar.WindowLocation = "Lower Center"
+    bar.RangeLabelFormat = "%.1f"
+    view.CameraParallelScale *= 1.35  # room for it
 
 
 def show_beside(flattening):
@@ -58,6 +99,8 @@ def show_beside(flattening):
         pv.Hide(pv.OutputPort(flattening, port), space)
     pv.Hide(flattening.Input, space)
     color_homogeneity(pv.Show(pv.OutputPort(flattening, 2), space))
+    color_drawn_curves(space)
+    pv.ResetCamera(space)  # the flat pieces lay beside the surface
     if pv.GetLayout(space) is None:  # without a window a view has none
         pv.AssignViewToLayout(view=space)
     layout = pv.GetLayout(space)
@@ -65,6 +108,8 @@ def show_beside(flattening):
     plane = pv.CreateRenderView()
     pv.AssignViewToLayout(view=plane, layout=layout, hint=left + 1)
     show_flat(flattening, plane)
+    show_legend(pv.GetDisplayProperties(pv.OutputPort(flattening, 0), plane), plane)
+    pv.SetActiveSource(flattening)
     pv.RenderAllViews()
     return space, plane
 

@@ -5,28 +5,196 @@
     mpiexec -n 8 pvbatch flatten_collection.py --plugin SurfaceFlattening.so pieces.vtm flat.vtm
 
 Each block is a piece with its curves as line cells (Examples/Python/make_collection.py writes such
-files). ParaView deals the blocks out to the processes.
+files). ParaView deals the blocks out to the processes. The pieces are taken a portion at a time, so that
+memory does not grow with the collection; flat.csv has a row a flat piece, with its status and measures.
+
+What is done stays in the folder flat/. After a fault the same command goes on with what is missing: the
+portion in which a run died is taken again piece by piece, and a piece in which a run died alone gets the
+status Died and is not taken again. Another collection or scheme wants another folder.
+
+A catalogue of 2000 pieces with 2.6 million triangles took 62 s of processor time on one process, 31 ms a
+piece: 27 ms to read, flatten and write it, which processes share, and 3 to 4 ms for the table and the start,
+which they do not. By reckoning 100,000 such pieces take 52 minutes on one process, half an hour on two and
+12 minutes on eight that have a processor each. Another of 360 garment pieces in 30 sizes, 434,000 triangles,
+took 12.9 s on one process, 36 ms a piece. Two processes wrote the same table, digit for digit, and so did a run
+that was killed after 120 pieces and started again. They have not been timed with a processor each; a process that
+waits for another one keeps its processor busy, so that processor time says nothing of them.
 """
 
 import argparse
+import csv
+import os
 import sys
+import time
+from xml.etree import ElementTree
 
 import paraview.simple as pv
+from paraview import servermanager
 
-parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("collection", help="a .vtm file")
-parser.add_argument("flat", help="the .vtm file to write")
-parser.add_argument("--plugin", help="the plugin, where ParaView does not load it by itself")
-parser.add_argument("--scheme", default="Isometric",
-                    choices=("Progressive", "Global", "Isometric", "Least squares conformal"))
-options = parser.parse_args()
 
-if options.plugin:
-    pv.LoadPlugin(options.plugin, remote=True)
-pieces = pv.XMLMultiBlockDataReader(FileName=[options.collection])
-flattening = pv.WireWarping(Input=pieces, Scheme=options.scheme)
-flattening.UpdatePipeline()
-pv.SaveData(options.flat, proxy=flattening, DataMode="Binary")
-information = flattening.GetDataInformation()
-print(f"{options.flat}: {information.GetNumberOfCells()} triangles")
-sys.stdout.flush()
+def read_index(path):
+    """Name and file of each piece of a collection."""
+    folder = os.path.dirname(os.path.abspath(path))
+    return [(element.get("name") or f"piece {number}", os.path.join(folder, element.get("file")))
+            for number, element in enumerate(ElementTree.parse(path).getroot().iter("DataSet"))]
+
+
+def write_index(path, pieces):
+    """A collection of pieces, whose files may be None."""
+    root = ElementTree.Element("VTKFile", type="vtkMultiBlockDataSet", version="1.0")
+    blocks = ElementTree.SubElement(root, "vtkMultiBlockDataSet")
+    folder = os.path.dirname(os.path.abspath(path))
+    for number, (name, file) in enumerate(pieces):
+        element = ElementTree.SubElement(blocks, "DataSet", index=str(number), name=name)
+        if file:
+            element.set("file", os.path.relpath(file, folder))
+    ElementTree.ElementTree(root).write(path + ".part", encoding="utf-8", xml_declaration=True)
+    os.replace(path + ".part", path)
+
+
+def leaves_by_block(data, count):
+    """The tables of each block: with several processes each gives a collection of its own."""
+    found = [[] for _ in range(count)]
+
+    def visit(group):
+        for block in range(group.GetNumberOfBlocks()):
+            child = group.GetBlock(block)
+            if child is not None and child.IsA("vtkMultiBlockDataSet"):
+                visit(child)
+            elif child is not None and child.GetNumberOfRows():
+                found[block].append(child)
+
+    visit(data)
+    return found
+
+
+def rows_of(tables, block, name):
+    """A row a flat piece, as dictionaries."""
+    for table in tables:
+        columns = [table.GetColumn(k) for k in range(table.GetNumberOfColumns())]
+        for row in range(table.GetNumberOfRows()):
+            yield {"Block": block, "Name": name,
+                   **{column.GetName(): column.GetVariantValue(row).ToString() for column in columns}}
+
+
+class Collection:
+    def __init__(self, options):
+        self.pieces = read_index(options.collection)
+        self.folder = os.path.splitext(options.flat)[0]
+        os.makedirs(self.folder, exist_ok=True)
+        self.reader = pv.XMLMultiBlockDataReader(FileName=[options.collection])
+        self.flattening = pv.WireWarping(Input=self.reader, Scheme=options.scheme, BesideSurface=0)
+        self.table = pv.FlatteningTable(Input=self.flattening)
+
+    def file(self, first, last, ending):
+        return os.path.join(self.folder, f"{first:06}-{last:06}{ending}")
+
+    def flatten(self, first, last):
+        """The pieces from first to last, as far as they are not done."""
+        if os.path.exists(self.file(first, last, ".csv")):
+            return
+        begun = self.file(first, last, ".begun")
+        if not os.path.exists(begun):
+            with open(begun, "w", encoding="utf-8"):
+                pass
+            self.run(first, last)
+        elif last - first > 1:
+            print(f"pieces {first} to {last - 1} one by one, since a run died among them", flush=True)
+            for piece in range(first, last):
+                self.flatten(piece, piece + 1)
+            self.join(first, last)
+        else:
+            self.finish(first, last, [{"Block": first, "Name": self.pieces[first][0], "Status": "Died"}],
+                        [(self.pieces[first][0], None)])
+        os.remove(begun)
+
+    def run(self, first, last):
+        part = self.pieces[first:last]
+        index = self.file(first, last, ".pieces.vtm")
+        write_index(index, part)
+        self.reader.FileName = [index]
+        flat = self.file(first, last, ".flat.vtm")
+        # Within the elements: Debian's ParaView 5.11 cannot read appended data.
+        pv.SaveData(flat, proxy=self.flattening, DataMode="Binary")
+        self.table.UpdatePipeline()
+        tables = leaves_by_block(servermanager.Fetch(self.table), len(part))
+        rows = []
+        for k, (name, _) in enumerate(part):
+            rows += list(rows_of(tables[k], first + k, name)) or [
+                {"Block": first + k, "Name": name, "Status": "NotRead"}]
+        files = {}
+        for element in ElementTree.parse(flat).getroot().iter("DataSet"):
+            path = os.path.join(self.folder, element.get("file") or "")
+            if os.path.isfile(path):
+                files.setdefault(int(element.get("index")), []).append(path)
+        # A process that has not the piece may write an empty one.
+        flats = [(name, max(files.get(k, [None]), key=lambda file: os.path.getsize(file) if file else 0))
+                 for k, (name, _) in enumerate(part)]
+        self.finish(first, last, rows, flats)
+        for path in (index, flat):
+            os.remove(path)
+
+    def join(self, first, last):
+        singles = [(piece, piece + 1) for piece in range(first, last)]
+        self.finish(first, last, self.rows(singles), self.flats(singles))
+
+    def finish(self, first, last, rows, flats):
+        """The table comes last: where it is, all is done."""
+        write_index(self.file(first, last, ".vtm"), flats)
+        write_table(self.file(first, last, ".csv"), rows)
+
+    def rows(self, portions):
+        rows = []
+        for portion in portions:
+            with open(self.file(*portion, ".csv"), encoding="utf-8", newline="") as file:
+                rows += csv.DictReader(file)
+        return rows
+
+    def flats(self, portions):
+        flats = []
+        for portion in portions:
+            path = self.file(*portion, ".vtm")
+            for element in ElementTree.parse(path).getroot().iter("DataSet"):
+                file = element.get("file")
+                flats.append((element.get("name"), file and os.path.join(self.folder, file)))
+        return flats
+
+
+def write_table(path, rows):
+    columns = list(dict.fromkeys(name for row in rows for name in row))
+    with open(path + ".part", "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, columns)
+        writer.writeheader()
+        writer.writerows(rows)
+    os.replace(path + ".part", path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("collection", help="a .vtm file")
+    parser.add_argument("flat", help="the .vtm file to write; beside it a .csv file and a folder")
+    parser.add_argument("--plugin", help="the plugin, where ParaView does not load it by itself")
+    parser.add_argument("--scheme", default="Isometric",
+                        choices=("Progressive", "Global", "Isometric", "Least squares conformal"))
+    parser.add_argument("--portion", type=int, default=500, help="pieces that are taken at a time")
+    options = parser.parse_args()
+    if options.plugin:
+        pv.LoadPlugin(options.plugin, remote=True)
+    collection = Collection(options)
+    count = len(collection.pieces)
+    portions = [(first, min(first + options.portion, count))
+                for first in range(0, count, options.portion)]
+    for portion in portions:
+        start = time.time()
+        collection.flatten(*portion)
+        print(f"{portion[1]} of {count} pieces, {time.time() - start:.1f} s", flush=True)
+    rows = collection.rows(portions)
+    write_index(options.flat, collection.flats(portions))
+    write_table(os.path.splitext(options.flat)[0] + ".csv", rows)
+    statuses = [row["Status"] for row in rows]
+    print(f"{options.flat}: {count} pieces, {len(rows)} flat ones: " +
+          ", ".join(f"{statuses.count(status)} {status}" for status in sorted(set(statuses))))
+    sys.stdout.flush()
+
+
+main()

@@ -52,6 +52,8 @@ def main() -> None:
 
     fields = flat.GetFieldData()
     pairs = fields.GetArray("SeamPairs")
+    if pairs is None:
+        sys.exit("no curve cuts this surface, so that nothing is to be sewn")
     pairs = np.array([pairs.GetTuple(k) for k in range(pairs.GetNumberOfTuples())], dtype=int)
     piece_of_cell = flat.GetCellData().GetArray("PieceId")
     piece_of_point = {}

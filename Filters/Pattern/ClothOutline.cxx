@@ -76,7 +76,12 @@ AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
       [&](const Dart& d) { return d.loop == l && d.firstEdge == k % count; });
     if (dart == this->Darts.end())
     {
-      add(this->All.at(point(k)), this->allowanceOf(point(k), point(k + 1)));
+      Points2 along;
+      this->All.addAlong(point(k), point(k + 1), along);
+      for (const Point2& p : along)
+      {
+        add(p, this->allowanceOf(point(k), point(k + 1)));
+      }
       ++k;
       continue;
     }

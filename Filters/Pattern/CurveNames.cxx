@@ -228,7 +228,7 @@ void placeCurveNames(const Segments& boundary, PatternPiece& piece)
   const Grainline& grain = piece.grain;
   if (grain.from != grain.to)
   {
-    placer.place(grain.fromKeyCurve ? "grain" : "upright", { grain.from, grain.to }, 0.15);
+    placer.place(grain.known ? "grain" : "upright", { grain.from, grain.to }, 0.15);
   }
 }
 }

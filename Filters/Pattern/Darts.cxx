@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Darts.h"
 
+#include "Base/Planar.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -182,9 +184,9 @@ bool dartRoof(const Point2& tip, const std::array<Point2, 2>& mouth,
   for (int side = 0; side < 2; ++side)
   {
     const Point2 edge = mirrored(neighbour[side] - mouth[side], mouth[side] - tip);
-    const double sine = fold.x() * edge.y() - fold.y() * edge.x();
+    const double sine = cross(fold, edge);
     const Point2 arm = mouth[side] - tip;
-    const double at = (arm.x() * edge.y() - arm.y() * edge.x()) / sine;
+    const double at = cross(arm, edge) / sine;
     if (!(at > 0.5 * leg && at < 1.5 * leg))
     {
       return false;
@@ -193,6 +195,19 @@ bool dartRoof(const Point2& tip, const std::array<Point2, 2>& mouth,
   }
   corner = tip + height * fold;
   return true;
+}
+
+double foldMiss(const Points2& legs)
+{
+  const Point2& tip = legs[legs.size() / 2];
+  const Point2 fold = (legs.front() + legs.back()) / 2.0 - tip;
+  double most = 0.0;
+  for (std::size_t k = 0; k < legs.size() / 2; ++k)
+  {
+    const Point2 folded = tip + mirrored(legs[k] - tip, fold);
+    most = std::max(most, (folded - legs[legs.size() - 1 - k]).norm());
+  }
+  return most;
 }
 }
 }

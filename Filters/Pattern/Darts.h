@@ -39,5 +39,9 @@ std::vector<Dart> findDarts(const PatternSource& source, const std::vector<Indic
 /// \return whether there is a corner
 bool dartRoof(const Point2& tip, const std::array<Point2, 2>& mouth,
   const std::array<Point2, 2>& neighbour, Point2& corner);
+
+/// How far the legs of a dart miss each other when it is folded: the largest distance of a point
+/// from the mirror image of its partner. \param legs from mouth to tip and back to the mouth
+double foldMiss(const Points2& legs);
 }
 }

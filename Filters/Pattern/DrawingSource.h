@@ -10,6 +10,8 @@ namespace flattening
 {
 namespace pattern
 {
+class FairBorders;
+
 /// What the drawing of each piece needs to know of the whole flattening.
 struct DrawingSource
 {
@@ -19,9 +21,23 @@ struct DrawingSource
   SewnPartners partners;
   WireOfEdge wires;
   std::vector<NotchPlace> notches;
+  const FairBorders* fair = nullptr; ///< null: borders are drawn as the mesh has them
+  const Points2* moved = nullptr;    ///< where the points are then, millimetres
 
   double scale() const { return millimetresPer(this->options.unit); }
-  Point2 at(Index point) const { return this->scale() * this->source.positions[point]; }
+  Point2 at(Index point) const
+  {
+    return this->moved ? (*this->moved)[static_cast<std::size_t>(point)]
+                       : Point2(this->scale() * this->source.positions[point]);
+  }
+  /// Adds the points of an edge of a border as it is drawn, all but its second end.
+  void addAlong(Index from, Index to, Points2& points) const;
+  /// A place on an edge of a border as it is drawn.
+  /// \param outward to the right of the way from the first point to the second, of length 1
+  Point2 onEdge(Index from, Index to, double fraction, Point2& outward) const;
 };
+
+/// Finds loops, partners, wires and notches of a source.
+Status findBorders(DrawingSource& all);
 }
 }

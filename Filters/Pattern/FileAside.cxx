@@ -28,16 +28,16 @@ FileAside::~FileAside()
   std::filesystem::remove(this->Aside, ignored);
 }
 
-PatternStatus FileAside::write(const std::string& content) const
+Status FileAside::write(const std::string& content) const
 {
   errno = 0;
   std::ofstream file(this->Aside, std::ios::binary);
   file << content;
   file.close();
-  return file ? PatternStatus() : this->failure(errno != 0 ? std::strerror(errno) : "");
+  return file ? Status() : this->failure(errno != 0 ? std::strerror(errno) : "");
 }
 
-PatternStatus FileAside::publish()
+Status FileAside::publish()
 {
   std::error_code error;
   if (std::filesystem::is_directory(this->Path, error))
@@ -45,14 +45,14 @@ PatternStatus FileAside::publish()
     return this->failure("a folder of this name is in the way");
   }
   std::filesystem::rename(this->Aside, this->Path, error);
-  return error ? this->failure(error.message()) : PatternStatus();
+  return error ? this->failure(error.message()) : Status();
 }
 
-PatternStatus FileAside::failure(const std::string& reason) const
+Status FileAside::failure(const std::string& reason) const
 {
-  return { PatternCode::CannotWrite,
-    this->Path + " cannot be written" + (reason.empty() ? "" : " (" + reason + ")") +
-      "; name another file or folder" };
+  return { StatusCode::FileNotWritten,
+    this->Path + " cannot be written" + (reason.empty() ? "" : " (" + reason + ")"), {},
+    { Remedy::NameAnotherFile } };
 }
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PatternStatus.h"
+#include "Base/Status.h"
 
 #include <string>
 
@@ -22,10 +22,10 @@ public:
   /// Where to write.
   const std::string& aside() const { return this->Aside; }
   /// Writes a whole text.
-  PatternStatus write(const std::string& content) const;
-  PatternStatus publish();
+  Status write(const std::string& content) const;
+  Status publish();
   /// What to say where the file cannot be written.
-  PatternStatus failure(const std::string& reason) const;
+  Status failure(const std::string& reason) const;
 
 private:
   std::string Path;

@@ -1,36 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Notches.h"
 
+#include "PatternText.h"
+
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_set>
 
 namespace flattening
 {
 namespace pattern
 {
-namespace
-{
-double lengthOf(const PatternSource& source, Index a, Index b)
+double lengthOnSurface(const PatternSource& source, Index a, Index b)
 {
   return source.inSpace.empty() ? (source.positions[b] - source.positions[a]).norm()
                                 : (source.inSpace[b] - source.inSpace[a]).norm();
 }
 
-std::vector<double> stations(double length, double spacing)
+Status notchStations(
+  const std::string& curve, double length, double spacing, std::vector<double>& stations)
 {
-  std::vector<double> at;
+  stations.clear();
+  if (!(spacing > 0.0))
+  {
+    return {};
+  }
+  if (!(length / spacing < 10000.0))
+  {
+    return { StatusCode::InvalidOption,
+      "notches so close give more than 10000 of them on the curve " + curve, {},
+      { Remedy::CheckUnit, Remedy::WidenNotches } };
+  }
   // The last one keeps some distance from the end, which is a mark of its own.
   for (int k = 1; k * spacing < length - 0.25 * spacing; ++k)
   {
-    at.push_back(k * spacing);
+    stations.push_back(k * spacing);
   }
-  if (at.empty())
+  if (stations.empty())
   {
-    at.push_back(length / 2.0);
+    stations.push_back(length / 2.0);
   }
-  return at;
+  return {};
 }
 
+namespace
+{
 /// Turns a place so that its edge has the cloth on its left.
 NotchPlace onBoundary(const std::unordered_set<std::uint64_t>& boundary, NotchPlace place)
 {
@@ -43,14 +58,35 @@ NotchPlace onBoundary(const std::unordered_set<std::uint64_t>& boundary, NotchPl
 }
 }
 
-PatternStatus placeNotches(const PatternSource& source, const PieceLoops& loops,
-  const SewnPartners& partners, double spacing, std::vector<NotchPlace>& places)
+Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
+  double scale, std::vector<double>& stations)
+{
+  const auto own = options.notchesOfCurve.find(wire.name);
+  if (own == options.notchesOfCurve.end())
+  {
+    const bool cut = wire.type == WireType::Seam || wire.type == WireType::Dart;
+    return notchStations(wire.name, length, cut ? options.notchSpacing / scale : 0.0, stations);
+  }
+  stations.clear();
+  for (const double distance : own->second)
+  {
+    // The ends are marks of their own.
+    if (distance > 0.0 && distance / scale < length)
+    {
+      stations.push_back(distance / scale);
+    }
+  }
+  std::sort(stations.begin(), stations.end());
+  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
+  return {};
+}
+
+Status placeNotches(const PatternSource& source, const PieceLoops& loops,
+  const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places)
 {
   places.clear();
-  if (!(spacing > 0.0))
-  {
-    return {};
-  }
+  const double scale = millimetresPer(options.unit);
+  std::map<std::string, double> longest; // wires that have notches of their own
   std::unordered_set<std::uint64_t> boundary;
   for (const auto& ofPiece : loops)
   {
@@ -66,30 +102,31 @@ PatternStatus placeNotches(const PatternSource& source, const PieceLoops& loops,
   for (std::size_t w = 0; w < source.wires.size(); ++w)
   {
     const SourceWire& wire = source.wires[w];
-    if (wire.type != WireType::Seam && wire.type != WireType::Dart)
-    {
-      continue;
-    }
     std::vector<double> arc{ 0.0 };
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
     {
-      arc.push_back(arc.back() + lengthOf(source, wire.points[k], wire.points[k + 1]));
+      arc.push_back(arc.back() + lengthOnSurface(source, wire.points[k], wire.points[k + 1]));
     }
-    if (!(arc.back() / spacing < 10000.0))
+    if (options.notchesOfCurve.count(wire.name) > 0)
     {
-      return { PatternCode::InvalidOption,
-        "notches so close give more than 10000 of them on the curve " + wire.name +
-          "; check the unit, or take a larger notch spacing" };
+      longest[wire.name] = std::max(longest[wire.name], scale * arc.back());
     }
-    const std::vector<double> at = stations(arc.back(), spacing);
+    std::vector<double> at;
+    Status status = stationsOf(wire, arc.back(), options, scale, at);
+    if (!status.ok())
+    {
+      return status;
+    }
     std::size_t next = 0;
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
     {
       const Index from = wire.points[k];
       const Index to = wire.points[k + 1];
       const auto partner = partners.find(edgeKey(from, to));
-      const bool walked =
-        partner == partners.end() || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
+      const bool sewn = partner != partners.end();
+      const bool isBorder =
+        boundary.count(edgeKey(from, to)) + boundary.count(edgeKey(to, from)) > 0;
+      const bool walked = !isBorder || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
       for (; next < at.size() && at[next] <= arc[k + 1]; ++next)
       {
         if (walked)
@@ -98,12 +135,27 @@ PatternStatus placeNotches(const PatternSource& source, const PieceLoops& loops,
         }
         const double fraction = (at[next] - arc[k]) / (arc[k + 1] - arc[k]);
         places.push_back(onBoundary(boundary, { { from, to }, fraction, at[next], w }));
-        places.push_back(onBoundary(boundary, { partner->second, fraction, at[next], w }));
+        if (sewn)
+        {
+          places.push_back(onBoundary(boundary, { partner->second, fraction, at[next], w }));
+        }
       }
-      if (partner != partners.end())
+      if (sewn)
       {
         done.insert(edgeKey(partner->second[0], partner->second[1]));
       }
+    }
+  }
+  for (const auto& [name, length] : longest)
+  {
+    const std::vector<double>& wanted = options.notchesOfCurve.at(name);
+    const auto farthest = std::max_element(wanted.begin(), wanted.end());
+    if (farthest != wanted.end() && *farthest > length)
+    {
+      return { StatusCode::InvalidOption,
+        "a notch is to be " + formatNumber(*farthest, 1) + " mm along the curve " + name +
+          ", which is " + formatNumber(length, 1) + " mm long",
+        {}, { Remedy::CheckUnit, { Remedy::Give, "a distance within the curve" } } };
     }
   }
   return {};

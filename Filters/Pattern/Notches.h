@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "Outline.h"
-#include "PatternStatus.h"
 
 namespace flattening
 {
@@ -18,12 +18,26 @@ struct NotchPlace
   std::size_t wire = 0;
 };
 
-/// Places on both banks of every seam and dart at the same lengths on the surface: multiples of
-/// the spacing from the start of the wire, up to a quarter of it before the end, or the middle
-/// where there is none of these. A place and its partner lie on the same point of the curve before
-/// the cut.
-/// \param spacing in the unit of the surface; 0: none
-PatternStatus placeNotches(const PatternSource& source, const PieceLoops& loops,
-  const SewnPartners& partners, double spacing, std::vector<NotchPlace>& places);
+/// Of an edge on the surface; in the plane where its points in space are not known.
+double lengthOnSurface(const PatternSource& source, Index a, Index b);
+
+/// Lengths from the start of a curve at which it is notched: multiples of the spacing, up to a
+/// quarter of it before the end, or the middle where there is none of these.
+/// \param spacing 0: none
+Status notchStations(
+  const std::string& curve, double length, double spacing, std::vector<double>& stations);
+
+/// Those of a wire: the distances that the options have for its name, as far as it is so long, or
+/// those of notchStations(), which seams and darts have alone.
+/// \param scale millimetres per unit of the lengths
+Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
+  double scale, std::vector<double>& stations);
+
+/// Places on both banks of every seam and dart, and on the edges of the boundary that have notches
+/// of their own, at the lengths on the surface that stationsOf() says. A place and its partner lie
+/// on the same point of the curve before the cut. Error: InvalidOption where a notch is farther out
+/// than any wire of its name is long.
+Status placeNotches(const PatternSource& source, const PieceLoops& loops,
+  const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places);
 }
 }

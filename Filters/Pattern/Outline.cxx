@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outline.h"
 
+#include "Base/Planar.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,12 +30,12 @@ double doubleArea(const Points2& polygon)
   {
     const Point2 a = polygon[k] - polygon.front();
     const Point2 b = polygon[(k + 1) % polygon.size()] - polygon.front();
-    sum += a.x() * b.y() - a.y() * b.x();
+    sum += cross(a, b);
   }
   return sum;
 }
 
-PatternStatus findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops)
+Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops)
 {
   std::unordered_map<std::uint64_t, Index> pieceOfEdge;
   for (std::size_t t = 0; t < source.triangles.size(); ++t)
@@ -58,9 +60,9 @@ PatternStatus findLoops(const PatternSource& source, std::size_t pieces, PieceLo
       }
       if (!next.emplace(from, to).second)
       {
-        return { PatternCode::InvalidInput,
-          "the boundary of the flat surface branches at point " + std::to_string(from) +
-            "; give the output of a flattening filter" };
+        return { StatusCode::InvalidPattern,
+          "the boundary of the flat surface branches at point " + std::to_string(from), {},
+          { Remedy::GiveFlatPieces } };
       }
       starts.push_back(from);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "PatternSource.h"
-#include "PatternStatus.h"
 
 #include <unordered_map>
 
@@ -22,7 +22,7 @@ inline std::uint64_t edgeKey(Index from, Index to)
 using PieceLoops = std::vector<std::vector<Indices>>;
 
 /// \return InvalidInput where the boundary of a piece does not fall into loops.
-PatternStatus findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops);
+Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops);
 
 /// Which points an edge is sewn to: the directed edge (a, b) to its partner, in the same direction
 /// of the curve. Both banks are keys, in both directions.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Types.h"
+#include "FairSpan.h"
 #include "PatternUnit.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ enum class LineKind
   SewLine,  ///< where pieces are joined or hemmed
   DartLeg,  ///< sewn onto the other leg of its dart
   DartFold, ///< where the cloth of a dart is folded
+  Fold,     ///< where the cloth is folded before a half of a piece is cut
   KeyCurve, ///< feature curve of prescribed shape
   Internal, ///< any other feature curve
 };
@@ -26,12 +28,14 @@ enum class LineKind
 /// True for the lines that are wires: their lengths are those of the surface.
 bool isWire(LineKind kind);
 
-/// A straight-edged line. All lengths of a pattern are millimetres, y points up.
+/// A line. All lengths of a pattern are millimetres, y points up.
 struct PatternLine
 {
   LineKind kind = LineKind::Internal;
   bool closed = false;
-  Points2 points;
+  Points2 points; ///< with straight sides, within sampleDistance of the curve where there is one
+  std::vector<FairSpan>
+    curve;                 ///< the line as it is meant, where it was made smooth; otherwise empty
   std::string name;        ///< of the feature curve; empty for the boundary
   double restLength = 0.0; ///< on the surface, of wires
 };
@@ -51,7 +55,7 @@ struct Grainline
 {
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
-  bool fromKeyCurve = false; ///< false: the piece names none, and its upright is taken
+  bool known = false; ///< false: the piece names none, and its upright is taken
 };
 
 enum class TextRole
@@ -77,13 +81,25 @@ struct PatternPiece
   std::string name;
   std::string size;
   int quantity = 1;
-  int number = 1; ///< from 1
+  int turnedOver = 0; ///< so many of these are cut from cloth that is turned over
+  int number = 1;     ///< from 1
   std::vector<PatternLine> lines;
   std::vector<Notch> notches;
   Points2 drillHoles;
   Grainline grain;
+  std::vector<std::string> notes;    ///< what was done that who cuts may want to know
+  std::vector<std::string> warnings; ///< what is drawn otherwise than may be expected
   std::vector<PatternText> texts;
   Point2 extent = Point2::Zero();
+};
+
+/// Cloth on which the pieces lie.
+struct Fabric
+{
+  double width = 0.0;
+  double length = 0.0;
+  double efficiency = 0.0; ///< share of the cloth that is pieces
+  Points2 corners;         ///< upper left corner of each piece, y down
 };
 
 struct Pattern
@@ -93,6 +109,10 @@ struct Pattern
   std::string date;             ///< year-month-day
   std::string time;             ///< hour:minute
   std::vector<PatternPiece> pieces;
+  std::optional<Fabric> fabric; ///< the pieces are laid on it; otherwise they are put in rows
+  /// Table of the seams' walk, a head and rows, for the pages after the pattern; empty: none.
+  std::vector<std::vector<std::string>> walk;
+  std::vector<std::string> names; ///< of all flat pieces, those that are not drawn among them
 };
 }
 }

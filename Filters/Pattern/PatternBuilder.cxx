@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternBuilder.h"
 
+#include "Base/Planar.h"
 #include "ClosedCuts.h"
+#include "FairBorders.h"
+#include "FairNotes.h"
+#include "MirrorPairs.h"
+#include "PatternChecks.h"
 #include "PatternText.h"
 #include "PieceDrawing.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace flattening
 {
@@ -14,72 +20,22 @@ namespace pattern
 {
 namespace
 {
-PatternStatus checkOptions(const PatternSource& source, const PatternOptions& options)
-{
-  const auto invalid = [](const std::string& message) {
-    return PatternStatus{ PatternCode::InvalidOption, message };
-  };
-  const auto length = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!length(options.allowance))
-  {
-    return invalid("the seam allowance must be a number of millimetres from 0");
-  }
-  if (!std::isfinite(options.mitreLimit) || options.mitreLimit < 1.0)
-  {
-    return invalid("the mitre limit must be a number from 1");
-  }
-  if (!length(options.notchSpacing) || !length(options.notchLength))
-  {
-    return invalid("notch spacing and length must be numbers of millimetres from 0");
-  }
-  if (options.quantity < 1)
-  {
-    return invalid("the quantity must be a whole number from 1");
-  }
-  for (const auto& [name, allowance] : options.allowanceOfCurve)
-  {
-    if (!length(allowance))
-    {
-      return invalid("the seam allowance of " + name + " must be a number of millimetres from 0");
-    }
-    const std::string& wanted = name;
-    const bool known = wanted == "boundary" ||
-      std::any_of(source.wires.begin(), source.wires.end(),
-        [&wanted](const SourceWire& wire) { return wire.name == wanted; });
-    if (!known)
-    {
-      std::string names = "boundary";
-      for (const SourceWire& wire : source.wires)
-      {
-        if (wire.type != WireType::Boundary && names.find(wire.name) == std::string::npos &&
-          names.size() < 200)
-        {
-          names += ", " + wire.name;
-        }
-      }
-      return invalid("a seam allowance names the curve " +
-        std::string(name).append(", which is not there; there are ").append(names));
-    }
-  }
-  return {};
-}
-
-PatternStatus checkSource(const PatternSource& source, std::size_t& pieces)
+Status checkSource(const PatternSource& source, std::size_t& pieces)
 {
   pieces = 0;
   if (source.triangles.empty())
   {
-    return {
-      PatternCode::NothingToDraw,
-      "there is no piece to draw: the flat surface has no triangles; see what the flattening says"
-    };
+    return { StatusCode::NothingToDraw,
+      "there is no piece to draw: the flat surface has no triangles", {},
+      { Remedy::ReadTheFlattening } };
   }
   for (std::size_t v = 0; v < source.positions.size(); ++v)
   {
     if (!source.positions[v].allFinite())
     {
-      return { PatternCode::InvalidInput,
-        "point " + std::to_string(v) + " of the flat surface is not finite" };
+      return { StatusCode::InvalidPattern,
+        "point " + std::to_string(v) + " of the flat surface is not finite", {},
+        { Remedy::GiveFlatPieces } };
     }
   }
   std::vector<double> area;
@@ -88,78 +44,144 @@ PatternStatus checkSource(const PatternSource& source, std::size_t& pieces)
     const Index piece = source.pieceOfTriangle[t];
     if (piece < 0 || static_cast<std::size_t>(piece) >= source.triangles.size())
     {
-      return { PatternCode::InvalidInput,
+      return { StatusCode::InvalidPattern,
         "the PieceId of cell " + std::to_string(t) + " is " + std::to_string(piece) +
-          "; pieces are counted from 0" };
+          ", and pieces are counted from 0",
+        {}, { Remedy::GiveFlatPieces } };
     }
     area.resize(std::max(area.size(), static_cast<std::size_t>(piece) + 1), 0.0);
     const Triangle& corners = source.triangles[t];
     const Point2 a = source.positions[corners[1]] - source.positions[corners[0]];
     const Point2 b = source.positions[corners[2]] - source.positions[corners[0]];
-    area[static_cast<std::size_t>(piece)] += a.x() * b.y() - a.y() * b.x();
+    area[static_cast<std::size_t>(piece)] += cross(a, b);
   }
   pieces = area.size();
   for (std::size_t p = 0; p < pieces; ++p)
   {
     if (!(area[p] > 0.0))
     {
-      return { PatternCode::NothingToDraw,
-        "piece " + std::to_string(p) +
-          " has no area, or is turned over: its triangles must be counter-clockwise" };
+      return { StatusCode::NothingToDraw,
+        "piece " + std::to_string(p + 1) + " of " + std::to_string(pieces) +
+          " has no area, or is turned over: its triangles must be counter-clockwise",
+        {}, { Remedy::GiveFlatPieces } };
     }
   }
   return {};
 }
 
-std::string pieceName(const PatternOptions& options, std::size_t piece, std::size_t pieces)
+std::string pieceName(
+  const PatternSource& source, const PatternOptions& options, std::size_t piece, std::size_t pieces)
 {
   if (piece < options.pieceNames.size() && !options.pieceNames[piece].empty())
   {
     return cleanText(options.pieceNames[piece]);
   }
+  if (piece < source.panels.names.size())
+  {
+    return cleanText(source.panels.names[piece]);
+  }
   return cleanText(options.name) + (pieces > 1 ? " " + std::to_string(piece + 1) : "");
+}
+}
+
+namespace
+{
+std::vector<PieceShape> shapesOf(const DrawingSource& all)
+{
+  std::vector<PieceShape> shapes(all.loops.size());
+  const auto add = [&all](const Indices& points, Points2& line) {
+    for (const Index v : points)
+    {
+      line.push_back(all.at(v));
+    }
+  };
+  for (std::size_t p = 0; p < shapes.size(); ++p)
+  {
+    add(all.loops[p].front(), shapes[p].outline);
+  }
+  for (const SourceWire& wire : all.source.wires)
+  {
+    if (wire.piece != none)
+    {
+      std::vector<Points2>& lines = shapes[static_cast<std::size_t>(wire.piece)].lines;
+      add(wire.points, lines.emplace_back());
+    }
+  }
+  return shapes;
+}
+
+std::string plural(int count, const std::string& what)
+{
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 }
 
 bool isWire(LineKind kind)
 {
-  return kind != LineKind::CutLine && kind != LineKind::CutOut && kind != LineKind::DartFold;
+  return kind != LineKind::CutLine && kind != LineKind::CutOut && kind != LineKind::DartFold &&
+    kind != LineKind::Fold;
 }
 
-PatternStatus buildPattern(
-  const PatternSource& source, const PatternOptions& options, Pattern& pattern)
+Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern)
 {
   std::size_t pieces = 0;
-  PatternStatus status = checkSource(source, pieces);
+  Status status = checkSource(source, pieces);
   if (status.ok())
   {
-    status = checkOptions(source, options);
+    status = checkPatternOptions(source, options);
   }
   if (!status.ok())
   {
     return status;
+  }
+  for (std::size_t p = pieces; p < options.pieceQuantities.size(); ++p)
+  {
+    if (options.pieceQuantities[p] > 0)
+    {
+      return { StatusCode::InvalidOption,
+        "there is a quantity for piece " + std::to_string(p + 1) + ", and there are " +
+          plural(static_cast<int>(pieces), "piece") };
+    }
   }
   const PatternSource whole = withoutClosedCuts(source);
-  DrawingSource all{ whole, options, {}, {}, {}, {} };
-  status = findLoops(whole, pieces, all.loops);
+  DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
+  status = findBorders(all);
   if (!status.ok())
   {
     return status;
   }
-  all.partners = sewnPartners(whole);
-  all.wires = wiresOfEdges(whole);
-  status =
-    placeNotches(whole, all.loops, all.partners, options.notchSpacing / all.scale(), all.notches);
+  std::optional<FairBorders> fair;
+  if (options.fairTolerance > 0.0)
+  {
+    fair.emplace(all, options.fairTolerance);
+    all.fair = &*fair;
+    all.moved = &fair->positions();
+  }
 
   pattern.name = cleanText(options.name);
   pattern.unit = options.unit;
-  pattern.pieces.assign(pieces, {});
+  const std::vector<PieceShape> shapes = shapesOf(all);
+  const std::vector<std::size_t> mirrored = findMirrorPairs(shapes, mirrorTolerance);
+  pattern.pieces.clear();
+  pattern.names.clear();
+  for (std::size_t p = 0; p < pieces; ++p)
+  {
+    pattern.names.push_back(pieceName(source, options, p, pieces));
+  }
   for (std::size_t p = 0; p < pieces && status.ok(); ++p)
   {
-    PatternPiece& piece = pattern.pieces[p];
-    piece.name = pieceName(options, p, pieces);
+    const std::size_t second =
+      static_cast<std::size_t>(std::find(mirrored.begin(), mirrored.end(), p) - mirrored.begin());
+    const bool isSecond = mirrored[p] != noPair;
+    if (options.pairs && isSecond)
+    {
+      continue;
+    }
+    PatternPiece& piece = pattern.pieces.emplace_back();
+    piece.name = pattern.names[p];
     piece.size = cleanText(options.size);
-    piece.quantity = options.quantity;
+    const bool own = p < options.pieceQuantities.size() && options.pieceQuantities[p] > 0;
+    piece.quantity = own ? options.pieceQuantities[p] : options.quantity;
     piece.number = static_cast<int>(p) + 1;
     const auto addText = [&piece](TextRole role, const std::string& text) {
       PatternText line;
@@ -168,14 +190,46 @@ PatternStatus buildPattern(
       piece.texts.push_back(std::move(line));
     };
     addText(TextRole::Title, piece.name);
+    const std::optional<MirrorAxis> fold =
+      options.cutOnFold ? findMirrorAxis(shapes[p], mirrorTolerance) : std::nullopt;
+    const std::string onFold = fold ? " on fold" : "";
     if (!piece.size.empty())
     {
       addText(TextRole::Label, "size " + piece.size);
     }
-    addText(TextRole::Label, "cut " + std::to_string(piece.quantity));
+    if (options.pairs && second < pieces)
+    {
+      addText(TextRole::Label,
+        "cut " + plural(piece.quantity, "pair") + onFold + ", one of each turned over");
+      piece.turnedOver = piece.quantity;
+      piece.quantity *= 2;
+    }
+    else
+    {
+      addText(TextRole::Label, "cut " + std::to_string(piece.quantity) + onFold);
+      if (isSecond || second < pieces)
+      {
+        const std::size_t other = isSecond ? mirrored[p] : second;
+        addText(TextRole::Label, "mirror image of piece " + std::to_string(other + 1));
+      }
+    }
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
-    status = drawPiece(all, p, piece);
+    status = drawPiece(all, p, fold, piece);
+    if (fold)
+    {
+      piece.notes.push_back("piece " + piece.name + ": a half, to be cut on the fold; the halves " +
+        "differed by " + formatNumber(fold->miss, 2) + " mm");
+    }
+    else if (options.cutOnFold)
+    {
+      piece.notes.push_back("piece " + piece.name + ": not symmetric to " +
+        formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole");
+    }
+    if (fair)
+    {
+      addFairNotes(fair->reports()[p], options.fairTolerance, piece);
+    }
   }
   return status;
 }

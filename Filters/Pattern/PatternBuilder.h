@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "Pattern.h"
 #include "PatternSource.h"
-#include "PatternStatus.h"
 
 namespace flattening
 {
@@ -11,7 +11,6 @@ namespace pattern
 {
 /// Draws a flattening as a pattern to cut at true scale. The lines that are wires have their points
 /// exactly where the flattening has them, scaled to millimetres and moved.
-PatternStatus buildPattern(
-  const PatternSource& source, const PatternOptions& options, Pattern& pattern);
+Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern);
 }
 }

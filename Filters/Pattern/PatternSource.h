@@ -40,6 +40,35 @@ struct SewnEdges
   bool closed = false; ///< they lie on each other: the cut was closed, the cloth is whole there
 };
 
+/// The borders of pieces that were panels of GarmentCode: their edges one after the other, between
+/// points of the pieces, with shapes that are the same in any unit but the radius of a circle.
+struct SourcePanels
+{
+  struct Edge
+  {
+    Index piece = none;
+    std::array<Index, 2> ends{ none, none };
+    int shape = 0; ///< as EdgeShape
+    std::array<double, 4> parameters{};
+    std::string label;
+  };
+  struct Stitch
+  {
+    std::array<Index, 2> edges{ none, none };
+    bool rightToWrong = false;
+  };
+  struct Placement
+  {
+    Point3 translation = Point3::Zero();
+    Point3 rotation = Point3::Zero();
+  };
+  std::vector<Edge> edges;
+  std::vector<Stitch> stitches;
+  std::vector<Placement> placements; ///< by piece, as are names and labels
+  std::vector<std::string> names;
+  std::vector<std::string> labels;
+};
+
 /// A flattening, in the unit of its surface.
 struct PatternSource
 {
@@ -49,6 +78,8 @@ struct PatternSource
   Indices pieceOfTriangle;
   std::vector<SourceWire> wires;
   std::vector<SewnEdges> sewn;
+  SourcePanels panels;  ///< without edges where there were none
+  bool onCloth = false; ///< the pieces lie on their cloth, its warp along y
 };
 
 enum class DartStyle
@@ -65,13 +96,21 @@ struct PatternOptions
   std::string name = "pattern";
   std::string size;
   int quantity = 1;
+  std::vector<int> pieceQuantities;    ///< by piece; where missing or 0: quantity
   std::vector<std::string> pieceNames; ///< by piece; where missing: the name, numbered if need be
   double allowance = 10.0;
   std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
   double mitreLimit = 2.0;                        ///< longest mitre, in allowances
   double notchSpacing = 100.0; ///< along the curve, on the surface; 0: at mouths of darts alone
+  std::map<std::string, std::vector<double>>
+    notchesOfCurve; ///< by curve name, distances from its start in place of the spacing
   double notchLength = 5.0;
   DartStyle darts = DartStyle::Folded;
+  double fairTolerance =
+    0.0;                  ///< of smooth borders and curves from the flat pieces; 0: as these are
+  bool cutOnFold = false; ///< of symmetric pieces draw a half
+  bool pairs =
+    false; ///< of two pieces that are mirror images draw the first alone, to be cut twice
 };
 }
 }

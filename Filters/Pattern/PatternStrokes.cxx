@@ -11,29 +11,31 @@ namespace pattern
 {
 namespace
 {
-constexpr std::array<double, 3> black{ 0.0, 0.0, 0.0 };
-constexpr std::array<double, 3> red{ 0.8, 0.0, 0.0 };
-constexpr std::array<double, 3> green{ 0.0, 0.5, 0.1 };
-constexpr std::array<double, 3> blue{ 0.0, 0.2, 0.8 };
+constexpr Colour black{ 0.0, 0.0, 0.0 };
+constexpr Colour red{ 0.8, 0.0, 0.0 };
+constexpr Colour green{ 0.0, 0.5, 0.1 };
+constexpr Colour blue{ 0.0, 0.2, 0.8 };
 
-StrokeStyle styleOf(LineKind kind)
+StrokeRole roleOf(LineKind kind)
 {
   switch (kind)
   {
     case LineKind::CutLine:
-      return { "cut-line", black, 0.5, {} };
+      return StrokeRole::CutLine;
     case LineKind::CutOut:
-      return { "cut-out", black, 0.5, {} };
+      return StrokeRole::CutOut;
     case LineKind::SewLine:
-      return { "sew-line", black, 0.25, { 4.0, 2.0 } };
+      return StrokeRole::SewLine;
     case LineKind::DartLeg:
-      return { "dart-leg", blue, 0.3, { 4.0, 2.0 } };
+      return StrokeRole::DartLeg;
     case LineKind::DartFold:
-      return { "dart-fold", blue, 0.25, { 1.0, 1.5 } };
+      return StrokeRole::DartFold;
+    case LineKind::Fold:
+      return StrokeRole::Fold;
     case LineKind::KeyCurve:
-      return { "key-curve", red, 0.25, { 8.0, 1.5, 1.0, 1.5 } };
+      return StrokeRole::KeyCurve;
     default:
-      return { "internal", green, 0.25, {} };
+      return StrokeRole::Internal;
   }
 }
 
@@ -50,7 +52,7 @@ void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
   const Point2 side(-unit.y(), unit.x());
   const auto add = [&strokes](const Points2& points) {
     Stroke stroke;
-    stroke.style = { "grain", black, 0.35, {} };
+    stroke.role = StrokeRole::Grain;
     stroke.points = points;
     strokes.push_back(std::move(stroke));
   };
@@ -60,11 +62,78 @@ void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
   };
   add({ piece.grain.from, piece.grain.to });
   addHead(piece.grain.to, 1.0);
-  if (!piece.grain.fromKeyCurve)
+  if (!piece.grain.known)
   {
     addHead(piece.grain.from, -1.0);
   }
 }
+}
+
+bool isCut(StrokeRole role)
+{
+  return role == StrokeRole::CutLine || role == StrokeRole::CutOut;
+}
+
+StrokeStyle styleOf(StrokeRole role)
+{
+  switch (role)
+  {
+    case StrokeRole::CutLine:
+      return { "cut-line", black, 0.5, {} };
+    case StrokeRole::CutOut:
+      return { "cut-out", black, 0.5, {} };
+    case StrokeRole::SewLine:
+      return { "sew-line", black, 0.25, { 4.0, 2.0 } };
+    case StrokeRole::DartLeg:
+      return { "dart-leg", blue, 0.3, { 4.0, 2.0 } };
+    case StrokeRole::DartFold:
+      return { "dart-fold", blue, 0.25, { 1.0, 1.5 } };
+    case StrokeRole::Fold:
+      return { "fold", black, 0.35, { 12.0, 2.0, 2.0, 2.0 } };
+    case StrokeRole::KeyCurve:
+      return { "key-curve", red, 0.25, { 8.0, 1.5, 1.0, 1.5 } };
+    case StrokeRole::Notch:
+      return { "notch", black, 0.4, {} };
+    case StrokeRole::DartMark:
+      return { "dart-mark", black, 0.4, {} };
+    case StrokeRole::DrillHole:
+      return { "drill-hole", black, 0.25, {} };
+    case StrokeRole::Grain:
+      return { "grain", black, 0.35, {} };
+    default:
+      return { "internal", green, 0.25, {} };
+  }
+}
+
+Colour laserColour(StrokeRole role)
+{
+  switch (role)
+  {
+    case StrokeRole::CutLine:
+      return { 1.0, 0.0, 0.0 };
+    case StrokeRole::CutOut:
+      return { 1.0, 0.5, 0.0 };
+    case StrokeRole::SewLine:
+      return { 0.0, 0.0, 1.0 };
+    case StrokeRole::DartLeg:
+      return { 0.0, 0.5, 1.0 };
+    case StrokeRole::DartFold:
+      return { 0.5, 0.0, 1.0 };
+    case StrokeRole::Fold:
+      return { 0.5, 0.5, 0.5 };
+    case StrokeRole::KeyCurve:
+      return { 1.0, 0.0, 1.0 };
+    case StrokeRole::Notch:
+      return { 0.0, 1.0, 0.0 };
+    case StrokeRole::DartMark:
+      return { 0.0, 0.5, 0.0 };
+    case StrokeRole::DrillHole:
+      return { 0.0, 1.0, 1.0 };
+    case StrokeRole::Grain:
+      return { 0.0, 0.0, 0.0 };
+    default:
+      return { 0.5, 0.5, 0.0 };
+  }
 }
 
 std::vector<Stroke> strokesOf(const PatternPiece& piece)
@@ -73,9 +142,10 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
   for (const PatternLine& line : piece.lines)
   {
     Stroke stroke;
-    stroke.style = styleOf(line.kind);
+    stroke.role = roleOf(line.kind);
     stroke.closed = line.closed;
     stroke.points = line.points;
+    stroke.smooth = line.curve;
     stroke.curve = line.name;
     stroke.measure = line.restLength;
     stroke.isWire = isWire(line.kind);
@@ -84,7 +154,7 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
   for (const Notch& notch : piece.notches)
   {
     Stroke stroke;
-    stroke.style = { notch.onCutLine ? "notch" : "dart-mark", black, 0.4, {} };
+    stroke.role = notch.onCutLine ? StrokeRole::Notch : StrokeRole::DartMark;
     stroke.points = { notch.from, notch.to };
     stroke.curve = notch.name;
     stroke.measure = notch.arcLength;
@@ -97,12 +167,14 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
     for (const Point2& way : { Point2(arm, 0.0), Point2(0.0, arm) })
     {
       Stroke stroke;
-      stroke.style = { "drill-hole", black, 0.25, {} };
+      stroke.role = StrokeRole::DrillHole;
       stroke.points = { hole - way, hole + way };
       strokes.push_back(std::move(stroke));
     }
   }
   addGrain(piece, strokes);
+  std::stable_sort(strokes.begin(), strokes.end(),
+    [](const Stroke& a, const Stroke& b) { return a.role < b.role; });
   return strokes;
 }
 

@@ -133,12 +133,13 @@ const PatternPiece& largestPiece(const Pattern& pattern)
     });
 }
 
-PatternStatus tooLarge(const Pattern& pattern, const std::string& reason, const std::string& wayOut)
+Status tooLarge(const Pattern& pattern, const std::string& reason, Remedy remedy)
 {
   const PatternPiece& piece = largestPiece(pattern);
-  return { PatternCode::TooLarge,
+  return { StatusCode::PatternTooLarge,
     "the largest piece, " + piece.name + ", measures " + metres(piece.extent) + " if the unit is " +
-      unitName(pattern.unit) + "; " + reason + "; check the unit, or " + wayOut };
+      unitName(pattern.unit) + ": " + reason,
+    {}, { Remedy::CheckUnit, remedy } };
 }
 
 /// A plan for one way to hold the paper and one number of columns to fill.
@@ -163,7 +164,7 @@ PagePlan planFor(const Pattern& pattern, const PageOptions& options, const Point
   return plan;
 }
 
-PatternStatus planSheet(const Pattern& pattern, PagePlan& plan)
+Status planSheet(const Pattern& pattern, PagePlan& plan)
 {
   plan = PagePlan();
   plan.tiled = false;
@@ -176,7 +177,7 @@ PatternStatus planSheet(const Pattern& pattern, PagePlan& plan)
   {
     return tooLarge(pattern,
       "the page would measure " + metres(plan.paper) + ", and PDF ends at 5.08 m",
-      "print on several pages");
+      Remedy::PrintOnPages);
   }
   return {};
 }
@@ -209,7 +210,7 @@ bool hasPage(const PagePlan& plan, const Tile& tile)
     [&tile](const Tile& page) { return page.row == tile.row && page.column == tile.column; });
 }
 
-PatternStatus planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
+Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
 {
   if (options.paper == PaperSize::Sheet)
   {
@@ -217,7 +218,7 @@ PatternStatus planPages(const Pattern& pattern, const PageOptions& options, Page
   }
   if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)
   {
-    return { PatternCode::InvalidOption,
+    return { StatusCode::InvalidOption,
       "the overlap of pages must be from 0 to 50 mm, and one page allowed at least" };
   }
   const Point2 upright = paperExtent(options.paper);
@@ -273,7 +274,7 @@ PatternStatus planPages(const Pattern& pattern, const PageOptions& options, Page
     return tooLarge(pattern,
       "the pattern would need about " + formatNumber(fewest, 0) + " pages " +
         paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
-      "take larger paper");
+      Remedy::TakeLargerPaper);
   }
   return {};
 }

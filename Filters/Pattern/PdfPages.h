@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PatternStatus.h"
+#include "Base/Status.h"
 #include "SheetLayout.h"
 
 namespace flattening
@@ -58,7 +58,7 @@ Point2 legendExtent(bool withMap);
 /// Chooses the layout and the way to hold the paper that need the fewest pages.
 /// \return TooLarge where more than maximumPages are needed, or a single page would be larger than PDF
 /// allows (5080 mm)
-PatternStatus planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan);
+Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan);
 
 /// "A1": row A, column 1.
 std::string tileName(const Tile& tile);

@@ -3,11 +3,15 @@
 
 #include "PatternStrokes.h"
 #include "PatternText.h"
+#include "VisualOrder.h"
+#include "WalkPages.h"
 
 #include <cairo-pdf.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 
 namespace flattening
 {
@@ -21,9 +25,17 @@ constexpr std::array<double, 3> black{ 0.0, 0.0, 0.0 };
 constexpr std::array<double, 3> grey{ 0.6, 0.6, 0.6 };
 constexpr std::array<double, 3> cyan{ 0.0, 0.55, 0.75 };
 
+/// Nothing is thrown through cairo, which is C.
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length)
 {
-  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  try
+  {
+    static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  }
+  catch (const std::exception&)
+  {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
   return CAIRO_STATUS_SUCCESS;
 }
 
@@ -65,7 +77,7 @@ public:
   PdfDrawing(const PdfDrawing&) = delete;
   PdfDrawing& operator=(const PdfDrawing&) = delete;
 
-  PatternStatus draw()
+  Status draw()
   {
     for (const PatternPiece& piece : this->Drawn.pieces)
     {
@@ -76,13 +88,19 @@ public:
       this->drawPage(page);
       cairo_show_page(this->Context);
     }
+    drawWalkPages(this->Drawn, this->Surface, this->Context);
     cairo_surface_finish(this->Surface);
     cairo_status_t status = cairo_status(this->Context);
     status = status == CAIRO_STATUS_SUCCESS ? cairo_surface_status(this->Surface) : status;
+    if (status == CAIRO_STATUS_NO_MEMORY)
+    {
+      throw std::bad_alloc(); // as where a container finds none
+    }
     if (status != CAIRO_STATUS_SUCCESS)
     {
-      return { PatternCode::InvalidInput,
-        std::string("the PDF cannot be drawn: ") + cairo_status_to_string(status) };
+      return { StatusCode::InvalidPattern,
+        std::string("the PDF cannot be drawn: ") + cairo_status_to_string(status), {},
+        { Remedy::WriteOtherFormat } };
     }
     return {};
   }
@@ -111,7 +129,8 @@ private:
   void text(
     const std::string& words, const Point2& at, double height, Anchor anchor, double angle = 0.0)
   {
-    const std::string content = cleanText(words); // cairo draws nothing more after broken UTF-8
+    // cairo draws nothing more after broken UTF-8, and one character after the other.
+    const std::string content = visualOrder(cleanText(words));
     cairo_set_font_size(this->Context, height);
     cairo_text_extents_t extents;
     cairo_text_extents(this->Context, content.c_str(), &extents);
@@ -160,18 +179,15 @@ private:
   {
     for (const Stroke& stroke : this->Strokes[p])
     {
-      this->pen(stroke.style.colour, stroke.style.width);
+      const StrokeStyle style = styleOf(stroke.role);
+      this->pen(style.colour, style.width);
       int dashes = 0;
-      while (dashes < 4 && stroke.style.dashes[static_cast<std::size_t>(dashes)] > 0.0)
+      while (dashes < 4 && style.dashes[static_cast<std::size_t>(dashes)] > 0.0)
       {
         ++dashes;
       }
-      cairo_set_dash(this->Context, stroke.style.dashes.data(), dashes, 0.0);
-      for (std::size_t k = 0; k < stroke.points.size(); ++k)
-      {
-        const Point2 at = this->Plan.layout.place(this->Drawn, p, stroke.points[k]);
-        (k == 0 ? cairo_move_to : cairo_line_to)(this->Context, at.x(), at.y());
-      }
+      cairo_set_dash(this->Context, style.dashes.data(), dashes, 0.0);
+      this->addPath(p, stroke);
       if (stroke.closed)
       {
         cairo_close_path(this->Context);
@@ -183,6 +199,30 @@ private:
     {
       this->text(text.text, this->Plan.layout.place(this->Drawn, p, text.position), text.height,
         Anchor::Middle, text.angle);
+    }
+  }
+
+  void addPath(std::size_t p, const Stroke& stroke)
+  {
+    const auto at = [&](const Point2& point) {
+      return this->Plan.layout.place(this->Drawn, p, point);
+    };
+    for (const FairSpan& span : stroke.smooth)
+    {
+      const Point2 from = at(span.control[0]);
+      const Point2 one = at(span.control[1]);
+      const Point2 two = at(span.control[2]);
+      const Point2 to = at(span.control[3]);
+      if (&span == &stroke.smooth.front())
+      {
+        cairo_move_to(this->Context, from.x(), from.y());
+      }
+      cairo_curve_to(this->Context, one.x(), one.y(), two.x(), two.y(), to.x(), to.y());
+    }
+    for (std::size_t k = 0; stroke.smooth.empty() && k < stroke.points.size(); ++k)
+    {
+      const Point2 q = at(stroke.points[k]);
+      (k == 0 ? cairo_move_to : cairo_line_to)(this->Context, q.x(), q.y());
     }
   }
 
@@ -248,11 +288,7 @@ private:
         {
           continue;
         }
-        for (std::size_t k = 0; k < stroke.points.size(); ++k)
-        {
-          const Point2 at = this->Plan.layout.place(this->Drawn, p, stroke.points[k]);
-          (k == 0 ? cairo_move_to : cairo_line_to)(this->Context, at.x(), at.y());
-        }
+        this->addPath(p, stroke);
         cairo_close_path(this->Context);
         cairo_stroke(this->Context);
       }
@@ -346,11 +382,11 @@ private:
 };
 }
 
-PatternStatus makePdf(const Pattern& pattern, const PageOptions& options, std::string& pdf)
+Status makePdf(const Pattern& pattern, const PageOptions& options, std::string& pdf)
 {
   pdf.clear();
   PagePlan plan;
-  const PatternStatus status = planPages(pattern, options, plan);
+  const Status status = planPages(pattern, options, plan);
   return status.ok() ? PdfDrawing(pattern, options.paper, plan, pdf).draw() : status;
 }
 }

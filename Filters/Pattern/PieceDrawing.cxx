@@ -2,6 +2,10 @@
 #include "PieceDrawing.h"
 
 #include "ClothOutline.h"
+#include "FairBorders.h"
+#include "Grainlines.h"
+#include "HalfPiece.h"
+#include "PatternText.h"
 #include "PieceTexts.h"
 #include "SeamAllowance.h"
 
@@ -15,6 +19,9 @@ namespace pattern
 {
 namespace
 {
+/// Legs of a dart that miss each other by more are told of; millimetres.
+constexpr double worthSaying = 0.1;
+
 /// One piece while it is drawn.
 class PieceDrawer
 {
@@ -28,9 +35,9 @@ public:
   {
   }
 
-  PatternStatus draw()
+  Status draw(const std::optional<MirrorAxis>& fold)
   {
-    PatternStatus status = this->drawCutLine();
+    Status status = this->drawCutLine();
     if (!status.ok())
     {
       return status;
@@ -41,40 +48,61 @@ public:
       this->drawDart(dart);
     }
     this->drawNotches();
-    this->drawGrain();
+    if (fold)
+    {
+      keepRightHalf(*fold, this->Drawing);
+    }
+    for (const Points2& outline : this->Outlines)
+    {
+      addSegments(fold ? rightHalf(outline, *fold) : outline, true, this->Boundary);
+    }
+    drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
     placeTexts(this->Boundary, this->Drawing);
     this->moveToOrigin();
     return {};
   }
 
 private:
-  PatternStatus drawCutLine()
+  Status drawCutLine()
   {
     for (const Indices& loop : this->Loops)
     {
       Points2 points;
-      for (const Index v : loop)
+      for (std::size_t k = 0; k < loop.size(); ++k)
       {
-        points.push_back(this->All.at(v));
+        this->All.addAlong(loop[k], loop[(k + 1) % loop.size()], points);
       }
-      addSegments(points, true, this->Boundary);
+      this->Outlines.push_back(std::move(points));
     }
     std::vector<Points2> borders;
-    PatternStatus status =
-      addAllowance(this->Cloth.polygons(), this->All.options.mitreLimit, borders);
+    Status status = addAllowance(this->Cloth.polygons(), this->All.options.mitreLimit, borders);
     for (std::size_t b = 0; b < borders.size(); ++b)
     {
       addSegments(borders[b], true, this->CutLine);
       PatternLine line;
       line.kind = b == 0 ? LineKind::CutLine : LineKind::CutOut;
       line.closed = true;
-      line.points = std::move(borders[b]);
+      line.points = this->All.fair ? thinned(borders[b], sampleDistance) : std::move(borders[b]);
       this->Drawing.lines.push_back(std::move(line));
     }
     return status;
   }
 
-  LineKind kindOf(const SourceWire& wire) const
+  /// A named edge of the boundary.
+  bool isBorder(const SourceWire& wire)
+  {
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      if (!this->isOnLoop(wire.points[k], wire.points[k + 1]) &&
+        !this->isOnLoop(wire.points[k + 1], wire.points[k]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  LineKind kindOf(const SourceWire& wire)
   {
     switch (wire.type)
     {
@@ -84,7 +112,7 @@ private:
       case WireType::Key:
         return LineKind::KeyCurve;
       case WireType::Accessory:
-        return LineKind::Internal;
+        return this->isBorder(wire) ? LineKind::SewLine : LineKind::Internal;
       default:
         return LineKind::SewLine;
     }
@@ -114,6 +142,16 @@ private:
         {
           line.restLength += (line.points[k] - line.points[k - 1]).norm();
         }
+      }
+      if (this->All.fair)
+      {
+        line.curve = this->All.fair->curveOf(wire);
+        line.points.clear();
+        for (const FairSpan& span : line.curve)
+        {
+          sampleSpan(span, sampleDistance, line.points);
+        }
+        line.points.push_back(line.curve.back().control[3]);
       }
       if (wire.points.front() == wire.points.back())
       {
@@ -159,6 +197,7 @@ private:
     const std::size_t count = loop.size();
     const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
     const Point2 tip = this->All.at(dart.tip);
+    this->noteMiss(dart);
     PatternLine fold;
     fold.kind = LineKind::DartFold;
     fold.name = dart.name;
@@ -196,6 +235,24 @@ private:
     this->Drawing.lines.push_back(std::move(fold));
   }
 
+  /// Legs that are not mirror images fit when they are sewn, and not when they are folded.
+  void noteMiss(const Dart& dart)
+  {
+    const Indices& loop = this->Loops[dart.loop];
+    Points2 legs;
+    for (std::size_t k = dart.firstEdge; k <= dart.firstEdge + dart.edges; ++k)
+    {
+      legs.push_back(this->All.at(loop[k % loop.size()]));
+    }
+    const double miss = foldMiss(legs);
+    if (miss > worthSaying)
+    {
+      this->Drawing.notes.push_back("piece " + this->Drawing.name + ": folded, the legs of " +
+        dart.name + " miss each other by up to " + formatNumber(miss, 1) +
+        " mm; legs that are straight or mirrored do not");
+    }
+  }
+
   /// The hole stands back from the tip, so that the sewn dart hides it.
   void addDrill(const Point2& tip, const Point2& towards)
   {
@@ -215,9 +272,8 @@ private:
       {
         continue;
       }
-      const Point2 along = this->All.at(to) - this->All.at(from);
-      const Point2 foot = this->All.at(from) + place.fraction * along;
-      const Point2 outward = Point2(along.y(), -along.x()).normalized();
+      Point2 outward;
+      const Point2 foot = this->All.onEdge(from, to, place.fraction, outward);
       const std::string& name = source.wires[place.wire].name;
       const double arcLength = this->All.scale() * place.arcLength;
       if (!this->Cloth.isFolded(from, to))
@@ -252,46 +308,6 @@ private:
     return this->Edges.count(edgeKey(from, to)) > 0;
   }
 
-  void drawGrain()
-  {
-    double room = 0.0;
-    Point2 anchor = widestPlace(this->Boundary, {}, room);
-    Point2 direction(0.0, 1.0);
-    double length = 1e300;
-    for (const PatternLine& line : this->Drawing.lines)
-    {
-      const Point2 chord = line.points.back() - line.points.front();
-      if (line.kind != LineKind::KeyCurve || line.closed || chord.norm() == 0.0)
-      {
-        continue;
-      }
-      this->Drawing.grain.fromKeyCurve = true;
-      direction = chord.normalized();
-      length = 0.8 * chord.norm();
-      // A key curve on the border leaves no place for an arrow: it moves inwards, in parallel.
-      const Point2 middle = (line.points.front() + line.points.back()) / 2.0;
-      if (inside(middle, this->Boundary) && distance(middle, this->Boundary) > 0.2 * room)
-      {
-        anchor = middle;
-      }
-      break;
-    }
-    double low = -0.4 * room;
-    double high = 0.4 * room;
-    const std::vector<double> borders = crossings(anchor, direction, this->Boundary);
-    for (std::size_t k = 0; k + 1 < borders.size(); ++k)
-    {
-      if (borders[k] < 0.0 && borders[k + 1] > 0.0)
-      {
-        const double margin = 0.1 * (borders[k + 1] - borders[k]);
-        low = borders[k] + margin;
-        high = borders[k + 1] - margin;
-      }
-    }
-    this->Drawing.grain.from = anchor + std::max(low, -length / 2.0) * direction;
-    this->Drawing.grain.to = anchor + std::min(high, length / 2.0) * direction;
-  }
-
   void moveToOrigin()
   {
     Box box;
@@ -308,6 +324,13 @@ private:
       for (Point2& p : line.points)
       {
         p -= box.low;
+      }
+      for (FairSpan& span : line.curve)
+      {
+        for (Point2& p : span.control)
+        {
+          p -= box.low;
+        }
       }
     }
     for (Notch& notch : piece.notches)
@@ -335,14 +358,16 @@ private:
   ClothOutline Cloth;
   PatternPiece& Drawing;
   std::unordered_set<std::uint64_t> Edges; ///< of the loops
-  Segments Boundary;
+  std::vector<Points2> Outlines;           ///< along the sew lines
+  Segments Boundary;                       ///< of what is drawn
   Segments CutLine;
 };
 }
 
-PatternStatus drawPiece(const DrawingSource& all, std::size_t piece, PatternPiece& drawing)
+Status drawPiece(const DrawingSource& all, std::size_t piece, const std::optional<MirrorAxis>& fold,
+  PatternPiece& drawing)
 {
-  return PieceDrawer(all, piece, drawing).draw();
+  return PieceDrawer(all, piece, drawing).draw(fold);
 }
 }
 }

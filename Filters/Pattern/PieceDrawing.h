@@ -2,12 +2,15 @@
 #pragma once
 
 #include "DrawingSource.h"
+#include "MirrorPairs.h"
 
 namespace flattening
 {
 namespace pattern
 {
 /// Draws one piece: its lines, notches, drill holes, grainline and texts.
-PatternStatus drawPiece(const DrawingSource& all, std::size_t piece, PatternPiece& drawing);
+/// \param fold where there is one, half of the piece alone
+Status drawPiece(const DrawingSource& all, std::size_t piece, const std::optional<MirrorAxis>& fold,
+  PatternPiece& drawing);
 }
 }

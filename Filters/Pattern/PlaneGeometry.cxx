@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlaneGeometry.h"
 
+#include "Base/Planar.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,13 +26,13 @@ std::vector<double> crossings(const Point2& from, const Point2& direction, const
   {
     const Point2 side = segment.to - segment.from;
     const Point2 start = segment.from - from;
-    const double sine = direction.x() * side.y() - direction.y() * side.x();
+    const double sine = cross(direction, side);
     if (sine == 0.0)
     {
       continue;
     }
-    const double along = (start.x() * side.y() - start.y() * side.x()) / sine;
-    const double across = (start.x() * direction.y() - start.y() * direction.x()) / sine;
+    const double along = cross(start, side) / sine;
+    const double across = cross(start, direction) / sine;
     if (across >= 0.0 && across <= 1.0)
     {
       found.push_back(along);
@@ -107,6 +109,60 @@ Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& c
     half *= 2.0 / steps;
   }
   return best;
+}
+
+namespace
+{
+void keepFarthest(
+  const Points2& polygon, std::size_t first, std::size_t last, double most, std::vector<bool>& kept)
+{
+  const Point2& from = polygon[first];
+  const Point2& to = polygon[last % polygon.size()];
+  std::size_t farthest = first;
+  double distance = most;
+  for (std::size_t k = first + 1; k < last; ++k)
+  {
+    const double off = pattern::distance(polygon[k], { { from, to } });
+    if (off > distance)
+    {
+      farthest = k;
+      distance = off;
+    }
+  }
+  if (farthest > first)
+  {
+    kept[farthest] = true;
+    keepFarthest(polygon, first, farthest, most, kept);
+    keepFarthest(polygon, farthest, last, most, kept);
+  }
+}
+}
+
+Points2 thinned(const Points2& polygon, double distance)
+{
+  if (polygon.size() < 4)
+  {
+    return polygon;
+  }
+  std::size_t opposite = 0;
+  for (std::size_t k = 1; k < polygon.size(); ++k)
+  {
+    const double way = (polygon[k] - polygon[0]).squaredNorm();
+    opposite = way > (polygon[opposite] - polygon[0]).squaredNorm() ? k : opposite;
+  }
+  std::vector<bool> kept(polygon.size(), false);
+  kept[0] = kept[opposite] = true;
+  keepFarthest(polygon, 0, opposite, distance, kept);
+  keepFarthest(polygon, opposite, polygon.size(), distance, kept);
+  Points2 result;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+  {
+    if (kept[k])
+    {
+      result.push_back(polygon[k]);
+    }
+  }
+  return result;
 }
 }
 }

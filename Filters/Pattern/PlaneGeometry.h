@@ -33,6 +33,10 @@ bool inside(const Point2& point, const Segments& borders);
 /// \param clearance its distance
 Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& clearance);
 
+/// A closed polygon with fewer points, of which none that is left out is farther from it than a
+/// distance (D. H. Douglas, T. K. Peucker, Cartographica 10(2), 1973).
+Points2 thinned(const Points2& polygon, double distance);
+
 struct Box
 {
   Point2 low{ Point2::Constant(1e300) };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamAllowance.h"
 
+#include "Base/Planar.h"
 #include "Outline.h"
 
 #include <clipper.hpp>
@@ -69,11 +70,6 @@ Point2 rightNormal(const Point2& from, const Point2& to)
 {
   const Point2 along = (to - from).normalized();
   return { along.y(), -along.x() };
-}
-
-double cross(const Point2& a, const Point2& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 /// Outer corner of two strips that meet at a convex vertex, as a polygon that starts at the vertex.
@@ -160,7 +156,7 @@ void addStrips(
 }
 }
 
-PatternStatus addAllowance(
+Status addAllowance(
   const std::vector<AllowancePolygon>& polygons, double mitreLimit, std::vector<Points2>& widened)
 {
   widened.clear();
@@ -195,9 +191,9 @@ PatternStatus addAllowance(
   }
   catch (const ClipperLib::clipperException& error)
   {
-    return { PatternCode::InvalidOption,
-      std::string("the seam allowance cannot be drawn: ") + error.what() +
-        "; check the unit and the allowance" };
+    return { StatusCode::InvalidOption,
+      std::string("the seam allowance cannot be drawn: ") + error.what(), {},
+      { Remedy::CheckUnit, { Remedy::Give, "another seam allowance" } } };
   }
   for (const ClipperLib::Path& border : borders)
   {
@@ -210,8 +206,8 @@ PatternStatus addAllowance(
     [](const Points2& a, const Points2& b) { return doubleArea(a) < doubleArea(b); });
   if (largest == widened.end())
   {
-    return { PatternCode::NothingToDraw,
-      "the piece is too small to be drawn at true scale; check the unit" };
+    return { StatusCode::NothingToDraw, "the piece is too small to be drawn at true scale", {},
+      { Remedy::CheckUnit } };
   }
   std::iter_swap(widened.begin(), largest);
   return {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "Base/Types.h"
-#include "PatternStatus.h"
 
 #include <vector>
 
@@ -25,7 +25,7 @@ struct AllowancePolygon
 /// \param polygons the outer loop and the holes of one piece
 /// \param widened the borders of the cloth, counter-clockwise outer ones and clockwise holes, the largest
 /// first; exact to a 10,000th of a millimetre
-PatternStatus addAllowance(
+Status addAllowance(
   const std::vector<AllowancePolygon>& polygons, double mitreLimit, std::vector<Points2>& widened);
 }
 }

@@ -11,6 +11,15 @@ namespace pattern
 SheetLayout layOut(const Pattern& pattern, double width, double top, double gap)
 {
   SheetLayout layout;
+  if (pattern.fabric)
+  {
+    for (const Point2& corner : pattern.fabric->corners)
+    {
+      layout.corners.emplace_back(corner + Point2(0.0, top));
+    }
+    layout.extent = Point2(pattern.fabric->width, pattern.fabric->length + top);
+    return layout;
+  }
   Point2 at(0.0, top);
   double rowHeight = 0.0;
   for (const PatternPiece& piece : pattern.pieces)

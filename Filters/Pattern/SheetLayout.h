@@ -21,7 +21,8 @@ struct SheetLayout
 };
 
 /// Lays the pieces in rows from the left, in their order, `gap` apart and below `top`. No piece is
-/// turned. A piece wider than `width` has a row of its own.
+/// turned. A piece wider than `width` has a row of its own. Where they are laid on cloth they stay
+/// as they are there, below `top`.
 SheetLayout layOut(const Pattern& pattern, double width, double top, double gap = 15.0);
 
 /// A width that makes the sheet about as wide as high.

@@ -6,12 +6,11 @@ namespace flattening
 {
 namespace pattern
 {
-PatternStatus makePdf(const Pattern&, const PageOptions&, std::string&)
+Status makePdf(const Pattern&, const PageOptions&, std::string&)
 {
-  return { PatternCode::InvalidOption,
-    "this build cannot write PDF, because it was made without cairo; write SVG or DXF, or build "
-    "with "
-    "cairo" };
+  return { StatusCode::InvalidOption,
+    "this build cannot write PDF, because it was made without cairo", {},
+    { Remedy::WriteOtherFormat } };
 }
 }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of SeamAllowance.cxx in a build without Clipper.
+// In the place of NoFitRegion.cxx and SeamAllowance.cxx in a build without Clipper.
+#include "NoFitRegion.h"
 #include "SeamAllowance.h"
 
 #include <algorithm>
@@ -8,7 +9,29 @@ namespace flattening
 {
 namespace pattern
 {
-PatternStatus addAllowance(
+struct NoFitRegion::Shapes
+{
+};
+
+NoFitRegion::NoFitRegion() = default;
+NoFitRegion::~NoFitRegion() = default;
+
+bool NoFitRegion::available()
+{
+  return false;
+}
+
+std::size_t NoFitRegion::addShape(const Points2&, double)
+{
+  return 0;
+}
+
+Point2 NoFitRegion::lowest(const std::vector<Placed>&, std::size_t, double) const
+{
+  return Point2::Zero();
+}
+
+Status addAllowance(
   const std::vector<AllowancePolygon>& polygons, double, std::vector<Points2>& widened)
 {
   widened.clear();
@@ -17,9 +40,9 @@ PatternStatus addAllowance(
     const auto isPositive = [](double allowance) { return allowance > 0.0; };
     if (std::any_of(polygon.allowance.begin(), polygon.allowance.end(), isPositive))
     {
-      return { PatternCode::InvalidOption,
-        "this build cannot add a seam allowance, because it was made without Clipper; take an "
-        "allowance of 0, or build with Clipper" };
+      return { StatusCode::InvalidOption,
+        "this build cannot add a seam allowance, because it was made without Clipper", {},
+        { { Remedy::Give, "an allowance of 0" } } };
     }
     widened.push_back(polygon.points);
   }

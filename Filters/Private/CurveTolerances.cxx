@@ -32,6 +32,15 @@ std::string listed(const std::vector<Polyline>& curves)
 }
 }
 
+Status noCurveNamed(const std::string& name, const CurvedSurface& source)
+{
+  const std::vector<Polyline>& polylines = source.curves.polylines;
+  return { StatusCode::InvalidOption,
+    "no curve is named \"" + name + "\"; " +
+      (polylines.empty() ? "there is no feature curve" : "the curves are " + listed(polylines)),
+    {}, { Remedy::NameCurve } };
+}
+
 Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source)
 {
   std::vector<Polyline>& polylines = source.curves.polylines;
@@ -55,10 +64,7 @@ Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSu
     }
     if (!known)
     {
-      return { StatusCode::InvalidOption,
-        "no curve is named \"" + entry.first + "\"; " +
-          (polylines.empty() ? "there is no feature curve" : "the curves are " + listed(polylines)),
-        {}, { Remedy::NameCurve } };
+      return noCurveNamed(entry.first, source);
     }
   }
   return {};

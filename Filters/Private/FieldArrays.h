@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkAbstractArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
@@ -12,8 +14,20 @@ namespace flattening
 {
 namespace bridge
 {
-/// Adds an array with one value a row of a report, made by value(row). Works for the point and the
-/// cell data of a data set too.
+/// Adds an array to the field data of a data set, and to its point or cell data. Field data is
+/// lists of their own lengths: one without rows is left out, as it would only clutter tables and
+/// panels.
+inline void addUnlessEmpty(vtkFieldData* field, vtkAbstractArray* array)
+{
+  if (array->GetNumberOfTuples() == 0 && !vtkDataSetAttributes::SafeDownCast(field))
+  {
+    field->RemoveArray(array->GetName()); // what the input may have had
+    return;
+  }
+  field->AddArray(array);
+}
+
+/// Adds an array with one value a row of a report, made by value(row), in the same way.
 template <class Array, class Value>
 void addRows(vtkFieldData* field, const char* name, std::size_t rows, Value&& value)
 {
@@ -24,7 +38,7 @@ void addRows(vtkFieldData* field, const char* name, std::size_t rows, Value&& va
   {
     array->SetValue(static_cast<vtkIdType>(row), value(row));
   }
-  field->AddArray(array);
+  addUnlessEmpty(field, array);
 }
 
 inline void addStrings(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatteningOutput.h"
 
+#include "ClothOutput.h"
 #include "PieceOutput.h"
 #include "SurfaceOutput.h"
 
@@ -37,7 +38,7 @@ void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
       edges->InsertNextTypedTuple(row);
     }
   }
-  field->AddArray(edges);
+  addUnlessEmpty(field, edges);
 }
 
 void writeSeconds(const StageSeconds& seconds, vtkFieldData* field)
@@ -105,8 +106,16 @@ void writeCurves(const std::vector<CurveReport>& curves, vtkFieldData* field)
     field, "CurveReleased", rows, [&](std::size_t row) { return curves[row].released ? 1 : 0; });
 }
 
+/// One number that colours wires: the type of the curve, -1 for the boundary, -2 for connectors.
+int kindOf(const Wire& wire)
+{
+  return wire.connector ? -2 : wire.curve == none ? -1 : static_cast<int>(wire.type);
+}
+
 void writeFlatLengths(const std::vector<Wire>& wires, vtkCellData* cells)
 {
+  addRows<vtkIntArray>(
+    cells, "WireKind", wires.size(), [&](std::size_t w) { return kindOf(wires[w]); });
   addRows<vtkUnsignedCharArray>(cells, "Connector", wires.size(),
     [&](std::size_t w) { return static_cast<unsigned char>(wires[w].connector); });
   addRows<vtkDoubleArray>(
@@ -144,6 +153,15 @@ void writeTextureCoordinates(const Points2& positions, vtkPointData* points)
   }
   points->AddArray(coordinates);
   points->SetActiveTCoords(coordinates->GetName());
+}
+
+/// What viewers colour by as long as nobody chooses; what the input chose stays.
+void setActiveScalars(vtkPolyData* data, const char* name)
+{
+  if (!data->GetPointData()->GetScalars() && !data->GetCellData()->GetScalars())
+  {
+    data->GetCellData()->SetActiveScalars(name);
+  }
 }
 
 /// Normals and tangents of the surface in space, which would shade the flat pieces by its shape.
@@ -224,8 +242,11 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   writeCutSurface(source, *result.cut, makePoints(result.positions), flat);
   writeTriangleQuality(result.triangles, flat);
   writePatches(result, flat->GetCellData());
+  writeThreads(result, flat->GetCellData());
   addRows<vtkDoubleArray>(flat->GetPointData(), "Developability", result.developability.size(),
     [&](std::size_t v) { return result.developability[v]; });
+
+  setActiveScalars(flat, "HomogeneityOfDistortion");
 
   // In space the same data over the original points.
   cut->SetPoints(makePoints(result.cut->mesh.points()));
@@ -238,10 +259,12 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
 
   writeWires(result.wires, source.imprinted.curves, flat, wires);
   writeFlatLengths(result.wires, wires->GetCellData());
+  setActiveScalars(wires, "WireKind");
   writeCurves(result.curves, wires->GetFieldData());
 
   vtkFieldData* field = flat->GetFieldData();
   writePieceReports(source, result, field);
+  writeClothReports(result, field);
   writeSeamPairs(*result.cut, flat);
   writeClosedSeams(result, field);
   writeOverlapEdges(result, field);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternInput.h"
 
+#include "PanelArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -19,20 +21,20 @@ namespace bridge
 {
 namespace
 {
-using pattern::PatternCode;
+using flattening::Status;
+using flattening::StatusCode;
 using pattern::PatternSource;
-using pattern::PatternStatus;
 using pattern::SewnEdges;
 using pattern::SourceWire;
 using pattern::WireType;
 
-PatternStatus invalid(const std::string& message)
+Status invalid(const std::string& message)
 {
-  return { PatternCode::InvalidInput, message };
+  return { StatusCode::InvalidPattern, message, {}, { Remedy::GiveFlatPieces } };
 }
 
 /// Whether each array that is there has a value of its own for each of a number of rows.
-PatternStatus checkRows(
+Status checkRows(
   std::initializer_list<vtkAbstractArray*> arrays, vtkIdType rows, const std::string& owner)
 {
   for (vtkAbstractArray* array : arrays)
@@ -42,7 +44,7 @@ PatternStatus checkRows(
       return invalid(std::string("the array ") + array->GetName() + " of " + owner + " has " +
         std::to_string(array->GetNumberOfTuples()) + " values of " +
         std::to_string(array->GetNumberOfComponents()) + " components for " + std::to_string(rows) +
-        " rows; give the output of a flattening filter");
+        " rows");
     }
   }
   return {};
@@ -55,7 +57,7 @@ Index indexOf(double value)
   return fits ? static_cast<Index>(value) : none;
 }
 
-PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
+Status readSurface(vtkPolyData* flat, PatternSource& source)
 {
   const vtkIdType points = flat->GetNumberOfPoints();
   if (points > std::numeric_limits<Index>::max())
@@ -68,7 +70,7 @@ PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
     source.positions.emplace_back(p[0], p[1]);
   }
   vtkDataArray* pieces = flat->GetCellData()->GetArray("PieceId");
-  PatternStatus status = checkRows({ pieces }, flat->GetNumberOfCells(), "the flat surface");
+  Status status = checkRows({ pieces }, flat->GetNumberOfCells(), "the flat surface");
   if (!status.ok())
   {
     return status;
@@ -88,8 +90,7 @@ PatternStatus readSurface(vtkPolyData* flat, PatternSource& source)
     const vtkIdType cell = before + cells->GetCurrentCellId();
     if (count != 3)
     {
-      return invalid("cell " + std::to_string(cell) +
-        " of the flat surface is no triangle; give the output of a flattening filter");
+      return invalid("cell " + std::to_string(cell) + " of the flat surface is no triangle");
     }
     Triangle triangle{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -127,13 +128,12 @@ WireType typeOf(vtkDataArray* types, vtkIdType row)
   }
 }
 
-PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
+Status readWires(vtkPolyData* wires, PatternSource& source)
 {
   if (wires->GetNumberOfPoints() != static_cast<vtkIdType>(source.positions.size()))
   {
     return invalid("the wires have " + std::to_string(wires->GetNumberOfPoints()) +
-      " points and the flat surface " + std::to_string(source.positions.size()) +
-      "; give outputs 0 and 1 of the same filter");
+      " points and the flat surface " + std::to_string(source.positions.size()) + "");
   }
   vtkCellData* data = wires->GetCellData();
   vtkDataArray* types = data->GetArray("CurveType");
@@ -141,7 +141,7 @@ PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
   vtkDataArray* pieces = data->GetArray("PieceId");
   vtkDataArray* connectors = data->GetArray("Connector");
   auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray("CurveName"));
-  PatternStatus status =
+  Status status =
     checkRows({ types, curves, pieces, connectors, names }, wires->GetNumberOfCells(), "the wires");
   if (!status.ok())
   {
@@ -183,7 +183,7 @@ PatternStatus readWires(vtkPolyData* wires, PatternSource& source)
   return {};
 }
 
-PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
+Status readSewnEdges(vtkPolyData* flat, PatternSource& source)
 {
   vtkDataArray* pairs = flat->GetFieldData()->GetArray("SeamPairs");
   if (!pairs)
@@ -192,11 +192,10 @@ PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
   }
   if (pairs->GetNumberOfComponents() < 4)
   {
-    return invalid("the array SeamPairs of the flat surface has fewer than 4 components; give the "
-                   "output of a flattening filter");
+    return invalid("the array SeamPairs of the flat surface has fewer than 4 components");
   }
   vtkDataArray* closed = flat->GetFieldData()->GetArray("SeamClosed");
-  PatternStatus status = checkRows({ closed }, pairs->GetNumberOfTuples(), "the flat surface");
+  Status status = checkRows({ closed }, pairs->GetNumberOfTuples(), "the flat surface");
   if (!status.ok())
   {
     return status;
@@ -220,13 +219,12 @@ PatternStatus readSewnEdges(vtkPolyData* flat, PatternSource& source)
   return {};
 }
 
-PatternStatus readCutSurface(vtkPolyData* cut, PatternSource& source)
+Status readCutSurface(vtkPolyData* cut, PatternSource& source)
 {
   if (cut->GetNumberOfPoints() != static_cast<vtkIdType>(source.positions.size()))
   {
     return invalid("the cut surface has " + std::to_string(cut->GetNumberOfPoints()) +
-      " points and the flat surface " + std::to_string(source.positions.size()) +
-      "; give outputs 0 and 2 of the same filter");
+      " points and the flat surface " + std::to_string(source.positions.size()) + "");
   }
   for (vtkIdType v = 0; v < cut->GetNumberOfPoints(); ++v)
   {
@@ -240,17 +238,21 @@ PatternStatus readCutSurface(vtkPolyData* cut, PatternSource& source)
 }
 }
 
-PatternStatus readPattern(
-  vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, PatternSource& source)
+Status readPattern(vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, PatternSource& source)
 {
   source = PatternSource();
-  PatternStatus status = readSurface(flat, source);
+  Status status = readSurface(flat, source);
   if (status.ok() && wires)
   {
     status = readWires(wires, source);
   }
+  if (status.ok() && wires)
+  {
+    status = readPanels(wires->GetFieldData(), source);
+  }
   if (status.ok())
   {
+    source.onCloth = flat->GetFieldData()->GetArray("GrainAngle") != nullptr;
     status = readSewnEdges(flat, source);
   }
   if (status.ok() && cut)

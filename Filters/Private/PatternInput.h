@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "PatternSource.h"
-#include "PatternStatus.h"
 
 class vtkPolyData;
 
@@ -12,7 +12,7 @@ namespace bridge
 {
 /// Reads the outputs of vtkWireWarpingFilter.
 /// \param wires, cut may be null
-pattern::PatternStatus readPattern(
+flattening::Status readPattern(
   vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, pattern::PatternSource& source);
 }
 }

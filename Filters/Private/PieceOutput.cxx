@@ -11,6 +11,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
@@ -92,7 +93,9 @@ void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* fiel
   });
   addRows<vtkStringArray>(field, "EnergyUsed", rows, [&](std::size_t row) {
     const std::optional<DistortionEnergyKind>& used = pieces[row].energyUsed;
+    const std::optional<ClothReport>& cloth = pieces[row].cloth;
     return !used                                         ? ""
+      : cloth && cloth->solved                           ? "cloth"
       : *used == DistortionEnergyKind::AsRigidAsPossible ? "rigid"
                                                          : "symmetric-dirichlet";
   });
@@ -105,6 +108,47 @@ void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* fiel
       all += (all.empty() ? "" : "; ") + fallback;
     }
     return all;
+  });
+}
+
+/// Whether the plane has room for the pieces, and a cut that would make some.
+void writeVerdicts(const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field)
+{
+  const std::vector<PieceReport>& pieces = result.pieces;
+  const auto end = [&](std::size_t row, bool last) {
+    const Indices& cut = pieces[row].area.cut;
+    return cut.empty()
+      ? vtkIdType{ -1 }
+      : source.pointOf(result.cut->originalVertex[last ? cut.back() : cut.front()]);
+  };
+  const std::size_t rows = pieces.size();
+  addRows<vtkDoubleArray>(
+    field, "ForecastAreaLoss", rows, [&](std::size_t row) { return pieces[row].area.loss; });
+  addRows<vtkDoubleArray>(field, "ForecastAreaLossAfterCut", rows,
+    [&](std::size_t row) { return pieces[row].area.lossAfterCut; });
+  addRows<vtkIdTypeArray>(
+    field, "ForecastCutFrom", rows, [&](std::size_t row) { return end(row, false); });
+  addRows<vtkIdTypeArray>(
+    field, "ForecastCutTo", rows, [&](std::size_t row) { return end(row, true); });
+  addRows<vtkStringArray>(field, "Verdict", rows, [&](std::size_t row) {
+    const AreaForecast& area = pieces[row].area;
+    if (!area.deep())
+    {
+      return std::string();
+    }
+    const auto percent = [](double share) {
+      return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+    };
+    std::string text = "a plane cannot hold this piece: with the lengths of its boundary it loses "
+                       "about " +
+      percent(area.loss) + " of its area; cut it";
+    if (end(row, false) >= 0 && end(row, true) >= 0)
+    {
+      text += ", for example along edges from point " + std::to_string(end(row, false)) +
+        " to point " + std::to_string(end(row, true)) + ", which leaves a loss of about " +
+        percent(area.lossAfterCut);
+    }
+    return text;
   });
 }
 
@@ -202,6 +246,7 @@ void writePieceReports(
   writePieces(source, result, field);
   writeLeftOut(source, result.leftOut, field);
   writeWhatWasDone(result.pieces, field);
+  writeVerdicts(source, result, field);
   writeHistory(result.pieces, field);
   writeReleases(result, field);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QualityInput.h"
 
+#include "Base/Planar.h"
 #include "CellVisit.h"
 
 #include "vtkDataArray.h"
@@ -71,7 +72,7 @@ void turnFaceUp(MappedSurface& result)
   {
     const Point2 u = result.positions[t[1]] - result.positions[t[0]];
     const Point2 v = result.positions[t[2]] - result.positions[t[0]];
-    twiceArea += u.x() * v.y() - u.y() * v.x();
+    twiceArea += cross(u, v);
   }
   result.mirrored = twiceArea < 0.0;
   if (result.mirrored)

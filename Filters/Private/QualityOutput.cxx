@@ -34,7 +34,7 @@ void writeOverlapEdges(
       pointOf[mesh.from(pair[1])], pointOf[mesh.to(pair[1])] };
     edges->InsertNextTypedTuple(row);
   }
-  field->AddArray(edges);
+  addUnlessEmpty(field, edges);
 }
 }
 

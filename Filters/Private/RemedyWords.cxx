@@ -80,6 +80,10 @@ const char* remedyWords(Remedy remedy)
     case Remedy::AllowRelaxationIterations:
       return "raise RelaxationMaximumIterations or RelaxationMovement, or set Interior to "
              "LAPLACIAN";
+    case Remedy::AllowSewingIterations:
+      return "raise MaximumIterations";
+    case Remedy::TestPanels:
+      return "set Test to PANEL";
     case Remedy::UseNewton:
       return "set Solver to NEWTON";
     case Remedy::UseIsometricScheme:
@@ -102,6 +106,28 @@ const char* remedyWords(Remedy remedy)
       return "close the cuts as far as they cross (CloseCuts)";
     case Remedy::DivideBySeam:
       return "divide the piece there by a seam";
+    case Remedy::NameGrain:
+      return "name a curve of the piece as Grain: %";
+    case Remedy::GiveGrainAngle:
+      return "give degrees or \"free\" as Grain";
+    case Remedy::TakeSofterCloth:
+      return "take a Material that gives more";
+    case Remedy::ReadTheFlattening:
+      return "see what the flattening says";
+    case Remedy::GiveFlatPieces:
+      return "give the outputs of one flattening filter";
+    case Remedy::CheckUnit:
+      return "check the unit (Unit)";
+    case Remedy::WidenNotches:
+      return "raise NotchSpacing";
+    case Remedy::PrintOnPages:
+      return "set Paper to A4, LETTER, A3 or A0, for several pages";
+    case Remedy::TakeLargerPaper:
+      return "set Paper to larger paper";
+    case Remedy::WriteOtherFormat:
+      return "write SVG or DXF";
+    case Remedy::NameAnotherFile:
+      return "name another file or folder";
   }
   return "";
 }

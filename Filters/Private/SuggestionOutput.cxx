@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace flattening
@@ -65,6 +66,34 @@ void writeLines(const std::vector<SuggestedCurve>& rows, vtkPolyData* output)
 }
 }
 
+namespace
+{
+/// Lines that cost too much, in arrays that bear the names of the proposed ones' with "LeftOut"
+/// before them.
+void writeLeftOut(const std::vector<SuggestedCurve>& rows, vtkFieldData* field)
+{
+  const std::size_t count = rows.size();
+  if (count == 0)
+  {
+    return;
+  }
+  const auto addNumbers = [&](const char* name, double SuggestedCurve::*value) {
+    addRows<vtkDoubleArray>(field, name, count, [&](std::size_t c) { return rows[c].*value; });
+  };
+  addRows<vtkIntArray>(field, "LeftOutCurveType", count,
+    [&](std::size_t c) { return static_cast<int>(rows[c].curve.type); });
+  addRows<vtkStringArray>(
+    field, "LeftOutCurveName", count, [&](std::size_t c) { return rows[c].curve.name; });
+  addRows<vtkIntArray>(field, "LeftOutSound", count, [&](std::size_t c) { return rows[c].sound; });
+  addNumbers("LeftOutLength", &SuggestedCurve::length);
+  addNumbers("LeftOutGain", &SuggestedCurve::gain);
+  addNumbers("LeftOutAreaErrorBefore", &SuggestedCurve::areaErrorBefore);
+  addNumbers("LeftOutAreaErrorAfter", &SuggestedCurve::areaErrorAfter);
+  addNumbers("LeftOutStrainBefore", &SuggestedCurve::strainBefore);
+  addNumbers("LeftOutStrainAfter", &SuggestedCurve::strainAfter);
+}
+}
+
 void writeSuggestions(
   const std::vector<Polyline>& curves, const CurveSuggestions& suggestions, vtkPolyData* output)
 {
@@ -74,7 +103,7 @@ void writeSuggestions(
     rows.push_back(rowOf(curve));
   }
   const std::size_t first = rows.size();
-  rows.insert(rows.end(), suggestions.cuts.begin(), suggestions.cuts.end());
+  rows.insert(rows.end(), suggestions.curves.begin(), suggestions.curves.end());
   writeLines(rows, output);
 
   vtkCellData* const cells = output->GetCellData();
@@ -96,6 +125,8 @@ void writeSuggestions(
   addNumbers("PredictedGain", &SuggestedCurve::predictedGain);
   addNumbers("Gain", &SuggestedCurve::gain);
   addNumbers("Opening", &SuggestedCurve::opening);
+  addNumbers("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
+  addNumbers("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
   addNumbers("StrainBefore", &SuggestedCurve::strainBefore);
   addNumbers("StrainAfter", &SuggestedCurve::strainAfter);
   addRows<vtkIntArray>(cells, "MirrorOf", count, [&](std::size_t c) {
@@ -105,8 +136,10 @@ void writeSuggestions(
   vtkFieldData* const field = output->GetFieldData();
   addRows<vtkIntArray>(field, "BoundMet", 1, [&](std::size_t) { return suggestions.boundMet; });
   addRows<vtkIntArray>(field, "Trials", 1, [&](std::size_t) { return suggestions.trials; });
+  addRows<vtkDoubleArray>(field, "Work", 1, [&](std::size_t) { return suggestions.work; });
   addRows<vtkDoubleArray>(field, "Strain", 2,
     [&](std::size_t k) { return k == 0 ? suggestions.strainBefore : suggestions.strainAfter; });
+  writeLeftOut(suggestions.leftOut, field);
   if (suggestions.mirror)
   {
     const MirrorPlane& plane = *suggestions.mirror;
@@ -118,9 +151,32 @@ void writeSuggestions(
 
 std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
 {
-  return "the proposed cuts leave a strain of " + shortNumber(suggestions.strainAfter) +
-    " on 95 % of a piece, above the bound of " + shortNumber(bound) +
-    "; allow more or longer cuts, seams as well as darts, or a larger bound";
+  const std::string byWork =
+    "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
+  const bool worked = suggestions.end == SearchEnd::WorkUsedUp;
+  if (suggestions.boundMet || bound == 0.0)
+  {
+    return worked && bound == 0.0 ? byWork + "; allow more work for more cuts" : std::string();
+  }
+  const Point3& p = suggestions.worstPlace;
+  const std::string left = "the proposed cuts leave a strain of " +
+    shortNumber(suggestions.strainAfter) + " on 95 % of a piece, above the bound of " +
+    shortNumber(bound) + ", the largest at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) +
+    ", " + shortNumber(p.z()) + "); ";
+  switch (suggestions.end)
+  {
+    case SearchEnd::WorkUsedUp:
+      return left + byWork + "; allow more work, or a larger bound";
+    case SearchEnd::GivenUp:
+      return left + "the search was given up, since " +
+        (suggestions.cutsNeeded > 0.0 && suggestions.cutsNeeded < 1e6
+            ? "at this rate about " + std::to_string(std::lround(suggestions.cutsNeeded)) +
+              " cuts would be needed"
+            : std::string("cuts do not help here")) +
+        "; smooth the surface, or take a larger bound, or 0 to use up the cuts";
+    default:
+      return left + "allow more or longer cuts, seams as well as darts, or a larger bound";
+  }
 }
 }
 }

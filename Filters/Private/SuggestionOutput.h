@@ -14,7 +14,8 @@ namespace bridge
 void writeSuggestions(
   const std::vector<Polyline>& curves, const CurveSuggestions& suggestions, vtkPolyData* output);
 
-/// How far the strain stays above the bound, for a warning.
+/// For a warning: how far the strain stays above the bound and where, and what ended the search.
+/// Empty where the bound is met, or there is none and no limit of work ended the search.
 std::string describeShortfall(const CurveSuggestions& suggestions, double bound);
 }
 }

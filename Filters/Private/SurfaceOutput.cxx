@@ -181,7 +181,7 @@ void writeSeamPairs(const CutSurface& cut, vtkPolyData* output)
       cut.mesh.to(pair.second), cut.mesh.from(pair.second), pair.curve };
     pairs->SetTypedTuple(static_cast<vtkIdType>(i), row);
   }
-  output->GetFieldData()->AddArray(pairs);
+  addUnlessEmpty(output->GetFieldData(), pairs);
 }
 
 void writeTriangleQuality(const std::vector<TriangleQuality>& quality, vtkPolyData* output)

@@ -1,234 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mouse and keys as Qt gets them from the X server, with the curves, files and flat pieces that
-// must come of them. With the variable PATTERN_EDITOR_PICTURES the session leaves pictures in that
-// folder.
-#include "EditorFiles.h"
-#include "EditorWindow.h"
+// Mouse and keys as Qt gets them from the X server, with the curves and flat pieces that must come
+// of them.
+#include "EditorSession.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkIntArray.h>
-#include <vtkStringArray.h>
+using namespace session;
 
-#include <QApplication>
-#include <QMenuBar>
-#include <QTest>
-#include <QToolBar>
-#include <QToolButton>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <random>
-#include <sstream>
-
-using editor::EditorWindow;
-using Hand = vtkFeatureCurveWidget;
-
-namespace
-{
-const std::string shirt = FLATTENING_DATA "/shirt_front.vtp";
-
-struct TutorialCurve
-{
-  int type;
-  std::string name;
-  std::vector<vtkIdType> vertices;
-};
-
-std::vector<TutorialCurve> tutorialCurves()
-{
-  const std::map<std::string, int> types{ { "accessory", 0 }, { "key", 1 }, { "dart", 2 } };
-  std::vector<TutorialCurve> curves;
-  std::ifstream file(FLATTENING_TUTORIAL);
-  for (std::string line; std::getline(file, line);)
-  {
-    std::istringstream words(line);
-    std::string type;
-    TutorialCurve curve;
-    if (line[0] != '#' && words >> type >> curve.name)
-    {
-      curve.type = types.at(type);
-      for (vtkIdType vertex = 0; words >> vertex;)
-      {
-        curve.vertices.push_back(vertex);
-      }
-      curves.push_back(curve);
-    }
-  }
-  return curves;
-}
-
-/// The same curves by their vertices, as the command takes them.
-figures::PolyData tutorialLines(vtkPolyData* surface)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> types;
-  types->SetName("CurveType");
-  vtkNew<vtkStringArray> names;
-  names->SetName("CurveName");
-  for (const TutorialCurve& curve : tutorialCurves())
-  {
-    lines->InsertNextCell(static_cast<int>(curve.vertices.size()));
-    for (const vtkIdType vertex : curve.vertices)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(surface->GetPoint(vertex)));
-    }
-    types->InsertNextValue(curve.type);
-    names->InsertNextValue(curve.name);
-  }
-  figures::PolyData data = figures::PolyData::New();
-  data->SetPoints(points);
-  data->SetLines(lines);
-  data->GetCellData()->AddArray(types);
-  data->GetCellData()->AddArray(names);
-  return data;
-}
-
-class PatternEditor : public testing::Test
-{
-protected:
-  void SetUp() override { this->open(); }
-
-  void open()
-  {
-    this->window = std::make_unique<EditorWindow>();
-    this->window->resize(1400, 900);
-    this->window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(this->window.get()));
-    QApplication::setActiveWindow(this->window.get());
-    ASSERT_TRUE(this->window->openSurface(shirt)) << this->window->message().toStdString();
-    this->surface = editor::readPolyData(shirt);
-    QApplication::processEvents();
-  }
-
-  QPoint pixelOf(const double point[3]) const
-  {
-    vtkRenderer* const renderer = this->window->space();
-    renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
-    renderer->WorldToDisplay();
-    const double* const display = renderer->GetDisplayPoint();
-    return { static_cast<int>(std::lround(display[0])),
-      this->window->spaceWidget()->height() - 1 - static_cast<int>(std::lround(display[1])) };
-  }
-  QPoint vertex(vtkIdType id) const { return this->pixelOf(this->surface->GetPoint(id)); }
-  QPoint node(int curve, int id) const
-  {
-    double point[3];
-    this->window->curves()->GetNode(curve, id, point);
-    return this->pixelOf(point);
-  }
-  /// Without the X server's pointer, whose moves arrive when the server finds time, in the middle
-  /// of a drag as well.
-  void moveTo(const QPoint& place, Qt::MouseButtons buttons = Qt::NoButton)
-  {
-    QWidget* const view = this->window->spaceWidget();
-    QMouseEvent event(
-      QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton, buttons, Qt::NoModifier);
-    QApplication::sendEvent(view, &event);
-  }
-  void click(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
-  {
-    this->moveTo(place);
-    QTest::mouseClick(this->window->spaceWidget(), button, Qt::NoModifier, place);
-  }
-  void drag(const QPoint& from, const QPoint& to, int steps = 8)
-  {
-    QWidget* const view = this->window->spaceWidget();
-    this->moveTo(from);
-    QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
-    for (int k = 1; k <= steps; ++k)
-    {
-      this->moveTo(from + (to - from) * k / steps, Qt::LeftButton);
-    }
-    QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, to);
-  }
-  /// Clicks a vertex; one at the side is turned to the front first, as a user does.
-  void clickSeen(vtkIdType id)
-  {
-    const QPoint middle = this->window->spaceWidget()->rect().center();
-    const int aside = this->vertex(id).x() - middle.x();
-    const int turn = std::abs(aside) > 40 ? (aside > 0 ? -140 : 140) : 0;
-    const QPoint ground(middle.x(), 6);
-    this->turn(ground, ground + QPoint(turn, 0));
-    if (id == 12) // the end of the bust girth
-    {
-      this->moveTo(this->vertex(id));
-      this->picture("drawing");
-    }
-    this->click(this->vertex(id));
-    this->turn(ground, ground - QPoint(turn, 0));
-  }
-  void turn(const QPoint& from, const QPoint& to)
-  {
-    if (from != to)
-    {
-      this->drag(from, to, 4);
-    }
-  }
-  /// Clicks the button of an action in the bar.
-  void push(int action)
-  {
-    QWidget* button = nullptr;
-    for (QToolBar* bar : this->window->findChildren<QToolBar*>())
-    {
-      button = button ? button : bar->widgetForAction(this->window->action(action));
-    }
-    ASSERT_NE(button, nullptr);
-    ASSERT_TRUE(button->isVisible());
-    QTest::mouseClick(button, Qt::LeftButton);
-  }
-  void rename(const std::string& name)
-  {
-    QLineEdit* const field = this->window->panel()->name();
-    QTest::mouseClick(field, Qt::LeftButton);
-    field->selectAll();
-    QTest::keyClicks(field, QString::fromStdString(name));
-    QTest::keyClick(field, Qt::Key_Return);
-  }
-  void drawTutorial()
-  {
-    for (const TutorialCurve& curve : tutorialCurves())
-    {
-      this->push(Hand::NEW_CURVE);
-      this->push(Hand::SECTION);
-      for (const vtkIdType id : curve.vertices)
-      {
-        this->clickSeen(id);
-      }
-      this->click({ 5, 5 }, Qt::RightButton);
-      this->push(Hand::MAKE_ACCESSORY + curve.type);
-      this->rename(curve.name);
-    }
-  }
-  void waitForPieces()
-  {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !this->window->isWaiting(); }, 20000));
-  }
-  void picture(const std::string& name)
-  {
-    if (const char* const folder = std::getenv("PATTERN_EDITOR_PICTURES"))
-    {
-      QApplication::processEvents();
-      EXPECT_TRUE(this->window->savePicture(folder + ("/" + name) + ".png"));
-    }
-  }
-  double measure(const char* name) const
-  {
-    return this->window->flattening().result().number(name);
-  }
-
-  std::unique_ptr<EditorWindow> window;
-  figures::PolyData surface;
-};
-}
-
-//------------------------------------------------------------------------------
 TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
 {
   this->drawTutorial();
@@ -310,9 +86,9 @@ TEST_F(PatternEditor, EditsAtRandomUndoneLeaveTheFirstState)
     else
     {
       this->click(this->node(curve, pick(curves->GetNumberOfNodes(curve))));
-      const int actions[] = { Hand::REMOVE_NODE, Hand::CLOSE, Hand::SPLIT, Hand::MIRROR,
-        Hand::MAKE_DART, Hand::MAKE_KEY, Hand::GEODESIC, Hand::REMOVE_CURVE };
-      this->push(actions[pick(8)]);
+      const int actions[] = { Hand::REMOVE_NODE, Hand::CLOSE, Hand::TIGHTEN, Hand::SPLIT,
+        Hand::MIRROR, Hand::MAKE_DART, Hand::MAKE_KEY, Hand::GEODESIC, Hand::REMOVE_CURVE };
+      this->push(actions[pick(9)]);
     }
   }
   EXPECT_NE(state(), first);
@@ -324,6 +100,46 @@ TEST_F(PatternEditor, EditsAtRandomUndoneLeaveTheFirstState)
   EXPECT_GT(undone, 20);
   EXPECT_EQ(state(), first);
   std::remove(path.c_str());
+}
+
+TEST_F(PatternEditor, ANewKeyDoesNotTurnThePieceOnTheScreen)
+{
+  // From the middle of the hem to that of the neck.
+  const auto direction = [](vtkPolyData* flat) {
+    vtkDataArray* const original = flat->GetPointData()->GetArray("vtkOriginalPointIds");
+    double ends[2][3];
+    for (vtkIdType k = 0; k < flat->GetNumberOfPoints(); ++k)
+    {
+      const double id = original->GetComponent(k, 0);
+      if (id == 0.0 || id == 5.0)
+      {
+        flat->GetPoint(k, ends[id == 0.0 ? 0 : 1]);
+      }
+    }
+    return std::atan2(ends[1][1] - ends[0][1], ends[1][0] - ends[0][0]);
+  };
+  const auto shown = [this, &direction] {
+    vtkActorCollection* const actors =
+      this->window->planeWidget()->renderWindow()->GetRenderers()->GetFirstRenderer()->GetActors();
+    actors->InitTraversal();
+    return direction(vtkPolyData::SafeDownCast(actors->GetNextActor()->GetMapper()->GetInput()));
+  };
+  const auto laid = [this, &direction] {
+    return direction(this->window->flattening().result().flat);
+  };
+  this->waitForPieces();
+  const double before = shown();
+  const double laidBefore = laid();
+  this->push(Hand::NEW_CURVE);
+  this->click(this->vertex(401)); // across
+  this->click(this->vertex(12));
+  QTest::keyClick(this->window.get(), Qt::Key_Return);
+  this->push(Hand::MAKE_KEY);
+  this->waitForPieces();
+  EXPECT_GT(std::abs(std::sin(laid() - laidBefore)), 0.9); // the pattern lies by its grain
+  EXPECT_NEAR(shown(), before, 0.05);
+  EXPECT_NEAR(std::sin(before), 1.0, 0.01); // as the shirt hangs
+  this->picture("key");
 }
 
 TEST_F(PatternEditor, TheFlatPieceFollowsADrag)
@@ -397,32 +213,78 @@ TEST_F(PatternEditor, KeysDoWhatTheBarDoes)
   EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
 }
 
-TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
+TEST_F(PatternEditor, AnOffsetRunsThroughTheClickedPlaceOrAtTheGivenDistance)
 {
-  this->drawTutorial();
-  for (const char* extension : { ".pdf", ".svg", ".dxf", ".png" })
-  {
-    const std::string path = testing::TempDir() + "editor_pattern" + extension;
-    const bool picture = std::string(extension) == ".png";
-    EXPECT_TRUE(picture ? this->window->savePicture(path) : this->window->savePattern(path))
-      << this->window->message().toStdString();
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    EXPECT_GT(file.tellg(), 2000) << extension;
-    std::remove(path.c_str());
-  }
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  this->push(Hand::NEW_CURVE);
+  this->click(this->vertex(401));
+  this->click(this->vertex(12));
+  QTest::keyClick(this->window.get(), Qt::Key_Return);
+  this->push(Hand::OFFSET);
+  const vtkIdType place = 6;
+  this->click(this->vertex(place));
+  ASSERT_EQ(curves->GetNumberOfCurves(), 2);
+  EXPECT_FALSE(this->window->action(Hand::OFFSET)->isChecked());
+  const double distance = curves->GetDistance(0, this->surface->GetPoint(place));
+  ASSERT_GT(std::abs(distance), 0.1);
+  EXPECT_NEAR(
+    curves->GetDistance(1, this->surface->GetPoint(place)), 0.0, 0.02 * std::abs(distance));
+  QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(curves->GetNumberOfCurves(), 1);
+
+  this->window->hand()->Choose(0, -1);
+  QTimer::singleShot(300, [] {
+    auto* const dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->setDoubleValue(1.5);
+    dialog->accept();
+  });
+  QTest::keyClick(this->window.get(), Qt::Key_L, Qt::ControlModifier);
+  ASSERT_EQ(curves->GetNumberOfCurves(), 2);
+  double node[3];
+  curves->GetNode(1, curves->GetNumberOfNodes(1) / 2, node);
+  EXPECT_NEAR(curves->GetDistance(0, node), 1.5, 0.01);
+  this->waitForPieces();
+  this->picture("offset");
+  EXPECT_FALSE(this->window->addOffset(1e6));
+  EXPECT_TRUE(this->window->message().contains("1e+06")) << this->window->message().toStdString();
 }
 
-TEST_F(PatternEditor, FilesThatCannotBeReadOrWrittenAreNamed)
+TEST_F(PatternEditor, AStrokeIsACurveOfFewNodes)
 {
-  const std::string nowhere = "/no such folder/curves.vtp";
-  EXPECT_FALSE(this->window->openSurface(nowhere));
-  EXPECT_TRUE(this->window->message().contains("/no such folder"));
-  EXPECT_FALSE(this->window->saveCurves(nowhere));
-  EXPECT_FALSE(this->window->savePattern("/no such folder/pattern.pdf"));
-  EXPECT_FALSE(this->window->openSurface(FLATTENING_TUTORIAL));
-  EXPECT_TRUE(this->window->message().contains(".vtp"));
-  EXPECT_FALSE(this->window->openCurves(shirt)); // no curves
-  EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  QTest::keyClick(this->window.get(), Qt::Key_F);
+  const QPoint from = this->vertex(401);
+  const QPoint to = this->vertex(12);
+  QWidget* const view = this->window->spaceWidget();
+  this->moveTo(from);
+  QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
+  QPoint middle;
+  for (int k = 1; k <= 60; ++k)
+  {
+    const QPoint wave(0, static_cast<int>(std::lround(20.0 * std::sin(0.1 * k))));
+    const QPoint place = from + (to - from) * k / 60 + (k < 60 ? wave : QPoint());
+    middle = k == 31 ? place : middle;
+    this->moveTo(place, Qt::LeftButton);
+    if (k == 40)
+    {
+      this->picture("stroking");
+    }
+  }
+  QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, to);
+  this->waitForPieces();
+  this->picture("stroke");
+  ASSERT_EQ(curves->GetNumberOfCurves(), 1) << this->window->message().toStdString();
+  EXPECT_FALSE(this->window->hand()->IsOn(Hand::FREEHAND));
+  EXPECT_GT(curves->GetNumberOfNodes(0), 2);
+  EXPECT_LT(curves->GetNumberOfNodes(0), 15);
+  EXPECT_EQ(curves->GetSegmentKind(0, 0), vtkFeatureCurveEditor::SPLINE);
+  // A click on the stroke chooses the curve.
+  this->window->hand()->Choose(-1, -1);
+  this->click(middle);
+  EXPECT_EQ(this->window->hand()->GetChosenCurve(), 0);
+  QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(curves->GetNumberOfCurves(), 0);
 }
 
 int main(int argc, char* argv[])

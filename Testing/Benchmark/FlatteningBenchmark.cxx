@@ -3,6 +3,7 @@
 // parameterizations, which keep no length, in one run. Prints tables in Markdown.
 #include "Measure.h"
 #include "Peer.h"
+#include "ProgramPeer.h"
 #include "RefinedPiece.h"
 #include "ResultTable.h"
 
@@ -35,6 +36,7 @@ struct Settings
   Repeats repeats;
   int peersUntil = 300000;
   int isometricUntil = 300000;
+  std::string boundaryFirst;
   std::string json;
 };
 
@@ -137,6 +139,15 @@ void run(const Settings& settings, int division, ResultTable& table)
       table.add(runPeer(piece, ResultTable::rigidPeer, runRigidPeer, settings));
     }
   }
+  if (!settings.boundaryFirst.empty())
+  {
+    Row row;
+    row.method = ResultTable::boundaryFirstPeer;
+    row.triangles = piece.mesh.triangleCount();
+    row.measured = runProgram(settings.boundaryFirst,
+      extractPieces(cutSurface(piece.mesh, piece.curves)).front().mesh, settings.repeats);
+    table.add(row);
+  }
   for (const Method& method : methods)
   {
     if (method.scheme == Scheme::Isometric && piece.mesh.triangleCount() > settings.isometricUntil)
@@ -176,6 +187,9 @@ int main(int argc, char** argv)
     .add_option(
       "--isometric-until", settings.isometricUntil, "Most triangles for the isometric scheme")
     ->capture_default_str();
+  app.add_option("--bff", settings.boundaryFirst,
+    "Program of your own for boundary first flattening: FILE.obj RUNS, prints seconds and "
+    "processor seconds of each run");
   app.add_option("--json", settings.json, "File for the table");
   CLI11_PARSE(app, argc, argv);
   ResultTable::printHead();

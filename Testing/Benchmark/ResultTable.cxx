@@ -13,10 +13,10 @@ namespace benchmarks
 {
 void ResultTable::printHead()
 {
-  std::printf(
-    "| triangles | method | threads | ms | to CGAL LSCM | to CGAL ARAP | wires, ms | bytes "
-    "a triangle | E_len | E_ang | E_h | flips |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("| triangles | method | threads | ms | to CGAL LSCM | to CGAL ARAP | to BFF | wires, "
+              "ms | bytes "
+              "a triangle | E_len | E_ang | E_h | flips |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
 void ResultTable::add(Row row)
@@ -28,11 +28,12 @@ void ResultTable::add(Row row)
       text, sizeof text, seconds > 0.0 ? "1/%.1f" : "-", seconds / row.measured.seconds);
     return std::string(text);
   };
-  std::printf("| %d | %s | %d | %.4g | %s | %s | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n",
+  const flattening::QualitySummary quality = row.quality.value_or(flattening::QualitySummary());
+  std::printf("| %d | %s | %d | %.4g | %s | %s | %s | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n",
     row.triangles, row.method.c_str(), row.threads, 1e3 * row.measured.seconds,
-    ratio(conformalPeer).c_str(), ratio(rigidPeer).c_str(), 1e3 * row.wires,
-    row.measured.peakBytes / row.triangles, row.quality.edgeLengthError, row.quality.angleError,
-    row.quality.globalHomogeneity, row.quality.flipped.size());
+    ratio(conformalPeer).c_str(), ratio(rigidPeer).c_str(), ratio(boundaryFirstPeer).c_str(),
+    1e3 * row.wires, row.measured.peakBytes / row.triangles, quality.edgeLengthError,
+    quality.angleError, quality.globalHomogeneity, quality.flipped.size());
   std::fflush(stdout);
   this->Rows.push_back(std::move(row));
 }
@@ -89,13 +90,17 @@ void ResultTable::write(const std::string& path, const std::string& piece) const
   Json rows = Json::array();
   for (const Row& row : this->Rows)
   {
-    rows.push_back(
-      { { "triangles", row.triangles }, { "method", row.method }, { "threads", row.threads },
-        { "seconds", row.measured.seconds }, { "processor_seconds", row.measured.processor },
-        { "runs", row.measured.runs }, { "seconds_wires", row.wires },
+    Json entry = { { "triangles", row.triangles }, { "method", row.method },
+      { "threads", row.threads }, { "seconds", row.measured.seconds },
+      { "processor_seconds", row.measured.processor }, { "runs", row.measured.runs } };
+    if (row.quality)
+    {
+      entry.update({ { "seconds_wires", row.wires },
         { "bytes_a_triangle", row.measured.peakBytes / row.triangles },
-        { "E_len", row.quality.edgeLengthError }, { "E_ang", row.quality.angleError },
-        { "E_h", row.quality.globalHomogeneity }, { "flips", row.quality.flipped.size() } });
+        { "E_len", row.quality->edgeLengthError }, { "E_ang", row.quality->angleError },
+        { "E_h", row.quality->globalHomogeneity }, { "flips", row.quality->flipped.size() } });
+    }
+    rows.push_back(std::move(entry));
   }
   Json exponents = Json::array();
   for (const Growth& step : this->growth())

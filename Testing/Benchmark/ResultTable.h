@@ -4,6 +4,7 @@
 #include "Measure.h"
 #include "Quality/FlatteningQuality.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct Row
   int threads = 1;
   flattening::Index triangles = 0;
   Measured measured;
-  double wires = 0.0; ///< seconds of the wires alone
-  flattening::QualitySummary quality;
+  double wires = 0.0;                                ///< seconds of the wires alone
+  std::optional<flattening::QualitySummary> quality; ///< nothing where only time is known
 };
 
 /// What a run measured, in Markdown while it goes on and as JSON at its end.
@@ -26,6 +27,7 @@ class ResultTable
 public:
   static constexpr const char* conformalPeer = "CGAL LSCM";
   static constexpr const char* rigidPeer = "CGAL ARAP";
+  static constexpr const char* boundaryFirstPeer = "BFF";
 
   static void printHead();
   void add(Row row);

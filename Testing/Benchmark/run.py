@@ -4,6 +4,7 @@
 
     run.py                      all of them; on a quiet machine 15 minutes
     run.py --only stages batch  some of: flattening, stages, solvers, waiting, batch
+    run.py --bff PROGRAM        with boundary first flattening by a program of your own (see speed.md)
     run.py --page               afterwards writes Documentation/speed.json, and from it the tables and
                                 pictures of Documentation/speed.md; --only none: from earlier runs
 """
@@ -30,7 +31,8 @@ def run(*command, codes=(0,)):
 
 def flattening(options, folder):
     run(f"{options.bin}/FlatteningBenchmark", DATA, "--threads", "1", "2", "--divisions",
-        *map(str, options.divisions), "--json", f"{folder}/flattening.json")
+        *map(str, options.divisions), *(["--bff", options.bff] if options.bff else []),
+        "--isometric-until", "3000000", "--json", f"{folder}/flattening.json")
 
 
 def stages(options, folder):
@@ -150,6 +152,7 @@ def main():
     parser.add_argument("--divisions", nargs="+", type=int, default=[1, 4, 11, 34],
                         help="parts of each edge of the trouser leg")
     parser.add_argument("--build", default=os.path.join(ROOT, "build"), help="build tree")
+    parser.add_argument("--bff", metavar="PROGRAM")
     parser.add_argument("--page", action="store_true")
     options = parser.parse_args()
     options.bin = os.path.join(options.build, "bin")

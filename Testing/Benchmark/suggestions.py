@@ -1,23 +1,38 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proposed darts beside designed ones: of each piece of Data that has darts these are taken away, and the
-command proposes cuts of no more length in all.
+"""Proposed cuts beside designed darts, and beside shortest paths to peaks of curvature.
 
-Usage: suggestions.py [path of wirewarp] [piece ...]
+Of each piece of Data that has darts these are taken away. The command proposes cuts of no more length in all; and
+darts are laid from the boundary, or from earlier ones, along edges to the vertex around which most curvature lies,
+one after the other, as conformal methods lay their cuts.
+
+    suggestions.py [--write] [path of wirewarp [piece ...]]
+
+With --write, for all pieces, the table of Documentation/suggestions.md is written anew, and its plot and picture, which needs an
+X server.
 """
 
+import heapq
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
-import time
 
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = ROOT / "Documentation"
+DATA = ROOT / "Data"
 DART = 2
+# Around a vertex curvature is summed up to so far, in sqrt(area / pi).
+PEAK = 0.15
+PATHS = 6
+SHOWN = ("pants_front", "shirt_front", "wetsuit_upper_front", "pants_back", "wetsuit_upper_back", "wetsuit_pants_back")
 
 
 def read(path):
@@ -27,28 +42,84 @@ def read(path):
     return reader.GetOutput()
 
 
-def text_curves(surface, curves, kinds, path):
-    """The curves of some types as text, by the ids of the surface's points."""
+def write_darts(chains, path):
+    with open(path, "w", encoding="utf-8") as file:
+        for k, chain in enumerate(chains):
+            file.write(f"dart given{k} {' '.join(map(str, chain))}\n")
+
+
+def designed_darts(surface, curves):
+    """By the ids of the surface's points."""
     ids = {surface.GetPoint(k): k for k in range(surface.GetNumberOfPoints())}
     types = curves.GetCellData().GetArray("CurveType")
     points = vtkIdList()
-    count = 0
-    with open(path, "w", encoding="utf-8") as file:
-        for cell in range(curves.GetNumberOfCells()):
-            if types.GetTuple1(cell) in kinds:
-                curves.GetCellPoints(cell, points)
-                chain = [ids[curves.GetPoint(points.GetId(k))] for k in range(points.GetNumberOfIds())]
-                file.write(f"dart given{cell} {' '.join(map(str, chain))}\n")
-                count += 1
-    return count
+    chains = []
+    for cell in range(curves.GetNumberOfCells()):
+        if types.GetTuple1(cell) == DART:
+            curves.GetCellPoints(cell, points)
+            chains.append([ids[curves.GetPoint(points.GetId(k))] for k in range(points.GetNumberOfIds())])
+    return chains
+
+
+class Paths:
+    """Shortest ways along edges."""
+
+    def __init__(self, surface):
+        self.points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        self.triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
+        self.size = np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2 / np.pi)
+        self.defects = np.full(len(self.points), 2 * np.pi)
+        edges = {}
+        for triangle in self.triangles:
+            for k in range(3):
+                i, j, l = np.roll(triangle, -k)
+                u, v = self.points[j] - self.points[i], self.points[l] - self.points[i]
+                self.defects[i] -= np.arctan2(np.linalg.norm(np.cross(u, v)), u @ v)
+                edges[min(i, j), max(i, j)] = edges.get((min(i, j), max(i, j)), 0) + 1
+        self.boundary = {v for edge, count in edges.items() if count == 1 for v in edge}
+        self.defects[list(self.boundary)] = 0.0
+        self.around = [[] for _ in self.points]
+        for i, j in edges:
+            length = np.linalg.norm(self.points[i] - self.points[j])
+            self.around[i].append((length, j))
+            self.around[j].append((length, i))
+
+    def ways(self, starts, longest=np.inf):
+        """Distance and vertex before, by vertex reached."""
+        found, queue = {}, [(0.0, v, v) for v in sorted(starts)]
+        heapq.heapify(queue)
+        while queue:
+            distance, vertex, before = heapq.heappop(queue)
+            if vertex not in found and distance <= longest:
+                found[vertex] = (distance, before)
+                for length, other in self.around[vertex]:
+                    heapq.heappush(queue, (distance + length, other, vertex))
+        return found
+
+    def darts_to_peaks(self):
+        """From the boundary, or an earlier dart, to where most curvature lies beyond its reach."""
+        reach = PEAK * self.size
+        peaks = {v: abs(sum(self.defects[w] for w in self.ways([v], reach)))
+                 for v in range(len(self.points)) if v not in self.boundary}
+        starts, chains = set(self.boundary), []
+        while len(chains) < PATHS:
+            found = self.ways(starts)
+            free = [v for v in peaks if found[v][0] > reach]
+            if not free:
+                break
+            chain = [max(free, key=peaks.get)]
+            while found[chain[-1]][1] != chain[-1]:
+                chain.append(found[chain[-1]][1])
+            chains.append(chain[::-1])
+            starts.update(chain)
+        return chains
 
 
 def measures(command, *arguments):
     with tempfile.TemporaryDirectory() as folder:
-        start = time.monotonic()
         run = subprocess.run([command, *arguments, "--quiet", "--output", folder], check=False,
                              capture_output=True, text=True)
-        seconds = time.monotonic() - start
         if run.returncode not in (0, 4):
             sys.exit(run.stderr)
         with open(f"{folder}/report.json", encoding="utf-8") as file:
@@ -56,32 +127,92 @@ def measures(command, *arguments):
     triangles = sum(piece["triangles"] for piece in report["pieces"])
     mean = {key: sum(piece[key] * piece["triangles"] for piece in report["pieces"]) / triangles
             for key in ("energy_rigid", "E_area")}
-    length = sum(curve["length_3d"] for curve in report["curves"])
-    return {**mean, "p95": max(piece["strain_p95"] for piece in report["pieces"]), "length": length,
-            "overlaps": sum(piece["overlaps"] for piece in report["pieces"]), "seconds": seconds,
-            "cuts": len(report["curves"])}
+    return {**mean, "p95": max(piece["strain_p95"] for piece in report["pieces"]),
+            "length": sum(curve["length_3d"] for curve in report["curves"]), "cuts": len(report["curves"]),
+            "overlaps": sum(piece["overlaps"] for piece in report["pieces"]), "suggestions": report["suggestions"]}
+
+
+def measure(command, name, folder):
+    """Designed, proposed and the series of the plot: (length / sqrt(area / pi), strain, energy)."""
+    surface = DATA / f"{name}.vtp"
+    paths = Paths(read(surface))
+    darts = designed_darts(read(surface), read(DATA / f"{name}_curves.vtp"))
+    if not darts:
+        return None
+    text = folder / "darts.txt"
+
+    def with_darts(chains, *options):
+        write_darts(chains, text)
+        return measures(command, str(surface), *([str(text)] if chains else []), *options)
+
+    def picture(what):
+        return ("--picture", str(folder / f"{name}_{what}.png")) if name in SHOWN and "--write" in sys.argv else ()
+
+    def point(run):
+        return run["length"] / paths.size, 100 * run["p95"], 1e3 * run["energy_rigid"]
+
+    uncut, designed = with_darts([]), with_darts(darts, *picture("designed"))
+    proposed = measures(command, str(surface), "--suggest", "all", "--bound", "0", "--max-cut-length",
+                        repr(designed["length"]), "--max-cuts", "10", *picture("proposed"))
+    steps, length, energy = [point(uncut)], 0.0, uncut["energy_rigid"]
+    for k, cut in enumerate(proposed["suggestions"]):
+        length += cut["length"]
+        following = proposed["suggestions"][k + 1:k + 2]
+        if not following or following[0].get("mirror_of") != cut["name"]:
+            energy -= cut["gain"]
+            steps.append((length / paths.size, 100 * cut["strain_p95_after"], 1e3 * energy))
+    peaks = paths.darts_to_peaks()
+    runs = [point(with_darts(peaks[:k])) for k in range(1, len(peaks) + 1)]
+    longest = 1.5 * designed["length"] / paths.size
+    return {"designed": designed, "proposed": proposed, "size": paths.size,
+            "series": [[point(designed)], steps, [point(uncut), *(run for run in runs if run[0] <= longest)]]}
+
+
+def row(name, found):
+    old, new = found["designed"], found["proposed"]
+    return (f"| {name} | {old['cuts']} / {new['cuts']} | {old['length']:.1f} / {new['length']:.1f} | "
+            f"{old['energy_rigid']:.2e} / {new['energy_rigid']:.2e} | {old['E_area']:.4f} / {new['E_area']:.4f} | "
+            f"{old['p95']:.4f} / {new['p95']:.4f} | {old['overlaps']} / {new['overlaps']} |")
+
+
+def write_page(results, folder):
+    sys.path.insert(0, str(PAGES))
+    import make_pictures  # pylint: disable=import-outside-toplevel
+    import svg  # pylint: disable=import-outside-toplevel
+    page = PAGES / "suggestions.md"
+    table = "\n".join(row(name, found) for name, found in results.items())
+    text = page.read_text(encoding="utf-8")
+    page.write_text(re.sub(r"(\| piece of Data .*\n\|[-|]*\n)(?:\|.*\n)+", rf"\1{table}\n", text), encoding="utf-8")
+    shown = [results[name]["series"] for name in SHOWN]
+    rows = [(what, [[[(point[0], point[k]) for point in series] for series in panel] for panel in shown])
+            for k, what in ((1, "strain p95, %"), (2, "energy x 1000"))]
+    plot = svg.panels(SHOWN, ("designed darts", "proposed cuts", "shortest paths to peaks"), rows,
+                      "length of all cuts / sqrt(area / pi)")
+    (PAGES / "images" / "suggestions.svg").write_text(plot, encoding="utf-8")
+    pairs = []
+    for name in SHOWN:
+        images = [make_pictures.read(str(folder / f"{name}_{what}.png")) for what in ("designed", "proposed")]
+        pairs.append(make_pictures.appended(
+            [make_pictures.scaled(image, 300, image.GetDimensions()[1] * 17 // 100) for image in images], 0))
+    height = max(pair.GetDimensions()[1] for pair in pairs)
+    same = [make_pictures.padded(pair, height) for pair in pairs]
+    lines = [make_pictures.appended(same[k:k + 2], 0) for k in range(0, len(same), 2)]
+    make_pictures.write(make_pictures.appended(lines[::-1], 1), str(PAGES / "images" / "suggestions_beside.png"))
 
 
 def main():
-    command = sys.argv[1] if len(sys.argv) > 1 else "wirewarp"
-    names = sys.argv[2:] or sorted(
-        path.stem for path in DATA.glob("*.vtp") if "_curves" not in path.stem)
-    print(f"{'piece':22} {'cuts':>9} {'length':>13} {'energy_rigid':>19} {'E_area':>15} {'p95':>15} "
-          f"{'overlaps':>8} {'s':>6}")
-    for name in names:
-        surface = str(DATA / f"{name}.vtp")
-        with tempfile.NamedTemporaryFile(suffix=".txt") as given:
-            count = text_curves(read(surface), read(DATA / f"{name}_curves.vtp"), {DART}, given.name)
-            if count == 0:
-                continue
-            designed = measures(command, surface, given.name)
-        proposed = measures(command, surface, "--suggest", "all", "--bound", "0", "--max-cut-length",
-                            repr(designed["length"]), "--max-cuts", "10")
-        print(f"{name:22} {count:4}/{proposed['cuts']:<4} {designed['length']:6.1f}/{proposed['length']:<6.1f} "
-              f"{designed['energy_rigid']:9.2e}/{proposed['energy_rigid']:<9.2e} "
-              f"{designed['E_area']:7.4f}/{proposed['E_area']:<7.4f} "
-              f"{designed['p95']:7.4f}/{proposed['p95']:<7.4f} "
-              f"{designed['overlaps']:3}/{proposed['overlaps']:<3} {proposed['seconds']:6.1f}", flush=True)
+    arguments = [argument for argument in sys.argv[1:] if argument != "--write"]
+    command = arguments[0] if arguments else "wirewarp"
+    results = {}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for piece in arguments[1:] or sorted(path.stem for path in DATA.glob("*.vtp") if "_curves" not in path.stem):
+            found = measure(command, piece, folder)
+            if found:
+                results[piece] = found
+                print(row(piece, found), flush=True)
+        if "--write" in sys.argv:
+            write_page(results, folder)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ class Batch(command.CommandTest):
 
     def test_each_surface_has_the_result_that_it_has_alone(self):
         report, run = self.batch(
-            '# what to flatten\nlune.obj arc.txt # with its arc\n\n"a folder/sheet.obj"\n')
+            '# what to flatten\nlune.obj arc.txt # with its arc\n\n"a folder/sheet.obj"\n', "--unit", "m")
         self.assertEqual(run.stderr, "")
         self.assertEqual([row["folder"] for row in report["surfaces"]], ["lune", "sheet"])
         self.assertEqual([row["triangles"] for row in report["surfaces"]], [56, 32])
@@ -82,7 +82,7 @@ class Batch(command.CommandTest):
     def test_the_exit_code_is_that_of_the_worst(self):
         broken = ("--paper-method", "--solver", "sequential", "--max-iterations", "1")
         _, run = self.batch("lune.obj arc.txt\n", *broken, code=4)
-        self.assertIn("broken promise: lune: piece 0", command.error_lines(run)[0])
+        self.assertIn("broken promise: lune: piece 1", command.error_lines(run)[-1])
         self.batch("missing.obj\nlune.obj arc.txt\n", *broken, code=3)
         self.batch("lune.obj arc.txt\nmissing.obj\n", *broken, code=3)
 
@@ -131,7 +131,7 @@ class Batch(command.CommandTest):
 
     def test_the_default_folder_takes_the_name_of_the_list(self):
         self.write("list.txt", "lune.obj\n")
-        run = self.run_command("--batch", "list.txt", "--quiet")
+        run = self.run_command("--batch", "list.txt", "--quiet", "--unit", "m")
         self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
         self.assertEqual(sorted(os.listdir(self.path("list_flat"))), ["batch.json", "lune"])
 

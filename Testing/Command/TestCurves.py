@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Curves of every kind through the command: elastic ones, those to release, seams, darts, loose wires."""
+import csv
 import math
 import os
 
@@ -79,6 +80,49 @@ class Curves(command.CommandTest):
                                delta=1e-9)
         self.assertAlmostEqual(report["pieces"][0]["E_area"], expected["pieces"][0]["E_area"], delta=1e-6)
 
+    def curve_in_the_plane(self):
+        """The flat places of the points of the first inner curve, one after the other."""
+        flat = self.array("out/flat.vtp", "Points")
+        ids, ends = (self.array("out/wires.vtp", name, "Lines") for name in ("connectivity", "offsets"))
+        types = self.array("out/wires.vtp", "CurveType")
+        row = next(k for k, type_ in enumerate(types) if type_ == 1)
+        return [flat[3 * v : 3 * v + 2] for v in ids[ends[row - 1] if row else 0 : ends[row]]]
+
+    def bend(self):
+        """How far the key curve leaves its chord in the plane, as a fraction of the chord."""
+        places = self.curve_in_the_plane()
+        (x, y), (x1, y1) = places[0], places[-1]
+        chord = math.hypot(x1 - x, y1 - y)
+        return max(abs((x1 - x) * (py - y) - (y1 - y) * (px - x)) for px, py in places) / chord**2
+
+    def test_a_straight_curve_is_a_key_that_is_straight_in_the_plane(self):
+        points, triangles = dome()
+        self.write("dome.obj", command.obj(points, triangles))
+        line = chain(*((i, 1 + (i > 3)) for i in range(SIZE + 1)))  # with a step, so bent on the surface
+        for name, text in (("key.txt", f"key fold {line}\n"), ("straight.txt", f"Straight fold {line}\n")):
+            self.write(name, text)
+            report = self.flatten("dome.obj", name)
+            self.assertEqual(report["curves"][0]["type"], "key")
+            if name == "key.txt":
+                self.assertGreater(self.bend(), 0.01)
+            else:
+                self.assertLess(self.bend(), 1e-9)
+
+    def test_a_pattern_says_that_its_grainline_does_not_follow_a_bent_key(self):
+        points, triangles = dome()
+        self.write("dome.obj", command.obj(points, triangles))
+        line = chain(*((i, 1 + (i > 3)) for i in range(SIZE + 1)))
+        said = {}
+        for kind in ("key", "straight"):
+            self.write("fold.txt", f"{kind} fold {line}\n")
+            run = self.run_command("dome.obj", "fold.txt", "--svg", "--dxf", "--unit", "m", "--output", "out")
+            self.assertIn(run.returncode, (0, 4), run.stderr)
+            said[kind] = [row for row in run.stderr.splitlines() if "grainline" in row]
+        self.assertEqual(len(said["key"]), 1, said)
+        for word in ("fold", "mm", "straight NAME"):
+            self.assertIn(word, said["key"][0])
+        self.assertEqual(said["straight"], [])
+
     def test_types_may_have_capital_letters(self):
         self.write("capital.txt", open(self.path("arc.txt"), encoding="utf-8").read().replace("acc", "Acc"))
         self.assert_same_as_text(self.flatten("lune.obj", "capital.txt"), "accessory", "arc")
@@ -100,6 +144,16 @@ class Curves(command.CommandTest):
         self.assert_same_as_text(self.flatten("lune.obj", "a.csv"), "key", "arc")
         self.write("b.csv", "name;x;y;z\r\n" + "".join(f"key arc;{x!r};{y!r};{z!r}\r\n" for x, y, z in rows))
         self.assert_same_as_text(self.flatten("lune.obj", "b.csv"), "key", "arc")
+        # As tables are written where the decimal sign is a comma.
+        comma = "".join(f"key arc;{x!r};{y!r};{z!r}\r\n" for x, y, z in rows).replace(".", ",")
+        self.write("h.csv", "name;x;y;z\r\n" + comma)
+        self.assert_same_as_text(self.flatten("lune.obj", "h.csv"), "key", "arc")
+        # An empty row, as tables have it, begins another curve of the same name.
+        self.write("i.csv", "name,x,y,z\n" + "".join(
+            f"arc,{x!r},{y!r},{z!r}\n" for x, y, z in rows[:2]) + ",,,\n" + "".join(
+            f"arc,{x!r},{y!r},{z!r}\n" for x, y, z in rows[2:4]))
+        self.assertEqual([curve["name"] for curve in self.flatten("lune.obj", "i.csv")["curves"]
+                          if curve["name"] == "arc"], ["arc", "arc"])
         for name, text, part in (("c.csv", "x,y,z\n0,0,0\n", "'name'"),
                                  ("d.csv", "name,x,y,z\na,0,0\n", "coordinate"),
                                  ("e.csv", "name,type,x,y,z\na,hem,0,0,0\n", "'hem'"),
@@ -292,6 +346,45 @@ class Curves(command.CommandTest):
         lengths = {curve["name"]: curve["length_3d"] for curve in report["curves"]}
         for name, seam in sewn.items():
             self.assertAlmostEqual(seam["lengths"][0], lengths[name], delta=1e-10)
+
+    def test_the_walk_of_the_t_shirts_seams_adds_up_to_their_lengths_and_finds_no_difference(self):
+        data = os.environ["WIREWARP_DATA"]
+        report = self.flatten(os.path.join(data, "tshirt.vtp"), os.path.join(data, "tshirt_curves.vtp"),
+                              "--walk", "--unit", "cm", "--name", "shirt")
+        with open(self.path("out/walk.csv"), encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        walked = {}
+        for row in rows:
+            lengths = [float(row["length_a_mm"]), float(row["length_b_mm"])]
+            self.assertAlmostEqual(*lengths, delta=2e-6)
+            self.assertAlmostEqual(float(row["to_mm"]) - float(row["from_mm"]), lengths[0], delta=2e-6)
+            self.assertLessEqual(lengths[0], 126.0, "one notch every 100 mm")
+            walked[row["curve"]] = walked.get(row["curve"], 0.0) + lengths[0] / 10.0
+        self.assertEqual(set(walked), {seam["curve"] for seam in report["seams"]})
+        for seam in report["seams"]:
+            self.assertAlmostEqual(walked[seam["curve"]], seam["lengths"][0], delta=1e-5)
+        self.assertEqual({(row["piece_a"], row["piece_b"]) for row in rows if row["curve"] == "side_seam_left"},
+                         {("shirt 1", "shirt 2")})
+
+    def test_cuts_that_stop_an_edge_short_of_the_boundary_are_told_where_to_begin(self):
+        self.write("dome.obj", command.obj(*dome()))
+        self.write("short.txt", "dart left " + chain((4, 1), (4, 2), (4, 3)) + "\n")
+        run = self.run_command("dome.obj", "short.txt", "--unit", "m", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        warning = (f'dart "left" ends at point {at(4, 1)}, one edge inside the boundary, and does not open there; '
+                   f"begin it at point {at(4, 0)}")
+        self.assertIn("wirewarp: warning: " + warning, run.stderr.splitlines())
+        self.assertEqual(self.report("out")["warnings"], [warning])
+        # As the warning says, it opens then, from the boundary.
+        self.write("long.txt", "dart left " + chain((4, 0), (4, 1), (4, 2), (4, 3)) + "\n")
+        report = self.flatten("dome.obj", "long.txt", "--unit", "m")
+        self.assertEqual(report["warnings"], [])
+        self.assertGreater(report["pieces"][0]["cut_length"], 0.0)
+
+        self.write("seam.txt", "seam s " + chain(*((4, j) for j in range(1, SIZE + 1))) + "\n")
+        self.assertEqual(self.flatten("dome.obj", "seam.txt", "--unit", "m")["warnings"], [
+            f'seam "s" ends at point {at(4, 1)}, one edge inside the boundary, and divides nothing there; '
+            f"begin it at point {at(4, 0)}"])
 
     def test_darts_and_loose_wires_anywhere_keep_their_lengths(self):
         points, triangles = dome()

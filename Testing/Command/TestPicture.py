@@ -80,6 +80,20 @@ class Picture(CommandTest):
         self.assertIn("--picture", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["a.png"])
 
+    def test_the_sewn_surface_is_drawn_over_its_design_by_its_distance(self):
+        plain = self.draw("plain.png", "--resew", "panel", "--resew-once")
+        sewn = self.draw("sewn.png", "--resew", "panel", "--resew-once", "--color-by", "distance")
+        middle = plain.shape[1] // 2
+        changed = (plain[200:] != sewn[200:]).any(axis=2)
+        for side in (changed[:, :middle], changed[:, middle:]):
+            self.assertGreater(side.mean(), 0.1)
+
+    def test_colourings_need_what_they_show(self):
+        for coloring, option in (("distance", "--resew"), ("stretch", "--material"), ("shear", "--material")):
+            run = self.run_command(SURFACE, "--picture", "a.png", "--color-by", coloring)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(option, run.stderr)
+
     def test_other_endings_and_colourings_are_bad_usage(self):
         for arguments in (("--picture", "a.jpg"), ("--picture", "a.png", "--color-by", "taste")):
             run = self.run_command(SURFACE, *arguments)

@@ -44,6 +44,14 @@ class Pieces(command.CommandTest):
                     worst = max(worst, abs(flat - space) / space)
         return worst
 
+    def check_unsolved(self, pieces):
+        """Where an iteration that does not converge is stopped hangs on the last bits, and so on the BLAS:
+        it may or may not be where the lengths can be corrected. What is said of it must be true."""
+        worst = self.worst_length_error()
+        self.assertEqual([piece["status"] for piece in pieces],
+                         ["LengthError" if worst > 1e-10 else "NotConverged"])
+        self.assertAlmostEqual(max(piece["E_len_max"] for piece in pieces), worst, delta=1e-9)
+
     def check(self, *options, unsolved=(), flips_nothing=False):
         sets = curve_sets()
         self.assertEqual(len(sets), 20, "curves in Data/")
@@ -52,6 +60,9 @@ class Pieces(command.CommandTest):
                 run = self.run_command(surface, curves, "--output", "out", *options)
                 self.assertIn(run.returncode, (0, 4), run.stderr)
                 report = self.report("out")
+                if os.path.basename(curves) in unsolved:
+                    self.check_unsolved(report["pieces"])
+                    continue
                 self.assertLessEqual(self.worst_length_error(), 1e-10)
                 flipped = self.flipped()
                 self.assertEqual(flipped, sum(piece["flipped"] for piece in report["pieces"]))
@@ -59,10 +70,7 @@ class Pieces(command.CommandTest):
                     self.assertEqual(flipped, 0)
                 for piece in report["pieces"]:
                     self.assertLessEqual(piece["E_len_max"], 1e-10, piece["message"])
-                    if os.path.basename(curves) in unsolved:
-                        self.assertEqual(piece["status"], "NotConverged")
-                    else:
-                        self.assertNotIn(piece["status"], ("NotConverged", "LengthError"))
+                    self.assertNotIn(piece["status"], ("NotConverged", "LengthError"))
                 for curve in report["curves"]:
                     self.assertLessEqual(curve["error"], 1e-10, curve["name"])
 

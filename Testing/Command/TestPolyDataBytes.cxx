@@ -246,7 +246,8 @@ TEST(PolyDataBytes, WhateverTheBytesAreTheDataIsSound)
         EXPECT_TRUE(cells->IsValid());
         for (vtkIdType k = 0; k < cells->GetNumberOfConnectivityIds(); ++k)
         {
-          const vtkIdType id = cells->GetConnectivityArray64()->GetValue(k);
+          const vtkIdType id =
+            static_cast<vtkIdType>(cells->GetConnectivityArray()->GetComponent(k, 0));
           ASSERT_TRUE(id >= 0 && id < data->GetNumberOfPoints());
         }
       }

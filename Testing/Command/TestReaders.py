@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import base64
 import itertools
+import json
+import struct
 
 import command
 
@@ -39,6 +42,95 @@ class Readers(command.CommandTest):
         self.assertEqual(found[:3], wanted[:3])
         self.assertAlmostEqual(found[4], wanted[4], delta=1e-6)
         self.assertNotEqual(found[4], wanted[4])
+
+    def test_off_is_read_with_what_stands_around_its_numbers(self):
+        def off(head, point="%r %r %r\n", face="3 %d %d %d\n"):
+            return (head + "".join(point % p for p in self.points)
+                    + "".join(face % t for t in self.triangles))
+
+        counts = "%d %d 0\n" % (len(self.points), len(self.triangles))
+        for head, point, face in (
+                ("OFF\n" + counts, "%r %r %r\n", "3 %d %d %d\n"),
+                ("OFF " + counts, "%r %r %r\n", "3 %d %d %d\n"),
+                ("COFF\n# from a scanner\n\n" + counts, "%r %r %r 255 0 0 255\n", "3 %d %d %d 0.5 0.5 0.5\r\n")):
+            self.write("a.off", off(head, point, face))
+            self.flatten("a.off")
+            self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
+        for text, words in ((off("OFF\n" + counts)[:-40], ":"), (off("OFF\n1 2\n3"), "a.off:"),
+                            ("OFF BINARY\n", "count"), (off("4OFF\n" + counts), "COFF"),
+                            (off("OFF\n" + counts, face="3 %d %d 1%d\n"), "vertex id")):
+            self.write("a.off", text)
+            run = self.run_command("a.off", "--output", "out")
+            self.assertEqual(run.returncode, 3, run.stdout)
+            self.assertIn(words, command.error_lines(run)[0])
+
+    def gltf(self, matrix=None, cut_at=None):
+        """The surface as glTF, whose points are doubled along the meridian of index `cut_at`."""
+        points, triangles = list(self.points), self.triangles
+        if cut_at is not None:
+            column = {1 + 5 * j + cut_at: len(points) + j for j in range(7)}
+            column.update({0: len(points) + 7, 36: len(points) + 8})
+            points += [points[v] for v in column]
+            right = {t for t in triangles if any(1 <= v < 36 and (v - 1) % 5 > cut_at for v in t)}
+            triangles = [tuple(column.get(v, v) if t in right else v for v in t) for t in triangles]
+        data = b"".join(struct.pack("<3f", *point) for point in points)
+        size = len(data)
+        data += b"".join(struct.pack("<3I", *t) for t in triangles)
+        bounds = [[f(p[k] for p in points) for k in range(3)] for f in (min, max)]
+        return {
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0, **({"matrix": matrix} if matrix else {})}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "accessors": [
+                {"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
+                 "min": bounds[0], "max": bounds[1]},
+                {"bufferView": 1, "componentType": 5125, "count": 3 * len(triangles), "type": "SCALAR"}],
+            "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": size},
+                            {"buffer": 0, "byteOffset": size, "byteLength": len(data) - size}],
+            "buffers": [{"byteLength": len(data)}]}, data
+
+    def write_gltf(self, name, scene, data):
+        if name.endswith(".gltf"):
+            uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+            scene["buffers"][0]["uri"] = uri
+            return self.write(name, json.dumps(scene))
+        text = json.dumps(scene).encode()
+        text += b" " * (-len(text) % 4)
+        data += bytes(-len(data) % 4)
+        chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(data), 0x004E4942) + data
+        return self.write(name, b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks)
+
+    def test_gltf_is_read_in_metres_and_its_texture_seams_are_joined(self):
+        self.write("a.obj", command.obj(self.points, self.triangles))
+        wanted = self.measures("a.obj")
+        for name in ("a.gltf", "a.glb"):
+            self.write_gltf(name, *self.gltf())
+            found = self.measures(name)
+            self.assertEqual(found[:3], wanted[:3], name)
+            self.assertAlmostEqual(found[4], wanted[4], delta=1e-6)
+            report = self.report("out")
+            self.assertEqual((report["unit"], report["unit_stated"], report["warnings"]), ("m", True, []))
+        # A node's matrix, by columns: half the size, moved.
+        self.write_gltf("a.glb", *self.gltf([0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 7, 8, 9, 1]))
+        half = self.flatten("a.glb")["sizes"][0]
+        whole = self.flatten("a.obj", "--unit", "m")["sizes"][0]
+        self.assertAlmostEqual(2 * half["width_mm"], whole["width_mm"], delta=0.01)
+        self.write_gltf("a.glb", *self.gltf(cut_at=2))
+        found = self.measures("a.glb")
+        self.assertEqual(found[:3], wanted[:3])
+        self.assertEqual(self.report("out")["warnings"],
+                         ["9 points are joined with one that it lies on, as the format of the file doubles points"])
+
+    def test_what_is_no_gltf_is_refused(self):
+        scene, data = self.gltf()
+        for name, content in (("a.gltf", b"{}"), ("a.glb", b"glTF" + bytes(20)), ("a.gltf", b"v 0 0 0"),
+                              ("a.gltf", json.dumps({**scene, "meshes": []}).encode())):
+            self.write(name, content)
+            run = self.run_command(name, "--output", "out")
+            self.assertEqual(run.returncode, 3, run.stdout)
+            self.assertIn(name, command.error_lines(run)[0])
+        self.write("a.3mf", b"PK")
+        self.assertIn("save the surface as .obj", self.run_command("a.3mf").stderr)
 
     def test_strips_of_a_ply_are_triangles_all_of_one_side(self):
         points, _ = command.sheet(2, 2)

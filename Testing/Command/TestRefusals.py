@@ -64,6 +64,8 @@ class Refusals(command.CommandTest):
     def test_unknown_extension_tells_the_known_ones(self):
         self.refuse(self.write("a.step", "x"), says=("a.step", ".vtp", ".obj", ".stl"))
         self.refuse(self.write("plain", "x"), says=("plain", ".vtp"))
+        self.write("curves.stl", "solid x")
+        self.refuse("good.obj", "curves.stl", says=("curves.stl", ".csv", "not from '.stl'"))
 
     def test_a_file_of_another_kind_than_its_name_says(self):
         text = command.obj(self.points, self.triangles)
@@ -138,6 +140,9 @@ class Refusals(command.CommandTest):
         points = [*self.points]
         points.append(tuple((a + b) / 2 for a, b in zip(points[0], points[1])))
         triangles = [*self.triangles, (1, 0, len(self.points))]
+        # Behind it are two triangles, of which none can be divided for it without leaving the other out.
+        triangles += [(0, 1, len(self.points) + 1)]
+        points.append((2.0, 0.0, 0.1))
         report = self.refuse_surface(points, triangles, "DegenerateTriangle", str(len(self.triangles)))
         self.assertEqual(report["ids"], [len(self.triangles)])
 
@@ -189,7 +194,7 @@ class Refusals(command.CommandTest):
     # Curves
 
     def test_curve_text_tells_file_line_and_way_out(self):
-        self.refuse_curves("accessory a 0 1\nbogus b 1 2\n", ":2:", "'bogus'", "accessory, key, dart")
+        self.refuse_curves("accessory a 0 1\nbogus b 1 2\n", ":2:", "'bogus'", "accessory, key, straight, dart")
         self.refuse_curves("key\n", ":1:", "no name")
         self.refuse_curves("# c\n\nkey k 0 25\n", ":3:", "25", "out of range", "'k'")
         self.refuse_curves("key k -1 0\n", ":1:", "-1", "out of range")
@@ -218,7 +223,7 @@ class Refusals(command.CommandTest):
 
     def test_the_way_out_names_options_of_the_command(self):
         loose = [*self.points]
-        loose[12] = [0.9 * x + 0.1 * 3.0 for x in loose[12]]
+        loose[12] = [0.97 * x + 0.03 * 3.0 for x in loose[12]]
         self.write("loose.vtk", command.legacy_curves(loose, [(0, "loose", [11, 12, 13])]))
         self.write("across.txt", "accessory far 5 12\n")
         for arguments, option in (
@@ -308,8 +313,8 @@ class Refusals(command.CommandTest):
                     [command.EXECUTABLE, *arguments], cwd=self.folder, stdout=full,
                     stderr=subprocess.PIPE, text=True, timeout=120, check=False)
                 self.assertEqual(run.returncode, 3, run.stderr)
-                self.assertIn("standard output", command.error_lines(run)[0])
-                self.assertIn("--quiet", command.error_lines(run)[0])
+                self.assertIn("standard output", command.error_lines(run)[-1])
+                self.assertIn("--quiet", command.error_lines(run)[-1])
 
     def test_an_input_is_neither_replaced_nor_removed(self):
         os.mkdir(self.path("out"))

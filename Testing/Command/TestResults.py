@@ -6,7 +6,8 @@ import command
 
 PIECE_KEYS = """piece triangles vertices wire_patches wire_nodes free_wire_nodes constraints iterations
 objective closure_residual E_len E_len_max E_ang E_h E_r E_area strain_p95
-energy_rigid cut_length flipped overlaps overlaps_complete status""".split()
+energy_rigid cut_length flipped overlaps overlaps_complete verdict forecast_area_loss
+forecast_area_loss_after_cut forecast_cut_from forecast_cut_to status""".split()
 
 
 class Results(command.CommandTest):
@@ -30,7 +31,7 @@ class Results(command.CommandTest):
         piece = report["pieces"][0]
         for key in PIECE_KEYS:
             self.assertIn(key, piece)
-            if key != "status":
+            if key not in ("status", "verdict"):
                 self.assertTrue(math.isfinite(piece[key]), key)
         # The boundary of 16 edges, the arc of 4 with two sides.
         self.assertEqual((piece["triangles"], piece["vertices"]), (56, 37))
@@ -46,7 +47,8 @@ class Results(command.CommandTest):
         self.write("shirt.obj", command.obj(*command.together(
             (self.points, self.triangles), command.TETRAHEDRON,
             (command.torus()[0], command.torus()[1][1:]))))
-        run = self.run_command("shirt.obj", "arc.txt", "--skip-closed", "--output", "out")
+        run = self.run_command("shirt.obj", "arc.txt", "--skip-closed", "--unit", "inch",
+                               "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         report = self.report("out")
         self.assertEqual(report["status"], "Ok")
@@ -54,7 +56,6 @@ class Results(command.CommandTest):
         self.assertEqual(report["left_out"], [
             {"reason": "ClosedSurface", "cell": 56, "triangles": 4},
             {"reason": "Handle", "cell": 60, "triangles": 71}])
-        self.assertEqual(len(report["warnings"]), 1)
         warning = ("2 of 3 pieces cannot be laid flat and were left out: without boundary those of cells "
                    "56, with handles those of cells 60")
         self.assertEqual(report["warnings"], [warning])
@@ -64,7 +65,7 @@ class Results(command.CommandTest):
         self.assertIn(("-", "71", "Handle,"), [(row[0], row[1], row[-3]) for row in rows if len(row) > 3])
 
         # The rest is what it would be alone.
-        alone = self.flatten("lune.obj", "arc.txt")
+        alone = self.flatten("lune.obj", "arc.txt", "--unit", "inch")
         self.assertEqual((alone["left_out"], alone["warnings"]), ([], []))
         for key in ("E_len", "E_ang", "E_h", "E_area", "objective"):
             self.assertEqual(report["pieces"][0][key], alone["pieces"][0][key], key)
@@ -197,15 +198,15 @@ class Results(command.CommandTest):
         self.write("seam.txt", "seam s 2 7 12 17 22\n")
         run = self.run_command("sheet.obj", "seam.txt", "--list-curves")
         lines = run.stdout.splitlines()
-        for column in ("E_len x1e3", "E_ang x1e3", "E_h", "E_r", "strain p95", "flips", "T_opt", "T_all", "status"):
+        for column in ("size [mm]", "E_len x1e3", "E_ang x1e3", "E_h", "E_r", "strain p95", "flips", "T_opt", "T_all", "status"):
             self.assertIn(column, lines[0])
-        self.assertEqual([line.split()[0] for line in lines[1:4]], ["0", "1", "all"])
+        self.assertEqual([line.split()[0] for line in lines[1:4]], ["1", "2", "all"])
         self.assertEqual([line.split()[1] for line in lines[1:3]], ["16", "16"])
         curve = next(line for line in lines if line.startswith("s "))
         self.assertEqual(curve.split()[1:3], ["1", "1"])
 
     def test_quiet_says_nothing(self):
-        run = self.run_command("lune.obj", "--quiet")
+        run = self.run_command("lune.obj", "--quiet", "--unit", "inch")
         self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
 
     def test_results_do_not_depend_on_threads(self):
@@ -223,7 +224,7 @@ class Results(command.CommandTest):
         )
         self.assertEqual(run.returncode, 4, run.stderr)
         self.assertIn("NotConverged", run.stdout)
-        self.assertIn("broken promise: piece 0", command.error_lines(run)[0])
+        self.assertIn("broken promise: piece 1", command.error_lines(run)[-1])
         report = self.report("out")
         self.assertEqual(report["exit_code"], 4)
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")
@@ -244,7 +245,7 @@ class Results(command.CommandTest):
                 "--relaxation-movement", "0")
         run = self.run_command(*slow, "--output", "out")
         self.assertEqual(run.returncode, 4, run.stderr)
-        self.assertIn("raise --relaxation-max-iterations", command.error_lines(run)[0])
+        self.assertIn("raise --relaxation-max-iterations", command.error_lines(run)[-1])
         self.assertEqual(self.report("out")["pieces"][0]["status"], "NotConverged")
         self.assertEqual(self.flatten(*slow[:-2])["status"], "Ok")
 
@@ -257,6 +258,35 @@ class Results(command.CommandTest):
         self.assertEqual(report["status"], "LengthError")
         self.assertIn("last correction of the wires' lengths", report["pieces"][0]["fallbacks"])
         self.assertEqual(self.flatten("lune.obj", "arc.txt")["pieces"][0]["fallbacks"], "")
+
+    def test_what_a_plane_cannot_hold_is_said_with_a_cut(self):
+        # The sphere down to 120 degrees: 2 pi (1 - cos) of area, a disk of pi sin^2 for its boundary.
+        rings, angle = 8, math.radians(120)
+        points, triangles = [(0, 0, 1)], []
+        for ring in range(1, rings + 1):
+            down = angle * ring / rings
+            points += [(math.sin(down) * math.cos(k * math.pi / 6),
+                        math.sin(down) * math.sin(k * math.pi / 6), math.cos(down)) for k in range(12)]
+        for k in range(12):
+            after = (k + 1) % 12
+            triangles.append((0, 1 + k, 1 + after))
+            for first in range(1, 12 * (rings - 1), 12):
+                triangles += [(first + k, first + 12 + k, first + 12 + after),
+                              (first + k, first + 12 + after, first + after)]
+        self.write("ball.obj", command.obj(points, triangles))
+        run = self.run_command("ball.obj", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        piece = self.report("out")["pieces"][0]
+        loss = 1 - 0.5 * math.sin(angle) ** 2 / (1 - math.cos(angle))
+        self.assertAlmostEqual(piece["forecast_area_loss"], loss, delta=0.03)
+        self.assertAlmostEqual(piece["E_area"], loss, delta=0.03)
+        self.assertEqual(piece["flipped"], 0)
+        self.assertEqual(piece["forecast_cut_to"], 0)
+        self.assertGreater(piece["forecast_cut_from"], 12 * (rings - 1))
+        self.assertLess(piece["forecast_area_loss_after_cut"], piece["forecast_area_loss"] - 0.1)
+        self.assertIn("a plane cannot hold this piece", piece["verdict"])
+        self.assertIn(piece["verdict"], run.stdout)
+        self.assertEqual(self.flatten("lune.obj", "arc.txt")["pieces"][0]["verdict"], "")
 
     def test_darts_that_cross_are_closed_on_request(self):
         piece = [

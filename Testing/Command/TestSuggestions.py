@@ -23,6 +23,16 @@ def dome(columns, rows, height):
     return points, triangles
 
 
+def legacy(points, triangles, name, values):
+    """A file of VTK with a number for each cell."""
+    lines = ["# vtk DataFile Version 3.0", "dome", "ASCII", "DATASET POLYDATA", f"POINTS {len(points)} double"]
+    lines += [" ".join(map(repr, p)) for p in points]
+    lines += [f"POLYGONS {len(triangles)} {4 * len(triangles)}"]
+    lines += [" ".join(map(str, (3, *t))) for t in triangles]
+    lines += [f"CELL_DATA {len(triangles)}", f"SCALARS {name} double 1", "LOOKUP_TABLE default"]
+    return "\n".join(lines + [repr(value) for value in values]) + "\n"
+
+
 class Suggestions(command.CommandTest):
     def setUp(self):
         super().setUp()
@@ -57,8 +67,69 @@ class Suggestions(command.CommandTest):
         self.write("sheet.obj", command.obj(*command.sheet()))
         run = self.run_command("sheet.obj", "--suggest", "all", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("no cut is proposed", run.stdout)
+        self.assertIn("nothing is proposed", run.stdout)
         self.assertEqual(self.report("out")["suggestions"], [])
+
+    def test_weights_say_where_distortion_matters(self):
+        middles = [sum(self.points[v][0] for v in t) / 3 for t in self.triangles]
+        self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [float(x > 0) for x in middles]))
+        options = ("--suggest", "darts", "--bound", "0", "--max-cuts", "1")
+        run = self.run_command("dome.vtk", *options, "--weights", "matters", "--output", "out")
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertEqual(len(self.report("out")["suggestions"]), 1)
+        self.assertGreater(self.array("out/curves.vtp", "Points")[-3], 0.0)  # its tip
+        run = self.run_command("dome.vtk", *options, "--weights", "mattes", "--output", "none")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn('no cell array of numbers named "mattes"; give one of matters', run.stderr)
+        self.assertFalse(os.path.exists(self.path("none/flat.vtp")))
+        self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [-1.0] + middles[1:]))
+        run = self.run_command("dome.vtk", *options, "--weights", "matters", "--output", "none")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("are negative or no numbers", run.stderr)
+
+    def test_what_ended_a_search_is_named(self):
+        run = self.run_command(
+            "dome.obj", "--suggest", "darts", "--bound", "0.001", "--max-work", "0.2", "--output", "out")
+        self.assertIn("above the bound of 0.001, the largest at (", run.stderr)
+        self.assertIn("the limit of work ended the search after ", run.stderr)
+
+    def test_lines_cut_nothing_and_tell_what_they_cost(self):
+        run = self.run_command("dome.obj", "--suggest", "lines", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = self.report("out")
+        self.assertEqual(len(report["pieces"]), 1)
+        lines, left_out = report["suggestions"], report["suggestions_left_out"]
+        self.assertEqual([line["name"] for line in lines[:1]], ["centre line 1"])
+        self.assertEqual({curve["name"] for curve in report["curves"]}, {line["name"] for line in lines})
+        self.assertAlmostEqual(lines[-1]["E_area_after"], report["pieces"][0]["E_area"], 12)
+        self.assertTrue(left_out)
+        for line in left_out:
+            self.assertIn(line["name"], run.stdout.split("left out")[1])
+            self.assertTrue(line["gain"] < 0 or not line["sound"])
+        os.rename(self.path("out"), self.path("first"))
+        self.flatten("dome.obj", os.path.join("first", "curves.vtp"))
+
+    def test_keys_are_priced_by_flattenings_without_them(self):
+        curves = os.path.join(command.DATA, "pants_front_curves_set3.vtp")
+        surface = os.path.join(command.DATA, "pants_front.vtp")
+        run = self.run_command(
+            surface, curves, "--price-keys", "--scheme", "global", "--output", "out")
+        rows = self.report("out")["key_prices"]
+        self.assertEqual([rows[0]["trial"], rows[-1]["trial"]], ["all keys", "no key"])
+        self.assertEqual(rows[0]["status"], "IncompatibleKeys")
+        self.assertEqual(rows[1]["status"], "Ok")  # what is to blame comes first
+        self.assertTrue(rows[1]["trial"].startswith("without "))
+        self.assertAlmostEqual(rows[1]["price"], rows[0]["E_area"] - rows[1]["E_area"], 12)
+        self.assertIsNone(rows[2]["price"])
+        for row in rows:
+            self.assertIn(row["trial"], run.stdout)
+        released = self.flatten(surface, curves, "--release-keys", "--scheme", "global")
+        self.assertAlmostEqual(rows[-1]["E_area"], released["pieces"][0]["E_area"], 12)
+        run = self.run_command("dome.obj", "--price-keys", "--output", "none")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("there is no key curve", run.stderr)
+        run = self.run_command("dome.obj", "--price-keys", "--suggest", "all")
+        self.assertEqual(run.returncode, 2)
 
     def test_a_bound_out_of_reach_is_told(self):
         report = self.flatten("dome.obj", "--suggest", "darts", "--bound", "0.001", "--max-cuts", "1")
@@ -80,7 +151,8 @@ class Suggestions(command.CommandTest):
         for arguments in (["--bound", "0.02"], ["--suggest", "pleats"], ["--suggest", "all", "--bound", "-1"],
                           ["--suggest", "all", "--bound", "nan"], ["--suggest", "all", "--max-cuts", "0"],
                           ["--suggest", "all", "--prefer", "waist"], ["--suggest", "all", "--symmetric", "x"],
-                          ["--suggest", "all", "--prefer", "waist=-1"]):
+                          ["--suggest", "all", "--prefer", "waist=-1"],
+                          ["--weights", "matters"]):
             run = self.run_command("dome.obj", *arguments)
             self.assertEqual(run.returncode, 2, arguments)
 

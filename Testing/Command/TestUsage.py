@@ -22,7 +22,7 @@ class Usage(command.CommandTest):
         root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
         path = os.path.join(root, "Applications", "wirewarp", "FlagWords.cxx")
         with open(path, encoding="utf-8") as file:
-            named = re.findall(r"--[a-z][a-z-]*", file.read().split("words{ {")[1])
+            named = re.findall(r"--[a-z][a-z-]*", file.read().split("phrases{")[1])
         options = set(re.findall(r"--[a-z-]+", self.run_command("--help").stdout))
         self.assertGreater(len(named), 15)
         for option in named:
@@ -35,6 +35,18 @@ class Usage(command.CommandTest):
         for option in ("--scheme", "--solver", "--interior"):
             with self.subTest(option):
                 self.assertIn("nonsense", self.assert_usage_error("a.obj", option, "nonsense"))
+
+    def test_words_of_options_may_have_capital_letters_and_units_other_names(self):
+        points, triangles, _ = command.quarter_sphere()
+        self.write("a.obj", command.obj(points, triangles))
+        reports = []
+        for scheme, unit, paper in (("global", "inch", "letter"), ("Global", "Inches", "LETTER")):
+            run = self.run_command("a.obj", "--scheme", scheme, "--unit", unit, "--paper", paper, "--pdf", "-o", unit)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(self.path(f"{unit}/pattern.pdf"), "rb") as file:
+                reports.append((self.report(unit)["sizes"], file.read()))
+        self.assertEqual(*reports)
+        self.assertIn("'ell' is none of mm, cm, m, inch", self.assert_usage_error("a.obj", "--unit", "ell"))
 
     def test_numbers_out_of_their_range_are_refused(self):
         for option, value in (

@@ -12,7 +12,6 @@ import sys
 import tempfile
 import unittest
 from xml.etree import ElementTree
-import zlib
 
 EXECUTABLE = os.environ["WIREWARP"]
 DATA = os.environ["WIREWARP_DATA"]
@@ -247,7 +246,7 @@ FORMATS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": 
 
 
 def read_array(path, name, within="Piece"):
-    """Values of an array of an XML polydata file that VTK wrote (in its elements, base64, zlib). Cells of
+    """Values of an array of an XML polydata file that VTK wrote (in its elements, base64, LZ4). Cells of
     each kind have their own `connectivity`, within Lines or Polys."""
     root = xml_root(path)
     for array in root.find(".//" + within).iter("DataArray"):
@@ -279,9 +278,34 @@ def decode(text, size):
     data = base64.b64decode(text[length : length + packed])
     values = b""
     for block in numbers[3:]:
-        values += zlib.decompress(data[:block])
+        values += lz4_block(data[:block])
         data = data[block:]
     return values
+
+
+def lz4_block(data):
+    """Sequences of a token, literals, and a match behind (offset, length), after the LZ4 block format."""
+
+    def length(nibble, at):
+        while nibble >= 15:
+            nibble, more, at = nibble + data[at], data[at], at + 1
+            if more < 255:
+                break
+        return nibble, at
+
+    values, at = bytearray(), 0
+    while at < len(data):
+        token, at = data[at], at + 1
+        count, at = length(token >> 4, at)
+        values += data[at : at + count]
+        at += count
+        if at == len(data):  # the last sequence has literals alone
+            break
+        offset, at = data[at] + 256 * data[at + 1], at + 2
+        count, at = length(token & 15, at)
+        for _ in range(count + 4):
+            values.append(values[-offset])
+    return bytes(values)
 
 
 def error_lines(run):

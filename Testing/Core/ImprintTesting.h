@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Imprint/CurveImprint.h"
+#include "MeshTriangles.h"
 #include "Surface/SurfacePreparation.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@ using namespace flattening;
 inline TriangleMesh grid(Index n)
 {
   Points3 points;
-  Triangles triangles;
   for (Index j = 0; j <= n; ++j)
   {
     for (Index i = 0; i <= n; ++i)
@@ -26,16 +26,7 @@ inline TriangleMesh grid(Index n)
       points.push_back(Point3(i, j, 0.0));
     }
   }
-  for (Index j = 0; j < n; ++j)
-  {
-    for (Index i = 0; i < n; ++i)
-    {
-      const Index a = j * (n + 1) + i;
-      triangles.push_back({ a, a + 1, a + n + 2 });
-      triangles.push_back({ a, a + n + 2, a + n + 1 });
-    }
-  }
-  return prepareSurface(points, triangles).mesh;
+  return prepareSurface(points, testmeshes::gridTriangles(n, n)).mesh;
 }
 
 inline Polyline polyline(Points3 points)

@@ -2,7 +2,7 @@
 // Starts that never fold: deep caps of a sphere, with and without wires across their pole.
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattening/SurfaceFlattening.h"
-#include "TestMeshes.h"
+#include "SphereCap.h"
 
 #include <gtest/gtest.h>
 
@@ -11,47 +11,6 @@ using namespace testmeshes;
 
 namespace
 {
-/// The part of the unit sphere within an angle of its pole, in rings of triangles of equal size,
-/// with wires along diameters, the second across the first.
-Surface cap(double angle, Index rings, int wires)
-{
-  const auto at = [](Index ring, Index k) -> Index {
-    return ring == 0 ? 0 : 1 + 2 * ring * (ring - 1) + k % (4 * ring);
-  };
-  Points3 points{ Point3(0.0, 0.0, 1.0) };
-  Triangles triangles;
-  for (Index ring = 1; ring <= rings; ++ring)
-  {
-    const double down = angle * ring / rings;
-    for (Index k = 0; k < 4 * ring; ++k)
-    {
-      const double around = 2.0 * pi * k / (4 * ring);
-      points.push_back(Point3(
-        std::sin(down) * std::cos(around), std::sin(down) * std::sin(around), std::cos(down)));
-      const Index quarter = k / ring;
-      const Index inner = k - quarter;
-      triangles.push_back({ at(ring - 1, inner), at(ring, k), at(ring, k + 1) });
-      if (k % ring != ring - 1)
-      {
-        triangles.push_back({ at(ring - 1, inner), at(ring, k + 1), at(ring - 1, inner + 1) });
-      }
-    }
-  }
-  Surface surface;
-  surface.mesh = TriangleMesh(std::move(points), std::move(triangles));
-  for (Index wire = 0; wire < wires; ++wire)
-  {
-    Indices vertices{ 0 };
-    for (Index ring = 1; ring <= rings; ++ring)
-    {
-      vertices.insert(vertices.begin(), at(ring, wire * ring));
-      vertices.push_back(at(ring, (wire + 2) * ring));
-    }
-    surface.curves.push_back(accessory("diameter" + std::to_string(wire), std::move(vertices)));
-  }
-  return surface;
-}
-
 FlatteningResult flatten(const Surface& surface)
 {
   return flattenSurface(surface.mesh, surface.curves, {}, {});
@@ -62,7 +21,7 @@ TEST(ConvexEmbedding, FoldsNothingHoweverDeepTheSurfaceIs)
 {
   for (double degrees : { 30.0, 90.0, 150.0, 175.0 })
   {
-    const Surface surface = cap(degrees * pi / 180.0, 12, 0);
+    const Surface surface = sphereCap(degrees * pi / 180.0, 12, 0);
     const Points2 flat = embedConvexly(surface.mesh, {});
     ASSERT_EQ(flat.size(), surface.mesh.points().size());
     EXPECT_EQ(countFlipped(surface.mesh, flat), 0) << degrees;
@@ -100,26 +59,99 @@ TEST(ConvexEmbedding, IsEmptyWhereItIsCancelled)
 {
   Execution execution;
   execution.cancel = [] { return true; };
-  EXPECT_TRUE(embedConvexly(cap(1.0, 4, 0).mesh, execution).empty());
+  EXPECT_TRUE(embedConvexly(sphereCap(1.0, 4, 0).mesh, execution).empty());
+}
+
+namespace
+{
+void expectExactWithoutAFold(double degrees, Index rings, int wires)
+{
+  const FlatteningResult result = flatten(sphereCap(degrees * pi / 180.0, rings, wires));
+  const PieceReport& piece = result.pieces[0];
+  EXPECT_TRUE(piece.quality.flipped.empty()) << degrees << ", " << rings << ", " << wires;
+  EXPECT_LT(piece.quality.maximumEdgeLengthError, 1e-10) << degrees << ", " << rings;
+  EXPECT_EQ(piece.area.deep(), degrees > 67.0) << degrees;
+  if (degrees <= 105.0)
+  {
+    EXPECT_TRUE(result.status.ok()) << degrees << ", " << rings << ", " << wires;
+    EXPECT_LE(piece.iterations, 30) << degrees << ", " << rings << ", " << wires;
+  }
+}
 }
 
 TEST(ConvexWarping, CapsLieWithoutAFoldWithExactLengths)
 {
-  for (double degrees : { 30.0, 75.0, 105.0, 125.0, 150.0 })
+  for (double degrees : { 30.0, 45.0, 60.0, 75.0, 105.0, 125.0, 150.0 })
   {
     for (int wires : { 0, 1, 2 })
     {
-      const FlatteningResult result = flatten(cap(degrees * pi / 180.0, 12, wires));
-      const QualitySummary& quality = result.pieces[0].quality;
-      EXPECT_TRUE(quality.flipped.empty()) << degrees << " degrees, " << wires << " wires";
-      EXPECT_LT(quality.maximumEdgeLengthError, 1e-10) << degrees << " degrees, " << wires;
+      expectExactWithoutAFold(degrees, 12, wires);
     }
+  }
+  expectExactWithoutAFold(170.0, 12, 0);
+}
+
+TEST(ConvexWarping, FinerCapsDoAsWell)
+{
+  for (double degrees : { 75.0, 105.0, 150.0 })
+  {
+    expectExactWithoutAFold(degrees, 24, 1);
+  }
+}
+
+TEST(ConvexWarping, WiresPressedFarBeyondWhatTheyBearGiveWayAtOnce)
+{
+  // These wires are more than a third longer than the disk with their boundary is wide.
+  expectExactWithoutAFold(90.0, 24, 1);
+  expectExactWithoutAFold(75.0, 24, 2);
+}
+
+TEST(ConvexWarping, ADeepPieceThatIsAtNoMinimumIsAdvisedToBeCut)
+{
+  const FlatteningResult result = flatten(sphereCap(170.0 * pi / 180.0, 12, 2));
+  const Status& status = result.pieces[0].status;
+  ASSERT_FALSE(status.ok());
+  EXPECT_TRUE(std::any_of(status.waysOut.begin(), status.waysOut.end(),
+    [](const WayOut& way) { return way.remedy == Remedy::AddDarts; }));
+}
+
+TEST(ConvexWarping, AWireThatNoPlaneHoldsIsNamedAndNothingFolds)
+{
+  const FlatteningResult result = flatten(sphereCap(170.0 * pi / 180.0, 12, 1));
+  EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+  if (!(result.pieces[0].quality.maximumEdgeLengthError < 1e-9))
+  {
+    EXPECT_EQ(result.status.code, StatusCode::LengthError);
+    EXPECT_NE(result.status.message.find("diameter0"), std::string::npos);
   }
 }
 
 TEST(ConvexWarping, TwoDiametersOfACapOf45DegreesComeToAMinimum)
 {
-  const FlatteningResult result = flatten(cap(0.25 * pi, 12, 2));
+  const FlatteningResult result = flatten(sphereCap(0.25 * pi, 12, 2));
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LE(result.pieces[0].iterations, 30);
+}
+
+TEST(ConvexWarping, ASaddleWhoseSoftWiresBendFarForNextToNothingComesToAMinimum)
+{
+  // So soft is the sheet across these wires that corrections of their lengths which cost least bend
+  // them by more than they mend.
+  const Index n = 16;
+  Surface saddle = patch(n, n, [](double i, double j) -> Point3 {
+    const double u = i / 8.0 - 1.0;
+    const double v = j / 8.0 - 1.0;
+    return { u, v, 0.6 * (u * u - v * v) };
+  });
+  Indices along;
+  Indices across;
+  for (Index k = 0; k <= n; ++k)
+  {
+    along.push_back(n / 2 * (n + 1) + k);
+    across.push_back(k * (n + 1) + n / 2);
+  }
+  saddle.curves = { accessory("along", along), accessory("across", across) };
+  const FlatteningResult result = flatten(saddle);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LE(result.pieces[0].iterations, 30);
 }
@@ -129,7 +161,7 @@ TEST(ConvexWarping, ACapWithoutWiresIsTheDiskWithItsBoundary)
   // The boundary of a surface of revolution keeps its length on a circle, and no other curve
   // of that length holds as much.
   const double angle = 5.0 * pi / 6.0;
-  const FlatteningResult result = flatten(cap(angle, 12, 0));
+  const FlatteningResult result = flatten(sphereCap(angle, 12, 0));
   const double radius = 48.0 * 2.0 * std::sin(pi / 48.0) * std::sin(angle) / (2.0 * pi);
   double area = 0.0;
   for (const Triangle& t : result.cut->mesh.triangles())
@@ -143,9 +175,9 @@ TEST(ConvexWarping, ACapWithoutWiresIsTheDiskWithItsBoundary)
 
 TEST(ConvexWarping, SaysWhereTheSecondStartWasTheBetterOne)
 {
-  const FlatteningResult result = flatten(cap(2.6, 12, 1));
+  const FlatteningResult result = flatten(sphereCap(2.6, 12, 1));
   const std::vector<std::string>& said = result.pieces[0].fallbacks;
   EXPECT_TRUE(std::any_of(said.begin(), said.end(),
     [](const std::string& text) { return text.find("convex map") != std::string::npos; }));
-  EXPECT_TRUE(flatten(cap(0.4, 8, 1)).pieces[0].fallbacks.empty());
+  EXPECT_TRUE(flatten(sphereCap(0.4, 8, 1)).pieces[0].fallbacks.empty());
 }

@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves drawn on surfaces by commands, undone, and snapped.
+// Curves drawn on surfaces by commands, and undone.
+#include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
-#include "Editing/CurveSnapping.h"
-#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 using namespace flattening;
+using namespace drawncurves;
 
 namespace
 {
-std::shared_ptr<const DrawingSurface> drawing(const testmeshes::Surface& surface)
-{
-  return std::make_shared<const DrawingSurface>(surface.mesh);
-}
-
-EditedCurve through(
-  const DrawingSurface& surface, const Points3& points, SegmentKind kind = SegmentKind::Geodesic)
-{
-  EditedCurve curve;
-  for (const Point3& point : points)
-  {
-    curve.nodes.push_back(surface.pointNear(point));
-  }
-  curve.kinds.assign(points.size() - 1, kind);
-  return curve;
-}
-
 CurveSet copied(const CurveSet& set)
 {
   CurveSet copy;
@@ -40,33 +23,13 @@ CurveSet copied(const CurveSet& set)
   return copy;
 }
 
-testmeshes::Surface sheet(const std::function<double(double, double)>& height, double scale = 1.0)
-{
-  return testmeshes::patch(
-    20, 20, [&](double i, double j) -> Point3 { return scale * Point3(i, j, height(i, j)); });
-}
-/// 20 x 20, vertices at whole numbers.
-testmeshes::Surface plane(double scale = 1.0)
-{
-  return sheet([](double, double) { return 0.0; }, scale);
-}
-/// The same with a hill, on which no two ways are equally long.
-testmeshes::Surface hill(double scale = 1.0)
-{
-  return sheet(
-    [](double i, double j) {
-      return 3.0 * std::sin(pi * i / 20) * std::sin(pi * j / 20) +
-        0.1 * std::sin(1.7 * i + 2.9 * j * j);
-    },
-    scale);
-}
-
 /// Commands drawn at random; `size` of the surface makes the same ones on every scale.
 class RandomHand
 {
 public:
-  RandomHand(CurveEditor& editor, unsigned seed)
+  RandomHand(CurveEditor& editor, unsigned seed, bool derives = false)
     : Editor(editor)
+    , Choices(derives ? 15 : 13)
     , Generator(seed)
   {
   }
@@ -81,8 +44,15 @@ public:
     const EditedCurve& curve = this->Editor.curve(c);
     const std::size_t node = this->pick(curve.nodes.size());
     CurveTraits traits = curve.traits;
-    switch (this->pick(13))
+    switch (this->pick(this->Choices))
     {
+      case 13:
+        return curve.nodes.size() > 3 // which has no few nodes either
+          ? this->Editor.remove(c)
+          : this->Editor.addOffset(c, 0.02 * this->width());
+      case 14:
+        return this->Editor.addStroke(
+          { this->onSurface(), this->onSurface(), this->onSurface() }, 0.01 * this->width());
       case 0:
         return this->Editor.remove(c);
       case 1:
@@ -116,6 +86,12 @@ public:
   std::size_t pick(std::size_t count) { return this->Generator() % count; }
 
 private:
+  SurfacePoint onSurface() { return this->Editor.surface().pointNear(this->place()); }
+  double width() const
+  {
+    const Points3& points = this->Editor.surface().mesh().points();
+    return (points.back() - points.front()).norm();
+  }
   Point3 place()
   {
     const Points3& points = this->Editor.surface().mesh().points();
@@ -125,6 +101,7 @@ private:
   }
 
   CurveEditor& Editor;
+  std::size_t Choices;
   std::mt19937 Generator;
 };
 }
@@ -136,7 +113,7 @@ TEST(CurveEditor, AThousandRandomEditsUndoneGiveTheFirstStateBitForBit)
   ASSERT_TRUE(
     editor.restart({ through(editor.surface(), { { 1, 1, 0 }, { 15, 12, 0 } }) }, {}).ok());
   const CurveSet first = copied(editor.state());
-  RandomHand hand(editor, 1);
+  RandomHand hand(editor, 1, true);
   int accepted = 0;
   int refused = 0;
   for (int k = 0; k < 1000; ++k)
@@ -349,89 +326,43 @@ TEST(CurveEditor, TwoNodesOnATubeGirthItAndOnASheetAreRefused)
   EXPECT_FALSE(flat.curve(0).closed);
 }
 
-//------------------------------------------------------------------------------
-TEST(CurveSnapping, PointsComeBeforeLinesAndLinesBeforeVertices)
+TEST(CurveEditor, AClosedCurvePulledTightIsTheShortestRoundThereAndIsUndone)
 {
-  for (const double scale : { 1.0, 1e-3, 1e3 })
+  // A tube of 16 sides with a waist at half its height.
+  Points3 points;
+  Triangles triangles;
+  const Index sides = 16;
+  for (Index j = 0; j < 9; ++j)
   {
-    CurveEditor editor(drawing(plane(scale)));
-    EditedCurve dart =
-      through(editor.surface(), { scale * Point3(5, 0, 0), scale * Point3(5, 8.5, 0) });
-    dart.traits.type = CurveType::Dart;
-    ASSERT_TRUE(editor.add(dart).ok());
-    SnapOptions options;
-    options.reach = 0.4 * scale;
-    const auto snapped = [&](double x, double y) {
-      return snapPoint(editor.surface(), editor.state(),
-        editor.surface().pointNear(scale * Point3(x, y, 0)), options);
-    };
-    struct Case
+    for (Index i = 0; i < sides; ++i)
     {
-      Point3 from;
-      SnapTarget target;
-      Point3 to;
-    };
-    for (const Case& expected : { Case{ { 5.2, 8.7, 0 }, SnapTarget::DartTip, { 5, 8.5, 0 } },
-           Case{ { 5.2, 4.4, 0 }, SnapTarget::Curve, { 5, 4.4, 0 } },
-           Case{ { 5.2, 4.1, 0 }, SnapTarget::Vertex, { 5, 4, 0 } },
-           Case{ { 0.2, 0.1, 0 }, SnapTarget::Corner, { 0, 0, 0 } },
-           Case{ { 12.5, 0.3, 0 }, SnapTarget::Boundary, { 12.5, 0, 0 } },
-           Case{ { 12.1, 0.3, 0 }, SnapTarget::Vertex, { 12, 0, 0 } },
-           Case{ { 12.2, 7.1, 0 }, SnapTarget::Vertex, { 12, 7, 0 } },
-           Case{ { 12.5, 7.45, 0 }, SnapTarget::Nothing, { 12.5, 7.45, 0 } } })
-    {
-      const SnappedPoint result = snapped(expected.from.x(), expected.from.y());
-      EXPECT_EQ(result.target, expected.target) << expected.from.transpose();
-      EXPECT_LT((result.point.position - scale * expected.to).norm(), 1e-9 * scale)
-        << expected.from.transpose();
+      const double turn = 2.0 * pi * i / sides;
+      const double radius = 1.0 + 0.05 * (j - 4) * (j - 4);
+      points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0.25 * j);
+      if (j > 0)
+      {
+        const Index below = (j - 1) * sides;
+        const Index next = (i + 1) % sides;
+        triangles.push_back({ below + i, below + next, j * sides + next });
+        triangles.push_back({ below + i, j * sides + next, j * sides + i });
+      }
     }
-    options.reach = 0.0;
-    EXPECT_EQ(snapped(5.2, 8.7).target, SnapTarget::Nothing);
   }
-}
-
-TEST(CurveSnapping, APointNearTheMirrorPlaneGoesOntoIt)
-{
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(editor.setMirror(MirrorPlane{ { 7.3, 0, 0 }, Point3::UnitX() }).ok());
-  SnapOptions options;
-  options.reach = 0.3;
-  const SurfacePoint near = editor.surface().pointNear({ 7.4, 9.6, 2.5 });
-  const SnappedPoint result = snapPoint(editor.surface(), editor.state(), near, options);
-  EXPECT_EQ(result.target, SnapTarget::MirrorPlane);
-  EXPECT_NEAR(result.point.position.x(), 7.3, 1e-9);
-  EXPECT_LT(
-    (editor.surface().pointNear(result.point.position).position - result.point.position).norm(),
-    1e-9);
-}
-
-TEST(CurveSnapping, WhoLooksAtTheSideMissesInDepthAndStillHitsTheBoundary)
-{
-  const CurveEditor editor(drawing(plane()));
-  SnapOptions options;
-  options.reach = 0.3;
-  const SurfacePoint deep = editor.surface().pointNear({ 7.1, 1.6, 0 });
-  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), deep, options).target, SnapTarget::Nothing);
-  options.sight = SightMetric({ 0, 5, 0.1 });
-  const SnappedPoint snapped = snapPoint(editor.surface(), editor.state(), deep, options);
-  EXPECT_EQ(snapped.target, SnapTarget::Vertex);
-  EXPECT_EQ(snapped.point.position, Point3(7, 0, 0));
-  // What lies as far to the side stays out of reach.
-  const SurfacePoint beside = editor.surface().pointNear({ 1.6, 10.5, 0 });
-  EXPECT_EQ(
-    snapPoint(editor.surface(), editor.state(), beside, options).target, SnapTarget::Nothing);
-}
-
-TEST(CurveSnapping, TheCurveThatIsMovedDoesNotHoldItsNode)
-{
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(editor.add(through(editor.surface(), { { 3, 3, 0 }, { 12, 13, 0 } })).ok());
-  SnapOptions options;
-  options.reach = 0.3;
-  options.vertex = false;
-  const SurfacePoint near =
-    editor.surface().pointNear(pointsAlong(editor.curve(0).segments)[5] + Point3(0.1, 0, 0));
-  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), near, options).target, SnapTarget::Curve);
-  options.exceptCurve = 0;
-  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), near, options).target, SnapTarget::Nothing);
+  const auto surface =
+    std::make_shared<const DrawingSurface>(TriangleMesh(std::move(points), std::move(triangles)));
+  CurveEditor editor(surface);
+  EditedCurve curve =
+    through(*surface, { Point3(1.5, 0.2, 1.7), Point3(-0.9, 1.2, 1.3), Point3(-0.8, -1.1, 1.6) });
+  ASSERT_TRUE(editor.add(curve).ok());
+  EXPECT_EQ(editor.tighten(0).code, StatusCode::InvalidOption); // open
+  ASSERT_TRUE(editor.setClosed(0, true).ok());
+  const CurveSet before = copied(editor.state());
+  const Status status = editor.tighten(0);
+  ASSERT_TRUE(status.ok()) << status.message;
+  EXPECT_NEAR(lengthOf(wholePath(editor.curve(0))), 2.0 * sides * std::sin(pi / sides), 1e-9);
+  EXPECT_TRUE(editor.curve(0).closed);
+  EXPECT_EQ(editor.curve(0).traits.name, before.curves[0]->traits.name);
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+  EXPECT_EQ(editor.tighten(7).code, StatusCode::InvalidOption);
 }

@@ -319,9 +319,12 @@ TEST(CurveImprint, TakesPicksThatLieALittleOffTheSurface)
   ImprintOptions options;
   options.tolerance = std::stod(refused.status.waysOut[1].subject);
   EXPECT_TRUE(imprintCurves(mesh, { line }, options).status.ok());
-  // Beyond the diagonal there is none.
-  line.points[1].z() = 2.0 * diagonal;
-  EXPECT_EQ(imprintCurves(mesh, { line }, {}).status.waysOut.size(), 1U);
+  // A tenth of the diagonal away none is given: it would lay down curves of another unit.
+  EXPECT_EQ(refused.status.message.find("unit"), std::string::npos) << refused.status.message;
+  line.points[1].z() = 0.11 * diagonal;
+  const auto far = imprintCurves(mesh, { line }, {});
+  EXPECT_EQ(far.status.waysOut.size(), 1U);
+  EXPECT_NE(far.status.message.find("unit"), std::string::npos) << far.status.message;
 }
 
 TEST(CurveImprint, GoesToTheNearestVertexWhereNothingIsSplit)

@@ -4,12 +4,14 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/OpeningCuts.h"
-#include "TestMeshes.h"
+#include "SuggestionTesting.h"
 #include "TestThreads.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <random>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -23,17 +25,6 @@ TriangleMesh dome(double height)
     const double x = i / 8.0 - 1.0;
     const double y = j / 8.0 - 1.0;
     return Point3(x, y, height * (1.0 - x * x) * (1.0 - 0.8 * y * y));
-  }).mesh;
-}
-
-/// The same with a bump on each side of x = 0, and none of y = 0.
-TriangleMesh twoBumps()
-{
-  return patch(20, 14, [](double i, double j) {
-    const double x = i / 10.0 - 1.0;
-    const double y = j / 10.0;
-    const double square = (std::abs(x) - 0.5) * (std::abs(x) - 0.5) + (y - 0.9) * (y - 0.9);
-    return Point3(x, y, 0.25 * std::exp(-9.0 * square));
   }).mesh;
 }
 
@@ -90,19 +81,6 @@ TriangleMesh sphere(int halvings)
   return { std::move(points), std::move(triangles) };
 }
 
-/// What the caller gets who takes the proposals and flattens.
-FlatteningResult flattened(
-  const TriangleMesh& mesh, std::vector<Polyline> curves, const CurveSuggestions& suggestions)
-{
-  for (const SuggestedCurve& cut : suggestions.cuts)
-  {
-    curves.push_back(cut.curve);
-  }
-  const ImprintedSurface surface = imprintCurves(mesh, curves, {});
-  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
-  return flattenSurface(surface.mesh, surface.curves, {}, {});
-}
-
 double largestStrain(const FlatteningResult& result)
 {
   double strain = 0.0;
@@ -113,14 +91,16 @@ double largestStrain(const FlatteningResult& result)
   return strain;
 }
 
-SuggestionOptions optionsOf(double bound, Index most)
+/// A square sheet whose vertices lie anywhere up to a third of an edge above or below it.
+TriangleMesh noise()
 {
-  SuggestionOptions options;
-  options.search.bound = bound;
-  options.search.maximumCuts = most;
-  options.search.trials = 8;
-  return options;
+  std::mt19937 random(7);
+  return patch(12, 12, [&](double i, double j) {
+    const double height = static_cast<double>(random()) / 4294967295.0 - 0.5;
+    return Point3(i / 12.0, j / 12.0, height / 18.0);
+  }).mesh;
 }
+
 }
 
 TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
@@ -129,7 +109,7 @@ TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
   {
     const CurveSuggestions suggestions = suggestCurves(surface.mesh, {}, optionsOf(0.02, 8));
     EXPECT_TRUE(suggestions.status.ok());
-    EXPECT_TRUE(suggestions.cuts.empty());
+    EXPECT_TRUE(suggestions.curves.empty());
     EXPECT_TRUE(suggestions.boundMet);
     EXPECT_LT(suggestions.strainBefore, 1e-9);
   }
@@ -142,10 +122,12 @@ TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
   ASSERT_GT(before, 0.06);
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.035, 10));
   EXPECT_TRUE(suggestions.boundMet);
-  EXPECT_FALSE(suggestions.cuts.empty());
+  EXPECT_EQ(suggestions.end, SearchEnd::BoundMet);
+  EXPECT_FALSE(suggestions.curves.empty());
   EXPECT_NEAR(suggestions.strainBefore, before, 1e-12);
   const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_EQ(suggestions.curves.back().strainAfter, suggestions.strainAfter);
   EXPECT_LE(largestStrain(result), 0.035);
   EXPECT_NEAR(largestStrain(result), suggestions.strainAfter, 1e-9);
 }
@@ -158,9 +140,9 @@ TEST(CurveSuggestion, MirrorsItsCutsOnAMirroredSurface)
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
   ASSERT_TRUE(suggestions.mirror.has_value());
   EXPECT_NEAR(std::abs(suggestions.mirror->normal.x()), 1.0, 1e-9);
-  ASSERT_EQ(suggestions.cuts.size(), 2u);
-  const SuggestedCurve& cut = suggestions.cuts[0];
-  const SuggestedCurve& image = suggestions.cuts[1];
+  ASSERT_EQ(suggestions.curves.size(), 2u);
+  const SuggestedCurve& cut = suggestions.curves[0];
+  const SuggestedCurve& image = suggestions.curves[1];
   EXPECT_EQ(cut.mirrorOf, none);
   EXPECT_EQ(image.mirrorOf, 0);
   ASSERT_EQ(cut.curve.points.size(), image.curve.points.size());
@@ -171,6 +153,9 @@ TEST(CurveSuggestion, MirrorsItsCutsOnAMirroredSurface)
   }
   EXPECT_NEAR(cut.length, image.length, 1e-12);
   EXPECT_LT(cut.curve.points.front().x() * image.curve.points.front().x(), 0.0);
+  // A pair is two cuts.
+  options.search.maximumCuts = 1;
+  EXPECT_LE(suggestCurves(mesh, {}, options).curves.size(), 1u);
 }
 
 TEST(CurveSuggestion, KeepsToItsLimits)
@@ -181,10 +166,10 @@ TEST(CurveSuggestion, KeepsToItsLimits)
   options.search.maximumCutLength = 0.9;
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
   EXPECT_FALSE(suggestions.boundMet);
-  ASSERT_FALSE(suggestions.cuts.empty());
-  EXPECT_LE(suggestions.cuts.size(), 3u);
+  ASSERT_FALSE(suggestions.curves.empty());
+  EXPECT_LE(suggestions.curves.size(), 3u);
   double length = 0.0;
-  for (const SuggestedCurve& cut : suggestions.cuts)
+  for (const SuggestedCurve& cut : suggestions.curves)
   {
     length += cut.length;
     EXPECT_GT(cut.gain, 0.0);
@@ -194,7 +179,7 @@ TEST(CurveSuggestion, KeepsToItsLimits)
   options.search.cuts = SuggestedCuts::Seams;
   options.search.maximumCuts = 1;
   options.search.maximumCutLength = 1e9;
-  for (const SuggestedCurve& cut : suggestCurves(mesh, {}, options).cuts)
+  for (const SuggestedCurve& cut : suggestCurves(mesh, {}, options).curves)
   {
     EXPECT_EQ(cut.curve.type, CurveType::Seam);
   }
@@ -216,8 +201,8 @@ TEST(CurveSuggestion, NeverCutsAKeyCurveNorStartsWhereThatIsForbidden)
   SuggestionOptions options = optionsOf(0.0, 2);
   options.search.preferences.push_back({ "hem", 0.0 });
   const CurveSuggestions suggestions = suggestCurves(mesh, { key, hem }, options);
-  ASSERT_FALSE(suggestions.cuts.empty());
-  for (const SuggestedCurve& cut : suggestions.cuts)
+  ASSERT_FALSE(suggestions.curves.empty());
+  for (const SuggestedCurve& cut : suggestions.curves)
   {
     const double side = cut.curve.points.back().y();
     for (const Point3& p : cut.curve.points)
@@ -235,12 +220,58 @@ TEST(CurveSuggestion, IsTheSameForAnyNumberOfThreads)
   const TriangleMesh mesh = twoBumps();
   const CurveSuggestions alone = suggestCurves(mesh, {}, optionsOf(0.0, 2));
   const CurveSuggestions many = suggestCurves(mesh, {}, optionsOf(0.0, 2), withThreads(3));
-  ASSERT_EQ(alone.cuts.size(), many.cuts.size());
-  for (std::size_t k = 0; k < alone.cuts.size(); ++k)
+  ASSERT_EQ(alone.curves.size(), many.curves.size());
+  for (std::size_t k = 0; k < alone.curves.size(); ++k)
   {
-    EXPECT_EQ(alone.cuts[k].curve.points, many.cuts[k].curve.points);
-    EXPECT_EQ(alone.cuts[k].gain, many.cuts[k].gain);
+    EXPECT_EQ(alone.curves[k].curve.points, many.curves[k].curve.points);
+    EXPECT_EQ(alone.curves[k].gain, many.curves[k].gain);
   }
+}
+
+TEST(CurveSuggestion, ItsProgressNeverFallsAndIsThatOfTheWhole)
+{
+  Execution execution;
+  std::vector<double> fractions;
+  bool doneBefore = false;
+  execution.progress = [&](double fraction, const char* phase) {
+    fractions.push_back(fraction);
+    doneBefore = doneBefore || (fraction < 1.0 && std::string(phase) == "Done");
+  };
+  ASSERT_TRUE(suggestCurves(dome(0.5), {}, optionsOf(0.0, 4), execution).status.ok());
+  ASSERT_GT(fractions.size(), 1U);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_FALSE(doneBefore);
+}
+
+TEST(CurveSuggestion, GivesNoiseUpAndSaysHowManyCutsItWouldTake)
+{
+  const CurveSuggestions suggestions = suggestCurves(noise(), {}, optionsOf(0.005, 8));
+  EXPECT_EQ(suggestions.end, SearchEnd::GivenUp);
+  EXPECT_FALSE(suggestions.boundMet);
+  EXPECT_GT(suggestions.cutsNeeded, 32.0);
+  EXPECT_LT(suggestions.curves.size(), 8u);
+}
+
+TEST(CurveSuggestion, EndsWhenItsWorkIsUsedUpWhateverTheThreads)
+{
+  const TriangleMesh mesh = dome(0.6);
+  SuggestionOptions options = optionsOf(0.0, 8);
+  const CurveSuggestions unlimited = suggestCurves(mesh, {}, optionsOf(0.0, 2));
+  EXPECT_EQ(unlimited.end, SearchEnd::CutsUsedUp);
+  options.search.maximumWork = 0.3 * unlimited.work;
+  const CurveSuggestions alone = suggestCurves(mesh, {}, options);
+  EXPECT_EQ(alone.end, SearchEnd::WorkUsedUp);
+  EXPECT_LT(alone.work, unlimited.work);
+  EXPECT_LT(alone.trials, unlimited.trials);
+  const CurveSuggestions many = suggestCurves(mesh, {}, options, withThreads(3));
+  EXPECT_EQ(alone.work, many.work);
+  ASSERT_EQ(alone.curves.size(), many.curves.size());
+  for (std::size_t k = 0; k < alone.curves.size(); ++k)
+  {
+    EXPECT_EQ(alone.curves[k].curve.points, many.curves[k].curve.points);
+  }
+  options.search.maximumWork = -1.0;
+  EXPECT_EQ(suggestCurves(mesh, {}, options).status.code, StatusCode::InvalidOption);
 }
 
 TEST(CurveSuggestion, EndsWhenItIsCancelled)

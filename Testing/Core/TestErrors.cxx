@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Cloth/MaterialPresets.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "StatusTesting.h"
@@ -18,7 +19,8 @@ using namespace flattening;
 using namespace statustesting;
 using namespace testmeshes;
 
-/// Makes every status of Documentation/errors.md happen.
+/// Makes every status of Documentation/errors.md happen that flattening ends with, but OutOfMemory
+/// (TestOutOfMemory).
 namespace
 {
 const Points3 square{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) };
@@ -163,7 +165,7 @@ TEST(Errors, EveryStatusIsDocumented)
   std::stringstream text;
   text << file.rdbuf();
   ASSERT_FALSE(text.str().empty());
-  for (int code = 1; code <= static_cast<int>(StatusCode::Overlap); ++code)
+  for (int code = 1; code <= static_cast<int>(StatusCode::FileNotWritten); ++code)
   {
     const std::string name = statusName(static_cast<StatusCode>(code));
     EXPECT_NE(text.str().find("| `" + name + "` |"), std::string::npos) << name;
@@ -324,4 +326,14 @@ TEST(Errors, BrokenPromisesKeepAResult)
     return Point3((1.0 + j) * std::cos(-turn), (1.0 + j) * std::sin(-turn), 0.05 * i);
   });
   EXPECT_EQ(run(stairs, {}), StatusCode::Overlap);
+
+  FlatteningOptions cloth;
+  cloth.cloth.emplace().material = *findPreset("laminate");
+  EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::BeyondLimits);
+  cloth.cloth->grain = GrainKind::Curve;
+  cloth.cloth->grainCurves = { "hem" };
+  cloth.cloth->grainAngles = { 0.0 };
+  EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::MissingGrain);
+  cloth.cloth->material.warp = -1.0;
+  EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::InvalidMaterial);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Types.h"
+#include "MeshTriangles.h"
 
 #include <algorithm>
 #include <numeric>
@@ -46,19 +46,8 @@ inline Graph star(Index leaves)
 /// Rings around a hub, as triangles: a wheel, a dome.
 inline Graph dome(Index meridians, Index parallels)
 {
-  Graph graph{ "dome of " + std::to_string(meridians) + " by " + std::to_string(parallels),
-    1 + meridians * parallels, {} };
-  const auto id = [&](Index ring, Index k) { return 1 + ring * meridians + k % meridians; };
-  for (Index k = 0; k < meridians; ++k)
-  {
-    graph.cliques.push_back({ 0, id(0, k), id(0, k + 1) });
-    for (Index ring = 1; ring < parallels; ++ring)
-    {
-      graph.cliques.push_back({ id(ring - 1, k), id(ring, k), id(ring, k + 1) });
-      graph.cliques.push_back({ id(ring - 1, k), id(ring, k + 1), id(ring - 1, k + 1) });
-    }
-  }
-  return graph;
+  return { "dome of " + std::to_string(meridians) + " by " + std::to_string(parallels),
+    1 + meridians * parallels, testmeshes::ringTriangles(meridians, parallels, meridians) };
 }
 
 inline Graph complete(Index count)
@@ -95,18 +84,8 @@ inline Graph comb(Index teeth, Index length)
 
 inline Graph grid(Index columns, Index rows)
 {
-  Graph graph{ "grid of " + std::to_string(columns) + " by " + std::to_string(rows), columns * rows,
-    {} };
-  for (Index j = 1; j < rows; ++j)
-  {
-    for (Index i = 1; i < columns; ++i)
-    {
-      const Index corner = j * columns + i;
-      graph.cliques.push_back({ corner - columns - 1, corner - columns, corner });
-      graph.cliques.push_back({ corner - columns - 1, corner, corner - 1 });
-    }
-  }
-  return graph;
+  return { "grid of " + std::to_string(columns) + " by " + std::to_string(rows), columns * rows,
+    testmeshes::gridTriangles(columns - 1, rows - 1) };
 }
 
 inline Graph together(const std::vector<Graph>& parts)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/WireLayout.h"
 #include "Isometric/IsometricModel.h"
+#include "ModelDerivatives.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -69,18 +70,33 @@ TEST(IsometricModel, GradientIsThatOfFiniteDifferences)
   {
     IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
     const Eigen::VectorXd x = example.point(model);
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.constraintCount());
-    const auto linear = model.linearize(x, none, Curvature::Exact, 0.0, {});
-    const double step = 1e-6;
-    for (Index k = 0; k < model.unknownCount(); ++k)
+    expectGradientOfObjective(model, x, 1e-6, 1e-5);
+  }
+}
+
+TEST(IsometricModel, DerivativesWithoutTheMatrixAreThoseBesideIt)
+{
+  const Example example;
+  for (const DistortionEnergy& energy : energies())
+  {
+    IsometricModel model(example.wired.piece, example.problem, energy, 5.0);
+    const Eigen::VectorXd x = example.point(model);
+    const Eigen::VectorXd away = 1.1 * x;
+    Eigen::VectorXd multipliers(model.constraintCount());
+    for (Index k = 0; k < multipliers.size(); ++k)
     {
-      Eigen::VectorXd up = x;
-      Eigen::VectorXd down = x;
-      up[k] += step;
-      down[k] -= step;
-      const double slope = (model.objective(up, {}) - model.objective(down, {})) / (2.0 * step);
-      EXPECT_NEAR(linear.gradient[k], slope, 1e-5 * (1.0 + std::abs(slope)));
+      multipliers[k] = std::sin(1.7 * k);
     }
+    const auto linear = model.linearize(x, multipliers, Curvature::Exact, 0.0, {});
+    const Eigen::VectorXd forces = model.transposedJacobianTimes(multipliers);
+    model.linearize(away, multipliers, Curvature::Exact, 0.0, {});
+    const SparseMatrix matrix = model.kkt();
+    const auto alone = model.differentiate(x, {});
+    ASSERT_TRUE(alone.has_value());
+    EXPECT_LT((alone->gradient - linear.gradient).norm(), 1e-13 * linear.gradient.norm());
+    EXPECT_EQ(alone->constraints, linear.constraints);
+    EXPECT_LT((model.transposedJacobianTimes(multipliers) - forces).norm(), 1e-13 * forces.norm());
+    EXPECT_EQ((model.kkt() - matrix).norm(), 0.0);
   }
 }
 

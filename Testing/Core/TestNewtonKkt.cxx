@@ -23,6 +23,7 @@ struct DenseModel : NewtonKktModel
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> cHessian;
 
   std::function<bool(const Eigen::VectorXd&)> whenSettling;
+  int matrices = 0; ///< that were made
 
   Index unknownCount() const override { return this->unknowns; }
   bool settle(const Eigen::VectorXd& multipliers) override
@@ -37,9 +38,18 @@ struct DenseModel : NewtonKktModel
     return this->c ? Eigen::VectorXd::Constant(1, this->c(x)) : Eigen::VectorXd();
   }
   double constraintRounding(const Eigen::VectorXd&, double) const override { return 1e-15; }
+  std::optional<Linearization> differentiate(const Eigen::VectorXd& x, const Execution&) override
+  {
+    if (this->c)
+    {
+      this->Row = this->cGradient(x);
+    }
+    return Linearization{ this->gradient(x), this->constraints(x) };
+  }
   Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, Curvature,
     double delta, const Execution&) override
   {
+    ++this->matrices;
     const Index size = this->unknowns + this->constraintCount();
     this->Dense = Eigen::MatrixXd::Zero(size, size);
     this->Dense.topLeftCorner(this->unknowns, this->unknowns) = this->hessian(x);
@@ -277,4 +287,37 @@ TEST(NewtonKkt, SaysWhereIterationsRunOutOrTheRunIsCancelled)
   const NewtonKktState end = solved(model, Eigen::Vector2d(1.0, -0.5));
   EXPECT_TRUE(end.converged());
   EXPECT_LT((end.x - goal).norm(), 1e-9);
+}
+
+TEST(NewtonKkt, StepsByAnEarlierMatrixEndWhereThoseByTheirOwnDoWithFewerMatrices)
+{
+  // Least of a quartic on the circle, from near and from far.
+  for (const double angle : { 0.3, 1.4 })
+  {
+    const auto solve = [&](double followed) {
+      DenseModel model = onTheCircle();
+      const Eigen::Vector2d goal(0.3, 2.0);
+      model.f = [=](const Eigen::VectorXd& x) {
+        return 0.5 * (x - goal).squaredNorm() + 0.25 * (x - goal).array().pow(4).sum();
+      };
+      model.gradient = [=](const Eigen::VectorXd& x) {
+        return Eigen::VectorXd((x - goal).array() + (x - goal).array().cube());
+      };
+      model.hessian = [=](const Eigen::VectorXd& x) {
+        return Eigen::MatrixXd(
+          Eigen::VectorXd(1.0 + 3.0 * (x - goal).array().square()).asDiagonal());
+      };
+      NewtonKktOptions options;
+      options.followed = followed;
+      const NewtonKktState end =
+        solved(model, Eigen::Vector2d(std::cos(angle), std::sin(angle)), options);
+      EXPECT_TRUE(end.converged());
+      return std::make_pair(end, model.matrices);
+    };
+    const auto [own, ownMatrices] = solve(0.0);
+    const auto [followed, fewerMatrices] = solve(0.25);
+    EXPECT_LT((own.x - followed.x).norm(), 1e-9);
+    EXPECT_NEAR(own.multipliers[0], followed.multipliers[0], 1e-8);
+    EXPECT_LT(fewerMatrices, ownMatrices);
+  }
 }

@@ -90,7 +90,7 @@ TEST(OutOfMemory, IsTheStatusOfARunWhoseFactorsMayNotBeAsLargeAndTellsHowLargeTh
 {
   const Surface surface = cushion(20, 20, 0.4);
   for (Scheme scheme :
-    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
     FlatteningOptions options;
     options.scheme = scheme;
@@ -115,7 +115,7 @@ TEST(OutOfMemory, IsTheStatusWhereverTheSystemsLimitIsMet)
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const Surface surface = cushion(90, 90, 0.4);
   FlatteningOptions options;
-  for (Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+  for (Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
     options.scheme = scheme;
     EXPECT_EXIT(
@@ -139,6 +139,8 @@ TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
     return { solved ? Status() : Status{ StatusCode::NumericalFailure, "not solved", {} } };
   };
   const auto run = [&] { return withinMemory(solve).status; };
+  // OpenBLAS, where it is installed, waits for its first buffer for ever: let it have that before.
+  ASSERT_TRUE(solve().status.ok());
   // Steps so small that the memory ends in each of the library's own steps.
   EXPECT_EXIT(
     std::_Exit(runWithMoreAndMoreMemory(run, [](std::size_t kilobytes) { return kilobytes + 64; })),

@@ -101,7 +101,7 @@ TEST(PieceReport, TheObjectiveIsThatOfTheFlatTrianglesInEveryScheme)
   for (const Surface& surface : { quarterSphere(), cushionWithCross() })
   {
     for (Scheme scheme :
-      { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+      { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
     {
       const FlatteningResult result = flatten(surface, scheme);
       ASSERT_FALSE(result.status.refused()) << result.status.message;
@@ -120,7 +120,7 @@ TEST(PieceReport, TheClosureIsThatOfTheFlatPiece)
     EXPECT_LT(result.pieces[0].closureResidual, 1e-11 * perimeterOf(result));
   }
   // A conformal map keeps no length, so loops of the true lengths do not close with its angles.
-  const FlatteningResult conformal = flatten(surface, Scheme::Conformal);
+  const FlatteningResult conformal = flatten(surface, Scheme::LeastSquaresConformal);
   EXPECT_GT(conformal.pieces[0].closureResidual, 1e-3 * perimeterOf(conformal));
 }
 
@@ -210,7 +210,7 @@ TEST(PieceReport, TheSolverThatWasUsedIsNamedAndWhyItIsAnother)
   EXPECT_EQ(report().solverUsed, AngleMethod::Newton);
   ASSERT_EQ(report().fallbacks.size(), 1u);
   EXPECT_NE(report().fallbacks[0].find("elastic"), std::string::npos);
-  options.scheme = Scheme::Conformal;
+  options.scheme = Scheme::LeastSquaresConformal;
   EXPECT_FALSE(report().solverUsed.has_value());
 }
 

@@ -173,7 +173,7 @@ TEST(PieceTopology, AllPiecesThatCannotBeLaidFlatAreNamedInOneMessage)
   const Index ring = holed + torusSize - 1 + shirtSize;
   const Index lastButton = ring + torusSize;
   for (const Scheme scheme :
-    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
     FlatteningOptions options = skipping(scheme);
     options.skipClosed = false;
@@ -216,7 +216,7 @@ TEST(PieceTopology, WhatIsSkippedChangesNothingOfTheRest)
     { partOf(tetrahedron()), shirt(), partOf(torusWithAHole()), shirt(), partOf(tetrahedron()) });
   const Surface rest = together({ shirt(), shirt() });
   for (const Scheme scheme :
-    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
     const FlatteningResult result = flatten(surface, skipping(scheme));
     expectSame(result, flatten(rest, skipping(scheme)));

@@ -115,6 +115,35 @@ TEST(PlaneSection, OfAPatchGoesFromBoundaryToBoundary)
   }
 }
 
+TEST(PlaneSection, AllCurvesOfASectionAreFoundOnceAlsoWhereItGoesThroughVertices)
+{
+  // The plane y = 0 goes through vertices of both walls of the tube; that above the middle closes.
+  const TriangleMesh mesh = tube(12, 6, [](double) { return 1.0; });
+  const std::vector<PlaneSection> along =
+    planeSections(mesh, Point3::Zero(), Point3(0.0, 1.0, 0.0));
+  ASSERT_EQ(along.size(), 2u);
+  for (const PlaneSection& section : along)
+  {
+    EXPECT_FALSE(section.closed);
+    EXPECT_NEAR(section.length, 4.0, 1e-12);
+  }
+  const std::vector<PlaneSection> across =
+    planeSections(mesh, Point3(0.0, 0.0, 1.7), Point3(0.0, 0.0, 2.0));
+  ASSERT_EQ(across.size(), 1u);
+  EXPECT_TRUE(across[0].closed);
+  EXPECT_NEAR(across[0].length, perimeter(12, 1.0), 1e-12);
+  EXPECT_TRUE(planeSections(mesh, Point3(0.0, 0.0, 9.0), Point3(0.0, 0.0, 1.0)).empty());
+  const TriangleMesh octahedron(
+    { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+    { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
+      { 0, 3, 5 } });
+  const std::vector<PlaneSection> round =
+    planeSections(octahedron, Point3::Zero(), Point3(0.0, 1.0, 0.0));
+  ASSERT_EQ(round.size(), 1u);
+  EXPECT_TRUE(round[0].closed);
+  EXPECT_NEAR(round[0].length, 4.0 * std::sqrt(2.0), 1e-12);
+}
+
 TEST(PlaneSection, IsRefusedWhereThePlaneOnlyTouches)
 {
   const TriangleMesh mesh = tube(
@@ -212,21 +241,4 @@ TEST(StraightLoop, ThatCanSlipOffIsRefused)
   loop.points.pop_back();
   loop.triangles.pop_back();
   EXPECT_EQ(straightLoop(graph, loop).status.code, StatusCode::InvalidCurve);
-}
-
-TEST(StraightLoop, IsStraightBetweenPointsThatAreHeld)
-{
-  const Index sides = 24;
-  const TriangleMesh mesh = tube(sides, 20, [](double) { return 1.0; });
-  const PathGraph graph(mesh);
-  std::vector<std::size_t> held;
-  const std::vector<SurfacePoint> points{ vertexPoint(mesh, 8 * sides),
-    vertexPoint(mesh, 8 * sides + 8), vertexPoint(mesh, 12 * sides + 16) };
-  const PlaneSection tape = girth(mesh, points, &held);
-  ASSERT_TRUE(tape.status.ok());
-  const StraightPath loop = straightLoopThrough(graph, tape.path, held);
-  ASSERT_TRUE(loop.status.ok()) << loop.status.message;
-  // Unrolled, the cylinder is a strip: a level third and two slanted ones that rise by 0.8.
-  const double third = perimeter(sides, 1.0) / 3.0;
-  EXPECT_NEAR(loop.length, third + 2.0 * std::hypot(third, 0.8), 1e-9);
 }

@@ -1,40 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several pieces and wire-patches on several threads. Built with -fsanitize=thread it also shows
 // that the threads do not race (see Testing/Fuzz/README.md).
+#include "TestThreads.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Reshaping/FlattenableSurface.h"
+#include "Sewing/PieceSewing.h"
+#include "Suggestion/CurveSuggestion.h"
+#include "Suggestion/KeyPrices.h"
+#include "Suggestion/LineSuggestion.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
 
-#include <thread>
+#include <atomic>
+#include <map>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-Execution onThreads(Index threads)
+/// Loops run on four other threads; counts what the caller hears on a thread that is not its own.
+struct Caller
 {
-  Execution execution;
-  execution.cancel = [] { return false; };
-  execution.parallel = [threads](Index count, const std::function<void(Index, Index)>& body) {
-    std::vector<std::thread> workers;
-    for (Index k = 0; k < threads; ++k)
-    {
-      const Index begin = count * k / threads;
-      const Index end = count * (k + 1) / threads;
-      if (begin < end)
-      {
-        workers.emplace_back([&body, begin, end] { body(begin, end); });
-      }
-    }
-    for (std::thread& worker : workers)
-    {
-      worker.join();
-    }
-  };
-  return execution;
-}
+  std::thread::id thread = std::this_thread::get_id();
+  std::atomic<int> asked{ 0 };
+  std::atomic<int> elsewhere{ 0 };
+
+  Execution execution()
+  {
+    Execution run = withThreads(4);
+    run.cancel = [this] {
+      this->hear();
+      return false;
+    };
+    run.progress = [this](double, const char*) { this->hear(); };
+    return run;
+  }
+
+private:
+  void hear()
+  {
+    ++this->asked;
+    this->elsewhere += std::this_thread::get_id() != this->thread ? 1 : 0;
+  }
+};
 }
 
 TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
@@ -45,7 +55,7 @@ TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
   seam.type = CurveType::Seam;
   surface.curves = { seam, rowCurve(size, 4), rowCurve(size, 8), columnCurve(size, size, 8) };
   for (const Scheme scheme :
-    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::Conformal })
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
     for (const InteriorMethod interior :
       { InteriorMethod::Laplacian, InteriorMethod::Relaxation, InteriorMethod::AsRigidAsPossible })
@@ -55,11 +65,72 @@ TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
       options.interior.method = interior;
       const FlatteningResult alone = flattenSurface(surface.mesh, surface.curves, options, {});
       const FlatteningResult shared =
-        flattenSurface(surface.mesh, surface.curves, options, onThreads(4));
+        flattenSurface(surface.mesh, surface.curves, options, withThreads(4));
       ASSERT_FALSE(alone.status.refused()) << alone.status.message;
       ASSERT_EQ(alone.pieces.size(), 2U);
       EXPECT_EQ(alone.status.message, shared.status.message);
       EXPECT_EQ(alone.positions, shared.positions);
     }
   }
+}
+
+TEST(Threads, HearTheCallerOnItsOwnThreadOnly)
+{
+  constexpr Index size = 12;
+  const Surface plain = cushion(size, size, 0.3);
+  std::vector<FeatureCurve> keys = { rowCurve(size, 4), rowCurve(size, 8) };
+  for (FeatureCurve& key : keys)
+  {
+    key.type = CurveType::Key;
+  }
+  FeatureCurve seam = columnCurve(size, size, 4);
+  seam.type = CurveType::Seam;
+  const FlatteningResult pieces = flattenSurface(plain.mesh, { seam }, {}, {});
+  ASSERT_FALSE(pieces.status.refused()) << pieces.status.message;
+  SuggestionOptions darts;
+  darts.search.maximumCuts = 2;
+  darts.search.trials = 8;
+  const std::map<std::string, std::function<Status(const Execution&)>> runs = {
+    { "flattening",
+      [&](const Execution& run) { return flattenSurface(plain.mesh, { seam }, {}, run).status; } },
+    { "key prices",
+      [&](const Execution& run) { return priceKeys(plain.mesh, keys, {}, run).status; } },
+    { "darts",
+      [&](const Execution& run) { return suggestCurves(plain.mesh, {}, darts, run).status; } },
+    { "lines", [&](const Execution& run) { return suggestLines(plain.mesh, {}, {}, run).status; } },
+    { "sewing",
+      [&](const Execution& run) {
+        return sewPieces(*pieces.cut, pieces.positions, {}, run).status;
+      } },
+    { "reshaping",
+      [&](const Execution& run) { return makeFlattenable(plain.mesh, {}, {}, run).status; } },
+  };
+  for (const auto& [name, run] : runs)
+  {
+    Caller caller;
+    const Status status = run(caller.execution());
+    EXPECT_FALSE(status.refused()) << name << ": " << status.message;
+    EXPECT_GT(caller.asked, 0) << name;
+    EXPECT_EQ(caller.elsewhere, 0) << name;
+  }
+}
+
+TEST(Threads, InsideALoopHearThatTheCallerEndedTheRun)
+{
+  Execution execution;
+  int asked = 0;
+  execution.cancel = [&asked] { return ++asked == 2; };
+  const Execution inner = execution.insideLoop();
+  const auto heardElsewhere = [&inner] {
+    bool heard = false;
+    std::thread([&] { heard = inner.cancelled(); }).join();
+    return heard;
+  };
+  EXPECT_FALSE(heardElsewhere());
+  EXPECT_FALSE(inner.cancelled());
+  EXPECT_FALSE(heardElsewhere());
+  EXPECT_TRUE(inner.cancelled());
+  EXPECT_TRUE(heardElsewhere());
+  EXPECT_TRUE(inner.cancelled());
+  EXPECT_EQ(asked, 2);
 }

@@ -116,7 +116,7 @@ struct Methods
     figures::Interior interior = figures::Interior::Rigid)
     : progressive(figures::flattenAll(pieces, figures::Method::Progressive, interior))
     , global(figures::flattenAll(pieces, figures::Method::Global, interior))
-    , conformal(figures::flattenAll(pieces, figures::Method::Conformal))
+    , conformal(figures::flattenAll(pieces, figures::Method::LeastSquaresConformal))
   {
   }
 

@@ -82,7 +82,7 @@ inline int drawQualityMaps(int argc, char* argv[], const char* front, const char
       figures::flattenAll(pieces, figures::Method::Global, figures::Interior::Paper),
       figures::flattenAll(pieces, figures::Method::Global, figures::Interior::Rigid),
       figures::flattenAll(pieces, figures::Method::Isometric),
-      figures::flattenAll(pieces, figures::Method::Conformal)
+      figures::flattenAll(pieces, figures::Method::LeastSquaresConformal)
     };
     figures::Figure figure(1200, 1000);
     figure.style.wireWidth = 2.5;

@@ -26,11 +26,14 @@ int number(Enumeration value)
 void optionsOfWireWarping(Checks& check)
 {
   vtkNew<vtkWireWarpingFilter> filter;
-  const auto [scheme, angles, interior, isometric, conformal, closeCuts, skipClosed, releaseKeys,
-    tryReleases, arrange, spacing, lengthTolerance] = FlatteningOptions();
+  const auto [scheme, angles, interior, isometric, conformal, cloth, closeCuts, dartLegs, eases,
+    skipClosed, releaseKeys, tryReleases, arrange, spacing, lengthTolerance] = FlatteningOptions();
   check.equal(filter->GetScheme(), number(scheme), "Scheme");
+  check.equal(std::string(filter->GetMaterial()).empty(), !cloth, "Material");
   check.equal(filter->GetScheme(), number(vtkWireWarpingFilter::ISOMETRIC), "the product's scheme");
   check.equal(filter->GetCloseCuts(), closeCuts, "CloseCuts");
+  check.equal(eases.empty(), true, "eases");
+  check.equal(filter->GetDartLegs(), number(dartLegs), "DartLegs");
   check.equal(filter->GetSkipClosed(), skipClosed, "SkipClosed");
   check.equal(filter->GetReleaseKeys(), releaseKeys, "ReleaseKeys");
   check.equal(filter->GetReleaseTrials(), tryReleases, "ReleaseTrials");
@@ -53,8 +56,9 @@ void optionsOfWireWarping(Checks& check)
   check.equal(filter->GetRigidEnergyTolerance(), energyTolerance, "RigidEnergyTolerance");
   check.equal(filter->GetRigidMaximumIterations(), mostRigid, "RigidMaximumIterations");
 
-  const auto [energy, angleWeight, mostIsometric, tolerance] = isometric;
+  const auto [energy, sheet, rough, angleWeight, mostIsometric, tolerance] = isometric;
   const auto [kind, bias] = energy;
+  check.that(!sheet && !rough, "no cloth of its own");
   check.equal(filter->GetDistortionEnergy(), number(kind), "DistortionEnergy");
   check.equal(filter->GetAreaBias(), bias, "AreaBias");
   check.equal(filter->GetAngleWeight(), angleWeight, "AngleWeight");

@@ -49,7 +49,7 @@ double asymmetry(const figures::FlatPiece& piece, bool across)
   return worst;
 }
 
-figures::FlatPiece mapConformally(const figures::Piece& piece)
+figures::FlatPiece leastSquaresConformalMap(const figures::Piece& piece)
 {
   vtkNew<vtkLeastSquaresConformalFilter> filter;
   filter->SetInputData(piece.surface);
@@ -94,7 +94,7 @@ int TestFigure11QuarterSphere(int argc, char* argv[])
     const auto progressive =
       figures::flatten(piece, figures::Method::Progressive, figures::Interior::Paper);
     const auto global = figures::flatten(piece, figures::Method::Global, figures::Interior::Paper);
-    const auto conformal = mapConformally(piece);
+    const auto conformal = leastSquaresConformalMap(piece);
 
     figureTest::expectExactWires(progressive, "progressive", checks);
     figureTest::expectExactWires(global, "global", checks);

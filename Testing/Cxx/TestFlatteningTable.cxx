@@ -144,6 +144,26 @@ void aRowACurve(Checks& check)
   compareValues(check, table->GetOutput(), field);
 }
 
+void aRefusedSurfaceIsARow(Checks& check)
+{
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages ofFilter(filter);
+  filter->SetInputData(vtkNew<vtkPolyData>());
+  vtkNew<vtkFlatteningTable> table;
+  const Messages messages(table);
+  table->SetInputConnection(filter->GetOutputPort());
+  table->Update();
+  vtkTable* const output = table->GetOutput();
+  check.equal(output->GetNumberOfRows(), vtkIdType{ 1 }, "rows of a refused surface");
+  check.equal(listed(columnsOf(output)), std::string("Piece Status StatusMessage "), "its columns");
+  check.equal(output->GetValueByName(0, "Piece").ToInt(), -1, "its piece");
+  check.equal(
+    output->GetValueByName(0, "Status").ToString(), vtkStdString("EmptySurface"), "its status");
+  check.equal(output->GetValueByName(0, "StatusMessage").ToString(),
+    vtkStdString(filter->GetStatusMessage()), "its message");
+  check.equal(messages.warnings.size(), std::size_t{ 0 }, "warnings of a refused surface");
+}
+
 void otherDataIsWarnedOf(Checks& check)
 {
   vtkNew<vtkFlatteningTable> table;
@@ -160,6 +180,7 @@ int TestFlatteningTable(int, char*[])
   Checks check;
   aRowAPiece(check);
   aRowACurve(check);
+  aRefusedSurfaceIsARow(check);
   otherDataIsWarnedOf(check);
   return check.result();
 }

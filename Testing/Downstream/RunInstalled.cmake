@@ -13,14 +13,37 @@ run("${CMAKE_COMMAND}" --install "${build}" --prefix "${folder}/first")
 file(RENAME "${folder}/first" "${folder}/prefix")
 set(prefix "${folder}/prefix")
 
-run("${CMAKE_COMMAND}" -S "${project}" -B "${folder}/build" -G "${generator}"
-  "-DCMAKE_BUILD_TYPE=${build_type}"
-  "-DCMAKE_CXX_COMPILER=${compiler}"
-  "-DCMAKE_CXX_COMPILER_LAUNCHER=${launcher}"
-  "-DCMAKE_PREFIX_PATH=${prefix}"
-  "-DVTK_DIR=${vtk_dir}")
-run("${CMAKE_COMMAND}" --build "${folder}/build")
-run("${folder}/build/Downstream")
+set(share "${prefix}/share/surfaceflattening")
+function (build source)
+  run("${CMAKE_COMMAND}" -S "${source}" -B "${folder}/build" -G "${generator}"
+    "-DCMAKE_BUILD_TYPE=${build_type}"
+    "-DCMAKE_CXX_COMPILER=${compiler}"
+    "-DCMAKE_CXX_COMPILER_LAUNCHER=${launcher}"
+    "-DCMAKE_PREFIX_PATH=${prefix}"
+    "-DVTK_DIR=${vtk_dir}")
+  run("${CMAKE_COMMAND}" --build "${folder}/build")
+endfunction ()
+
+# The project that is installed, on pieces that are.
+build("${share}/Examples/Project")
+set(picture "${folder}/shirt.png")
+execute_process(
+  COMMAND "${folder}/build/FlattenAndDraw" "${share}/Data/shirt_front.vtp"
+    "${share}/Data/shirt_front_curves.vtp" "${picture}"
+  RESULT_VARIABLE result OUTPUT_VARIABLE output)
+message("${output}")
+if (result OR NOT output MATCHES "piece 1: Ok, largest length error of an edge [0-9.]+e-1[0-9]")
+  message(FATAL_ERROR "The project does not flatten (${result})")
+endif ()
+file(SIZE "${picture}" size)
+if (size LESS 10000)
+  message(FATAL_ERROR "The picture has ${size} bytes")
+endif ()
+
+# The snippets of the classes' pages compile with what is installed.
+file(REMOVE_RECURSE "${folder}/build")
+build("${snippets}")
+
 
 # Nothing that was installed knows where it was built.
 file(GLOB_RECURSE installed "${prefix}/*.cmake")
@@ -32,6 +55,7 @@ foreach (file IN LISTS installed)
 endforeach ()
 
 if (python)
+  run("${python}" "${links}" "${share}")
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${python_destination}"
     "${python}" -c "import surfaceflattening; surfaceflattening.vtkSurfaceDevelopability()")
   # Below /usr/local Python starts from the folder of its version.

@@ -2,6 +2,7 @@
 """The Debian packages: where things lie, what they depend on, and that they run where they are
 unpacked. Environment: BUILD the build tree, FOLDER a folder to work in, DATA the pieces."""
 
+import configparser
 import json
 import os
 import re
@@ -9,9 +10,11 @@ import shutil
 import subprocess
 import sys
 import unittest
+import xml.etree.ElementTree
 
 BUILD, FOLDER, DATA = (os.environ[name] for name in ("BUILD", "FOLDER", "DATA"))
 ROOT = os.path.join(FOLDER, "root")
+EDITOR = os.path.exists(os.path.join(BUILD, "bin", "PatternEditor"))
 
 
 def run(*command, **options):
@@ -51,9 +54,10 @@ class Packages(unittest.TestCase):
                     if not os.path.islink(path) and stream.read(4) == b"\x7fELF":
                         cls.binaries.append(path)
 
-    def test_there_are_two(self):
-        self.assertEqual(set(self.packages), {"surfaceflattening", "surfaceflattening-dev"})
-        self.assertEqual(len(self.binaries), 3)  # library, command, Python module
+    def test_there_are_all(self):
+        editor = {"surfaceflattening-editor"} if EDITOR else set()
+        self.assertEqual(set(self.packages), {"surfaceflattening", "surfaceflattening-dev"} | editor)
+        self.assertEqual(len(self.binaries), 3 + len(editor))  # library, command, Python module
         version = field(self.packages["surfaceflattening"], "Version")
         self.assertIn(f"surfaceflattening (= {version})",
                       field(self.packages["surfaceflattening-dev"], "Depends"))
@@ -71,9 +75,26 @@ class Packages(unittest.TestCase):
                       r"libvtkFiltersFlattening\.so -> "):
             self.assertRegex(listing, place)
 
+    @unittest.skipUnless(EDITOR, "there is no Qt")
+    def test_the_window_is_in_the_menu_and_starts(self):
+        package = self.packages["surfaceflattening-editor"]
+        self.assertRegex(field(package, "Depends"), r"surfaceflattening \(= .*libvtk9[\w.]*-qt")
+        with open(os.path.join(ROOT, "usr", "share", "applications", "patterneditor.desktop"),
+                  encoding="utf-8") as file:
+            entry = configparser.ConfigParser(interpolation=None)
+            entry.read_string(file.read())
+        entry = entry["Desktop Entry"]
+        self.assertTrue(os.path.exists(os.path.join(ROOT, "usr", "bin", entry["Exec"].split()[0])))
+        icon = os.path.join(ROOT, "usr", "share", "icons", "hicolor", "scalable", "apps", entry["Icon"] + ".svg")
+        self.assertEqual(xml.etree.ElementTree.parse(icon).getroot().tag, "{http://www.w3.org/2000/svg}svg")
+        usage = run(os.path.join(ROOT, "usr", "bin", "PatternEditor"), "--help")
+        self.assertIn("SURFACE", usage)
+
     def test_every_library_that_is_loaded_is_depended_on(self):
         own = {os.path.basename(path) for path in self.binaries}
         depends = names_of(field(self.packages["surfaceflattening"], "Depends"))
+        if EDITOR:
+            depends |= names_of(field(self.packages["surfaceflattening-editor"], "Depends"))
         count = 0
         for path in self.binaries:
             where = dict(re.findall(r"^\s+(\S+) => (/\S+)", run("ldd", path), re.M))

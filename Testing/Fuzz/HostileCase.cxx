@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HostileCase.h"
 
+#include "Cloth/MaterialPresets.h"
 #include "HostileSurface.h"
 #include "OrdinarySurface.h"
 
@@ -220,6 +221,44 @@ void makeOptions(Bytes& bytes, HostileCase& result)
     result.cancelAt = bytes.below(64);
   }
 }
+
+/// A material by name, or one with numbers that no cloth has, laid by an angle or a curve that may
+/// be there.
+void makeCloth(Bytes& bytes, FlatteningOptions& options)
+{
+  const std::vector<ClothMaterial>& presets = materialPresets();
+  ClothOptions cloth;
+  cloth.material = presets[bytes.next() % presets.size()];
+  cloth.grain = static_cast<GrainKind>(bytes.next() % 3);
+  cloth.grainAngle = 8.0 * bytes.unit() - 4.0;
+  if (cloth.grain == GrainKind::Curve)
+  {
+    cloth.grainCurves = { "c" + std::to_string(bytes.next() % 4) };
+    cloth.grainAngles = { cloth.grainAngle };
+  }
+  if (bytes.oneIn(3))
+  {
+    // Of any size that is allowed, and beyond.
+    for (double* modulus : { &cloth.material.warp, &cloth.material.weft, &cloth.material.shear })
+    {
+      *modulus = std::pow(10.0, 6.2 * bytes.unit());
+    }
+    cloth.material.compression = std::pow(10.0, -3.2 * bytes.unit());
+    cloth.material.warpLimits = { -std::pow(10.0, -7.0 * bytes.unit()),
+      std::pow(10.0, 2.0 - 9.0 * bytes.unit()) };
+    cloth.material.shearLimit = std::pow(10.0, 1.0 - 8.0 * bytes.unit());
+  }
+  if (bytes.oneIn(8))
+  {
+    const double values[] = { -1.0, 0.0, 1e300, 1e-300, std::numeric_limits<double>::infinity(),
+      std::numeric_limits<double>::quiet_NaN() };
+    double* numbers[] = { &cloth.material.warp, &cloth.material.weft, &cloth.material.shear,
+      &cloth.material.cross, &cloth.material.compression, &cloth.material.warpLimits.least,
+      &cloth.material.weftLimits.greatest, &cloth.material.shearLimit, &cloth.grainAngle };
+    *numbers[bytes.next() % 9] = values[bytes.next() % 6];
+  }
+  options.cloth = std::move(cloth);
+}
 }
 
 Index Bytes::below(Index count)
@@ -244,6 +283,10 @@ HostileCase decodeCase(
     result.polylines = std::move(surface.curves);
   }
   result.options.closeCuts = bytes.oneIn(3);
+  if (bytes.oneIn(4))
+  {
+    makeCloth(bytes, result.options);
+  }
   result.points = std::move(surface.points);
   result.triangles = std::move(surface.triangles);
   return result;

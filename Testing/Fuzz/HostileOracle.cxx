@@ -54,6 +54,12 @@ double flatLength(const FlatteningResult& result, Index a, Index b)
     result.positions[b].y() - result.positions[a].y());
 }
 
+/// Whether a piece breaks no promise, or one of its cloth alone.
+bool isSound(const PieceReport& piece)
+{
+  return severity(piece.status.code) < severity(StatusCode::Overlap);
+}
+
 /// The promise on lengths, edge by edge, from the points and positions alone.
 void checkLengths(
   const std::vector<FeatureCurve>& curves, const FlatteningResult& result, Checks& checks)
@@ -70,7 +76,7 @@ void checkLengths(
     const double error = std::abs(length - mesh.length(h)) / mesh.length(h);
     const double band = curve == none ? 0.0 : curves[curve].tolerance;
     const PieceReport& piece = result.pieces[result.cut->pieceOfTriangle[h / 3]];
-    if (piece.status.ok() && !(error <= band + lengthPromise))
+    if (isSound(piece) && !(error <= band + lengthPromise))
     {
       std::ostringstream text;
       text << "half-edge " << h << " misses its length by " << error << " in a piece that is Ok";
@@ -95,7 +101,7 @@ void checkFlips(const FlatteningResult& result, Checks& checks)
   for (std::size_t p = 0; p < result.pieces.size(); ++p)
   {
     const PieceReport& piece = result.pieces[p];
-    checks.require(!piece.status.ok() || clear[p] == 0, "flipped triangles in a piece that is Ok");
+    checks.require(!isSound(piece) || clear[p] == 0, "flipped triangles in a piece that is Ok");
     checks.require(clear[p] <= static_cast<Index>(piece.quality.flipped.size()),
       "more triangles are flipped than are reported");
     checks.require(piece.quality.flipped.empty() || piece.quality.globalHomogeneity <= 0.0,
@@ -123,7 +129,7 @@ void checkOverlaps(const FlatteningResult& result, Checks& checks)
   }
   for (std::size_t p = 0; p < borders.size(); ++p)
   {
-    if (!result.pieces[p].status.ok() || borders[p].size() > 400)
+    if (!isSound(result.pieces[p]) || borders[p].size() > 400)
     {
       continue;
     }
@@ -196,6 +202,36 @@ void checkNumbers(const FlatteningResult& result, Checks& checks)
   }
 }
 
+/// What a cloth does, where there is one.
+void checkThreads(const FlatteningOptions& options, const FlatteningResult& result, Checks& checks)
+{
+  checks.require(result.threads.empty() || result.threads.size() == result.triangles.size(),
+    "strains of another number than the triangles");
+  for (const ThreadStrain& strain : result.threads)
+  {
+    checks.finite(strain.warp + strain.weft + strain.shear, "a strain of threads");
+  }
+  for (const PieceReport& piece : result.pieces)
+  {
+    const bool told = piece.status.message.find("material") != std::string::npos;
+    checks.require(!options.cloth || piece.cloth || told || !isSound(piece),
+      "a piece without its cloth that does not say so");
+    checks.require(options.cloth || !piece.cloth, "a cloth that nobody asked for");
+    if (piece.cloth)
+    {
+      const ClothSummary& threads = piece.cloth->threads;
+      checks.finite(threads.warpRms + threads.weftRms + threads.shearRms, "a mean strain");
+      checks.finite(piece.cloth->grain.angle, "an angle of the grain");
+      for (const double share : { threads.shareOutOfLimit, threads.shareOver5Percent })
+      {
+        checks.require(share >= 0.0 && share <= 1.0, "a share that is none");
+      }
+      checks.require((threads.shareOutOfLimit > 0.0) == !piece.cloth->outOfLimit.empty(),
+        "a share out of limit without triangles");
+    }
+  }
+}
+
 void checkResult(const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
   const FlatteningResult& result, Checks& checks)
 {
@@ -225,10 +261,11 @@ void checkResult(const std::vector<FeatureCurve>& curves, const FlatteningOption
   }
   checks.require(ok == result.status.ok(), "the status of the whole is not that of its pieces");
   checkNumbers(result, checks);
-  if (options.scheme != Scheme::Conformal)
+  if (options.scheme != Scheme::LeastSquaresConformal)
   {
     checkLengths(curves, result, checks);
   }
+  checkThreads(options, result, checks);
   checkFlips(result, checks);
   checkOverlaps(result, checks);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OrdinarySurface.h"
 
+#include "../Core/MeshTriangles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -49,16 +51,7 @@ Specimen rings(std::mt19937& random, Index count, bool whole)
       surface.points.push_back({ r * std::cos(a), r * std::sin(a), z });
     }
   }
-  const auto id = [&](Index j, Index i) { return 1 + j * columns + i % columns; };
-  for (Index i = 0; i < meridians; ++i)
-  {
-    surface.triangles.push_back({ 0, id(0, i), id(0, i + 1) });
-    for (Index j = 1; j < parallels; ++j)
-    {
-      surface.triangles.push_back({ id(j - 1, i), id(j, i), id(j, i + 1) });
-      surface.triangles.push_back({ id(j - 1, i), id(j, i + 1), id(j - 1, i + 1) });
-    }
-  }
+  surface.triangles = testmeshes::ringTriangles(meridians, parallels, columns);
   return surface;
 }
 
@@ -123,16 +116,7 @@ Specimen grid(std::mt19937& random, Index columns, Index rows, double aspect)
         height * std::min(1.0, aspect) * std::sin(3.0 * u + 1.0) * std::cos(2.0 * v) });
     }
   }
-  for (Index j = 0; j < rows; ++j)
-  {
-    for (Index i = 0; i < columns; ++i)
-    {
-      const Index a = j * (columns + 1) + i;
-      const Index d = a + columns + 1;
-      surface.triangles.push_back({ a, a + 1, d + 1 });
-      surface.triangles.push_back({ a, d + 1, d });
-    }
-  }
+  surface.triangles = testmeshes::gridTriangles(columns, rows);
   return surface;
 }
 

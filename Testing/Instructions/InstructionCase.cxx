@@ -2,6 +2,7 @@
 // Flattens one fixed case on one thread, for CheckInstructions.py to count what Core executes.
 #include "RefinedPiece.h"
 
+#include "Cloth/MaterialPresets.h"
 #include "Flattening/SurfaceFlattening.h"
 
 #include <array>
@@ -22,9 +23,11 @@ struct Case
   int division;
   Scheme scheme;
   InteriorMethod interior;
+  const char* material = nullptr;
 };
 
-constexpr std::array<Case, 4> cases{ {
+constexpr std::array<Case, 5> cases{ {
+  { "cloth", "shirt_front", 1, Scheme::Isometric, InteriorMethod::AsRigidAsPossible, "twill" },
   { "global", "pants_front", 4, Scheme::Global, InteriorMethod::Laplacian },
   { "isometric", "shirt_front", 1, Scheme::Isometric, InteriorMethod::AsRigidAsPossible },
   { "progressive", "wetsuit_upper_front", 4, Scheme::Progressive, InteriorMethod::Laplacian },
@@ -39,6 +42,10 @@ void run(const Case& one, const std::string& folder)
   FlatteningOptions options;
   options.scheme = one.scheme;
   options.interior.method = one.interior;
+  if (one.material)
+  {
+    options.cloth.emplace().material = *findPreset(one.material);
+  }
   const FlatteningResult result = flattenSurface(piece.mesh, piece.curves, options, {});
   if (result.status.refused())
   {

@@ -25,7 +25,8 @@ FILES = {
     "Applications/main.cxx": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
     "Documentation/architecture.md":
         "<!-- paper-to-code -->\n| in the paper | in the code |\n|---|---|\n"
-        "| Eq. 1 | `f` in `Mesh.cxx` |\n| Eq. 2 | `noSuchFunction` |\n<!-- /paper-to-code -->\n",
+        "| Eq. 1 | `f` in `Mesh.cxx` |\n| Eq. 2 | `noSuchFunction` |\n<!-- /paper-to-code -->\n"
+        "| Attic | old | `Mesh` |\n| Surface | meshes | `Mesh`, `Front` |\n| Sparse | systems | `Solver` |\n",
 }
 EXPECTED = {
     "core_includes_no_vtk": ["Filters/Core/Surface/Mesh.cxx:2"],
@@ -46,8 +47,9 @@ EXPECTED = {
         ["Documentation/architecture.md: nothing is called noSuchFunction",
          "Documentation/architecture.md: only 3 names"],
     "architecture_names_every_unit":
-        [f"Documentation/architecture.md: Filters/Core/{unit} is missing" for unit in
-         ("Base/Status", "Base/Types", "Sparse/Front", "Sparse/Solver")],
+        [f"Documentation/architecture.md: {fault}" for fault in
+         ("Filters/Core/Base/Status is missing", "Filters/Core/Base/Types is missing",
+          "Filters/Core/Sparse/Front is missing", "there is no Front in Surface")],
 }
 
 with tempfile.TemporaryDirectory() as folder:

@@ -13,7 +13,7 @@ import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from plugin import OUTPUT, PLUGIN, SOURCE, read
+from plugin import OUTPUT, PLUGIN, SOURCE, fetch, read
 
 BASELINES = os.path.join(SOURCE, "Testing", "Data", "Baseline")
 # Edges of lines may fall on other pixels with another OpenGL; areas may not.
@@ -105,12 +105,52 @@ class Pictures(unittest.TestCase):
         space, plane = show_beside(flattening)
         self.assertEqual(pv.GetLayout(space), pv.GetLayout(plane))
         ports = {view: {(display.Input.SMProxy, display.Input.Port)
-                        for display in view.Representations if display.Visibility}
+                        for display in view.Representations
+                        if display.Visibility and display.GetProperty("Input")}  # no legends
                  for view in (space, plane)}
         self.assertEqual(ports[space], {(flattening.SMProxy, 2)})
         self.assertEqual(ports[plane], {(flattening.SMProxy, 0), (flattening.SMProxy, 1)})
         with self.assertRaisesRegex(RuntimeError, "select"):
             show_beside(flattening.Input)
+
+    def test_the_surface_is_in_the_middle_with_its_curves_coloured_and_the_legend_below(self):
+        sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
+        from flat_beside import show_beside
+
+        curves = read("shirt_front_curves")
+        flattening = pv.WireWarping(Input=read("shirt_front"), Curves=curves)
+        view = pv.CreateView("RenderView")
+        pv.SetActiveView(view)
+        drawn = pv.Show(curves, view)
+        pv.Show(flattening, view)  # beside the surface
+        pv.ResetCamera(view)
+        space, plane = show_beside(flattening)
+        low, high = (fetch(flattening, 2).GetBounds()[k::2] for k in (0, 1))
+        for axis in (0, 1):
+            self.assertAlmostEqual(
+                space.CameraFocalPoint[axis], (low[axis] + high[axis]) / 2, delta=0.02 * (high[axis] - low[axis]))
+        self.assertEqual(list(drawn.ColorArrayName), ["CELLS", "CurveType"])
+        bar = pv.GetScalarBar(pv.GetColorTransferFunction("HomogeneityOfDistortion"), plane)
+        self.assertEqual((bar.Visibility, bar.Orientation), (1, "Horizontal"))
+
+    def test_connectors_are_drawn_thinner_than_wires(self):
+        sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
+        from flat_beside import show_beside
+
+        surface = read("shirt_front")
+        cut = fetch(pv.WireWarping(Input=surface), 2)
+        ends = [cut.GetPoint(cut.GetCell(700).GetPointId(k)) for k in range(2)]
+        loose = pv.Line(Point1=ends[0], Point2=ends[1])  # a wire far from the others
+        flattening = pv.WireWarping(Input=surface, Curves=loose)
+        pv.SetActiveView(pv.CreateView("RenderView"))
+        _, plane = show_beside(flattening)
+        widths = {}
+        for display in plane.Representations:
+            if display.GetProperty("Input") and display.ColorArrayName[1] == "WireKind":
+                kinds = display.Input.GetCellDataInformation().GetArray("WireKind").GetRange()
+                widths[kinds[0]] = display.LineWidth
+        self.assertEqual(set(widths), {-2, -1})
+        self.assertGreaterEqual(widths[-1], 3 * widths[-2])
 
     def test_the_macro_shows_the_pieces_of_the_active_source(self):
         flattening = pv.WireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The plugin's filters run from ParaView, with optional inputs, properties, refusals, collections."""
 
+import json
 import math
 import os
+import subprocess
+import tempfile
 import unittest
 from xml.etree import ElementTree
 
 import paraview.simple as pv
+from vtkmodules.vtkFiltersCore import vtkMassProperties
 
-from plugin import SOURCE, fetch, read, values
+from plugin import OUTPUT, PLUGIN, SOURCE, fetch, read, values
 
 
 class Plugin(unittest.TestCase):
@@ -21,10 +25,34 @@ class Plugin(unittest.TestCase):
         proxies = tree.getroot().findall(".//SourceProxy")
         self.assertGreaterEqual(len(proxies), 6)
         for proxy in proxies:
-            made = getattr(pv, proxy.get("name"))(Input=read("quarter_sphere"))
+            takes_input = proxy.find("InputProperty") is not None
+            inputs = {"Input": read("quarter_sphere")} if takes_input else {}
+            made = getattr(pv, proxy.get("name"))(**inputs)
             for element in proxy:
                 if element.get("default_values") and not element.get("information_only"):
                     self.assertIsNotNone(made.GetProperty(element.get("name")))
+
+    def test_a_pattern_of_garmentcode_is_opened_as_pieces_with_wires(self):
+        corners = [[0.0, 0.0], [30.0, 0.0], [30.0, 40.0], [0.0, 40.0]]
+        panel = {"translation": [0.0, 70.0, 25.0], "rotation": [0.0, 0.0, 0.0], "vertices": corners,
+                 "edges": [{"endpoints": [k, (k + 1) % 4]} for k in range(4)]}
+        seam = [{"panel": "front", "edge": 1}, {"panel": "back", "edge": 3}]
+        document = {"pattern": {"panels": {"front": panel, "back": {**panel, "translation": [0.0, 70.0, -25.0]}},
+                                "stitches": [seam]},
+                    "properties": {"curvature_coords": "relative", "units_in_meter": 100}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "skirt.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(document, file)
+            reader = pv.GarmentCodeReader(FileName=path)
+            flat, wires, placed = (fetch(reader, port) for port in range(3))
+        for pieces in (flat, placed):
+            measured = vtkMassProperties()
+            measured.SetInputData(pieces)
+            measured.Update()
+            self.assertAlmostEqual(measured.GetSurfaceArea(), 2 * 30 * 40, delta=1e-6)
+        self.assertEqual(sorted({placed.GetPoint(k)[2] for k in range(placed.GetNumberOfPoints())}), [-25.0, 25.0])
+        self.assertGreater(wires.GetNumberOfLines(), 2)
 
     def test_curves_are_optional_and_may_be_several(self):
         surface = read("pants_front")
@@ -105,13 +133,63 @@ class Plugin(unittest.TestCase):
         conformal = pv.LeastSquaresConformalMap(Input=surface, Curves=curves)
         self.assertGreater(values(fetch(conformal), "EdgeLengthError")[0], 1e-3)
 
+    def test_a_picked_curve_is_kept_by_a_state(self):
+        # Points off the surface, as picks on chords are; name and type as the panel sets them.
+        picks = [-11.3, 34.1, 11.5, 0.3, 36.0, 12.0, 11.6, 34.1, 11.2]
+        surface = read("shirt_front")
+        pv.RenameSource("shirt", surface)
+        curve = pv.SurfaceCurve(Input=surface, Points=picks, Name="bust line", Type="Key")
+        pv.RenameSource("bust", curve)
+        flattening = pv.WireWarping(Input=surface, Curves=curve)
+        pv.RenameSource("flat", flattening)
+        before = fetch(flattening)
+        file = os.path.join(OUTPUT, "picked.pvsm")
+        pv.SaveState(file)
+        self.tearDown()
+        pv.LoadState(file)
+        curve = pv.FindSource("bust")
+        self.assertEqual(curve.Type, "Key")
+        self.assertEqual(curve.Name, "bust line")
+        self.assertEqual(list(curve.Points), picks)
+        drawn = fetch(curve)
+        self.assertEqual(drawn.GetCellData().GetAbstractArray("CurveName").GetValue(0), "bust line")
+        after = fetch(pv.FindSource("flat"))
+        self.assertEqual(values(after, "RunStatus"), ["Ok"])
+        self.assertEqual(after.GetBounds(), before.GetBounds())
+        wires = fetch(pv.FindSource("flat"), 1)
+        self.assertIn("bust line", values(wires, "CurveNames"))
+
+    def test_what_flatten_collection_writes_is_opened_again(self):
+        spheres = pv.GroupDatasets(Input=[read("quarter_sphere"), read("quarter_sphere")])
+        with tempfile.TemporaryDirectory() as folder:
+            pieces, flat = (os.path.join(folder, name) for name in ("pieces.vtm", "flat.vtm"))
+            pv.SaveData(pieces, proxy=spheres, DataMode="Binary")
+            run = subprocess.run(
+                [os.environ["PVBATCH"], os.path.join(SOURCE, "Examples", "ParaView", "flatten_collection.py"),
+                 "--plugin", PLUGIN, pieces, flat],
+                stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            written = pv.XMLMultiBlockDataReader(FileName=[flat])
+            written.UpdatePipeline()
+            self.assertEqual(written.GetDataInformation().GetNumberOfCells(), 2 * 56)
+
     def test_a_collection_is_flattened_block_by_block(self):
         names = ("quarter_sphere", "shirt_shoulder", "cone")
         collection = pv.GroupDatasets(Input=[read(name) for name in names])
-        flat = fetch(pv.WireWarping(Input=collection))
+        flattening = pv.WireWarping(Input=collection)
+        beside = fetch(flattening)
+        boxes = [beside.GetBlock(block).GetBounds() for block in range(len(names))]
+        space = flattening.Input.GetDataInformation().GetBounds()
+        for k, box in enumerate(boxes):
+            self.assertGreater(box[0], space[1])
+            for other in boxes[:k]:  # side by side, or in rows
+                self.assertTrue(box[0] >= other[1] or other[0] >= box[1]
+                                or box[2] >= other[3] or other[2] >= box[3])
+        flattening.BesideSurface = 0
+        flat = fetch(flattening)
         self.assertEqual(flat.GetNumberOfBlocks(), len(names))
         for block, name in enumerate(names):
-            alone = fetch(pv.WireWarping(Input=read(name)))
+            alone = fetch(pv.WireWarping(Input=read(name), BesideSurface=0))
             self.assertEqual(flat.GetBlock(block).GetBounds(), alone.GetBounds())
             self.assertEqual(values(flat.GetBlock(block), "RunStatus"), ["Ok"])
 

@@ -10,6 +10,7 @@ SOURCE = os.environ["FLATTENING_SOURCE"]
 OUTPUT = os.environ["FLATTENING_OUTPUT"]
 DATA = os.path.join(SOURCE, "Data")
 PLUGIN = os.environ["FLATTENING_PLUGIN"]
+COMMAND = os.environ["WIREWARP"]
 
 pv.LoadPlugin(PLUGIN, remote=False)
 

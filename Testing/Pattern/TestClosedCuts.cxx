@@ -42,7 +42,7 @@ PatternPiece drawn(const PatternSource& source)
   options.allowance = 0.0;
   options.notchSpacing = 0.0;
   Pattern pattern;
-  const PatternStatus status = buildPattern(source, options, pattern);
+  const Status status = buildPattern(source, options, pattern);
   EXPECT_TRUE(status.ok()) << status.message;
   return pattern.pieces.front();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A strip with one dart, whose numbers are known by construction.
+#include "Darts.h"
 #include "PatternBuilder.h"
 
 #include "Outline.h"
@@ -42,7 +43,7 @@ PatternOptions millimetres(double allowance)
 Pattern build(const PatternSource& source, const PatternOptions& options)
 {
   Pattern pattern;
-  const PatternStatus status = buildPattern(source, options, pattern);
+  const Status status = buildPattern(source, options, pattern);
   EXPECT_TRUE(status.ok()) << status.message;
   return pattern;
 }
@@ -130,51 +131,63 @@ TEST(PatternBuilder, RefusesWhatIsNoPattern)
 {
   Pattern pattern;
   const auto codeOf = [&pattern](const PatternSource& source, const PatternOptions& options) {
-    const PatternStatus status = buildPattern(source, options, pattern);
+    const Status status = buildPattern(source, options, pattern);
     EXPECT_EQ(status.ok(), status.message.empty());
     return status.code;
   };
   const PatternOptions options = millimetres(10.0);
-  EXPECT_EQ(codeOf(PatternSource(), options), PatternCode::NothingToDraw);
+  EXPECT_EQ(codeOf(PatternSource(), options), StatusCode::NothingToDraw);
 
   PatternSource source = dartedSquare();
   source.positions[3].x() = std::nan("");
-  EXPECT_EQ(codeOf(source, options), PatternCode::InvalidInput);
+  EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
 
   source = dartedSquare();
   for (Point2& p : source.positions)
   {
     p.y() = 0.0;
   }
-  EXPECT_EQ(codeOf(source, options), PatternCode::NothingToDraw);
+  EXPECT_EQ(codeOf(source, options), StatusCode::NothingToDraw);
 
   source = dartedSquare();
   for (Point2& p : source.positions)
   {
     p.x() = -p.x();
   }
-  EXPECT_EQ(codeOf(source, options), PatternCode::NothingToDraw) << "turned over";
+  EXPECT_EQ(codeOf(source, options), StatusCode::NothingToDraw) << "turned over";
 
   source = dartedSquare();
   source.pieceOfTriangle[0] = 2; // piece 1 is empty
-  EXPECT_EQ(codeOf(source, options), PatternCode::NothingToDraw);
+  EXPECT_EQ(codeOf(source, options), StatusCode::NothingToDraw);
   source.pieceOfTriangle[0] = -1;
-  EXPECT_EQ(codeOf(source, options), PatternCode::InvalidInput);
+  EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
 
   // Two triangles that share one point only.
   source = PatternSource();
   source.positions = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 }, { -1.0, 0.0 }, { 0.0, -1.0 } };
   source.triangles = { { 0, 1, 2 }, { 0, 3, 4 } };
   source.pieceOfTriangle = { 0, 0 };
-  EXPECT_EQ(codeOf(source, options), PatternCode::InvalidInput);
+  EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
 
   PatternOptions wrong = options;
   wrong.allowance = -1.0;
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), PatternCode::InvalidOption);
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
   wrong = options;
   wrong.notchSpacing = 1e-6;
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), PatternCode::InvalidOption);
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
   wrong = options;
   wrong.allowanceOfCurve["sleeve"] = 3.0;
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), PatternCode::InvalidOption);
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
+}
+
+TEST(Darts, LegsThatAreMirrorImagesFoldOntoEachOther)
+{
+  const Points2 legs{ { -2.0, 9.0 }, { -1.5, 4.0 }, { 0.0, 0.0 }, { 1.5, 4.0 }, { 2.0, 9.0 } };
+  EXPECT_NEAR(foldMiss(legs), 0.0, 1e-14);
+}
+
+TEST(Darts, LegsThatAreNotMissEachOtherByWhatOneIsFartherOut)
+{
+  const Points2 legs{ { -2.0, 9.0 }, { -1.5, 4.0 }, { 0.0, 0.0 }, { 1.8, 4.4 }, { 2.0, 9.0 } };
+  EXPECT_NEAR(foldMiss(legs), 0.5, 1e-14);
 }

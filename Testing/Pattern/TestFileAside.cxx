@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+using namespace flattening;
 using namespace flattening::pattern;
 namespace fs = std::filesystem;
 
@@ -64,14 +65,14 @@ TEST_F(FileAsideTest, LeavesNothingWhereItIsNotPublished)
 
 TEST_F(FileAsideTest, SaysWhatCannotBeWritten)
 {
-  const PatternStatus noFolder = FileAside(this->path("missing/a.svg")).write("x");
-  EXPECT_EQ(noFolder.code, PatternCode::CannotWrite);
+  const Status noFolder = FileAside(this->path("missing/a.svg")).write("x");
+  EXPECT_EQ(noFolder.code, StatusCode::FileNotWritten);
   EXPECT_NE(noFolder.message.find("missing/a.svg"), std::string::npos);
 
   fs::create_directories(this->path("taken"));
   FileAside taken(this->path("taken"));
   ASSERT_TRUE(taken.write("x").ok());
-  EXPECT_EQ(taken.publish().code, PatternCode::CannotWrite);
+  EXPECT_EQ(taken.publish().code, StatusCode::FileNotWritten);
   EXPECT_TRUE(fs::is_directory(this->path("taken")));
 }
 
@@ -87,6 +88,6 @@ TEST(FileAside, AFullDiskIsNoticed)
   fs::create_directories(folder);
   const FileAside file((folder / "a.svg").string());
   fs::create_symlink("/dev/full", file.aside());
-  EXPECT_EQ(file.write(std::string(100000, 'x')).code, PatternCode::CannotWrite);
+  EXPECT_EQ(file.write(std::string(100000, 'x')).code, StatusCode::FileNotWritten);
   fs::remove_all(folder);
 }

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace
 {
@@ -34,7 +36,7 @@ PagePlan planOf(const Pattern& pattern, PaperSize paper)
   PageOptions options;
   options.paper = paper;
   PagePlan plan;
-  const PatternStatus status = planPages(pattern, options, plan);
+  const Status status = planPages(pattern, options, plan);
   EXPECT_TRUE(status.ok()) << status.message;
   return plan;
 }
@@ -103,9 +105,18 @@ TEST(PdfPages, TooLargeIsRefusedWithTheSizeOfThePiece)
   PageOptions options;
   const auto refuse = [&](double size, PaperSize paper) {
     options.paper = paper;
-    const PatternStatus status = planPages(patternOf({ { size, size } }), options, plan);
-    EXPECT_EQ(status.code, PatternCode::TooLarge) << size;
-    EXPECT_NE(status.message.find("rectangle"), std::string::npos) << size;
+    const Status status = planPages(patternOf({ { size, 0.5 * size } }), options, plan);
+    EXPECT_EQ(status.code, StatusCode::PatternTooLarge) << size;
+    double width = 0.0;
+    double height = 0.0;
+    const std::size_t at = status.message.find("rectangle, measures ");
+    ASSERT_NE(at, std::string::npos) << status.message;
+    ASSERT_EQ(std::sscanf(
+                status.message.c_str() + at, "rectangle, measures %lf m x %lf m", &width, &height),
+      2)
+      << status.message;
+    EXPECT_NEAR(width, 1e-3 * size, 1e-3 + 1e-9 * size);
+    EXPECT_NEAR(height, 0.5e-3 * size, 1e-3 + 1e-9 * size);
   };
   refuse(6e3, PaperSize::Sheet);
   for (const double size : { 1e6, 1e9, 1e14, 1e62 })
@@ -113,8 +124,16 @@ TEST(PdfPages, TooLargeIsRefusedWithTheSizeOfThePiece)
     refuse(size, PaperSize::Sheet);
     refuse(size, PaperSize::A4);
   }
-  options.paper = PaperSize::A4;
-  options.overlap = 60.0;
-  EXPECT_EQ(
-    planPages(patternOf({ { 10.0, 10.0 } }), options, plan).code, PatternCode::InvalidOption);
+}
+
+TEST(PdfPages, AnOverlapThatLeavesNoPageIsRefused)
+{
+  PagePlan plan;
+  for (const double overlap : { 60.0, -1.0, std::nan("") })
+  {
+    PageOptions options;
+    options.overlap = overlap;
+    EXPECT_EQ(
+      planPages(patternOf({ { 10.0, 10.0 } }), options, plan).code, StatusCode::InvalidOption);
+  }
 }

@@ -73,7 +73,7 @@ double areaOfClippersOffset(const Points2& polygon, double allowance, double mit
 std::vector<Points2> widen(const std::vector<AllowancePolygon>& polygons, double mitreLimit = 2.0)
 {
   std::vector<Points2> widened;
-  const PatternStatus status = addAllowance(polygons, mitreLimit, widened);
+  const Status status = addAllowance(polygons, mitreLimit, widened);
   EXPECT_TRUE(status.ok()) << status.message;
   return widened;
 }
@@ -166,4 +166,13 @@ TEST(SeamAllowance, RepeatedPointsAndHugeScalesDoNoHarm)
   const double huge = 1e8;
   EXPECT_NEAR(
     totalArea(widen({ uniform(rectangle(huge, huge), 10.0) })) / (huge * huge), 1.0, 1e-6);
+}
+
+TEST(SeamAllowance, APieceBelowTheGridIsToldAsTooSmall)
+{
+  std::vector<Points2> widened;
+  const Status status = addAllowance({ uniform(rectangle(1e-6, 1e-6), 1e-6) }, 2.0, widened);
+  EXPECT_EQ(status.code, StatusCode::NothingToDraw);
+  ASSERT_EQ(status.waysOut.size(), 1U);
+  EXPECT_EQ(status.waysOut.front().remedy, Remedy::CheckUnit);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A build without cairo and Clipper says so where they are asked for, and does the rest.
+#include "NoFitRegion.h"
 #include "PdfWriter.h"
 #include "SeamAllowance.h"
 
@@ -11,11 +12,17 @@ using namespace flattening::pattern;
 TEST(WithoutLibraries, PdfIsRefusedByName)
 {
   std::string pdf;
-  const PatternStatus status = makePdf({}, {}, pdf);
+  const Status status = makePdf({}, {}, pdf);
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message.find("cairo"), std::string::npos) << status.message;
-  EXPECT_NE(status.message.find("SVG or DXF"), std::string::npos) << "the way out";
+  ASSERT_EQ(status.waysOut.size(), 1u);
+  EXPECT_EQ(status.waysOut[0].remedy, Remedy::WriteOtherFormat);
   EXPECT_TRUE(pdf.empty());
+}
+
+TEST(WithoutLibraries, NoPlaceOnClothIsPromised)
+{
+  EXPECT_FALSE(NoFitRegion::available());
 }
 
 TEST(WithoutLibraries, ASeamAllowanceIsRefusedByNameAndNoneIsDrawn)
@@ -28,9 +35,10 @@ TEST(WithoutLibraries, ASeamAllowanceIsRefusedByNameAndNoneIsDrawn)
   EXPECT_EQ(widened, (std::vector<Points2>{ triangle.points, triangle.points }));
 
   triangle.allowance[1] = 5.0;
-  const PatternStatus status = addAllowance({ triangle }, 2.0, widened);
+  const Status status = addAllowance({ triangle }, 2.0, widened);
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message.find("Clipper"), std::string::npos) << status.message;
-  EXPECT_NE(status.message.find("allowance of 0"), std::string::npos) << "the way out";
+  ASSERT_EQ(status.waysOut.size(), 1u);
+  EXPECT_EQ(status.waysOut[0].subject, "an allowance of 0");
   EXPECT_TRUE(widened.empty());
 }

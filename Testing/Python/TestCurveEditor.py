@@ -147,6 +147,64 @@ class Editor(unittest.TestCase):
         self.assertFalse(empty.RemoveCurve(0))
         self.assertIn("surface", empty.GetMessage())
 
+    def test_an_offset_keeps_the_distance_that_was_asked_for(self):
+        editor = drawn(self.surface)
+        before = editor.GetNumberOfCurves()
+        for distance in (2.0, -1.5):
+            self.assertTrue(editor.AddOffset(1, distance), editor.GetMessage())
+            curve = editor.GetNumberOfCurves() - 1
+            self.assertEqual(editor.GetCurveType(curve), editor.GetCurveType(1))
+            for node in range(editor.GetNumberOfNodes(curve)):
+                place = [0.0] * 3
+                editor.GetNode(curve, node, place)
+                self.assertAlmostEqual(editor.GetDistance(1, place), distance, delta=0.003 * abs(distance))
+        editor.Undo()
+        editor.Undo()
+        self.assertEqual(editor.GetNumberOfCurves(), before)
+        for distance, word in ((0.0, "not 0"), (1e6, "1e+06"), (math.nan, "finite")):
+            self.assertFalse(editor.AddOffset(1, distance))
+            self.assertIn(word, editor.GetMessage())
+        self.assertFalse(editor.AddOffset(77, 1.0))
+        self.assertIn("77", editor.GetMessage())
+
+    def test_the_distance_is_that_on_the_plane_and_has_a_side(self):
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(sf.make_surface([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)],
+                                          [(0, 1, 2), (0, 2, 3)]))
+        self.assertTrue(math.isnan(editor.GetDistance(0, (1, 1, 0))))  # there is no curve
+        nodes = vtkPoints()
+        for point in ((0, 1, 0), (4, 1, 0)):
+            nodes.InsertNextPoint(point)
+        self.assertTrue(editor.AddCurve(nodes))
+        for x, y in ((1.0, 3.0), (2.5, 0.25), (3.3, 1.0)):
+            self.assertAlmostEqual(editor.GetDistance(0, (x, y, 0)), y - 1, 12)  # left is up
+
+    def test_a_stroke_becomes_few_nodes_within_its_tolerance(self):
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(sf.make_surface([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)],
+                                          [(0, 1, 2), (0, 2, 3)]))
+        stroke = vtkPoints()
+        for k in range(101):
+            stroke.InsertNextPoint((0.5 + 0.03 * k, 2 + 0.5 * math.sin(0.03 * k), 0.1))
+        for kind in (editor.SPLINE, editor.GEODESIC):
+            self.assertTrue(editor.AddStroke(stroke, 0.02, kind), editor.GetMessage())
+            curve = editor.GetNumberOfCurves() - 1
+            self.assertLess(editor.GetNumberOfNodes(curve), 12)
+            self.assertEqual(editor.GetSegmentKind(curve, 0), kind)
+            for k in range(101):
+                x, y, _ = stroke.GetPoint(k)
+                self.assertLessEqual(abs(editor.GetDistance(curve, (x, y, 0))), 0.021)
+        circle = vtkPoints()
+        for k in range(60):
+            angle = 2 * math.pi * k / 59.5
+            circle.InsertNextPoint((2 + math.cos(angle), 2 + math.sin(angle), 0))
+        self.assertTrue(editor.AddStroke(circle, 0.05))
+        self.assertTrue(editor.GetCurveClosed(2))
+        self.assertFalse(editor.AddStroke(vtkPoints(), 0.05))
+        self.assertFalse(editor.AddStroke(circle, 0.0))
+        self.assertFalse(editor.AddStroke(circle, math.nan))
+        self.assertEqual(editor.GetNumberOfCurves(), 3)
+
     def test_damaged_control_points_are_refused(self):
         curves = curves_of(self.editor)
         curves.GetFieldData().GetArray("ControlPointKind").SetValue(0, 9)

@@ -21,6 +21,7 @@ SCHEMES = ("progressive", "global", "isometric", "lscm")
 SOLVERS = ("newton", "sequential")
 INTERIORS = ("laplacian", "relaxation", "arap")
 ENERGIES = ("rigid", "dirichlet")
+DART_LEGS = ("free", "straight", "mirrored")
 COINCIDENT = ("automatic", "join", "keep")
 
 # Option of the command, property of the filter; words in the order of its enumeration.
@@ -28,6 +29,7 @@ OPTIONS = {
     "--scheme": ("Scheme", SCHEMES),
     "--solver": ("Solver", SOLVERS),
     "--interior": ("Interior", INTERIORS),
+    "--dart-legs": ("DartLegs", DART_LEGS),
     "--energy": ("DistortionEnergy", ENERGIES),
     "--area-bias": ("AreaBias", None),
     "--angle-weight": ("AngleWeight", None),
@@ -58,8 +60,9 @@ FLAGS = {
 }
 # The same of vtkFeatureCurveSuggestion.
 SUGGESTIONS = {
-    "--bound": "Bound", "--max-cuts": "MaximumCuts", "--max-cut-length": "MaximumCutLength"}
-WITHOUT_DEFAULT = {"--paper-method", "--tolerance", "--pins"}
+    "--bound": "Bound", "--max-cuts": "MaximumCuts", "--max-cut-length": "MaximumCutLength",
+    "--max-work": "MaximumWork"}
+WITHOUT_DEFAULT = {"--paper-method", "--tolerance", "--ease", "--pins"}
 
 PARAMETERS = {
     "scheme": ("Scheme", SCHEMES),
@@ -68,10 +71,13 @@ PARAMETERS = {
     "release_keys": ("ReleaseKeys", None),
     "release_trials": ("ReleaseTrials", None),
     "close_cuts": ("CloseCuts", None),
+    "dart_legs": ("DartLegs", DART_LEGS),
     "skip_closed": ("SkipClosed", None),
     "energy": ("DistortionEnergy", ENERGIES),
     "area_bias": ("AreaBias", None),
     "angle_weight": ("AngleWeight", None),
+    "material": ("Material", None),
+    "grain": ("Grain", None),
     "coincident_points": ("CoincidentPoints", COINCIDENT),
     "split_triangles": ("SplitTriangles", None),
     "imprint_tolerance": ("ImprintTolerance", None),
@@ -92,7 +98,7 @@ PARAMETERS = {
     "isometric_tolerance": ("IsometricTolerance", None),
     "isometric_iterations": ("IsometricMaximumIterations", None),
 }
-OTHER_PARAMETERS = {"points", "triangles", "curves", "paper_method", "progress", "tolerance"}
+OTHER_PARAMETERS = {"points", "triangles", "curves", "paper_method", "progress", "tolerance", "ease"}
 
 
 def default_of(name, words=None, filter_=None):
@@ -128,7 +134,9 @@ class Defaults(unittest.TestCase):
         return subprocess.run([COMMAND, "--help"], capture_output=True, text=True, check=True).stdout
 
     def test_the_command_shows_those_of_the_filter(self):
-        shown = dict(re.findall(r"^ +(?:-\w,)?(--[\w-]+) [^\n]*?=([\w.+-]+)\s", self.help(), re.M))
+        # "TEXT=isometric" up to CLI11 2.3, then "TEXT [isometric]".
+        shown = {option: before or since for option, before, since in re.findall(
+            r"^ +(?:-\w, ?)?(--[\w-]+) [^\n]*?(?:=([\w.+-]+)\s|\[([\w.+-]+)\]\s)", self.help(), re.M)}
         for option, (name, words) in OPTIONS.items():
             with self.subTest(option):
                 default = default_of(name, words)
@@ -145,6 +153,7 @@ class Defaults(unittest.TestCase):
         for parameter, (name, words) in {
                 "cuts": ("SuggestedCuts", ("darts", "seams", "all")), "bound": ("Bound", None),
                 "max_cuts": ("MaximumCuts", None), "max_cut_length": ("MaximumCutLength", None),
+                "max_work": ("MaximumWork", None),
                 "symmetric": ("Symmetric", None)}.items():
             self.assertEqual(
                 parameters[parameter].default, default_of(name, words, suggestion), parameter)
@@ -197,7 +206,7 @@ class Defaults(unittest.TestCase):
             class_ = getattr(sf, os.path.splitext(os.path.basename(path))[0], None)
             if class_ is sf.vtkFeatureCurveAlgorithm:
                 class_ = sf.vtkWireWarpingFilter
-            if class_ in (None, sf.vtkFlatteningAlgorithm, sf.vtkPatternWriter):
+            if class_ in (None, sf.vtkFlatteningAlgorithm, sf.vtkPatternFileWriter, sf.vtkPatternWriter):
                 continue
             filter_ = class_()
             for names, text in documented(path):

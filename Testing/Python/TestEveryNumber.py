@@ -30,7 +30,9 @@ CASES = (
 
 
 def array(attributes, name):
-    return np.array(vtk_to_numpy(attributes.GetArray(name)))
+    """Its values; none where there is no such array, as of a list without rows."""
+    found = attributes.GetArray(name)
+    return np.array(vtk_to_numpy(found)) if found else np.array([])
 
 
 def lengths(points, ids):
@@ -66,8 +68,7 @@ class Output:
         sides = np.concatenate([self.triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
         edges, counts = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
         self.boundary = {tuple(pair) for pair in edges[counts == 1]}
-        pairs = self.flat.GetFieldData().GetArray("SeamPairs")
-        self.pairs = np.array(vtk_to_numpy(pairs)).reshape(-1, 5)
+        self.pairs = array(self.flat.GetFieldData(), "SeamPairs").astype(int).reshape(-1, 5)
         self.closed = array(self.flat.GetFieldData(), "SeamClosed") != 0
         self.measure()
 

@@ -2,6 +2,7 @@
 """Every program of Examples/Python runs from a command line and gives what it promises."""
 
 import glob
+import importlib.util
 import os
 import subprocess
 import sys
@@ -145,6 +146,15 @@ class Examples(unittest.TestCase):
             alone = sf.flatten_polydata(read(name), read(name + "_curves"))
             np.testing.assert_allclose(vtk_to_numpy(flat.GetPoints().GetData())[:, :2],
                                        alone.positions, atol=1e-9)
+
+    @unittest.skipIf(importlib.util.find_spec("pyvista") is None, "PyVista is not installed")
+    def test_flatten_with_pyvista(self):
+        output = self.run_example("flatten_with_pyvista.py", data("tshirt"), data("tshirt_curves"), "areas.png")
+        self.assertEqual([line.split(",")[0] for line in output.splitlines()],
+                         [f"piece {number}: Ok" for number in (1, 2, 3, 4)])
+        colors = colors_of(os.path.join(self.folder, "areas.png"))
+        self.assertEqual(len(colors), 1200 * 600)
+        self.assertGreater(share(colors, (0, 0, 0), (40, 40, 40)), 0.002)  # curves and wires
 
     def test_every_example_is_tried(self):
         with open(__file__, encoding="utf-8") as file:

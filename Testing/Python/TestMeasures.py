@@ -122,15 +122,17 @@ class Measures(unittest.TestCase):
             rows = [line.split() for line in table.splitlines()[1:] if line[:1].isdigit()]
             self.assertEqual(len(rows), len(report["pieces"]))
             for row, piece in zip(rows, report["pieces"]):
-                self.assertEqual(row[:3], [str(piece[key]) for key in ("piece", "triangles", "wire_patches")])
-                for cell, value in zip(row[3:10], (
+                # Whoever cuts counts pieces from 1; ids of arrays and of the report count from 0.
+                self.assertEqual(row[:2] + row[3:4], [
+                    str(piece["piece"] + 1), str(piece["triangles"]), str(piece["wire_patches"])])
+                for cell, value in zip(row[4:11], (
                         1e3 * piece["E_len"], piece["E_len_max"], 1e3 * piece["E_ang"], piece["E_h"],
                         piece["E_r"], piece["E_area"], piece["strain_p95"])):
                     unit = 10.0 ** (int(cell.partition("e")[2] or 0)
                                     - len(cell.partition("e")[0].partition(".")[2]))
                     self.assertAlmostEqual(float(cell), value, delta=0.501 * unit)
-                self.assertEqual(row[10:13], [str(piece[key]) for key in ("flipped", "overlaps", "iterations")])
-                self.assertEqual(row[15], piece["status"])
+                self.assertEqual(row[11:14], [str(piece[key]) for key in ("flipped", "overlaps", "iterations")])
+                self.assertEqual(row[16], piece["status"])
 
         self.each_result(check)
 

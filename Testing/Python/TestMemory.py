@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Memory that runs out is raised; the interpreter lives on."""
 
+import contextlib
 import os
 import resource
+import tempfile
 import unittest
 
 import numpy as np
@@ -19,15 +21,31 @@ def held():
         return int(file.read().split()[0]) * resource.getpagesize()
 
 
-def flatten_with(megabytes, points, triangles):
-    """Exit code of a child that flattens with so much more memory than it has."""
+def take_what_is_free():
+    """What earlier work has given back to the process but not to the system.
+
+    Not for flattening: with all of it taken there are limits at which the stack cannot grow by the 128 KB that Eigen's
+    products of matrices may take there, and that ends the process.
+    """
+    taken = []
+    for size in (1 << 20, 1 << 16, 1 << 12):
+        with contextlib.suppress(MemoryError):
+            while True:
+                taken.append(bytes(size))
+    return taken
+
+
+def run_with(bytes_, run, full):
+    """Exit code of a child that runs with so much more memory than it has, or than is in use."""
     child = os.fork()
     if child == 0:
         code = OTHER
         try:
-            limit = held() + (megabytes << 20)
+            limit = held()
             resource.setrlimit(resource.RLIMIT_AS, (limit, resource.RLIM_INFINITY))
-            sf.flatten(points, triangles)
+            taken = take_what_is_free() if full else []
+            resource.setrlimit(resource.RLIMIT_AS, (limit + bytes_, resource.RLIM_INFINITY))
+            run()
             code = ENOUGH
         except MemoryError:
             code = RAISED
@@ -43,15 +61,28 @@ class Memory(unittest.TestCase):
         # A thread for whose own data there is no memory ends the process in the C library.
         vtkSMPTools.SetBackend("Sequential")
 
-    def test_every_limit_between_none_and_enough_is_raised(self):
-        points, triangles = grid(120, 120)
-        points[:, 2] = 10 * np.sin(points[:, 0] / 40) * np.sin(points[:, 1] / 30)
+        self.points, self.triangles = grid(120, 120)
+        self.points[:, 2] = 10 * np.sin(self.points[:, 0] / 40) * np.sin(self.points[:, 1] / 30)
+
+    def raised_up_to_enough(self, step, run, full=False, least=10):
         codes = []
         while not codes or (codes[-1] != ENOUGH and len(codes) < 300):
-            codes.append(flatten_with(2 * len(codes), points, triangles))
+            codes.append(run_with(step * len(codes), run, full))
         self.assertEqual(codes[-1], ENOUGH)
         self.assertEqual(set(codes[:-1]), {RAISED}, codes)
-        self.assertGreater(len(codes), 10)
+        self.assertGreater(len(codes), least)
+
+    def test_every_limit_between_none_and_enough_is_raised(self):
+        self.raised_up_to_enough(2 << 20, lambda: sf.flatten(self.points, self.triangles))
+
+    def test_the_pattern_of_a_result_as_well(self):
+        result = sf.flatten(self.points, self.triangles, scheme="global")
+        with tempfile.TemporaryDirectory() as folder:
+            for kind in ("svg", "pdf", "dxf"):
+                with self.subTest(kind):
+                    path = os.path.join(folder, "pattern." + kind)
+                    self.raised_up_to_enough(1 << 20, lambda: result.write_pattern(
+                        path, unit="mm", paper="A0"), full=True, least=3)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 """Meshes of Python classes over vtkPolyData go in and come back: PyVista's where it is installed, and a
 stand-in with what PyVista's users hand over elsewhere."""
 
+import os
 import unittest
 
 import numpy as np
@@ -9,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import surfaceflattening as sf
-from surfaces import grid, points_of, quarter_sphere, read, triangles_of
+from surfaces import DATA, grid, points_of, quarter_sphere, read, triangles_of
 
 try:
     import pyvista
@@ -107,6 +108,24 @@ class PyVista(Meshes, unittest.TestCase):
         flat = result.to_polydata()
         np.testing.assert_array_equal(flat.cell_data["AreaRatio"], result.cell_arrays["AreaRatio"])
         np.testing.assert_array_equal(flat.faces.reshape(-1, 4)[:, 1:], result.triangles)
+
+    def test_meshes_have_the_accessor_flattening(self):
+        if not hasattr(pyvista, "register_dataset_accessor"):
+            self.skipTest(f"PyVista {pyvista.__version__} has no accessors")
+        mesh = self.mesh()
+        result = mesh.flattening.flatten(scheme="global")
+        self.assertTrue(result == sf.flatten_polydata(mesh, scheme="global"))
+        flat = mesh.flattening.flat()
+        self.assertIs(type(flat), pyvista.PolyData)
+        self.assertAlmostEqual(flat.bounds[4], flat.bounds[5])
+        self.assertEqual(len(mesh.flattening.suggest(max_cuts=1).cuts), len(sf.suggest_polydata(mesh, max_cuts=1).cuts))
+
+    def test_the_readmes_line_draws(self):
+        shirt = pyvista.read(os.path.join(DATA, "shirt_front.vtp"))
+        plotter = pyvista.Plotter(off_screen=True)
+        plotter.add_mesh(sf.flatten_polydata(shirt).to_polydata(), scalars="AreaRatio")
+        picture = plotter.screenshot(return_img=True)
+        self.assertGreater(len(np.unique(picture.reshape(-1, 3), axis=0)), 20)
 
     def test_a_clipped_sphere_of_pyvista_is_flattened(self):
         sphere = pyvista.Sphere().clip("z").clip("x")

@@ -4,6 +4,8 @@
 import math
 import unittest
 
+import ezdxf.colors
+
 import pattern_files as pattern
 
 
@@ -35,6 +37,22 @@ def distance_to(point, line):
 def marks(block, layer):
     return [tuple(point.dxf.location)[:2] for point in block.query("POINT")
             if point.dxf.layer == layer]
+
+
+def records(text):
+    """The pairs of group code and value of a DXF file."""
+    lines = text.split("\r\n")
+    return [(int(code), value) for code, value in zip(lines[::2], lines[1::2])]
+
+
+def contrast(one, other):
+    """Of two sRGB colours, by the definition of WCAG 2: 1 to 21."""
+    def luminance(rgb):
+        parts = [value / 255 for value in rgb]
+        linear = [v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in parts]
+        return sum(weight * value for weight, value in zip((0.2126, 0.7152, 0.0722), linear))
+    high, low = sorted((luminance(one), luminance(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
 
 
 class Layers(pattern.PatternTest):
@@ -81,6 +99,54 @@ class Layers(pattern.PatternTest):
             for notch in notches:
                 self.assertLess(distance_to(notch, cut), 0.01)
 
+    def test_who_knows_no_notches_and_drill_holes_sees_lines_and_circles(self):
+        self.make("shirt_front", "--dxf")
+        _, (block,) = self.blocks()
+        lines = [line for line in block.query("LINE") if line.dxf.layer == "4"]
+        starts = {tuple(line.dxf.start)[:2] for line in lines}
+        self.assertEqual(starts, set(marks(block, "4")))
+        for line in lines:
+            self.assertGreater(math.dist(line.dxf.start, line.dxf.end), 1.0)
+        circles = [circle for circle in block.query("CIRCLE") if circle.dxf.layer == "13"]
+        self.assertEqual({tuple(circle.dxf.center)[:2] for circle in circles}, set(marks(block, "13")))
+        self.assertEqual(len(circles), 2)
+
+    def test_colours_of_layers_can_be_read_on_black_and_on_white(self):
+        self.make("tshirt", "--dxf")
+        document, _ = self.blocks()
+        read = 0
+        for layer in document.layers:
+            if layer.dxf.color == 7:  # black on white, white on black
+                continue
+            colour = ezdxf.colors.aci2rgb(layer.dxf.color)
+            for ground in ((0, 0, 0), (255, 255, 255)):
+                self.assertGreater(contrast(colour, ground), 3.0, (layer.dxf.name, colour))
+            read += 1
+        self.assertEqual(read, 9)
+
+    def test_layers_blocks_and_entities_have_handles_of_their_own(self):
+        self.make("tshirt", "--dxf")
+        pairs = records(self.content("pattern.dxf").decode("ascii"))
+        handles = []
+        for at, (code, value) in enumerate(pairs):
+            if code != 0 or value in ("SECTION", "ENDSEC", "TABLE", "ENDTAB", "EOF"):
+                continue
+            self.assertEqual(pairs[at + 1][0], 5, (value, pairs[at + 1]))
+            handles.append(int(pairs[at + 1][1], 16))
+        self.assertGreater(len(handles), 500)
+        self.assertEqual(len(handles), len(set(handles)))
+        seed = pairs[pairs.index((9, "$HANDSEED")) + 1]
+        self.assertEqual(seed, (5, f"{max(handles) + 1:08X}"))
+
+    def test_blocks_bear_the_names_of_their_pieces(self):
+        self.make("tshirt", "--dxf", "--piece-name", "front", "--piece-name", "front",
+                  "--piece-name", "Ärmel", "--piece-name", "x" * 40)
+        _, blocks = self.blocks()
+        names = [block.name for block in blocks]
+        self.assertEqual(names[:2], ["FRONT", "FRONT_2"])
+        self.assertRegex(names[2], "^_+RMEL$")
+        self.assertEqual(names[3], "X" * 31)
+
     def test_the_grainline_runs_along_the_key_curve(self):
         self.make("tshirt", "--dxf")
         _, blocks = self.blocks()
@@ -94,6 +160,18 @@ class Layers(pattern.PatternTest):
                 near = min(pattern.block_lines(block, "8"),
                            key=lambda line: distance_to(start, line[0]))
                 self.assertLess(distance_to(start, near[0]), 1.0)
+
+    def test_the_grainline_of_a_piece_on_cloth_is_its_warp(self):
+        # Along the key curve lies the bias.
+        self.make("tshirt", "--dxf", "--material", "twill", "--grain", "centre_front:45")
+        _, blocks = self.blocks()
+        (grain,) = [line for line in blocks[0].query("LINE") if line.dxf.layer == "7"]
+        start, end = tuple(grain.dxf.start)[:2], tuple(grain.dxf.end)[:2]
+        self.assertLess(abs(start[0] - end[0]), 1e-6 * math.dist(start, end))
+        keys = [points for points, _ in pattern.block_lines(blocks[0], "8")]
+        angles = [math.degrees(math.atan2(line[-1][1] - line[0][1], line[-1][0] - line[0][0])) % 180
+                  for line in keys]
+        self.assertTrue(any(abs(angle - 45) < 0.01 for angle in angles), angles)
 
     def test_a_hole_is_a_cutout_smaller_by_the_allowance(self):
         with open(self.path("ring.obj"), "w", encoding="ascii") as file:

@@ -2,6 +2,7 @@
 """What cannot be a pattern is refused with a message, and nothing half-written is left."""
 
 import os
+import re
 import unittest
 
 from ezdxf.lldxf.encoding import decode_dxf_unicode
@@ -68,7 +69,7 @@ class Refusals(pattern.PatternTest):
         self.assertAlmostEqual(sum(pattern.edge_lengths(points, closed)), boundary, places=5)
 
     def test_a_stated_unit_gives_no_warning(self):
-        run = self.run_command(*self.arguments("--svg", "--unit", "cm"))
+        run = self.run_command(*self.arguments("--svg", "--unit", "m"))
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_pattern_of_too_many_pages_names_the_piece_its_size_and_the_way_out(self):
@@ -137,7 +138,13 @@ class Refusals(pattern.PatternTest):
                 wanted = "Piece Name: " + "".join(c if ord(c) < 0x10000 else "?" for c in shown)
                 # Texts of DXF end at 250 characters.
                 self.assertIn(wanted[:250], [text[:250] for text in said])
-                self.assertTrue(pattern.run_tool("pdftotext", self.path("out", "pattern.pdf"), "-"))
+                pdf = self.path("out", "pattern.pdf")
+                information = pattern.run_tool("pdfinfo", "-enc", "UTF-8", pdf).decode()
+                self.assertEqual(re.search("^Title: +(.*)$", information, re.M)[1], shown)
+                # What is drawn may be too long for its line, and goes from left to right in any script.
+                drawn = pattern.run_tool("pdftotext", "-enc", "UTF-8", pdf, "-").decode()
+                word = shown[:60] if shown.isascii() else shown.split()[0]
+                self.assertTrue(word in drawn or word[::-1] in drawn, drawn)
 
     def test_bytes_that_are_no_text_are_replaced(self):
         run = self.run_command(*self.arguments(

@@ -62,7 +62,14 @@ class Plot(unittest.TestCase):
 
     def test_pieces_are_numbered_and_measured(self):
         texts = [text.get_text() for text in self.result.plot().texts]
-        self.assertEqual([text for text in texts if text.isdigit()], ["0", "1", "2", "3"])
+        self.assertEqual([text for text in texts if text.isdigit()], ["1", "2", "3", "4"])
+        # As the pattern that is cut numbers them.
+        with tempfile.TemporaryDirectory() as folder:
+            self.result.write_pattern(os.path.join(folder, "a.svg"), unit="cm")
+            with open(os.path.join(folder, "a.svg"), encoding="utf-8") as file:
+                pattern = file.read()
+        for number in (1, 4):
+            self.assertIn(f">piece {number} of 4<", pattern)
         for piece in self.result.report["pieces"]:
             self.assertTrue(any(f"E_area {piece['E_area']:.4f}" in text for text in texts))
         self.assertEqual(len(self.result.plot(measures=False).texts), 0)

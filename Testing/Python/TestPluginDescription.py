@@ -12,8 +12,17 @@ from surfaces import SOURCE
 XML = os.path.join(SOURCE, "Plugin", "SurfaceFlattening.xml")
 # Set methods of a filter that are inputs of its proxy, or set what another one sets.
 INPUTS = {"SetCurvesConnection", "SetCurvesData", "SetFlatConnection", "SetFlatData",
-          "SetEdgesConnection", "SetEdgesData", "SetControlPointsConnection", "SetControlPointsData",
-          "SetNumberOfControlPoints"}
+          "SetEdgesConnection", "SetEdgesData", "SetDesignConnection", "SetDesignData", "SetBodyConnection", "SetBodyData",
+          "SetControlPointsConnection", "SetControlPointsData",
+          "SetNumberOfControlPoints", "SetFileName", "SetFileFormat"}
+# What ParaView's users want and other programs do not: pieces beside the surface in one view, every
+# process of the server at work, and one input of a writer.
+OTHER_DEFAULTS = {"BesideSurface": (1.0,), "Distributed": (1.0,), "FollowPipeline": (1.0,)}
+# Those of the writer that are of some formats alone, or are given by name, or twice.
+FABRIC = {"SetFabricWidth", "SetFabricNap", "SetFabricGap"}
+OF_FORMATS = {"pdf": {"SetPaper", "SetPageOverlap", "SetMaximumPages", "SetWalkTable", *FABRIC},
+              "svg": {"SetLaserColors", *FABRIC}, "plt": FABRIC}
+BY_NAME = {"SetPieceName", "SetPieceQuantity", "SetCurveAllowance", "SetUnitByName"}
 
 
 def own_set_methods(cls):
@@ -28,14 +37,16 @@ def own_set_methods(cls):
 class Description(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.proxies = ElementTree.parse(XML).getroot().findall(".//SourceProxy")
+        root = ElementTree.parse(XML).getroot()
+        cls.proxies = root.findall(".//SourceProxy")
+        cls.writers = root.findall(".//WriterProxy")
 
     def properties(self):
-        for proxy in self.proxies:
+        for proxy in (*self.proxies, *self.writers):
             filter_ = getattr(sf, proxy.get("class"))()
             for element in proxy:
                 if (element.tag.endswith("VectorProperty") and not element.get("information_only")
-                        and not element.get("repeat_command")):
+                        and not element.get("repeat_command") and element.get("name") != "FileName"):
                     yield filter_, element, f"{proxy.get('name')}.{element.get('name')}"
 
     @staticmethod
@@ -46,7 +57,8 @@ class Description(unittest.TestCase):
     def test_every_filter_has_a_proxy(self):
         filters = {name for name in sf.__all__ if name.startswith("vtk")
                    and name not in ("vtkFlatteningAlgorithm", "vtkFeatureCurveAlgorithm",
-                                    "vtkFeatureCurveEditor", "vtkPatternWriter")}
+                                    "vtkFeatureCurveEditor", "vtkPatternFileWriter",
+                                    "vtkPatternWriter")}
         self.assertEqual({proxy.get("class") for proxy in self.proxies}, filters)
         for proxy in self.proxies:
             self.assertEqual(proxy.find("Hints/ShowInMenu").get("category"), "Surface Flattening")
@@ -61,6 +73,28 @@ class Description(unittest.TestCase):
             commands = {element.get("command") for element in (*proxy, *base)}
             missing = own_set_methods(getattr(sf, proxy.get("class"))) - commands
             self.assertEqual(missing, set(), proxy.get("name"))
+
+    def test_every_format_of_patterns_has_a_writer_with_all_options(self):
+        factories = {writer.find("Hints/WriterFactory").get("extensions"): writer
+                     for writer in self.writers}
+        self.assertEqual(set(factories), {"svg", "pdf", "dxf", "plt", "json"})
+        for extension, writer in factories.items():
+            self.assertEqual(writer.get("class"), "vtkPatternWriter")
+            commands = {element.get("command") for element in writer if element.get("command")}
+            expected = own_set_methods(sf.vtkPatternWriter) - BY_NAME
+            others = set().union(*OF_FORMATS.values()) - OF_FORMATS.get(extension, set())
+            self.assertEqual(commands - {"SetFileName", "SetInputConnection"},
+                             expected - others)
+
+    def test_every_icon_is_a_picture_of_the_resources(self):
+        folder = os.path.dirname(XML)
+        resources = ElementTree.parse(os.path.join(folder, "SurfaceFlattening.qrc")).getroot()[0]
+        files = {f":{resources.get('prefix')}/{file.get('alias')}": file.text for file in resources}
+        icons = {proxy.find("Hints/ShowInMenu").get("icon") for proxy in self.proxies}
+        self.assertEqual(icons, set(files))
+        for path in files.values():
+            picture = ElementTree.parse(os.path.join(folder, path)).getroot()
+            self.assertEqual(picture.get("viewBox"), "0 0 32 32")
 
     def test_every_property_is_documented_and_in_one_group(self):
         for _, element, name in self.properties():
@@ -78,7 +112,10 @@ class Description(unittest.TestCase):
                 self.assertEqual(self.get(filter_, element), (element.get("default_values"),), name)
                 continue
             default = tuple(float(word) for word in element.get("default_values").split())
-            self.assertEqual(default, tuple(float(value) for value in self.get(filter_, element)), name)
+            own = tuple(float(value) for value in self.get(filter_, element))
+            other = OTHER_DEFAULTS.get(element.get("name"))
+            self.assertEqual(default, other or own, name)
+            self.assertNotEqual(own, other, f"{name} needs no other default")
             count += 1
         self.assertGreater(count, 20)
 
@@ -89,9 +126,10 @@ class Description(unittest.TestCase):
                     continue
                 for end in (domain.get("min"), domain.get("max")):
                     self.assertIsNotNone(end, f"{name} has no slider")
-                    value = int(end) if element.tag.startswith("Int") else float(end)
-                    getattr(filter_, element.get("command"))(value)
-                    self.assertEqual(self.get(filter_, element), (value,), name)
+                    number = int if element.tag.startswith("Int") else float
+                    values = tuple(number(word) for word in end.split())
+                    getattr(filter_, element.get("command"))(*values)
+                    self.assertEqual(self.get(filter_, element), values, name)
 
     def test_lists_are_the_enumerations_of_the_class(self):
         count = 0

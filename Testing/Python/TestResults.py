@@ -126,6 +126,17 @@ class Shown(unittest.TestCase):
         self.assertEqual(triangles, len(result.triangles))
         wires = [path.find(SVG + "title").text for path in paths if path.get("fill") == "none"]
         self.assertEqual(wires, [f"{wire.name} ({wire.type})" for wire in result.wires])
+        # Each piece has its number in the table on it.
+        for number in picture.findall(SVG + "text"):
+            low, high = (bound(result.positions[result.triangles[
+                result.cell_arrays["PieceId"] == int(number.text) - 1]].reshape(-1, 2), axis=0)
+                for bound in (np.min, np.max))
+            whole = np.ptp(result.positions, axis=0)
+            scale = min(640 / whole[0], 400 / whole[1])
+            middle = ((low + high) / 2 - result.positions.min(axis=0)) * scale
+            self.assertAlmostEqual(float(number.get("x")), middle[0], delta=0.06)
+            self.assertAlmostEqual(float(number.get("y")), whole[1] * scale - middle[1], delta=0.06)
+        self.assertEqual([number.text for number in picture.findall(SVG + "text")], ["1", "2", "3", "4"])
         page = Page(text)
         self.assertEqual(page.open, [])
         for piece in result.report["pieces"]:
@@ -266,7 +277,7 @@ class Patterns(unittest.TestCase):
 
     def content(self, name):
         with open(self.path(name), "rb") as file:
-            return file.read()
+            return re.sub(rb"(?i)creation (date|time): [0-9:/-]+", b"", file.read())  # a minute may pass
 
     def test_they_are_those_of_the_filters(self):
         filter_, result = outputs("tshirt"), flattened("tshirt")
@@ -285,15 +296,16 @@ class Patterns(unittest.TestCase):
         words = ["--unit", "inch", "--name", "Trousers", "--size", "40", "--quantity", "2", "--piece-name",
                  "front", "--allowance", "12", "--curve-allowance", "boundary=20", "--mitre-limit", "3",
                  "--notch-spacing", "70", "--cut-darts-out", "--paper", "letter", "--page-overlap", "5",
-                 "--max-pages", "900"]
+                 "--max-pages", "900", "--laser-colors", "--piece-quantity", "4", "--cut-on-fold", "--curve-notch", "boundary=30"]
         subprocess.run([os.environ["WIREWARP"], os.path.join(root, "Data", "pants_front.vtp"),
                         os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", "--output",
-                        self.path("out"), "--svg", "--dxf", "--pdf", *words], check=True)
-        for kind in ("svg", "dxf", "pdf"):
+                        self.path("out"), "--svg", "--dxf", "--pdf", "--plt", *words], check=True)
+        for kind in ("svg", "dxf", "pdf", "plt"):
             flattened().write_pattern(
-                self.path("own." + kind), unit="inch", name="Trousers", size="40", quantity=2,
+                self.path("own." + kind), unit="inch", name="Trousers", size="40", quantity=2, piece_quantities=[4],
                 piece_names=["front"], allowance=12, curve_allowances={"boundary": 20.0}, mitre_limit=3,
-                notch_spacing=70, cut_darts_out=True, paper="letter", page_overlap=5, max_pages=900)
+                notch_spacing=70, cut_darts_out=True, paper="letter", page_overlap=5, max_pages=900,
+                laser_colors=True, cut_on_fold=True, curve_notches={"boundary": [30]})
             mine, theirs = self.content("own." + kind), self.content(f"out/pattern.{kind}")
             if kind == "pdf":  # it holds the time
                 self.assertAlmostEqual(len(mine), len(theirs), delta=64)
@@ -301,14 +313,19 @@ class Patterns(unittest.TestCase):
             else:
                 self.assertEqual(mine, theirs)
 
-    def test_a_unit_that_is_not_given_is_warned_of(self):
+    def test_a_unit_that_is_not_given_and_a_grainline_that_bends_are_warned_of(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             flattened().write_pattern(self.path("a.svg"))
             flattened().write_pattern(self.path("b.svg"), unit="cm")
-        self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])
-        self.assertEqual(caught[0].filename, __file__)
-        self.assertIn("unit=", str(caught[0].message))
+        self.assertEqual({(warning.category, warning.filename) for warning in caught},
+                         {(sf.FlatteningWarning, __file__)})
+        said = ["unit=" if "unit=" in str(warning.message) else str(warning.message) for warning in caught]
+        self.assertEqual(len(said), 3)
+        self.assertEqual(said[1], "unit=")
+        for sentence in said[::2]:  # of both
+            for word in ("key curve grainline bends by", "mm", "upright", 'key_shape="straight"'):
+                self.assertIn(word, sentence)
         self.assertEqual(self.content("a.svg"), self.content("b.svg"))
 
     def test_what_is_wrong_is_raised_by_name_and_nothing_is_printed(self):
@@ -323,6 +340,9 @@ class Patterns(unittest.TestCase):
             (ValueError, ["max_pages", "out of range"], "a.pdf", {"max_pages": 0}),
             (ValueError, ["page"], "a.pdf", {"unit": "m", "max_pages": 3}),
             (TypeError, ["allowance", "'wide'"], "a.svg", {"allowance": "wide"}),
+            (ValueError, ["piece_quantities[0]", "1"], "a.svg", {"piece_quantities": [0]}),
+            (ValueError, ["piece 2", "1 piece"], "a.svg", {"piece_quantities": [1, 2]}),
+            (ValueError, ["mm wide", "cloth 20 mm"], "a.svg", {"fabric_width": 20}),
             (TypeError, ["quantity", "1.5"], "a.svg", {"quantity": 1.5}),
             (TypeError, ["piece_names"], "a.svg", {"piece_names": "front"}),
             (ValueError, ["name", "UTF-8"], "a.svg", {"name": "a\ud800"}),
@@ -347,7 +367,9 @@ class Patterns(unittest.TestCase):
             ("quantity", "Quantity"), ("allowance", "Allowance"), ("mitre_limit", "MitreLimit"),
             ("notch_spacing", "NotchSpacing"), ("notch_length", "NotchLength"), ("size", "PatternSize"),
             ("page_overlap", "PageOverlap"), ("max_pages", "MaximumPages"), ("name", "PatternName"),
-            ("cut_darts_out", "CutDartsOut"),
+            ("cut_darts_out", "CutDartsOut"), ("cut_pairs", "CutPairs"), ("laser_colors", "LaserColors"),
+            ("fair", "FairTolerance"), ("fabric_width", "FabricWidth"), ("nap", "FabricNap"),
+            ("fabric_gap", "FabricGap"), ("cut_on_fold", "CutOnFold"), ("walk_table", "WalkTable"),
         ):
             self.assertEqual(parameters[option].default, getattr(writer, "Get" + property_)(), option)
 

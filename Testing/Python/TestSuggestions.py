@@ -5,6 +5,7 @@ import unittest
 import warnings
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import surfaceflattening as sf
 from surfaces import grid
@@ -19,6 +20,14 @@ def dome(columns=14, rows=14, height=0.5):
             triangles[k:k + 2] = [(a, b, d), (b, c, d)]
     x, y = 2 * points[:, 0] / points[:, 0].max() - 1, 2 * points[:, 1] / points[:, 1].max() - 1
     return np.column_stack([x, y, height * (1 - x * x) * (1 - y * y)]), triangles
+
+
+def bumps():
+    """Two of them, each the mirror image of the other."""
+    points, triangles = dome(16, 12)
+    x, y = points[:, 0], points[:, 1]
+    return np.column_stack([
+        x, y, 0.25 * np.exp(-9 * (abs(x) - 0.5) ** 2 - 6 * (y - 0.3) ** 2)]), triangles
 
 
 class Suggestions(unittest.TestCase):
@@ -38,15 +47,46 @@ class Suggestions(unittest.TestCase):
             self.assertGreater(cut.gain, 0)
 
     def test_mirror_images_are_named_and_exact(self):
-        points, triangles = dome(height=0.6)
+        points, triangles = bumps()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", sf.FlatteningWarning)
-            cuts = sf.suggest(points, triangles, cuts="darts", bound=0, max_cuts=6).cuts
-        self.assertTrue(any(cut.mirror_of >= 0 for cut in cuts))
-        for cut in cuts:
-            if cut.mirror_of >= 0:
-                other = cuts[cut.mirror_of]
-                self.assertLess(abs(cut.length - other.length), 1e-12)
+            cuts = sf.suggest(points, triangles, cuts="darts", bound=0, max_cuts=2).cuts
+        self.assertEqual([cut.mirror_of for cut in cuts], [-1, 0])
+        self.assertLess(abs(cuts[0].length - cuts[1].length), 1e-12)
+        np.testing.assert_allclose(
+            cuts[1].curve.points, cuts[0].curve.points * (-1, 1, 1), rtol=0, atol=1e-9)
+
+    def test_weights_say_where_distortion_matters(self):
+        points, triangles = dome(10, 10)
+        triangles = np.array(triangles)
+        right = points[triangles, 0].mean(axis=1) > 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            cuts = sf.suggest(points, triangles, cuts="darts", bound=0, max_cuts=1, weights=1.0 * right).cuts
+            surface = sf.make_surface(points, triangles)
+            array = numpy_to_vtk(5.0 * right, deep=True)
+            array.SetName("Weight")
+            surface.GetCellData().AddArray(array)
+            same = sf.suggest_polydata(
+                surface, cuts="darts", bound=0, max_cuts=1, weights="Weight").cuts
+        self.assertEqual(len(cuts), 1)
+        self.assertGreater(cuts[0].curve.points[-1, 0], 0)
+        np.testing.assert_allclose(same[0].curve.points, cuts[0].curve.points, rtol=0, atol=1e-9)
+
+    def test_lines_come_with_their_price(self):
+        points, triangles = dome()
+        suggestion = sf.suggest(points, triangles, cuts="lines")
+        self.assertTrue(suggestion.cuts)
+        self.assertEqual(suggestion.cuts[0].curve.type, "key")
+        self.assertEqual(suggestion.cuts[0].curve.key_shape, "straight")
+        without = sf.flatten(points, triangles).report["pieces"][0]
+        self.assertAlmostEqual(suggestion.cuts[0].E_area_before, without["E_area"], 9)
+        again = sf.flatten(points, triangles, [line.curve for line in suggestion.cuts]).report["pieces"][0]
+        self.assertAlmostEqual(suggestion.cuts[-1].E_area_after, again["E_area"], 9)
+        self.assertAlmostEqual(suggestion.cuts[-1].strain_after, again["strain_p95"], 9)
+        for line in suggestion.left_out:
+            self.assertLess(line.gain, 0)
+            self.assertIn(line.type, ("key", "accessory"))
 
     def test_curves_given_stay_and_are_not_proposed_again(self):
         points, triangles = dome()
@@ -69,6 +109,13 @@ class Suggestions(unittest.TestCase):
         points, triangles = dome()
         with self.assertRaisesRegex(ValueError, "cuts is 'pleats'"):
             sf.suggest(points, triangles, cuts="pleats")
+        with self.assertRaisesRegex(ValueError, r"weights must have the shape \(392,\), .* not \(3,\)"):
+            sf.suggest(points, triangles, weights=[1, 2, 3])
+        with self.assertRaisesRegex(sf.FlatteningError, "negative or no numbers") as raised:
+            sf.suggest(points, triangles, weights=np.arange(392) - 1)
+        self.assertEqual(list(raised.exception.ids), [0])
+        with self.assertRaisesRegex(sf.FlatteningError, 'no cell array of numbers named "where"'):
+            sf.suggest_polydata(sf.make_surface(points, triangles), weights="where")
         with self.assertRaisesRegex(ValueError, "bound = -1"):
             sf.suggest(points, triangles, bound=-1)
         with self.assertRaisesRegex(sf.FlatteningError, 'no curve is named "waist"'):

@@ -26,8 +26,9 @@ def cylinder(columns=40, rows=20, scale=1.0):
     return sf.make_surface(scale * np.array(points), triangles)
 
 
-def tube(sides=24, rows=10):
-    points = [(math.cos(2 * math.pi * i / sides), math.sin(2 * math.pi * i / sides), 0.3 * j)
+def tube(sides=24, rows=10, radius=lambda j: 1.0):
+    points = [(radius(j) * math.cos(2 * math.pi * i / sides),
+               radius(j) * math.sin(2 * math.pi * i / sides), 0.3 * j)
               for j in range(rows + 1) for i in range(sides)]
     at = lambda i, j: j * sides + i % sides
     triangles = []
@@ -148,6 +149,76 @@ class Curves(Quiet):
         curve.Update()
         names = curve.GetOutput().GetCellData().GetAbstractArray("CurveName")
         self.assertEqual([names.GetValue(k) for k in range(2)], ["band 1", "band 2"])
+
+    def test_a_tight_curve_is_the_waist_of_what_it_runs_round(self):
+        waisted = tube(radius=lambda j: 1.0 + 0.02 * (j - 4) ** 2)
+        girth = 48 * math.sin(math.pi / 24)
+        for height in (0.4, 1.7, 2.5):
+            points = [(1.2 * math.cos(a), 1.2 * math.sin(a), height + 0.2 * math.sin(a))
+                      for a in (0.1, 1.8, 4.0)]
+            out = drawn(waisted, points, Closed=True, Tight=True, CurveType=1).GetOutput()
+            self.assertEqual(out.GetNumberOfCells(), 1)
+            self.assertAlmostEqual(length(out), girth, 9)
+            np.testing.assert_allclose(positions(out)[:, 2], 1.2, atol=1e-7)
+            loose = drawn(waisted, points, Closed=True).GetOutput()
+            self.assertGreater(length(loose), girth + 0.01)
+
+    def test_what_cannot_be_pulled_tight_is_refused(self):
+        points = ((1, 0, 0.5), (0, 1, 1.5), (0.7, 0.7, 0.2))
+        for closed, status in ((False, "InvalidOption"), (True, "CurveTooShort")):
+            curve = drawn(cylinder(), points, Closed=closed, Tight=True)
+            self.assertEqual(curve.GetStatusName(), status)
+            self.assertEqual(curve.GetOutput().GetNumberOfCells(), 0)
+
+    def test_an_offset_is_the_parallel_line_on_the_side_of_its_sign(self):
+        for scale in (1e-3, 1.0, 1e3):
+            # Upright on the cylinder: seen from outside, the left of who walks up has smaller angles.
+            foot, head = ((scale * math.cos(1.5), scale * math.sin(1.5), scale * z) for z in (0, 2))
+            for side in (1.0, -1.0):
+                out = drawn(cylinder(scale=scale), (foot, head), Offset=side * 0.3 * scale,
+                            CurveName="band", CurveType=2).GetOutput()
+                self.assertEqual(out.GetNumberOfCells(), 1)
+                self.assertAlmostEqual(length(out) / (2 * scale), 1.0, 9)
+                chord = 2 * math.sin(3.0 / 80)  # of a column
+                for x, y, _ in positions(out):
+                    angle = math.atan2(y, x)
+                    column = math.floor(angle * 40 / 3)
+                    start = np.array((math.cos(column * 3 / 40), math.sin(column * 3 / 40)))
+                    way = np.linalg.norm(np.array((x, y)) / scale - start)
+                    around = chord * (column - 20) + way
+                    self.assertAlmostEqual(around, -side * 0.3, 9)
+                cells = out.GetCellData()
+                self.assertEqual(cells.GetAbstractArray("CurveName").GetValue(0), "band")
+                self.assertEqual(cells.GetArray("CurveType").GetValue(0), 2)
+
+    def test_an_offset_is_that_of_the_editor(self):
+        surface = cylinder()
+        points = ((1, 0, 0.3), (0, 1, 1.7), (-0.95, 0.2, 0.4))
+        out = drawn(surface, points, SegmentKind=3, Offset=0.2, Mirror=True).GetOutput()
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(surface)
+        nodes = vtkPoints()
+        nodes.SetDataTypeToDouble()
+        for point in points:
+            nodes.InsertNextPoint(point)
+        self.assertTrue(editor.AddCurve(nodes, editor.SPLINE))
+        self.assertTrue(editor.AddOffset(0, 0.2))
+        line = vtkPolyData()
+        editor.GetCurve(1, line)
+        self.assertAlmostEqual(length(out), editor.GetCurveLength(1), 12)
+        self.assertEqual(out.GetCellData().GetArray("CurveImageOf").GetValue(1), 0)
+
+    def test_where_nothing_is_that_far_it_is_refused(self):
+        curve = drawn(cylinder(), ((1, 0, 0.5), (0, 1, 1.5)), Offset=50.0)
+        self.assertEqual(curve.GetStatusName(), "CurveLeavesSurface")
+        self.assertIn("50", curve.GetStatusMessage())
+        self.assertEqual(curve.GetOutput().GetNumberOfCells(), 0)
+        curve.SetOffset(math.nan)
+        curve.Update()
+        self.assertEqual(curve.GetStatusName(), "InvalidOption")
+        curve.SetOffset(0.0)
+        curve.Update()
+        self.assertEqual(curve.GetStatusName(), "Ok")
 
     def test_what_is_wrong_is_said(self):
         for points, status in (((), "CurveTooShort"), (((1, 0, 0), (1, 0, 0)), "CurveTooShort"),

@@ -161,7 +161,8 @@ class Result:
         piece_of = np.empty(len(self.space), int)
         piece_of[self.triangles] = self.piece[:, None]
         return sum(np.linalg.norm(self.space[a] - self.space[b])
-                   for (a, b, c, _, _), closed in zip(self.field["SeamPairs"], self.field["SeamClosed"])
+                   for (a, b, c, _, _), closed in zip(
+                       self.field.get("SeamPairs", ()), self.field.get("SeamClosed", ()))
                    if not closed and piece in (piece_of[a], piece_of[c]))
 
     def piece_measures(self, piece):

@@ -1,33 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternModel.h"
 
-#include <vtkCallbackCommand.h>
+#include "Files.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
-#include <vtkPatternWriter.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 namespace viewer
 {
 namespace
 {
-/// Keeps messages from VTK's own window; the filters give them again by their status.
-void silence(vtkObject* object)
-{
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  object->AddObserver(vtkCommand::WarningEvent, listener);
-  object->AddObserver(vtkCommand::ErrorEvent, listener);
-}
-
 /// Cell array that tells released curves from wires.
 const char* const mark = "Released";
 
@@ -41,26 +30,6 @@ PolyData marked(const PolyData& data, bool released)
   marks->FillValue(released ? 1 : 0);
   result->GetCellData()->AddArray(marks);
   return result;
-}
-
-void writeAside(const std::string& path, vtkPolyData* data)
-{
-  const std::string aside = path + ".part";
-  // By way of memory: on a full disk VTK's writer of files crashes.
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetDataModeToBinary();
-  writer->WriteToOutputStringOn();
-  silence(writer);
-  writer->SetInputData(data);
-  const bool written = writer->Write() == 1;
-  std::ofstream file(aside, std::ios::binary);
-  file << writer->GetOutputString();
-  file.close();
-  if (!written || !file || std::rename(aside.c_str(), path.c_str()) != 0)
-  {
-    std::remove(aside.c_str());
-    throw std::runtime_error("cannot write " + path);
-  }
 }
 }
 
@@ -84,8 +53,8 @@ const char* nameOf(Role role)
 PatternModel::PatternModel(
   const PolyData& surface, const PolyData& curves, const PolyData& released)
 {
-  silence(this->Imprinter);
-  silence(this->Filter);
+  figures::silence(this->Imprinter);
+  figures::silence(this->Filter);
   // Imprinted once, so that the mesh stays the same whatever the roles are.
   this->Imprinter->SetInputDataObject(0, marked(surface, false));
   if (curves)
@@ -296,12 +265,12 @@ PolyData PatternModel::releasedLines(bool inPlane) const
 std::vector<std::string> PatternModel::writeCurves(const std::string& prefix) const
 {
   std::vector<std::string> files{ prefix + "_curves.vtp" };
-  writeAside(files[0], this->curvesOf(false));
+  figures::writePolyData(files[0], this->curvesOf(false));
   const std::string other = prefix + "_released.vtp";
   const PolyData released = this->curvesOf(true);
   if (released->GetNumberOfCells() > 0)
   {
-    writeAside(other, released);
+    figures::writePolyData(other, released);
     files.push_back(other);
   }
   else
@@ -314,16 +283,6 @@ std::vector<std::string> PatternModel::writeCurves(const std::string& prefix) co
 //------------------------------------------------------------------------------
 void PatternModel::writePattern(const std::string& path, const std::string& unit) const
 {
-  vtkNew<vtkPatternWriter> writer;
-  silence(writer);
-  writer->SetUnitByName(unit);
-  writer->SetInputData(0, this->Result.flat);
-  writer->SetInputData(1, this->Result.wires);
-  writer->SetInputData(2, this->Result.cut);
-  writer->SetFileName(path.c_str());
-  if (writer->Write() != 1)
-  {
-    throw std::runtime_error(writer->GetErrorMessage());
-  }
+  figures::writePattern(path, this->Result, unit);
 }
 }

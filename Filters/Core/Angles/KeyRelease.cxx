@@ -175,7 +175,7 @@ Indices KeyReleaseSearch::conflictIn(const Indices& base, bool grown, const Indi
   }
   if (among.size() == 1)
   {
-    return among;
+    return { among.front() }; // gcc 14 warns, falsely, of the bounds of a copy
   }
   const std::array<Indices, 2> half = halves(among);
   const Indices second = this->conflictIn(joined(base, half[0]), true, half[1]);

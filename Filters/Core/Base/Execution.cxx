@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Execution.h"
 
+#include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <thread>
 
 namespace flattening
 {
+Execution Execution::insideLoop() const
+{
+  Execution inner;
+  inner.factorMemory = this->factorMemory;
+  if (this->cancel)
+  {
+    // A caller may hold a lock while it waits for the loop; whoever asked it from another thread
+    // would wait for that lock for ever.
+    const auto told = std::make_shared<std::atomic<bool>>(false);
+    inner.cancel = [ask = this->cancel, told, caller = std::this_thread::get_id()] {
+      if (!*told && std::this_thread::get_id() == caller && ask())
+      {
+        *told = true;
+      }
+      return told->load();
+    };
+  }
+  return inner;
+}
+
 void Execution::parallelFor(Index count, const std::function<void(Index, Index)>& body) const
 {
   if (!this->parallel)

@@ -46,6 +46,10 @@ struct Execution
     return inner;
   }
   bool cancelled() const { return this->cancel && this->cancel(); }
+  /// What the bodies of a parallel loop may hand on and ask: the calling thread asks the caller,
+  /// the others hear what it was told. Reports nothing and runs loops on the thread that it is
+  /// given to.
+  Execution insideLoop() const;
   /// What a body throws comes out on the calling thread.
   void parallelFor(Index count, const std::function<void(Index, Index)>& body) const;
 };

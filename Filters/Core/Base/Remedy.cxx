@@ -75,6 +75,10 @@ const char* remedyName(Remedy remedy)
       return "AllowRigidIterations";
     case Remedy::AllowRelaxationIterations:
       return "AllowRelaxationIterations";
+    case Remedy::AllowSewingIterations:
+      return "AllowSewingIterations";
+    case Remedy::TestPanels:
+      return "TestPanels";
     case Remedy::UseNewton:
       return "UseNewton";
     case Remedy::UseIsometricScheme:
@@ -97,6 +101,28 @@ const char* remedyName(Remedy remedy)
       return "CloseCuts";
     case Remedy::DivideBySeam:
       return "DivideBySeam";
+    case Remedy::NameGrain:
+      return "NameGrain";
+    case Remedy::GiveGrainAngle:
+      return "GiveGrainAngle";
+    case Remedy::TakeSofterCloth:
+      return "TakeSofterCloth";
+    case Remedy::ReadTheFlattening:
+      return "ReadTheFlattening";
+    case Remedy::GiveFlatPieces:
+      return "GiveFlatPieces";
+    case Remedy::CheckUnit:
+      return "CheckUnit";
+    case Remedy::WidenNotches:
+      return "WidenNotches";
+    case Remedy::PrintOnPages:
+      return "PrintOnPages";
+    case Remedy::TakeLargerPaper:
+      return "TakeLargerPaper";
+    case Remedy::WriteOtherFormat:
+      return "WriteOtherFormat";
+    case Remedy::NameAnotherFile:
+      return "NameAnotherFile";
   }
   return "Unknown";
 }

@@ -50,6 +50,8 @@ enum class Remedy
   AllowIsometricIterations,
   AllowRigidIterations,
   AllowRelaxationIterations,
+  AllowSewingIterations,
+  TestPanels,
   UseNewton,
   UseIsometricScheme,
   UseRigidInterior,
@@ -61,9 +63,21 @@ enum class Remedy
   AddDarts,
   CloseCuts,
   DivideBySeam,
+  NameGrain, ///< subject: curves of the piece
+  GiveGrainAngle,
+  TakeSofterCloth,
+  // The pattern.
+  ReadTheFlattening,
+  GiveFlatPieces,
+  CheckUnit,
+  WidenNotches,
+  PrintOnPages,
+  TakeLargerPaper,
+  WriteOtherFormat,
+  NameAnotherFile,
 };
 
-inline constexpr int remedyCount = static_cast<int>(Remedy::DivideBySeam) + 1;
+inline constexpr int remedyCount = static_cast<int>(Remedy::NameAnotherFile) + 1;
 
 /// Short fixed name of a remedy ("CloseCuts"), for user interfaces to look their words up by.
 const char* remedyName(Remedy remedy);

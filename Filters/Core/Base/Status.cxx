@@ -13,18 +13,24 @@ int severity(StatusCode code)
   {
     case StatusCode::Ok:
       return 0;
-    case StatusCode::Overlap:
+    case StatusCode::BeyondLimits:
       return 1;
-    case StatusCode::FlippedTriangles:
+    case StatusCode::MissingGrain:
       return 2;
-    case StatusCode::NotConverged:
+    case StatusCode::InvalidMaterial:
       return 3;
-    case StatusCode::IncompatibleKeys:
+    case StatusCode::Overlap:
       return 4;
-    case StatusCode::LengthError:
+    case StatusCode::FlippedTriangles:
       return 5;
-    default:
+    case StatusCode::NotConverged:
       return 6;
+    case StatusCode::IncompatibleKeys:
+      return 7;
+    case StatusCode::LengthError:
+      return 8;
+    default:
+      return 9;
   }
 }
 
@@ -70,6 +76,20 @@ const char* statusName(StatusCode code)
       return "OutOfMemory";
     case StatusCode::NumericalFailure:
       return "NumericalFailure";
+    case StatusCode::InvalidMaterial:
+      return "InvalidMaterial";
+    case StatusCode::MissingGrain:
+      return "MissingGrain";
+    case StatusCode::BeyondLimits:
+      return "BeyondLimits";
+    case StatusCode::NothingToDraw:
+      return "NothingToDraw";
+    case StatusCode::InvalidPattern:
+      return "InvalidPattern";
+    case StatusCode::PatternTooLarge:
+      return "PatternTooLarge";
+    case StatusCode::FileNotWritten:
+      return "FileNotWritten";
     case StatusCode::NotConverged:
       return "NotConverged";
     case StatusCode::IncompatibleKeys:

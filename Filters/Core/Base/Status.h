@@ -8,8 +8,8 @@
 
 namespace flattening
 {
-/// What a stage has to say of its result. Codes up to LastRefusal mean that there is no result;
-/// later ones that there is one, but that a promise is broken.
+/// What a stage has to say of its result. Codes up to LastRefusal, and those of patterns, mean that
+/// there is no result; the others that there is one, but that a promise is broken.
 enum class StatusCode
 {
   Ok,
@@ -39,11 +39,20 @@ enum class StatusCode
   LengthError,
   FlippedTriangles,
   Overlap,
+  InvalidMaterial,
+  MissingGrain,
+  BeyondLimits,
+  // No pattern.
+  NothingToDraw,   ///< no piece, or a piece without area
+  InvalidPattern,  ///< broken ids, infinite coordinates, an outline that is no loop
+  PatternTooLarge, ///< for the pages
+  FileNotWritten,
 };
 
 /// How bad a code is, for the one place that decides which of several is told: refusals above
 /// broken promises, and of these lengths that are off above shapes of keys that are given up, what
-/// is not at a minimum, flips and overlaps. 0 where all is well.
+/// is not at a minimum, flips, overlaps, and what a cloth has to bear: a material without meaning,
+/// a grain without its curve, strains beyond limits. 0 where all is well.
 int severity(StatusCode code);
 
 /// Short fixed name of a code ("NonManifoldEdge"), for reports and tests.
@@ -62,7 +71,8 @@ struct Status
   /// True where there is no result at all.
   bool refused() const
   {
-    return this->code != StatusCode::Ok && this->code <= StatusCode::LastRefusal;
+    return this->code != StatusCode::Ok &&
+      (this->code <= StatusCode::LastRefusal || this->code >= StatusCode::NothingToDraw);
   }
 };
 

@@ -190,4 +190,13 @@ Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>
   }
   return curve.traits.mirrored && mirror ? drawImage(surface, *mirror, curve) : Status();
 }
+
+Status drawNewCurve(
+  const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror, EditedCurve& curve)
+{
+  EditedCurve before = curve;
+  const bool hints = before.segments.size() == before.kinds.size();
+  before.nodes.assign(curve.nodes.size(), SurfacePoint()); // none is as it was
+  return drawCurve(surface, mirror, hints ? &before : nullptr, curve);
+}
 }

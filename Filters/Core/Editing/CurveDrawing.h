@@ -24,4 +24,9 @@ DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const 
 /// is taken over. \param before may be null. Errors: as above.
 Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
   const EditedCurve* before, EditedCurve& curve);
+
+/// Draws a curve that is new; what it holds of segments, where they are as many as it has, are
+/// hints. Errors: as above.
+Status drawNewCurve(
+  const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror, EditedCurve& curve);
 }

@@ -3,9 +3,9 @@
 
 #include "Base/Memory.h"
 #include "Editing/CurveDrawing.h"
+#include "Editing/CurveNodes.h"
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
 
 namespace flattening
 {
@@ -37,33 +37,10 @@ Status checkTraits(const CurveTraits& traits)
   return {};
 }
 
-/// Three nodes make a loop, and two by a plane section round the surface.
-bool canBeClosed(const EditedCurve& curve)
-{
-  return curve.nodes.size() > 2 ||
-    (curve.nodes.size() == 2 && !curve.kinds.empty() &&
-      std::all_of(curve.kinds.begin(), curve.kinds.end(),
-        [](SegmentKind kind) { return kind == SegmentKind::Section; }));
-}
-
-bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
-{
-  return a.position == b.position;
-}
-
 template <typename Value>
 typename std::vector<Value>::iterator at(std::vector<Value>& values, std::size_t k)
 {
   return values.begin() + static_cast<std::ptrdiff_t>(k);
-}
-
-/// The curve run through the other way round.
-EditedCurve reversed(EditedCurve curve)
-{
-  std::reverse(curve.nodes.begin(), curve.nodes.end());
-  std::reverse(curve.kinds.begin(), curve.kinds.end());
-  curve.segments.clear();
-  return curve;
 }
 }
 
@@ -89,33 +66,6 @@ Status CurveEditor::checkNode(std::size_t c, std::size_t node) const
       this->curve(c).traits.name + "', only " + std::to_string(this->curve(c).nodes.size()));
   }
   return status;
-}
-
-bool CurveEditor::nameTaken(const std::string& name, std::size_t except) const
-{
-  for (std::size_t c = 0; c < this->curveCount(); ++c)
-  {
-    if (c != except && this->curve(c).traits.name == name)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::string CurveEditor::freeName(const std::string& wish) const
-{
-  if (!wish.empty() && !this->nameTaken(wish, this->curveCount()))
-  {
-    return wish;
-  }
-  const std::string stem = wish.empty() ? "curve" : wish;
-  std::size_t number = wish.empty() ? 1 : 2;
-  while (this->nameTaken(stem + " " + std::to_string(number), this->curveCount()))
-  {
-    ++number;
-  }
-  return stem + " " + std::to_string(number);
 }
 
 Status CurveEditor::replace(std::size_t c, EditedCurve changed)
@@ -154,29 +104,37 @@ Status CurveEditor::restart(
 
 Status CurveEditor::add(EditedCurve curve)
 {
+  return this->addAll({ std::move(curve) });
+}
+
+Status CurveEditor::addAll(std::vector<EditedCurve> curves)
+{
   return guarded([&] {
-    Status status = checkTraits(curve.traits);
-    if (curve.nodes.empty())
+    CurveSet next = this->state();
+    Status status;
+    for (EditedCurve& curve : curves)
     {
-      status = refusal("a curve has no node");
-    }
-    if (!status.ok())
-    {
-      return status;
-    }
-    curve.closed = curve.closed && canBeClosed(curve);
-    curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
-    curve.traits.name = this->freeName(curve.traits.name);
-    EditedCurve before = curve; // hints, where it holds segments
-    const bool hints = before.segments.size() == before.kinds.size();
-    before.nodes.assign(curve.nodes.size(), SurfacePoint());
-    status = drawCurve(*this->Surface, this->state().mirror, hints ? &before : nullptr, curve);
-    if (!status.refused())
-    {
-      CurveSet next = this->state();
+      Status own = checkTraits(curve.traits);
+      if (curve.nodes.empty())
+      {
+        own = refusal("a curve has no node");
+      }
+      if (!own.ok())
+      {
+        return own;
+      }
+      curve.closed = curve.closed && canBeClosed(curve);
+      curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
+      curve.traits.name = freeName(next, curve.traits.name);
+      own = drawNewCurve(*this->Surface, next.mirror, curve);
+      if (own.refused())
+      {
+        return own;
+      }
+      status = own.ok() ? status : own;
       next.curves.push_back(std::make_shared<const EditedCurve>(std::move(curve)));
-      this->History.push(std::move(next));
     }
+    this->History.push(std::move(next));
     return status;
   });
 }
@@ -205,27 +163,13 @@ Status CurveEditor::insertNode(
     {
       return status;
     }
-    EditedCurve changed = this->curve(c);
-    const std::size_t count = changed.nodes.size();
+    const std::size_t count = this->curve(c).nodes.size();
     if (node > count)
     {
       return refusal(
         "a node cannot be number " + std::to_string(node) + " behind " + std::to_string(count));
     }
-    // Before the first node of a closed curve is behind its last.
-    const std::size_t place = changed.closed && node == 0 ? count : node;
-    changed.nodes.insert(at(changed.nodes, place), point);
-    if (changed.closed || (node > 0 && node < count))
-    {
-      const std::size_t divided = place - 1;
-      changed.kinds[divided] = kind;
-      changed.kinds.insert(at(changed.kinds, divided), kind);
-    }
-    else
-    {
-      changed.kinds.insert(at(changed.kinds, place == 0 ? 0 : place - 1), kind);
-    }
-    return this->replace(c, std::move(changed));
+    return this->replace(c, withNode(this->curve(c), node, point, kind));
   });
 }
 
@@ -251,22 +195,11 @@ Status CurveEditor::removeNode(std::size_t c, std::size_t node)
     {
       return status;
     }
-    EditedCurve changed = this->curve(c);
-    if (changed.nodes.size() == 1)
+    if (this->curve(c).nodes.size() == 1)
     {
       return this->remove(c);
     }
-    changed.nodes.erase(at(changed.nodes, node));
-    if (!changed.kinds.empty())
-    {
-      changed.kinds.erase(at(changed.kinds, std::min(node, changed.kinds.size() - 1)));
-    }
-    if (changed.closed && !canBeClosed(changed))
-    {
-      changed.closed = false;
-      changed.kinds.resize(segmentCount(changed.nodes.size(), false));
-    }
-    return this->replace(c, std::move(changed));
+    return this->replace(c, withoutNode(this->curve(c), node));
   });
 }
 
@@ -279,20 +212,13 @@ Status CurveEditor::setClosed(std::size_t c, bool closed)
     {
       return status;
     }
-    EditedCurve changed = this->curve(c);
-    if (closed && !canBeClosed(changed))
+    const EditedCurve& curve = this->curve(c);
+    if (closed && !canBeClosed(curve))
     {
-      return refusal("curve '" + changed.traits.name + "' has " +
-        std::to_string(changed.nodes.size()) +
+      return refusal("curve '" + curve.traits.name + "' has " + std::to_string(curve.nodes.size()) +
         " nodes; a closed one has at least 3, or 2 where it is a plane section");
     }
-    if (closed && samePlace(changed.nodes.front(), changed.nodes.back()))
-    {
-      changed.nodes.pop_back();
-    }
-    changed.closed = closed;
-    changed.kinds.resize(segmentCount(changed.nodes.size(), closed), changed.kinds.back());
-    return this->replace(c, std::move(changed));
+    return this->replace(c, withClosed(curve, closed));
   });
 }
 
@@ -304,26 +230,18 @@ Status CurveEditor::split(std::size_t c, std::size_t node)
     {
       return status;
     }
-    EditedCurve first = this->curve(c);
-    if (first.closed)
+    const EditedCurve& curve = this->curve(c);
+    if (curve.closed)
     {
-      std::rotate(first.nodes.begin(), at(first.nodes, node), first.nodes.end());
-      std::rotate(first.kinds.begin(), at(first.kinds, node), first.kinds.end());
-      first.nodes.push_back(first.nodes.front());
-      first.closed = false;
-      return this->replace(c, std::move(first));
+      return this->replace(c, openedAt(curve, node));
     }
-    if (node == 0 || node + 1 == first.nodes.size())
+    if (node == 0 || node + 1 == curve.nodes.size())
     {
-      return refusal("curve '" + first.traits.name + "' ends at node " + std::to_string(node) +
+      return refusal("curve '" + curve.traits.name + "' ends at node " + std::to_string(node) +
         "; only inner nodes split it");
     }
-    EditedCurve second = first;
-    first.nodes.resize(node + 1);
-    first.kinds.resize(node);
-    second.nodes.erase(second.nodes.begin(), at(second.nodes, node));
-    second.kinds.erase(second.kinds.begin(), at(second.kinds, node));
-    second.traits.name = this->freeName(second.traits.name);
+    auto [first, second] = dividedAt(curve, node);
+    second.traits.name = freeName(this->state(), second.traits.name);
     for (EditedCurve* part : { &first, &second })
     {
       status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), *part);
@@ -353,37 +271,20 @@ Status CurveEditor::join(std::size_t first, std::size_t second)
     {
       return this->setClosed(first, true);
     }
-    EditedCurve joined = this->curve(first);
-    EditedCurve other = this->curve(second);
-    if (joined.closed || other.closed)
+    for (const std::size_t c : { first, second })
     {
-      return refusal("curve '" + (joined.closed ? joined : other).traits.name +
-        "' is closed; only open curves can be joined");
+      if (this->curve(c).closed)
+      {
+        return refusal(
+          "curve '" + this->curve(c).traits.name + "' is closed; only open curves can be joined");
+      }
     }
-    const auto gap = [](const SurfacePoint& a, const SurfacePoint& b) {
-      return (a.position - b.position).norm();
-    };
-    const std::array<double, 4> gaps{ gap(joined.nodes.back(), other.nodes.front()),
-      gap(joined.nodes.back(), other.nodes.back()), gap(joined.nodes.front(), other.nodes.front()),
-      gap(joined.nodes.front(), other.nodes.back()) };
-    const auto nearest = std::min_element(gaps.begin(), gaps.end()) - gaps.begin();
-    joined = nearest < 2 ? joined : reversed(std::move(joined));
-    other = nearest % 2 == 0 ? other : reversed(std::move(other));
-    if (samePlace(joined.nodes.back(), other.nodes.front()))
-    {
-      other.nodes.erase(other.nodes.begin());
-    }
-    else
-    {
-      joined.kinds.push_back(SegmentKind::Geodesic);
-    }
-    joined.nodes.insert(joined.nodes.end(), other.nodes.begin(), other.nodes.end());
-    joined.kinds.insert(joined.kinds.end(), other.kinds.begin(), other.kinds.end());
-    status = drawCurve(*this->Surface, this->state().mirror, nullptr, joined);
+    EditedCurve whole = joined(this->curve(first), this->curve(second));
+    status = drawCurve(*this->Surface, this->state().mirror, nullptr, whole);
     if (!status.refused())
     {
       CurveSet next = this->state();
-      next.curves[first] = std::make_shared<const EditedCurve>(std::move(joined));
+      next.curves[first] = std::make_shared<const EditedCurve>(std::move(whole));
       next.curves.erase(at(next.curves, second));
       this->History.push(std::move(next));
     }
@@ -415,6 +316,52 @@ Status CurveEditor::addImage(std::size_t c)
   });
 }
 
+Status CurveEditor::addOffset(std::size_t c, double distance)
+{
+  return guarded([&] {
+    const Status status = this->checkCurve(c);
+    return status.ok() ? this->addDerived(offsetCurves(*this->Surface, this->curve(c), distance))
+                       : status;
+  });
+}
+
+Status CurveEditor::tighten(std::size_t c)
+{
+  return guarded([&] {
+    Status status = this->checkCurve(c);
+    if (!status.ok())
+    {
+      return status;
+    }
+    DerivedCurves tight = tightCurve(*this->Surface, this->curve(c));
+    if (tight.status.refused())
+    {
+      return tight.status;
+    }
+    EditedCurve changed = std::move(tight.curves.front());
+    status = drawNewCurve(*this->Surface, this->state().mirror, changed);
+    if (!status.refused())
+    {
+      CurveSet next = this->state();
+      next.curves[c] = std::make_shared<const EditedCurve>(std::move(changed));
+      this->History.push(std::move(next));
+    }
+    return status.ok() ? tight.status : status;
+  });
+}
+
+Status CurveEditor::addStroke(
+  const std::vector<SurfacePoint>& stroke, double tolerance, SegmentKind kind)
+{
+  return guarded(
+    [&] { return this->addDerived(strokeCurve(*this->Surface, stroke, tolerance, kind)); });
+}
+
+Status CurveEditor::addDerived(DerivedCurves derived)
+{
+  return derived.status.refused() ? derived.status : this->addAll(std::move(derived.curves));
+}
+
 Status CurveEditor::setKind(std::size_t c, std::size_t segment, SegmentKind kind)
 {
   return guarded([&] {
@@ -439,7 +386,7 @@ Status CurveEditor::describe(std::size_t c, const CurveTraits& traits)
   return guarded([&] {
     Status status = this->checkCurve(c);
     status = status.ok() ? checkTraits(traits) : status;
-    if (status.ok() && (traits.name.empty() || this->nameTaken(traits.name, c)))
+    if (status.ok() && (traits.name.empty() || nameTaken(this->state(), traits.name, c)))
     {
       status = refusal(traits.name.empty() ? "a curve's name is empty"
                                            : "another curve is called '" + traits.name + "'");

@@ -3,6 +3,7 @@
 
 #include "Base/Status.h"
 #include "Editing/CurveHistory.h"
+#include "Editing/DerivedCurves.h"
 #include "Editing/DrawingSurface.h"
 
 namespace flattening
@@ -31,6 +32,8 @@ public:
   /// Adds a curve; its segments are drawn. Without a name, or with one that is taken, it gets
   /// another.
   Status add(EditedCurve curve);
+  /// Several at once, or none.
+  Status addAll(std::vector<EditedCurve> curves);
   Status remove(std::size_t c);
   /// \param node the number that the node gets; behind the last one: the curve goes on
   /// \param kind of the segments to its neighbours
@@ -46,6 +49,14 @@ public:
   Status join(std::size_t first, std::size_t second);
   /// Adds the curve's image in the mirror plane as a curve of its own.
   Status addImage(std::size_t c);
+  /// Adds the curve at a distance from one, as offsetPath() has it, with its type and traits;
+  /// several where the boundary interrupts it. \param distance positive: on the left
+  Status addOffset(std::size_t c, double distance);
+  /// Pulls a closed curve tight, as tightCurve() has it; its nodes are others then.
+  Status tighten(std::size_t c);
+  /// Adds a curve along a stroke by hand, as strokeCurve() has it.
+  Status addStroke(const std::vector<SurfacePoint>& stroke, double tolerance,
+    SegmentKind kind = SegmentKind::Spline);
   Status setKind(std::size_t c, std::size_t segment, SegmentKind kind);
   /// Another name, type, shape, tolerance, or with an image in the mirror.
   Status describe(std::size_t c, const CurveTraits& traits);
@@ -64,8 +75,7 @@ private:
   Status replace(std::size_t c, EditedCurve changed);
   Status checkCurve(std::size_t c) const;
   Status checkNode(std::size_t c, std::size_t node) const;
-  std::string freeName(const std::string& wish) const;
-  bool nameTaken(const std::string& name, std::size_t except) const;
+  Status addDerived(DerivedCurves derived);
 
   std::shared_ptr<const DrawingSurface> Surface;
   CurveHistory History;

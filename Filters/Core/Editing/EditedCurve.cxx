@@ -37,6 +37,34 @@ bool identical(const CurveTraits& a, const CurveTraits& b)
 }
 }
 
+bool nameTaken(const CurveSet& set, const std::string& name, std::size_t except)
+{
+  for (std::size_t c = 0; c < set.curves.size(); ++c)
+  {
+    if (c != except && set.curves[c]->traits.name == name)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string freeName(const CurveSet& set, const std::string& wish)
+{
+  const std::size_t others = set.curves.size();
+  if (!wish.empty() && !nameTaken(set, wish, others))
+  {
+    return wish;
+  }
+  const std::string stem = wish.empty() ? "curve" : wish;
+  std::size_t number = wish.empty() ? 1 : 2;
+  while (nameTaken(set, stem + " " + std::to_string(number), others))
+  {
+    ++number;
+  }
+  return stem + " " + std::to_string(number);
+}
+
 std::size_t segmentCount(std::size_t nodes, bool closed)
 {
   return closed ? nodes : std::max<std::size_t>(nodes, 1) - 1;
@@ -66,6 +94,21 @@ Points3 pointsAlong(const std::vector<SurfacePath>& segments)
     }
   }
   return points;
+}
+
+SurfacePath wholePath(const EditedCurve& curve)
+{
+  SurfacePath whole;
+  for (const SurfacePath& segment : curve.segments)
+  {
+    const std::size_t first = whole.points.empty() ? 0 : 1;
+    whole.points.insert(whole.points.end(),
+      segment.points.begin() + static_cast<std::ptrdiff_t>(first), segment.points.end());
+    whole.triangles.insert(
+      whole.triangles.end(), segment.triangles.begin(), segment.triangles.end());
+  }
+  whole.arrived = !whole.triangles.empty();
+  return whole;
 }
 
 bool identical(const EditedCurve& a, const EditedCurve& b)

@@ -60,11 +60,18 @@ struct CurveSet
   std::optional<MirrorPlane> mirror;
 };
 
+/// Whether a curve other than `except` has the name.
+bool nameTaken(const CurveSet& set, const std::string& name, std::size_t except);
+/// The wish, or with a number behind it where it is taken; "curve" and a number where it is empty.
+std::string freeName(const CurveSet& set, const std::string& wish);
+
 /// Segments that so many nodes have.
 std::size_t segmentCount(std::size_t nodes, bool closed);
 double lengthOf(const EditedCurve& curve);
 /// All points from the first node on, once each; a closed curve ends where it starts.
 Points3 pointsAlong(const std::vector<SurfacePath>& segments);
+/// The segments as one path.
+SurfacePath wholePath(const EditedCurve& curve);
 
 /// Whether two are the same to the last bit.
 bool identical(const EditedCurve& a, const EditedCurve& b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/ConformalStart.h"
 
-#include "Embedding/ConformalMap.h"
+#include "Embedding/LeastSquaresConformalMap.h"
 
 namespace flattening
 {
@@ -14,7 +14,7 @@ AngleStart conformalStart(
   {
     start.length.push_back(edge.length);
   }
-  const ConformalMap map = mapConformally(piece.mesh, {}, execution);
+  const LeastSquaresConformalMap map = leastSquaresConformalMap(piece.mesh, {}, execution);
   if (!map.status.ok())
   {
     return start;

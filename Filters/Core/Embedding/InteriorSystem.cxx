@@ -167,7 +167,7 @@ bool InteriorSystem::solve(
       }
     }
   }
-  const Eigen::MatrixXd solution = solver->solve(pull);
+  const Eigen::MatrixXd solution = solver->solve(pull, execution);
   if (solution.rows() != free)
   {
     return false;

@@ -33,13 +33,41 @@ double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   return a.cwiseProduct(b).sum();
 }
+
+/// The linear map of a triangle, w -> alpha w + beta conj(w).
+struct PlanarMap
+{
+  Complex alpha;
+  Complex beta;
+};
+
+/// The map that takes a triangle to these places of its corners.
+PlanarMap mapOf(const Triangle& c, const TriangleFrame& frame, const Eigen::MatrixXd& places)
+{
+  const auto& g = frame.gradient;
+  const Complex u1(places(c[1], 0) - places(c[0], 0), places(c[1], 1) - places(c[0], 1));
+  const Complex u2(places(c[2], 0) - places(c[0], 0), places(c[2], 1) - places(c[0], 1));
+  return { timesConj(u1, g[1]) + timesConj(u2, g[2]), times(u1, g[1]) + times(u2, g[2]) };
+}
+
+/// Adds to each corner what a derivative by the triangle's map is by that corner.
+void addByCorners(
+  const Triangle& c, const TriangleFrame& frame, const PlanarMap& byMap, Eigen::MatrixXd& sum)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Complex part =
+      times(byMap.alpha, frame.gradient[k]) + timesConj(byMap.beta, frame.gradient[k]);
+    sum(c[k], 0) += part.real();
+    sum(c[k], 1) += part.imag();
+  }
+}
 }
 
 /// What the energy's derivatives need of a triangle.
 struct RigidEmbedding::Linearized
 {
-  Complex alpha;
-  Complex beta;
+  PlanarMap map;
   Complex rotation;   ///< alpha / |alpha|
   double slack = 0.0; ///< 1 / |alpha|
 };
@@ -63,17 +91,10 @@ void RigidEmbedding::linearize(
   state.resize(this->Frames->size());
   for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
-    const Triangle& c = this->Patch->triangles[t];
-    const auto& g = (*this->Frames)[t].gradient;
-    const Complex u1(
-      positions(c[1], 0) - positions(c[0], 0), positions(c[1], 1) - positions(c[0], 1));
-    const Complex u2(
-      positions(c[2], 0) - positions(c[0], 0), positions(c[2], 1) - positions(c[0], 1));
     Linearized& s = state[t];
-    s.alpha = timesConj(u1, g[1]) + timesConj(u2, g[2]);
-    s.beta = times(u1, g[1]) + times(u2, g[2]);
-    const double size = std::sqrt(std::norm(s.alpha));
-    s.rotation = size > 0.0 ? s.alpha / size : Complex(1.0, 0.0);
+    s.map = mapOf(this->Patch->triangles[t], (*this->Frames)[t], positions);
+    const double size = std::sqrt(std::norm(s.map.alpha));
+    s.rotation = size > 0.0 ? s.map.alpha / size : Complex(1.0, 0.0);
     s.slack = 1.0 / std::max(size, 1e-8);
   }
 }
@@ -83,15 +104,9 @@ double RigidEmbedding::energy(const Eigen::MatrixXd& positions) const
   double sum = 0.0;
   for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
-    const Triangle& c = this->Patch->triangles[t];
-    const auto& g = (*this->Frames)[t].gradient;
-    const Complex u1(
-      positions(c[1], 0) - positions(c[0], 0), positions(c[1], 1) - positions(c[0], 1));
-    const Complex u2(
-      positions(c[2], 0) - positions(c[0], 0), positions(c[2], 1) - positions(c[0], 1));
-    const double size = std::sqrt(std::norm(timesConj(u1, g[1]) + timesConj(u2, g[2])));
-    const double beta = std::norm(times(u1, g[1]) + times(u2, g[2]));
-    sum += (*this->Frames)[t].area * ((size - 1.0) * (size - 1.0) + beta);
+    const PlanarMap map = mapOf(this->Patch->triangles[t], (*this->Frames)[t], positions);
+    const double size = std::sqrt(std::norm(map.alpha));
+    sum += (*this->Frames)[t].area * ((size - 1.0) * (size - 1.0) + std::norm(map.beta));
   }
   return sum;
 }
@@ -102,16 +117,11 @@ Eigen::MatrixXd RigidEmbedding::gradient(const std::vector<Linearized>& state) c
     Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Patch->vertices.size()), 2);
   for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
-    const Triangle& c = this->Patch->triangles[t];
-    const auto& g = (*this->Frames)[t].gradient;
-    const Complex a = 2.0 * (*this->Frames)[t].area * (state[t].alpha - state[t].rotation);
-    const Complex b = 2.0 * (*this->Frames)[t].area * state[t].beta;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Complex part = times(a, g[k]) + timesConj(b, g[k]);
-      sum(c[k], 0) += part.real();
-      sum(c[k], 1) += part.imag();
-    }
+    const TriangleFrame& frame = (*this->Frames)[t];
+    addByCorners(this->Patch->triangles[t], frame,
+      { 2.0 * frame.area * (state[t].map.alpha - state[t].rotation),
+        2.0 * frame.area * state[t].map.beta },
+      sum);
   }
   return sum.topRows(this->Patch->freeCount);
 }
@@ -126,21 +136,14 @@ Eigen::MatrixXd RigidEmbedding::curvature(
   for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     const Triangle& c = this->Patch->triangles[t];
-    const auto& g = (*this->Frames)[t].gradient;
-    const Complex d1(along(c[1], 0) - along(c[0], 0), along(c[1], 1) - along(c[0], 1));
-    const Complex d2(along(c[2], 0) - along(c[0], 0), along(c[2], 1) - along(c[0], 1));
-    Complex a = timesConj(d1, g[1]) + timesConj(d2, g[2]);
+    const TriangleFrame& frame = (*this->Frames)[t];
+    PlanarMap change = mapOf(c, frame, along);
     // Turning alpha costs less than stretching it, by 1 / |alpha|.
-    const double turn = timesConj(a, state[t].rotation).imag() * state[t].slack;
-    a -= Complex(-turn * state[t].rotation.imag(), turn * state[t].rotation.real());
-    a *= 2.0 * (*this->Frames)[t].area;
-    const Complex b = 2.0 * (*this->Frames)[t].area * (times(d1, g[1]) + times(d2, g[2]));
-    for (int k = 0; k < 3; ++k)
-    {
-      const Complex part = times(a, g[k]) + timesConj(b, g[k]);
-      sum(c[k], 0) += part.real();
-      sum(c[k], 1) += part.imag();
-    }
+    const double turn = timesConj(change.alpha, state[t].rotation).imag() * state[t].slack;
+    change.alpha -= Complex(-turn * state[t].rotation.imag(), turn * state[t].rotation.real());
+    change.alpha *= 2.0 * frame.area;
+    change.beta *= 2.0 * frame.area;
+    addByCorners(c, frame, change, sum);
   }
   return sum.topRows(this->Patch->freeCount);
 }

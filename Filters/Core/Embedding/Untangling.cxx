@@ -15,6 +15,11 @@ namespace
 {
 constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shape term
 constexpr int mostIterations = 200;
+constexpr int fewestIterations = 20;
+/// Iterations times triangles, so that time is bounded on every mesh.
+constexpr double mostTriangles = 4e6;
+/// From so many interior vertices on a factorization by blocks pays.
+constexpr Index manyVertices = 1500;
 
 double determinant(const Eigen::Vector4d& parts)
 {
@@ -61,6 +66,7 @@ public:
     for (std::size_t i = 0; i < patch.vertices.size(); ++i)
     {
       this->X.segment<2>(2 * static_cast<Eigen::Index>(i)) = positions[patch.vertices[i]];
+      this->Space.push_back(mesh.point(patch.vertices[i]));
     }
     for (const Triangle& c : patch.triangles)
     {
@@ -74,11 +80,15 @@ public:
   /// True where the run was not cancelled.
   bool run(const Execution& execution)
   {
+    this->Run = execution;
     this->declareBlocks();
     Eigen::VectorXd best = this->X;
     Index fewest = this->flips(best);
     double epsilon = 1.0;
-    for (int iteration = 0; iteration < mostIterations; ++iteration)
+    const int iterations =
+      static_cast<int>(std::clamp(mostTriangles / static_cast<double>(this->Frames.size()),
+        double{ fewestIterations }, double{ mostIterations }));
+    for (int iteration = 0; iteration < iterations; ++iteration)
     {
       if (execution.cancelled())
       {
@@ -159,6 +169,23 @@ private:
       this->Blocks.emplace_back(this->Assembler, unknowns);
     }
     this->Assembler.finish();
+    if (this->Patch.freeCount >= manyVertices)
+    {
+      this->Solver = LinearSolver(this->eliminationOrder());
+    }
+  }
+
+  /// Of the unknowns, by where the free vertices lie on the surface.
+  Dissection eliminationOrder() const
+  {
+    const Dissection vertices = dissect(this->Patch.triangles, this->Space);
+    return vertices.replaced([&](Index k, Indices& order) {
+      if (vertices.order[k] < this->Patch.freeCount)
+      {
+        order.push_back(2 * vertices.order[k]);
+        order.push_back(2 * vertices.order[k] + 1);
+      }
+    });
   }
 
   /// One projected Newton step with backtracking; false where it leads nowhere. Gives the energy
@@ -182,7 +209,8 @@ private:
       this->Blocks[t].scatter(g, gradient);
       this->Blocks[t].add(this->Assembler, H);
     }
-    if (!this->Solver.factorize(this->Assembler.matrix()))
+    if (!this->Solver.factorize(this->Assembler.matrix(), this->Run) ||
+      this->Solver.positive() != unknowns)
     {
       return false;
     }
@@ -222,10 +250,12 @@ private:
 
   const InteriorPatch& Patch;
   Eigen::VectorXd X;
+  Points3 Space; ///< on the surface
   std::vector<TriangleFrame> Frames;
   SymmetricAssembler Assembler;
   std::vector<SymmetricBlock<6>> Blocks; ///< of the triangles, without what is pinned
   LinearSolver Solver{ LinearMethod::Cholesky };
+  Execution Run;
 };
 }
 

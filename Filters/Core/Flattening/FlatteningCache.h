@@ -3,6 +3,7 @@
 
 #include "Cut/PieceTopology.h"
 #include "Embedding/InteriorSystem.h"
+#include "Quality/AreaForecast.h"
 #include "Quality/FlatteningQuality.h"
 #include "Wires/WireNetwork.h"
 
@@ -20,6 +21,7 @@ struct WiredPiece
   std::optional<WireNetwork> network;
   InteriorSystems interiors;
   std::optional<SurfaceMeasures> measures;
+  std::optional<AreaForecast> area;
 };
 
 /// What a run leaves for the next one: the cut surface and its pieces with their networks, measures

@@ -2,18 +2,29 @@
 #pragma once
 
 #include "Angles/AngleSolver.h"
-#include "Embedding/ConformalMap.h"
 #include "Embedding/InteriorEmbedding.h"
+#include "Embedding/LeastSquaresConformalMap.h"
+#include "Flattening/ClothOptions.h"
+#include "Flattening/CurveEase.h"
 #include "Isometric/IsometricWarping.h"
 
 namespace flattening
 {
 enum class Scheme
 {
-  Progressive, ///< patch by patch, Algorithm 2
-  Global,      ///< all patches together, Eq. 13
-  Isometric,   ///< wires and interior together
-  Conformal,   ///< LSCM, for comparison: keeps no length
+  Progressive,           ///< patch by patch, Algorithm 2
+  Global,                ///< all patches together, Eq. 13
+  Isometric,             ///< wires and interior together
+  LeastSquaresConformal, ///< LSCM, for comparison: keeps no length
+};
+
+/// How the two legs of a dart lie in the plane.
+enum class DartLegs
+{
+  Free,     ///< each as it distorts least: sewn they fit, folded they may miss each other
+  Straight, ///< both straight; those of a dart with two tips as Mirrored, since straight ones close
+            ///< it
+  Mirrored, ///< both the mean of the two curves that free legs are, mirror images of each other
 };
 
 /// All defaults of the project are these and those of the options inside: filters, command, Python
@@ -24,9 +35,16 @@ struct FlatteningOptions
   AngleSolverOptions angles;
   InteriorOptions interior;
   IsometricOptions isometric;
-  ConformalOptions conformal; ///< pins are vertices of the surface before the cut
+  LeastSquaresConformalOptions conformal; ///< pins are vertices of the surface before the cut
+  /// The isometric scheme takes its energy; others only measure what it would have to do. Without a
+  /// value pieces lie on nothing and no thread is measured.
+  std::optional<ClothOptions> cloth;
   /// Close cuts as far as their banks would lie over each other (see closeCrossingCuts()).
   bool closeCuts = false;
+  /// Whether darts are to fold, leg on leg (see flattenWithFoldingDarts()).
+  DartLegs dartLegs = DartLegs::Free;
+  /// Curves that are longer in one of their pieces than in the other (see decideEases()).
+  std::vector<CurveEase> eases;
   /// Leave out pieces without boundary or with handles instead of refusing the surface for them.
   bool skipClosed = false;
   /// Treat key curves as accessory curves.

@@ -4,7 +4,9 @@
 #include "Angles/AngleSolution.h"
 #include "Angles/ReleaseAdvice.h"
 #include "Cut/PieceTopology.h"
+#include "Flattening/ClothReport.h"
 #include "Isometric/IsometricWarping.h"
+#include "Quality/AreaForecast.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 
@@ -47,7 +49,8 @@ struct PieceReport
   /// area.
   double distortionEnergy = 0.0;
   double angleEnergy = 0.0;
-  QualitySummary quality; ///< flipped: triangles of the cut surface
+  QualitySummary quality;           ///< flipped: triangles of the cut surface
+  std::optional<ClothReport> cloth; ///< where options have one
   /// On the surface, of darts and seams that bound or slit the piece, each once, as far as they are
   /// not closed.
   double cutLength = 0.0;
@@ -57,6 +60,9 @@ struct PieceReport
   /// What was done, which may be another thing than was asked for: then `fallbacks` says why.
   std::optional<AngleMethod> solverUsed;          ///< none in a conformal map
   std::optional<DistortionEnergyKind> energyUsed; ///< isometric scheme only
+  /// Whether the plane has room for the piece, known before it was flattened; its cut in vertices
+  /// of the cut surface.
+  AreaForecast area;
   bool repaired = false; ///< progressive scheme: the angles did not close by themselves
   std::vector<std::string> fallbacks;
   std::vector<IterationRecord> history;             ///< of the wires' angles
@@ -105,6 +111,8 @@ struct FlatteningResult
   Points2 positions;       ///< per vertex of the cut surface
   Indices patchOfTriangle; ///< wire-patch, numbered through all pieces
   std::vector<TriangleQuality> triangles;
+  /// Per triangle, where options have a cloth.
+  std::vector<ThreadStrain> threads;
   std::vector<double> developability; ///< per vertex of the cut surface, Eq. 25
   std::vector<Wire> wires;
   std::vector<PieceReport> pieces;

@@ -27,14 +27,6 @@ PlacedWires solve(const PieceContext& context, const CurveRules& rules)
   return result;
 }
 
-void place(const PieceContext& context, PlacedWires& result)
-{
-  if (result.placed.positions.empty() && !result.status.refused())
-  {
-    result.placed = placeWires(context, result.wires);
-  }
-}
-
 CurveRules withReleased(CurveRules rules, const Indices& released)
 {
   Indices all;
@@ -88,7 +80,15 @@ std::optional<PlacedWires> release(
 }
 }
 
-PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules)
+void place(const PieceContext& context, PlacedWires& result)
+{
+  if (result.placed.positions.empty() && !result.status.refused())
+  {
+    result.placed = placeWires(context, result.wires);
+  }
+}
+
+PlacedWires solveWithKeys(const PieceContext& context, const CurveRules& rules)
 {
   CurveRules asked = rules;
   const Indices keys = keyCurves(context.network, context.piece, context.cut, context.curves);
@@ -109,7 +109,6 @@ PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules)
       result.status = describeClash(context.curves, keys);
     }
   }
-  place(context, result);
   return result;
 }
 

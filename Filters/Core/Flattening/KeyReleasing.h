@@ -14,9 +14,12 @@ struct PlacedWires
   Status status;
 };
 
-/// Solves and places a piece's wires. Where the shapes of key curves contradict each other, the
-/// least set of keys is released with which they do not (see KeyReleaseSearch).
-PlacedWires placeWithKeys(const PieceContext& context, const CurveRules& rules);
+/// Solves a piece's wires. Where the shapes of key curves contradict each other, the least set of
+/// keys is released with which they do not (see KeyReleaseSearch).
+PlacedWires solveWithKeys(const PieceContext& context, const CurveRules& rules);
+
+/// Places wires that are solved and not yet placed.
+void place(const PieceContext& context, PlacedWires& result);
 
 /// The same where the shapes of key curves can be met, but only by wires that fold triangles over:
 /// without the least set of keys with which none folds when the piece is placed. No value where no

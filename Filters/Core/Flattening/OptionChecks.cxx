@@ -35,6 +35,11 @@ Status checkOptions(const FlatteningOptions& options)
             (range.most < large ? " to " + shortNumber(range.most) : std::string()) } } };
     }
   }
+  if (options.cloth && !std::isfinite(options.cloth->grainAngle))
+  {
+    return { StatusCode::InvalidOption, "the grain's angle is no number", {},
+      { Remedy::GiveGrainAngle } };
+  }
   return {};
 }
 }

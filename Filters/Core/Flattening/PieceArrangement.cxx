@@ -203,6 +203,10 @@ Points2 upright(const ArrangementPiece& piece)
   {
     return {};
   }
+  if (piece.upright)
+  {
+    return turned(piece.positions, Point2::UnitY());
+  }
   if (piece.grain[0] != none && piece.grain[1] != none)
   {
     const Point2 grain = piece.positions[piece.grain[1]] - piece.positions[piece.grain[0]];
@@ -229,54 +233,67 @@ Points2 upright(const ArrangementPiece& piece)
 }
 }
 
+std::vector<Point2> cornersInRows(const std::vector<Point2>& sizes, double spacing)
+{
+  double largest = 0.0;
+  double widest = 0.0;
+  for (const Point2& size : sizes)
+  {
+    largest = std::max(largest, size.maxCoeff());
+    widest = std::max(widest, size.x());
+  }
+  const double gap = spacing * largest;
+  double area = 0.0;
+  for (const Point2& size : sizes)
+  {
+    area += (size.x() + gap) * (size.y() + gap);
+  }
+  const double width = std::max(widest, sheetAspect * std::sqrt(area)) * (1.0 + rounding);
+
+  std::vector<Point2> corners;
+  Point2 corner = Point2::Zero();
+  double rowHeight = 0.0;
+  for (const Point2& size : sizes)
+  {
+    if (corner.x() > 0.0 && corner.x() + size.x() > width)
+    {
+      corner = Point2(0.0, corner.y() + rowHeight + gap);
+      rowHeight = 0.0;
+    }
+    corners.push_back(corner);
+    corner.x() += size.x() + gap;
+    rowHeight = std::max(rowHeight, size.y());
+  }
+  return corners;
+}
+
 std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing)
 {
   std::vector<Points2> placed;
   std::vector<Box> boxes;
-  double largest = 0.0;
-  double widest = 0.0;
+  std::vector<Point2> sizes;
   for (const ArrangementPiece& piece : pieces)
   {
     placed.push_back(upright(piece));
     boxes.push_back(boundingBox(placed.back()));
     if (!placed.back().empty())
     {
-      largest = std::max(largest, boxes.back().sizes().maxCoeff());
-      widest = std::max(widest, boxes.back().sizes().x());
+      sizes.emplace_back(boxes.back().sizes());
     }
   }
-  const double gap = spacing * largest;
-  double area = 0.0;
-  for (std::size_t i = 0; i < placed.size(); ++i)
-  {
-    if (!placed[i].empty())
-    {
-      area += (boxes[i].sizes().x() + gap) * (boxes[i].sizes().y() + gap);
-    }
-  }
-  const double width = std::max(widest, sheetAspect * std::sqrt(area)) * (1.0 + rounding);
-
-  Point2 corner = Point2::Zero();
-  double rowHeight = 0.0;
+  const std::vector<Point2> corners = cornersInRows(sizes, spacing);
+  auto corner = corners.begin();
   for (std::size_t i = 0; i < placed.size(); ++i)
   {
     if (placed[i].empty())
     {
       continue;
     }
-    const Point2 size = boxes[i].sizes();
-    if (corner.x() > 0.0 && corner.x() + size.x() > width)
-    {
-      corner = Point2(0.0, corner.y() + rowHeight + gap);
-      rowHeight = 0.0;
-    }
-    const Point2 shift = corner - boxes[i].min();
+    const Point2 shift = *corner++ - boxes[i].min();
     for (Point2& p : placed[i])
     {
       p += shift;
     }
-    corner.x() += size.x() + gap;
-    rowHeight = std::max(rowHeight, size.y());
   }
   return placed;
 }

@@ -3,6 +3,7 @@
 
 #include "Embedding/InteriorSystem.h"
 #include "Flattening/FlatteningOptions.h"
+#include "Quality/AreaForecast.h"
 #include "Surface/FeatureCurve.h"
 #include "Wires/CurveRules.h"
 #include "Wires/WireNetwork.h"
@@ -20,5 +21,9 @@ struct PieceContext
   const Execution& execution;
   /// Factors of the interior that outlive the run; null where none do.
   InteriorSystems* interiors = nullptr;
+  /// Whether the plane has room for the piece; null: not asked for.
+  const AreaForecast* area = nullptr;
+
+  bool deep() const { return this->area && this->area->deep(); }
 };
 }

@@ -3,6 +3,7 @@
 
 #include "Base/Stopwatch.h"
 #include "Cut/CutClosure.h"
+#include "Flattening/DartFolding.h"
 #include "Flattening/PieceReporting.h"
 #include "Flattening/ReleaseTrials.h"
 #include "Quality/FlatteningQuality.h"
@@ -19,7 +20,8 @@ struct ClosedPiece
   std::unique_ptr<WiredPiece> wired = std::make_unique<WiredPiece>(); ///< solutions refer to it
   Indices place; ///< per vertex of the piece before, its vertex now
   FlatWires flat;
-  Indices edges; ///< half-edges of the closed banks
+  Indices freeDarts; ///< FoldedWires::free
+  Indices edges;     ///< half-edges of the closed banks
 };
 
 PieceContext contextOf(
@@ -29,8 +31,14 @@ PieceContext contextOf(
   {
     wired.network = buildWireNetwork(wired.piece, wired.disk);
   }
+  // A conformal map keeps no length that would want room.
+  if (!(wired.area && wired.area->known) &&
+    settings.options.scheme != Scheme::LeastSquaresConformal)
+  {
+    wired.area = forecastArea(wired.piece.mesh, execution);
+  }
   return { wired.piece, *wired.network, settings.cut, settings.curves, settings.options, execution,
-    keep ? &wired.interiors : nullptr };
+    keep ? &wired.interiors : nullptr, wired.area ? &*wired.area : nullptr };
 }
 
 /// Positions per vertex of the piece before its cuts were closed.
@@ -62,7 +70,9 @@ std::optional<ClosedPiece> closeCuts(const PieceContext& context, const PieceSet
     closed->place = std::move(joinedPiece.place);
     closed->wired->piece = std::move(joinedPiece.piece);
     const PieceContext inner = contextOf(*closed->wired, settings, execution, false);
-    closed->flat = flattenWires(inner, settings.rules);
+    FoldedWires folded = flattenWithFoldingDarts(inner, settings.rules);
+    closed->flat = std::move(folded.flat);
+    closed->freeDarts = std::move(folded.free);
     result.secondsWires += closed->flat.secondsWires;
     result.secondsInterior += closed->flat.secondsInterior;
     const Status& status = closed->flat.status;
@@ -112,9 +122,16 @@ Indices onCutSurface(const Piece& piece, const Indices& edges)
   return all;
 }
 
-void finish(const PieceContext& context, const FlatWires& flat, FlatPiece& result)
+void finish(
+  const PieceContext& context, const FlatWires& flat, const Indices& freeDarts, FlatPiece& result)
 {
   result.report = reportPiece(context, flat);
+  if (!freeDarts.empty())
+  {
+    result.report.fallbacks.push_back("darts whose legs cannot be made to fold on each other keep "
+                                      "free ones: " +
+      quotedNames(context.curves, freeDarts));
+  }
   Stopwatch watch;
   result.report.advice = adviseByTrials(context, flat);
   result.secondsWires += watch.seconds();
@@ -124,7 +141,8 @@ void finish(const PieceContext& context, const FlatWires& flat, FlatPiece& resul
 FlatPiece flattenPiece(WiredPiece& wired, const PieceSettings& settings, const Execution& execution)
 {
   const PieceContext context = contextOf(wired, settings, execution, settings.keep);
-  FlatWires flat = flattenWires(context, settings.rules);
+  FoldedWires folded = flattenWithFoldingDarts(context, settings.rules);
+  FlatWires& flat = folded.flat;
   FlatPiece result;
   result.secondsWires = flat.secondsWires;
   result.secondsInterior = flat.secondsInterior;
@@ -135,7 +153,7 @@ FlatPiece flattenPiece(WiredPiece& wired, const PieceSettings& settings, const E
   }
   if (!closed)
   {
-    finish(context, flat, result);
+    finish(context, flat, folded.free, result);
     result.positions = std::move(flat.placed.positions);
     return result;
   }
@@ -144,7 +162,8 @@ FlatPiece flattenPiece(WiredPiece& wired, const PieceSettings& settings, const E
     result.report.status = closed->flat.status;
     return result;
   }
-  finish(contextOf(*closed->wired, settings, execution, false), closed->flat, result);
+  finish(
+    contextOf(*closed->wired, settings, execution, false), closed->flat, closed->freeDarts, result);
   result.report.vertices = wired.piece.mesh.vertexCount();
   result.report.closedEdges = onCutSurface(wired.piece, closed->edges);
   result.positions = spread(*closed);

@@ -115,7 +115,7 @@ void warpPlacedPiece(const PieceContext& context, const WireSolution& wires, Pla
 
 PlacedPiece mapPiece(const PieceContext& context)
 {
-  ConformalOptions conformal = context.options.conformal;
+  LeastSquaresConformalOptions conformal = context.options.conformal;
   for (Index& pin : conformal.pins)
   {
     // The first copy of the pinned vertex in this piece.
@@ -128,7 +128,8 @@ PlacedPiece mapPiece(const PieceContext& context)
   {
     conformal.pins = { none, none };
   }
-  ConformalMap map = mapConformally(context.piece.mesh, conformal, context.execution);
+  LeastSquaresConformalMap map =
+    leastSquaresConformalMap(context.piece.mesh, conformal, context.execution);
   PlacedPiece placed;
   placed.positions = std::move(map.positions);
   placed.status = std::move(map.status);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Flattening/ClothReport.h"
 #include "Flattening/PieceContext.h"
 #include "Flattening/PieceWires.h"
 
@@ -16,6 +17,9 @@ struct PlacedPiece
   DistortionEnergyKind energyUsed = DistortionEnergyKind::AsRigidAsPossible;
   /// Isometric scheme: the solution came from a convex embedding, not from the wires' angles.
   bool fromConvexStart = false;
+  /// Where options have a cloth: how it lies there.
+  std::optional<GrainReport> grain;
+  bool clothSolved = false; ///< by the isometric scheme with the cloth's energy
   Status status;
   double seconds = 0.0; ///< that placeWires() took
 };

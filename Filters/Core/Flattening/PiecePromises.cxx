@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PiecePromises.h"
 
+#include "Flattening/ClothPromises.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -133,7 +135,7 @@ Status flippedTriangles(const Indices& flipped, const FlatteningOptions& options
   Status status{ StatusCode::FlippedTriangles,
     std::to_string(flipped.size()) + " triangle(s) are flipped: " + listIds(flipped),
     { ElementKind::Cells, flipped }, {} };
-  const bool conformal = options.scheme == Scheme::Conformal;
+  const bool conformal = options.scheme == Scheme::LeastSquaresConformal;
   if (!conformal && options.interior.method != InteriorMethod::AsRigidAsPossible)
   {
     status.waysOut.emplace_back(Remedy::UseRigidInterior);
@@ -215,6 +217,11 @@ void explain(const FlatteningOptions& options, PieceReport& report)
   {
     status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
   }
+  if (report.area.deep())
+  {
+    // What keeps it from a minimum is that there is no room; the verdict says where a cut helps.
+    status.waysOut.emplace_back(Remedy::AddDarts);
+  }
   if (report.wired && !sequential && !slow)
   {
     status.waysOut.emplace_back(Remedy::ReleaseCurves, "a feature curve");
@@ -238,7 +245,20 @@ Status together(Status worse, const Status& other)
   if (!other.ok())
   {
     worse.message += "; " + other.message;
-    worse.waysOut.insert(worse.waysOut.begin(), other.waysOut.begin(), other.waysOut.end());
+    // Of a broken cloth the other defect may be the cause.
+    const bool first = severity(other.code) >= severity(StatusCode::Overlap);
+    WaysOut& ways = worse.waysOut;
+    auto place = first ? ways.begin() : ways.end();
+    for (const WayOut& way : other.waysOut)
+    {
+      const bool known = std::any_of(ways.begin(), ways.end(), [&way](const WayOut& one) {
+        return one.remedy == way.remedy && one.subject == way.subject;
+      });
+      if (!known)
+      {
+        place = ways.insert(place, way) + 1;
+      }
+    }
   }
   return worse;
 }
@@ -253,7 +273,7 @@ void judgeLastPiece(const CutSurface& cut, const std::vector<FeatureCurve>& curv
     explain(options, report);
   }
   const QualitySummary& quality = report.quality;
-  const bool promised = options.scheme != Scheme::Conformal;
+  const bool promised = options.scheme != Scheme::LeastSquaresConformal;
   if (promised && !(quality.maximumEdgeLengthError <= options.lengthTolerance) &&
     severity(StatusCode::LengthError) > severity(report.status.code))
   {
@@ -267,6 +287,10 @@ void judgeLastPiece(const CutSurface& cut, const std::vector<FeatureCurve>& curv
   else if (report.status.ok() && report.overlaps.count > 0)
   {
     report.status = overlap(cut, curves, options.closeCuts, report);
+  }
+  for (const Status& broken : brokenClothPromises(curves, options, result))
+  {
+    report.status = report.status.ok() ? broken : together(report.status, broken);
   }
 }
 }

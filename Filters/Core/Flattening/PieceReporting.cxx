@@ -36,6 +36,10 @@ double largestLengthError(const PieceContext& context, const FlatWires& flat)
   return worst;
 }
 
+/// A bend of 2 % turns the ends of a curve by 5 degrees from its line, the least that pattern
+/// makers tell from the straight grain; a line along mesh edges may waver by as much.
+constexpr double straightGrain = 0.02;
+
 /// What was done in place of what was asked for.
 std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires& flat)
 {
@@ -60,16 +64,29 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
   if (flat.placed.isometric && flat.placed.energyUsed != options.isometric.energy.kind)
   {
     all.emplace_back(flat.placed.energyUsed == DistortionEnergyKind::SymmetricDirichlet
-        ? "the symmetric Dirichlet energy was used: the one asked for folds triangles"
+        ? "the symmetric Dirichlet energy was used: the one asked for folds triangles, or "
+          "presses them to nothing"
         : "no energy of the isometric scheme keeps triangles from folding; the piece lies where "
           "the "
           "global scheme has put it");
   }
   if (flat.placed.fromConvexStart)
   {
-    all.emplace_back(
-      "the isometric scheme started from a convex map: the wires' own angles led to a "
-      "worse piece");
+    all.emplace_back(context.deep()
+        ? "the isometric scheme started from a convex map: a plane has no room for the piece"
+        : "the isometric scheme started from a convex map: the wires' own angles led to a worse "
+          "piece");
+  }
+  if (flat.placed.grain && flat.placed.grain->missing)
+  {
+    all.emplace_back("none of the curves that are to give the grain is one of the piece; its warp "
+                     "lies by its upright");
+  }
+  if (flat.placed.grain && flat.placed.grain->bend > straightGrain)
+  {
+    all.emplace_back(quotedNames(context.curves, { flat.placed.grain->curve }) +
+      ", which gives the grain, bends by " + shortNumber(100.0 * flat.placed.grain->bend) +
+      " % of its length; the grain follows the line between its ends");
   }
   const double error = largestLengthError(context, flat);
   if (!(error <= options.lengthTolerance))
@@ -110,15 +127,31 @@ PieceReport reportPiece(const PieceContext& context, const FlatWires& flat)
   report.boundaryLoops = network.boundaryLoops;
   report.wired = std::any_of(piece.curveOfHalfedge.begin(), piece.curveOfHalfedge.end(),
     [](Index curve) { return curve != none; });
+  if (context.area)
+  {
+    report.area = *context.area;
+    for (Index& v : report.area.cut)
+    {
+      v = piece.vertices[v];
+    }
+  }
   report.status = flat.status;
   if (flat.status.refused())
   {
     return report;
   }
+  if (flat.placed.grain)
+  {
+    report.cloth.emplace();
+    report.cloth->oneWay = context.options.cloth->material.oneWay;
+    report.cloth->shearLimit = context.options.cloth->material.shearLimit;
+    report.cloth->grain = *flat.placed.grain;
+    report.cloth->solved = flat.placed.clothSolved;
+  }
   const WireMeasures measures = measureWires(flat.wires.problem, flat.placed.positions);
   report.objective = measures.objective;
   report.closureResidual = measures.closure;
-  if (context.options.scheme == Scheme::Conformal)
+  if (context.options.scheme == Scheme::LeastSquaresConformal)
   {
     return report;
   }

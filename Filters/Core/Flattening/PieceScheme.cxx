@@ -3,6 +3,7 @@
 
 #include "Angles/WireProblem.h"
 #include "Base/Stopwatch.h"
+#include "Flattening/ClothWarping.h"
 #include "Flattening/ConvexWarping.h"
 #include "Quality/FlatteningQuality.h"
 
@@ -17,6 +18,7 @@ FlatWires flattenConformally(const PieceContext& context)
   // The map holds no wire, but what it does to them is measured.
   flat.wires.problem = makeAngleProblem(context.network, freeNodes(context.network));
   flat.placed = mapPiece(context);
+  layOnCloth(context, flat.wires, flat.placed);
   flat.status = flat.placed.status;
   flat.secondsInterior = watch.seconds();
   return flat;
@@ -41,6 +43,34 @@ void warpFromBetterStart(const PieceContext& context, FlatWires& flat)
   }
 }
 
+/// A piece for which the plane has no room, from a convex embedding at once: placed by its wires'
+/// angles it would fold, and untangling it would take long and help little. Without a value where
+/// that does not keep what was asked for.
+std::optional<FlatWires> flattenDeepPiece(const PieceContext& context, const PlacedWires& solved)
+{
+  if (!context.deep() || context.options.scheme != Scheme::Isometric || solved.status.refused())
+  {
+    return std::nullopt;
+  }
+  std::optional<PlacedPiece> placed = warpFromConvexStart(context, solved.wires);
+  const bool good = placed && (placed->status.ok() || !solved.wires.locks()) &&
+    countFlipped(context.piece.mesh, placed->positions) == 0;
+  if (!good)
+  {
+    return std::nullopt;
+  }
+  FlatWires flat;
+  flat.wires = solved.wires;
+  flat.placed = std::move(*placed);
+  layOnCloth(context, flat.wires, flat.placed);
+  if (solved.status.code != StatusCode::NotConverged)
+  {
+    flat.status = solved.status;
+  }
+  noteStatus(flat.placed.status, flat.status);
+  return flat;
+}
+
 /// Angles without a solution were only a start; where there is a way to one it is told.
 void forgetAngles(const PieceContext& context, FlatWires& flat)
 {
@@ -63,8 +93,18 @@ FlatWires finishScheme(const PieceContext& context, PlacedWires placed)
   const bool refused = flat.status.refused() || flat.placed.status.refused();
   if (context.options.scheme == Scheme::Isometric && !refused)
   {
-    warpFromBetterStart(context, flat);
+    FlatteningOptions start = context.options;
+    start.isometric.rough =
+      start.cloth && start.cloth->usable() && !start.cloth->material.isotropic;
+    const PieceContext startContext{ context.piece, context.network, context.cut, context.curves,
+      start, context.execution, context.interiors, context.area };
+    warpFromBetterStart(startContext, flat);
+    layOnCloth(context, flat.wires, flat.placed);
     forgetAngles(context, flat);
+  }
+  else
+  {
+    layOnCloth(context, flat.wires, flat.placed);
   }
   noteStatus(flat.placed.status, flat.status);
   return flat;
@@ -78,17 +118,23 @@ FlatWires flattenWires(const PieceContext& context, const CurveRules& rules)
     flat.status = context.network.status;
     return flat;
   }
-  if (context.options.scheme == Scheme::Conformal)
+  if (context.options.scheme == Scheme::LeastSquaresConformal)
   {
     return flattenConformally(context);
   }
   Stopwatch watch;
-  PlacedWires placed = placeWithKeys(context, rules);
-  double seconds = watch.restart() - placed.placed.seconds;
-  double interior = placed.placed.seconds;
+  PlacedWires placed = solveWithKeys(context, rules);
+  double seconds = watch.restart();
+  if (std::optional<FlatWires> deep = flattenDeepPiece(context, placed))
+  {
+    deep->secondsWires = seconds;
+    deep->secondsInterior = watch.seconds();
+    return std::move(*deep);
+  }
+  place(context, placed);
   const bool solved = placed.status.ok();
   FlatWires flat = finishScheme(context, std::move(placed));
-  interior += watch.restart();
+  double interior = watch.restart();
   if (solved)
   {
     std::optional<PlacedWires> released = placeWithoutFoldingKeys(context, flat.placed, flat.wires);

@@ -12,6 +12,8 @@ namespace flattening
 {
 namespace
 {
+constexpr Index largeTrial = 3000; ///< triangles
+
 /// The piece's flattening without another trial of releases.
 ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, Index curve)
 {
@@ -20,13 +22,15 @@ ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, 
   PlacedWires placed;
   placed.wires = solveWires(context, rules);
   placed.status = placed.wires.angles.status;
-  if (!placed.status.ok())
+  if (placed.status.refused())
   {
     return trial;
   }
+  const bool solved = placed.status.ok();
   placed.placed = placeWires(context, placed.wires);
   const FlatWires flat = finishScheme(context, std::move(placed));
-  if (flat.status.refused())
+  // Angles without a solution may be start enough for a scheme that ends well.
+  if (flat.status.refused() || !(solved || flat.status.ok()))
   {
     return trial;
   }
@@ -60,12 +64,17 @@ ReleaseTrial tryWithoutWire(const PieceContext& context, const CurveRules& rules
 ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
 {
   const Scheme scheme = context.options.scheme;
-  if (scheme == Scheme::Progressive || scheme == Scheme::Conformal || flat.status.refused())
+  if (scheme == Scheme::Progressive || scheme == Scheme::LeastSquaresConformal ||
+    flat.status.refused())
   {
     return {};
   }
   ReleaseAdvice advice = adviseRelease(context.network, context.curves, flat.wires.angles);
-  if (!context.options.tryReleases)
+  // What is cut in the end needs no advice on releases; a large piece that has come to no good end
+  // by one way takes too long by six.
+  const bool slow = context.piece.mesh.triangleCount() > largeTrial &&
+    (!flat.status.ok() || countFlipped(context.piece.mesh, flat.placed.positions) > 0);
+  if (!context.options.tryReleases || context.deep() || slow)
   {
     return advice;
   }

@@ -89,16 +89,43 @@ private:
 
   bool flattenPieces()
   {
+    std::vector<const Piece*> pieces;
+    for (const WiredPiece& wired : this->Kept.pieces)
+    {
+      pieces.push_back(&wired.piece);
+    }
+    this->Result.status =
+      decideEases(this->Options.eases, this->Curves, *this->Kept.cut, pieces, this->Eased);
+    if (!this->Result.status.ok())
+    {
+      return false;
+    }
     const double share = 0.8 / static_cast<double>(this->Kept.pieces.size());
     for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
     {
       const double begin = 0.05 + share * static_cast<double>(p);
-      if (!this->flattenPieceOf(p, {}, this->Run.part(begin, begin + share)))
+      if (!this->flattenPieceOf(p, this->rulesOf(p, {}), this->Run.part(begin, begin + share)))
       {
         return false;
       }
     }
     return this->agreeOnStretches();
+  }
+
+  /// Stretches that are decided, and those of its eased curves.
+  CurveRules rulesOf(std::size_t p, std::vector<std::optional<double>> decided) const
+  {
+    CurveRules rules;
+    rules.stretch = std::move(decided);
+    for (std::size_t c = 0; !this->Eased.empty() && c < this->Curves.size(); ++c)
+    {
+      rules.stretch.resize(this->Curves.size());
+      if (this->Eased[p][c])
+      {
+        rules.stretch[c] = this->Eased[p][c];
+      }
+    }
+    return rules;
   }
 
   bool flattenPieceOf(std::size_t p, const CurveRules& rules, const Execution& execution)
@@ -127,7 +154,7 @@ private:
   bool agreeOnStretches()
   {
     std::vector<CurveStretches> stretches;
-    if (this->Options.scheme == Scheme::Conformal)
+    if (this->Options.scheme == Scheme::LeastSquaresConformal)
     {
       return true;
     }
@@ -137,16 +164,25 @@ private:
       stretches.push_back(
         stretchesIn(networkOf(this->Kept.pieces[p], this->Flat[p]), positions, this->Curves));
     }
-    CurveRules decided;
-    decided.stretch = flattening::agreeOnStretches(stretches);
-    for (std::size_t p = 0; p < this->Flat.size() && !decided.stretch.empty(); ++p)
+    for (std::size_t p = 0; p < this->Eased.size(); ++p)
+    {
+      for (std::size_t c = 0; c < this->Curves.size(); ++c)
+      {
+        if (this->Eased[p][c])
+        {
+          stretches[p][c].reset(); // decided already
+        }
+      }
+    }
+    const CurveStretches decided = flattening::agreeOnStretches(stretches);
+    for (std::size_t p = 0; p < this->Flat.size() && !decided.empty(); ++p)
     {
       bool shares = false;
       for (std::size_t c = 0; c < this->Curves.size(); ++c)
       {
-        shares = shares || (decided.stretch[c] && stretches[p][c]);
+        shares = shares || (decided[c] && stretches[p][c]);
       }
-      if (shares && !this->flattenPieceOf(p, decided, this->Run.part(0.85, 0.85)))
+      if (shares && !this->flattenPieceOf(p, this->rulesOf(p, decided), this->Run.part(0.85, 0.85)))
       {
         return false;
       }
@@ -162,6 +198,7 @@ private:
   FlatteningCache Own;
   FlatteningCache& Kept;
   std::vector<FlatPiece> Flat;
+  PieceStretches Eased;
   FlatteningResult Result;
 };
 }

@@ -5,6 +5,9 @@
 #include "Flattening/WireReport.h"
 #include "Quality/SurfaceDevelopability.h"
 
+#include <algorithm>
+#include <map>
+
 namespace flattening
 {
 namespace
@@ -46,8 +49,56 @@ BoundaryOverlaps overlapsOf(const Piece& piece, const Points2& positions)
   return overlaps;
 }
 
-void measurePiece(const std::vector<FeatureCurve>& curves, const Execution& execution, bool only,
-  WiredPiece& wired, FlatPiece& flat, FlatteningResult& result)
+/// Which triangles are out of limit, and the wire along which most of their area lies.
+void noteLimits(const Piece& piece, const std::vector<TriangleFrame>& frames, ClothReport& report)
+{
+  std::map<Index, double> along; // by curve, none: the boundary
+  for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+  {
+    if (!report.threads.outOfLimit[t])
+    {
+      continue;
+    }
+    report.outOfLimit.push_back(piece.triangles[t]);
+    for (Index h = 3 * static_cast<Index>(t); h < 3 * static_cast<Index>(t) + 3; ++h)
+    {
+      const Index curve = piece.curveOfHalfedge[h];
+      if (curve != none || piece.mesh.twin(h) == none)
+      {
+        along[curve] += frames[t].area;
+      }
+    }
+  }
+  const auto most = std::max_element(
+    along.begin(), along.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most != along.end())
+  {
+    report.limitingCurve = most->first;
+    report.limitedByBoundary = most->first == none;
+  }
+  if (report.threads.worstTriangle != none)
+  {
+    const Index worst = piece.triangles[report.threads.worstTriangle];
+    const auto place = std::find(report.outOfLimit.begin(), report.outOfLimit.end(), worst);
+    std::rotate(report.outOfLimit.begin(), place, place + 1);
+  }
+}
+
+/// What the threads of a piece do, which lies on its cloth.
+void measureCloth(const WiredPiece& wired, const Points2& positions, const ClothOptions& options,
+  ClothReport& report, std::vector<ThreadStrain>& all)
+{
+  const Piece& piece = wired.piece;
+  const std::vector<ThreadStrain> strains =
+    measureThreads(wired.measures->frames, piece.mesh.triangles(), positions);
+  scatter(strains, piece.triangles, all);
+  report.threads = summarizeThreads(wired.measures->frames, strains, options.material);
+  noteLimits(piece, wired.measures->frames, report);
+}
+
+void measurePiece(const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
+  const Execution& execution, bool only, WiredPiece& wired, FlatPiece& flat,
+  FlatteningResult& result)
 {
   const Piece& piece = wired.piece;
   if (!wired.measures)
@@ -72,6 +123,10 @@ void measurePiece(const std::vector<FeatureCurve>& curves, const Execution& exec
   else
   {
     scatter(quality.triangles, piece.triangles, result.triangles);
+  }
+  if (flat.report.cloth)
+  {
+    measureCloth(wired, positions, *options.cloth, *flat.report.cloth, result.threads);
   }
   for (Index& t : quality.summary.flipped)
   {
@@ -113,6 +168,10 @@ void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& cu
   {
     result.triangles.resize(cut.mesh.triangleCount());
   }
+  if (options.cloth && options.cloth->usable())
+  {
+    result.threads.resize(cut.mesh.triangleCount());
+  }
   result.developability.assign(cut.mesh.vertexCount(), 0.0);
   for (Wire& wire : result.wires)
   {
@@ -121,7 +180,7 @@ void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& cu
   result.curves = summarizeCurves(mesh, cut, curves, result.wires);
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
-    measurePiece(curves, execution, only, pieces[p], flat[p], result);
+    measurePiece(curves, options, execution, only, pieces[p], flat[p], result);
     addToCurves(flat[p].report, result);
   }
   for (FlatPiece& piece : flat)

@@ -43,6 +43,7 @@ std::vector<Points2> finalPositions(const std::vector<WiredPiece>& pieces,
       local[vertices[k]] = static_cast<Index>(k);
     }
     arrangement[p].positions = std::move(flat[p].positions);
+    arrangement[p].upright = flat[p].report.cloth.has_value(); // on its cloth
     arrangement[p].grain = findGrain(result.wires, static_cast<Index>(p), local);
   }
   if (options.arrange)

@@ -11,6 +11,9 @@ namespace flattening
 {
 namespace
 {
+/// Of the surface's diagonal: a curve that is farther off was not drawn on this surface as it is.
+constexpr double nearby = 0.1;
+
 double diagonal(const TriangleMesh& mesh)
 {
   Eigen::AlignedBox3d bounds;
@@ -94,7 +97,7 @@ WaysOut CurvePlacement::waysFrom(double farthest) const
 {
   const double fraction = roundedUp(farthest / this->Diagonal);
   WaysOut ways{ Remedy::ProjectPoints };
-  if (fraction <= 1.0) // the most that can be set
+  if (fraction <= nearby)
   {
     ways.push_back({ Remedy::RaiseImprintTolerance, shortNumber(fraction) });
   }
@@ -125,7 +128,10 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
   }
   return { StatusCode::CurvePointOffSurface,
     curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + shortNumber(farthest) +
-      " off the surface, more than the tolerance of " + shortNumber(this->Reach),
+      " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
+      (farthest > nearby * this->Diagonal
+          ? ", as where curve and surface differ in unit, axes or place"
+          : ""),
     { ElementKind::CurvePoints, off }, this->waysFrom(farthest) };
 }
 }

@@ -119,9 +119,14 @@ private:
 
     Index triangle = none;
     Exit exit = this->leave(here, triangle);
+    const Index first = exit.halfedge;
     for (Index steps = 0; steps <= this->Mesh.halfedgeCount(); ++steps)
     {
       const Index h = exit.halfedge;
+      if (steps > 0 && h == first)
+      {
+        return false; // once around, past the end
+      }
       const Index vertex = h == none ? exit.vertex : this->vertexNear(h);
       if (vertex != none)
       {

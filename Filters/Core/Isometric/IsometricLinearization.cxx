@@ -57,38 +57,6 @@ IsometricModel::NodeGeometry IsometricModel::nodeGeometry(
   return geometry;
 }
 
-void IsometricModel::addTriangles(const Eigen::VectorXd& x, Curvature curvature,
-  Eigen::VectorXd& gradient, const Execution& execution)
-{
-  const bool convex = curvature == Curvature::Convex;
-  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      const DistortionEnergyValue value =
-        evaluateDistortionEnergy(this->Energy, this->mapParts(t, x), convex);
-      const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
-      this->TriangleGradients[t] = this->Frames[t].area * (derivative.transpose() * value.gradient);
-      const Eigen::Matrix<double, 4, 6> half = this->Frames[t].area * (value.hessian * derivative);
-      std::array<double, 21>& entries = this->TriangleValues[t];
-      int next = 0;
-      for (int a = 0; a < 6; ++a)
-      {
-        for (int b = 0; b <= a; ++b)
-        {
-          entries[next++] = derivative.col(a).dot(half.col(b));
-        }
-      }
-    }
-  });
-  for (std::size_t t = 0; t < this->Cells.size(); ++t)
-  {
-    const std::array<double, 21>& lower = this->TriangleValues[t];
-    this->TriangleBlocks[t].add(
-      this->Assembler, [&](int a, int b) { return lower[a * (a + 1) / 2 + b]; });
-    this->TriangleBlocks[t].scatter(this->TriangleGradients[t], gradient);
-  }
-}
-
 void IsometricModel::addAngles(const Eigen::VectorXd& x, bool exact, Eigen::VectorXd& gradient)
 {
   for (std::size_t k = 0; k < this->Nodes.size(); ++k)
@@ -105,13 +73,31 @@ void IsometricModel::addAngles(const Eigen::VectorXd& x, bool exact, Eigen::Vect
   }
 }
 
+/// The constraint's row of the Jacobian. \return the edge
+Eigen::Vector2d IsometricModel::takeLengthRow(Index k, const Eigen::VectorXd& x)
+{
+  const WireEdge& edge = this->Problem.network->edges[this->LengthEdges[k]];
+  Eigen::Vector2d d = pointOf(x, edge.to) - pointOf(x, edge.from);
+  const Eigen::Vector2d along = d.normalized();
+  this->LengthRows[k] << -along.transpose(), along.transpose(), -this->Length[k];
+  return d;
+}
+
+void IsometricModel::addStretches(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const
+{
+  for (Index g = 0; g < this->groupCount(); ++g)
+  {
+    const Index at = this->CoordinateCount + g;
+    gradient[at] += this->Problem.groups[g].weight * x[at];
+  }
+}
+
 void IsometricModel::addLengths(
   const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact)
 {
   for (Index k = 0; k < this->lengthCount(); ++k)
   {
-    const WireEdge& edge = this->Problem.network->edges[this->LengthEdges[k]];
-    const Eigen::Vector2d d = pointOf(x, edge.to) - pointOf(x, edge.from);
+    const Eigen::Vector2d d = this->takeLengthRow(k, x);
     const double length = d.norm();
     const Eigen::Vector2d along = d / length;
     const double lambda = exact ? multipliers[k] : std::max(0.0, multipliers[k]);
@@ -120,7 +106,6 @@ void IsometricModel::addLengths(
     Eigen::Matrix4d H;
     H << bend, -bend, -bend, bend;
     this->LengthBlocks[k].add(this->Assembler, H);
-    this->LengthRows[k] << -along.transpose(), along.transpose(), -this->Length[k];
     this->LengthRowBlocks[k].add(this->Assembler, this->LengthRows[k]);
   }
 }
@@ -147,21 +132,52 @@ IsometricModel::Linearization IsometricModel::linearize(const Eigen::VectorXd& x
   Linearization result;
   result.gradient = Eigen::VectorXd::Zero(this->unknownCount());
   result.constraints = this->constraints(x);
-  this->addTriangles(x, curvature, result.gradient, execution);
+  this->Sheet.add(x, curvature, this->Assembler, result.gradient, execution);
   this->addAngles(x, exact, result.gradient);
   this->addLengths(x, multipliers, exact);
   this->addLocks(x, multipliers, exact);
+  for (std::size_t k = 0; k < this->HoldBlocks.size(); ++k)
+  {
+    this->HoldBlocks[k].add(
+      this->Assembler, [&](int, int column) { return this->Hold.weights[k].weight[column]; });
+  }
+  this->addStretches(x, result.gradient);
   for (Index g = 0; g < this->groupCount(); ++g)
   {
-    const double weight = this->Problem.groups[g].weight;
-    result.gradient[this->CoordinateCount + g] += weight * x[this->CoordinateCount + g];
-    this->stiffen(g, weight);
+    this->stiffen(g, this->Problem.groups[g].weight);
   }
   for (Index k = 0; k < this->constraintCount(); ++k)
   {
     this->Diagonal.add(this->Assembler, this->unknownCount() + k, -delta);
   }
   this->fixMotion(x);
+  return result;
+}
+
+std::optional<IsometricModel::Linearization> IsometricModel::differentiate(
+  const Eigen::VectorXd& x, const Execution& execution)
+{
+  Linearization result;
+  result.gradient = Eigen::VectorXd::Zero(this->unknownCount());
+  result.constraints = this->constraints(x);
+  this->Sheet.addGradient(x, result.gradient, execution);
+  for (std::size_t k = 0; k < this->Nodes.size(); ++k)
+  {
+    const Node& node = this->Nodes[k];
+    const NodeGeometry geometry = this->nodeGeometry(node, x, false);
+    const double torque = 2.0 * node.stiffness * (geometry.angle - node.target);
+    this->NodeBlocks[k].scatter(
+      Eigen::Matrix<double, 6, 1>(torque * geometry.gradient), result.gradient);
+  }
+  for (Index k = 0; k < this->lengthCount(); ++k)
+  {
+    this->takeLengthRow(k, x);
+  }
+  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
+  {
+    this->LockedRows[k] = this->nodeGeometry(this->LockedNodes[k], x, false).gradient.transpose();
+  }
+  this->addStretches(x, result.gradient);
   return result;
 }
 
@@ -177,6 +193,10 @@ Eigen::VectorXd IsometricModel::transposedJacobianTimes(const Eigen::VectorXd& m
   {
     this->LockedRowBlocks[k].addTransposedTimes(this->LockedRows[k],
       multipliers.segment<1>(this->lengthCount() + static_cast<Eigen::Index>(k)), result);
+  }
+  for (const GrainHold::Weight& part : this->Hold.weights)
+  {
+    result.segment<2>(2 * part.vertex) += multipliers[this->holdRow()] * part.weight;
   }
   return result;
 }

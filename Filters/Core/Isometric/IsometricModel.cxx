@@ -11,10 +11,18 @@ namespace flattening
 {
 namespace
 {
-/// Modulus of the sheet over that of |J - R|^2, for small strains.
-double modulusOf(const DistortionEnergy& energy)
+/// Stiffness against turns of a cloth that nothing holds: unstrained it knows of none, and rounding
+/// in the gradient must not turn it.
+constexpr double leastTurning = 1e-7;
+
+double rootOfMeanArea(const TriangleMesh& mesh)
 {
-  return energy.kind == DistortionEnergyKind::SymmetricDirichlet ? 4.0 : 1.0;
+  double sum = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    sum += mesh.area(t);
+  }
+  return std::sqrt(sum / mesh.triangleCount());
 }
 
 Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
@@ -24,28 +32,16 @@ Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
 }
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
-  const DistortionEnergy& energy, double angleWeight)
+  const SheetEnergy& energy, double angleWeight, const GrainHold& hold)
   : Problem(problem)
-  , Cells(piece.mesh.triangles())
-  , Energy(energy)
-  , Stiffness(angleWeight, piece.mesh.triangleCount(), modulusOf(energy))
+  , Unit(rootOfMeanArea(piece.mesh))
+  , Sheet(piece.mesh, Unit, energy)
+  , Hold(energy.turnsFreely() ? GrainHold() : hold)
+  , Stiffness(angleWeight, piece.mesh.triangleCount(), Sheet.modulus())
   , CoordinateCount(2 * piece.mesh.vertexCount())
   , Assembler(0)
 {
   const TriangleMesh& mesh = piece.mesh;
-  double sum = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    sum += mesh.area(t);
-  }
-  const double mean = sum / mesh.triangleCount();
-  this->Unit = std::sqrt(mean);
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const Triangle& c = mesh.triangle(t);
-    this->Frames.emplace_back(
-      mesh.point(c[0]) / this->Unit, mesh.point(c[1]) / this->Unit, mesh.point(c[2]) / this->Unit);
-  }
   const WireNetwork& net = *problem.network;
   for (Index e = 0; e < net.edgeCount(); ++e)
   {
@@ -131,17 +127,14 @@ void IsometricModel::declareEntries()
 {
   const Index n = this->unknownCount();
   this->Assembler = SymmetricAssembler(n + this->constraintCount());
-  this->Assembler.reserve(21 * (this->Cells.size() + this->Nodes.size()) +
+  this->Assembler.reserve(this->Sheet.entryCount() + 21 * this->Nodes.size() +
     15 * this->LengthEdges.size() + 27 * this->LockedNodes.size() +
     2 * static_cast<std::size_t>(n + this->constraintCount()));
   const auto coordinates = [](const std::array<Index, 3>& v) {
     return std::array<Index, 6>{ 2 * v[0], 2 * v[0] + 1, 2 * v[1], 2 * v[1] + 1, 2 * v[2],
       2 * v[2] + 1 };
   };
-  for (const Triangle& c : this->Cells)
-  {
-    this->TriangleBlocks.emplace_back(this->Assembler, coordinates(c));
-  }
+  this->Sheet.declare(this->Assembler);
   for (const Node& node : this->Nodes)
   {
     this->NodeBlocks.emplace_back(
@@ -166,12 +159,15 @@ void IsometricModel::declareEntries()
     this->LockedBlocks.emplace_back(this->Assembler, unknowns);
     this->LockedRowBlocks.emplace_back(this->Assembler, row++, unknowns);
   }
+  for (const GrainHold::Weight& part : this->Hold.weights)
+  {
+    this->HoldBlocks.emplace_back(
+      this->Assembler, row, std::array<Index, 2>{ 2 * part.vertex, 2 * part.vertex + 1 });
+  }
   this->Diagonal = { this->Assembler, 0, n + this->constraintCount() };
   const Index far = this->FixedVertices[1];
   this->FarVertexBlock = { this->Assembler, { 2 * far, 2 * far + 1 } };
   this->Assembler.finish();
-  this->TriangleValues.resize(this->Cells.size());
-  this->TriangleGradients.resize(this->Cells.size());
   this->LengthRows.resize(this->LengthEdges.size());
   this->LockedRows.resize(this->LockedNodes.size());
 }
@@ -206,16 +202,6 @@ std::vector<double> IsometricModel::stretches(const Eigen::VectorXd& x) const
   return { x.data() + this->CoordinateCount, x.data() + this->unknownCount() };
 }
 
-Eigen::Vector4d IsometricModel::mapParts(Index t, const Eigen::VectorXd& x) const
-{
-  Eigen::Matrix<double, 6, 1> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners.segment<2>(2 * k) = pointOf(x, this->Cells[t][k]);
-  }
-  return mapPartsDerivative(this->Frames[t]) * corners;
-}
-
 /// The interior angle to the left of the path before - at - after, on the branch next to its
 /// target.
 double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) const
@@ -230,20 +216,8 @@ double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) con
 IsometricModel::Terms IsometricModel::terms(
   const Eigen::VectorXd& x, const Execution& execution) const
 {
-  // Summed in the triangles' order, whatever the threads.
-  std::vector<double> density(this->Cells.size());
-  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      density[t] =
-        this->Frames[t].area * distortionEnergyDensity(this->Energy, this->mapParts(t, x));
-    }
-  });
   Terms terms;
-  for (double d : density)
-  {
-    terms.sheet += d;
-  }
+  terms.sheet = this->Sheet.energy(x, execution);
   for (const Node& node : this->Nodes)
   {
     const double d = this->nodeAngle(node, x) - node.target;
@@ -260,6 +234,11 @@ IsometricModel::Terms IsometricModel::terms(
 
 bool IsometricModel::settle(const Eigen::VectorXd& multipliers)
 {
+  if (this->KeepsStiffness || this->Settled)
+  {
+    return false;
+  }
+  this->Settled = true;
   for (Node& node : this->Nodes)
   {
     // A multiplier above zero draws.
@@ -295,6 +274,15 @@ Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
   {
     c[this->lengthCount() + static_cast<Index>(k)] =
       this->nodeAngle(this->LockedNodes[k], x) - this->LockedNodes[k].target;
+  }
+  if (this->Hold.holds())
+  {
+    double sum = 0.0;
+    for (const GrainHold::Weight& part : this->Hold.weights)
+    {
+      sum += part.weight.dot(pointOf(x, part.vertex));
+    }
+    c[this->holdRow()] = sum;
   }
   return c;
 }
@@ -345,86 +333,8 @@ void IsometricModel::fixMotion(const Eigen::VectorXd& x)
   const Eigen::Vector2d across = Eigen::Vector2d(-d.y(), d.x()).normalized();
   this->Diagonal.add(this->Assembler, 2 * near, 1.0);
   this->Diagonal.add(this->Assembler, 2 * near + 1, 1.0);
-  this->FarVertexBlock.add(this->Assembler, [&](int a, int b) { return across[a] * across[b]; });
-}
-
-/// Per vertex.
-std::vector<char> IsometricModel::hubsOfWires() const
-{
-  const WireNetwork& net = *this->Problem.network;
-  Indices valence(this->CoordinateCount / 2, 0);
-  for (Index e : this->LengthEdges)
-  {
-    ++valence[net.edges[e].from];
-    ++valence[net.edges[e].to];
-  }
-  std::vector<char> hub(valence.size());
-  std::transform(valence.begin(), valence.end(), hub.begin(),
-    [enough = hubValence(this->lengthCount())](Index wires) { return wires > enough; });
-  return hub;
-}
-
-Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
-{
-  const WireNetwork& net = *this->Problem.network;
-  // The ends of a wire-node's two edges are coupled as if a triangle joined them.
-  Triangles cliques = this->Cells;
-  for (const std::vector<Node>* nodes : { &this->Nodes, &this->LockedNodes })
-  {
-    for (const Node& node : *nodes)
-    {
-      cliques.push_back({ node.before, node.at, node.after });
-    }
-  }
-  Points3 positions;
-  for (Index v = 0; v < this->CoordinateCount / 2; ++v)
-  {
-    positions.emplace_back(x[2 * v], x[2 * v + 1], 0.0);
-  }
-  const Dissection dissection = dissect(cliques, positions);
-  const Indices& vertices = dissection.order;
-  Indices place(vertices.size());
-  for (std::size_t k = 0; k < vertices.size(); ++k)
-  {
-    place[vertices[k]] = static_cast<Index>(k);
-  }
-  // Behind a hub of wires they would stand together, all coupled: there they come before it, one
-  // after each other end, which has two coordinates to pay for it.
-  const std::vector<char> hub = this->hubsOfWires();
-  std::vector<char> paid(vertices.size(), 0);
-  std::vector<Indices> constraintsAfter(vertices.size());
-  for (Index k = 0; k < this->lengthCount(); ++k)
-  {
-    const WireEdge& edge = net.edges[this->LengthEdges[k]];
-    Index after = std::max(place[edge.from], place[edge.to]);
-    const Index before = std::min(place[edge.from], place[edge.to]);
-    if (hub[vertices[after]] && !hub[vertices[before]] && !paid[before])
-    {
-      paid[before] = 1;
-      after = before;
-    }
-    constraintsAfter[after].push_back(k);
-  }
-  for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
-  {
-    const Node& node = this->LockedNodes[k];
-    const Index ends = std::max(place[node.before], place[node.after]);
-    constraintsAfter[hub[node.at] ? ends : std::max(ends, place[node.at])].push_back(
-      this->lengthCount() + static_cast<Index>(k));
-  }
-  Dissection result = dissection.replaced([&](Index k, Indices& order) {
-    order.push_back(2 * vertices[k]);
-    order.push_back(2 * vertices[k] + 1);
-    for (Index constraint : constraintsAfter[k])
-    {
-      order.push_back(this->unknownCount() + constraint);
-    }
-  });
-  for (Index g = 0; g < this->groupCount(); ++g)
-  {
-    result.order.push_back(this->CoordinateCount + g);
-  }
-  result.endRange(static_cast<Index>(result.order.size()));
-  return result;
+  const double turning = this->Sheet.turnsFreely() ? 1.0 : this->Hold.holds() ? 0.0 : leastTurning;
+  this->FarVertexBlock.add(
+    this->Assembler, [&](int a, int b) { return turning * across[a] * across[b]; });
 }
 }

@@ -3,7 +3,7 @@
 
 #include "Angles/AngleProblem.h"
 #include "Base/Execution.h"
-#include "Embedding/DistortionEnergy.h"
+#include "Isometric/IsometricSheet.h"
 #include "Isometric/WireStiffness.h"
 #include "Sparse/NewtonKkt.h"
 #include "Sparse/SparseBlocks.h"
@@ -17,23 +17,21 @@ namespace flattening
 /// with a_t the area of triangle t over the mean area, f the sheet's energy density, theta_i the
 /// planar angle of wire-node i and k_i its stiffness, the same for all forces until settle() is
 /// told them; constraints are the length of each wire edge, |x_a - x_b| = l (1 +
-/// h), and the angle of each locked node. Edges of connectors are no constraint here: the triangles
-/// beside them hold them, and nodes on them have no angle term.
+/// h), the angle of each locked node, and the hold. Edges of connectors are no
+/// constraint here: the triangles beside them hold them, and nodes on them have no angle term.
 class IsometricModel : public NewtonKktModel
 {
 public:
-  IsometricModel(const Piece& piece, const AngleProblem& problem, const DistortionEnergy& energy,
-    double angleWeight);
+  /// \param hold of a sheet that does not turn freely; without one it turns as its energy asks.
+  IsometricModel(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
+    double angleWeight, const GrainHold& hold = {});
 
   Index unknownCount() const override { return this->CoordinateCount + this->groupCount(); }
   Index coordinateCount() const { return this->CoordinateCount; }
   Index groupCount() const { return static_cast<Index>(this->Problem.groups.size()); }
-  Index constraintCount() const override
-  {
-    return static_cast<Index>(this->LengthEdges.size() + this->LockedNodes.size());
-  }
+  Index constraintCount() const override { return this->holdRow() + (this->Hold.holds() ? 1 : 0); }
   std::vector<double> bounds() const override;
-  /// Constraints 0 .. lengthCount() - 1 are lengths, the others locked angles.
+  /// Constraints 0 .. lengthCount() - 1 are lengths, the others locked angles, the last the hold.
   Index lengthCount() const { return static_cast<Index>(this->LengthEdges.size()); }
   double unit() const { return this->Unit; }
 
@@ -56,6 +54,8 @@ public:
   /// Takes the multipliers of lengths for the forces in the wires, and makes these as stiff as they
   /// ask for.
   bool settle(const Eigen::VectorXd& multipliers) override;
+  /// Lets all wires keep the stiffness that they have.
+  void keepStiffness() { this->KeepsStiffness = true; }
   /// Per wire-node k_i; 0 for nodes without a term.
   std::vector<double> stiffness() const;
   double constraintRounding(const Eigen::VectorXd& x, double merit) const override;
@@ -63,9 +63,12 @@ public:
 
   /// Convex: sheet energy projected, angles by Gauss-Newton, constraints where they are convex. The
   /// rigid motions, of which neither energy nor constraints know, are taken out: one vertex is
-  /// held, and another one across the line from the first.
+  /// held, and another one across the line from the first; of a cloth, which knows of turns, the
+  /// first alone.
   Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
     Curvature curvature, double delta, const Execution& execution) override;
+  std::optional<Linearization> differentiate(
+    const Eigen::VectorXd& x, const Execution& execution) override;
   const std::array<Index, 2>& fixedVertices() const { return this->FixedVertices; }
   bool hasConvexPart() const override { return true; }
   /// Of all coordinates.
@@ -102,38 +105,39 @@ private:
   std::vector<char> hubsOfWires() const;
   double nodeAngle(const Node& node, const Eigen::VectorXd& x) const;
   NodeGeometry nodeGeometry(const Node& node, const Eigen::VectorXd& x, bool second) const;
-  Eigen::Vector4d mapParts(Index t, const Eigen::VectorXd& x) const;
-  void addTriangles(const Eigen::VectorXd& x, Curvature curvature, Eigen::VectorXd& gradient,
-    const Execution& execution);
   void addAngles(const Eigen::VectorXd& x, bool exact, Eigen::VectorXd& gradient);
+  void addStretches(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const;
+  Eigen::Vector2d takeLengthRow(Index k, const Eigen::VectorXd& x);
   void addLengths(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact);
   void addLocks(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, bool exact);
   void fixMotion(const Eigen::VectorXd& x);
+  Index holdRow() const
+  {
+    return static_cast<Index>(this->LengthEdges.size() + this->LockedNodes.size());
+  }
 
   const AngleProblem& Problem;
-  Triangles Cells;
-  DistortionEnergy Energy;
+  double Unit;
+  IsometricSheet Sheet;
+  GrainHold Hold;
   WireStiffness Stiffness;
-  double Unit = 1.0;
+  bool Settled = false;
   Index CoordinateCount = 0;
-  std::vector<TriangleFrame> Frames; ///< in units, so that their mean area is 1
-  std::vector<Node> Nodes;           ///< with a term in the objective
-  std::vector<Node> LockedNodes;     ///< with a constraint
+  std::vector<Node> Nodes;       ///< with a term in the objective
+  std::vector<Node> LockedNodes; ///< with a constraint
   Indices LengthEdges;
   std::vector<double> Length; ///< per length constraint, in units
   SymmetricAssembler Assembler;
-  std::vector<SymmetricBlock<6>> TriangleBlocks;
   std::vector<SymmetricBlock<6>> NodeBlocks;
   std::vector<SymmetricBlock<4>> LengthBlocks;      ///< of both ends
   std::vector<JacobianBlock<1, 5>> LengthRowBlocks; ///< by both ends and the stretch
   std::vector<SymmetricBlock<6>> LockedBlocks;
   std::vector<JacobianBlock<1, 6>> LockedRowBlocks;
+  std::vector<JacobianBlock<1, 2>> HoldBlocks; ///< by weight
   DiagonalBlock Diagonal;
   SymmetricBlock<2> FarVertexBlock;
   std::array<Index, 2> FixedVertices{ 0, 1 };
-  /// Lower triangles, row by row: threads compute them, one adds them.
-  std::vector<std::array<double, 21>> TriangleValues;
-  std::vector<Eigen::Matrix<double, 6, 1>> TriangleGradients;
+  bool KeepsStiffness = false;
   std::vector<Eigen::Matrix<double, 1, 5>> LengthRows;
   std::vector<Eigen::Matrix<double, 1, 6>> LockedRows;
 };

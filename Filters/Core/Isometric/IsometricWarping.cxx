@@ -3,7 +3,11 @@
 
 #include "Base/Ending.h"
 #include "Embedding/WireLayout.h"
+#include "Isometric/IsometricModel.h"
 #include "Sparse/NewtonKkt.h"
+#include "Sparse/PenaltyDescent.h"
+
+#include <algorithm>
 
 namespace flattening
 {
@@ -17,6 +21,8 @@ constexpr double stillLengthTolerance = 1e-8;
 /// Far from the minimum the exact Hessian is seldom convex; it pays once no vertex moves by
 /// that unit.
 constexpr double exactWithin = 1.0;
+/// Threads that are relaid onto a cloth make it seldom convex until little is left to gain.
+constexpr double clothExactWithin = 0.05;
 /// Wires nearly close where the scheme starts and multipliers change little; with the margin of the
 /// directions form, 1.5, hard pieces take up to half as many steps more.
 constexpr double penaltyMargin = 1.2;
@@ -26,43 +32,73 @@ constexpr double penaltyShare = 0.1;
 constexpr int corrections = 5;
 /// Forces change so little from there on that the piece does not: with 1e-1 and 1e-5 all measures
 /// of 72 pieces are the same to three digits.
-constexpr double settlePromise = 1e-3;
+constexpr double settlePromise = 0.1;
 constexpr double settleConstraint = 1e-2;
+/// Threads that are relaid bend the Hessian downwards all the way, not at saddles alone.
+constexpr double clothSaddlePromise = 1e-3;
+/// A step by an earlier factorization costs about a tenth of one by its own.
+constexpr double followed = 0.1;
 /// A piece that has not come near a minimum by then may do so with other wires.
 constexpr int settleBy = 30;
+
+/// Factorizations for triangles, so that time is bounded on every mesh: about 0.1 s each for the
+/// first number of triangles on a core of 2024, and no more for the second than anything needs.
+constexpr double triangleFactorizations = 4e6;
+constexpr int fewestFactorizations = 40;
+constexpr int mostFactorizations = 180;
+/// The way from afar is long; what is left after it is short.
+constexpr double descentShare = 2.0;
+
+/// Counted, not timed: the same on any machine.
+int allowance(const IsometricModel& model, double share)
+{
+  const double triangles = 0.5 * static_cast<double>(model.coordinateCount());
+  return static_cast<int>(share *
+    std::clamp(triangleFactorizations / (2.0 * triangles), double{ fewestFactorizations },
+      double{ mostFactorizations }));
+}
 
 NewtonKktOptions newtonOptions(const IsometricOptions& options)
 {
   NewtonKktOptions newton;
   newton.maximumIterations = options.maximumIterations;
-  newton.constraintTolerance = lengthTolerance;
+  newton.constraintTolerance = options.rough ? settleConstraint : lengthTolerance;
   newton.optimalityTolerance = options.tolerance;
-  newton.promiseTolerance = options.tolerance * options.tolerance;
+  newton.promiseTolerance = options.rough ? settlePromise : options.tolerance * options.tolerance;
   newton.stillMove = stillMove;
   newton.stillConstraintTolerance = stillLengthTolerance;
   newton.exactWithin = exactWithin;
+  newton.exactBeforeSettling = options.cloth ? clothExactWithin : exactWithin;
   newton.penaltyMargin = penaltyMargin;
   newton.penaltyShare = penaltyShare;
   newton.corrections = corrections;
   newton.settlePromise = settlePromise;
   newton.settleConstraint = settleConstraint;
   newton.settleBy = settleBy;
+  // Threads come to rest in fewer iterations by them as well, but not sooner.
+  newton.correctsAgain = !options.cloth;
+  newton.saddlePromise = options.cloth ? clothSaddlePromise : settlePromise;
   newton.phase = "Warping wires and interior together";
   return newton;
 }
 
-IsometricSolution minimized(IsometricModel& model, const Eigen::VectorXd& start,
-  const IsometricOptions& options, const Execution& execution)
+IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
+  const IsometricOptions& options, bool fromAfar, const Execution& execution)
 {
   IsometricSolution solution;
   NewtonKktOptions newton = newtonOptions(options);
+  newton.mostFactorizations = allowance(model, 1.0);
+  newton.amongSaddles = fromAfar || options.cloth.has_value();
+  // Where little is left of triangles, the matrix of one point says little of the next.
+  newton.followed = fromAfar ? 0.0 : followed;
   newton.observe = [&](const NewtonKktRecord& record) {
     solution.history.push_back(
       { record.objective, record.violation, record.optimality, record.largestMove, record.exact });
     solution.iterations = record.iteration;
   };
+  LinearSolver solver(model.eliminationOrder(start.x));
   const NewtonKktState end =
-    minimize(model, { start, {} }, LinearSolver(model.eliminationOrder(start)), newton, execution);
+    minimize(model, std::move(start), std::move(solver), newton, execution);
   if (end.cancelled())
   {
     solution = {};
@@ -78,14 +114,41 @@ IsometricSolution minimized(IsometricModel& model, const Eigen::VectorXd& start,
   if (!end.converged())
   {
     const bool exhausted = end.ending == Ending::Exhausted;
+    const bool mayGoOn = solution.iterations >= options.maximumIterations;
     const std::string iterations = std::to_string(solution.iterations) + " iterations";
     solution.status = { StatusCode::NotConverged,
       exhausted ? "the isometric scheme did not converge in " + iterations
                 : "the isometric scheme stopped short of a minimum after " + iterations +
           ", and more would change nothing",
-      {}, exhausted ? WaysOut{ Remedy::AllowIsometricIterations } : WaysOut{} };
+      {}, exhausted && mayGoOn ? WaysOut{ Remedy::AllowIsometricIterations } : WaysOut{} };
   }
   return solution;
+}
+
+/// Takes out what the iteration left of the lengths' errors.
+void correctLengths(const AngleProblem& problem, IsometricSolution& solution)
+{
+  if (solution.status.refused())
+  {
+    return;
+  }
+  const WireNetwork& network = *problem.network;
+  std::vector<double> length = problem.length;
+  for (Index e = 0; e < network.edgeCount(); ++e)
+  {
+    const Index group = problem.stretchGroup[e];
+    if (network.edges[e].connector)
+    {
+      length[e] =
+        (solution.positions[network.edges[e].to] - solution.positions[network.edges[e].from])
+          .norm();
+    }
+    else if (group != none)
+    {
+      length[e] *= 1.0 + solution.stretch[group];
+    }
+  }
+  correctWireLengths(network, length, solution.positions);
 }
 }
 
@@ -93,29 +156,43 @@ IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& prob
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution)
 {
-  IsometricModel model(piece, problem, options.energy, options.angleWeight);
-  IsometricSolution solution =
-    minimized(model, model.unknowns(start, startStretch), options, execution);
-  if (!solution.status.refused())
+  const SheetEnergy energy = options.cloth
+    ? SheetEnergy(ClothEnergy(options.cloth->material, options.cloth->limitStiffness))
+    : SheetEnergy(options.energy);
+  IsometricModel model(
+    piece, problem, energy, options.angleWeight, options.cloth ? options.cloth->hold : GrainHold());
+  if (options.rough)
   {
-    const WireNetwork& network = *problem.network;
-    std::vector<double> length = problem.length;
-    for (Index e = 0; e < network.edgeCount(); ++e)
-    {
-      const Index group = problem.stretchGroup[e];
-      if (network.edges[e].connector)
-      {
-        length[e] =
-          (solution.positions[network.edges[e].to] - solution.positions[network.edges[e].from])
-            .norm();
-      }
-      else if (group != none)
-      {
-        length[e] *= 1.0 + solution.stretch[group];
-      }
-    }
-    correctWireLengths(network, length, solution.positions);
+    model.keepStiffness();
   }
+  IsometricSolution solution =
+    minimized(model, { model.unknowns(start, startStretch), {} }, options, false, execution);
+  correctLengths(problem, solution);
+  return solution;
+}
+
+IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
+  const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
+  const Execution& execution)
+{
+  IsometricModel model(piece, problem, options.energy, options.angleWeight);
+  if (options.rough)
+  {
+    model.keepStiffness();
+  }
+  const Eigen::VectorXd x = model.unknowns(start, startStretch);
+  PenaltyDescentOptions descent;
+  descent.mostFactorizations = allowance(model, descentShare);
+  NewtonKktState near =
+    descend(model, x, LinearSolver(model.eliminationOrder(x)), descent, execution);
+  IsometricSolution solution;
+  if (near.cancelled())
+  {
+    solution.status = { StatusCode::Cancelled, "cancelled while solving for the piece", {} };
+    return solution;
+  }
+  solution = minimized(model, std::move(near), options, true, execution);
+  correctLengths(problem, solution);
   return solution;
 }
 }

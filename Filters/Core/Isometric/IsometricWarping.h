@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Angles/AngleProblem.h"
+#include "Base/Execution.h"
 #include "Cut/SurfaceCut.h"
-#include "Isometric/IsometricModel.h"
+#include "Isometric/SheetEnergy.h"
+
+#include <optional>
 
 namespace flattening
 {
+/// A cloth in the place of a sheet that is alike in all directions.
+struct ClothSheet
+{
+  ClothMaterial material;
+  /// Of what is beyond the material's limits, over that of its stiffer thread.
+  double limitStiffness = 0.0;
+  GrainHold hold;
+};
+
 struct IsometricOptions
 {
   DistortionEnergy energy;
+  std::optional<ClothSheet> cloth; ///< then the energy above does not count
+  /// The solution is only where another run starts: it ends once little is left to gain, before the
+  /// forces in the wires say how stiff each is.
+  bool rough = false;
   /// Weight of the wires' bending against the sheet's energy, 0 to 100. Lengths alone would let
   /// wires buckle between their nodes; the larger it is, the nearer are the wires' angles to those
   /// on the surface. What a bend costs follows from the force that presses on the wire, the same on
@@ -54,6 +71,14 @@ struct IsometricSolution
 /// are equally stiff at first; once little is left to gain, the forces in them say how stiff each
 /// stays, and the iteration goes on with that.
 IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,
+  const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
+  const Execution& execution);
+
+/// The same from positions that may miss the wires' lengths by far, but have no fold if the energy
+/// knows a barrier, and get none: lengths and locked angles are sought by penalties that grow
+/// (descend()), so that pressed wires have time to give way, before the iteration above ends it.
+/// Its steps alone are counted and recorded.
+IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution);
 }

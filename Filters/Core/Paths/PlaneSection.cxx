@@ -20,15 +20,27 @@ constexpr int planes = 36;
 constexpr int halvings = 40;
 constexpr double goldenRatio = 0.6180339887498949;
 
+/// Where a section crosses an edge, by the heights of its ends above the plane.
+SurfacePoint crossingOf(const TriangleMesh& mesh, Index edge, double from, double to)
+{
+  const double s = from / (from - to);
+  return s < atVertex    ? vertexPoint(mesh, mesh.from(edge))
+    : s > 1.0 - atVertex ? vertexPoint(mesh, mesh.to(edge))
+                         : edgePoint(mesh, edge, s);
+}
+
 /// Follows a section from triangle to triangle. Vertices in the plane count as in front of it, so
 /// that the section crosses edges only and cannot branch.
 class SectionCurve
 {
 public:
-  SectionCurve(const TriangleMesh& mesh, const SurfacePoint& start, const Point3& normal)
+  /// Marks the triangles that it goes through, also those of which it only meets a corner.
+  SectionCurve(const TriangleMesh& mesh, const SurfacePoint& start, const Point3& normal,
+    std::vector<char>* visited = nullptr)
     : Mesh(mesh)
     , Start(start)
     , Normal(normal)
+    , Visited(visited)
   {
   }
 
@@ -78,12 +90,8 @@ private:
   SurfacePoint crossing(Index h) const
   {
     const Index low = edgeOf(this->Mesh, h);
-    const double from = this->height(this->Mesh.from(low));
-    const double to = this->height(this->Mesh.to(low));
-    const double s = from / (from - to);
-    return s < atVertex    ? vertexPoint(this->Mesh, this->Mesh.from(low))
-      : s > 1.0 - atVertex ? vertexPoint(this->Mesh, this->Mesh.to(low))
-                           : edgePoint(this->Mesh, low, s);
+    return crossingOf(
+      this->Mesh, low, this->height(this->Mesh.from(low)), this->height(this->Mesh.to(low)));
   }
 
   Index firstExit(bool backwards) const
@@ -109,6 +117,10 @@ private:
     Index h = first;
     for (Index steps = 0; h != none && steps < this->Mesh.halfedgeCount(); ++steps)
     {
+      if (this->Visited)
+      {
+        (*this->Visited)[h / 3] = 1;
+      }
       const SurfacePoint point = this->startsOn(h) ? this->Start : this->crossing(h);
       if (!samePlace(point, path.points.back()))
       {
@@ -138,6 +150,7 @@ private:
   const TriangleMesh& Mesh;
   const SurfacePoint& Start;
   Point3 Normal;
+  std::vector<char>* Visited;
 };
 
 /// Where a section goes through a point, by triangles and not by distance alone: a surface may be
@@ -241,6 +254,52 @@ PlaneSection planeSection(const TriangleMesh& mesh, const SurfacePoint& point, c
     }
     return section;
   });
+}
+
+std::vector<PlaneSection> planeSections(
+  const TriangleMesh& mesh, const Point3& point, const Point3& normal)
+{
+  const Point3 unit = normal.normalized();
+  const auto height = [&](Index v) { return unit.dot(mesh.point(v) - point); };
+  std::vector<char> visited(mesh.triangleCount(), 0);
+  std::vector<PlaneSection> sections;
+  const auto follow = [&](Index t, bool fromVertices) {
+    for (Index h = 3 * t; h < 3 * t + 3 && visited[t] == 0; ++h)
+    {
+      const double from = height(mesh.from(h));
+      const double to = height(mesh.to(h));
+      const Index edge = edgeOf(mesh, h);
+      if (from >= 0.0 || to < 0.0)
+      {
+        continue;
+      }
+      const SurfacePoint start =
+        crossingOf(mesh, edge, edge == h ? from : to, edge == h ? to : from);
+      if ((start.carrier == Carrier::Vertex) != fromVertices)
+      {
+        continue;
+      }
+      visited[t] = 1;
+      PlaneSection section = SectionCurve(mesh, start, unit, &visited).run();
+      for (const Index around : fromVertices ? trianglesAround(mesh, start) : Indices{})
+      {
+        visited[around] = 1; // The walk begins beyond them.
+      }
+      if (section.status.ok())
+      {
+        sections.push_back(std::move(section));
+      }
+    }
+  };
+  // From a vertex only where a curve goes through nothing else: several may go through one.
+  for (const bool fromVertices : { false, true })
+  {
+    for (Index t = 0; t < mesh.triangleCount(); ++t)
+    {
+      follow(t, fromVertices);
+    }
+  }
+  return sections;
 }
 
 PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points,

@@ -22,6 +22,10 @@ struct PlaneSection
 PlaneSection planeSection(
   const TriangleMesh& mesh, const SurfacePoint& point, const Point3& normal);
 
+/// All curves of a section. \pre the normal is not zero.
+std::vector<PlaneSection> planeSections(
+  const TriangleMesh& mesh, const Point3& point, const Point3& normal);
+
 /// A measuring tape round the surface: the closed section with the plane through three points, or
 /// the shortest one of those with the planes through two. It goes through them in their order, from
 /// the first; `stations` gets where they are in its list. Errors: those above; CurveLeavesSurface

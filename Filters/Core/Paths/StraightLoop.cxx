@@ -192,40 +192,4 @@ StraightPath straightLoop(const PathGraph& graph, const SurfacePath& loop)
     return result.status.ok() ? RubberBand(graph.mesh(), loop).run() : result;
   });
 }
-
-StraightPath straightLoopThrough(
-  const PathGraph& graph, const SurfacePath& loop, const std::vector<std::size_t>& held)
-{
-  return withinMemory([&] {
-    StraightPath result;
-    result.status = checkLoop(graph.mesh(), loop);
-    if (held.empty() || held.front() != 0 || held.back() + 1 >= loop.points.size() ||
-      !std::is_sorted(held.begin(), held.end()))
-    {
-      result.status = { StatusCode::InvalidOption,
-        "the points that hold a loop are not in its order", {},
-        { { Remedy::Give, "places in its list, the first 0" } } };
-    }
-    for (std::size_t k = 0; k < held.size() && result.status.ok(); ++k)
-    {
-      const std::size_t last = k + 1 < held.size() ? held[k + 1] : loop.points.size() - 1;
-      const StraightPath part = straightPathNear(
-        graph, partOf(loop, held[k], last), loop.points[held[k]], loop.points[last]);
-      if (!part.status.ok())
-      {
-        result.status = part.status;
-      }
-      if (k == 0)
-      {
-        result.path = part.path;
-      }
-      else
-      {
-        append(result.path, part.path);
-      }
-      result.length += part.length;
-    }
-    return result;
-  });
-}
 }

@@ -10,9 +10,4 @@ namespace flattening
 /// the surface); CurveTooShort (the band can be drawn together to a point); NotConverged (as for
 /// straight paths); OutOfMemory.
 StraightPath straightLoop(const PathGraph& graph, const SurfacePath& loop);
-
-/// The same with some of its points held: straight between these. `held` are places in the list, in
-/// ascending order, the first 0.
-StraightPath straightLoopThrough(
-  const PathGraph& graph, const SurfacePath& loop, const std::vector<std::size_t>& held);
 }

@@ -170,31 +170,4 @@ StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const
     return result;
   });
 }
-
-StraightPath straightPath(const PathSearch& search, const SurfacePoint& to)
-{
-  return withinMemory([&] {
-    const TriangleMesh& mesh = search.graph().mesh();
-    StraightPath result;
-    result.status = checkEnds(mesh, search.source(), to);
-    if (!result.status.ok() || withinTriangle(mesh, search.source(), to, result))
-    {
-      return result;
-    }
-    return fromSearch(search, to);
-  });
-}
-
-std::vector<StraightPath> straightPaths(
-  const PathSearch& search, const std::vector<SurfacePoint>& targets, const Execution& execution)
-{
-  std::vector<StraightPath> paths(targets.size());
-  execution.parallelFor(static_cast<Index>(targets.size()), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i)
-    {
-      paths[i] = straightPath(search, targets[i]);
-    }
-  });
-  return paths;
-}
 }

@@ -43,10 +43,4 @@ StraightPath straightPathNear(const PathGraph& graph, const SurfacePath& hint,
 
 /// The shortest way by edges, and in the triangles of both ends; not drawn tight. Errors: as above.
 StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
-
-/// The straight path to one of many targets, from a search that is kept.
-StraightPath straightPath(const PathSearch& search, const SurfacePoint& to);
-/// To all of them. Errors: as above, a status each.
-std::vector<StraightPath> straightPaths(const PathSearch& search,
-  const std::vector<SurfacePoint>& targets, const Execution& execution = {});
 }

@@ -172,6 +172,16 @@ double CutForecast::leastOpening() const
   return least;
 }
 
+double CutForecast::greatestOpening() const
+{
+  double greatest = this->opening(0.0);
+  for (double s : this->arc)
+  {
+    greatest = std::max(greatest, this->opening(s));
+  }
+  return greatest;
+}
+
 ScaleFactor::ScaleFactor(
   const TriangleMesh& mesh, const ScaleFactorOptions& options, const Execution& execution)
   : Points(mesh.points())
@@ -249,6 +259,16 @@ void ScaleFactor::integrate(const TriangleMesh& mesh, const std::vector<double>&
 
 CutForecast ScaleFactor::forecast(const Indices& path) const
 {
+  return this->forecast(path, false);
+}
+
+CutForecast ScaleFactor::forecastInside(const Indices& path) const
+{
+  return this->forecast(path, true);
+}
+
+CutForecast ScaleFactor::forecast(const Indices& path, bool inside) const
+{
   CutForecast forecast;
   Indices sites;
   double arc = 0.0;
@@ -278,7 +298,21 @@ CutForecast ScaleFactor::forecast(const Indices& path) const
     }
   }
   green.diagonal().array() += ridge * green.trace() / count;
-  const Eigen::VectorXd swallowed = green.llt().solve(value);
+  const Eigen::LLT<Eigen::MatrixXd> factor = green.llt();
+  Eigen::VectorXd swallowed = factor.solve(value);
+  if (inside)
+  {
+    if (count < 3)
+    {
+      return {};
+    }
+    Eigen::MatrixXd conditions(count, 2);
+    conditions.col(0).setOnes();
+    conditions.col(1) = Eigen::Map<const Eigen::VectorXd>(forecast.arc.data(), count) / arc;
+    const Eigen::MatrixXd spread = factor.solve(conditions);
+    const Eigen::Matrix2d normal = conditions.transpose() * spread;
+    swallowed -= spread * normal.ldlt().solve(conditions.transpose() * swallowed);
+  }
   Eigen::VectorXd change = Eigen::VectorXd::Zero(this->SiteValue.size());
   for (Index j = 0; j < count; ++j)
   {

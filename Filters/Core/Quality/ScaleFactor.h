@@ -22,8 +22,9 @@ struct CutForecast
   /// Width at arc length s of a dart whose mouth is the path's first vertex: each point further in
   /// opens the dart by its curvature times its distance. Negative: the banks overlap there.
   double opening(double s) const;
-  /// The least opening at the points of the path and its first vertex.
+  /// The least opening at the points of the path and its first vertex, and the greatest.
   double leastOpening() const;
+  double greatestOpening() const;
 };
 
 struct ScaleFactorOptions
@@ -75,12 +76,18 @@ public:
   double energy() const { return this->Energy; }
   /// What a cut along a path of vertices, each joined to the next by an edge, would do.
   CutForecast forecast(const Indices& path) const;
+  /// The same of a cut that ends inside at both ends: there its banks, whose lengths are the same,
+  /// have to meet. What it takes up is then the nearest q, by the energy of its u, with
+  ///
+  ///     sum q_i = 0  (the banks turn alike),    sum q_i s_i = 0  (they end in one point).
+  CutForecast forecastInside(const Indices& path) const;
 
 private:
   bool solve(
     const TriangleMesh& mesh, const ScaleFactorOptions& options, const Execution& execution);
   bool solveBetweenSites(
     const LinearSolver& solver, const SparseMatrix& means, const Execution& execution);
+  CutForecast forecast(const Indices& path, bool inside) const;
   void integrate(const TriangleMesh& mesh, const std::vector<double>& weight);
 
   Points3 Points;

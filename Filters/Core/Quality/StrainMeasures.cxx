@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/StrainMeasures.h"
 
+#include "Quality/AreaQuantile.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flattening
 {
 namespace
 {
-constexpr double quantileShare = 0.95;
-/// Areas of equal triangles add up to the share but for rounding.
-constexpr double roundingShare = 1e-9;
-
-struct WeightedRatio
-{
-  double ratio = 1.0;
-  double area = 0.0;
-};
-
 /// max(S, 1 / s), whose logarithm is the strain.
 double stretchRatio(const TriangleQuality& quality, double largest)
 {
@@ -30,36 +23,6 @@ double stretchRatio(const TriangleQuality& quality, double largest)
   }
   return std::max(large, 1.0 / small);
 }
-
-/// The least ratio that is not exceeded on a share of the area, found by halving as a median is.
-double areaQuantile(std::vector<WeightedRatio>& ratios, double area)
-{
-  const double wanted = quantileShare * (1.0 - roundingShare) * area;
-  auto begin = ratios.begin();
-  auto end = ratios.end();
-  double below = 0.0;
-  while (end - begin > 1)
-  {
-    const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end,
-      [](const WeightedRatio& a, const WeightedRatio& b) { return a.ratio < b.ratio; });
-    double lower = 0.0;
-    for (auto it = begin; it != middle; ++it)
-    {
-      lower += it->area;
-    }
-    if (below + lower >= wanted)
-    {
-      end = middle;
-    }
-    else
-    {
-      below += lower;
-      begin = middle;
-    }
-  }
-  return begin->ratio;
-}
 }
 
 StrainMeasures measureStrain(
@@ -67,7 +30,7 @@ StrainMeasures measureStrain(
 {
   const double largest = std::exp(largestStrain);
   StrainMeasures measures;
-  std::vector<WeightedRatio> ratios;
+  std::vector<AreaValue> ratios;
   ratios.reserve(triangles.size());
   double area = 0.0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -88,7 +51,7 @@ StrainMeasures measureStrain(
   if (area > 0.0)
   {
     measures.rigidEnergy /= area;
-    measures.quantile = std::log(areaQuantile(ratios, area));
+    measures.quantile = std::log(areaQuantile(std::move(ratios)));
   }
   return measures;
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/DenseFront.h"
 
+#include "Sparse/DenseProduct.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace flattening
 {
@@ -11,17 +14,8 @@ namespace
 {
 /// Columns that are taken together, so that what they are subtracted from is loaded once for all.
 constexpr Index panelWidth = 4;
-/// Larger fronts gain more from Eigen's blocked product than they pay for packing.
-constexpr Index smallFront = 160;
 constexpr Index blockWidth = 32;
 constexpr Index tileWidth = 128; ///< of updates that are worth more than one thread
-
-using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-
-Block blockOf(const DenseFront& front, Index row, Index column, Index rows, Index columns)
-{
-  return { front.column(column) + row, rows, columns, Eigen::OuterStride<>(front.size) };
-}
 
 /// to -= sum of c[k] times column k, for up to four columns.
 void subtractColumns(double* __restrict to, const std::array<const double*, panelWidth>& column,
@@ -88,111 +82,66 @@ bool eliminatePanel(const DenseFront& front, Index begin, Index end)
   return true;
 }
 
-/// The columns [begin, end) by panels.
-bool eliminateColumns(const DenseFront& front, Index begin, Index end)
+/// Columns [begin, begin + columns) from their diagonal down, less what the columns
+/// [first, first + depth) say of them.
+DenseProduct trailing(const DenseFront& front, Index begin, Index columns, Index first, Index depth,
+  const double* pivots)
+{
+  const std::size_t size = front.size;
+  const DenseColumns factor{ front.column(first) + begin, size };
+  return { front.column(begin) + begin, size, front.size - begin, columns, factor, factor,
+    pivots + first, depth, true };
+}
+
+/// The columns [begin, end), whose earlier ones have been subtracted from them.
+bool eliminateBlock(const DenseFront& front, Index begin, Index end, double* pivots)
 {
   for (Index panel = begin; panel < end; panel += panelWidth)
   {
     const Index next = std::min(panel + panelWidth, end);
+    subtractProduct(trailing(front, panel, next - panel, begin, panel - begin, pivots));
     if (!eliminatePanel(front, panel, next))
     {
       return false;
     }
-    for (Index k = next; k < end; ++k)
+    for (Index k = panel; k < next; ++k)
     {
-      subtractPanel(front, panel, next - panel, k, front.column(k) + k);
+      pivots[k] = front.column(k)[k];
     }
   }
   return true;
 }
 
-/// matrix -= left * right^T, the lower triangle alone, tile by tile.
-void subtractProduct(Eigen::Ref<Eigen::MatrixXd> matrix,
-  const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right,
-  const Execution& execution)
+/// A product of which the lower triangle alone is needed, tile by tile.
+void subtractTiles(const DenseProduct& product, const Execution& execution)
 {
-  const Index size = static_cast<Index>(matrix.rows());
-  const Index tiles = (size + tileWidth - 1) / tileWidth;
-  const auto subtract = [&](Index first, Index last) {
-    for (Index tile = first; tile < last; ++tile)
-    {
-      const Index begin = tile * tileWidth;
-      const Index width = std::min(tileWidth, size - begin);
-      matrix.block(begin, begin, width, width).triangularView<Eigen::Lower>() -=
-        left.middleRows(begin, width) * right.middleRows(begin, width).transpose();
-      const Index below = size - begin - width;
-      if (below > 0)
-      {
-        matrix.block(begin + width, begin, below, width).noalias() -=
-          left.bottomRows(below) * right.middleRows(begin, width).transpose();
-      }
-    }
+  const Index tiles = (product.columns + tileWidth - 1) / tileWidth;
+  const auto subtract = [&](Index tile) {
+    DenseProduct part = product;
+    const Index begin = tile * tileWidth;
+    part.to += begin * product.stride + begin;
+    part.rows -= begin;
+    part.columns = std::min(tileWidth, product.columns - begin);
+    part.left.values += begin;
+    part.right.values += begin;
+    subtractProduct(part);
   };
-  if (tiles < 4)
+  if (tiles < 2)
   {
-    subtract(0, tiles);
+    subtractProduct(product);
     return;
   }
   // The first tiles are the longest: pair each with one from the end.
   execution.parallelFor((tiles + 1) / 2, [&](Index first, Index last) {
     for (Index pair = first; pair < last; ++pair)
     {
-      subtract(pair, pair + 1);
+      subtract(pair);
       if (tiles - 1 - pair != pair)
       {
-        subtract(tiles - 1 - pair, tiles - pair);
+        subtract(tiles - 1 - pair);
       }
     }
   });
-}
-
-bool eliminateSmall(const DenseFront& front, double* update)
-{
-  if (!eliminateColumns(front, 0, front.columns))
-  {
-    return false;
-  }
-  const Index rows = front.rows();
-  for (Index k = 0; k < rows; ++k)
-  {
-    double* const to = update + std::size_t(k) * std::size_t(rows) + k;
-    for (Index panel = 0; panel < front.columns; panel += panelWidth)
-    {
-      subtractPanel(
-        front, panel, std::min(panelWidth, front.columns - panel), front.columns + k, to);
-    }
-  }
-  return true;
-}
-
-bool eliminateLarge(const DenseFront& front, double* update, const Execution& execution)
-{
-  for (Index begin = 0; begin < front.columns; begin += blockWidth)
-  {
-    const Index end = std::min(begin + blockWidth, front.columns);
-    if (!eliminateColumns(front, begin, end))
-    {
-      return false;
-    }
-    const Index rest = front.columns - end;
-    if (rest > 0)
-    {
-      const Index width = end - begin;
-      const Block lower = blockOf(front, end, begin, front.size - end, width);
-      const Eigen::MatrixXd scaled =
-        lower.topRows(rest) * blockOf(front, begin, begin, width, width).diagonal().asDiagonal();
-      blockOf(front, end, end, front.size - end, rest).noalias() -= lower * scaled.transpose();
-    }
-  }
-  const Index rows = front.rows();
-  if (rows > 0)
-  {
-    const Block lower = blockOf(front, front.columns, 0, rows, front.columns);
-    const Eigen::MatrixXd scaled =
-      lower * blockOf(front, 0, 0, front.columns, front.columns).diagonal().asDiagonal();
-    subtractProduct(Eigen::Map<Eigen::MatrixXd>(update, rows, rows), scaled, lower, execution);
-  }
-  return true;
 }
 
 double dot(const double* a, const double* b, Index count)
@@ -217,8 +166,29 @@ double dot(const double* a, const double* b, Index count)
 
 bool eliminateFront(const DenseFront& front, double* update, const Execution& execution)
 {
-  return front.size <= smallFront ? eliminateSmall(front, update)
-                                  : eliminateLarge(front, update, execution);
+  std::vector<double> pivots(front.columns);
+  for (Index begin = 0; begin < front.columns; begin += blockWidth)
+  {
+    const Index end = std::min(begin + blockWidth, front.columns);
+    if (!eliminateBlock(front, begin, end, pivots.data()))
+    {
+      return false;
+    }
+    if (end < front.columns)
+    {
+      subtractTiles(
+        trailing(front, end, front.columns - end, begin, end - begin, pivots.data()), execution);
+    }
+  }
+  const std::size_t rows = front.rows();
+  if (rows > 0)
+  {
+    const DenseColumns below{ front.column(0) + front.columns, std::size_t(front.size) };
+    subtractTiles({ update, rows, front.rows(), front.rows(), below, below, pivots.data(),
+                    front.columns, true },
+      execution);
+  }
+  return true;
 }
 
 void substituteForward(const ConstDenseFront& front, FrontVectors w)

@@ -70,7 +70,8 @@ struct LinearSolver::Backend
   virtual ~Backend() = default;
   virtual void analyze(const SparseMatrix& matrix) = 0;
   virtual bool factorize(const SparseMatrix& matrix, const Execution& execution) = 0;
-  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const = 0;
+  virtual Eigen::MatrixXd solve(
+    const Eigen::MatrixXd& rightHandSide, const Execution& execution) const = 0;
   /// Entries of D, or nothing.
   virtual Eigen::VectorXd diagonal() const { return {}; }
 };
@@ -86,7 +87,7 @@ struct LinearSolver::CholeskyBackend : LinearSolver::Backend
     this->solver.factorize(matrix);
     return this->solver.info() == Eigen::Success;
   }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
   {
     return this->solver.solve(rightHandSide);
   }
@@ -102,7 +103,7 @@ struct LinearSolver::SuperLUBackend : LinearSolver::Backend
   {
     return this->solver.factorize(withDiagonal(matrix));
   }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
   {
     return this->solver.solve(rightHandSide);
   }
@@ -124,9 +125,10 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
   {
     return this->solver.factorize(matrix, execution);
   }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  Eigen::MatrixXd solve(
+    const Eigen::MatrixXd& rightHandSide, const Execution& execution) const override
   {
-    return this->solver.solve(rightHandSide);
+    return this->solver.solve(rightHandSide, execution);
   }
   Eigen::VectorXd diagonal() const override { return this->solver.diagonal(); }
 };
@@ -160,7 +162,7 @@ struct LinearSolver::LeadingBackend : LinearSolver::Backend
     this->solver.factorize(this->permuted(matrix));
     return this->solver.info() == Eigen::Success;
   }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const override
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
   {
     if (this->placeOfColumn.size() == 0)
     {
@@ -268,7 +270,8 @@ bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execut
   return this->Factorized;
 }
 
-Eigen::MatrixXd LinearSolver::solve(const Eigen::MatrixXd& rightHandSide) const
+Eigen::MatrixXd LinearSolver::solve(
+  const Eigen::MatrixXd& rightHandSide, const Execution& execution) const
 {
   if (!this->Factorized || rightHandSide.rows() != this->Size)
   {
@@ -278,7 +281,7 @@ Eigen::MatrixXd LinearSolver::solve(const Eigen::MatrixXd& rightHandSide) const
   {
     return rightHandSide;
   }
-  Eigen::MatrixXd solution = this->Solver->solve(rightHandSide);
+  Eigen::MatrixXd solution = this->Solver->solve(rightHandSide, execution);
   return solution.allFinite() ? solution : Eigen::MatrixXd();
 }
 

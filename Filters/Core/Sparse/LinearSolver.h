@@ -54,7 +54,8 @@ public:
 
   /// Solves for every column of the right-hand side. Empty (no rows) where there is no
   /// factorization or the result is not finite.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;
+  Eigen::MatrixXd solve(
+    const Eigen::MatrixXd& rightHandSide, const Execution& execution = {}) const;
   /// The same followed by one step of iterative refinement with the given matrix, which may differ
   /// from the factored one by a small perturbation (the -delta I block of a regularized KKT
   /// system).

@@ -12,7 +12,8 @@ namespace flattening
 namespace
 {
 constexpr std::size_t taskCount = 16;
-constexpr std::size_t roundSize = 4; ///< tasks between two questions whether to go on
+constexpr Index worthThreads = 10000; ///< unknowns: fewer are solved for in less than threads take
+constexpr std::size_t roundSize = 4;  ///< tasks between two questions whether to go on
 
 double work(const SupernodalStructure::Supernode& node)
 {
@@ -207,50 +208,88 @@ bool MultifrontalFactorization::eliminate(Index s, const Execution& execution)
   return sound;
 }
 
-void MultifrontalFactorization::substitute(Eigen::Ref<Eigen::MatrixXd> x) const
+/// L x = x within one supernode; what is left for the rows below is passed on to its parent.
+void MultifrontalFactorization::substituteForward(
+  const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed, Eigen::MatrixXd& work) const
 {
-  const std::vector<Supernode>& nodes = this->Structure.supernodes();
-  Eigen::MatrixXd work(this->Structure.largestFront(), x.cols());
-  const auto vectors = [&work](const ConstDenseFront& front) {
-    return FrontVectors(work.data(), front.size, work.cols(), Eigen::OuterStride<>(work.rows()));
-  };
-  for (const Supernode& node : nodes)
+  const ConstDenseFront front = this->front(node);
+  FrontVectors w(work.data(), front.size, work.cols(), Eigen::OuterStride<>(work.rows()));
+  w.topRows(front.columns) = x.middleRows(node.first, front.columns);
+  w.bottomRows(front.rows()).setZero();
+  for (Index child : node.children)
   {
-    const ConstDenseFront front = this->front(node);
-    const Index* const rows = this->Structure.rows(node);
-    FrontVectors w = vectors(front);
-    w.topRows(front.columns) = x.middleRows(node.first, front.columns);
-    w.bottomRows(front.rows()).setZero();
-    substituteForward(front, w);
-    x.middleRows(node.first, front.columns) = w.topRows(front.columns);
+    const Supernode& below = this->Structure.supernodes()[child];
+    const Index* const place = this->Structure.placesInParent(below);
     for (Index c = 0; c < x.cols(); ++c)
     {
-      for (Index k = 0; k < front.rows(); ++k)
+      for (Index k = 0; k < below.rowCount(); ++k)
       {
-        x(rows[k], c) += w(front.columns + k, c);
+        w(place[k], c) += passed(below.rowsBegin + k, c);
       }
     }
   }
-  x.array().colwise() /= this->Diagonal.array();
-  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-  {
-    const ConstDenseFront front = this->front(*node);
-    const Index* const rows = this->Structure.rows(*node);
-    FrontVectors w = vectors(front);
-    w.topRows(front.columns) = x.middleRows(node->first, front.columns);
-    for (Index c = 0; c < x.cols(); ++c)
-    {
-      for (Index k = 0; k < front.rows(); ++k)
-      {
-        w(front.columns + k, c) = x(rows[k], c);
-      }
-    }
-    substituteBackward(front, w);
-    x.middleRows(node->first, front.columns) = w.topRows(front.columns);
-  }
+  flattening::substituteForward(front, w);
+  x.middleRows(node.first, front.columns) = w.topRows(front.columns);
+  passed.middleRows(node.rowsBegin, front.rows()) = w.bottomRows(front.rows());
 }
 
-Eigen::MatrixXd MultifrontalFactorization::solve(const Eigen::MatrixXd& rightHandSide) const
+void MultifrontalFactorization::substituteBackward(
+  const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const
+{
+  const ConstDenseFront front = this->front(node);
+  const Index* const rows = this->Structure.rows(node);
+  FrontVectors w(work.data(), front.size, work.cols(), Eigen::OuterStride<>(work.rows()));
+  w.topRows(front.columns) = x.middleRows(node.first, front.columns);
+  for (Index c = 0; c < x.cols(); ++c)
+  {
+    for (Index k = 0; k < front.rows(); ++k)
+    {
+      w(front.columns + k, c) = x(rows[k], c);
+    }
+  }
+  flattening::substituteBackward(front, w);
+  x.middleRows(node.first, front.columns) = w.topRows(front.columns);
+}
+
+void MultifrontalFactorization::substitute(Eigen::MatrixXd& x, const Execution& execution) const
+{
+  const std::vector<Supernode>& nodes = this->Structure.supernodes();
+  Eigen::MatrixXd passed(this->Structure.rowsSize(), x.cols());
+  const auto workspace = [&] { return Eigen::MatrixXd(this->Structure.largestFront(), x.cols()); };
+  execution.parallelFor(taskCount, [&](Index first, Index last) {
+    Eigen::MatrixXd work = workspace();
+    for (Index task = first; task < last; ++task)
+    {
+      for (Index s : this->Tasks[task])
+      {
+        this->substituteForward(nodes[s], x, passed, work);
+      }
+    }
+  });
+  Eigen::MatrixXd work = workspace();
+  for (Index s : this->Top)
+  {
+    this->substituteForward(nodes[s], x, passed, work);
+  }
+  x.array().colwise() /= this->Diagonal.array();
+  for (auto s = this->Top.rbegin(); s != this->Top.rend(); ++s)
+  {
+    this->substituteBackward(nodes[*s], x, work);
+  }
+  execution.parallelFor(taskCount, [&](Index first, Index last) {
+    Eigen::MatrixXd own = workspace();
+    for (Index task = first; task < last; ++task)
+    {
+      for (auto s = this->Tasks[task].rbegin(); s != this->Tasks[task].rend(); ++s)
+      {
+        this->substituteBackward(nodes[*s], x, own);
+      }
+    }
+  });
+}
+
+Eigen::MatrixXd MultifrontalFactorization::solve(
+  const Eigen::MatrixXd& rightHandSide, const Execution& execution) const
 {
   const Indices& order = this->Structure.order();
   Eigen::MatrixXd x(rightHandSide.rows(), rightHandSide.cols());
@@ -261,7 +300,7 @@ Eigen::MatrixXd MultifrontalFactorization::solve(const Eigen::MatrixXd& rightHan
       x(k, c) = rightHandSide(order[k], c);
     }
   }
-  this->substitute(x);
+  this->substitute(x, this->Structure.size() < worthThreads ? Execution() : execution);
   Eigen::MatrixXd result(x.rows(), x.cols());
   for (Eigen::Index c = 0; c < x.cols(); ++c)
   {

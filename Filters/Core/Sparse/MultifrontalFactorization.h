@@ -21,7 +21,8 @@ public:
   /// Factors a matrix of that pattern. False where it is of another, a pivot is zero or not finite,
   /// or the run is cancelled.
   bool factorize(const Eigen::SparseMatrix<double>& matrix, const Execution& execution);
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;
+  Eigen::MatrixXd solve(
+    const Eigen::MatrixXd& rightHandSide, const Execution& execution = {}) const;
   /// Entries of D in the order of elimination.
   const Eigen::VectorXd& diagonal() const { return this->Diagonal; }
 
@@ -31,7 +32,10 @@ private:
   void chooseTasks();
   bool eliminate(Index s, const Execution& execution);
   void addChild(const Supernode& node, Index child, std::vector<double>& update);
-  void substitute(Eigen::Ref<Eigen::MatrixXd> x) const;
+  void substitute(Eigen::MatrixXd& x, const Execution& execution) const;
+  void substituteForward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed,
+    Eigen::MatrixXd& work) const;
+  void substituteBackward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const;
   DenseFront front(const Supernode& node);
   ConstDenseFront front(const Supernode& node) const;
 

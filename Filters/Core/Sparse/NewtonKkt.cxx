@@ -2,6 +2,7 @@
 #include "Sparse/NewtonKkt.h"
 
 #include "Sparse/MeritFunction.h"
+#include "Sparse/NewtonKktStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,26 +11,23 @@ namespace flattening
 {
 namespace
 {
-/// delta of the constraint block: it gives redundant constraints a pivot, and is small enough for
-/// refinement to take it out again.
-constexpr double regularization = 1e-8;
-/// Each gains about eight digits, 1 / delta.
-constexpr int refinements = 2;
-/// Shifts tau of the Hessian: the smallest that matters beside entries about 1, growth by what
-/// costs few factorizations and overshoots little, and a largest beside which the Hessian is
-/// nothing.
-constexpr double smallestShift = 1e-4;
-constexpr double shiftGrowth = 4.0;
-constexpr double largestShift = 1e12;
 /// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
 constexpr double sufficientDecrease = 1e-4;
 /// A step that has to be shorter than 2^-40 of Newton's is lost in rounding.
 constexpr int mostHalvings = 40;
+/// Corrections of one trial step, and what each has to leave of the constraints' violation at most.
+constexpr int mostCorrections = 3;
+constexpr double worthCorrecting = 0.25;
 /// Rounding of the objective, a sum of some thousands of terms, as a fraction of it.
 constexpr double objectiveRounding = 1e-13;
-/// Holds a bounded unknown on its way: what multipliers do to it, divided by this, is below the
-/// rounding of its bound.
-constexpr double holdingStiffness = 1e20;
+/// A residual that one step does not bring down to rounding.
+constexpr double farAway = 1e-3;
+/// More saddles than these are not left by their own direction, but by rounding.
+constexpr int mostSaddles = 5;
+/// The shortest way off a saddle, as the largest move of an unknown, and how much of the objective
+/// it has to bring at least.
+constexpr double shortestEscape = 0.05;
+constexpr double escapeFall = 1e-7;
 
 double largest(const Eigen::VectorXd& v)
 {
@@ -43,20 +41,18 @@ public:
     const NewtonKktOptions& options, const Execution& execution)
     : Model(model)
     , State(std::move(start))
-    , Solver(std::move(solver))
     , Options(options)
     , Run(execution)
-    , Bounds(model.bounds())
-    , Unknowns(model.unknownCount())
-    , Constraints(model.constraintCount())
-    , FirstBounded(Unknowns - static_cast<Index>(Bounds.size()))
-    , Held(Bounds.size(), 0)
-    , HeldStep(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(Bounds.size())))
-    , Merit(Constraints, options.penaltyMargin, options.penaltyShare)
+    , Newton(model, std::move(solver), execution)
+    , Merit(model.constraintCount(), options.penaltyMargin, options.penaltyShare)
   {
-    if (this->State.multipliers.size() != this->Constraints)
+    if (options.amongSaddles)
     {
-      this->State.multipliers = Eigen::VectorXd::Zero(this->Constraints);
+      this->Newton.expectSaddles();
+    }
+    if (this->State.multipliers.size() != model.constraintCount())
+    {
+      this->State.multipliers = Eigen::VectorXd::Zero(model.constraintCount());
     }
   }
 
@@ -65,31 +61,41 @@ public:
     this->Objective = this->Model.objective(this->State.x, this->Run);
     Ending ending = Ending::Cancelled;
     std::vector<double> residuals;
-    for (int iteration = 0; !this->cancelled(); ++iteration)
+    for (int iteration = 0; !this->Newton.cancelled(); ++iteration)
     {
       this->reportProgress(iteration);
       Found found = this->look();
-      if (this->roughlyThere(found, iteration) &&
-        this->settle(found == Found::Step ? this->NewMultipliers : this->State.multipliers))
+      const bool rough = this->roughlyThere(found, iteration);
+      if (rough && found != Found::Step && this->settle(this->State.multipliers))
       {
         found = this->look();
       }
       this->observe(iteration);
-      residuals.push_back(largest(this->Point.constraints) +
+      residuals.push_back(largest(this->Newton.constraints()) +
         this->Optimality / this->Model.gradientScale(this->Objective));
       ending = found == Found::Minimum ? Ending::Converged : Ending::Stalled;
-      if (found == Found::Step && iteration >= this->Options.maximumIterations)
+      if (found == Found::Step &&
+        (iteration >= this->Options.maximumIterations ||
+          this->Newton.factorizations() >= this->Options.mostFactorizations))
       {
         ending = standsStill(residuals) ? Ending::Stalled : Ending::Exhausted;
         break;
       }
-      if (found != Found::Step || !(this->advance() || this->settle(this->NewMultipliers)))
+      if (found == Found::Step && this->atSaddle() && this->leaveSaddle())
+      {
+        continue;
+      }
+      if (found != Found::Step || !(this->advance() || this->settle(this->Newton.multipliers())))
       {
         break;
       }
+      if (rough)
+      {
+        this->settle(this->Newton.multipliers());
+      }
     }
     this->State.ending =
-      ending != Ending::Converged && this->cancelled() ? Ending::Cancelled : ending;
+      ending != Ending::Converged && this->Newton.cancelled() ? Ending::Cancelled : ending;
     return std::move(this->State);
   }
 
@@ -103,9 +109,43 @@ private:
 
   Found look()
   {
-    const bool exact = this->TookStep && this->LargestMove < this->Options.exactWithin;
-    this->linearize(exact ? Curvature::Exact : Curvature::Convex);
+    Found found = this->lookWithoutFactoring();
+    if (found == Found::Nothing)
+    {
+      const double within = this->Settled
+        ? this->Options.exactWithin
+        : std::min(this->Options.exactWithin, this->Options.exactBeforeSettling);
+      const bool exact = this->Moved && this->LargestMove < within;
+      this->linearize(exact ? Curvature::Exact : Curvature::Convex);
+      this->Residual = this->residual();
+      this->Newton.setFarAway(this->Options.followed > 0.0 && this->Residual > farAway);
+      found = this->lookAround();
+    }
+    return found;
+  }
+
+  /// With the last factorization, as long as such steps lead on quickly.
+  Found lookWithoutFactoring()
+  {
+    if (this->Options.followed == 0.0 || !this->TookStep || !this->TookWholeStep ||
+      !this->Newton.follow(this->State.x, this->State.multipliers))
+    {
+      return Found::Nothing;
+    }
+    const double residual = this->residual();
+    if (!(residual <= this->Options.followed * this->Residual))
+    {
+      return Found::Nothing;
+    }
+    this->Residual = residual;
     return this->lookAround();
+  }
+
+  /// How far the point is from one that meets the conditions of a minimum.
+  double residual() const
+  {
+    return largest(this->Newton.constraints()) +
+      this->Newton.optimality(this->State.multipliers) / this->Model.gradientScale(this->Objective);
   }
 
   bool roughlyThere(Found found, int iteration) const
@@ -115,14 +155,14 @@ private:
       return true;
     }
     return iteration >= this->Options.settleBy ||
-      (largest(this->Point.constraints) <= this->Options.settleConstraint &&
-        this->promised() <= this->Options.settlePromise * this->Objective);
+      (largest(this->Newton.constraints()) <= this->Options.settleConstraint &&
+        this->Newton.promised() <= this->Options.settlePromise * this->Objective);
   }
 
   /// Goes on with what the model settles for, as from a start.
   bool settle(const Eigen::VectorXd& multipliers)
   {
-    if (this->Settled || this->cancelled())
+    if (this->Settled || this->Newton.cancelled())
     {
       return false;
     }
@@ -138,18 +178,6 @@ private:
     return true;
   }
 
-  Index unknownOf(std::size_t bounded) const
-  {
-    return this->FirstBounded + static_cast<Index>(bounded);
-  }
-
-  /// Who has said yes is not asked again.
-  bool cancelled()
-  {
-    this->ToldToStop = this->ToldToStop || this->Run.cancelled();
-    return this->ToldToStop;
-  }
-
   void reportProgress(int iteration) const
   {
     if (this->Options.phase)
@@ -163,57 +191,15 @@ private:
   {
     if (this->Options.observe)
     {
-      this->Options.observe({ iteration, this->Objective, largest(this->Point.constraints),
-        this->Optimality, this->LargestMove, this->MeanMove, this->Taken == Curvature::Exact });
+      this->Options.observe(
+        { iteration, this->Objective, largest(this->Newton.constraints()), this->Optimality,
+          this->LargestMove, this->MeanMove, this->Newton.curvature() == Curvature::Exact });
     }
   }
 
   void linearize(Curvature curvature)
   {
-    this->Point = this->Model.linearize(
-      this->State.x, this->State.multipliers, curvature, regularization, this->Run);
-    this->Taken = curvature;
-    this->Shift = 0.0;
-    this->HeldStep.setZero();
-    if (!this->Held.empty())
-    {
-      this->holdAtBounds();
-    }
-  }
-
-  Eigen::VectorXd lagrangianGradient(const Eigen::VectorXd& multipliers) const
-  {
-    return this->Point.gradient + this->Model.transposedJacobianTimes(multipliers);
-  }
-
-  /// Holds the unknowns on a bound that are drawn outwards.
-  void holdAtBounds()
-  {
-    const Eigen::VectorXd g = this->lagrangianGradient(this->State.multipliers);
-    for (std::size_t k = 0; k < this->Held.size(); ++k)
-    {
-      const Index u = this->unknownOf(k);
-      const double x = this->State.x[u];
-      this->Held[k] = std::abs(x) >= this->Bounds[k] && g[u] * x <= 0.0 ? 1 : 0;
-      if (this->Held[k])
-      {
-        this->Model.stiffen(static_cast<Index>(k), holdingStiffness);
-      }
-    }
-  }
-
-  /// Largest entry of the gradient of the Lagrangian over the unknowns that are free to move.
-  double optimality(const Eigen::VectorXd& multipliers) const
-  {
-    Eigen::VectorXd g = this->lagrangianGradient(multipliers);
-    for (std::size_t k = 0; k < this->Held.size(); ++k)
-    {
-      if (this->Held[k])
-      {
-        g[this->unknownOf(k)] = 0.0;
-      }
-    }
-    return largest(g);
+    this->Newton.linearize(this->State.x, this->State.multipliers, curvature);
   }
 
   /// Whether the last step says by its size that no further one is worth it. Slivers and unknowns
@@ -225,7 +211,7 @@ private:
 
   bool feasible() const
   {
-    return largest(this->Point.constraints) <
+    return largest(this->Newton.constraints()) <
       (this->still() ? this->Options.stillConstraintTolerance : this->Options.constraintTolerance);
   }
 
@@ -235,20 +221,17 @@ private:
       this->Options.optimalityTolerance * this->Model.gradientScale(this->Objective);
   }
 
-  /// By how much the step would lower the objective.
-  double promised() const { return 0.5 * std::abs(this->Point.gradient.dot(this->Step)); }
-
   /// Tests the point with the multipliers that the last step left, which spares solving, then with
   /// those of the step from here.
   Found lookAround()
   {
-    this->Optimality = this->optimality(this->State.multipliers);
+    this->Optimality = this->Newton.optimality(this->State.multipliers);
     const bool feasible = this->feasible();
     if (feasible && (this->still() || this->optimal(this->Optimality)))
     {
       return Found::Minimum;
     }
-    if (!std::isfinite(this->Objective) || !this->solve())
+    if (!std::isfinite(this->Objective) || !this->Newton.solve())
     {
       return Found::Nothing;
     }
@@ -256,30 +239,42 @@ private:
     {
       return Found::Step;
     }
-    const double optimality = this->optimality(this->NewMultipliers);
-    if (this->promised() > this->Options.promiseTolerance * this->Objective &&
+    const double optimality = this->Newton.optimality(this->Newton.multipliers());
+    if (this->Newton.promised() > this->Options.promiseTolerance * this->Objective &&
       !this->optimal(optimality))
     {
       return Found::Step;
     }
-    this->State.multipliers = this->NewMultipliers;
-    if (this->drawnInwards())
+    this->State.multipliers = this->Newton.multipliers();
+    if (this->Newton.drawnInwards())
     {
-      this->linearize(this->Taken);
-      return this->solve() ? Found::Step : Found::Nothing;
+      this->linearize(this->Newton.curvature());
+      return this->Newton.solve() ? Found::Step : Found::Nothing;
     }
     this->Optimality = optimality;
     return Found::Minimum;
   }
 
-  /// Whether the step's multipliers draw an unknown back that is held on its bound.
-  bool drawnInwards() const
+  /// Goes along the step as far as the merit function falls.
+  bool advance()
   {
-    const Eigen::VectorXd g = this->lagrangianGradient(this->NewMultipliers);
-    for (std::size_t k = 0; k < this->Held.size(); ++k)
+    this->Merit.raise(this->Newton.multipliers());
+    const Eigen::VectorXd& step = this->Newton.step();
+    const double violation = this->Merit.violation(this->Newton.constraints());
+    const double before = this->Objective + violation;
+    const double slope = this->Newton.gradient().dot(step) - violation;
+    // Below this a change of the merit function is rounding, and the Newton step is taken as it is.
+    const double noise = objectiveRounding * (1.0 + std::abs(before)) +
+      this->Merit.largestPenalty() * this->Model.constraintRounding(this->State.x, before);
+    const double move = largest(step);
+    double scale = move > this->Options.longestMove ? this->Options.longestMove / move : 1.0;
+    this->Shortened = false;
+    for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
     {
-      const Index u = this->unknownOf(k);
-      if (this->Held[k] && g[u] * (this->State.x[u] + this->HeldStep[Eigen::Index(k)]) > 0.0)
+      const double bound = before + sufficientDecrease * scale * std::min(slope, 0.0) + noise;
+      const Eigen::VectorXd x = this->Newton.clipped(this->State.x + scale * step);
+      if (this->accept(x, bound, scale) ||
+        (halving < this->Options.corrections && this->acceptCorrected(x, bound, scale)))
       {
         return true;
       }
@@ -287,147 +282,67 @@ private:
     return false;
   }
 
-  bool factorizes()
+  /// Whether a step would bring next to nothing where the Hessian bends downwards: Newton's method
+  /// goes to saddles as well.
+  bool atSaddle() const
   {
-    return !this->cancelled() && this->Solver.factorize(this->Model.kkt(), this->Run) &&
-      this->Solver.positive() == this->Unknowns;
+    return this->SaddlesLeft < mostSaddles && this->Newton.bentDownwards() &&
+      largest(this->Newton.constraints()) <= this->Options.settleConstraint &&
+      this->Newton.promised() <= this->Options.saddlePromise * this->Objective;
   }
 
-  /// Factors the KKT matrix with a Hessian that is convex on the constraints' tangent space.
-  bool factorize()
+  /// Along the direction that bends downwards most, to the side and as far as it falls.
+  bool leaveSaddle()
   {
-    bool done = this->factorizes();
-    if (!done && this->Taken == Curvature::Exact && this->Model.hasConvexPart())
-    {
-      this->linearize(Curvature::Convex);
-      done = this->factorizes();
-    }
-    double tau = this->Shift > 0.0 ? shiftGrowth * this->Shift
-                                   : std::max(smallestShift, this->LastShift / shiftGrowth);
-    for (; !done && tau <= largestShift && !this->cancelled(); tau *= shiftGrowth)
-    {
-      this->Model.shift(tau - this->Shift);
-      this->Shift = tau;
-      done = this->factorizes();
-    }
-    this->LastShift = this->Shift;
-    return done;
-  }
-
-  /// Finds the Newton step and its multipliers.
-  bool solve()
-  {
-    bool found = this->factorize() && this->solveStep();
-    // An unknown that would leave its bounds goes as far as the bound, and the rest of the step
-    // adapts.
-    while (found && this->holdLeaving())
-    {
-      found = this->factorize() && this->solveStep();
-    }
-    return found;
-  }
-
-  bool solveStep()
-  {
-    Eigen::VectorXd rhs(this->Unknowns + this->Constraints);
-    rhs.head(this->Unknowns) = -this->Point.gradient;
-    rhs.tail(this->Constraints) = -this->Point.constraints;
-    for (std::size_t k = 0; k < this->Held.size(); ++k)
-    {
-      if (this->Held[k])
-      {
-        rhs[this->unknownOf(k)] = holdingStiffness * this->HeldStep[static_cast<Eigen::Index>(k)];
-      }
-    }
-    const Eigen::VectorXd solution = this->solveKkt(rhs);
-    if (solution.size() != rhs.size() || !solution.allFinite())
+    ++this->SaddlesLeft;
+    const Eigen::VectorXd direction = this->Newton.downwards();
+    if (direction.size() == 0)
     {
       return false;
     }
-    this->Step = solution.head(this->Unknowns);
-    // The multiplier part of the solution is the new multiplier itself.
-    this->NewMultipliers = solution.tail(this->Constraints);
-    return true;
-  }
-
-  bool holdLeaving()
-  {
-    bool leaving = false;
-    for (std::size_t k = 0; k < this->Held.size(); ++k)
+    this->Merit.raise(this->Newton.multipliers());
+    const double before = this->Objective + this->Merit.violation(this->Newton.constraints());
+    for (double length = 1.0; length > shortestEscape; length *= 0.5)
     {
-      const Index u = this->unknownOf(k);
-      if (!this->Held[k] && std::abs(this->State.x[u] + this->Step[u]) > this->Bounds[k])
+      for (const double signedLength : { length, -length })
       {
-        this->Held[k] = 1;
-        this->HeldStep[static_cast<Eigen::Index>(k)] =
-          std::copysign(this->Bounds[k], this->Step[u]) - this->State.x[u];
-        this->Model.stiffen(static_cast<Index>(k), holdingStiffness);
-        leaving = true;
+        const Eigen::VectorXd x = this->Newton.clipped(this->State.x + signedLength * direction);
+        if (this->accept(this->Newton.corrected(x), before * (1.0 - escapeFall), 1.0))
+        {
+          this->TookWholeStep = false;
+          return true;
+        }
       }
     }
-    return leaving;
+    return false;
   }
 
-  /// Refined towards the system without the -delta block.
-  Eigen::VectorXd solveKkt(const Eigen::VectorXd& rhs) const
+  /// With the constraints' curvature taken out. A correction leaves an error of third order, and
+  /// where the sheet is soft a step promises less than that costs: it is corrected again as long as
+  /// that helps, and by shorter corrections where it does not.
+  bool acceptCorrected(const Eigen::VectorXd& tried, double bound, double scale)
   {
-    Eigen::VectorXd x = this->Solver.solve(rhs);
-    for (int refinement = 0; refinement < refinements && x.size() == rhs.size(); ++refinement)
+    Eigen::VectorXd x = tried;
+    double violation = this->Merit.violation(this->Model.constraints(x));
+    for (int correction = 0; correction < mostCorrections; ++correction)
     {
-      Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * x;
-      r.tail(this->Constraints) -= regularization * x.tail(this->Constraints);
-      const Eigen::MatrixXd change = this->Solver.solve(r);
-      if (change.rows() != x.size())
-      {
-        break;
-      }
-      x += change;
-    }
-    return x;
-  }
-
-  Eigen::VectorXd clipped(Eigen::VectorXd x) const
-  {
-    for (std::size_t k = 0; k < this->Bounds.size(); ++k)
-    {
-      double& value = x[this->unknownOf(k)];
-      value = std::clamp(value, -this->Bounds[k], this->Bounds[k]);
-    }
-    return x;
-  }
-
-  /// Least change that takes back what the linear model left of the constraints at x.
-  Eigen::VectorXd corrected(const Eigen::VectorXd& x) const
-  {
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(this->Unknowns + this->Constraints);
-    rhs.tail(this->Constraints) = -this->Model.constraints(x);
-    const Eigen::VectorXd correction = this->solveKkt(rhs);
-    return correction.size() == rhs.size() && correction.allFinite()
-      ? this->clipped(x + correction.head(this->Unknowns))
-      : x;
-  }
-
-  /// Goes along the step as far as the merit function falls.
-  bool advance()
-  {
-    this->Merit.raise(this->NewMultipliers);
-    const double violation = this->Merit.violation(this->Point.constraints);
-    const double before = this->Objective + violation;
-    const double slope = this->Point.gradient.dot(this->Step) - violation;
-    // Below this a change of the merit function is rounding, and the Newton step is taken as it is.
-    const double noise = objectiveRounding * (1.0 + std::abs(before)) +
-      this->Merit.largestPenalty() * this->Model.constraintRounding(this->State.x, before);
-    const double move = largest(this->Step);
-    double scale = move > this->Options.longestMove ? this->Options.longestMove / move : 1.0;
-    for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
-    {
-      const double bound = before + sufficientDecrease * scale * std::min(slope, 0.0) + noise;
-      const Eigen::VectorXd x = this->clipped(this->State.x + scale * this->Step);
-      if (this->accept(x, bound, scale) ||
-        (halving < this->Options.corrections && this->accept(this->corrected(x), bound, scale)))
+      x = this->Newton.corrected(x);
+      if (this->accept(x, bound, scale))
       {
         return true;
       }
+      if (!this->Options.correctsAgain)
+      {
+        return false;
+      }
+      const double left = this->Merit.violation(this->Model.constraints(x));
+      if (!(left <= worthCorrecting * violation))
+      {
+        const bool again = !this->Shortened && this->Newton.shortenCorrections();
+        this->Shortened = true;
+        return again && this->acceptCorrected(tried, bound, scale);
+      }
+      violation = left;
     }
     return false;
   }
@@ -441,41 +356,35 @@ private:
     }
     const Eigen::VectorXd move = x - this->State.x;
     this->LargestMove = largest(move);
-    this->MeanMove = move.norm() / std::sqrt(std::max<double>(1.0, this->Unknowns));
+    this->MeanMove =
+      move.norm() / std::sqrt(std::max<double>(1.0, static_cast<double>(move.size())));
+    this->Newton.took(scale);
+    this->Moved = true;
     this->TookStep = true;
-    this->TookWholeStep = scale == 1.0 && this->Shift == 0.0;
+    this->TookWholeStep = scale == 1.0 && this->Newton.shift() == 0.0;
     this->Objective = objective;
     this->State.x = x;
-    this->State.multipliers += scale * (this->NewMultipliers - this->State.multipliers);
+    this->State.multipliers += scale * (this->Newton.multipliers() - this->State.multipliers);
     return true;
   }
 
   NewtonKktModel& Model;
   NewtonKktState State;
-  LinearSolver Solver;
   const NewtonKktOptions& Options;
   const Execution& Run;
-  std::vector<double> Bounds;
-  Index Unknowns;
-  Index Constraints;
-  Index FirstBounded;
-  std::vector<char> Held;   ///< bounded unknowns that are, or in this step go, to their bound
-  Eigen::VectorXd HeldStep; ///< how far those go
-  double Objective = 0.0;
-  NewtonKktModel::Linearization Point;
-  Curvature Taken = Curvature::Convex;
-  double Optimality = 0.0;
-  double Shift = 0.0;     ///< tau in the KKT matrix
-  double LastShift = 0.0; ///< of the last factorization
-  Eigen::VectorXd Step;
-  Eigen::VectorXd NewMultipliers;
+  NewtonKktStep Newton;
   MeritFunction Merit;
+  double Objective = 0.0;
+  double Optimality = 0.0;
+  double Residual = 0.0; ///< of the last point that was looked at
   double LargestMove = 0.0;
   double MeanMove = 0.0;
+  bool Moved = false;
   bool TookStep = false; ///< since the objective is what it is
   bool TookWholeStep = false;
   bool Settled = false;
-  bool ToldToStop = false;
+  bool Shortened = false; ///< corrections of this step
+  int SaddlesLeft = 0;
 };
 }
 

@@ -2,65 +2,13 @@
 #pragma once
 
 #include "Base/Ending.h"
-#include "Sparse/LinearSolver.h"
-
-#include <Eigen/Core>
+#include "Sparse/NewtonKktModel.h"
 
 #include <functional>
 #include <limits>
 
 namespace flattening
 {
-/// How the Hessian of a Lagrangian is taken.
-enum class Curvature
-{
-  Exact,  ///< all terms
-  Convex, ///< only what bends upwards, where the model knows such a part
-};
-
-/// What the Newton iteration solves: least objective f(x) under equations c(x) = 0, the last of the
-/// unknowns (the stretches of elastic wires) within bounds.
-class NewtonKktModel
-{
-public:
-  virtual ~NewtonKktModel() = default;
-
-  virtual Index unknownCount() const = 0;
-  virtual Index constraintCount() const = 0;
-  /// Of the last unknowns: each lies between minus its bound and its bound.
-  virtual std::vector<double> bounds() const = 0;
-
-  virtual double objective(const Eigen::VectorXd& x, const Execution& execution) const = 0;
-  virtual Eigen::VectorXd constraints(const Eigen::VectorXd& x) const = 0;
-  /// What rounding leaves of the sum of |c_i(x)|, at this value of the merit function.
-  virtual double constraintRounding(const Eigen::VectorXd& x, double merit) const = 0;
-  /// What an entry of the gradient of the Lagrangian is small against, at this objective.
-  virtual double gradientScale(double) const { return 1.0; }
-  /// Told once, near a minimum, the multipliers there: the model may take on the objective that it
-  /// is to end with. \return whether it is another one
-  virtual bool settle(const Eigen::VectorXd&) { return false; }
-
-  struct Linearization
-  {
-    Eigen::VectorXd gradient; ///< of the objective
-    Eigen::VectorXd constraints;
-  };
-  /// Gradient and constraints at x; fills the KKT matrix [H, J'; J, -delta I] (lower triangle), H
-  /// the Hessian of objective + multipliers . constraints and J the Jacobian of the constraints,
-  /// whose rows come after all unknowns.
-  virtual Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
-    Curvature curvature, double delta, const Execution& execution) = 0;
-  /// Whether Curvature::Convex is another Hessian than the exact one.
-  virtual bool hasConvexPart() const { return false; }
-  /// Adds to the diagonal of H, after linearize().
-  virtual void shift(double tau) = 0;
-  /// Adds to the diagonal at a bounded unknown, after linearize().
-  virtual void stiffen(Index bounded, double stiffness) = 0;
-  virtual const SparseMatrix& kkt() const = 0;
-  /// J' times a vector, with the Jacobian of the last linearize().
-  virtual Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const = 0;
-};
-
 /// Where the iteration starts, goes on and ends.
 struct NewtonKktState
 {
@@ -87,6 +35,8 @@ struct NewtonKktRecord
 struct NewtonKktOptions
 {
   int maximumIterations = 100;
+  /// Nor is another iteration begun after so many factorizations, which is what takes the time.
+  int mostFactorizations = std::numeric_limits<int>::max();
   /// The iteration ends where no |c_i| is as large and the point is stationary: no entry of the
   /// gradient of the Lagrangian, over the model's scale, is as large as the optimality tolerance,
   /// ...
@@ -104,12 +54,21 @@ struct NewtonKktOptions
   double settlePromise = 0.0;
   double settleConstraint = 0.0;
   int settleBy = std::numeric_limits<int>::max();
+  /// Where the Hessian bends downwards and a further step promises no more than this fraction of
+  /// the objective, constraints as above, the point counts as a saddle: it is left along the
+  /// direction that bends downwards most, which takes several factorizations.
+  double saddlePromise = 0.0;
+  /// Correct a step again where that helps, and where corrections that cost least leave more of the
+  /// constraints than they take, take those that are shortest, at the price of a factorization.
+  bool correctsAgain = false;
   /// Longer steps are shortened to one that moves no unknown by more: where the model's equations
   /// repeat themselves, as those of angles do, longer ones lead to another branch.
   double longestMove = std::numeric_limits<double>::infinity();
   /// The exact Hessian is tried where the step before was shorter; far from a minimum it is seldom
   /// convex. The first step counts as infinite.
   double exactWithin = std::numeric_limits<double>::infinity();
+  /// The same before the model has settled, if that is less.
+  double exactBeforeSettling = std::numeric_limits<double>::infinity();
   /// Weight of a constraint in the merit function over its multiplier. Above 1 it is exact; the
   /// margin keeps it so while multipliers change, and shortens steps.
   double penaltyMargin = 1.5;
@@ -119,6 +78,12 @@ struct NewtonKktOptions
   /// How many of the step's halvings are tried with second-order correction as well. Each costs a
   /// solution; where constraints bend much, one that is left out costs a factorization.
   int corrections = 1;
+  /// A factorization serves the next points as well while whole steps by it bring the residual of
+  /// the conditions of a minimum down to this fraction at least. 0: every point has its own.
+  double followed = 0.0;
+  /// Where what is pressed gives way to many sides: the exact Hessian is shifted before it is given
+  /// up for its convex part, and steps that had to be short shift the next ones.
+  bool amongSaddles = false;
   /// Name in reports of progress; null: none are made.
   const char* phase = nullptr;
   std::function<void(const NewtonKktRecord&)> observe;

@@ -49,6 +49,8 @@ public:
   {
     return this->Places.data() + node.rowsBegin;
   }
+  /// Of all supernodes together.
+  Index rowsSize() const { return static_cast<Index>(this->Rows.size()); }
   Index largestFront() const { return this->LargestFront; }
   /// Where each stored entry of the lower triangle, in the order of storage, goes in the blocks.
   const std::vector<std::size_t>& entryPlaces() const { return this->EntryPlaces; }

@@ -4,24 +4,39 @@
 #include "Base/Memory.h"
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
-#include "Suggestion/CutCandidates.h"
-#include "Suggestion/CutSearch.h"
+#include "Suggestion/CutSetSearch.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/LineSuggestion.h"
 #include "Suggestion/OpeningCuts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace flattening
 {
 namespace
 {
-/// A cut whose price is sqrt(area / pi) has to lower the energy by this share to be worth it.
-constexpr double leastShare = 0.01;
-/// Where a surface had to be cut open, a piece with more strain than this is divided by seams
-/// before it is shaped by darts.
-constexpr double dividedStrain = 0.1;
+/// Mirror images this near to the surface, in sqrt(area / pi), are exact: then cuts are mirrored
+/// whatever it costs.
+constexpr double exactMirror = 1e-9;
+/// How much better cuts must be that are not mirrored.
+constexpr double mirrorWorth = 1.2;
+/// Up to so many cuts are searched for once.
+constexpr Index singleSearch = 2;
+/// The least share of the work that the first way to search may take.
+constexpr double firstShare = 0.5;
+/// Larger surfaces may take more work in proportion.
+constexpr double smallSurface = 5000.0;
+
+/// One way to search, beside the options.
+struct Way
+{
+  SearchGoal goal = SearchGoal::Energy;
+  bool mirrored = true;
+  double fixedPrice = 1.0; ///< times that of the options
+};
 
 class Suggesting
 {
@@ -31,10 +46,9 @@ public:
     : Mesh(mesh)
     , Curves(curves)
     , Options(options)
-    , Search(options.search)
     , Run(execution)
-    , Whole(mesh, curves, options.imprint, options.flattening)
-    , TrialsLeft(options.search.maximumTrials)
+    , Weights(relativeWeights(mesh, options.weights))
+    , Whole(mesh, curves, options.imprint, options.flattening, SearchGoal::Energy, this->Weights)
   {
     for (Index t = 0; t < mesh.triangleCount(); ++t)
     {
@@ -44,44 +58,27 @@ public:
 
   CurveSuggestions run()
   {
-    const Status soundCurves =
-      imprintCurves(this->Mesh, this->Curves, this->Options.imprint).status;
-    if (!soundCurves.ok())
+    const ImprintedSurface surface = imprintCurves(this->Mesh, this->Curves, this->Options.imprint);
+    if (!surface.status.ok())
     {
-      return refusal(soundCurves);
+      return refusal(surface.status);
     }
-    if (this->Search.symmetric)
+    if (this->Options.search.symmetric)
     {
       this->Result.mirror = findMirrorPlane(this->Mesh);
+      if (this->Result.mirror && !mirrorsWeights(this->Mesh, this->Weights, *this->Result.mirror))
+      {
+        this->Result.mirror.reset();
+      }
     }
-    this->openUp();
-    this->Now = this->Whole.run(this->chosen(), this->Run);
-    this->Result.strainBefore = this->Now.strainP95;
-    this->Result.rigidEnergyBefore = this->Now.energy / this->Area;
-    while (!this->finished() && this->addCut())
-    {
-      this->Run.report(
-        std::min(0.9, static_cast<double>(this->Result.cuts.size()) / this->Search.maximumCuts),
-        "Choosing cuts");
-    }
-    if (this->withinBound(this->Now.strainP95))
-    {
-      this->thin();
-    }
-    else
-    {
-      this->refit();
-    }
+    CutSet best = this->search(this->openingCutsOf(surface));
     if (this->Run.cancelled())
     {
       return refusal({ StatusCode::Cancelled, "cancelled while choosing cuts" });
     }
+    this->Result.curves = best.cuts;
     this->nameCuts();
-    this->measureCuts();
-    this->Result.strainAfter = this->Now.strainP95;
-    this->Result.rigidEnergyAfter = this->Now.energy / this->Area;
-    this->Result.boundMet = this->withinBound(this->Now.strainP95);
-    this->Result.trials = this->Search.maximumTrials - this->TrialsLeft;
+    this->measureCuts(best);
     return std::move(this->Result);
   }
 
@@ -93,22 +90,10 @@ private:
     return refused;
   }
 
-  bool withinBound(double strain) const
-  {
-    return this->Search.bound > 0.0 && strain <= this->Search.bound;
-  }
-
-  bool finished() const
-  {
-    return this->withinBound(this->Now.strainP95) || this->TrialsLeft <= 0 ||
-      this->Run.cancelled() ||
-      static_cast<Index>(this->Result.cuts.size()) >= this->Search.maximumCuts;
-  }
-
   /// Cuts without which a piece cannot be laid flat at all.
-  void openUp()
+  std::vector<SuggestedCurve> openingCutsOf(const ImprintedSurface& surface) const
   {
-    const ImprintedSurface surface = imprintCurves(this->Mesh, this->Curves, this->Options.imprint);
+    std::vector<SuggestedCurve> cuts;
     for (const Piece& piece : extractPieces(cutSurface(surface.mesh, surface.curves)))
     {
       for (Polyline& line : openingCuts(piece.mesh, this->Result.mirror))
@@ -119,74 +104,192 @@ private:
           cut.length += (line.points[k] - line.points[k - 1]).norm();
         }
         cut.curve = std::move(line);
-        this->Result.cuts.push_back(std::move(cut));
+        cuts.push_back(std::move(cut));
       }
     }
-    this->OpeningCount = this->Result.cuts.size();
+    return cuts;
   }
 
-  void thin()
+  /// The ways to search: the first alone where few cuts may be made.
+  std::vector<Way> ways() const
   {
-    if (this->OpeningCount == 0)
+    const bool mirrored = this->Result.mirror.has_value();
+    std::vector<Way> all{ { SearchGoal::Energy, mirrored, 1.0 } };
+    if (this->Options.search.maximumCuts <= singleSearch)
     {
-      thinCuts(
-        this->Whole, this->Search.bound, this->Result.cuts, this->Now, this->TrialsLeft, this->Run);
+      return all;
     }
+    if (this->Options.search.bound > 0.0)
+    {
+      all.push_back({ SearchGoal::Strain, mirrored, 1.0 });
+    }
+    all.push_back({ SearchGoal::Energy, mirrored, 2.5 });
+    if (mirrored && this->Result.mirror->error > exactMirror)
+    {
+      const std::size_t count = all.size();
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        all.push_back(all[k]);
+        all.back().mirrored = false;
+      }
+    }
+    return all;
   }
 
-  /// Looks for each cut anew, given all others, where it may now lie better or be shorter.
-  void refit()
+  CutSet search(const std::vector<SuggestedCurve>& first)
   {
-    for (std::size_t k = this->OpeningCount; k < this->Result.cuts.size() && this->TrialsLeft > 0;
-         ++k)
+    std::optional<CutSet> best;
+    double leastMerit = 0.0;
+    bool limited = false;
+    const std::vector<Way> all = this->ways();
+    for (std::size_t k = 0; k < all.size() && !this->Run.cancelled(); ++k)
     {
-      if (this->Result.cuts[k].mirrorOf != none)
+      SearchOptions options = this->Options.search;
+      options.goal = all[k].goal;
+      options.fixedPrice *= all[k].fixedPrice;
+      const double share =
+        std::max(1.0 / static_cast<double>(all.size() - k), k == 0 ? firstShare : 0.0);
+      options.maximumWork = share * (this->mostWork() - this->Result.work);
+      const double part = 0.9 / static_cast<double>(all.size());
+      CutSet set =
+        searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+                     options, all[k].mirrored ? this->Result.mirror : std::nullopt, this->Weights },
+          this->start(first, all[k].goal),
+          this->Run.part(part * static_cast<double>(k), part * static_cast<double>(k + 1)));
+      this->Result.trials += set.trials;
+      this->Result.work += set.work;
+      limited = limited || set.end == SearchEnd::WorkUsedUp;
+      const double merit =
+        this->merit(set) * (this->Result.mirror && !all[k].mirrored ? mirrorWorth : 1.0);
+      if (!best || merit < leastMerit)
       {
-        continue;
+        best = std::move(set);
+        leastMerit = merit;
       }
-      const std::vector<SuggestedCurve> cuts = this->Result.cuts;
-      const TrialOutcome now = this->Now;
-      this->Result.cuts = withShare(cuts, k, 0.0);
-      this->Now = this->Whole.run(this->chosen(), this->Run);
-      if (!this->Now.valid || !this->addCut() || !this->Now.soundAfter(now) ||
-        this->Now.energy >= now.energy || this->Result.cuts.size() > cuts.size())
+      if (best->cuts.size() == first.size() && this->withinBound(best->outcome.strainP95))
       {
-        this->Result.cuts = cuts;
-        this->Now = now;
+        break; // nothing is to be cut
+      }
+      if (best->end == SearchEnd::GivenUp || this->workUsedUp())
+      {
+        break; // nor will other ways get there
       }
     }
+    this->Result.end = limited ? SearchEnd::WorkUsedUp : best->end;
+    this->Result.cutsNeeded = best->cutsNeeded;
+    return std::move(*best);
+  }
+
+  bool workUsedUp() const { return this->Result.work >= this->mostWork(); }
+
+  double mostWork() const
+  {
+    const double most = this->Options.search.maximumWork;
+    return most > 0.0 ? most * std::max(1.0, this->Mesh.triangleCount() / smallSurface)
+                      : std::numeric_limits<double>::infinity();
+  }
+
+  const CutSet& start(const std::vector<SuggestedCurve>& first, SearchGoal goal)
+  {
+    std::optional<CutSet>& set = this->Start[goal];
+    if (!set)
+    {
+      set.emplace();
+      set->cuts = first;
+      set->outcome = CutTrials(this->Mesh, this->Curves, this->Options.imprint,
+        this->Options.flattening, goal, this->Weights)
+                       .run(linesOf(first), this->Run);
+    }
+    return *set;
+  }
+
+  bool withinBound(double strain) const
+  {
+    return this->Options.search.bound > 0.0 && strain <= this->Options.search.bound;
+  }
+
+  /// What is less is better: sets that meet the bound by their price, before those that do not by
+  /// their strain; without a bound by the energy.
+  double merit(const CutSet& set) const
+  {
+    constexpr double unmet = 1e6;
+    constexpr double useless = 1e12;
+    const SearchOptions& search = this->Options.search;
+    if (!set.outcome.valid)
+    {
+      return useless;
+    }
+    if (search.bound == 0.0)
+    {
+      return set.outcome.energy / this->Area;
+    }
+    if (!this->withinBound(set.outcome.strainP95))
+    {
+      return unmet * (1.0 + set.outcome.strainP95);
+    }
+    double price = 0.0;
+    for (const SuggestedCurve& cut : set.cuts)
+    {
+      price += search.fixedPrice + cut.length / std::sqrt(this->Area / pi);
+    }
+    return price;
   }
 
   /// What each cut gives after those before it, now that some are shorter or gone.
-  void measureCuts()
+  void measureCuts(const CutSet& set)
   {
-    std::vector<SuggestedCurve>& cuts = this->Result.cuts;
-    std::vector<Polyline> lines;
-    TrialOutcome before = this->Whole.run(lines, this->Run);
-    for (std::size_t k = 0; k < cuts.size() && !this->Run.cancelled(); ++k)
+    std::vector<SuggestedCurve>& cuts = this->Result.curves;
+    const TrialOutcome* const start =
+      this->Start[SearchGoal::Energy] ? &this->Start[SearchGoal::Energy]->outcome : nullptr;
+    // After each cut or pair but the last, which is known.
+    std::vector<std::size_t> ends;
+    std::vector<std::vector<Polyline>> lines;
+    for (std::size_t k = 0; k < cuts.size(); ++k)
     {
-      lines.push_back(cuts[k].curve);
-      const bool paired = k + 1 < cuts.size() && cuts[k + 1].mirrorOf == static_cast<Index>(k);
-      if (paired)
+      if (k + 1 == cuts.size() || cuts[k + 1].mirrorOf == none)
       {
-        lines.push_back(cuts[++k].curve);
+        ends.push_back(k + 1);
+        lines.push_back(
+          linesOf({ cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(k + 1) }));
       }
-      const TrialOutcome after = this->Whole.run(lines, this->Run);
-      for (std::size_t j = paired ? k - 1 : k; j <= k; ++j)
-      {
-        cuts[j].strainBefore = before.strainP95;
-        cuts[j].strainAfter = after.strainP95;
-        cuts[j].gain = before.valid ? (before.energy - after.energy) / this->Area : 0.0;
-      }
-      before = after;
     }
+    if (!lines.empty())
+    {
+      lines.back().clear();
+    }
+    std::vector<TrialOutcome> after = this->Whole.runAll(lines, this->Run);
+    if (!after.empty())
+    {
+      after.back() = set.outcome;
+    }
+    TrialOutcome before = start && start->paths.empty() ? *start : this->Whole.run({}, this->Run);
+    this->Result.strainBefore = before.strainP95;
+    this->Result.rigidEnergyBefore = before.energy / this->Area;
+    std::size_t begin = 0;
+    for (std::size_t e = 0; e < ends.size(); ++e)
+    {
+      for (std::size_t j = begin; j < ends[e]; ++j)
+      {
+        cuts[j].areaErrorBefore = before.areaError;
+        cuts[j].areaErrorAfter = after[e].areaError;
+        cuts[j].strainBefore = before.strainP95;
+        cuts[j].strainAfter = after[e].strainP95;
+        cuts[j].gain = before.valid ? (before.energy - after[e].energy) / this->Area : 0.0;
+      }
+      begin = ends[e];
+      before = after[e];
+    }
+    this->Result.strainAfter = before.strainP95;
+    this->Result.rigidEnergyAfter = before.energy / this->Area;
+    this->Result.boundMet = this->withinBound(before.strainP95);
+    this->Result.worstPlace = before.worstPlace;
   }
 
   /// Numbers darts and seams in their order, beside the names that there are.
   void nameCuts()
   {
     Index number = 0;
-    for (SuggestedCurve& cut : this->Result.cuts)
+    for (SuggestedCurve& cut : this->Result.curves)
     {
       const char* kind = cut.curve.type == CurveType::Dart ? "dart " : "seam ";
       do
@@ -197,190 +300,14 @@ private:
     }
   }
 
-  std::vector<Polyline> chosen() const
-  {
-    std::vector<Polyline> cuts;
-    for (const SuggestedCurve& cut : this->Result.cuts)
-    {
-      cuts.push_back(cut.curve);
-    }
-    return cuts;
-  }
-
-  /// The curves that the surface has anyway, and the cuts chosen so far.
-  std::vector<Polyline> withChosen() const
-  {
-    std::vector<Polyline> all = this->Curves;
-    const std::vector<Polyline> cuts = this->chosen();
-    all.insert(all.end(), cuts.begin(), cuts.end());
-    return all;
-  }
-
-  double lengthLeft() const
-  {
-    double left = this->Search.maximumCutLength;
-    for (const SuggestedCurve& cut : this->Result.cuts)
-    {
-      left -= cut.length;
-    }
-    return left;
-  }
-
-  /// One round. False where no piece has a cut that is worth it.
-  bool addCut()
-  {
-    const ImprintedSurface surface =
-      imprintCurves(this->Mesh, this->withChosen(), this->Options.imprint);
-    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-    const std::vector<Piece> pieces = extractPieces(cut);
-    std::vector<std::size_t> order;
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-    {
-      if (this->Now.pieceStrains.size() != pieces.size() ||
-        !this->withinBound(this->Now.pieceStrains[p]))
-      {
-        order.push_back(p);
-      }
-    }
-    if (this->Now.pieceStrains.size() == pieces.size())
-    {
-      std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-        return this->Now.pieceEnergies[a] > this->Now.pieceEnergies[b];
-      });
-    }
-    for (std::size_t p : order)
-    {
-      const bool known = this->Now.pieceStrains.size() == pieces.size();
-      if (this->cutPiece(pieces[p], surface, known ? this->Now.pieceStrains[p] : 0.0))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool cutPiece(const Piece& piece, const ImprintedSurface& surface, double strain)
-  {
-    const auto [barred, worth] = this->markVertices(piece, surface);
-    const SearchedPiece searched(piece.mesh, barred, worth, this->Result.mirror);
-    const ScaleFactor factor(searched.mesh(), {}, this->Run);
-    if (!factor.ok())
-    {
-      return false;
-    }
-    const double left = this->lengthLeft();
-    const CutTrials trials(
-      this->Mesh, this->withChosen(), this->Options.imprint, this->Options.flattening);
-    TrialOutcome before = this->Now;
-    if (!before.valid)
-    {
-      // Nothing could be flattened: whatever can is better.
-      before.energy = 1e3 * this->Area;
-      before.severity = std::numeric_limits<int>::max();
-      before.flipped = searched.mesh().triangleCount();
-      before.overlaps = searched.mesh().halfedgeCount();
-    }
-    SearchOptions search = this->Search;
-    if (search.cuts == SuggestedCuts::All && this->OpeningCount > 0 && strain > dividedStrain)
-    {
-      search.cuts = SuggestedCuts::Seams;
-    }
-    const std::vector<CutPlan> plans = planCuts(searched, factor, search, left, this->Run);
-    const std::optional<TriedCut> best = CutSearch(searched, trials, this->Search, before)
-                                           .run(plans, left, this->TrialsLeft, this->Run);
-    return best && this->accept(*best, searched);
-  }
-
-  std::pair<std::vector<char>, std::vector<double>> markVertices(
-    const Piece& piece, const ImprintedSurface& surface) const
-  {
-    std::vector<char> barred(surface.mesh.vertexCount(), 0);
-    std::vector<double> worth(surface.mesh.vertexCount(), 1.0);
-    for (const FeatureCurve& curve : surface.curves)
-    {
-      for (const SearchOptions::Preference& preference : this->Search.preferences)
-      {
-        for (Index v : curve.name == preference.curve ? curve.vertices : Indices{})
-        {
-          worth[v] = preference.weight;
-        }
-      }
-      for (Index v : curve.type == CurveType::Key ? curve.vertices : Indices{})
-      {
-        barred[v] = 1;
-      }
-    }
-    // Vertices of the cut surface come from those of the surface in the corners of its triangles.
-    std::vector<char> barredHere(piece.mesh.vertexCount(), 0);
-    std::vector<double> worthHere(piece.mesh.vertexCount(), 1.0);
-    for (Index h = 0; h < piece.mesh.halfedgeCount(); ++h)
-    {
-      const Index v = surface.mesh.from(3 * piece.triangles[h / 3] + h % 3);
-      barredHere[piece.mesh.from(h)] = barred[v];
-      worthHere[piece.mesh.from(h)] = worth[v];
-    }
-    return { barredHere, worthHere };
-  }
-
-  bool accept(const TriedCut& best, const SearchedPiece& piece)
-  {
-    const double share = this->Now.valid ? best.score / this->Now.energy : 1.0;
-    if (this->Search.bound > 0.0 && share * std::sqrt(this->Area / pi) < leastShare)
-    {
-      return false;
-    }
-    std::vector<SuggestedCurve> added;
-    for (std::size_t k = 0; k < best.outcome.paths.size(); ++k)
-    {
-      SuggestedCurve cut;
-      cut.curve.type = best.plan.type;
-      cut.curve.points = best.outcome.paths[k];
-      if (k == 1 && piece.mirrorIsExact())
-      {
-        cut.curve.points.clear();
-        for (const Point3& p : best.outcome.paths[0])
-        {
-          cut.curve.points.push_back(piece.mirror()->mirrored(p));
-        }
-      }
-      cut.length = best.outcome.lengths[k];
-      cut.predictedGain = best.plan.predictedGain / this->Area;
-      cut.opening = best.plan.opening;
-      cut.mirrorOf = k == 1 ? static_cast<Index>(this->Result.cuts.size()) : none;
-      added.push_back(cut);
-    }
-    std::vector<Polyline> cuts = this->chosen();
-    for (const SuggestedCurve& cut : added)
-    {
-      cuts.push_back(cut.curve);
-    }
-    const TrialOutcome after = this->Whole.run(cuts, this->Run);
-    --this->TrialsLeft;
-    if (this->Now.valid ? !after.soundAfter(this->Now) : !after.valid)
-    {
-      return false;
-    }
-    for (SuggestedCurve& cut : added)
-    {
-      cut.strainBefore = this->Now.strainP95;
-      cut.strainAfter = after.strainP95;
-      cut.gain = (this->Now.energy - after.energy) / this->Area;
-      this->Result.cuts.push_back(cut);
-    }
-    this->Now = after;
-    return true;
-  }
-
   const TriangleMesh& Mesh;
   const std::vector<Polyline>& Curves;
   const SuggestionOptions& Options;
-  const SearchOptions& Search;
   const Execution& Run;
+  RegionWeights Weights; ///< relative ones
   CutTrials Whole;
-  Index TrialsLeft;
   double Area = 0.0;
-  std::size_t OpeningCount = 0; ///< the first cuts, which are needed whatever the bound
-  TrialOutcome Now;
+  std::map<SearchGoal, std::optional<CutSet>> Start; ///< the cuts that are needed anyway
   CurveSuggestions Result;
 };
 }
@@ -390,9 +317,17 @@ CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyl
 {
   CurveSuggestions refused;
   refused.status = checkSearch(options.search, curves);
+  if (refused.status.ok())
+  {
+    refused.status = checkWeights(options.weights, mesh.triangleCount());
+  }
   if (!refused.status.ok())
   {
     return refused;
+  }
+  if (options.search.cuts == SuggestedCuts::Lines)
+  {
+    return suggestLines(mesh, curves, options, execution);
   }
   return withinMemory([&] { return Suggesting(mesh, curves, options, execution).run(); });
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutCandidates.h"
 
-#include "Quality/VertexClusters.h"
-#include "Suggestion/EdgePaths.h"
+#include "Suggestion/CutPlaces.h"
+#include "Surface/EdgePaths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,40 +23,6 @@ constexpr double longestDart = 2.0;
 constexpr double leastSeamArc = 0.35;
 constexpr double plansApart = 0.15;
 constexpr Index mostBases = 80;
-constexpr Index mostTips = 140;
-
-/// The middle vertex of each of some clusters of the inside.
-Indices spreadTips(const TriangleMesh& mesh, const std::vector<char>& barred)
-{
-  Indices inside;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (mesh.outgoing(v) != none && !mesh.onBoundary(v) && !barred[v])
-    {
-      inside.push_back(v);
-    }
-  }
-  const Indices cluster = clusterVertices(mesh, inside, mostTips);
-  const Index count = std::min<Index>(mostTips, static_cast<Index>(inside.size()));
-  std::vector<Point3> center(count, Point3::Zero());
-  std::vector<double> members(count, 0.0);
-  for (Index v : inside)
-  {
-    center[cluster[v]] += mesh.point(v);
-    members[cluster[v]] += 1.0;
-  }
-  Indices tips(count, none);
-  const auto miss = [&](Index v) {
-    return (mesh.point(v) - center[cluster[v]] / members[cluster[v]]).squaredNorm();
-  };
-  for (Index v : inside)
-  {
-    Index& tip = tips[cluster[v]];
-    tip = tip == none || miss(v) < miss(tip) ? v : tip;
-  }
-  tips.erase(std::remove(tips.begin(), tips.end(), none), tips.end());
-  return tips;
-}
 
 class Planning
 {
@@ -85,17 +51,18 @@ public:
     }
     if (options.cuts != SuggestedCuts::Seams)
     {
-      this->Tips = spreadTips(this->Mesh, piece.barred());
+      this->Places = cutPlaces(this->Mesh, piece.barred());
     }
   }
 
   std::vector<CutPlan> run(const Execution& execution) const
   {
-    std::vector<std::vector<CutPlan>> parts(this->Bases.size());
-    execution.parallelFor(static_cast<Index>(this->Bases.size()), [&](Index begin, Index end) {
-      for (Index b = begin; b < end; ++b)
+    const auto bases = static_cast<Index>(this->Bases.size());
+    std::vector<std::vector<CutPlan>> parts(this->Bases.size() + this->Places.sites.size());
+    execution.parallelFor(static_cast<Index>(parts.size()), [&](Index begin, Index end) {
+      for (Index k = begin; k < end; ++k)
       {
-        parts[b] = this->plansFrom(b);
+        parts[k] = k < bases ? this->plansFrom(k) : this->plansInside(k - bases);
       }
     });
     std::vector<CutPlan> plans;
@@ -125,7 +92,7 @@ private:
       return plans; // the mirror image of another
     }
     const EdgePaths paths(this->Mesh, { base }, this->Piece.barred());
-    for (Index tip : this->Tips)
+    for (Index tip : this->Places.tips)
     {
       this->addDart(paths, base, tip, plans);
     }
@@ -144,6 +111,39 @@ private:
     if (this->Piece.mirror())
     {
       this->addSeam(paths, base, this->mirroredBase(base), plans);
+    }
+    return plans;
+  }
+
+  /// Darts from one place of much curvature to those after it.
+  std::vector<CutPlan> plansInside(Index s) const
+  {
+    std::vector<CutPlan> plans;
+    const Index start = this->Places.sites[s];
+    const bool image = this->Piece.mirror() && this->side(this->Mesh.point(start)) < 0;
+    if (image || !this->Piece.takesInnerTip(this->Mesh.point(start)))
+    {
+      return plans;
+    }
+    const EdgePaths paths(this->Mesh, { start }, this->Piece.barred());
+    for (std::size_t e = s + 1; e < this->Places.sites.size(); ++e)
+    {
+      const Index tip = this->Places.sites[e];
+      CutPlan plan;
+      plan.start = this->Mesh.point(start);
+      plan.tip = this->Mesh.point(tip);
+      if (!this->Piece.takesInnerTip(plan.tip) || !paths.reaches(tip) ||
+        paths.distance(tip) > longestDart * this->Piece.size() ||
+        !this->takeRole(*plan.start, plan.tip, plan))
+      {
+        continue;
+      }
+      if (plan.role == MirrorRole::Along)
+      {
+        plan.start = this->Piece.onto(this->Piece.mirror()->projected(*plan.start));
+        plan.tip = this->Piece.onto(this->Piece.mirror()->projected(plan.tip));
+      }
+      this->add(paths.path(tip), plan, plans);
     }
     return plans;
   }
@@ -168,7 +168,7 @@ private:
       return true;
     }
     plan.role = MirrorRole::Pair;
-    return a * b > 0;
+    return a * b > 0 && this->Options.maximumCuts > 1;
   }
 
   void addDart(const EdgePaths& paths, Index base, Index tip, std::vector<CutPlan>& plans) const
@@ -263,13 +263,18 @@ private:
     {
       return;
     }
-    CutForecast forecast = this->Factor.forecast(path);
+    CutForecast forecast =
+      plan.start ? this->Factor.forecastInside(path) : this->Factor.forecast(path);
     plan.opening = forecast.leastOpening();
     if (plan.type == CurveType::Dart && plan.opening < -mostOverlap * this->Piece.size())
     {
       return;
     }
-    if (plan.role == MirrorRole::Pair)
+    if (plan.role == MirrorRole::Pair && plan.start)
+    {
+      forecast.gain *= 2.0; // as if its image were far away
+    }
+    else if (plan.role == MirrorRole::Pair)
     {
       Indices both = path;
       for (Index v : path)
@@ -278,7 +283,9 @@ private:
       }
       forecast = this->Factor.forecast(both);
     }
-    plan.opening = plan.type == CurveType::Dart ? forecast.opening(0.0) : 0.0;
+    plan.opening = plan.start        ? forecast.greatestOpening()
+      : plan.type == CurveType::Dart ? forecast.opening(0.0)
+                                     : 0.0;
     plan.predictedGain = forecast.gain;
     plan.price = this->Piece.price(plan, plan.length, this->Options);
     if (plan.predictedGain > 0.0)
@@ -294,7 +301,7 @@ private:
   double Longest;
   double Margin;
   Indices Bases;
-  Indices Tips;
+  CutPlaces Places; ///< none where seams alone are wanted
 };
 }
 
@@ -315,8 +322,9 @@ std::vector<CutPlan> distinctPlans(
     const Point3 a2 = piece.endOf(a);
     const Point3 b1 = piece.baseOf(b);
     const Point3 b2 = piece.endOf(b);
-    const bool turned = a.type == CurveType::Seam && near(a1, b2) && near(a2, b1);
-    return a.type == b.type && ((near(a1, b1) && near(a2, b2)) || turned);
+    const bool turned = (a.type == CurveType::Seam || a.start) && near(a1, b2) && near(a2, b1);
+    return a.type == b.type && a.start.has_value() == b.start.has_value() &&
+      ((near(a1, b1) && near(a2, b2)) || turned);
   };
   for (const CutPlan& plan : plans)
   {

@@ -5,6 +5,8 @@
 #include "Suggestion/MirrorPlane.h"
 #include "Surface/FeatureCurve.h"
 
+#include <optional>
+
 namespace flattening
 {
 /// How a plan stands to the mirror plane.
@@ -24,6 +26,7 @@ struct CutPlan
   BoundaryPlace base;          ///< the mouth of a dart, an end of a seam
   BoundaryPlace end;           ///< of a seam
   Point3 tip = Point3::Zero(); ///< of a dart
+  std::optional<Point3> start; ///< of a dart inside, as at a waist: its other tip; it has no base
   /// What its line would change, by ScaleFactor.
   double predictedGain = 0.0;
   double opening = 0.0;

@@ -28,8 +28,8 @@ CutSearch::CutSearch(const SearchedPiece& piece, const CutTrials& trials,
 {
 }
 
-std::vector<TriedCut> CutSearch::tryAll(
-  const std::vector<CutPlan>& plans, double longest, const Execution& execution) const
+std::vector<TriedCut> CutSearch::tryAll(const std::vector<CutPlan>& plans, double longest,
+  TrialBudget& budget, const Execution& execution) const
 {
   std::vector<std::vector<Polyline>> cuts;
   cuts.resize(plans.size());
@@ -40,6 +40,7 @@ std::vector<TriedCut> CutSearch::tryAll(
     }
   });
   std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, execution);
+  budget.pay(outcomes);
   std::vector<TriedCut> tried;
   for (std::size_t k = 0; k < plans.size(); ++k)
   {
@@ -51,7 +52,7 @@ std::vector<TriedCut> CutSearch::tryAll(
     {
       continue;
     }
-    cut.gain = this->Before.energy - cut.outcome.energy;
+    cut.gain = this->Before.goal - cut.outcome.goal;
     cut.plan.length = length;
     cut.plan.price = this->Piece.price(cut.plan, length, this->Options);
     cut.score = cut.gain / cut.plan.price;
@@ -65,38 +66,32 @@ std::vector<TriedCut> CutSearch::tryAll(
   return tried;
 }
 
-std::optional<TriedCut> CutSearch::run(const std::vector<CutPlan>& plans, double longest,
-  Index& trialsLeft, const Execution& execution) const
+std::vector<TriedCut> CutSearch::run(const std::vector<CutPlan>& plans, double longest,
+  TrialBudget& budget, const Execution& execution) const
 {
-  const std::vector<CutPlan> first =
-    distinctPlans(this->Piece, plans, std::min(this->Options.trials, trialsLeft));
-  trialsLeft -= static_cast<Index>(first.size());
-  std::vector<TriedCut> tried = this->tryAll(first, longest, execution);
-  std::optional<TriedCut> best;
+  const std::vector<CutPlan> first = distinctPlans(this->Piece, plans, this->Options.trials);
+  std::vector<TriedCut> tried = this->tryAll(first, longest, budget, execution);
   for (std::size_t k = 0; k < std::min(tried.size(), polishedCuts); ++k)
   {
-    TriedCut cut = this->polished(std::move(tried[k]), longest, trialsLeft, execution);
-    if (!best || cut.better(*best))
-    {
-      best = std::move(cut);
-    }
+    tried[k] = this->polished(std::move(tried[k]), longest, budget, execution);
   }
-  return best;
+  std::stable_sort(
+    tried.begin(), tried.end(), [](const TriedCut& a, const TriedCut& b) { return a.better(b); });
+  return tried;
 }
 
 TriedCut CutSearch::polished(
-  TriedCut cut, double longest, Index& trialsLeft, const Execution& execution) const
+  TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const
 {
   double step = firstStep * this->Piece.size();
   for (Index move = 0; move < mostMoves && step >= lastStep * this->Piece.size(); ++move)
   {
-    const std::vector<CutPlan> plans = this->neighbours(cut.plan, step);
-    if (static_cast<Index>(plans.size()) > trialsLeft || execution.cancelled())
+    if (budget.spent() || execution.cancelled())
     {
       break;
     }
-    trialsLeft -= static_cast<Index>(plans.size());
-    std::vector<TriedCut> tried = this->tryAll(plans, longest, execution);
+    std::vector<TriedCut> tried =
+      this->tryAll(this->neighbours(cut.plan, step), longest, budget, execution);
     if (!tried.empty() && tried.front().score > (1.0 + leastProgress) * cut.score)
     {
       cut = std::move(tried.front());
@@ -125,7 +120,7 @@ std::vector<CutPlan> CutSearch::neighbours(const CutPlan& plan, double step) con
   const bool along = plan.role == MirrorRole::Along;
   for (double by : { step, -step })
   {
-    if (!along)
+    if (!along && !plan.start)
     {
       addMoved(by, 0.0);
     }
@@ -144,17 +139,24 @@ std::vector<CutPlan> CutSearch::neighbours(const CutPlan& plan, double step) con
     {
       for (const Point3& direction : { ahead, aside })
       {
+        const auto placed = [&](const Point3& point) {
+          return this->Piece.onto(along ? this->Piece.mirror()->projected(point) : point);
+        };
         CutPlan moved = plan;
-        const Point3 tip = plan.tip + by * direction;
-        if (along)
+        moved.tip = placed(plan.tip + by * direction);
+        if (!plan.start || this->Piece.takesInnerTip(moved.tip))
         {
-          moved.tip = this->Piece.onto(this->Piece.mirror()->projected(tip));
+          plans.push_back(moved);
         }
-        else
+        if (plan.start)
         {
-          moved.tip = this->Piece.onto(tip);
+          moved = plan;
+          moved.start = placed(*plan.start + by * direction);
+          if (this->Piece.takesInnerTip(*moved.start))
+          {
+            plans.push_back(moved);
+          }
         }
-        plans.push_back(moved);
       }
     }
   }

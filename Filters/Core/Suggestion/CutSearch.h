@@ -3,6 +3,7 @@
 
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SearchedPiece.h"
+#include "Suggestion/TrialBudget.h"
 
 namespace flattening
 {
@@ -11,7 +12,7 @@ struct TriedCut
 {
   CutPlan plan;
   TrialOutcome outcome;
-  double gain = 0.0;  ///< drop of the surface's energy
+  double gain = 0.0;  ///< drop of what the search is to lower
   double score = 0.0; ///< gain per price
 
   bool better(const TriedCut& other) const { return this->score > other.score; }
@@ -22,20 +23,21 @@ struct TriedCut
 class CutSearch
 {
 public:
-  /// All must outlive it. \param trials of the whole surface with the cuts that it has \param
-  /// before those without another cut
+  /// All must outlive it. \param trials of the piece with the cuts that it has \param before its
+  /// outcome without another cut
   CutSearch(const SearchedPiece& piece, const CutTrials& trials, const SearchOptions& options,
     const TrialOutcome& before);
 
-  /// The best cut no longer than `longest`, or none. \param trialsLeft counts down
-  std::optional<TriedCut> run(const std::vector<CutPlan>& plans, double longest, Index& trialsLeft,
+  /// The cuts that lower the energy and are no longer than `longest`, the best first. Once the
+  /// budget is spent no more are tried.
+  std::vector<TriedCut> run(const std::vector<CutPlan>& plans, double longest, TrialBudget& budget,
     const Execution& execution) const;
 
 private:
-  std::vector<TriedCut> tryAll(
-    const std::vector<CutPlan>& plans, double longest, const Execution& execution) const;
+  std::vector<TriedCut> tryAll(const std::vector<CutPlan>& plans, double longest,
+    TrialBudget& budget, const Execution& execution) const;
   TriedCut polished(
-    TriedCut cut, double longest, Index& trialsLeft, const Execution& execution) const;
+    TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const;
   std::vector<CutPlan> neighbours(const CutPlan& plan, double step) const;
 
   const SearchedPiece& Piece;

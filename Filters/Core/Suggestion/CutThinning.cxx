@@ -23,6 +23,7 @@ void trim(SuggestedCurve& cut, double share)
   cut.curve.points = std::move(kept);
   cut.length *= share;
 }
+}
 
 std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts)
 {
@@ -32,7 +33,6 @@ std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts)
     lines.push_back(cut.curve);
   }
   return lines;
-}
 }
 
 std::vector<SuggestedCurve> withShare(
@@ -62,10 +62,10 @@ std::vector<SuggestedCurve> withShare(
 }
 
 void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>& cuts,
-  TrialOutcome& now, Index& trialsLeft, const Execution& execution)
+  TrialOutcome& now, TrialBudget& budget, const Execution& execution)
 {
   bool thinned = now.valid;
-  while (thinned && !cuts.empty() && !execution.cancelled())
+  while (thinned && !cuts.empty() && !budget.spent() && !execution.cancelled())
   {
     thinned = false;
     std::vector<std::vector<SuggestedCurve>> fewer;
@@ -82,12 +82,8 @@ void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>
         }
       }
     }
-    if (static_cast<Index>(lines.size()) > trialsLeft)
-    {
-      return;
-    }
-    trialsLeft -= static_cast<Index>(lines.size());
     const std::vector<TrialOutcome> outcomes = trials.runAll(lines, execution);
+    budget.pay(outcomes);
     std::size_t best = lines.size();
     for (std::size_t k = 0; k < lines.size(); ++k)
     {

@@ -3,15 +3,18 @@
 
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SuggestedCurve.h"
+#include "Suggestion/TrialBudget.h"
 
 namespace flattening
 {
 /// Takes back what the bound does not need of some cuts: whole cuts, and thirds of darts from the
 /// tip on, mirror images together, as long as the strain stays within the bound; what saves most
 /// first.
-/// \param now the outcome of the cuts, in and out \param trialsLeft counts down
+/// \param now the outcome of the cuts, in and out
 void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>& cuts,
-  TrialOutcome& now, Index& trialsLeft, const Execution& execution);
+  TrialOutcome& now, TrialBudget& budget, const Execution& execution);
+
+std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts);
 
 /// The cuts with one and its mirror image left out, or cut back to a share of its length.
 std::vector<SuggestedCurve> withShare(

@@ -3,13 +3,21 @@
 
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
+#include "Quality/StrainMeasures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace flattening
 {
 namespace
 {
+/// No triangle counts for more.
+constexpr double mostStrain = 2.0;
+/// How often a step of an iteration asks whether to go on, in the mean of many flattenings.
+constexpr double askedPerStep = 11.0;
+
 bool isCut(const FeatureCurve& curve)
 {
   return curve.type == CurveType::Dart || curve.type == CurveType::Seam;
@@ -37,6 +45,93 @@ bool touchesKey(const ImprintedSurface& surface, std::size_t first)
     }
   }
   return false;
+}
+
+double strainOf(const TriangleQuality& quality)
+{
+  if (!(quality.smallStretch > 0.0))
+  {
+    return mostStrain;
+  }
+  return std::min(mostStrain,
+    std::max(std::abs(std::log(quality.smallStretch)), std::abs(std::log(quality.largeStretch))));
+}
+
+/// By piece, the integral of the strain's fourth power. \param counted area of each triangle
+std::vector<double> peakStrains(const FlatteningResult& flat, const std::vector<double>& counted)
+{
+  std::vector<double> peaks(flat.pieces.size(), 0.0);
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    peaks[flat.cut->pieceOfTriangle[t]] += counted[t] * std::pow(strainOf(flat.triangles[t]), 4.0);
+  }
+  return peaks;
+}
+
+/// By piece, where areas are other than on the surface.
+std::vector<StrainMeasures> strainMeasures(
+  const FlatteningResult& flat, const std::vector<double>& counted)
+{
+  std::vector<std::vector<TriangleFrame>> frames(flat.pieces.size());
+  std::vector<std::vector<TriangleQuality>> qualities(flat.pieces.size());
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    const Index piece = flat.cut->pieceOfTriangle[t];
+    frames[piece].emplace_back();
+    frames[piece].back().area = counted[t];
+    qualities[piece].push_back(flat.triangles[t]);
+  }
+  std::vector<StrainMeasures> measures;
+  for (std::size_t p = 0; p < frames.size(); ++p)
+  {
+    measures.push_back(measureStrain(frames[p], qualities[p]));
+  }
+  return measures;
+}
+
+/// The middle of the triangle that is strained most of those that count.
+Point3 worstPlace(const FlatteningResult& flat, const std::vector<double>& counted)
+{
+  Index worst = 0;
+  double most = -1.0;
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    const double strain = strainOf(flat.triangles[t]);
+    if (strain > most && counted[t] > 0.0)
+    {
+      most = strain;
+      worst = t;
+    }
+  }
+  const auto& [a, b, c] = flat.cut->mesh.triangle(worst);
+  return (flat.cut->mesh.point(a) + flat.cut->mesh.point(b) + flat.cut->mesh.point(c)) / 3.0;
+}
+
+/// Every triangle counts once beside its piece's steps, which a conformal map has none of.
+double workOf(const FlatteningResult& flat)
+{
+  double work = 0.0;
+  for (const PieceReport& piece : flat.pieces)
+  {
+    work += static_cast<double>(piece.triangles) *
+      static_cast<double>(1 + piece.history.size() + piece.isometricHistory.size());
+  }
+  return work;
+}
+
+/// The points of the curves from `first` on.
+std::vector<Points3> pathsOf(const ImprintedSurface& surface, std::size_t first)
+{
+  std::vector<Points3> paths;
+  for (std::size_t c = first; c < surface.curves.size(); ++c)
+  {
+    paths.emplace_back();
+    for (Index v : surface.curves[c].vertices)
+    {
+      paths.back().push_back(surface.mesh.point(v));
+    }
+  }
+  return paths;
 }
 
 /// Two cuts may meet in a point, not run along each other; and none may run along the boundary.
@@ -77,80 +172,148 @@ double TrialOutcome::cutLength() const
 }
 
 CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
-  const ImprintOptions& imprint, const FlatteningOptions& flattening)
+  const ImprintOptions& imprint, const FlatteningOptions& flattening, SearchGoal goal,
+  RegionWeights weights)
   : Mesh(mesh)
   , Curves(std::move(curves))
   , Imprint(imprint)
   , Flattening(flattening)
+  , Goal(goal)
+  , Weights(std::move(weights))
 {
   this->Imprint.split = true;
   this->Flattening.arrange = false;
   this->Flattening.tryReleases = false;
 }
 
+/// The surface with its curves and the cuts; refused where a cut cannot be made.
+ImprintedSurface CutTrials::imprinted(const std::vector<Polyline>& cuts) const
+{
+  std::vector<Polyline> polylines = this->Curves;
+  polylines.insert(polylines.end(), cuts.begin(), cuts.end());
+  ImprintedSurface surface = imprintCurves(this->Mesh, polylines, this->Imprint);
+  const std::size_t first = this->Curves.size();
+  if (surface.status.ok() && (touchesKey(surface, first) || crossesItself(surface, first)))
+  {
+    surface.status.code = StatusCode::InvalidCurve;
+  }
+  return surface;
+}
+
+std::vector<Points3> CutTrials::paths(const std::vector<Polyline>& cuts) const
+{
+  const ImprintedSurface surface = this->imprinted(cuts);
+  return surface.status.ok() ? pathsOf(surface, this->Curves.size()) : std::vector<Points3>{};
+}
+
 TrialOutcome CutTrials::run(const std::vector<Polyline>& cuts, const Execution& execution) const
 {
   TrialOutcome outcome;
-  std::vector<Polyline> polylines = this->Curves;
-  polylines.insert(polylines.end(), cuts.begin(), cuts.end());
-  const ImprintedSurface surface = imprintCurves(this->Mesh, polylines, this->Imprint);
-  const std::size_t first = this->Curves.size();
-  if (!surface.status.ok() || touchesKey(surface, first) || crossesItself(surface, first))
+  outcome.work = this->Mesh.triangleCount(); // of imprinting, whatever comes of it
+  const ImprintedSurface surface = this->imprinted(cuts);
+  if (!surface.status.ok())
   {
     return outcome;
   }
-  for (std::size_t c = first; c < surface.curves.size(); ++c)
+  outcome.paths = pathsOf(surface, this->Curves.size());
+  for (const Points3& path : outcome.paths)
   {
-    Points3 path;
     double length = 0.0;
-    for (Index v : surface.curves[c].vertices)
+    for (std::size_t k = 1; k < path.size(); ++k)
     {
-      length += path.empty() ? 0.0 : (surface.mesh.point(v) - path.back()).norm();
-      path.push_back(surface.mesh.point(v));
+      length += (path[k] - path[k - 1]).norm();
     }
-    outcome.paths.push_back(std::move(path));
     outcome.lengths.push_back(length);
   }
+  Execution silent = execution; // how far a trial is says nothing of how far the search is
+  silent.progress = nullptr;
   const FlatteningResult flat =
-    flattenSurface(surface.mesh, surface.curves, this->Flattening, execution);
+    flattenSurface(surface.mesh, surface.curves, this->Flattening, silent);
   if (flat.status.refused())
   {
     return outcome;
   }
   outcome.valid = true;
   outcome.severity = severity(flat.status.code);
+  outcome.work = workOf(flat);
+  const std::vector<double> counted = this->countedAreas(surface, flat);
+  outcome.worstPlace = worstPlace(flat, counted);
+  this->measure(flat, counted, outcome);
+  return outcome;
+}
+
+/// By triangle of the flattening, its area on the surface times its weight.
+std::vector<double> CutTrials::countedAreas(
+  const ImprintedSurface& surface, const FlatteningResult& flat) const
+{
+  std::vector<double> counted;
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    const double weight = this->Weights.empty()
+      ? 1.0
+      : this->Weights[surface.originalTriangle[flat.cut->originalTriangle(t)]];
+    counted.push_back(weight * flat.cut->mesh.area(t));
+  }
+  return counted;
+}
+
+void CutTrials::measure(
+  const FlatteningResult& flat, const std::vector<double>& counted, TrialOutcome& outcome) const
+{
   std::vector<double> areas(flat.pieces.size(), 0.0);
+  std::vector<double> countedAreas(flat.pieces.size(), 0.0);
   for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
   {
     areas[flat.cut->pieceOfTriangle[t]] += flat.cut->mesh.area(t);
+    countedAreas[flat.cut->pieceOfTriangle[t]] += counted[t];
+  }
+  std::vector<StrainMeasures> strains;
+  if (!this->Weights.empty())
+  {
+    strains = strainMeasures(flat, counted);
   }
   double total = 0.0;
   for (std::size_t p = 0; p < flat.pieces.size(); ++p)
   {
     const QualitySummary& quality = flat.pieces[p].quality;
-    outcome.energy += areas[p] * quality.rigidEnergy;
+    const StrainMeasures strain =
+      strains.empty() ? StrainMeasures{ quality.strainP95, quality.rigidEnergy } : strains[p];
+    outcome.energy += countedAreas[p] * strain.rigidEnergy;
     outcome.areaError += areas[p] * quality.areaError;
     total += areas[p];
-    outcome.strainP95 = std::max(outcome.strainP95, quality.strainP95);
-    outcome.pieceStrains.push_back(quality.strainP95);
-    outcome.pieceEnergies.push_back(areas[p] * quality.rigidEnergy);
+    outcome.strainP95 = std::max(outcome.strainP95, strain.quantile);
+    outcome.pieceStrains.push_back(strain.quantile);
+    outcome.pieceGoals.push_back(countedAreas[p] * strain.rigidEnergy);
     outcome.flipped += quality.flipped.size();
     outcome.overlaps += flat.pieces[p].overlaps.count;
   }
   outcome.areaError /= total;
-  return outcome;
+  if (this->Goal == SearchGoal::Strain)
+  {
+    outcome.pieceGoals = peakStrains(flat, counted);
+  }
+  outcome.goal = std::accumulate(outcome.pieceGoals.begin(), outcome.pieceGoals.end(), 0.0);
 }
 
 std::vector<TrialOutcome> CutTrials::runAll(
   const std::vector<std::vector<Polyline>>& cuts, const Execution& execution) const
 {
   std::vector<TrialOutcome> outcomes(cuts.size());
+  const Execution inner = execution.insideLoop();
   execution.parallelFor(static_cast<Index>(cuts.size()), [&](Index begin, Index end) {
-    for (Index k = begin; k < end; ++k)
+    for (Index k = begin; k < end && !inner.cancelled(); ++k)
     {
       if (!cuts[k].empty())
       {
-        outcomes[k] = this->run(cuts[k], {});
+        // Steps of attempts that were given up are in no report, but all ask whether to go on.
+        Index asked = 0;
+        Execution counting = inner;
+        counting.cancel = [&asked, &inner] {
+          ++asked;
+          return inner.cancelled();
+        };
+        outcomes[k] = this->run(cuts[k], counting);
+        outcomes[k].work = (1.0 + asked / askedPerStep) * this->Mesh.triangleCount();
       }
     }
   });

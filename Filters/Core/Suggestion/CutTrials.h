@@ -2,15 +2,20 @@
 #pragma once
 
 #include "Flattening/FlatteningOptions.h"
+#include "Flattening/FlatteningResult.h"
 #include "Imprint/ImprintedSurface.h"
+#include "Suggestion/RegionWeights.h"
+#include "Suggestion/SearchOptions.h"
 
 namespace flattening
 {
-/// What a flattening with some cuts turned out to be.
+/// What a flattening with some cuts turned out to be. Where regions have weights, energy, goal and
+/// strain are as if areas were multiplied by them.
 struct TrialOutcome
 {
   bool valid = false;     ///< there is a flattening, and no cut touches a key curve inside
   double energy = 0.0;    ///< rigid energy times area, over all pieces
+  double goal = 0.0;      ///< what the search is to lower, over all pieces
   double strainP95 = 0.0; ///< of the piece where it is largest
   double areaError = 0.0; ///< mean over the pieces by area
   std::size_t flipped = 0;
@@ -19,10 +24,14 @@ struct TrialOutcome
   std::vector<double> lengths;
   /// By piece, in the order of their smallest triangles.
   std::vector<double> pieceStrains;
-  std::vector<double> pieceEnergies;
+  std::vector<double> pieceGoals;
 
   double cutLength() const;
   int severity = 0; ///< of its status
+  /// Steps of its iterations times the triangles that they were made on.
+  double work = 0.0;
+  /// Where the strain is largest of what counts.
+  Point3 worstPlace = Point3::Zero();
   /// No promise is broken worse than before: nothing more is folded or lies over another part.
   bool soundAfter(const TrialOutcome& before) const
   {
@@ -37,18 +46,30 @@ class CutTrials
 public:
   /// The mesh must outlive it.
   CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves, const ImprintOptions& imprint,
-    const FlatteningOptions& flattening);
+    const FlatteningOptions& flattening, SearchGoal goal = SearchGoal::Energy,
+    RegionWeights weights = {});
 
   TrialOutcome run(const std::vector<Polyline>& cuts, const Execution& execution) const;
-  /// Several, in parallel; an empty set of cuts is not tried.
+  /// By cut, the points where it crosses the edges of the surface; none where it cannot be made.
+  std::vector<Points3> paths(const std::vector<Polyline>& cuts) const;
+  /// Several, in parallel; an empty set of cuts is not tried. Their work counts what was tried in
+  /// vain as well, that of run() does not.
   std::vector<TrialOutcome> runAll(
     const std::vector<std::vector<Polyline>>& cuts, const Execution& execution) const;
   const std::vector<Polyline>& curves() const { return this->Curves; }
 
 private:
+  ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
+  std::vector<double> countedAreas(
+    const ImprintedSurface& surface, const FlatteningResult& flat) const;
+  void measure(
+    const FlatteningResult& flat, const std::vector<double>& counted, TrialOutcome& outcome) const;
+
   const TriangleMesh& Mesh;
   std::vector<Polyline> Curves;
   ImprintOptions Imprint;
   FlatteningOptions Flattening;
+  SearchGoal Goal;
+  RegionWeights Weights; ///< of Mesh
 };
 }

@@ -2,9 +2,9 @@
 #include "Suggestion/MirrorPlane.h"
 
 #include "Imprint/SurfaceLocator.h"
+#include "Suggestion/SurfaceMoments.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -18,36 +18,9 @@ constexpr int mostRefinements = 10;
 constexpr Index samples = 500;
 /// Mirrored vertices that are this near, in sqrt(area / pi), need no refinement.
 constexpr double exactly = 1e-12;
-
-struct Moments
-{
-  double area = 0.0;
-  Point3 center = Point3::Zero();
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-};
-
-Moments momentsOf(const TriangleMesh& mesh)
-{
-  Moments moments;
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const double area = mesh.area(t);
-    for (int k = 0; k < 3; ++k)
-    {
-      // The edges' middles integrate polynomials of degree 2 exactly.
-      const Point3 middle =
-        0.5 * (mesh.point(mesh.triangle(t)[k]) + mesh.point(mesh.triangle(t)[(k + 1) % 3]));
-      moments.center += area / 3.0 * middle;
-      second += area / 3.0 * middle * middle.transpose();
-    }
-    moments.area += area;
-  }
-  moments.center /= moments.area;
-  second = second / moments.area - moments.center * moments.center.transpose();
-  moments.axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvectors();
-  return moments;
-}
+/// A plane that is so many times the tolerance off after so many refinements will not do.
+constexpr double hopeless = 10.0;
+constexpr int fewRefinements = 4;
 
 class Fitting
 {
@@ -78,7 +51,7 @@ public:
     std::optional<MirrorPlane> best;
     for (const Point3& normal : normals)
     {
-      const MirrorPlane plane = this->refined(normal);
+      const MirrorPlane plane = this->refined(normal, tolerance);
       if (plane.error < tolerance && (!best || plane.error < best->error))
       {
         best = plane;
@@ -88,13 +61,18 @@ public:
   }
 
 private:
-  MirrorPlane refined(const Point3& normal) const
+  MirrorPlane refined(const Point3& normal, double tolerance) const
   {
-    MirrorPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 });
+    std::vector<ClosestPoint> closest;
+    MirrorPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 }, closest);
     MirrorPlane plane = best;
     for (int step = 0; step < mostRefinements && best.error > exactly; ++step)
     {
-      plane = this->measured(this->step(plane));
+      if (step == fewRefinements && best.error > hopeless * tolerance)
+      {
+        break;
+      }
+      plane = this->measured(this->step(plane, closest), closest);
       if (plane.error < best.error)
       {
         best = plane;
@@ -103,12 +81,15 @@ private:
     return best;
   }
 
-  MirrorPlane measured(MirrorPlane plane) const
+  /// \param closest becomes by sample what is nearest to its image
+  MirrorPlane measured(MirrorPlane plane, std::vector<ClosestPoint>& closest) const
   {
     plane.error = 0.0;
+    closest.clear();
     for (Index v : this->Samples)
     {
-      plane.error += this->Locator.closest(plane.mirrored(this->Mesh.point(v))).distance;
+      closest.push_back(this->Locator.closest(plane.mirrored(this->Mesh.point(v))));
+      plane.error += closest.back().distance;
     }
     plane.error /= static_cast<double>(this->Samples.size()) * this->Size;
     return plane;
@@ -116,18 +97,17 @@ private:
 
   /// Gauss-Newton on the distances of mirrored points from the triangles' planes, over a turn of
   /// the normal about two axes across it and a shift.
-  MirrorPlane step(const MirrorPlane& plane) const
+  MirrorPlane step(const MirrorPlane& plane, const std::vector<ClosestPoint>& closest) const
   {
     const Point3 first = plane.normal.unitOrthogonal();
     const Point3 second = plane.normal.cross(first);
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (Index v : this->Samples)
+    for (std::size_t k = 0; k < this->Samples.size(); ++k)
     {
-      const Point3& p = this->Mesh.point(v);
+      const Point3& p = this->Mesh.point(this->Samples[k]);
       const Point3 image = plane.mirrored(p);
-      const ClosestPoint closest = this->Locator.closest(image);
-      const Triangle& t = this->Mesh.triangle(closest.triangle);
+      const Triangle& t = this->Mesh.triangle(closest[k].triangle);
       const Point3 across =
         areaVector(this->Mesh.point(t[0]), this->Mesh.point(t[1]), this->Mesh.point(t[2]))
           .normalized();
@@ -136,7 +116,7 @@ private:
         across.dot(-2.0 * (first.dot(p - this->Shape.center) * plane.normal + side * first)),
         across.dot(-2.0 * (second.dot(p - this->Shape.center) * plane.normal + side * second)),
         across.dot(2.0 * plane.normal) * this->Size);
-      const double miss = across.dot(image - closest.position);
+      const double miss = across.dot(image - closest[k].position);
       matrix += slope * slope.transpose();
       right -= miss * slope;
     }
@@ -152,7 +132,7 @@ private:
 
   const TriangleMesh& Mesh;
   SurfaceLocator Locator;
-  Moments Shape;
+  SurfaceMoments Shape;
   double Size;
   Indices Samples;
 };
@@ -160,7 +140,7 @@ private:
 
 MirrorPlane flattestPlane(const TriangleMesh& mesh)
 {
-  const Moments moments = momentsOf(mesh);
+  const SurfaceMoments moments = momentsOf(mesh);
   const Point3 normal = moments.axes.col(0);
   return { normal, normal.dot(moments.center), 0.0 };
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/OpeningCuts.h"
 
+#include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
-#include "Suggestion/EdgePaths.h"
-#include "Suggestion/PlaneSection.h"
+#include "Surface/EdgePaths.h"
 
 #include <algorithm>
 #include <numeric>
@@ -51,17 +51,29 @@ Index firstVertex(const TriangleMesh& mesh)
   return mesh.triangle(0)[0];
 }
 
-Polyline lineBetween(const PathGraph& graph, Index start, Index end, CurveType type)
+Polyline seamAlong(const SurfacePath& path)
 {
-  const StraightPath path =
-    straightPath(graph, vertexPoint(graph.mesh(), start), vertexPoint(graph.mesh(), end));
   Polyline line;
-  line.type = type;
-  for (const SurfacePoint& point : path.path.points)
+  line.type = CurveType::Seam;
+  for (const SurfacePoint& point : path.points)
   {
     line.points.push_back(point.position);
   }
   return line;
+}
+
+/// The closed curves of the surface's section with a plane.
+std::vector<Polyline> sectionLoops(const TriangleMesh& mesh, const MirrorPlane& plane)
+{
+  std::vector<Polyline> loops;
+  for (const PlaneSection& section : planeSections(mesh, plane.offset * plane.normal, plane.normal))
+  {
+    if (section.closed)
+    {
+      loops.push_back(seamAlong(section.path));
+    }
+  }
+  return loops;
 }
 
 /// An edge under its two vertices.
@@ -227,7 +239,8 @@ std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
       break;
     }
     const Index start = paths.path(end).front();
-    lines.push_back(lineBetween(graph, start, end, CurveType::Seam));
+    lines.push_back(
+      seamAlong(straightPath(graph, vertexPoint(mesh, start), vertexPoint(mesh, end)).path));
     join(loops[apart[nearest]]);
     apart.erase(apart.begin() + static_cast<std::ptrdiff_t>(nearest));
   }

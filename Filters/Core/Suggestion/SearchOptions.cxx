@@ -25,6 +25,11 @@ Status checkSearch(const SearchOptions& options, const std::vector<Polyline>& cu
   {
     return refusal("the greatest number of cuts is below 1", "a number from 1");
   }
+  if (!std::isfinite(options.maximumWork) || options.maximumWork < 0.0)
+  {
+    return refusal(
+      "the limit of work is " + shortNumber(options.maximumWork), "a number from 0, 0 for none");
+  }
   for (const SearchOptions::Preference& preference : options.preferences)
   {
     const bool known = std::any_of(curves.begin(), curves.end(),

@@ -10,18 +10,27 @@
 
 namespace flattening
 {
-/// Which cuts may be proposed.
+/// What may be proposed.
 enum class SuggestedCuts
 {
   Darts,
   Seams,
   All,
+  Lines, ///< no cuts, but designLines()
+};
+
+/// What each cut is to lower.
+enum class SearchGoal
+{
+  Energy, ///< the rigid energy
+  Strain  ///< the mean of the strain's fourth power, which tells of the largest
 };
 
 /// All lengths are in units of R = sqrt(area / pi) of the piece, except where said.
 struct SearchOptions
 {
   SuggestedCuts cuts = SuggestedCuts::All;
+  SearchGoal goal = SearchGoal::Energy;
   /// The strain, on 95 % of each piece's area, that is good enough; 0: go on until cuts or length
   /// are used up.
   double bound = 0.02;
@@ -43,8 +52,20 @@ struct SearchOptions
   double leastLength = 0.12;
   /// Real flattenings to choose each cut from, after the forecast has ranked them.
   Index trials = 24;
-  /// Of all real flattenings.
-  Index maximumTrials = 4000;
+  /// Of all real flattenings, in millions of steps of an iteration on one triangle, and on surfaces
+  /// of more than 5,000 triangles in proportion more. What is under way when they are used up is
+  /// brought to its end. 0: no limit.
+  double maximumWork = 25.0;
+};
+
+/// Why a search ended.
+enum class SearchEnd
+{
+  BoundMet,
+  CutsUsedUp,
+  NothingHelps, ///< no cut that the limits allow is worth its price
+  GivenUp,      ///< the bound is out of reach, see searchCuts()
+  WorkUsedUp
 };
 
 /// Errors: InvalidOption (a number out of its range, a preference for a curve that there is not).

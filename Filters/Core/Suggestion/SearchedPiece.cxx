@@ -17,6 +17,8 @@ constexpr double exactMirror = 1e-9;
 constexpr double snapFraction = 1e-3;
 /// Mean distance of mirrored vertices, in sqrt(area / pi), up to which a piece is its own image.
 constexpr double ownImage = 1e-2;
+/// How far darts inside stay from the boundary, in sqrt(area / pi).
+constexpr double clearOfBoundary = 0.3;
 
 double areaOf(const TriangleMesh& mesh)
 {
@@ -30,10 +32,11 @@ double areaOf(const TriangleMesh& mesh)
 }
 
 SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
-  const std::optional<MirrorPlane>& mirror)
+  std::vector<double> weight, const std::optional<MirrorPlane>& mirror)
   : Mesh(std::move(mesh))
   , Barred(std::move(barred))
   , Worth(std::move(worth))
+  , Weight(std::move(weight))
   , Area(areaOf(this->Mesh))
   , Size(std::sqrt(this->Area / pi))
   , Ruler(this->Mesh)
@@ -89,6 +92,12 @@ Point3 SearchedPiece::normalNear(const Point3& point) const
   return triangleNormal(this->Mesh, this->Locator.closest(point).triangle);
 }
 
+bool SearchedPiece::takesInnerTip(const Point3& point) const
+{
+  const Point3 edge = this->Ruler.point(this->Ruler.nearest(point, point));
+  return (point - edge).norm() > clearOfBoundary * this->Size;
+}
+
 Point3 SearchedPiece::endOf(const CutPlan& plan) const
 {
   if (plan.type == CurveType::Dart)
@@ -127,7 +136,8 @@ std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
   const BoundaryPlace end = plan.role == MirrorRole::Across ? this->mirrored(plan.base) : plan.end;
   Polyline line;
   line.type = plan.type;
-  line.points = this->straightLine(this->Ruler.surfacePoint(plan.base),
+  line.points = this->straightLine(
+    plan.start ? this->surfacePoint(*plan.start) : this->Ruler.surfacePoint(plan.base),
     dart ? this->surfacePoint(plan.tip) : this->Ruler.surfacePoint(end));
   if (line.points.size() < 2)
   {
@@ -147,9 +157,11 @@ std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
   }
   else
   {
-    line.points = this->straightLine(this->Ruler.surfacePoint(this->mirrored(plan.base)),
-      dart ? this->surfacePoint(this->Mirror->mirrored(plan.tip))
-           : this->Ruler.surfacePoint(this->mirrored(plan.end)));
+    line.points =
+      this->straightLine(plan.start ? this->surfacePoint(this->Mirror->mirrored(*plan.start))
+                                    : this->Ruler.surfacePoint(this->mirrored(plan.base)),
+        dart ? this->surfacePoint(this->Mirror->mirrored(plan.tip))
+             : this->Ruler.surfacePoint(this->mirrored(plan.end)));
   }
   lines.push_back(line);
   return line.points.size() < 2 ? std::vector<Polyline>{} : lines;
@@ -159,7 +171,7 @@ double SearchedPiece::price(const CutPlan& plan, double length, const SearchOpti
 {
   const double fixed =
     (plan.role == MirrorRole::Pair ? 2.0 : 1.0) * options.fixedPrice * this->Size;
-  double worth = this->worth(plan.base);
+  double worth = plan.start ? 1.0 : this->worth(plan.base);
   if (plan.type == CurveType::Seam)
   {
     worth = std::sqrt(worth * this->worth(plan.end));

@@ -18,8 +18,9 @@ public:
   /// \param barred per vertex, whether it lies on a key curve, which no cut may cross
   /// \param worth per vertex, what the price of a cut that begins or ends there is divided by; 0: none
   /// may
+  /// \param weight per vertex, how much distortion matters there; empty: everywhere alike
   SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
-    const std::optional<MirrorPlane>& mirror);
+    std::vector<double> weight, const std::optional<MirrorPlane>& mirror);
   SearchedPiece(const SearchedPiece&) = delete;
   SearchedPiece& operator=(const SearchedPiece&) = delete;
 
@@ -27,6 +28,7 @@ public:
   const BoundaryRuler& ruler() const { return this->Ruler; }
   const std::vector<char>& barred() const { return this->Barred; }
   double worth(const BoundaryPlace& place) const;
+  const std::vector<double>& weight() const { return this->Weight; }
   double area() const { return this->Area; }
   /// R = sqrt(area / pi)
   double size() const { return this->Size; }
@@ -37,8 +39,14 @@ public:
   Index mirrored(Index vertex) const { return this->MirrorVertex[vertex]; }
   Point3 onto(const Point3& point) const { return this->Locator.closest(point).position; }
   Point3 normalNear(const Point3& point) const;
+  /// Whether a dart inside may end there: it is not so near to the boundary, or to a cut, that the
+  /// dart had better begin at it.
+  bool takesInnerTip(const Point3& point) const;
 
-  Point3 baseOf(const CutPlan& plan) const { return this->Ruler.point(plan.base); }
+  Point3 baseOf(const CutPlan& plan) const
+  {
+    return plan.start ? *plan.start : this->Ruler.point(plan.base);
+  }
   Point3 endOf(const CutPlan& plan) const;
   BoundaryPlace mirrored(const BoundaryPlace& place) const;
   /// The lines to cut, straight on the surface: one, or two that are mirror images. Empty where
@@ -55,6 +63,7 @@ private:
   TriangleMesh Mesh;
   std::vector<char> Barred;
   std::vector<double> Worth;
+  std::vector<double> Weight;
   double Area = 0.0;
   double Size = 0.0;
   BoundaryRuler Ruler;

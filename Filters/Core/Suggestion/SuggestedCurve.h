@@ -5,7 +5,7 @@
 
 namespace flattening
 {
-/// A proposed cut.
+/// A proposed cut or line.
 struct SuggestedCurve
 {
   Polyline curve;
@@ -14,9 +14,12 @@ struct SuggestedCurve
   /// cut after those before it; mirror images share one.
   double predictedGain = 0.0;
   double gain = 0.0;
-  double opening = 0.0;      ///< of a dart's mouth, by the forecast
+  double opening = 0.0;         ///< of a dart's widest place, by the forecast
+  double areaErrorBefore = 0.0; ///< mean change of area without it and those after it
+  double areaErrorAfter = 0.0;
   double strainBefore = 0.0; ///< largest p95 strain of a piece without it and those after it
   double strainAfter = 0.0;
+  bool sound = true;     ///< of a line that is left out: it breaks no promise, but costs too much
   Index mirrorOf = none; ///< the proposal that it is the mirror image of
 };
 }

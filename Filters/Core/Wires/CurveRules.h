@@ -16,6 +16,9 @@ struct CurveRules
   /// By curve the common stretch of an elastic curve that lies in several pieces: every edge gets
   /// its length times 1 + this. Empty where none is decided.
   std::vector<std::optional<double>> stretch;
+  /// By curve, of darts whose legs are to be mirror images of each other: by vertex the angle by
+  /// which either leg turns to the side of its cloth. Empty where none is.
+  std::vector<std::vector<double>> legTurns;
 
   bool releases(Index curve) const
   {

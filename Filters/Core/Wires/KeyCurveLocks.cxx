@@ -2,6 +2,7 @@
 #include "Wires/KeyCurveLocks.h"
 
 #include "Base/Planar.h"
+#include "Wires/DartBanks.h"
 
 #include <Eigen/QR>
 
@@ -20,25 +21,6 @@ struct SideSum
   double angle;
   Index curve = none;
 };
-
-/// The wire-nodes at a vertex from the wire edge towards one neighbour, counter-clockwise, to the
-/// wire edge towards another; empty where the surface ends in between.
-Indices nodesBetween(const WireNetwork& network, Index startSide, Index endVertex)
-{
-  Indices nodes;
-  Index side = startSide;
-  do
-  {
-    nodes.push_back(side);
-    const Index incoming = network.previous[side];
-    if (network.vertex[incoming] == endVertex)
-    {
-      return nodes;
-    }
-    side = network.twin[incoming];
-  } while (side != none && side != startSide);
-  return {};
-}
 
 /// Least change of the angles, relative to their size, that meets all sums; with one sum a side
 /// this divides each side in proportion.
@@ -156,6 +138,25 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
   }
   return sums;
 }
+
+/// Both banks of a dart turn towards its cloth by the same angles, so that it folds.
+void addLegSums(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves, const CurveRules& rules,
+  std::vector<std::vector<SideSum>>& sums)
+{
+  if (rules.legTurns.empty())
+  {
+    return;
+  }
+  for (DartBankVertex& bank : findDartBanks(network, piece, cut, curves))
+  {
+    const std::vector<double>& turns = rules.legTurns[bank.curve];
+    if (!turns.empty())
+    {
+      sums[bank.host].push_back({ std::move(bank.nodes), pi - turns[bank.place], bank.curve });
+    }
+  }
+}
 }
 
 NodeLocks freeNodes(const WireNetwork& network)
@@ -170,7 +171,8 @@ NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const Cu
   const std::vector<FeatureCurve>& curves, const CurveRules& rules)
 {
   NodeLocks locks = freeNodes(network);
-  const auto sideSums = collectSideSums(network, piece, cut, curves, rules);
+  auto sideSums = collectSideSums(network, piece, cut, curves, rules);
+  addLegSums(network, piece, cut, curves, rules, sideSums);
 
   // A curve that keeps its angles on the surface holds every node at each of its vertices.
   std::vector<char> held(network.hostVertices.size(), 0);

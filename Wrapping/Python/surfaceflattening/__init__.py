@@ -8,7 +8,11 @@ Two ways to use it:
 - :func:`flatten` for numpy arrays, :func:`flatten_polydata` for a vtkPolyData or a PyVista mesh: one
   call, and a :class:`Flattening` back, which draws itself in notebooks, plot()s, goes on as a mesh with
   to_polydata() and is cut from paper after write_pattern(); an exception where the input is refused.
-  :func:`suggest` and :func:`suggest_polydata` propose the cuts as well.
+  :func:`suggest` and :func:`suggest_polydata` propose the cuts as well, and :func:`price_keys` says what
+  each key curve costs; :func:`resew` sews the pieces together again to say how far that is from
+  the design; :func:`make_flattenable` and :func:`make_flattenable_polydata` move the surface until it
+  lies flat with little strain. :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
+  at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
 Neither needs a screen. help(Report) and help(PieceReport) say what the measures are.
 
@@ -37,32 +41,52 @@ except ImportError as _error:
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._flatten import flatten, flatten_polydata
+from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
+from ._grading import GradeRule, Grading, grade
+from ._keys import KeyPrice, KeyPrices, KeyTrial, price_keys
+from ._materials import materials
+from ._reshaping import Flattenable, make_flattenable, make_flattenable_polydata
+from ._resewing import Resewn, ResewnShape, resew
 from ._result import Flattening, Wire
-from ._suggestion import SuggestedCut, Suggestion, suggest, suggest_polydata
+from ._suggestion import LeftOutLine, SuggestedCut, Suggestion, suggest, suggest_polydata
 from ._types import (
-    CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape, Options, Paper, Part,
-    PieceReport, Report, Scheme, Solver, Unit, WireType)
+    ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape,
+    Options, Paper, Part, PieceReport, Report, Scheme, Solver, Unit, WireType)
 
 __all__ = [name for name in dir() if name.startswith("vtk") and name != "vtkFiltersFlattening"]
 __all__ += [
+    "ClothReport",
     "CoincidentPoints",
     "Coloring",
     "Curve",
     "CurveReport",
     "CurveType",
     "Energy",
+    "Flattenable",
     "Flattening",
     "FlatteningError",
     "FlatteningWarning",
+    "GarmentPattern",
+    "GradeRule",
+    "Grading",
     "Interior",
+    "KeyPrice",
+    "KeyPrices",
     "KeyShape",
+    "KeyTrial",
+    "LeftOutLine",
     "Options",
+    "Panel",
+    "PanelEdge",
     "Paper",
     "Part",
     "PieceReport",
     "Report",
+    "Resewn",
+    "ResewnShape",
     "Scheme",
     "Solver",
+    "Stitch",
     "SuggestedCut",
     "Suggestion",
     "Unit",
@@ -71,8 +95,15 @@ __all__ += [
     "__version__",
     "flatten",
     "flatten_polydata",
+    "grade",
     "make_curves",
+    "make_flattenable",
+    "make_flattenable_polydata",
     "make_surface",
+    "materials",
+    "price_keys",
+    "read_garmentcode",
+    "resew",
     "suggest",
     "suggest_polydata",
 ]

@@ -249,6 +249,17 @@ def named(name: str, array: Any) -> Any:
     return array
 
 
+def add_weights(surface: vtkPolyData, weights: ArrayLike) -> str:
+    """Adds a number a cell to the surface; the name of the array."""
+    numbers = _as_numbers(weights, "weights")
+    if numbers.shape != (surface.GetNumberOfCells(),):
+        raise ValueError(
+            f"weights must have the shape ({surface.GetNumberOfCells()},), a number for each triangle, "
+            f"not {numbers.shape}")
+    surface.GetCellData().AddArray(named("Weight", to_vtk(np.ascontiguousarray(numbers))))
+    return "Weight"
+
+
 def strings(name: str, values: Sequence[str]) -> vtkStringArray:
     """An array of texts."""
     array = vtkStringArray()

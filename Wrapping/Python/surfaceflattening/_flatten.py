@@ -14,7 +14,7 @@ from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._options import make_filter, with_options
 from ._remedies import make_message
-from ._report import as_text, texts_of
+from ._report import as_text, remedies_of, texts_of
 from ._result import Flattening, make_result
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
@@ -43,9 +43,7 @@ def _update(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
         raise raised[0]
 
     name = filter_.GetStatusName()
-    names, subjects = filter_.GetStatusRemedies(), filter_.GetStatusRemedySubjects()
-    remedies = [(names.GetValue(k), as_text(subjects.GetValue(k)))
-                for k in range(names.GetNumberOfValues())]
+    remedies = remedies_of(filter_)
     message = make_message(as_text(filter_.GetStatusDefect()), remedies)
     if filter_.IsRefused():
         ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
@@ -106,6 +104,9 @@ def flatten(
             the curves to release by their sensitivity alone.
         close_cuts: close darts and other cuts as far as their banks would lie over each other, at
             the price of more distortion; False: they overlap, which breaks a promise.
+        dart_legs: how the legs of a dart lie: "free", as the piece distorts least, so that they fit when
+            sewn but may miss each other when folded; "straight"; or "mirrored", both the mean of free
+            ones. Legs that are not free fold on each other exactly, at the price of more distortion.
         skip_closed: leave out pieces that cannot be laid flat, since they have no boundary or have
             handles, and flatten the others, with a warning; report["left_out"] names them. False:
             the surface is refused for them.
@@ -114,8 +115,18 @@ def flatten(
         area_bias: "isometric" with "rigid": above 0 a change of area costs more than one of angle
             (stiff sheet), below 0 less (stretchy sheet), in [-0.99, 0.99].
         angle_weight: "isometric": weight of the wires' bending against the sheet, in [0, 100].
+        material: what the pieces are cut from: a name of :func:`materials`, or the path of a JSON file
+            with its numbers. "isometric" keeps the strains of its threads small and within its
+            limits as far as lengths allow; other schemes only measure them.
+        grain: how pieces lie on it: degrees from the upright of the piece (its first key curve, else
+            its long side) to the warp, counter-clockwise; the name of a curve along which the warp
+            runs, or "NAME:DEGREES" at an angle from it, or a list of them, of which each piece takes
+            the first that it has; or "free", where the material is strained least.
         tolerance: how far the lengths of curves may go, by name, each a fraction in [0, 1), in place of
             their own length_tolerance.
+        ease: by how much curves are longer in one of their pieces than on the surface, and than what they
+            are sewn to: {"cap": 0.03}, or {("cap", 1): 0.03} where the curve lies in several pieces
+            (counted from 0). Each needs a tolerance as large.
         coincident_points: whether points with equal coordinates are one: "automatic", only where
             hardly any two triangles share a point; "join", always; "keep", never.
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.

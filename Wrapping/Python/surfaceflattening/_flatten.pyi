@@ -1,5 +1,6 @@
 # The options are keywords of both functions, with the filter's defaults; Python's own part takes them
 # from _options.py.
+import os
 from typing import Any, Callable, Mapping, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
@@ -7,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve
 from ._result import Flattening
-from ._types import CoincidentPoints, Energy, Interior, Scheme, Solver
+from ._types import CoincidentPoints, DartLegs, Energy, Interior, Scheme, Solver
 
 def flatten(
     points: ArrayLike,
@@ -21,11 +22,15 @@ def flatten(
     release_keys: bool = False,
     release_trials: bool = True,
     close_cuts: bool = False,
+    dart_legs: DartLegs = "free",
     skip_closed: bool = False,
     energy: Energy = "rigid",
     area_bias: float = 0.0,
     angle_weight: float = 5.0,
+    material: Union[None, str, "os.PathLike[str]"] = "",
+    grain: Union[None, float, str, Sequence[str]] = "",
     tolerance: Optional[Mapping[str, float]] = None,
+    ease: Optional[Mapping[Union[str, Tuple[str, int]], float]] = None,
     coincident_points: CoincidentPoints = "automatic",
     split_triangles: bool = True,
     imprint_tolerance: float = 0.002,
@@ -58,11 +63,15 @@ def flatten_polydata(
     release_keys: bool = False,
     release_trials: bool = True,
     close_cuts: bool = False,
+    dart_legs: DartLegs = "free",
     skip_closed: bool = False,
     energy: Energy = "rigid",
     area_bias: float = 0.0,
     angle_weight: float = 5.0,
+    material: Union[None, str, "os.PathLike[str]"] = "",
+    grain: Union[None, float, str, Sequence[str]] = "",
     tolerance: Optional[Mapping[str, float]] = None,
+    ease: Optional[Mapping[Union[str, Tuple[str, int]], float]] = None,
     coincident_points: CoincidentPoints = "automatic",
     split_triangles: bool = True,
     imprint_tolerance: float = 0.002,

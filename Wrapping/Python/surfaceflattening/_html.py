@@ -17,7 +17,7 @@ _WIDTH, _HEIGHT = 640.0, 400.0
 _MOST_COLORED = 6000
 _COLORS = 12
 _COLUMNS: Tuple[Tuple[str, str, str], ...] = (
-    ("piece", "piece", "d"), ("status", "status", ""), ("triangles", "triangles", "d"),
+    ("status", "status", ""), ("triangles", "triangles", "d"),
     ("E_len_max", "largest length error", ".1e"), ("E_ang", "E_ang", ".4f"), ("E_h", "E_h", ".3f"),
     ("E_area", "E_area", ".4f"), ("strain_p95", "strain, 95 % below", ".4f"))
 
@@ -54,6 +54,19 @@ def _triangles(result: "Flattening", placed: NDArray[np.float64]) -> List[str]:
     return lines
 
 
+def _numbers(result: "Flattening", placed: NDArray[np.float64]) -> List[str]:
+    """The number of each piece, by which it is found in the table and on the pattern; they count from 1."""
+    texts = []
+    for piece in result.report["pieces"]:
+        rows = result.cell_arrays["PieceId"] == piece["piece"]
+        corners = placed[result.triangles[rows]].reshape(-1, 2)
+        x, y = (corners.min(axis=0) + corners.max(axis=0)) / 2
+        texts.append(f'<text x="{x:.1f}" y="{y:.1f}" font-family="sans-serif" font-size="14" '
+                     f'font-weight="bold" text-anchor="middle" dominant-baseline="central">'
+                     f'{piece["piece"] + 1}</text>')
+    return texts
+
+
 def _svg(result: "Flattening") -> str:
     placed, width, height = _on_screen(result.positions)
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width + 8:.0f}" '
@@ -64,14 +77,15 @@ def _svg(result: "Flattening") -> str:
         lines.append(f'<path d="{_path(placed[wire.vertices], False)}" fill="none" '
                      f'stroke="{WIRE_COLORS[wire.type]}" {stroke}>'
                      f"<title>{escape(wire.name)} ({wire.type})</title></path>")
-    return "".join([*lines, "</svg>"])
+    return "".join([*lines, *_numbers(result, placed), "</svg>"])
 
 
 def _table(result: "Flattening") -> str:
-    head = "".join(f"<th>{title}</th>" for _, title, _ in _COLUMNS)
+    head = "<th>piece</th>" + "".join(f"<th>{title}</th>" for _, title, _ in _COLUMNS)
     pieces: Any = result.report["pieces"]
     rows = "".join(
-        "<tr>" + "".join(f"<td>{escape(format(piece[key], form))}</td>" for key, _, form in _COLUMNS)
+        f"<tr><td>{piece['piece'] + 1}</td>"
+        + "".join(f"<td>{escape(format(piece[key], form))}</td>" for key, _, form in _COLUMNS)
         + "</tr>" for piece in pieces)
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 

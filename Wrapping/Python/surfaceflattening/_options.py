@@ -5,13 +5,16 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import os
+import sys
+from numbers import Real
 from typing import (
     Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, get_args,
     get_type_hints)
 
 import numpy as np
 
-from ._types import CoincidentPoints, Energy, Interior, Options, Scheme, Solver
+from ._types import CoincidentPoints, DartLegs, Energy, Interior, Options, Scheme, Solver
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
 
@@ -28,10 +31,13 @@ PROPERTIES = {
     "release_keys": _Option("ReleaseKeys"),
     "release_trials": _Option("ReleaseTrials"),
     "close_cuts": _Option("CloseCuts"),
+    "dart_legs": _Option("DartLegs", get_args(DartLegs)),
     "skip_closed": _Option("SkipClosed"),
     "energy": _Option("DistortionEnergy", get_args(Energy)),
     "area_bias": _Option("AreaBias"),
     "angle_weight": _Option("AngleWeight"),
+    "material": _Option("Material"),
+    "grain": _Option("Grain"),
     "coincident_points": _Option("CoincidentPoints", get_args(CoincidentPoints)),
     "split_triangles": _Option("SplitTriangles"),
     "imprint_tolerance": _Option("ImprintTolerance"),
@@ -52,7 +58,7 @@ PROPERTIES = {
     "isometric_tolerance": _Option("IsometricTolerance"),
     "isometric_iterations": _Option("IsometricMaximumIterations"),
 }
-_OTHERS: Dict[str, Any] = {"paper_method": False, "tolerance": None, "progress": None}
+_OTHERS: Dict[str, Any] = {"paper_method": False, "tolerance": None, "ease": None, "progress": None}
 
 
 def _defaults() -> Dict[str, Any]:
@@ -135,12 +141,14 @@ def _refuse_idle(options: Mapping[str, Any], given: Set[str]) -> None:
     isometric, conformal = scheme == "isometric", scheme == "lscm"
     wires = "schemes that keep lengths, not for 'lscm'"
     scopes: List[Tuple[Sequence[str], bool, str]] = [
-        (("solver", "interior", "tolerance", "max_iterations", "closure_tolerance",
+        (("solver", "interior", "tolerance", "ease", "dart_legs", "max_iterations", "closure_tolerance",
           "optimality_tolerance", "max_length_error"), not conformal, wires),
         (("release_trials",), isometric or scheme == "global",
          f"schemes 'isometric' and 'global', not for {scheme!r}"),
         (("energy", "area_bias", "angle_weight", "isometric_tolerance", "isometric_iterations"),
          isometric, f"scheme='isometric', not for {scheme!r}"),
+        (("energy", "area_bias"), options["material"] in ("", None, "isotropic"),
+         "a sheet without a material, or material='isotropic'"),
         (("area_bias",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
         (("pins",), conformal, f"scheme='lscm', not for {scheme!r}"),
         (("relaxation_factor", "relaxation_movement", "relaxation_min_iterations",
@@ -149,6 +157,7 @@ def _refuse_idle(options: Mapping[str, Any], given: Set[str]) -> None:
         (("rigid_tolerance", "rigid_iterations"), not conformal and interior == "arap",
          wires if conformal else f"interior='arap', not for {interior!r}"),
         (("spacing",), bool(options["arrange"]), "arrange=True"),
+        (("grain",), bool(options["material"]), "a material"),
     ]
     for names, holds, condition in scopes:
         for name in names:
@@ -169,11 +178,60 @@ def _set_tolerances(filter_: Any, tolerances: Optional[Mapping[str, float]]) -> 
             raise TypeError(f"tolerance of {name!r} = {value!r}: {error}") from None
 
 
+def _set_eases(filter_: Any, eases: Optional[Mapping[Any, float]]) -> None:
+    if eases is None:
+        return
+    if not isinstance(eases, Mapping):
+        raise TypeError(f"ease = {eases!r} must be a dict of fractions by a curve's name or by (name, piece)")
+    for key, value in eases.items():
+        name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
+        if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
+            raise ValueError(f"ease of {key!r}: {piece!r} is no number of a piece, from 0")
+        try:
+            filter_.AddCurveEase(name, int(piece), value)
+        except TypeError as error:
+            raise TypeError(f"ease of {key!r} = {value!r}: {error}") from None
+
+
+def material_text(material: object) -> str:
+    """The name or path that the filter reads a material by; empty: none."""
+    if not isinstance(material, (str, os.PathLike)) and material is not None:
+        raise TypeError(f"material = {material!r} must be a name or the path of a JSON file")
+    return "" if material is None else os.fspath(material)
+
+
+def _texts(options: Mapping[str, Any]) -> Dict[str, str]:
+    """Material and grain as the filter has them."""
+    texts = {}
+    grain = options.get("grain", "")
+    if "material" in options:
+        texts["material"] = material_text(options["material"])
+    if "grain" in options:
+        if isinstance(grain, Real) and not isinstance(grain, bool):
+            if not abs(grain) <= sys.float_info.max:  # an int may be beyond any float
+                raise ValueError(f"grain = {grain!r} must be a finite angle in degrees")
+            grain = repr(float(grain))
+        elif grain is None:
+            grain = ""
+        elif isinstance(grain, Iterable) and not isinstance(grain, (str, bytes)):
+            names = list(grain)
+            if not all(isinstance(name, str) for name in names):
+                raise TypeError(
+                    f"grain = {grain!r} must be a list of curves, each \"NAME\" or \"NAME:DEGREES\"")
+            grain = ";".join(names)
+        elif not isinstance(grain, str):
+            raise TypeError(f"grain = {grain!r} must be an angle in degrees, the name of a curve or "
+                            "a list of them, or 'free'")
+        texts["grain"] = grain
+    return texts
+
+
 def make_filter(
     options: Mapping[str, Any], function: str, filter_class: Any = vtkWireWarpingFilter
 ) -> Any:
     """A filter with these options, or an exception that names the wrong one."""
     _refuse_unknown(options, function)
+    options = {**options, **_texts(options)}
     if isinstance(options.get("pins"), Iterable):
         options = {**options, "pins": tuple(options["pins"])}
     values, given = {**DEFAULTS, **options}, _given(options)
@@ -196,4 +254,5 @@ def make_filter(
         value = option.words.index(values[name]) if option.words else values[name]
         set_property(filter_, name, option.property, value)
     _set_tolerances(filter_, values["tolerance"])
+    _set_eases(filter_, values["ease"])
     return filter_

@@ -2,13 +2,13 @@
 """Results as patterns to cut."""
 
 import warnings
-from typing import TYPE_CHECKING, Any, List, Mapping, get_args
-
-from vtkmodules.vtkCommonMisc import vtkErrorCode
+from typing import TYPE_CHECKING, Any, List, Mapping, Sequence, get_args
 
 from ._errors import FlatteningWarning
 from ._options import flag, index_of
 from ._polydata import to_polydata
+from ._remedies import make_message
+from ._report import as_text, remedies_of
 from ._types import Paper, Part, Unit
 from .vtkFiltersFlattening import vtkPatternWriter
 
@@ -22,6 +22,9 @@ _NUMBERS = {
     "mitre_limit": ("MitreLimit", 1.0, 100.0),
     "notch_spacing": ("NotchSpacing", 0.0, 1e6),
     "notch_length": ("NotchLength", 0.0, 1e6),
+    "fair": ("FairTolerance", 0.0, 100.0),
+    "fabric_width": ("FabricWidth", 0.0, 1e5),
+    "fabric_gap": ("FabricGap", 0.0, 1000.0),
     "page_overlap": ("PageOverlap", 0.0, 50.0),
     "max_pages": ("MaximumPages", 1, 100_000),
 }
@@ -48,14 +51,28 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
         writer.SetUnit(1 + index_of(options["unit"], get_args(Unit), "unit"))
     writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
     writer.SetCutDartsOut(flag(options["cut_darts_out"], "cut_darts_out"))
+    writer.SetCutOnFold(flag(options["cut_on_fold"], "cut_on_fold"))
+    writer.SetWalkTable(flag(options["walk_table"], "walk_table"))
+    writer.SetCutPairs(flag(options["cut_pairs"], "cut_pairs"))
+    writer.SetLaserColors(flag(options["laser_colors"], "laser_colors"))
+    writer.SetFabricNap(flag(options["nap"], "nap"))
     for option, set_text in (("name", writer.SetPatternName), ("size", writer.SetPatternSize)):
         set_text(_text(option, options[option]))
     if isinstance(options["piece_names"], str):
         raise TypeError(f"piece_names = {options['piece_names']!r} must be a list of names")
+    for piece, quantity in enumerate(options["piece_quantities"]):
+        what = f"piece_quantities[{piece}]"
+        try:
+            writer.SetPieceQuantity(piece, _in_range(what, quantity, 1, 1_000_000))
+        except TypeError as error:
+            raise TypeError(f"{what} = {quantity!r}: {error}") from None
     for piece, name in enumerate(options["piece_names"]):
         writer.SetPieceName(piece, _text(f"piece_names[{piece}]", name))
     for curve, allowance in (options["curve_allowances"] or {}).items():
         writer.SetCurveAllowance(curve, _in_range(f"allowance of {curve!r}", allowance, 0.0, 1e6))
+    for curve, distances in (options["curve_notches"] or {}).items():
+        for distance in distances:
+            writer.AddCurveNotch(curve, _in_range(f"notch of {curve!r}", distance, 0.0, 1e6))
 
 
 def _text(what: str, value: Any) -> str:
@@ -68,19 +85,33 @@ def _text(what: str, value: Any) -> str:
     return value
 
 
+def _refusal(writer: vtkPatternWriter) -> Exception:
+    message = make_message(as_text(writer.GetStatusDefect()), remedies_of(writer))
+    kinds = {"FileNotWritten": OSError, "OutOfMemory": MemoryError}
+    return kinds.get(writer.GetStatusName(), ValueError)(message)
+
+
 def write_pattern(result: "Flattening", path: str, options: Mapping[str, Any]) -> None:
     """Writes the file, or raises what the writer says."""
+    parts: List[Part] = ["flat", "wires", "cut"]
+    write_parts([to_polydata(result, part) for part in parts], path, options)
+
+
+def write_parts(
+        parts: Sequence[Any], path: str, options: Mapping[str, Any], stacklevel: int = 4) -> None:
+    """The same for flat pieces, wires and cut surface as vtkPolyData."""
     writer = vtkPatternWriter()
     _set_options(writer, options)
     writer.SetFileName(_text("path", path))
-    parts: List[Part] = ["flat", "wires", "cut"]
     for port, part in enumerate(parts):
-        writer.SetInputData(port, to_polydata(result, part))
+        writer.SetInputData(port, part)
     for event in ("ErrorEvent", "WarningEvent"):
         writer.AddObserver(event, lambda *_: None)  # instead of lines on stderr
     if not writer.Write():
-        kind = OSError if writer.GetErrorCode() == vtkErrorCode.CannotOpenFileError else ValueError
-        raise kind(writer.GetErrorMessage())
+        raise _refusal(writer)
+    for warning in range(writer.GetNumberOfWarnings()):
+        warnings.warn(writer.GetWarning(warning) + "; give it key_shape=\"straight\"",
+                      FlatteningWarning, stacklevel=stacklevel)
     if options["unit"] is None:
         warnings.warn("the unit of the surface is taken as cm; state it with unit=\"mm\", \"cm\", \"m\" "
-                      "or \"inch\"", FlatteningWarning, stacklevel=3)
+                      "or \"inch\"", FlatteningWarning, stacklevel=stacklevel)

@@ -18,6 +18,10 @@ _COLORINGS = {
     "homogeneity": ("HomogeneityOfDistortion", False, "homogeneity (1 is ideal)", 1.0, 0.5),
     "aspect-ratio": ("AspectRatio", False, "aspect ratio (1 is ideal)", 1.0, 0.5),
     "area": ("AreaRatio", False, "area in the plane / on the surface", 0.8, 1.2),
+    "stretch": ("DominantStretch", False, "largest stretch of warp, weft or bias (%)", 100.0, 120.0),
+    "warp": ("StrainWarp", False, "strain of the warp (drawn above 0)", -0.05, 0.05),
+    "weft": ("StrainWeft", False, "strain of the weft (drawn above 0)", -0.05, 0.05),
+    "shear": ("ShearAngle", False, "shear: trellis angle off the right one (degrees)", -15.0, 15.0),
     "developability": ("Developability", True, "developability: angle defect (rad)", 0.0, None),
 }
 
@@ -39,10 +43,17 @@ def _draw_triangles(result: "Flattening", color_by: Optional[Coloring], ax: Any)
                      cmap=ListedColormap([PLAIN]))
         return
     name, of_points, title, first, last = _COLORINGS[color_by]
-    values = (result.point_arrays if of_points else result.cell_arrays)[name]
+    arrays = result.point_arrays if of_points else result.cell_arrays
+    if name not in arrays:
+        raise ValueError(f"color_by is {color_by!r}, which a result without a material does not have")
+    values = arrays[name]
     if last is None:
         last = max(float(values.max(initial=0.0)), 1e-3)
-    colors = blue_to_red(256)
+    if color_by == "shear":
+        cloth = result.report["pieces"][0]["cloth"]
+        last = cloth["shear_limit"] if cloth and cloth["shear_limit"] else last
+        first = -last
+    colors = blue_to_red(8 if color_by == "stretch" else 256)
     low, high = min(first, last), max(first, last)
     options = {"cmap": ListedColormap(colors if first < last else colors[::-1]), "vmin": low, "vmax": high}
     if of_points:
@@ -68,10 +79,10 @@ def _write_measures(result: "Flattening", ax: Any) -> None:
     for piece in result.report["pieces"]:
         rows = result.cell_arrays["PieceId"] == piece["piece"]
         corners = result.positions[result.triangles[rows]].reshape(-1, 2)
-        ax.annotate(str(piece["piece"]), (corners.min(axis=0) + corners.max(axis=0)) / 2,
+        ax.annotate(str(piece["piece"] + 1), (corners.min(axis=0) + corners.max(axis=0)) / 2,
                     ha="center", va="center", fontsize="large", fontweight="bold")
     lines = [
-        f"piece {piece['piece']}: {piece['status']}, length error <= {piece['E_len_max']:.1e}, E_ang "
+        f"piece {piece['piece'] + 1}: {piece['status']}, length error <= {piece['E_len_max']:.1e}, E_ang "
         f"{piece['E_ang']:.4f}, E_h {piece['E_h']:.3f}, E_area {piece['E_area']:.4f}, strain "
         f"{piece['strain_p95']:.4f}" for piece in result.report["pieces"]]
     ax.text(0.0, -0.1, "\n".join(lines), transform=ax.transAxes, va="top", fontsize="small",

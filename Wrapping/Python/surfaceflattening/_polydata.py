@@ -57,8 +57,10 @@ def _flat(result: "Flattening") -> vtkPolyData:
     field.AddArray(strings("Status", [piece["status"] for piece in pieces]))
     field.AddArray(strings("RunStatus", [result.report["status"]]))
     for name, rows in (("SeamPairs", result.seam_pairs), ("OverlapEdges", result.overlap_edges)):
-        field.AddArray(named(name, to_vtk_ids(np.ascontiguousarray(rows))))
-    field.AddArray(_array("SeamClosed", result.seam_closed))
+        if len(rows):  # as in the filter's output, a list without rows is no array
+            field.AddArray(named(name, to_vtk_ids(np.ascontiguousarray(rows))))
+    if len(result.seam_closed):
+        field.AddArray(_array("SeamClosed", result.seam_closed))
     return mesh
 
 
@@ -68,7 +70,9 @@ def _wires(result: "Flattening") -> vtkPolyData:
     mesh.SetLines(make_cells([wire.vertices for wire in result.wires]))
     cells, wires = mesh.GetCellData(), result.wires
     types = [CURVE_TYPES.index(wire.type) if wire.type in CURVE_TYPES else -1 for wire in wires]
+    kinds = [-2 if wire.type == "connector" else kind for wire, kind in zip(wires, types)]
     cells.AddArray(_array("CurveType", np.array(types, np.int32)))
+    cells.AddArray(_array("WireKind", np.array(kinds, np.int32)))
     cells.AddArray(_ids("CurveId", [wire.curve for wire in wires]))
     cells.AddArray(strings("CurveName", [wire.name for wire in wires]))
     cells.AddArray(_ids("PieceId", [wire.piece for wire in wires]))
@@ -79,8 +83,9 @@ def _wires(result: "Flattening") -> vtkPolyData:
                          ("FlatLength", [wire.flat_length for wire in wires]),
                          ("LengthError", [wire.length_error for wire in wires])):
         cells.AddArray(_array(name, np.array(values, np.float64)))
-    mesh.GetFieldData().AddArray(
-        strings("CurveNames", [curve["name"] for curve in result.report["curves"]]))
+    names = [curve["name"] for curve in result.report["curves"]]
+    if names:
+        mesh.GetFieldData().AddArray(strings("CurveNames", names))
     return mesh
 
 

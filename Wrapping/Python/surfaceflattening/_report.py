@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report of a run, read from the arrays of the filter's outputs."""
 
-from typing import Any, Dict, List, cast
+import math
+from typing import Any, Dict, List, Tuple, cast
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
@@ -24,6 +25,8 @@ PIECE_INTEGERS = {
     "iterations": "Iterations",
     "flipped": "FlippedTriangles",
     "overlaps": "Overlaps",
+    "forecast_cut_from": "ForecastCutFrom",
+    "forecast_cut_to": "ForecastCutTo",
 }
 PIECE_NUMBERS = {
     "objective": "Objective",
@@ -37,6 +40,8 @@ PIECE_NUMBERS = {
     "strain_p95": "StrainP95",
     "energy_rigid": "RigidEnergy",
     "cut_length": "CutLength",
+    "forecast_area_loss": "ForecastAreaLoss",
+    "forecast_area_loss_after_cut": "ForecastAreaLossAfterCut",
 }
 _PIECE_TEXTS = {
     "status": "Status",
@@ -45,6 +50,7 @@ _PIECE_TEXTS = {
     "solver_used": "SolverUsed",
     "energy_used": "EnergyUsed",
     "fallbacks": "Fallbacks",
+    "verdict": "Verdict",
 }
 _SECONDS = {
     "wires": "SecondsWires",
@@ -67,6 +73,19 @@ _ISOMETRIC_HISTORY = {
     "optimality": "IsometricHistoryOptimality",
     "move": "IsometricHistoryMove",
 }
+# With a material.
+CLOTH = {
+    "strain_warp_rms": "StrainWarpRms",
+    "strain_weft_rms": "StrainWeftRms",
+    "shear_rms": "ShearRms",
+    "share_out_of_limit": "ShareOutOfLimit",
+    "share_over_5_percent": "ShareOver5Percent",
+    "share_locked": "ShareLocked",
+    "shear_limit": "ShearLimit",
+    "grain_angle": "GrainAngle",
+    "grain_curve": "GrainCurve",
+    "one_way": "OneWay",
+}
 # Of a curve that may be released: what the piece would be without it.
 _RELEASE_NUMBERS = {
     "objective_without": "ReleaseObjective",
@@ -78,6 +97,13 @@ _RELEASE_NUMBERS = {
 def as_text(value: Any) -> str:
     """A text of VTK, which gives bytes where they are no UTF-8."""
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+def remedies_of(source: Any) -> List[Tuple[str, str]]:
+    """The ways out that a filter or writer found for its last run."""
+    names, subjects = source.GetStatusRemedies(), source.GetStatusRemedySubjects()
+    return [(names.GetValue(k), as_text(subjects.GetValue(k)))
+            for k in range(names.GetNumberOfValues())]
 
 
 def values_of(field: Any, name: str) -> List[Any]:
@@ -105,6 +131,17 @@ def _add_history(
         entry[key] = []
     for row, piece in enumerate(values_of(field, owner)):
         pieces[piece][key].append({column: values[row] for column, values in columns.items()})
+
+
+def _add_cloth(field: Any, pieces: List[_Row]) -> None:
+    columns = {key: values_of(field, name) for key, name in CLOTH.items()}
+    for row, entry in enumerate(pieces):
+        entry["cloth"] = {key: column[row] for key, column in columns.items()} if all(
+            columns.values()) else None
+        if entry["cloth"]:
+            entry["cloth"]["one_way"] = bool(entry["cloth"]["one_way"])
+            if not math.isfinite(entry["cloth"]["shear_limit"]):
+                entry["cloth"]["shear_limit"] = None
 
 
 def _message(defect: str, remedies: List[Dict[str, str]]) -> str:
@@ -149,6 +186,7 @@ def make_report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     for entry in pieces:
         for record in entry["isometric_history"]:
             record["exact"] = bool(record["exact"])
+    _add_cloth(field, pieces)
     curves = zip(*(values_of(curve_field, name) for name in (
         "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
         "CurveTolerances", "CurveClosedLengths", "CurveSensitivities", "CurveReleased")))

@@ -139,42 +139,70 @@ class Flattening(ComparedByValue):
         name: str = "pattern",
         size: str = "",
         quantity: int = 1,
+        piece_quantities: Sequence[int] = (),
         piece_names: Sequence[str] = (),
         allowance: float = 10.0,
         curve_allowances: Optional[Mapping[str, float]] = None,
         mitre_limit: float = 2.0,
         notch_spacing: float = 100.0,
+        curve_notches: Optional[Mapping[str, Sequence[float]]] = None,
         notch_length: float = 5.0,
         cut_darts_out: bool = False,
+        cut_on_fold: bool = False,
+        cut_pairs: bool = False,
+        fair: float = 0.0,
+        laser_colors: bool = False,
+        fabric_width: float = 0.0,
+        nap: bool = False,
+        fabric_gap: float = 5.0,
         paper: Paper = "A4",
         page_overlap: float = 10.0,
         max_pages: int = 200,
+        walk_table: bool = False,
     ) -> None:
-        """Writes a pattern to cut, true to scale: SVG, PDF or DXF (R12 after ASTM D6673 / AAMA).
+        """Writes a pattern to cut, true to scale: SVG, PDF, DXF (R12 after ASTM D6673 / AAMA) or HPGL;
+        panels and stitches of GarmentCode (.json); or the
+        walk of its seams, both sides from notch to notch, as a table (.csv, see vtkPatternWriter).
 
         The options are those of the command wirewarp and mean the same. Lengths among them are in mm.
 
         Args:
-            path: the file, which ends in .svg, .pdf or .dxf. An earlier one stays where this fails.
+            path: the file, which ends in .svg, .pdf, .dxf, .plt, .json or .csv. An earlier one stays where this fails.
             unit: unit of length of the surface: "mm", "cm", "m" or "inch". None: cm, with a warning.
             name, size: of the pattern, to be written on it.
             quantity: how many of each piece are cut, 1 to 1,000,000.
+            piece_quantities: how many of each piece in place of quantity, in the order of the report's,
+                each 1 to 1,000,000; no more than there are pieces.
             piece_names: of the pieces, in the order of the report's.
             allowance: seam allowance, in [0, 1e6].
             curve_allowances: by the name of a curve, or "boundary", where it is another.
             mitre_limit: longest mitre of a corner, in allowances, in [1, 100].
             notch_spacing: distance of notches along seams and darts, in [0, 1e6]; 0: none but at the
                 mouths of darts.
+            curve_notches: by the name of a curve, a seam, a dart or one along the boundary, distances from
+                its start in place of notch_spacing, each in [0, 1e6].
             notch_length: in [0, 1e6].
             cut_darts_out: cut darts out along their allowance instead of folding them.
+            cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
+            cut_pairs: of two pieces that are mirror images draw the first alone, to be cut in pairs of
+                which one is turned over.
+            fair: draw borders and curves as smooth splines of the same lengths, straight where nearly so, at
+                most this far from the points of the mesh, in [0, 100]; 0: as the mesh has them.
+            laser_colors: draw an SVG in thin lines with a colour of its own for each role.
+            fabric_width: of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width, their
+                grain along it, as short as a search finds it, in [0, 1e5]; 0: pieces in rows.
+            nap: that cloth has an up and a down, so that no piece is turned by half a turn.
+            fabric_gap: least distance of pieces on that cloth, in [0, 1000].
             paper: of a PDF: "A4", "letter", "A3", "A0", or "sheet", one page for all.
             page_overlap: how far its pages overlap, in [0, 50].
             max_pages: a PDF of more pages is refused, since the unit is likely wrong; 1 to 100,000.
+            walk_table: add the walk of the seams to a PDF, on pages of its own.
 
         Raises:
             ValueError: another file's extension, a word or a number out of range, a curve that is not
                 there, or what cannot be drawn.
             OSError: the file cannot be written.
+            MemoryError: there is not enough memory to draw it.
         """
         from ._pattern import write_pattern
         options = {key: value for key, value in locals().items()
@@ -188,9 +216,10 @@ class Flattening(ComparedByValue):
         Args:
             color_by: what the colours show, the words of the command: of triangles "homogeneity" and
                 "area", what flattening does to the area, or "aspect-ratio", to the shape; of points
-                "developability", the surface's angle defect. None: one colour.
+                "developability", the surface's angle defect; with a material what its threads do,
+                "stretch", "warp", "weft" or "shear". None: one colour.
             ax: the axes to draw into. None: those of a new figure.
-            measures: number the pieces and write a line of measures a piece below them.
+            measures: number the pieces, from 1 as patterns do, and write a line of measures a piece below them.
 
         Returns:
             The axes; ``ax.figure.savefig("pieces.png")`` writes the picture.

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, Curve, make_curves, make_surface
+from ._curves import CURVE_TYPES, Curve, add_weights, make_curves, make_surface
 from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
 from ._options import flag, index_of, make_filter, set_property
 from ._report import values_of
@@ -17,11 +17,11 @@ from ._result import Flattening, make_result
 from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
 
 # The words of the command wirewarp, in the order of the filter's enumeration.
-SUGGESTED_CUTS = ("darts", "seams", "all")
+SUGGESTED_CUTS = ("darts", "seams", "all", "lines")
 
 
 class SuggestedCut(NamedTuple):
-    """A proposed cut."""
+    """A proposed cut or line."""
 
     #: As flatten() takes it.
     curve: Curve
@@ -29,34 +29,59 @@ class SuggestedCut(NamedTuple):
     length: float
     #: By how much it lowers the mean of the squared scale factor, by forecast.
     predicted_gain: float
-    #: By how much it lowers the mean rigid energy, in truth, after the cuts before it.
+    #: By how much it lowers the mean rigid energy, in truth, after the cuts before it. A line's is what
+    #: it costs, and negative.
     gain: float
-    #: Of a dart's mouth by forecast, unit of length.
+    #: Of a dart's mouth, or of the widest place of one inside, by forecast, unit of length.
     opening: float
     #: The largest strain on 95 % of a piece, before and after.
     strain_before: float
     strain_after: float
     #: Place of the cut that it is the mirror image of, or -1.
     mirror_of: int
+    #: Mean change of area, before and after.
+    E_area_before: float
+    E_area_after: float
+
+
+class LeftOutLine(NamedTuple):
+    """A line that was tried and is not proposed."""
+
+    name: str
+    #: "key" or "accessory".
+    type: str
+    length: float
+    #: What it costs, as SuggestedCut.gain.
+    gain: float
+    E_area_before: float
+    E_area_after: float
+    strain_before: float
+    strain_after: float
+    #: It breaks no promise, but costs too much.
+    sound: bool
 
 
 class Suggestion(NamedTuple):
-    """Proposed cuts, and the surface flattened with them."""
+    """Proposed cuts or lines, and the surface flattened with them."""
 
     cuts: List[SuggestedCut]
     #: Whether the strain of every piece is within the bound.
     bound_met: bool
     #: The flat pieces with the curves given and all cuts.
     flattening: Flattening
+    #: Lines that were tried and cost too much, or break what holds without them; without their points.
+    left_out: List[LeftOutLine]
 
 
 def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
     """The output 3 of vtkFeatureCurveSuggestion."""
     cells = curves.GetCellData()
     kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
+    shapes = values_of(cells, "KeyShape")
     ranks, mirrors = values_of(cells, "Rank"), values_of(cells, "MirrorOf")
     numbers = [values_of(cells, name) for name in (
-        "Length", "PredictedGain", "Gain", "Opening", "StrainBefore", "StrainAfter")]
+        "Length", "PredictedGain", "Gain", "Opening", "StrainBefore", "StrainAfter",
+        "AreaErrorBefore", "AreaErrorAfter")]
     cuts = []
     for cell, rank in enumerate(ranks):
         if rank < 1:
@@ -64,12 +89,21 @@ def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
         ids = curves.GetCell(cell).GetPointIds()
         points = vtk_to_numpy(curves.GetPoints().GetData())[
             [ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
-        length, predicted, gain, opening, before, after = (column[cell] for column in numbers)
+        length, predicted, gain, opening, before, after, *area = (
+            column[cell] for column in numbers)
         cuts.append(SuggestedCut(
-            Curve(points, CURVE_TYPES[kinds[cell]], names[cell]), length, predicted, gain, opening,
-            before, after, mirrors[cell] - 1 if mirrors[cell] > 0 else -1))
-    met = values_of(curves.GetFieldData(), "BoundMet")
-    return Suggestion(cuts, bool(met and met[0]), flattening)
+            Curve(points, CURVE_TYPES[kinds[cell]], names[cell],
+                  key_shape="straight" if shapes[cell] == 1 else "surface"), length, predicted, gain, opening,
+            before, after, mirrors[cell] - 1 if mirrors[cell] > 0 else -1, *area))
+    field = curves.GetFieldData()
+    met = values_of(field, "BoundMet")
+    columns = [values_of(field, f"LeftOut{name}") for name in (
+        "CurveName", "CurveType", "Length", "Gain", "AreaErrorBefore", "AreaErrorAfter", "StrainBefore",
+        "StrainAfter", "Sound")]
+    left_out = [
+        LeftOutLine(name, CURVE_TYPES[kind], length, gain, area, area_after, strain, strain_after, bool(sound))
+        for name, kind, length, gain, area, area_after, strain, strain_after, sound in zip(*columns)]
+    return Suggestion(cuts, bool(met and met[0]), flattening, left_out)
 
 
 def suggest(
@@ -81,26 +115,34 @@ def suggest(
     bound: float = 0.02,
     max_cuts: int = 8,
     max_cut_length: float = 0.0,
+    max_work: float = 25.0,
     symmetric: bool = True,
     prefer: Optional[Mapping[str, float]] = None,
+    weights: Optional[ArrayLike] = None,
     **options: Any,
 ) -> Suggestion:
-    """Proposes darts and seams with which a surface lies flat, and flattens it with them.
+    """Proposes darts and seams with which a surface lies flat, or lines, and flattens it with them.
 
     The curves given stay as they are, and key curves are not cut. A surface that is closed, a tube or
     has handles is cut open first.
 
     Args:
         points, triangles, curves: as for :func:`flatten`.
-        cuts: "darts", "seams" or "all".
+        cuts: "darts", "seams" or "all"; or "lines": no cuts, but centre and grain lines as straight key
+            curves, girths and style lines as accessory curves, each with what it costs.
         bound: the strain that is good enough, on 95 % of each piece's area; 0: cut until max_cuts or
             max_cut_length are used up. In [0, 0.99].
         max_cuts: the most cuts to propose; a mirror image counts.
         max_cut_length: the greatest length of all proposed cuts together, unit of `points`; 0: no
             limit.
+        max_work: the most work of the search, in millions of steps on one triangle, each one to
+            two seconds of one processor, and on surfaces above 5,000 triangles in proportion more; 0: no limit.
         symmetric: where the surface is its own mirror image so are the cuts.
         prefer: by name of a curve, how gladly a cut may begin or end on it: its price is divided by
             the number, and 0 forbids it.
+        weights: how much distortion matters, a number from 0 for each triangle (of a flat list: each
+            polygon), shape (m,): gains and strains of the cuts, and the bound, count each as if its area
+            were so many times as large. Only ratios count. Default: None, everywhere alike.
         options: the options of :func:`flatten`, with which the cuts are tried.
 
     Returns:
@@ -109,16 +151,20 @@ def suggest(
 
     Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
     """
+    surface = make_surface(points, triangles)
     return _suggest(
-        make_surface(points, triangles), make_curves(curves, points), cuts=cuts, bound=bound,
-        max_cuts=max_cuts, max_cut_length=max_cut_length, symmetric=symmetric, prefer=prefer,
-        **options)
+        surface, make_curves(curves, points), cuts=cuts, bound=bound,
+        max_cuts=max_cuts, max_cut_length=max_cut_length, max_work=max_work, symmetric=symmetric,
+        prefer=prefer, weights="" if weights is None else add_weights(surface, weights), **options)
 
 
 def suggest_polydata(
     surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
 ) -> Suggestion:
-    """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one."""
+    """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one.
+
+    weights: the name of a cell array. Default: empty, everywhere alike.
+    """
     return _suggest(surface, curves, **options)
 
 
@@ -130,8 +176,10 @@ def _suggest(
     bound: float = 0.02,
     max_cuts: int = 8,
     max_cut_length: float = 0.0,
+    max_work: float = 25.0,
     symmetric: bool = True,
     prefer: Optional[Mapping[str, float]] = None,
+    weights: str = "",
     **options: Any,
 ) -> Suggestion:
     for data, what in ((surface, "surface"), (curves, "curves")):
@@ -143,9 +191,11 @@ def _suggest(
     set_property(filter_, "bound", "Bound", bound)
     set_property(filter_, "max_cuts", "MaximumCuts", max_cuts)
     set_property(filter_, "max_cut_length", "MaximumCutLength", max_cut_length)
+    set_property(filter_, "max_work", "MaximumWork", max_work)
     set_property(filter_, "symmetric", "Symmetric", flag(symmetric, "symmetric"))
     for name, weight in (prefer or {}).items():
         filter_.AddPreference(name, weight)
+    set_property(filter_, "weights", "WeightArray", weights)
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)

@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Words, options and reports as type checkers see them; help() prints the docstrings."""
 
-from typing import Any, Callable, List, Literal, Mapping, Optional, Tuple, TypedDict
+import os
+from typing import (
+    Any, Callable, List, Literal, Mapping, Optional, Sequence, Tuple, TypedDict, Union)
 
 # The words of the command wirewarp, in the order of the filters' enumerations.
 Scheme = Literal["progressive", "global", "isometric", "lscm"]
 Solver = Literal["newton", "sequential"]
 Interior = Literal["laplacian", "relaxation", "arap"]
 Energy = Literal["rigid", "dirichlet"]
+DartLegs = Literal["free", "straight", "mirrored"]
 CoincidentPoints = Literal["automatic", "join", "keep"]
 CurveType = Literal["accessory", "key", "dart", "seam"]
 KeyShape = Literal["surface", "straight"]
 WireType = Literal["accessory", "key", "dart", "seam", "boundary", "connector"]
 Part = Literal["flat", "wires", "cut"]
-Coloring = Literal["homogeneity", "area", "aspect-ratio", "developability"]
+Coloring = Literal["homogeneity", "area", "aspect-ratio", "developability", "stretch", "warp", "weft", "shear"]
 Unit = Literal["mm", "cm", "m", "inch"]
 Paper = Literal["A4", "letter", "A3", "A0", "sheet"]
 
@@ -32,11 +35,15 @@ class Options(TypedDict, total=False):
     release_keys: bool
     release_trials: bool
     close_cuts: bool
+    dart_legs: DartLegs
     skip_closed: bool
     energy: Energy
     area_bias: float
     angle_weight: float
+    material: Union[None, str, "os.PathLike[str]"]
+    grain: Union[None, float, str, Sequence[str]]
     tolerance: Optional[Mapping[str, float]]
+    ease: Optional[Mapping[Union[str, Tuple[str, int]], float]]
     coincident_points: CoincidentPoints
     split_triangles: bool
     imprint_tolerance: float
@@ -139,6 +146,34 @@ class Release(TypedDict):
     ranking: List[ReleasedCurve]
 
 
+class ClothReport(TypedDict):
+    """What the threads of a flat piece have to do on the surface; strains are fractions, angles degrees.
+
+    Keys:
+        strain_warp_rms, strain_weft_rms, shear_rms: root mean squares by area on the surface.
+        share_out_of_limit: share of the area beyond the limits of the material.
+        share_over_5_percent: share where warp or weft is drawn or compressed by more than 5 %.
+        share_locked: share where the threads are sheared to the material's limit or beyond.
+        shear_limit: that limit, by which the angle between the threads may change; None where there
+            is none.
+        grain_angle: from the curve, or else from the upright of the piece, to the warp,
+            counter-clockwise.
+        grain_curve: name of that curve; empty where it is the upright.
+        one_way: whether the material must not be turned by half a turn.
+    """
+
+    strain_warp_rms: float
+    strain_weft_rms: float
+    shear_rms: float
+    share_out_of_limit: float
+    share_over_5_percent: float
+    share_locked: float
+    shear_limit: Optional[float]
+    grain_angle: float
+    grain_curve: str
+    one_way: bool
+
+
 class PieceReport(TypedDict):
     """Measures of a flat piece. Ratios and angles have no unit; lengths are in that of the surface.
 
@@ -166,8 +201,13 @@ class PieceReport(TypedDict):
         solver_used, energy_used: of the method; empty where it has none.
         repaired: whether progressive angles did not close and the nearest that do were taken.
         fallbacks: what was done in place of what was asked for, and why; else empty.
+        verdict: that the plane has no room for the piece, and where to cut it; else empty.
+        forecast_area_loss, forecast_area_loss_after_cut: part of the area that is lost where the
+            boundary keeps its lengths, as known before flattening, and with that cut; 0 below 0.3.
+        forecast_cut_from, forecast_cut_to: points that it joins along edges; -1: none.
         release: what to release if the piece is poor, None where nothing can be.
         history, isometric_history: the iterations of the angles and of the whole piece.
+        cloth: what its threads have to do; None without a material.
     """
 
     piece: int
@@ -201,9 +241,15 @@ class PieceReport(TypedDict):
     energy_used: str
     repaired: bool
     fallbacks: str
+    verdict: str
+    forecast_area_loss: float
+    forecast_area_loss_after_cut: float
+    forecast_cut_from: int
+    forecast_cut_to: int
     release: Optional[Release]
     history: List[AngleStep]
     isometric_history: List[IsometricStep]
+    cloth: Optional[ClothReport]
 
 
 class CurveReport(TypedDict):

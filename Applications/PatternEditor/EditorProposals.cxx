@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What EditorWindow does of its own accord to curves: proposals and offsets.
+#include "EditorWindow.h"
+
+#include <vtkRenderWindow.h>
+
+#include <QApplication>
+#include <QInputDialog>
+#include <QProgressDialog>
+
+namespace editor
+{
+namespace
+{
+const char* const searching = "Looking for cuts and flattening with them";
+constexpr int dialogWidth = 420;
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::propose()
+{
+  if (!this->Surface)
+  {
+    this->tell("open a surface before asking for proposals", true);
+    return;
+  }
+  // The search does not know how many flattenings it needs: it says what it does, not how far it
+  // is.
+  QProgressDialog dialog(searching, "Cancel", 0, 0, this);
+  dialog.setWindowModality(Qt::WindowModal);
+  dialog.setMinimumDuration(0);
+  dialog.setAutoReset(false);
+  dialog.setMinimumWidth(dialogWidth);
+  dialog.show();
+  vtkNew<vtkPolyData> curves;
+  this->Curves->GetCurves(curves);
+  Proposals proposals = editor::propose(this->Surface, curves, [&dialog](const std::string& phase) {
+    dialog.setLabelText(QString("%1\n%2").arg(searching).arg(QString::fromStdString(phase)));
+    QApplication::processEvents();
+    return !dialog.wasCanceled();
+  });
+  dialog.hide();
+  const std::string words = proposals.stopped ? "the search was stopped"
+    : proposals.cuts.empty() && proposals.message.empty()
+    ? "the surface lies flat as it is: there is nothing to propose"
+    : proposals.message;
+  const bool bad = proposals.cuts.empty() && !proposals.stopped && !proposals.message.empty();
+  this->Proposed->set(std::move(proposals));
+  this->tell(words, bad);
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::connectProposals()
+{
+  this->Proposed->onAccept = [this](const Proposal& proposal) {
+    const int curve = this->Curves->GetNumberOfCurves();
+    if (!accept(proposal, this->Curves))
+    {
+      this->tell(this->Curves->GetMessage(), true);
+      return false;
+    }
+    this->Hand->Choose(curve, -1);
+    return true;
+  };
+  this->Proposed->onChange = [this] {
+    this->SpaceScene.showGhosts(linesOf(this->Proposed->cuts()), this->Proposed->chosen());
+    this->SpaceWidget->renderWindow()->Render();
+  };
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::addOffset(double distance)
+{
+  const int curve = this->Curves->GetNumberOfCurves();
+  const bool done = this->Curves->AddOffset(this->Hand->GetChosenCurve(), distance);
+  if (done)
+  {
+    this->Hand->Choose(curve, -1);
+  }
+  else
+  {
+    this->tell(this->Curves->GetMessage(), true);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::askOffset()
+{
+  if (this->Hand->GetChosenCurve() < 0)
+  {
+    this->tell("choose the curve that the offset is to follow", true);
+    return;
+  }
+  bool given = false;
+  const double length = this->Curves->GetCurveLength(this->Hand->GetChosenCurve());
+  const double distance = QInputDialog::getDouble(this, "Offset",
+    "Distance over the surface, in its unit; negative: on the other side", 0.05 * length, -1e9, 1e9,
+    4, &given);
+  if (given)
+  {
+    this->addOffset(distance);
+  }
+}
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Proposals.h"
+
+#include "WindowWords.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFeatureCurveEditor.h>
+#include <vtkFeatureCurveSuggestion.h>
+#include <vtkIdList.h>
+#include <vtkStringArray.h>
+
+namespace editor
+{
+namespace
+{
+/// How far an accepted curve may be from the one proposed, as a fraction of its length.
+constexpr double nearness = 1e-4;
+
+struct Watch
+{
+  const std::function<bool(const std::string&)>* goOn;
+  bool stopped = false;
+};
+
+void follow(vtkObject* caller, unsigned long, void* client, void*)
+{
+  auto* const watch = static_cast<Watch*>(client);
+  auto* const filter = static_cast<vtkAlgorithm*>(caller);
+  const char* const phase = filter->GetProgressText();
+  if (!watch->stopped && !(*watch->goOn)(phase ? phase : ""))
+  {
+    watch->stopped = true;
+    filter->SetAbortExecute(1);
+  }
+}
+
+Proposal proposalOf(vtkPolyData* curves, vtkIdType cell)
+{
+  vtkCellData* const data = curves->GetCellData();
+  const auto number = [&](const char* name) { return data->GetArray(name)->GetComponent(cell, 0); };
+  Proposal proposal;
+  proposal.name = vtkStringArray::SafeDownCast(data->GetAbstractArray("CurveName"))->GetValue(cell);
+  proposal.type = static_cast<int>(number("CurveType"));
+  proposal.length = number("Length");
+  proposal.strainBefore = number("StrainBefore");
+  proposal.strainAfter = number("StrainAfter");
+  proposal.points = vtkSmartPointer<vtkPoints>::New();
+  proposal.points->SetDataTypeToDouble();
+  vtkNew<vtkIdList> ids;
+  curves->GetCellPoints(cell, ids);
+  for (const vtkIdType id : *ids)
+  {
+    proposal.points->InsertNextPoint(curves->GetPoint(id));
+  }
+  return proposal;
+}
+}
+
+//------------------------------------------------------------------------------
+Proposals propose(
+  vtkPolyData* surface, vtkPolyData* curves, const std::function<bool(const std::string&)>& goOn)
+{
+  vtkNew<vtkFeatureCurveSuggestion> filter;
+  vtkNew<vtkCallbackCommand> silence;
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  filter->AddObserver(vtkCommand::WarningEvent, silence);
+  filter->AddObserver(vtkCommand::ErrorEvent, silence);
+  Watch watch{ &goOn };
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetCallback(follow);
+  progress->SetClientData(&watch);
+  filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  filter->SetSchemeToIsometric();
+  filter->ReleaseTrialsOff();
+  filter->SetInputData(surface);
+  filter->SetCurvesData(curves);
+  filter->Update();
+
+  Proposals proposals;
+  proposals.stopped = watch.stopped;
+  proposals.message = watch.stopped ? "" : messageOf(filter);
+  vtkPolyData* const found = filter->GetOutput(3);
+  vtkDataArray* const ranks = found->GetCellData()->GetArray("Rank");
+  for (vtkIdType cell = 0; ranks && !watch.stopped && cell < found->GetNumberOfCells(); ++cell)
+  {
+    if (ranks->GetComponent(cell, 0) > 0.0)
+    {
+      proposals.cuts.push_back(proposalOf(found, cell));
+    }
+  }
+  return proposals;
+}
+
+//------------------------------------------------------------------------------
+bool accept(const Proposal& proposal, vtkFeatureCurveEditor* curves)
+{
+  const int curve = curves->GetNumberOfCurves();
+  curves->BeginGroup();
+  const bool added =
+    curves->AddStroke(proposal.points, nearness * proposal.length, vtkFeatureCurveEditor::GEODESIC);
+  if (added)
+  {
+    curves->SetCurveType(curve, proposal.type);
+    curves->SetCurveName(curve, proposal.name); // another may have it, then it keeps its own
+  }
+  curves->EndGroup();
+  return added;
+}
+
+//------------------------------------------------------------------------------
+figures::PolyData linesOf(const std::vector<Proposal>& proposals)
+{
+  figures::PolyData lines = figures::PolyData::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (const Proposal& proposal : proposals)
+  {
+    const vtkIdType count = proposal.points->GetNumberOfPoints();
+    cells->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(proposal.points->GetPoint(k)));
+    }
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  return lines;
+}
+}

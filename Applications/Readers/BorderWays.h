@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "BoundaryLoops.h"
+
+#include <vtkPolyData.h>
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+namespace wirewarp
+{
+/// Ways along the boundary of a surface.
+class BorderWays
+{
+public:
+  explicit BorderWays(vtkPolyData* surface);
+
+  /// The points from each of some points on the boundary to the next, each time the shorter way
+  /// round; of a point and itself the whole loop. None where there is no such way: then `fault`
+  /// says why, and the way out.
+  std::optional<std::vector<vtkIdType>> through(
+    const std::vector<vtkIdType>& points, std::string& fault) const;
+
+private:
+  struct Place
+  {
+    std::size_t loop = 0;
+    std::size_t at = 0;
+    bool unique = true;
+  };
+
+  bool add(vtkIdType from, vtkIdType to, std::vector<vtkIdType>& way, std::string& fault) const;
+
+  std::vector<BoundaryLoop> Loops;
+  std::vector<std::vector<double>> Arc; ///< of the points of each loop, and its length
+  std::unordered_map<vtkIdType, Place> Places;
+};
+}

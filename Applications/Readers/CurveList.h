@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkCellArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wirewarp
+{
+/// What a word says a curve is: values of the cell arrays CurveType and KeyShape.
+struct CurveKind
+{
+  int type = 0;
+  int keyShape = 0;
+};
+
+/// What accessory, key, dart, seam or straight (a key that is straight in the plane) stands for, in
+/// letters of any case; none for another word.
+std::optional<CurveKind> curveKindOf(std::string_view word);
+inline constexpr const char* curveKindWords = "accessory, key, straight, dart or seam";
+
+/// What the name of a group or layer says of a curve.
+struct CurveTitle
+{
+  CurveKind kind; ///< accessory, where the first word is no type
+  std::string name;
+};
+
+/// "dart left" is a dart called left, "Key" a key called Key, "hem line" an accessory curve of that
+/// name. Words are divided by blanks, and before the name also by -, _ or :.
+CurveTitle curveTitle(std::string_view text);
+
+/// Curves as a reader finds them, one after the other.
+class CurveList
+{
+public:
+  CurveList();
+  void add(const std::vector<vtkIdType>& ids, const CurveTitle& title);
+  bool empty() const { return this->Lines->GetNumberOfCells() == 0; }
+  /// The curves over points, with the cell arrays CurveType, CurveName and, where one is straight,
+  /// KeyShape.
+  vtkSmartPointer<vtkPolyData> polyData(vtkPoints* points) const;
+
+private:
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkIntArray> Types;
+  vtkNew<vtkIntArray> Shapes;
+  vtkNew<vtkStringArray> Names;
+};
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace wirewarp
+{
+/// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and
+/// `CurveName`), from the lines of .obj (ReadObj.h), .csv (ReadCsvCurves.h) or .dxf
+/// (ReadDxfCurves.h), or else from text, one curve a line:
+///
+///     TYPE NAME v0 v1 ...      # TYPE is accessory, key, straight, dart or seam, in any case
+///     edge NAME v0 v1 ...      # an accessory curve along the boundary from each vertex to the
+///     next
+///
+/// with 0-based vertex ids of the surface's file. Text curves come back as polylines on the
+/// surface's points. Throws InputError.
+vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* surface);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReadSurface.h"
+
+#include "InputError.h"
+#include "ReadObj.h"
+#include "ReadOff.h"
+#include "ReadPly.h"
+#include "ReadVtk.h"
+#include "TextFile.h"
+
+namespace wirewarp
+{
+//------------------------------------------------------------------------------
+SurfaceContents readSurface(const std::string& path)
+{
+  const std::string extension = lowerCaseExtension(path);
+  if (extension == ".vtp" || extension == ".vtk" || extension == ".stl")
+  {
+    return { readVtk(path), nullptr };
+  }
+  if (extension == ".obj")
+  {
+    const ObjContents contents = readObj(path);
+    return { contents.surface, contents.curves, contents.unit };
+  }
+  if (extension == ".gltf" || extension == ".glb")
+  {
+    // The format knows metres only, and no points that triangles of two textures share.
+    SurfaceContents contents{ readVtk(path), nullptr, "m" };
+    contents.doubled = true;
+    return contents;
+  }
+  if (extension == ".off")
+  {
+    return { readOff(path), nullptr };
+  }
+  if (extension == ".3mf")
+  {
+    throw InputError(path, "3MF is not read; save the surface as .obj, .ply, .glb or .stl");
+  }
+  if (extension == ".ply")
+  {
+    return { readPly(path), nullptr };
+  }
+  throw InputError(path,
+    "a surface is read from .vtp, .vtk, .obj, .ply, .stl, .off, .gltf or .glb, not from " +
+      (extension.empty() ? std::string("a file without extension") : inQuotes(extension)));
+}
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace wirewarp
+{
+struct SurfaceContents
+{
+  vtkSmartPointer<vtkPolyData> surface; ///< of .vtp and .vtk with the polylines among its cells
+  vtkSmartPointer<vtkPolyData> curves;  ///< of .obj, over the same points; null where there is none
+  std::string unit = {};                ///< that the file states, as in Units.h; empty: none
+  bool doubled = false; ///< the format doubles points along texture seams, which are to be joined
+};
+
+/// Reads a surface by its extension: .vtp .vtk .obj .ply .stl .off .gltf .glb. Throws InputError.
+SurfaceContents readSurface(const std::string& path);
+}

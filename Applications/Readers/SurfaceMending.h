@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace wirewarp
+{
+/// What is done to a surface before it is flattened, beside taking out triangles without area.
+struct MendingRequest
+{
+  bool weld = false;        ///< join points that lie on each other
+  bool doubled = false;     ///< the same, because the file's format doubles points
+  double fillHoles = 0.0;   ///< close openings up to so many millimetres across
+  double millimetres = 1.0; ///< of the unit of the surface
+  bool outerSide = false;   ///< of a closed sheet with thickness take the outer side alone
+};
+
+struct MendedSurface
+{
+  vtkSmartPointer<vtkPolyData> surface; ///< with the points of the input, by their ids
+  /// A line for each mend, and for what looks like a defect, with the option that mends it.
+  std::vector<std::string> notes;
+};
+
+MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request);
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Units.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace wirewarp
+{
+namespace
+{
+struct UnitName
+{
+  std::string_view word; ///< as files have it, in lower case
+  std::string_view unit;
+};
+
+constexpr std::array<UnitName, 18> names{ {
+  { "mm", "mm" },
+  { "millimeter", "mm" },
+  { "millimeters", "mm" },
+  { "millimetre", "mm" },
+  { "millimetres", "mm" },
+  { "cm", "cm" },
+  { "centimeter", "cm" },
+  { "centimeters", "cm" },
+  { "centimetre", "cm" },
+  { "centimetres", "cm" },
+  { "m", "m" },
+  { "meter", "m" },
+  { "meters", "m" },
+  { "metre", "m" },
+  { "metres", "m" },
+  { "in", "inch" },
+  { "inch", "inch" },
+  { "inches", "inch" },
+} };
+
+std::string lowered(std::string_view text)
+{
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+/// The next word of letters; empty at the end.
+std::string_view takeLetters(std::string_view& text)
+{
+  const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
+  const auto* const begin = std::find_if(text.begin(), text.end(), isLetter);
+  const auto* const end = std::find_if_not(begin, text.end(), isLetter);
+  const auto from = static_cast<std::size_t>(begin - text.begin());
+  const auto length = static_cast<std::size_t>(end - begin);
+  const std::string_view word = text.substr(from, length);
+  text.remove_prefix(from + length);
+  return word;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string unitNamed(std::string_view word)
+{
+  const std::string lower = lowered(word);
+  const auto* const found = std::find_if(
+    names.begin(), names.end(), [&lower](const UnitName& name) { return name.word == lower; });
+  return found == names.end() ? std::string() : std::string(found->unit);
+}
+
+//------------------------------------------------------------------------------
+std::string unitInComment(std::string_view comment)
+{
+  const std::string lower = lowered(comment);
+  std::string_view rest(lower);
+  for (std::string_view word = takeLetters(rest); !word.empty(); word = takeLetters(rest))
+  {
+    if (word == "unit" || word == "units")
+    {
+      return unitNamed(takeLetters(rest));
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+double millimetresOf(const std::string& unit)
+{
+  return unit == "mm" ? 1.0 : unit == "m" ? 1000.0 : unit == "inch" ? 25.4 : 10.0;
+}
+}

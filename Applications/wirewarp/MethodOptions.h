@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+struct Options;
+
+/// Adds the options of how surfaces are flattened.
+void addMethods(CLI::App& app, Options& options);
+}

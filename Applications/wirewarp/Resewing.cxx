@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Resewing.h"
+
+#include "FieldRows.h"
+#include "Flattening.h"
+#include "NumberOptions.h"
+#include "Progress.h"
+#include "ReadSurface.h"
+#include "VtkMessages.h"
+
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkSewnShape.h>
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+
+namespace wirewarp
+{
+//------------------------------------------------------------------------------
+ResewingRequest::ResewingRequest()
+{
+  const vtkNew<vtkSewnShape> sewn;
+  this->thickness = sewn->GetThickness();
+  this->maximumIterations = sewn->GetMaximumIterations();
+  this->pressure = sewn->GetPressure();
+  this->gravity.assign(sewn->GetGravity(), sewn->GetGravity() + 3);
+  this->secondStart = sewn->GetSecondStart();
+}
+
+//------------------------------------------------------------------------------
+void addResewingOptions(CLI::App& app, ResewingRequest& request)
+{
+  const std::string group = "Sewing again";
+  CLI::Option* const resew = app.add_option("--resew", request.test,
+    "Sew the flat pieces together again, let them come to rest and say how far that is from "
+    "SURFACE: panel (each piece, its boundary held), product (all that is sewn together, hems "
+    "free); writes sewn.vtp. With --material it is sewn of that");
+  resew->transform(CLI::IsMember({ "panel", "product" }, CLI::ignore_case))->group(group);
+  app
+    .add_option("--resew-thickness", request.thickness,
+      "Thickness of a plate that bends as the cloth does, over the size of a piece")
+    ->check(number(0.0, 1.0, "[0, 1]"))
+    ->capture_default_str()
+    ->needs(resew)
+    ->group(group);
+  app
+    .add_option(
+      "--resew-iterations", request.maximumIterations, "Most iterations until the cloth is at rest")
+    ->check(wholeNumber(1, std::numeric_limits<int>::max(), "from 1"))
+    ->capture_default_str()
+    ->needs(resew)
+    ->group(group);
+  app
+    .add_option("--resew-pressure", request.pressure,
+      "Pressure behind the cloth, times its size over its stiffness; a product must be closed")
+    ->check(number(-1.0, 1.0, "[-1, 1]"))
+    ->capture_default_str()
+    ->needs(resew)
+    ->group(group);
+  app
+    .add_option("--resew-gravity", request.gravity,
+      "Weight of the cloth per area and where it pulls, times its size over its stiffness, such as "
+      "0 0 -0.0002 where z is up (default: none); a product needs a --body to lie on")
+    ->check(number(-1.0, 1.0, "[-1, 1]"))
+    ->expected(3)
+    ->type_name("X Y Z")
+    ->needs(resew)
+    ->group(group);
+  app
+    .add_flag_callback(
+      "--resew-once", [&request]() { request.secondStart = false; },
+      "Let the cloth come to rest from one start alone, in half the time; other shapes that it may "
+      "have at rest are not looked for")
+    ->needs(resew)
+    ->group(group);
+}
+
+//------------------------------------------------------------------------------
+void sewAgain(const ResewingRequest& request, const std::string& body, const std::string& material,
+  bool quiet, Flattening& result)
+{
+  if (!request.any() || result.refused())
+  {
+    return;
+  }
+  const vtkNew<vtkSewnShape> sewn;
+  sewn->SetInputData(result.flat);
+  sewn->SetDesignData(result.cut);
+  sewn->SetTest(request.test == "product" ? vtkSewnShape::PRODUCT : vtkSewnShape::PANEL);
+  sewn->SetThickness(request.thickness);
+  sewn->SetMaximumIterations(request.maximumIterations);
+  sewn->SetPressure(request.pressure);
+  sewn->SetGravity(request.gravity.data());
+  sewn->SetMaterial(material.c_str());
+  sewn->SetSecondStart(request.secondStart);
+  if (!body.empty())
+  {
+    sewn->SetBodyData(readSurface(body).surface);
+  }
+  {
+    const VtkMessages messages;
+    const Progress progress(sewn, quiet);
+    sewn->Update();
+  }
+  if (sewn->IsRefused() || (sewn->GetStatusCode() != vtkSewnShape::OK && result.exitCode == Done))
+  {
+    result.exitCode = sewn->IsRefused() ? InputRefused : PromiseBroken;
+    result.status = sewn->GetStatusName();
+    result.remedies = remediesOf(sewn);
+    result.message = messageOf(sewn->GetStatusDefect(), result.remedies);
+    result.idKind = sewn->GetStatusIdKind();
+    vtkIdTypeArray* const ids = sewn->GetStatusIds();
+    result.ids.assign(ids->GetPointer(0), ids->GetPointer(ids->GetNumberOfValues()));
+  }
+  if (result.refused())
+  {
+    result.flat = result.wires = result.cut = result.curves = nullptr;
+    result.flattenable = result.flattenableCurves = result.flatBefore = nullptr;
+    return;
+  }
+  result.sewn = sewn->GetOutput(0);
+  const FieldRows field(result.sewn);
+  for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
+  {
+    result.notes.push_back(field.text("RunWarnings", row));
+  }
+}
+}

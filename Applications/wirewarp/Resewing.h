@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+struct Flattening;
+
+/// What is asked for by --resew, with the defaults of vtkSewnShape.
+struct ResewingRequest
+{
+  ResewingRequest();
+
+  std::string test; ///< "panel" or "product"; empty: none
+  double thickness;
+  int maximumIterations;
+  double pressure;
+  std::vector<double> gravity; ///< three components
+  bool secondStart;
+
+  bool any() const { return !this->test.empty(); }
+};
+
+void addResewingOptions(CLI::App& app, ResewingRequest& request);
+
+/// Sews the flat pieces together again where that is asked for. What the cloth cannot do ends in
+/// the result's status: a refusal leaves nothing of the flattening.
+/// \param body file of it; empty: none. \param material of which the cloth is; empty: none
+void sewAgain(const ResewingRequest& request, const std::string& body, const std::string& material,
+  bool quiet, Flattening& result);
+}

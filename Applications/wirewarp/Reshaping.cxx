@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reshaping.h"
+
+#include "FieldRows.h"
+#include "Flattening.h"
+#include "NumberOptions.h"
+#include "ReadSurface.h"
+
+#include <vtkMakeFlattenable.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iomanip>
+#include <sstream>
+
+namespace wirewarp
+{
+//------------------------------------------------------------------------------
+ReshapingRequest::ReshapingRequest()
+{
+  const vtkNew<vtkMakeFlattenable> filter;
+  this->bound = filter->GetBound();
+  this->keepBoundary = filter->GetKeepBoundary();
+  this->outsideBias = filter->GetOutsideBias();
+}
+
+//------------------------------------------------------------------------------
+void addReshapingOptions(CLI::App& app, ReshapingRequest& request)
+{
+  const std::string group = "Changing the surface";
+  CLI::Option* const flattenable =
+    app
+      .add_option_function<double>(
+        "--flattenable",
+        [&request](double bound) {
+          request.wanted = true;
+          request.bound = bound;
+        },
+        "Move SURFACE as little as it takes for the strain on 95 % of each piece's area to be "
+        "within this bound (0.02: 2 %), and flatten that; writes flattenable.vtp")
+      ->check(number(1e-6, 0.99, "[1e-6, 0.99]"))
+      ->excludes("--suggest")
+      ->group(group);
+  app
+    .add_option("--keep", request.keep,
+      "A curve that --flattenable leaves where it is; may be given several times")
+    ->type_name("NAME")
+    ->allow_extra_args(false)
+    ->needs(flattenable)
+    ->group(group);
+  app
+    .add_flag_callback(
+      "--free-boundary", [&request]() { request.keepBoundary = false; },
+      "Let --flattenable move the boundary as well")
+    ->needs(flattenable)
+    ->group(group);
+  app
+    .add_option("--outside-bias", request.outsideBias,
+      "How much --flattenable moves the surface outwards, to where its triangles turn "
+      "counter-clockwise, rather than inwards; 0: both alike, 1: no point moves inwards")
+    ->check(number(0.0, 1.0, "[0, 1]"))
+    ->capture_default_str()
+    ->needs(flattenable)
+    ->group(group);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request)
+{
+  const auto filter = vtkSmartPointer<vtkMakeFlattenable>::New();
+  filter->SetBound(request.bound);
+  filter->SetKeepBoundary(request.keepBoundary);
+  filter->SetOutsideBias(request.outsideBias);
+  for (const std::string& curve : request.keep)
+  {
+    filter->AddKeptCurve(curve);
+  }
+  return filter;
+}
+
+//------------------------------------------------------------------------------
+void giveBody(const std::string& body, vtkWireWarpingFilter* filter)
+{
+  auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter);
+  if (reshaping && !body.empty())
+  {
+    reshaping->SetBodyData(readSurface(body).surface);
+  }
+}
+
+//------------------------------------------------------------------------------
+void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result)
+{
+  if (vtkMakeFlattenable::SafeDownCast(filter))
+  {
+    result.flattenable = filter->GetOutput(3);
+    result.flattenableCurves = filter->GetOutput(4);
+    result.flatBefore = filter->GetOutput(5);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string reshapingTable(const Flattening& result)
+{
+  const FieldRows field(result.flattenable);
+  if (field.count("BoundMet") == 0)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << std::setprecision(3) << "\nsurface moved by " << field.number("ShiftMean", 0)
+       << " in the mean, " << field.number("ShiftMax", 0) << " at most: strain_p95 "
+       << field.number("Strain", 0) << " -> " << field.number("Strain", 1) << '\n';
+  return text.str();
+}
+}

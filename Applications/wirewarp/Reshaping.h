@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkWireWarpingFilter;
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+struct Flattening;
+
+/// What is asked for by --flattenable, with the defaults of vtkMakeFlattenable.
+struct ReshapingRequest
+{
+  ReshapingRequest();
+
+  bool wanted = false;
+  double bound;
+  std::vector<std::string> keep; ///< names of curves
+  bool keepBoundary;
+  double outsideBias;
+
+  bool any() const { return this->wanted; }
+};
+
+void addReshapingOptions(CLI::App& app, ReshapingRequest& request);
+
+/// The filter that moves the surface before it flattens it.
+vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request);
+
+/// Gives it the body of this file, where it is one that moves the surface. Throws InputError.
+void giveBody(const std::string& body, vtkWireWarpingFilter* filter);
+
+/// Takes over what the filter has beside the flattening, where it is one that moves the surface.
+void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result);
+
+/// How far the surface was moved for what; empty without --flattenable.
+std::string reshapingTable(const Flattening& result);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+struct LeastSquaresConformalOptions
+{
+  /// The two vertices that are pinned; none: the two boundary vertices that are farthest apart in
+  /// space.
+  std::array<Index, 2> pins{ none, none };
+  /// Divide each triangle's rows by the root of its area, as Levy et al. do. Off, large triangles
+  /// count more.
+  bool areaNormalized = true;
+};
+
+struct LeastSquaresConformalMap
+{
+  Points2 positions;
+  Status status;
+};
+
+/// Least squares conformal map of a disk-like surface (Levy, Petitjean, Ray, Maillot, "Least
+/// squares conformal maps for automatic texture atlas generation", ACM TOG 21(3), 2002), scaled so
+/// that its perimeter is that of the surface, as the paper does for comparison.
+/// Errors: ClosedSurface, InvalidOption (pins), NumericalFailure, Cancelled.
+LeastSquaresConformalMap leastSquaresConformalMap(const TriangleMesh& mesh,
+  const LeastSquaresConformalOptions& options, const Execution& execution = {});
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/CurveEase.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+/// How a curve lies in a piece.
+struct Presence
+{
+  bool there = false;
+  bool twice = false; ///< with both banks
+};
+
+Presence presenceOf(Index curve, const Piece& piece, const CutSurface& cut)
+{
+  Presence presence;
+  std::set<std::pair<Index, Index>> here;
+  std::set<std::pair<Index, Index>> before; // the cut
+  for (std::size_t h = 0; h < piece.curveOfHalfedge.size(); ++h)
+  {
+    if (piece.curveOfHalfedge[h] != curve)
+    {
+      continue;
+    }
+    presence.there = true;
+    const Triangle& corners = piece.mesh.triangle(static_cast<Index>(h / 3));
+    const Index from = corners[h % 3];
+    const Index to = corners[(h + 1) % 3];
+    const auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
+    if (here.insert(std::minmax(from, to)).second)
+    {
+      const Index a = original(from);
+      const Index b = original(to);
+      presence.twice = !before.insert({ std::min(a, b), std::max(a, b) }).second || presence.twice;
+    }
+  }
+  return presence;
+}
+
+Status invalid(const std::string& message, const std::string& give)
+{
+  return { StatusCode::InvalidOption, message, {}, { { Remedy::Give, give } } };
+}
+
+std::string percent(double fraction)
+{
+  return shortNumber(100.0 * fraction) + " %";
+}
+
+Status checkEase(const CurveEase& ease, const FeatureCurve& curve)
+{
+  const std::string what = "the ease of \"" + ease.curve + "\"";
+  if (!std::isfinite(ease.fraction) || !(std::abs(ease.fraction) < 1.0))
+  {
+    return invalid(what + " is " + shortNumber(ease.fraction), "a fraction between -1 and 1");
+  }
+  if (std::abs(ease.fraction) > curve.tolerance)
+  {
+    return invalid(what + " is " + percent(ease.fraction) + ", and its length may change by " +
+        (curve.tolerance > 0.0 ? "no more than " + percent(curve.tolerance) : "nothing"),
+      "the curve a length tolerance as large, or less ease");
+  }
+  return {};
+}
+}
+
+Status decideEases(const std::vector<CurveEase>& eases, const std::vector<FeatureCurve>& curves,
+  const CutSurface& cut, const std::vector<const Piece*>& pieces, PieceStretches& stretches)
+{
+  stretches.clear();
+  for (const CurveEase& ease : eases)
+  {
+    stretches.resize(pieces.size(), std::vector<std::optional<double>>(curves.size()));
+    bool known = false;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+    {
+      if (curves[c].name != ease.curve)
+      {
+        continue;
+      }
+      known = true;
+      Status status = checkEase(ease, curves[c]);
+      if (!status.ok())
+      {
+        return status;
+      }
+      std::vector<Presence> presence;
+      std::string places;
+      std::size_t count = 0;
+      std::size_t only = 0;
+      for (std::size_t p = 0; p < pieces.size(); ++p)
+      {
+        presence.push_back(presenceOf(static_cast<Index>(c), *pieces[p], cut));
+        if (presence[p].there)
+        {
+          places += (count++ > 0 ? ", " : "") + std::to_string(p + 1);
+          only = p;
+        }
+      }
+      const std::string lies = "\"" + ease.curve + "\" lies in piece " + places;
+      if (ease.piece == none && count != 1)
+      {
+        return invalid("an ease names no piece, and " + lies, "the one piece that is to be eased");
+      }
+      const std::size_t chosen = ease.piece == none ? only : static_cast<std::size_t>(ease.piece);
+      if (chosen >= pieces.size() || !presence[chosen].there)
+      {
+        return invalid(
+          "an ease is for piece " + std::to_string(chosen + 1) + ", and " + lies, "one of these");
+      }
+      if (presence[chosen].twice)
+      {
+        return invalid("both sides of \"" + ease.curve + "\" lie in piece " +
+            std::to_string(chosen + 1) + ", which therefore cannot ease one onto the other",
+          "the ease of another curve");
+      }
+      for (std::size_t p = 0; p < pieces.size(); ++p)
+      {
+        if (presence[p].there && (p == chosen || !stretches[p][c]))
+        {
+          stretches[p][c] = p == chosen ? ease.fraction : 0.0;
+        }
+      }
+    }
+    if (!known)
+    {
+      return { StatusCode::InvalidOption, "no curve is named \"" + ease.curve + "\", to be eased",
+        {}, { Remedy::NameCurve } };
+    }
+  }
+  return {};
+}
+}

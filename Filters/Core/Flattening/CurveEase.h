@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Cut/SurfaceCut.h"
+#include "Surface/FeatureCurve.h"
+#include "Wires/CurveRules.h"
+
+namespace flattening
+{
+/// By how much a curve is longer in one piece than on the surface; what it is sewn to is not.
+struct CurveEase
+{
+  std::string curve;  ///< all curves of this name
+  Index piece = none; ///< none: the only one that they are in
+  double fraction = 0.0;
+};
+
+/// By piece, by curve its decided stretch (as in CurveRules); a curve that is eased in one piece
+/// has the length of the surface in the others. Empty where no ease is asked for.
+using PieceStretches = std::vector<std::vector<std::optional<double>>>;
+
+/// Errors: InvalidOption where a curve is not there or not in the piece, would change by more than
+/// its tolerance, or has both of its sides in the piece.
+Status decideEases(const std::vector<CurveEase>& eases, const std::vector<FeatureCurve>& curves,
+  const CutSurface& cut, const std::vector<const Piece*>& pieces, PieceStretches& stretches);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isometric/IsometricSheet.h"
+
+namespace flattening
+{
+IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy)
+  : Cells(mesh.triangles())
+  , Energy(energy)
+{
+  this->Frames.reserve(this->Cells.size());
+  for (const Triangle& c : this->Cells)
+  {
+    this->Frames.emplace_back(
+      mesh.point(c[0]) / unit, mesh.point(c[1]) / unit, mesh.point(c[2]) / unit);
+  }
+}
+
+Eigen::Vector4d IsometricSheet::mapParts(Index t, const Eigen::VectorXd& x) const
+{
+  Eigen::Matrix<double, 6, 1> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.segment<2>(2 * k) = x.segment<2>(2 * this->Cells[t][k]);
+  }
+  return mapPartsDerivative(this->Frames[t]) * corners;
+}
+
+double IsometricSheet::energy(const Eigen::VectorXd& x, const Execution& execution) const
+{
+  // Summed in the triangles' order, whatever the threads.
+  std::vector<double> density(this->Cells.size());
+  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      density[t] = this->Frames[t].area * this->Energy.density(this->mapParts(t, x));
+    }
+  });
+  double sum = 0.0;
+  for (double d : density)
+  {
+    sum += d;
+  }
+  return sum;
+}
+
+void IsometricSheet::declare(SymmetricAssembler& assembler)
+{
+  this->Blocks.reserve(this->Cells.size());
+  for (const Triangle& c : this->Cells)
+  {
+    this->Blocks.emplace_back(assembler,
+      std::array<Index, 6>{
+        2 * c[0], 2 * c[0] + 1, 2 * c[1], 2 * c[1] + 1, 2 * c[2], 2 * c[2] + 1 });
+  }
+  this->Values.resize(this->Cells.size());
+  this->Gradients.resize(this->Cells.size());
+}
+
+void IsometricSheet::add(const Eigen::VectorXd& x, Curvature curvature,
+  SymmetricAssembler& assembler, Eigen::VectorXd& gradient, const Execution& execution)
+{
+  const bool convex = curvature == Curvature::Convex;
+  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      const DistortionEnergyValue value = this->Energy.evaluate(this->mapParts(t, x), convex);
+      const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
+      this->Gradients[t] = this->Frames[t].area * (derivative.transpose() * value.gradient);
+      const Eigen::Matrix<double, 4, 6> half = this->Frames[t].area * (value.hessian * derivative);
+      std::array<double, 21>& entries = this->Values[t];
+      int next = 0;
+      for (int a = 0; a < 6; ++a)
+      {
+        for (int b = 0; b <= a; ++b)
+        {
+          entries[next++] = derivative.col(a).dot(half.col(b));
+        }
+      }
+    }
+  });
+  for (std::size_t t = 0; t < this->Cells.size(); ++t)
+  {
+    const std::array<double, 21>& lower = this->Values[t];
+    this->Blocks[t].add(assembler, [&](int a, int b) { return lower[a * (a + 1) / 2 + b]; });
+    this->Blocks[t].scatter(this->Gradients[t], gradient);
+  }
+}
+
+void IsometricSheet::addGradient(
+  const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution)
+{
+  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      this->Gradients[t] = this->Frames[t].area *
+        (mapPartsDerivative(this->Frames[t]).transpose() *
+          this->Energy.gradient(this->mapParts(t, x)));
+    }
+  });
+  for (std::size_t t = 0; t < this->Cells.size(); ++t)
+  {
+    this->Blocks[t].scatter(this->Gradients[t], gradient);
+  }
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Execution.h"
+#include "Isometric/SheetEnergy.h"
+#include "Sparse/NewtonKktModel.h"
+#include "Sparse/SparseBlocks.h"
+#include "Surface/TriangleMesh.h"
+
+namespace flattening
+{
+/// The sheet's part of IsometricModel: the energy of every triangle of a piece, by the coordinates
+/// x and y of vertex v as unknowns 2 v and 2 v + 1, in a unit in which the mean triangle area is 1.
+class IsometricSheet
+{
+public:
+  /// \param unit of length.
+  IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy);
+
+  const Triangles& triangles() const { return this->Cells; }
+  /// Modulus over that of |J - R|^2, for small strains.
+  double modulus() const { return this->Energy.modulus(); }
+  bool turnsFreely() const { return this->Energy.turnsFreely(); }
+
+  /// Sum of the triangles' areas times their energy densities.
+  double energy(const Eigen::VectorXd& x, const Execution& execution) const;
+
+  /// How many entries declare() declares.
+  std::size_t entryCount() const { return 21 * this->Cells.size(); }
+  void declare(SymmetricAssembler& assembler);
+  /// Adds gradient and Hessian at x.
+  void add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
+    Eigen::VectorXd& gradient, const Execution& execution);
+  /// Adds the gradient alone.
+  void addGradient(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution);
+
+private:
+  Eigen::Vector4d mapParts(Index t, const Eigen::VectorXd& x) const;
+
+  Triangles Cells;
+  SheetEnergy Energy;
+  std::vector<TriangleFrame> Frames; ///< in units
+  std::vector<SymmetricBlock<6>> Blocks;
+  /// Lower triangles, row by row: threads compute them, one adds them.
+  std::vector<std::array<double, 21>> Values;
+  std::vector<Eigen::Matrix<double, 6, 1>> Gradients;
+};
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Imprint/SurfaceTrace.h"
+#include "Paths/StraightPath.h"
+
+namespace flattening
+{
+/// Places of a path that are nearer in space to a point than their neighbours along it, and nearer
+/// than a bound.
+struct PathFoot
+{
+  std::size_t leg = 0;
+  double along = 0.0; ///< fraction of the leg
+  double gap = 0.0;   ///< in space
+};
+/// On one leg, the place that is nearest in space.
+PathFoot footOnLeg(const SurfacePath& path, std::size_t leg, const Point3& point);
+std::vector<PathFoot> pathFeet(const SurfacePath& path, const Point3& point, double bound);
+
+/// The shortest straight path from a path to a point, and on which side it leaves.
+struct PathDistance
+{
+  StraightPath way; ///< from the path to the point
+  bool left = false;
+};
+
+/// Where several parts of the path are near, each is looked at. Errors: as of straightPath().
+PathDistance distanceFrom(
+  const PathGraph& graph, const SurfacePath& path, const SurfacePoint& point);
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Imprint/SurfacePoint.h"
+
+namespace flattening
+{
+/// A direction at a point of a surface.
+struct SurfaceDirection
+{
+  Index triangle = none;          ///< the direction points into it; none: out of the surface
+  Point3 vector = Point3::Zero(); ///< in the triangle's plane, of length 1
+};
+
+/// The directions at a point of a surface by their angles, as the triangles around the point lie
+/// when they are unfolded one after the other, anti-clockwise.
+class PointDirections
+{
+public:
+  /// \pre The point lies on the mesh.
+  PointDirections(const TriangleMesh& mesh, const SurfacePoint& point);
+
+  /// The angle all around: 2 pi in triangles and on edges, half of it on the boundary's.
+  double total() const;
+  /// At the boundary angles run from 0 to total(), elsewhere around.
+  bool atBoundary() const { return this->Boundary; }
+  /// The angle towards another point of a triangle around.
+  double angleTo(Index triangle, const Point3& target) const;
+  /// \param angle elsewhere than at the boundary any
+  SurfaceDirection at(double angle) const;
+
+private:
+  struct Sector
+  {
+    Index triangle = none;
+    Point3 first = Point3::Zero();  ///< where the sector starts
+    Point3 across = Point3::Zero(); ///< a quarter turn on from there
+    double begin = 0.0;
+    double size = 0.0;
+  };
+  /// The triangle of a half-edge, from its direction on.
+  void add(const TriangleMesh& mesh, Index h, double size);
+
+  Point3 Apex;
+  std::vector<Sector> Sectors;
+  bool Boundary = false;
+};
+}

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reshaping/FlattenableSurface.h"
+
+#include "Base/Memory.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Sewing/BodyContact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace flattening
+{
+namespace
+{
+/// Springs from those that let a surface move by about a tenth of what strain asks for, down to
+/// those that hold it but against drifting.
+constexpr double firstAnchor = 64.0;
+constexpr double lastAnchor = 1e-3;
+constexpr double weakening = 4.0;
+/// Flattenings and sewings in turn before springs are weakened.
+constexpr int roundsPerAnchor = 3;
+/// Strengthenings between springs that are too strong and springs that will do.
+constexpr int anchorHalvings = 3;
+constexpr int wayHalvings = 6;
+/// Of the search; the rest is the flattenings before and after.
+constexpr double searchShare = 0.9;
+/// Over the root of the area: what is kept from a body, and what rounding leaves of it.
+constexpr double gapToBody = 1e-3;
+constexpr double roundingAtBody = 1e-9;
+
+Status checked(const std::vector<FeatureCurve>& curves, const FlattenableOptions& options)
+{
+  const auto invalid = [](const std::string& defect, const std::string& way) -> Status {
+    return { StatusCode::InvalidOption, defect, {}, { { Remedy::Give, way } } };
+  };
+  if (!std::isfinite(options.bound) || options.bound <= 0.0 || options.bound >= 1.0)
+  {
+    return invalid("the bound on strain is outside (0, 1)", "0.02 for 2 %");
+  }
+  if (!std::isfinite(options.thickness) || options.thickness < 0.0 || options.thickness > 1.0)
+  {
+    return invalid("the thickness is outside 0..1", "a fraction of the size of a piece");
+  }
+  if (!std::isfinite(options.outsideBias) || options.outsideBias < 0.0 || options.outsideBias > 1.0)
+  {
+    return invalid("the outside bias is outside 0..1", "0 for none, 1 for outwards alone");
+  }
+  for (Index curve : options.kept)
+  {
+    if (curve < 0 || curve >= static_cast<Index>(curves.size()))
+    {
+      return invalid("a curve to keep is not there", "the number of a curve");
+    }
+  }
+  return {};
+}
+
+/// Vertices that stay: of the boundary, of kept curves, and of pieces that are left out.
+std::vector<char> heldVertices(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  const FlattenableOptions& options, const FlatteningResult& flat)
+{
+  std::vector<char> held(mesh.vertexCount(), 0);
+  for (Index v = 0; options.keepBoundary && v < mesh.vertexCount(); ++v)
+  {
+    held[v] = mesh.outgoing(v) != none && mesh.onBoundary(v) ? 1 : 0;
+  }
+  for (Index curve : options.kept)
+  {
+    for (Index v : curves[curve].vertices)
+    {
+      held[v] = 1;
+    }
+  }
+  std::vector<char> flattened(mesh.triangleCount(), 0);
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    flattened[flat.cut->originalTriangle(t)] = 1;
+  }
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    for (int k = 0; k < 3 && !flattened[t]; ++k)
+    {
+      held[mesh.triangle(t)[k]] = 1;
+    }
+  }
+  return held;
+}
+
+double strainOf(const FlatteningResult& flat)
+{
+  double strain = flat.status.refused() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const PieceReport& piece : flat.pieces)
+  {
+    strain = std::max(strain, piece.quality.strainP95);
+  }
+  return strain;
+}
+
+/// Whether no vertex that may move lies in a body, or deeper in it than the design.
+class OutsideOfBody
+{
+public:
+  OutsideOfBody(const TriangleMesh* body, const TriangleMesh& design, const std::vector<char>& held)
+    : Held(held)
+  {
+    if (body)
+    {
+      this->Body = std::make_unique<ContactBody>(*body);
+      this->Slack = roundingAtBody * measureShift(design, design.points()).size;
+      for (const Point3& p : design.points())
+      {
+        this->Designed.push_back(std::min(0.0, this->Body->locate(p).distance));
+      }
+    }
+  }
+  bool outside(const Points3& points) const
+  {
+    for (std::size_t v = 0; this->Body && v < points.size(); ++v)
+    {
+      if (!this->Held[v] &&
+        this->Body->locate(points[v]).distance < this->Designed[v] - this->Slack)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  const std::vector<char>& Held;
+  std::unique_ptr<ContactBody> Body;
+  double Slack = 0.0;
+  std::vector<double> Designed;
+};
+
+class Search
+{
+public:
+  Search(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+    const FlattenableOptions& options, const std::vector<char>& held, const Execution& execution,
+    FlattenableSurface& result)
+    : Design(mesh)
+    , Curves(curves)
+    , Options(options)
+    , Run(execution)
+    , Silent(execution)
+    , Result(result)
+    , Quick(options.flattening)
+    , Body(options.body, mesh, held)
+    , Surface(mesh, held)
+    , Best(Surface)
+    , BestStrain(result.strainBefore)
+  {
+    this->Silent.progress = nullptr;
+    this->Quick.tryReleases = false;
+    this->Quick.arrange = false;
+  }
+
+  const ReshapedSurface& best() const { return this->Best; }
+
+  /// \return false where it was cancelled
+  bool run()
+  {
+    this->Result.trials.push_back({ 0.0, 0.0, this->BestStrain, 0.0 });
+    if (this->BestStrain <= this->Options.bound || !this->Surface.canMove())
+    {
+      return true;
+    }
+    double weak = firstAnchor;
+    double strong = 0.0; // springs that were too strong
+    ReshapedSurface before = this->Surface;
+    this->Flat = this->Result.before;
+    while (weak >= lastAnchor && !this->relax(weak) && this->goesOn())
+    {
+      strong = weak;
+      before = this->Surface;
+      weak /= weakening;
+      this->reportProgress(weak);
+    }
+    for (int k = 0; k < anchorHalvings && strong > 0.0 && this->met() && this->goesOn(); ++k)
+    {
+      const double middle = std::sqrt(strong * weak);
+      this->Surface = before;
+      this->flatten(middle, 1.0);
+      if (this->relax(middle))
+      {
+        weak = middle;
+      }
+      else
+      {
+        strong = middle;
+        before = this->Surface;
+      }
+    }
+    if (this->met())
+    {
+      this->goBack(weak);
+    }
+    return !this->Cancelled;
+  }
+
+private:
+  bool goesOn() const { return !this->Cancelled && !this->Flat.status.refused(); }
+  bool met() const { return this->BestStrain <= this->Options.bound; }
+
+  /// Flattens the surface as it is, and keeps it where it is the best.
+  double flatten(double anchor, double share)
+  {
+    const bool outside = this->Body.outside(this->Surface.points());
+    this->Flat = flattenSurface(this->Surface.mesh(), this->Curves, this->Quick, this->Silent);
+    this->Cancelled = this->Cancelled || this->Flat.status.code == StatusCode::Cancelled;
+    const SurfaceShift shift = measureShift(this->Design, this->Surface.points());
+    const FlattenableTrial trial{ anchor, share, strainOf(this->Flat), shift.mean / shift.size };
+    this->Result.trials.push_back(trial);
+    const bool better = outside && this->met()
+      ? trial.strain <= this->Options.bound && trial.shift < this->BestShift
+      : outside && trial.strain < this->BestStrain;
+    if (better)
+    {
+      this->Best = this->Surface;
+      this->BestStrain = trial.strain;
+      this->BestShift = trial.shift;
+    }
+    return outside ? trial.strain : std::numeric_limits<double>::infinity();
+  }
+
+  /// Sews and flattens in turn. \return whether the bound holds
+  bool relax(double anchor)
+  {
+    for (int round = 0; round < roundsPerAnchor && this->goesOn(); ++round)
+    {
+      ReshapingForces forces;
+      forces.anchor = anchor;
+      forces.outsideBias = this->Options.outsideBias;
+      forces.thickness = this->Options.thickness;
+      forces.body = this->Options.body;
+      forces.gap = gapToBody;
+      if (!this->Surface.sew(this->Flat, forces, this->Silent))
+      {
+        this->Cancelled = true;
+      }
+      else if (this->flatten(anchor, 1.0) <= this->Options.bound)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// From the best surface straight towards the design.
+  void goBack(double anchor)
+  {
+    const ReshapedSurface whole = this->Best;
+    double near = 0.0;
+    double far = 1.0;
+    for (int k = 0; k < wayHalvings && !this->Cancelled; ++k)
+    {
+      const double middle = 0.5 * (near + far);
+      this->Surface = whole.partOfTheWay(middle);
+      (this->flatten(anchor, middle) <= this->Options.bound ? far : near) = middle;
+    }
+  }
+
+  void reportProgress(double anchor) const
+  {
+    this->Run.report(
+      searchShare * std::log(firstAnchor / anchor) / std::log(firstAnchor / lastAnchor),
+      "Moving the surface");
+  }
+
+  const TriangleMesh& Design;
+  const std::vector<FeatureCurve>& Curves;
+  const FlattenableOptions& Options;
+  Execution Run;
+  Execution Silent; ///< progress is that of the search
+  FlattenableSurface& Result;
+  FlatteningOptions Quick;
+  OutsideOfBody Body;
+  ReshapedSurface Surface;
+  FlatteningResult Flat; ///< of the surface
+  ReshapedSurface Best;
+  double BestStrain;
+  double BestShift = 0.0;
+  bool Cancelled = false;
+};
+
+FlattenableSurface made(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  const FlattenableOptions& options, const Execution& execution)
+{
+  const auto ended = [](const Status& status) {
+    FlattenableSurface none;
+    none.status = status;
+    return none;
+  };
+  FlattenableSurface result;
+  result.status = checked(curves, options);
+  if (!result.status.ok())
+  {
+    return result;
+  }
+  const double part = 0.5 * (1.0 - searchShare);
+  result.before = flattenSurface(mesh, curves, options.flattening, execution.part(0.0, part));
+  if (result.before.status.refused())
+  {
+    return ended(result.before.status);
+  }
+  result.strainBefore = strainOf(result.before);
+  result.kept = heldVertices(mesh, curves, options, result.before);
+  Search search(mesh, curves, options, result.kept, execution.part(part, 1.0 - part), result);
+  if (!search.run())
+  {
+    return ended({ StatusCode::Cancelled, "cancelled while moving the surface", {} });
+  }
+  result.mesh = search.best().mesh();
+  result.shift = measureShift(mesh, result.mesh.points());
+  result.after = result.shift.max > 0.0
+    ? flattenSurface(result.mesh, curves, options.flattening, execution.part(1.0 - part, 1.0))
+    : result.before;
+  if (result.after.status.refused())
+  {
+    return ended(result.after.status);
+  }
+  result.status = result.after.status;
+  result.strainAfter = strainOf(result.after);
+  result.boundMet = result.strainAfter <= options.bound;
+  return result;
+}
+}
+
+FlattenableSurface makeFlattenable(const TriangleMesh& mesh,
+  const std::vector<FeatureCurve>& curves, const FlattenableOptions& options,
+  const Execution& execution)
+{
+  return withinMemory([&] { return made(mesh, curves, options, execution); });
+}
+}

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sewing/SewingModel.h"
+
+#include "Base/Planar.h"
+#include "Sewing/MetricDensity.h"
+
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Of what keeps the whole from moving, beside entries about 1.
+constexpr double gaugeStiffness = 1.0;
+
+double unitOf(const SewnCloth& cloth)
+{
+  double twiceArea = 0.0;
+  for (const std::array<Point2, 3>& corner : cloth.flat)
+  {
+    const Point2 u = corner[1] - corner[0];
+    const Point2 v = corner[2] - corner[0];
+    twiceArea += std::abs(u.x() * v.y() - u.y() * v.x());
+  }
+  return std::sqrt(0.5 * twiceArea / static_cast<double>(cloth.flat.size()));
+}
+
+Point3 centerOf(const Points3& points)
+{
+  Point3 sum = Point3::Zero();
+  for (const Point3& p : points)
+  {
+    sum += p / static_cast<double>(points.size());
+  }
+  return sum;
+}
+
+SpaceUnknowns unknownsOf(const SewnCloth& cloth, const Point3& center, double unit)
+{
+  SpaceUnknowns unknowns;
+  Index next = 0;
+  for (std::size_t v = 0; v < cloth.points.size(); ++v)
+  {
+    unknowns.points.emplace_back((cloth.points[v] - center) / unit);
+    unknowns.first.push_back(cloth.held[v] ? none : next);
+    next += cloth.held[v] ? 0 : 3;
+  }
+  return unknowns;
+}
+
+std::vector<TriangleFrame> restOf(const SewnCloth& cloth, double unit)
+{
+  std::vector<TriangleFrame> rest;
+  rest.reserve(cloth.flat.size());
+  for (const std::array<Point2, 3>& corner : cloth.flat)
+  {
+    rest.push_back(restFrame({ corner[0] / unit, corner[1] / unit, corner[2] / unit }));
+  }
+  return rest;
+}
+
+std::unique_ptr<ContactBody> bodyOf(const TriangleMesh* body, const Point3& center, double unit)
+{
+  if (!body || body->triangleCount() == 0)
+  {
+    return nullptr;
+  }
+  Points3 points;
+  for (const Point3& p : body->points())
+  {
+    points.emplace_back((p - center) / unit);
+  }
+  return std::make_unique<ContactBody>(TriangleMesh(std::move(points), body->triangles()));
+}
+
+Index countOf(const SpaceUnknowns& unknowns)
+{
+  Index count = 0;
+  for (Index first : unknowns.first)
+  {
+    count += first == none ? 0 : 3;
+  }
+  return count;
+}
+}
+
+double SewnCloth::restArea(std::size_t triangle) const
+{
+  const std::array<Point2, 3>& corner = this->flat[triangle];
+  return 0.5 * std::abs(cross(corner[1] - corner[0], corner[2] - corner[0]));
+}
+
+double SewnCloth::restArea() const
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < this->flat.size(); ++t)
+  {
+    area += this->restArea(t);
+  }
+  return area;
+}
+
+SewingModel::SewingModel(const SewnCloth& cloth, const ClothProperties& properties)
+  : Design(cloth.points)
+  , Center(centerOf(cloth.points))
+  , Unit(unitOf(cloth))
+  , Unknowns(unknownsOf(cloth, Center, Unit))
+  , Count(countOf(Unknowns))
+  , Membrane(Unknowns, cloth.triangles, restOf(cloth, Unit),
+      properties.material ? SheetDensity(*properties.material) : SheetDensity(properties.areaBias))
+  , Bending(Unknowns, Membrane, cloth.twins,
+      isotropicModulus * properties.thickness * properties.thickness / (12.0 * Unit * Unit))
+  , Anchor(Unknowns, Membrane, properties.anchor, properties.outsideBias, cloth.outwards)
+  , Pressure(Unknowns, Membrane, isotropicModulus * properties.pressure * Unit)
+  , Weight(Unknowns, Membrane, isotropicModulus * Unit * properties.weight)
+  , Body(bodyOf(properties.body, Center, Unit))
+  , Contact(Unknowns, Membrane, Body.get(), properties.gap / Unit)
+  , Assembler(Count)
+{
+  if (!(properties.anchor > 0.0))
+  {
+    this->chooseGauge();
+  }
+  this->Membrane.declare(this->Assembler);
+  this->Bending.declare(this->Assembler);
+  this->Anchor.declare(this->Assembler);
+  this->Pressure.declare(this->Assembler);
+  this->Contact.declare(this->Assembler);
+  this->Diagonal = DiagonalBlock(this->Assembler, 0, this->Count);
+  if (this->Gauge[0] != none)
+  {
+    for (std::size_t k = 0; k < this->Gauge.size(); ++k)
+    {
+      const Index first = this->Unknowns.first[this->Gauge[k]];
+      this->GaugeBlocks[k] = SymmetricBlock<3>(this->Assembler, { first, first + 1, first + 2 });
+    }
+  }
+  this->Assembler.finish();
+}
+
+/// The vertex farthest from the centre, the one farthest from it, and the one farthest from their
+/// line.
+void SewingModel::chooseGauge()
+{
+  if (this->Count < 3 * static_cast<Index>(this->Unknowns.points.size()) || this->Count < 9)
+  {
+    return;
+  }
+  const auto farthest = [this](const auto& distance) {
+    Index best = 0;
+    double largest = -1.0;
+    for (Index v = 0; v < static_cast<Index>(this->Unknowns.points.size()); ++v)
+    {
+      const double d = distance(this->Unknowns.points[v]);
+      if (d > largest)
+      {
+        largest = d;
+        best = v;
+      }
+    }
+    return best;
+  };
+  const Index a = farthest([](const Point3& p) { return p.squaredNorm(); });
+  const Point3 from = this->Unknowns.points[a];
+  const Index b = farthest([&from](const Point3& p) { return (p - from).squaredNorm(); });
+  const Point3 along = (this->Unknowns.points[b] - from).normalized();
+  const Index c = farthest([&](const Point3& p) { return along.cross(p - from).squaredNorm(); });
+  this->Gauge = { a, b, c };
+}
+
+Eigen::VectorXd SewingModel::unknownsAt(const Points3& points) const
+{
+  Eigen::VectorXd x(this->Count);
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    if (this->Unknowns.first[v] != none)
+    {
+      x.segment<3>(this->Unknowns.first[v]) = (points[v] - this->Center) / this->Unit;
+    }
+  }
+  return x;
+}
+
+Points3 SewingModel::positions(const Eigen::VectorXd& x) const
+{
+  Points3 points;
+  points.reserve(this->Unknowns.points.size());
+  for (Index v = 0; v < static_cast<Index>(this->Unknowns.points.size()); ++v)
+  {
+    points.emplace_back(this->Center + this->Unit * this->Unknowns.at(v, x));
+  }
+  return points;
+}
+
+SewingModel::Terms SewingModel::terms(const Eigen::VectorXd& x, const Execution& execution) const
+{
+  return { this->Membrane.energy(x, execution), this->Bending.energy(x), this->Anchor.energy(x),
+    this->Pressure.energy(x), this->Weight.energy(x), this->Contact.energy(x, execution) };
+}
+
+double SewingModel::objective(const Eigen::VectorXd& x, const Execution& execution) const
+{
+  const Terms energy = this->terms(x, execution);
+  return energy.membrane + energy.bending + energy.anchor + energy.pressure + energy.weight +
+    energy.contact;
+}
+
+NewtonKktModel::Linearization SewingModel::linearize(const Eigen::VectorXd& x,
+  const Eigen::VectorXd& /*multipliers*/, Curvature curvature, double /*delta*/,
+  const Execution& execution)
+{
+  Linearization result;
+  result.gradient = Eigen::VectorXd::Zero(this->Count);
+  this->Assembler.clear();
+  this->Membrane.add(x, curvature, this->Assembler, result.gradient, execution);
+  this->Bending.add(x, this->Assembler, result.gradient);
+  this->Anchor.add(x, this->Assembler, result.gradient);
+  this->Pressure.add(x, curvature, this->Assembler, result.gradient);
+  this->Weight.add(result.gradient);
+  this->Contact.add(x, this->Assembler, result.gradient, execution);
+  if (this->Gauge[0] != none)
+  {
+    this->holdMotion(x);
+  }
+  return result;
+}
+
+/// The first vertex does not move, the second only towards it, the third only in their plane: steps
+/// of the whole that the energy, and so its gradient, knows nothing of.
+void SewingModel::holdMotion(const Eigen::VectorXd& x)
+{
+  std::array<Point3, 3> at;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    at[k] = this->Unknowns.at(this->Gauge[k], x);
+  }
+  const Point3 along = (at[1] - at[0]).normalized();
+  const Point3 across = along.cross(at[2] - at[0]).normalized();
+  const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
+  const std::array<Eigen::Matrix3d, 3> held{ all, all - along * along.transpose(),
+    across * across.transpose() };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->GaugeBlocks[k].add(
+      this->Assembler, [&](int a, int b) { return gaugeStiffness * held[k](a, b); });
+  }
+}
+
+void SewingModel::shift(double tau)
+{
+  for (Index k = 0; k < this->Count; ++k)
+  {
+    this->Diagonal.add(this->Assembler, k, tau);
+  }
+}
+
+Dissection SewingModel::eliminationOrder() const
+{
+  Triangles cliques = this->Membrane.triangles();
+  this->Bending.addCliques(cliques);
+  const Dissection dissection = dissect(cliques, this->Unknowns.points);
+  return dissection.replaced([&](Index k, Indices& order) {
+    const Index first = this->Unknowns.first[dissection.order[k]];
+    for (Index axis = 0; first != none && axis < 3; ++axis)
+    {
+      order.push_back(first + axis);
+    }
+  });
+}
+}

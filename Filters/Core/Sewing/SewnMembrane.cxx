@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sewing/SewnMembrane.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// The nearest positive semidefinite matrix to a symmetric one.
+template <int N>
+Eigen::Matrix<double, N, N> withoutNegativeEigenvalues(const Eigen::Matrix<double, N, N>& matrix)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> solver(matrix);
+  const Eigen::Matrix<double, N, 1> values = solver.eigenvalues().cwiseMax(0.0);
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+/// Gradient of a corner's hat function in the plane of the rest.
+Eigen::Vector2d hatGradient(const TriangleFrame& rest, int k)
+{
+  return { 2.0 * rest.gradient[k].real(), 2.0 * rest.gradient[k].imag() };
+}
+}
+
+TriangleFrame restFrame(const std::array<Point2, 3>& corners)
+{
+  const auto lifted = [](const Point2& p) -> Point3 { return { p.x(), p.y(), 0.0 }; };
+  TriangleFrame frame(lifted(corners[0]), lifted(corners[1]), lifted(corners[2]));
+  std::array<Complex, 3> images;
+  for (int k = 0; k < 3; ++k)
+  {
+    images[k] = Complex(corners[k].x(), corners[k].y());
+  }
+  // Where the frame's own x axis lies.
+  const Complex axis = frame.alpha(images) + frame.beta(images);
+  for (Complex& gradient : frame.gradient)
+  {
+    gradient *= std::abs(axis) > 0.0 ? axis / std::abs(axis) : Complex(1.0, 0.0);
+  }
+  return frame;
+}
+
+Eigen::Matrix<double, 3, 2> mapIntoSpace(
+  const TriangleFrame& rest, const Point3& a, const Point3& b, const Point3& c)
+{
+  return (b - a) * hatGradient(rest, 1).transpose() + (c - a) * hatGradient(rest, 2).transpose();
+}
+
+Eigen::Vector3d metricOf(const Eigen::Matrix<double, 3, 2>& map)
+{
+  return { map.col(0).squaredNorm(), map.col(1).squaredNorm(), map.col(0).dot(map.col(1)) };
+}
+
+std::array<double, 2> stretchesOf(const Eigen::Vector3d& metric)
+{
+  const double mean = 0.5 * (metric[0] + metric[1]);
+  const double radius = std::hypot(0.5 * (metric[0] - metric[1]), metric[2]);
+  const double large = std::sqrt(mean + radius);
+  const double det = std::sqrt(std::max(0.0, metric[0] * metric[1] - metric[2] * metric[2]));
+  return { large, large > 0.0 ? std::min(large, det / large) : 0.0 };
+}
+
+SewnMembrane::SewnMembrane(const SpaceUnknowns& unknowns, Triangles triangles,
+  std::vector<TriangleFrame> rest, const SheetDensity& density)
+  : Unknowns(unknowns)
+  , Cells(std::move(triangles))
+  , Frames(std::move(rest))
+  , Density(density)
+{
+}
+
+std::vector<double> SewnMembrane::vertexAreas() const
+{
+  std::vector<double> areas(this->Unknowns.points.size(), 0.0);
+  for (std::size_t t = 0; t < this->Cells.size(); ++t)
+  {
+    for (const Index v : this->Cells[t])
+    {
+      areas[v] += this->Frames[t].area / 3.0;
+    }
+  }
+  return areas;
+}
+
+Eigen::Matrix<double, 3, 2> SewnMembrane::mapOf(Index t, const Eigen::VectorXd& x) const
+{
+  const Triangle& c = this->Cells[t];
+  return mapIntoSpace(this->Frames[t], this->Unknowns.at(c[0], x), this->Unknowns.at(c[1], x),
+    this->Unknowns.at(c[2], x));
+}
+
+double SewnMembrane::energy(const Eigen::VectorXd& x, const Execution& execution) const
+{
+  // Summed in the triangles' order, whatever the threads.
+  std::vector<double> density(this->Cells.size());
+  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      const double area = this->Frames[t].area;
+      density[t] = area > 0.0 ? area * this->Density.value(metricOf(this->mapOf(t, x))) : 0.0;
+    }
+  });
+  double sum = 0.0;
+  for (double d : density)
+  {
+    sum += d;
+  }
+  return sum;
+}
+
+void SewnMembrane::declare(SymmetricAssembler& assembler)
+{
+  this->Blocks.reserve(this->Cells.size());
+  for (const Triangle& c : this->Cells)
+  {
+    std::array<Index, 9> unknowns{};
+    for (int k = 0; k < 9; ++k)
+    {
+      const Index first = this->Unknowns.first[c[k / 3]];
+      unknowns[k] = first == none ? none : first + k % 3;
+    }
+    this->Blocks.emplace_back(assembler, unknowns);
+  }
+  this->Values.resize(this->Cells.size());
+  this->Gradients.resize(this->Cells.size());
+}
+
+/// With hat gradients g_k, dC11 = 2 J1 . dx_k g_k1, dC22 = 2 J2 . dx_k g_k2 and dC12 = J1 . dx_k
+/// g_k2 + J2 . dx_k g_k1, where J1 and J2 are the columns of J.
+void SewnMembrane::derive(Index t, const Eigen::VectorXd& x, bool convex)
+{
+  std::array<double, 45>& entries = this->Values[t];
+  const double area = this->Frames[t].area;
+  if (!(area > 0.0))
+  {
+    entries.fill(0.0);
+    this->Gradients[t].setZero();
+    return;
+  }
+  const Eigen::Matrix<double, 3, 2> map = this->mapOf(t, x);
+  MetricDensity density = this->Density.evaluate(metricOf(map));
+  Eigen::Matrix2d stress;
+  stress << 2.0 * density.gradient[0], density.gradient[2], density.gradient[2],
+    2.0 * density.gradient[1];
+  Eigen::Matrix<double, 3, 9> metricDerivative;
+  std::array<Eigen::Vector2d, 3> hat;
+  for (int k = 0; k < 3; ++k)
+  {
+    hat[k] = hatGradient(this->Frames[t], k);
+    metricDerivative.block<1, 3>(0, 3 * k) = 2.0 * hat[k].x() * map.col(0).transpose();
+    metricDerivative.block<1, 3>(1, 3 * k) = 2.0 * hat[k].y() * map.col(1).transpose();
+    metricDerivative.block<1, 3>(2, 3 * k) =
+      hat[k].y() * map.col(0).transpose() + hat[k].x() * map.col(1).transpose();
+  }
+  this->Gradients[t] = area * (metricDerivative.transpose() * density.gradient);
+  if (convex)
+  {
+    stress = withoutNegativeEigenvalues(stress);
+    if (!this->Density.convexInMetric())
+    {
+      density.hessian = withoutNegativeEigenvalues(density.hessian);
+    }
+  }
+  const Eigen::Matrix<double, 3, 9> half = area * (density.hessian * metricDerivative);
+  int next = 0;
+  for (int a = 0; a < 9; ++a)
+  {
+    for (int b = 0; b <= a; ++b)
+    {
+      const double geometric = a % 3 == b % 3 ? hat[a / 3].dot(stress * hat[b / 3]) : 0.0;
+      entries[next++] = metricDerivative.col(a).dot(half.col(b)) + area * geometric;
+    }
+  }
+}
+
+void SewnMembrane::add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
+  Eigen::VectorXd& gradient, const Execution& execution)
+{
+  const bool convex = curvature == Curvature::Convex;
+  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      this->derive(t, x, convex);
+    }
+  });
+  for (std::size_t t = 0; t < this->Cells.size(); ++t)
+  {
+    const std::array<double, 45>& lower = this->Values[t];
+    this->Blocks[t].add(assembler, [&](int a, int b) { return lower[a * (a + 1) / 2 + b]; });
+    this->Blocks[t].scatter(this->Gradients[t], gradient);
+  }
+}
+}

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sparse/NewtonKktStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// delta of the constraint block: it gives redundant constraints a pivot, and is small enough for
+/// refinement to take it out again.
+constexpr double regularization = 1e-8;
+/// Each gains about eight digits, 1 / delta; far from a minimum a second one is lost on the steps
+/// that follow.
+constexpr int refinements = 2;
+constexpr int refinementsFarAway = 1;
+/// Shifts tau of the Hessian: the smallest that matters beside entries about 1, growth by what
+/// costs few factorizations and overshoots little, and a largest beside which the Hessian is
+/// nothing.
+constexpr double smallestShift = 1e-4;
+constexpr double shiftGrowth = 4.0;
+constexpr double largestShift = 1e12;
+constexpr int mostShifts = 30;
+/// The exact Hessian with more of a shift, or with a larger one, is no better than its convex part:
+/// a wire that is pressed far beyond what makes it give way asks for a shift that holds the whole
+/// sheet, and every step stays short.
+constexpr int mostExactShifts = 4;
+constexpr double largestExactShift = 1.0;
+/// Beside which the Hessian, with entries about 1, does not count.
+constexpr double shorteningShift = 100.0;
+/// Of a direction that bends downwards most: each turns towards it by the ratio of curvatures.
+constexpr int inverseIterations = 6;
+/// Waves across the extent of the unknowns, in radians.
+constexpr double waves = 17.0;
+/// A step of which no more can be taken tells that the quadratic model ends nearer than the step: a
+/// shift does what a trust region does.
+constexpr double shortStep = 0.125;
+/// Holds a bounded unknown on its way: what multipliers do to it, divided by this, is below the
+/// rounding of its bound.
+constexpr double holdingStiffness = 1e20;
+}
+
+NewtonKktStep::NewtonKktStep(NewtonKktModel& model, LinearSolver solver, const Execution& execution)
+  : Model(model)
+  , Solver(std::move(solver))
+  , Run(execution)
+  , Bounds(model.bounds())
+  , Unknowns(model.unknownCount())
+  , Constraints(model.constraintCount())
+  , FirstBounded(Unknowns - static_cast<Index>(Bounds.size()))
+  , Held(Bounds.size(), 0)
+  , HeldStep(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(Bounds.size())))
+{
+}
+
+bool NewtonKktStep::cancelled()
+{
+  this->ToldToStop = this->ToldToStop || this->Run.cancelled();
+  return this->ToldToStop;
+}
+
+void NewtonKktStep::linearize(
+  const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers, Curvature curvature)
+{
+  this->X = x;
+  this->OldMultipliers = multipliers;
+  this->Point = this->Model.linearize(this->X, this->OldMultipliers, curvature,
+    this->Softness > 0.0 ? this->Softness : regularization, this->Run);
+  this->Taken = curvature;
+  this->Following = false;
+  this->Factored = false;
+  this->Shift = 0.0;
+  this->HeldStep.setZero();
+  if (!this->Held.empty())
+  {
+    this->holdAtBounds();
+  }
+}
+
+bool NewtonKktStep::follow(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers)
+{
+  const bool free =
+    std::none_of(this->Held.begin(), this->Held.end(), [](char held) { return held != 0; });
+  if (!this->Factored || !free)
+  {
+    return false;
+  }
+  std::optional<NewtonKktModel::Linearization> point = this->Model.differentiate(x, this->Run);
+  if (!point)
+  {
+    return false;
+  }
+  this->X = x;
+  this->OldMultipliers = multipliers;
+  this->Point = std::move(*point);
+  this->Following = true;
+  return true;
+}
+
+Eigen::VectorXd NewtonKktStep::lagrangianGradient(const Eigen::VectorXd& multipliers) const
+{
+  return this->Point.gradient + this->Model.transposedJacobianTimes(multipliers);
+}
+
+/// Holds the unknowns on a bound that are drawn outwards.
+void NewtonKktStep::holdAtBounds()
+{
+  const Eigen::VectorXd g = this->lagrangianGradient(this->OldMultipliers);
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    const Index u = this->unknownOf(k);
+    const double x = this->X[u];
+    this->Held[k] = std::abs(x) >= this->Bounds[k] && g[u] * x <= 0.0 ? 1 : 0;
+    if (this->Held[k])
+    {
+      this->Model.stiffen(static_cast<Index>(k), holdingStiffness);
+    }
+  }
+}
+
+double NewtonKktStep::optimality(const Eigen::VectorXd& multipliers) const
+{
+  Eigen::VectorXd g = this->lagrangianGradient(multipliers);
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    if (this->Held[k])
+    {
+      g[this->unknownOf(k)] = 0.0;
+    }
+  }
+  return g.size() ? g.cwiseAbs().maxCoeff() : 0.0;
+}
+
+double NewtonKktStep::promised() const
+{
+  return 0.5 * std::abs(this->Point.gradient.dot(this->Step));
+}
+
+bool NewtonKktStep::drawnInwards() const
+{
+  const Eigen::VectorXd g = this->lagrangianGradient(this->Multipliers);
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    const Index u = this->unknownOf(k);
+    if (this->Held[k] && g[u] * (this->X[u] + this->HeldStep[Eigen::Index(k)]) > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool NewtonKktStep::factorizes()
+{
+  ++this->Factorizations;
+  return !this->cancelled() && this->Solver.factorize(this->Model.kkt(), this->Run) &&
+    this->Solver.positive() == this->Unknowns;
+}
+
+/// Adds a growing multiple of the identity to the Hessian, so many times and so much at most.
+bool NewtonKktStep::shiftUntilConvex(double tau, int mostShifts, double largest)
+{
+  bool done = false;
+  for (int k = 0; !done && k < mostShifts && tau <= largest && !this->cancelled();
+       ++k, tau *= shiftGrowth)
+  {
+    this->Model.shift(tau - this->Shift);
+    this->Shift = tau;
+    done = this->factorizes();
+  }
+  return done;
+}
+
+/// Factors the KKT matrix with a Hessian that is convex on the constraints' tangent space.
+bool NewtonKktStep::factorize()
+{
+  const auto damped = [this] {
+    if (this->Shift < this->Damping)
+    {
+      this->Model.shift(this->Damping - this->Shift);
+      this->Shift = this->Damping;
+    }
+    return this->factorizes();
+  };
+  const auto from = [this](double last) {
+    return this->Shift > 0.0 ? shiftGrowth * this->Shift
+                             : std::max(smallestShift, last / shiftGrowth);
+  };
+  bool done = damped();
+  this->Indefinite = false;
+  if (this->Taken == Curvature::Exact && this->Model.hasConvexPart())
+  {
+    this->Indefinite = !done;
+    done = done ||
+      (this->Saddles &&
+        this->shiftUntilConvex(from(this->ExactShift), mostExactShifts, largestExactShift));
+    this->ExactShift = done ? this->Shift : shiftGrowth * largestExactShift; // then try once
+    if (!done)
+    {
+      this->linearize(this->X, this->OldMultipliers, Curvature::Convex);
+      done = damped();
+    }
+  }
+  done = done || this->shiftUntilConvex(from(this->LastShift), mostShifts, largestShift);
+  this->LastShift = this->Shift;
+  return done;
+}
+
+Eigen::VectorXd NewtonKktStep::downwards()
+{
+  this->linearize(this->X, this->OldMultipliers, Curvature::Exact);
+  if (this->factorizes() || !this->shiftUntilConvex(smallestShift, mostShifts, largestShift))
+  {
+    return {};
+  }
+  // Inverse iteration, from waves that no symmetry of the point shares.
+  const double extent = std::max(this->X.cwiseAbs().maxCoeff(), 1e-300);
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(this->Unknowns + this->Constraints);
+  for (Index k = 0; k < this->Unknowns; ++k)
+  {
+    const double beside = this->X[std::min(k ^ 1, this->Unknowns - 1)];
+    rhs[k] = std::sin(waves * (this->X[k] + 0.6 * beside) / extent + (k & 1));
+  }
+  for (int k = 0; k < inverseIterations; ++k)
+  {
+    const Eigen::MatrixXd solution = this->Solver.solve(rhs, this->Run);
+    if (solution.rows() != rhs.size())
+    {
+      return {};
+    }
+    rhs.head(this->Unknowns) = solution.col(0).head(this->Unknowns) /
+      solution.col(0).head(this->Unknowns).cwiseAbs().maxCoeff();
+    rhs.tail(this->Constraints).setZero();
+  }
+  return rhs.head(this->Unknowns);
+}
+
+void NewtonKktStep::took(double fraction)
+{
+  if (!this->Saddles)
+  {
+    return;
+  }
+  if (fraction <= shortStep)
+  {
+    this->Damping = std::max(smallestShift, shiftGrowth * this->Damping);
+  }
+  else if (fraction == 1.0)
+  {
+    this->Damping = this->Damping > smallestShift ? this->Damping / shiftGrowth : 0.0;
+  }
+}
+
+bool NewtonKktStep::solve()
+{
+  if (this->Following)
+  {
+    return this->solveFollowing();
+  }
+  bool found = this->factorize() && this->solveHeld();
+  // An unknown that would leave its bounds goes as far as the bound, and the rest of the step
+  // adapts.
+  while (found && this->holdLeaving())
+  {
+    found = this->factorize() && this->solveHeld();
+  }
+  return found;
+}
+
+/// The same step by the change of the multipliers, whose Jacobian is that of this point.
+bool NewtonKktStep::solveFollowing()
+{
+  Eigen::VectorXd rhs(this->Unknowns + this->Constraints);
+  rhs.head(this->Unknowns) = -this->lagrangianGradient(this->OldMultipliers);
+  rhs.tail(this->Constraints) = -this->Point.constraints;
+  if (!this->takeSolution(this->Solver.solve(rhs, this->Run)))
+  {
+    return false;
+  }
+  this->Multipliers += this->OldMultipliers;
+  for (std::size_t k = 0; k < this->Bounds.size(); ++k)
+  {
+    const Index u = this->unknownOf(k);
+    if (std::abs(this->X[u] + this->Step[u]) > this->Bounds[k])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool NewtonKktStep::solveHeld()
+{
+  Eigen::VectorXd rhs(this->Unknowns + this->Constraints);
+  rhs.head(this->Unknowns) = -this->Point.gradient;
+  rhs.tail(this->Constraints) = -this->Point.constraints;
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    if (this->Held[k])
+    {
+      rhs[this->unknownOf(k)] = holdingStiffness * this->HeldStep[static_cast<Eigen::Index>(k)];
+    }
+  }
+  // The multiplier part of the solution is the new multiplier itself.
+  if (!this->takeSolution(this->solveKkt(rhs)))
+  {
+    return false;
+  }
+  this->Factored = this->Shift == 0.0;
+  return true;
+}
+
+bool NewtonKktStep::takeSolution(const Eigen::VectorXd& solution)
+{
+  if (solution.size() != this->Unknowns + this->Constraints || !solution.allFinite())
+  {
+    return false;
+  }
+  this->Step = solution.head(this->Unknowns);
+  this->Multipliers = solution.tail(this->Constraints);
+  return true;
+}
+
+bool NewtonKktStep::holdLeaving()
+{
+  bool leaving = false;
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    const Index u = this->unknownOf(k);
+    if (!this->Held[k] && std::abs(this->X[u] + this->Step[u]) > this->Bounds[k])
+    {
+      this->Held[k] = 1;
+      this->HeldStep[static_cast<Eigen::Index>(k)] =
+        std::copysign(this->Bounds[k], this->Step[u]) - this->X[u];
+      this->Model.stiffen(static_cast<Index>(k), holdingStiffness);
+      leaving = true;
+    }
+  }
+  return leaving;
+}
+
+/// Refined towards the system without the -delta block.
+Eigen::VectorXd NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs) const
+{
+  Eigen::VectorXd x = this->Solver.solve(rhs, this->Run);
+  const int wanted = this->FarAway ? refinementsFarAway : refinements;
+  const int most = this->Softness > 0.0 ? 0 : wanted;
+  for (int refinement = 0; refinement < most && x.size() == rhs.size(); ++refinement)
+  {
+    Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * x;
+    r.tail(this->Constraints) -= regularization * x.tail(this->Constraints);
+    const Eigen::MatrixXd change = this->Solver.solve(r, this->Run);
+    if (change.rows() != x.size())
+    {
+      break;
+    }
+    x += change;
+  }
+  return x;
+}
+
+bool NewtonKktStep::shortenCorrections()
+{
+  this->Factored = false;
+  this->Model.shift(shorteningShift - this->Shift);
+  return this->factorizes();
+}
+
+Eigen::VectorXd NewtonKktStep::clipped(Eigen::VectorXd x) const
+{
+  for (std::size_t k = 0; k < this->Bounds.size(); ++k)
+  {
+    double& value = x[this->unknownOf(k)];
+    value = std::clamp(value, -this->Bounds[k], this->Bounds[k]);
+  }
+  return x;
+}
+
+Eigen::VectorXd NewtonKktStep::corrected(const Eigen::VectorXd& x) const
+{
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(this->Unknowns + this->Constraints);
+  rhs.tail(this->Constraints) = -this->Model.constraints(x);
+  const Eigen::VectorXd correction = this->solveKkt(rhs);
+  return correction.size() == rhs.size() && correction.allFinite()
+    ? this->clipped(x + correction.head(this->Unknowns))
+    : x;
+}
+}

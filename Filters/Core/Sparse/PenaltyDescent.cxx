@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sparse/PenaltyDescent.h"
+
+#include "Sparse/NewtonKktStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// Weights of the squared constraints: the first leaves them out at first, the last leaves nothing
+/// else; a start that nearly meets the constraints is not to leave them again.
+constexpr double firstPenalty = 1.0;
+constexpr double keepingPenalty = 1e4;
+constexpr double lastPenalty = 1e10;
+constexpr double penaltyGrowth = 4.0;
+/// With each weight until a further step promises to lower the whole by no more than this fraction
+/// of it: on the way, and once the model has settled.
+constexpr double roughly = 1e-2;
+constexpr double nearly = 1e-5;
+constexpr int mostStepsRoughly = 12;
+constexpr int mostStepsNearly = 40;
+constexpr int mostSaddles = 1; ///< left, with each weight
+/// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
+constexpr double sufficientDecrease = 1e-4;
+constexpr int mostHalvings = 30;
+constexpr double shortestEscape = 1e-4;
+
+double largest(const Eigen::VectorXd& v)
+{
+  return v.size() ? v.cwiseAbs().maxCoeff() : 0.0;
+}
+
+class Descent
+{
+public:
+  Descent(NewtonKktModel& model, const Eigen::VectorXd& start, LinearSolver solver,
+    const PenaltyDescentOptions& options, const Execution& execution)
+    : Model(model)
+    , Options(options)
+    , Run(execution)
+    , Newton(model, std::move(solver), execution)
+    , X(start)
+    , Constraints(model.constraints(start))
+    , StepsLeft(options.mostSteps)
+  {
+    this->Newton.expectSaddles();
+  }
+
+  NewtonKktState run()
+  {
+    Ending ending = Ending::Exhausted;
+    this->Penalty =
+      largest(this->Constraints) < this->Options.settleConstraint ? keepingPenalty : firstPenalty;
+    while (ending == Ending::Exhausted && this->Penalty <= lastPenalty && this->mayGoOn())
+    {
+      this->goDown();
+      if (this->Newton.cancelled())
+      {
+        ending = Ending::Cancelled;
+      }
+      else if (!this->settle())
+      {
+        ending = this->Settled && largest(this->Constraints) < this->Options.constraintTolerance
+          ? Ending::Converged
+          : ending;
+        this->Penalty *= penaltyGrowth;
+      }
+    }
+    return { this->X, (this->Penalty / penaltyGrowth) * this->Constraints, ending };
+  }
+
+private:
+  bool mayGoOn() const
+  {
+    return this->StepsLeft > 0 && this->Newton.factorizations() < this->Options.mostFactorizations;
+  }
+
+  /// Whether the model is another one than before.
+  bool settle()
+  {
+    if (this->Settled || largest(this->Constraints) >= this->Options.settleConstraint)
+    {
+      return false;
+    }
+    this->Settled = true;
+    return this->Model.settle(this->Penalty * this->Constraints);
+  }
+
+  double merit(const Eigen::VectorXd& x, const Eigen::VectorXd& constraints) const
+  {
+    return this->Model.objective(x, this->Run) + 0.5 * this->Penalty * constraints.squaredNorm();
+  }
+
+  /// To a minimum with the weight as it is.
+  void goDown()
+  {
+    this->Newton.soften(this->Penalty);
+    const double enough = this->Settled ? nearly : roughly;
+    int steps = std::min(this->StepsLeft, this->Settled ? mostStepsNearly : mostStepsRoughly);
+    int saddles = mostSaddles;
+    bool further = true;
+    for (; further && steps > 0 && this->mayGoOn() && !this->Newton.cancelled();
+         --steps, --this->StepsLeft)
+    {
+      const double promised = this->step();
+      further = promised > enough;
+      if (!further && this->Newton.bentDownwards() && saddles-- > 0)
+      {
+        further = this->leaveSaddle();
+      }
+    }
+  }
+
+  /// \return what it promised over what there was; 0 where it led nowhere
+  double step()
+  {
+    this->Newton.linearize(this->X, this->Penalty * this->Constraints, Curvature::Exact);
+    if (!this->Newton.solve())
+    {
+      return 0.0;
+    }
+    const Eigen::VectorXd& step = this->Newton.step();
+    const double slope = this->Newton.gradient().dot(step) +
+      this->Constraints.dot(this->Newton.multipliers() - this->Penalty * this->Constraints);
+    const double before = this->merit(this->X, this->Constraints);
+    double scale = 1.0;
+    for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
+    {
+      if (this->moveTo(this->Newton.clipped(this->X + scale * step),
+            before + sufficientDecrease * scale * slope))
+      {
+        return -0.5 * slope / before;
+      }
+    }
+    return 0.0;
+  }
+
+  /// Along the direction that bends downwards most.
+  bool leaveSaddle()
+  {
+    const double before = this->merit(this->X, this->Constraints);
+    this->Newton.linearize(this->X, this->Penalty * this->Constraints, Curvature::Exact);
+    const Eigen::VectorXd direction = this->Newton.downwards();
+    if (direction.size() == 0)
+    {
+      return false;
+    }
+    for (double length = 1.0; length > shortestEscape; length *= 0.5)
+    {
+      for (const double signedLength : { length, -length })
+      {
+        if (this->moveTo(this->Newton.clipped(this->X + signedLength * direction), before))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool moveTo(Eigen::VectorXd x, double bound)
+  {
+    Eigen::VectorXd constraints = this->Model.constraints(x);
+    if (!(this->merit(x, constraints) < bound))
+    {
+      return false;
+    }
+    this->X = std::move(x);
+    this->Constraints = std::move(constraints);
+    return true;
+  }
+
+  NewtonKktModel& Model;
+  const PenaltyDescentOptions& Options;
+  const Execution& Run;
+  NewtonKktStep Newton;
+  Eigen::VectorXd X;
+  Eigen::VectorXd Constraints;
+  double Penalty = 0.0;
+  int StepsLeft;
+  bool Settled = false;
+};
+}
+
+NewtonKktState descend(NewtonKktModel& model, const Eigen::VectorXd& start, LinearSolver solver,
+  const PenaltyDescentOptions& options, const Execution& execution)
+{
+  return Descent(model, start, std::move(solver), options, execution).run();
+}
+}

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/CutSetSearch.h"
+
+#include "Imprint/CurveImprint.h"
+#include "Suggestion/CutThinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+/// A cut whose price is sqrt(area / pi) has to lower the energy by this share to be worth it.
+constexpr double leastShare = 0.01;
+/// Where a surface had to be cut open, a piece with more strain than this is divided by seams
+/// before it is shaped by darts.
+constexpr double dividedStrain = 0.1;
+/// A cut is moved elsewhere where that lowers the energy by more than this share; so often at most.
+constexpr double leastProgress = 0.01;
+constexpr int mostRefits = 3;
+/// A price besides which the length matters little.
+constexpr double gainAlone = 5.0;
+/// A search is given up after so many cuts, where the bound would take so many times the most cuts.
+constexpr Index cutsToTellBy = 3;
+constexpr double farTooMany = 4.0;
+/// So many of the cuts found are tried on the surface itself.
+constexpr std::size_t mostAttempts = 4;
+
+class SetSearch
+{
+public:
+  SetSearch(const SearchSubject& subject, CutSet first, const Execution& execution)
+    : Subject(subject)
+    , Search(subject.search)
+    , Run(execution)
+    , Whole(subject.mesh, subject.curves, subject.imprint, subject.flattening, subject.search.goal,
+        subject.weights)
+    , Budget(1e6 * subject.search.maximumWork)
+    , FirstCount(first.cuts.size())
+    , First(first.outcome)
+    , Result(std::move(first))
+  {
+    for (Index t = 0; t < subject.mesh.triangleCount(); ++t)
+    {
+      this->Area += subject.mesh.area(t);
+    }
+  }
+
+  CutSet run()
+  {
+    while (!this->finished() && this->addCut())
+    {
+      this->Run.report(
+        static_cast<double>(this->Result.cuts.size()) / this->Search.maximumCuts, "Choosing cuts");
+    }
+    if (this->withinBound(this->now().strainP95))
+    {
+      this->Result.end = SearchEnd::BoundMet;
+      this->thin();
+    }
+    else if (this->Result.end != SearchEnd::GivenUp)
+    {
+      this->refit();
+    }
+    if (this->Budget.spent() && this->Result.end != SearchEnd::BoundMet)
+    {
+      this->Result.end = SearchEnd::WorkUsedUp;
+    }
+    this->Result.trials = this->Budget.trials();
+    this->Result.work = 1e-6 * this->Budget.work();
+    return std::move(this->Result);
+  }
+
+private:
+  TrialOutcome& now() { return this->Result.outcome; }
+  const TrialOutcome& now() const { return this->Result.outcome; }
+
+  bool withinBound(double strain) const
+  {
+    return this->Search.bound > 0.0 && strain <= this->Search.bound;
+  }
+
+  bool finished()
+  {
+    if (static_cast<Index>(this->Result.cuts.size()) >= this->Search.maximumCuts)
+    {
+      this->Result.end = SearchEnd::CutsUsedUp;
+      return true;
+    }
+    return this->withinBound(this->now().strainP95) || this->Budget.spent() ||
+      this->Run.cancelled() || this->hopeless();
+  }
+
+  /// By what the cuts so far did; each of several pieces may need as many.
+  bool hopeless()
+  {
+    const auto made = static_cast<Index>(this->Result.cuts.size() - this->FirstCount);
+    if (this->Search.bound == 0.0 || made < cutsToTellBy || !this->First.valid)
+    {
+      return false;
+    }
+    const double power = this->Search.goal == SearchGoal::Strain ? 4.0 : 2.0;
+    const double done = std::log(this->First.goal / this->now().goal) / made;
+    const double left = power * std::log(this->now().strainP95 / this->Search.bound);
+    const double needed = done > 0.0 ? made + left / done : std::numeric_limits<double>::infinity();
+    const double most = static_cast<double>(this->Search.maximumCuts) *
+      static_cast<double>(this->First.pieceStrains.size());
+    if (needed > farTooMany * most)
+    {
+      this->Result.end = SearchEnd::GivenUp;
+      this->Result.cutsNeeded = needed;
+      return true;
+    }
+    return false;
+  }
+
+  void thin()
+  {
+    if (this->FirstCount == 0)
+    {
+      thinCuts(
+        this->Whole, this->Search.bound, this->Result.cuts, this->now(), this->Budget, this->Run);
+    }
+  }
+
+  /// Looks for each cut anew, given all others, where it may now lie better or be shorter.
+  void refit()
+  {
+    for (int pass = 0; pass<mostRefits&& this->groups()> 1; ++pass)
+    {
+      bool better = false;
+      for (std::size_t k = this->FirstCount; k < this->Result.cuts.size(); ++k)
+      {
+        if (this->Result.cuts[k].mirrorOf == none && !this->Budget.spent() &&
+          !this->Run.cancelled())
+        {
+          better = this->refitCut(k) || better;
+        }
+      }
+      if (!better)
+      {
+        return;
+      }
+    }
+  }
+
+  /// Cuts, mirror images not counted.
+  std::ptrdiff_t groups() const
+  {
+    return std::count_if(this->Result.cuts.begin(), this->Result.cuts.end(),
+      [](const SuggestedCurve& cut) { return cut.mirrorOf == none; });
+  }
+
+  bool refitCut(std::size_t k)
+  {
+    const std::vector<SuggestedCurve> cuts = this->Result.cuts;
+    const TrialOutcome now = this->now();
+    this->Result.cuts = withShare(cuts, k, 0.0);
+    this->now() = this->Whole.run(this->chosen(), this->Run);
+    this->Budget.pay(this->now());
+    this->Refitting = true;
+    const bool found = this->now().valid && this->addCut() && this->now().soundAfter(now) &&
+      this->now().goal < (1.0 - leastProgress) * now.goal &&
+      static_cast<Index>(this->Result.cuts.size()) <= this->Search.maximumCuts;
+    this->Refitting = false;
+    if (!found)
+    {
+      this->Result.cuts = cuts;
+      this->now() = now;
+    }
+    return found;
+  }
+
+  std::vector<Polyline> chosen() const { return linesOf(this->Result.cuts); }
+
+  /// The curves that the surface has anyway, and the cuts chosen so far.
+  std::vector<Polyline> withChosen() const
+  {
+    std::vector<Polyline> all = this->Subject.curves;
+    const std::vector<Polyline> cuts = this->chosen();
+    all.insert(all.end(), cuts.begin(), cuts.end());
+    return all;
+  }
+
+  double lengthLeft() const
+  {
+    double left = this->Search.maximumCutLength;
+    for (const SuggestedCurve& cut : this->Result.cuts)
+    {
+      left -= cut.length;
+    }
+    return left;
+  }
+
+  /// One round. False where no piece has a cut that is worth it.
+  bool addCut()
+  {
+    const ImprintedSurface surface =
+      imprintCurves(this->Subject.mesh, this->withChosen(), this->Subject.imprint);
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    const std::vector<PieceSurface> pieces = pieceSurfaces(surface, cut, this->Subject.weights);
+    const VertexMarks marks = this->markVertices(surface);
+    const bool known = this->now().pieceStrains.size() == pieces.size();
+    std::vector<std::size_t> order;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      if (!known || !this->withinBound(this->now().pieceStrains[p]))
+      {
+        order.push_back(p);
+      }
+    }
+    if (known)
+    {
+      std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+        return this->now().pieceGoals[a] > this->now().pieceGoals[b];
+      });
+    }
+    return std::any_of(order.begin(), order.end(), [&](std::size_t p) {
+      return this->cutPiece(pieces[p], marks, known ? this->now().pieceStrains[p] : 0.0);
+    });
+  }
+
+  bool cutPiece(const PieceSurface& piece, const VertexMarks& marks, double strain)
+  {
+    SearchOptions search = this->Search;
+    if (search.cuts == SuggestedCuts::All && this->FirstCount > 0 && strain > dividedStrain)
+    {
+      search.cuts = SuggestedCuts::Seams;
+    }
+    // A pair of mirror images counts as two.
+    search.maximumCuts -= static_cast<Index>(this->Result.cuts.size());
+    if (this->Refitting && std::isfinite(search.maximumCutLength))
+    {
+      search.fixedPrice = gainAlone;
+    }
+    PieceSearch found(
+      piece, marks, this->Subject.mirror, this->Subject.imprint, this->Subject.flattening, search);
+    if (!found.ok(this->Run))
+    {
+      return false;
+    }
+    const std::vector<TriedCut> best = found.run(this->lengthLeft(), this->Budget, this->Run);
+    for (std::size_t k = 0; k < std::min(best.size(), mostAttempts) && this->worthIt(best[k]); ++k)
+    {
+      if (this->accept(best[k], found))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  VertexMarks markVertices(const ImprintedSurface& surface) const
+  {
+    VertexMarks marks;
+    marks.barred.assign(surface.mesh.vertexCount(), 0);
+    marks.worth.assign(surface.mesh.vertexCount(), 1.0);
+    for (const FeatureCurve& curve : surface.curves)
+    {
+      for (const SearchOptions::Preference& preference : this->Search.preferences)
+      {
+        for (Index v : curve.name == preference.curve ? curve.vertices : Indices{})
+        {
+          marks.worth[v] = preference.weight;
+        }
+      }
+      for (Index v : curve.type == CurveType::Key ? curve.vertices : Indices{})
+      {
+        marks.barred[v] = 1;
+      }
+    }
+    return marks;
+  }
+
+  bool worthIt(const TriedCut& cut) const
+  {
+    const double share = this->now().valid ? cut.score / this->now().goal : 1.0;
+    return this->Search.bound == 0.0 || share * std::sqrt(this->Area / pi) >= leastShare;
+  }
+
+  /// Of some more cuts.
+  std::vector<Points3> pathsOf(const std::vector<Polyline>& lines) const
+  {
+    std::vector<Polyline> all = this->chosen();
+    const auto count = static_cast<std::ptrdiff_t>(all.size());
+    all.insert(all.end(), lines.begin(), lines.end());
+    const std::vector<Points3> paths = this->Whole.paths(all);
+    return paths.empty() ? paths : std::vector<Points3>(paths.begin() + count, paths.end());
+  }
+
+  bool accept(const TriedCut& best, PieceSearch& piece)
+  {
+    const std::vector<Polyline> lines = piece.lines(best.plan);
+    if (lines.empty())
+    {
+      return false;
+    }
+    std::vector<SuggestedCurve> cuts = this->Result.cuts;
+    const std::size_t first = cuts.size();
+    const std::vector<Points3> paths = this->pathsOf(lines);
+    for (std::size_t k = 0; k < paths.size(); ++k)
+    {
+      SuggestedCurve cut;
+      cut.curve.type = best.plan.type;
+      cut.curve.points = paths[k];
+      if (k > 0 && piece.mirrorIsExact())
+      {
+        cut.curve.points = paths[0];
+        for (Point3& p : cut.curve.points)
+        {
+          p = this->Subject.mirror->mirrored(p);
+        }
+      }
+      cut.predictedGain = best.plan.predictedGain / this->Area;
+      cut.opening = best.plan.opening;
+      cut.mirrorOf = k > 0 ? static_cast<Index>(first) : none;
+      cuts.push_back(std::move(cut));
+    }
+    TrialOutcome after = this->Whole.run(linesOf(cuts), this->Run);
+    this->Budget.pay(after);
+    if (paths.empty() || !after.valid ||
+      (this->now().valid && (!after.soundAfter(this->now()) || after.goal >= this->now().goal)))
+    {
+      return false;
+    }
+    double left = this->Search.maximumCutLength;
+    for (std::size_t k = 0; k < cuts.size(); ++k)
+    {
+      cuts[k].length = after.lengths[k];
+      left -= after.lengths[k];
+    }
+    if (left < 0.0)
+    {
+      return false;
+    }
+    this->Result.cuts = std::move(cuts);
+    this->now() = std::move(after);
+    return true;
+  }
+
+  const SearchSubject& Subject;
+  const SearchOptions& Search;
+  const Execution& Run;
+  CutTrials Whole;
+  TrialBudget Budget;
+  std::size_t FirstCount;
+  TrialOutcome First; ///< of the cuts that there are whatever the bound
+  double Area = 0.0;
+  bool Refitting = false;
+  CutSet Result;
+};
+}
+
+CutSet searchCuts(const SearchSubject& subject, CutSet first, const Execution& execution)
+{
+  return SetSearch(subject, std::move(first), execution).run();
+}
+}

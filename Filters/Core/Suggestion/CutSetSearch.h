@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/PieceSearch.h"
+#include "Suggestion/SuggestedCurve.h"
+
+#include <optional>
+
+namespace flattening
+{
+/// What a search is about; it only refers to what it names.
+struct SearchSubject
+{
+  const TriangleMesh& mesh;
+  const std::vector<Polyline>& curves;
+  const ImprintOptions& imprint;
+  const FlatteningOptions& flattening;
+  const SearchOptions& search; ///< maximumWork: of this search, infinite where there is no limit
+  std::optional<MirrorPlane> mirror; ///< to which cuts keep
+  const RegionWeights& weights;      ///< relative ones
+};
+
+/// Cuts and what the surface is with them.
+struct CutSet
+{
+  std::vector<SuggestedCurve> cuts;
+  TrialOutcome outcome;
+  Index trials = 0;
+  double work = 0.0; ///< of the trials
+  SearchEnd end = SearchEnd::NothingHelps;
+  /// Where it was given up: how many cuts the bound would take if each did as much as those so far.
+  double cutsNeeded = 0.0;
+};
+
+/// One search for a set of cuts: round by round the best cut of the piece that is distorted most,
+/// then what is not needed is taken back, or, where the bound is not met, each cut is looked for
+/// anew given all others. The surface's curves must be sound.
+///
+/// It is given up where the first cuts lower what the search is to lower so little that at this
+/// rate the bound, which asks for a share of strain^2 (or strain^4), would take several times the
+/// most cuts: a surface of noise is no nearer to flat after eight darts, and the forecast knows as
+/// little where to lay them. \param first cuts that there are whatever the bound, with what the
+/// surface is with them; they stay
+CutSet searchCuts(const SearchSubject& subject, CutSet first, const Execution& execution);
+}

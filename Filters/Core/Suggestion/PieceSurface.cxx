@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/PieceSurface.h"
+
+#include "Suggestion/SurfaceCoarsening.h"
+
+namespace flattening
+{
+namespace
+{
+bool isCut(const FeatureCurve& curve)
+{
+  return curve.type == CurveType::Dart || curve.type == CurveType::Seam;
+}
+
+/// Collects the stretches of curves on one piece.
+class StretchFinder
+{
+public:
+  StretchFinder(const ImprintedSurface& surface, const Piece& piece)
+    : Surface(surface)
+    , Subject(piece)
+    , Local(surface.mesh.triangleCount(), none)
+  {
+    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    {
+      this->Local[piece.triangles[t]] = static_cast<Index>(t);
+    }
+  }
+
+  std::vector<FeatureCurve> run()
+  {
+    for (const FeatureCurve& curve : this->Surface.curves)
+    {
+      for (bool forward : { true, false })
+      {
+        this->follow(curve, forward);
+      }
+    }
+    return std::move(this->Found);
+  }
+
+private:
+  /// The piece's half-edge, none where the triangle is another piece's.
+  Index local(Index h) const
+  {
+    const Index t = h == none ? none : this->Local[h / 3];
+    return t == none ? none : 3 * t + h % 3;
+  }
+
+  /// Stretches with the piece on their left, or of those with none on their left on their right.
+  void follow(const FeatureCurve& curve, bool forward)
+  {
+    Index last = none;
+    for (std::size_t k = 1; k < curve.vertices.size(); ++k)
+    {
+      const Index a = curve.vertices[k - 1];
+      const Index b = curve.vertices[k];
+      const Index left = this->local(this->Surface.mesh.find(a, b));
+      const Index right = this->local(this->Surface.mesh.find(b, a));
+      const Index h = forward ? left : right;
+      const bool bounds = h != none && this->Subject.mesh.twin(h) == none;
+      if (h == none || (!forward && !bounds) || (isCut(curve) && bounds && curve.tolerance == 0.0))
+      {
+        last = none;
+        continue;
+      }
+      const Index from = forward ? this->Subject.mesh.from(h) : this->Subject.mesh.to(h);
+      const Index to = forward ? this->Subject.mesh.to(h) : this->Subject.mesh.from(h);
+      const bool bank = isCut(curve) && bounds;
+      const CurveType type = bank ? CurveType::Accessory : curve.type;
+      if (last != from || this->Found.back().type != type)
+      {
+        this->begin(curve, type, k - 1, from);
+      }
+      this->add(curve, k, to);
+      last = to;
+    }
+  }
+
+  void begin(const FeatureCurve& curve, CurveType type, std::size_t k, Index vertex)
+  {
+    FeatureCurve stretch;
+    stretch.name = curve.name;
+    stretch.type = type;
+    stretch.keyShape = curve.keyShape;
+    stretch.tolerance = curve.tolerance;
+    this->Found.push_back(std::move(stretch));
+    this->add(curve, k, vertex);
+  }
+
+  void add(const FeatureCurve& curve, std::size_t k, Index vertex)
+  {
+    this->Found.back().vertices.push_back(vertex);
+    if (k < curve.planarShape.size())
+    {
+      this->Found.back().planarShape.push_back(curve.planarShape[k]);
+    }
+  }
+
+  const ImprintedSurface& Surface;
+  const Piece& Subject;
+  Indices Local;
+  std::vector<FeatureCurve> Found;
+};
+}
+
+std::vector<Polyline> PieceSurface::polylines() const
+{
+  std::vector<Polyline> lines;
+  for (const FeatureCurve& curve : this->curves)
+  {
+    Polyline line;
+    line.name = curve.name;
+    line.type = curve.type;
+    line.keyShape = curve.keyShape;
+    line.tolerance = curve.tolerance;
+    line.planarShape = curve.planarShape;
+    for (Index v : curve.vertices)
+    {
+      line.points.push_back(this->mesh.point(v));
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<PieceSurface> pieceSurfaces(
+  const ImprintedSurface& surface, const CutSurface& cut, const RegionWeights& weights)
+{
+  CurveLabels between;
+  between.opens = { 1 };
+  between.curveOfHalfedge.assign(surface.mesh.halfedgeCount(), none);
+  for (Index h = 0; h < surface.mesh.halfedgeCount(); ++h)
+  {
+    const Index twin = surface.mesh.twin(h);
+    if (twin != none && cut.pieceOfTriangle[h / 3] != cut.pieceOfTriangle[twin / 3])
+    {
+      between.curveOfHalfedge[h] = 0;
+    }
+  }
+  const CutSurface opened = openCuts(surface.mesh, std::move(between));
+  std::vector<PieceSurface> result;
+  for (Piece& piece : extractPieces(opened))
+  {
+    PieceSurface one;
+    one.curves = StretchFinder(surface, piece).run();
+    for (Index v : piece.vertices)
+    {
+      one.vertices.push_back(opened.originalVertex[v]);
+    }
+    for (std::size_t t = 0; t < piece.triangles.size() && !weights.empty(); ++t)
+    {
+      one.weights.push_back(weights[surface.originalTriangle[piece.triangles[t]]]);
+    }
+    one.mesh = std::move(piece.mesh);
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+PieceSurface coarsened(const PieceSurface& piece, Index triangles)
+{
+  if (piece.mesh.triangleCount() <= triangles)
+  {
+    return piece;
+  }
+  std::vector<char> kept(piece.mesh.vertexCount(), 0);
+  for (const FeatureCurve& curve : piece.curves)
+  {
+    for (Index v : curve.vertices)
+    {
+      kept[v] = 1;
+    }
+  }
+  CoarseSurface coarse = coarsened(piece.mesh, std::move(kept), triangles);
+  Indices number(piece.mesh.vertexCount(), none);
+  PieceSurface result;
+  for (std::size_t v = 0; v < coarse.vertices.size(); ++v)
+  {
+    number[coarse.vertices[v]] = static_cast<Index>(v);
+    result.vertices.push_back(piece.vertices[coarse.vertices[v]]);
+  }
+  result.mesh = std::move(coarse.mesh);
+  result.weights = resampledWeights(piece.mesh, piece.weights, result.mesh);
+  result.curves = piece.curves;
+  for (FeatureCurve& curve : result.curves)
+  {
+    for (Index& v : curve.vertices)
+    {
+      v = number[v];
+    }
+  }
+  return result;
+}
+}

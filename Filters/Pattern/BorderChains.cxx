@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BorderChains.h"
+
+#include "Base/Planar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+/// A turn is a corner from here on whatever is beside it; radians.
+constexpr double sharpTurn = pi / 3.0;
+/// One from here on if the turns beside it are much less: coarse meshes turn by 40 degrees from
+/// edge to edge where the curve is round.
+constexpr double leastTurn = pi / 6.0;
+constexpr double roundTurn = pi / 12.0;
+constexpr double timesNeighbour = 1.8;
+
+std::uint64_t undirected(Index a, Index b)
+{
+  return edgeKey(std::min(a, b), std::max(a, b));
+}
+}
+
+BorderChains::BorderChains(const DrawingSource& all)
+{
+  for (std::size_t p = 0; p < all.loops.size(); ++p)
+  {
+    for (const Indices& loop : all.loops[p])
+    {
+      this->add(all, p, loop, true);
+    }
+  }
+  this->addInnerCurves(all);
+}
+
+bool BorderChains::find(Index from, Index to, ChainEdge& place) const
+{
+  const auto found = this->Edges.find(undirected(from, to));
+  if (found == this->Edges.end())
+  {
+    return false;
+  }
+  place.chain = found->second[0];
+  place.edge = found->second[1];
+  place.backwards = this->Chains[place.chain].point(place.edge) != from;
+  return true;
+}
+
+std::size_t BorderChains::chainsAt(Index point) const
+{
+  const auto found = this->Count.find(point);
+  return found == this->Count.end() ? 0 : found->second;
+}
+
+void BorderChains::addInnerCurves(const DrawingSource& all)
+{
+  for (const SourceWire& wire : all.source.wires)
+  {
+    if (wire.piece == none)
+    {
+      continue;
+    }
+    Indices run;
+    const auto end = [&] {
+      if (run.size() > 1)
+      {
+        const bool closed = run.size() > 3 && run.front() == run.back();
+        run.resize(run.size() - (closed ? 1 : 0));
+        this->add(all, static_cast<std::size_t>(wire.piece), run, closed);
+      }
+      run.clear();
+    };
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      const Index from = wire.points[k];
+      const Index to = wire.points[k + 1];
+      if (this->Edges.count(undirected(from, to)) > 0)
+      {
+        end();
+        continue;
+      }
+      if (run.empty())
+      {
+        run.push_back(from);
+      }
+      run.push_back(to);
+    }
+    end();
+  }
+}
+
+void BorderChains::add(
+  const DrawingSource& all, std::size_t piece, const Indices& points, bool closed)
+{
+  BorderChain chain;
+  chain.piece = piece;
+  chain.closed = closed;
+  chain.points = points;
+  this->findCorners(all, chain);
+  if (closed)
+  {
+    // The first point of a ring is a corner if there is one.
+    const auto first = std::find(chain.corner.begin(), chain.corner.end(), true);
+    const auto shift = first == chain.corner.end() ? 0 : first - chain.corner.begin();
+    std::rotate(chain.corner.begin(), chain.corner.begin() + shift, chain.corner.end());
+    std::rotate(chain.points.begin(), chain.points.begin() + shift, chain.points.end());
+  }
+  chain.arc.push_back(0.0);
+  const std::size_t edges = points.size() - (closed ? 0 : 1);
+  for (std::size_t k = 0; k < edges; ++k)
+  {
+    const Index from = chain.point(k);
+    const Index to = chain.point(k + 1);
+    chain.arc.push_back(chain.arc.back() + (all.at(to) - all.at(from)).norm());
+    this->Edges.emplace(undirected(from, to), std::array<std::size_t, 2>{ this->Chains.size(), k });
+  }
+  for (const Index v : chain.points)
+  {
+    ++this->Count[v];
+  }
+  this->Chains.push_back(std::move(chain));
+}
+
+void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
+{
+  const std::size_t count = chain.points.size();
+  std::vector<double> turn(count, 0.0);
+  const std::size_t ends = chain.closed ? 0 : 1;
+  for (std::size_t k = ends; k + ends < count; ++k)
+  {
+    const Point2 at = all.at(chain.points[k]);
+    const Point2 before = at - all.at(chain.points[(k + count - 1) % count]);
+    const Point2 after = all.at(chain.points[(k + 1) % count]) - at;
+    turn[k] = std::atan2(cross(before, after), before.dot(after));
+  }
+  chain.corner.assign(count, false);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const double sign = turn[k] < 0.0 ? -1.0 : 1.0;
+    const double beside =
+      std::max({ roundTurn, sign * turn[(k + count - 1) % count], sign * turn[(k + 1) % count] });
+    const double own = std::abs(turn[k]);
+    chain.corner[k] = own > sharpTurn || (own > leastTurn && own > timesNeighbour * beside);
+  }
+  if (!chain.closed)
+  {
+    chain.corner.front() = chain.corner.back() = true;
+  }
+}
+}
+}

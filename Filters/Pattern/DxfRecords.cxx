@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DxfRecords.h"
+
+#include "PatternText.h"
+
+#include <array>
+#include <cstdio>
+#include <iterator>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+struct LayerColour
+{
+  DxfLayer layer;
+  int colour; ///< AutoCAD's colour index
+};
+/// Colours that can be read on black and on white alike.
+constexpr LayerColour layerColours[] = { { DxfLayer::Boundary, 7 }, { DxfLayer::TurnPoints, 8 },
+  { DxfLayer::CurvePoints, 8 }, { DxfLayer::Notches, 1 }, { DxfLayer::MirrorLine, 190 },
+  { DxfLayer::GrainLine, 6 }, { DxfLayer::InternalLines, 94 }, { DxfLayer::CutOuts, 7 },
+  { DxfLayer::DrillHoles, 1 }, { DxfLayer::SewLines, 150 }, { DxfLayer::Annotation, 32 } };
+
+std::string hexadecimal(unsigned value)
+{
+  std::array<char, 16> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08X", value);
+  return digits.data();
+}
+}
+
+void DxfRecords::add(int code, const std::string& value)
+{
+  const std::string digits = std::to_string(code);
+  this->Text += std::string(3 - digits.size(), ' ') + digits + "\r\n" + value + "\r\n";
+}
+
+void DxfRecords::addNumber(int code, double value)
+{
+  const std::string text = formatNumber(value, 8);
+  this->add(code, text.find('.') == std::string::npos ? text + ".0" : text);
+}
+
+void DxfRecords::addPoint(const Point2& p, int which)
+{
+  this->addLength(10 + which, p.x());
+  this->addLength(20 + which, p.y());
+  this->addNumber(30 + which, 0.0);
+}
+
+void DxfRecords::addHandle()
+{
+  this->add(5, hexadecimal(this->NextHandle));
+  ++this->NextHandle;
+}
+
+void DxfRecords::beginSection(const char* name)
+{
+  this->add(0, "SECTION");
+  this->add(2, name);
+}
+
+void DxfRecords::beginTable(const char* name, int entries)
+{
+  this->add(0, "TABLE");
+  this->add(2, name);
+  this->add(70, entries);
+}
+
+void DxfRecords::beginEntry(const char* table, const std::string& name)
+{
+  this->add(0, table);
+  this->addHandle();
+  this->add(2, name);
+}
+
+void DxfRecords::begin(const char* entity, DxfLayer layer)
+{
+  this->add(0, entity);
+  this->addHandle();
+  this->add(8, static_cast<int>(layer));
+}
+
+void DxfRecords::addHead(const Point2& low, const Point2& high)
+{
+  this->beginSection("HEADER");
+  this->add(9, "$ACADVER");
+  this->add(1, "AC1009");
+  this->add(9, "$EXTMIN");
+  this->addPoint(low);
+  this->add(9, "$EXTMAX");
+  this->addPoint(high);
+  this->add(9, "$HANDLING");
+  this->add(70, 1);
+  this->add(9, "$HANDSEED");
+  this->Seed = this->Text.size();
+  this->add(5, hexadecimal(0));
+  this->add(0, "ENDSEC");
+
+  this->beginSection("TABLES");
+  this->beginTable("LTYPE", 1);
+  this->beginEntry("LTYPE", "CONTINUOUS");
+  this->add(70, 0);
+  this->add(3, "Solid line");
+  this->add(72, 65);
+  this->add(73, 0);
+  this->addNumber(40, 0.0);
+  this->add(0, "ENDTAB");
+  this->beginTable("LAYER", static_cast<int>(std::size(layerColours)));
+  for (const LayerColour& layer : layerColours)
+  {
+    this->beginEntry("LAYER", std::to_string(static_cast<int>(layer.layer)));
+    this->add(70, 0);
+    this->add(62, layer.colour);
+    this->add(6, "CONTINUOUS");
+  }
+  this->add(0, "ENDTAB");
+  this->beginTable("STYLE", 1);
+  this->beginEntry("STYLE", "STANDARD");
+  this->add(70, 0);
+  this->addNumber(40, 0.0);
+  this->addNumber(41, 1.0);
+  this->addNumber(50, 0.0);
+  this->add(71, 0);
+  this->addNumber(42, 2.5);
+  this->add(3, "txt");
+  this->add(4, "");
+  this->add(0, "ENDTAB");
+  this->add(0, "ENDSEC");
+}
+
+std::string DxfRecords::finish()
+{
+  this->add(0, "EOF");
+  const std::string first = "  5\r\n";
+  this->Text.replace(this->Seed + first.size(), 8, hexadecimal(this->NextHandle));
+  return std::move(this->Text);
+}
+}
+}

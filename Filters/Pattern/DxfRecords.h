@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+#include <string>
+
+namespace flattening
+{
+namespace pattern
+{
+/// The layers of ASTM D6673 that patterns are drawn on.
+enum class DxfLayer
+{
+  Boundary = 1,
+  TurnPoints = 2,
+  CurvePoints = 3,
+  Notches = 4,
+  MirrorLine = 6,
+  GrainLine = 7,
+  InternalLines = 8,
+  CutOuts = 11,
+  DrillHoles = 13,
+  SewLines = 14,
+  Annotation = 15,
+};
+
+/// The text of a DXF file as it grows, in pairs of a group code and a value. Each entity and each
+/// entry of a table gets a handle: R12 can do without, but FreeCAD takes a layer without one for a
+/// layer without a name.
+class DxfRecords
+{
+public:
+  /// \param perMillimetre what lengths in millimetres are multiplied by
+  explicit DxfRecords(double perMillimetre)
+    : PerMillimetre(perMillimetre)
+  {
+  }
+
+  void add(int code, const std::string& value);
+  void add(int code, int value) { this->add(code, std::to_string(value)); }
+  /// A number as it is.
+  void addNumber(int code, double value);
+  void addLength(int code, double millimetres)
+  {
+    this->addNumber(code, this->PerMillimetre * millimetres);
+  }
+  /// \param which 0 for the first point of an entity, 1 for the second
+  void addPoint(const Point2& p, int which = 0);
+  void beginSection(const char* name);
+  void beginTable(const char* name, int entries);
+  /// An entry of a table, with its handle and its name.
+  void beginEntry(const char* table, const std::string& name);
+  void begin(const char* entity, DxfLayer layer);
+  /// Header and tables of a drawing with these corners.
+  void addHead(const Point2& low, const Point2& high);
+  /// The whole text.
+  std::string finish();
+
+private:
+  void addHandle();
+
+  double PerMillimetre;
+  unsigned NextHandle = 1;
+  std::size_t Seed = 0; ///< where in the text the next free handle is to be told
+  std::string Text;
+};
+}
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FairPlan.h"
+#include "FairSpan.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// What became of the borders and curves of one piece.
+struct FairPieceReport
+{
+  std::size_t edges = 0;        ///< of the mesh along them
+  std::size_t splines = 0;      ///< cubic Bezier curves in their place
+  std::size_t segments = 0;     ///< straight lines in their place, and edges that were left
+  std::size_t straightened = 0; ///< stretches that were not straight before
+  double deviation = 0.0;       ///< of the mesh's points from what is drawn, millimetres
+  double strainBefore = 0.0;    ///< of 95 % of the area, strainQuantile()
+  double strain = 0.0;          ///< the same with borders as they are drawn, followBorders()
+  bool solved = true;           ///< false: nothing was drawn otherwise
+  double worstLeft = 0.0; ///< what the worst of the stretches that were left would have needed
+  std::vector<std::string> left; ///< names of curves with such stretches
+};
+
+/// The borders and feature curves of all pieces as smooth curves: between corners fair splines, or
+/// straight lines where they are nearly so, each interval with its exact length, both sides of a
+/// seam alike. What cannot be drawn within the tolerance stays as it was, edge by edge.
+class FairBorders
+{
+public:
+  /// The source stays the caller's.
+  /// \param tolerance how far points of the flat piece may be from what is drawn, millimetres; 0: all
+  /// stays as it is
+  FairBorders(const DrawingSource& all, double tolerance);
+
+  const BorderChains& chains() const { return this->Chains; }
+  const std::vector<PlannedChain>& plan() const { return this->Plan; }
+  /// Of each chain, along it.
+  const std::vector<std::vector<FairSpan>>& spans() const { return this->Spans; }
+  const std::vector<FairPieceReport>& reports() const { return this->Reports; }
+  /// Where the points are now, millimetres; those within the pieces are where they were.
+  const Points2& positions() const { return this->Positions; }
+  /// A feature curve or border from its first point to its last.
+  std::vector<FairSpan> curveOf(const SourceWire& wire) const;
+  /// The part of a curve along one edge, from its first point to its second.
+  std::vector<FairSpan> alongEdge(
+    Index from, Index to, double fromFraction = 0.0, double toFraction = 1.0) const;
+
+private:
+  void solve(double tolerance);
+  bool solvePiece(std::size_t piece, double wave);
+  /// More spans where the tolerance is not kept, and the stretch as it was where they do not help.
+  /// \param last nothing is tried any more
+  bool refine(std::size_t piece, double tolerance, bool last);
+  bool refineStretch(std::size_t c, PlannedStretch& stretch, double tolerance, bool last);
+  /// Lets what was made straight bend again, if there is any.
+  bool loosen(std::size_t piece);
+  /// Lets all of the piece be as it was.
+  void leave(std::size_t piece);
+  double largestDeviation(std::size_t piece) const;
+  void place();
+  void report();
+  std::string nameOf(std::size_t chain, std::size_t point) const;
+
+  const DrawingSource& All;
+  BorderChains Chains;
+  std::vector<PlannedChain> Plan;
+  std::vector<std::vector<FairSpan>> Spans;        ///< of each chain
+  std::vector<std::vector<double>> Deviation;      ///< of each interval of each chain
+  std::vector<double> NeededForLeft;               ///< of each piece
+  std::vector<std::vector<std::string>> LeftNames; ///< of each piece
+  Points2 Positions;
+  std::vector<FairPieceReport> Reports;
+};
+}
+}

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FairNetwork.h"
+
+#include "Base/Planar.h"
+#include "StretchCurve.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+constexpr int steps = 60;
+constexpr double exactLength = 1e-13; ///< of an interval, relative
+constexpr double goodLength = 1e-10;
+class FairSolver
+{
+public:
+  FairSolver(const FairNetwork& network, double wave)
+    : Network(network)
+    , Unknowns(static_cast<Eigen::Index>(network.nodes.size()))
+  {
+    for (const FairStretch& stretch : network.stretches)
+    {
+      this->Curves.emplace_back(stretch, this->Unknowns);
+    }
+    this->addObjective(std::pow(wave / (2.0 * pi), 4.0));
+    this->addLinearRows();
+    for (std::size_t s = 0; s < this->Curves.size(); ++s)
+    {
+      const FairStretch& stretch = network.stretches[s];
+      double start = 0.0;
+      double length = 0.0;
+      for (const FairInterval& interval : stretch.intervals)
+      {
+        length += interval.length;
+        // All parts of a segment have their share of it.
+        if (!stretch.straight || &interval == &stretch.intervals.back())
+        {
+          this->Lengths.push_back({ s, start, interval.end, length });
+          start = interval.end;
+          length = 0.0;
+        }
+      }
+    }
+  }
+
+  FairCurves solve()
+  {
+    FairCurves result;
+    result.converged = this->factor() && this->iterate();
+    for (std::size_t k = 0; k < this->Network.nodes.size(); ++k)
+    {
+      result.nodes.emplace_back(this->X.segment<2>(2 * static_cast<Eigen::Index>(k)));
+    }
+    for (const StretchCurve& curve : this->Curves)
+    {
+      result.spans.push_back(curve.spans(this->X));
+      result.deviation.push_back(curve.deviation(this->Network.nodes, this->X));
+    }
+    return result;
+  }
+
+private:
+  struct Length
+  {
+    std::size_t curve = 0;
+    double from = 0.0;
+    double to = 0.0;
+    double length = 0.0;
+  };
+
+  void addSquare(const Terms& terms, const Point2& target, double weight)
+  {
+    for (const Term& a : terms)
+    {
+      for (const Term& b : terms)
+      {
+        for (Eigen::Index d = 0; d < 2; ++d)
+        {
+          this->Entries.emplace_back(
+            2 * a.unknown + d, 2 * b.unknown + d, weight * a.factor * b.factor);
+        }
+      }
+      this->Right.segment<2>(2 * a.unknown) += weight * a.factor * target;
+    }
+  }
+
+  void addObjective(double bending)
+  {
+    this->Right = Vector::Zero(2 * this->Unknowns);
+    std::vector<double> weightOfNode(this->Network.nodes.size(), 0.0);
+    double total = 0.0;
+    for (const StretchCurve& curve : this->Curves)
+    {
+      const FairStretch& stretch = curve.stretch();
+      const double length = stretch.length();
+      total += length;
+      for (std::size_t k = 0; k < stretch.points.size(); ++k)
+      {
+        const double before = k == 0 ? 0.0 : stretch.arc[k - 1];
+        const double after = k + 1 == stretch.points.size() ? length : stretch.arc[k + 1];
+        this->addSquare(
+          curve.at(stretch.arc[k], Derivative::Place), stretch.points[k], (after - before) / 2.0);
+      }
+      const double first = stretch.points.empty() ? length / 2.0 : stretch.arc.front() / 2.0;
+      const double last =
+        stretch.points.empty() ? length / 2.0 : (length - stretch.arc.back()) / 2.0;
+      weightOfNode[stretch.from] += first;
+      weightOfNode[stretch.to] += last;
+      if (stretch.straight)
+      {
+        continue;
+      }
+      const std::vector<double>& breaks = curve.basis().breaks();
+      for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+      {
+        integrate(breaks[k], breaks[k + 1], [&](double t, double weight) {
+          this->addSquare(curve.at(t, Derivative::Bend), Point2::Zero(), bending * weight);
+        });
+      }
+    }
+    for (std::size_t k = 0; k < weightOfNode.size(); ++k)
+    {
+      // Corners are what the eye sees: they stay, as far as the lengths let them.
+      this->addSquare({ { static_cast<Eigen::Index>(k), 1.0 } }, this->Network.nodes[k],
+        10.0 * weightOfNode[k] + 1e-6 * total);
+    }
+    // A knot between two points that are far from each other is held by bending alone.
+    for (Eigen::Index k = 0; k < 2 * this->Unknowns; ++k)
+    {
+      this->Entries.emplace_back(k, k, 1e-12 * total);
+    }
+  }
+
+  void addLinearRows()
+  {
+    for (const StretchCurve& curve : this->Curves)
+    {
+      const FairStretch& stretch = curve.stretch();
+      for (const FairHook& hook : stretch.hooks)
+      {
+        Terms terms = curve.at(hook.at, Derivative::Place);
+        terms.push_back({ static_cast<Eigen::Index>(hook.node), -1.0 });
+        this->LinearRows.push_back(std::move(terms));
+      }
+      if (stretch.smoothEnds)
+      {
+        for (const auto derivative : { Derivative::Slope, Derivative::Bend })
+        {
+          Terms terms = curve.at(0.0, derivative);
+          for (const Term& term : curve.at(stretch.length(), derivative))
+          {
+            terms.push_back({ term.unknown, -term.factor });
+          }
+          this->LinearRows.push_back(std::move(terms));
+        }
+      }
+    }
+  }
+
+  bool factor()
+  {
+    Eigen::SparseMatrix<double> hessian(2 * this->Unknowns, 2 * this->Unknowns);
+    hessian.setFromTriplets(this->Entries.begin(), this->Entries.end());
+    this->Factor.compute(hessian);
+    return this->Factor.info() == Eigen::Success;
+  }
+
+  /// Rows of the constraints and what is missing to them.
+  void constraints(Matrix& rows, Vector& missing) const
+  {
+    const auto linear = static_cast<Eigen::Index>(this->LinearRows.size());
+    const auto lengths = static_cast<Eigen::Index>(this->Lengths.size());
+    rows = Matrix::Zero(2 * linear + lengths, 2 * this->Unknowns);
+    missing = Vector::Zero(rows.rows());
+    for (Eigen::Index r = 0; r < linear; ++r)
+    {
+      const Terms& terms = this->LinearRows[static_cast<std::size_t>(r)];
+      for (const Term& term : terms)
+      {
+        rows(2 * r, 2 * term.unknown) += term.factor;
+        rows(2 * r + 1, 2 * term.unknown + 1) += term.factor;
+      }
+      missing.segment<2>(2 * r) = -sum(terms, this->X);
+    }
+    for (Eigen::Index r = 0; r < lengths; ++r)
+    {
+      const Length& wanted = this->Lengths[static_cast<std::size_t>(r)];
+      const StretchCurve& curve = this->Curves[wanted.curve];
+      double length = 0.0;
+      const auto add = [&](double t, double weight) {
+        const Terms terms = curve.at(t, Derivative::Slope);
+        const Point2 slope = sum(terms, this->X);
+        const double speed = slope.norm();
+        length += weight * speed;
+        const Point2 unit = speed > 0.0 ? Point2(slope / speed) : Point2(Point2::Zero());
+        for (const Term& term : terms)
+        {
+          rows.block<1, 2>(2 * linear + r, 2 * term.unknown) +=
+            weight * term.factor * unit.transpose();
+        }
+      };
+      double from = wanted.from;
+      for (const double at : curve.basis().breaks())
+      {
+        if (at > from && at <= wanted.to)
+        {
+          integrate(from, at, add);
+          from = at;
+        }
+      }
+      missing[2 * linear + r] = wanted.length - length;
+    }
+  }
+
+  double largestMissing(const Vector& missing) const
+  {
+    double most = 0.0;
+    const auto linear = static_cast<Eigen::Index>(2 * this->LinearRows.size());
+    for (Eigen::Index r = 0; r < missing.size(); ++r)
+    {
+      const double length =
+        r < linear ? this->Longest : this->Lengths[static_cast<std::size_t>(r - linear)].length;
+      most = std::max(most, std::abs(missing[r]) / length);
+    }
+    return most;
+  }
+
+  bool iterate()
+  {
+    this->X = this->Factor.solve(this->Right);
+    for (const Length& length : this->Lengths)
+    {
+      this->Longest = std::max(this->Longest, length.length);
+    }
+    const Vector free = this->X; // the minimum without constraints
+    double last = 1.0;
+    for (int step = 0; step < steps; ++step)
+    {
+      Matrix rows;
+      Vector missing;
+      this->constraints(rows, missing);
+      last = this->largestMissing(missing);
+      if (!std::isfinite(last))
+      {
+        return false;
+      }
+      if (last < exactLength)
+      {
+        return true;
+      }
+      // The first steps look for the minimum, the last ones for the lengths alone.
+      const bool towardsMinimum = step < steps / 3;
+      const Matrix spread = this->Factor.solve(rows.transpose());
+      const Vector back = towardsMinimum ? Vector(free - this->X) : Vector(0.0 * this->X);
+      const Vector force =
+        (rows * spread).completeOrthogonalDecomposition().solve(missing - rows * back);
+      Vector change = back + spread * force;
+      const double most = change.lpNorm<Eigen::Infinity>();
+      const double limit = 0.05 * this->Longest;
+      if (most > limit)
+      {
+        change *= limit / most;
+      }
+      this->X += change;
+      if (towardsMinimum && most < 1e-9 * this->Longest && last < 1e-11)
+      {
+        step = steps / 3; // it is there
+      }
+    }
+    return last < goodLength;
+  }
+
+  const FairNetwork& Network;
+  Eigen::Index Unknowns;
+  std::vector<StretchCurve> Curves;
+  std::vector<Length> Lengths;
+  std::vector<Terms> LinearRows;
+  std::vector<Eigen::Triplet<double>> Entries;
+  Vector Right;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Factor;
+  Vector X;
+  double Longest = 0.0;
+};
+}
+
+FairCurves solveFairNetwork(const FairNetwork& network, double wave)
+{
+  return FairSolver(network, wave).solve();
+}
+}
+}

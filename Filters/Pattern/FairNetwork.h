@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FairSpan.h"
+
+#include <cstddef>
+
+namespace flattening
+{
+namespace pattern
+{
+/// A part of a stretch whose length is prescribed: from notch to notch, say.
+struct FairInterval
+{
+  double end = 0.0;    ///< along the stretch
+  double length = 0.0; ///< that it must have
+  int spans = 1;       ///< of its spline
+};
+
+/// A node that a stretch runs through.
+struct FairHook
+{
+  double at = 0.0; ///< along the stretch
+  std::size_t node = 0;
+};
+
+/// What is to be drawn as one smooth curve, between two nodes or, closed, from a node to itself.
+struct FairStretch
+{
+  std::size_t from = 0;
+  std::size_t to = 0;
+  bool smoothEnds = false; ///< from == to, and the curve is smooth there
+  bool straight = false;   ///< a segment; its intervals divide it by their lengths
+  std::vector<double> arc; ///< along the stretch, ascending from 0, of the points within its ends
+  Points2 points;          ///< where it ran before
+  std::vector<FairInterval> intervals; ///< the last one ends where the stretch does
+  std::vector<FairHook> hooks;
+
+  double length() const { return this->intervals.back().end; }
+};
+
+/// The borders and feature curves of a flat piece that hang together at nodes.
+struct FairNetwork
+{
+  Points2 nodes; ///< where they were before
+  std::vector<FairStretch> stretches;
+};
+
+struct FairCurves
+{
+  bool converged = false; ///< every interval has its length to 1e-10 of it
+  Points2 nodes;
+  std::vector<std::vector<FairSpan>> spans; ///< of each stretch
+  std::vector<std::vector<double>>
+    deviation; ///< of each interval: its points from the curve, at most
+};
+
+/// Smooth curves of prescribed lengths near given points: least bending (the integral of the
+/// squared second derivative) and least squared distance, weighed by a length of waves that are
+/// smoothed away, under exact lengths, by Newton's method on the Lagrangian without the curvature
+/// of the constraints.
+/// \param wave the longest wave that is smoothed away, in the unit of the points
+FairCurves solveFairNetwork(const FairNetwork& network, double wave);
+}
+}

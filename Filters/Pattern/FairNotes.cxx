@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FairNotes.h"
+
+#include "PatternText.h"
+
+namespace flattening
+{
+namespace pattern
+{
+void addFairNotes(const FairPieceReport& report, double tolerance, PatternPiece& piece)
+{
+  const std::string of = "piece " + piece.name + ": ";
+  if (!report.solved)
+  {
+    piece.notes.push_back(
+      of + "no smooth borders of these lengths were found; they are drawn as the mesh has them");
+    return;
+  }
+  std::string note = of + std::to_string(report.splines) + " curves and " +
+    std::to_string(report.segments) + " straight lines in place of " +
+    std::to_string(report.edges) + " edges, at most " + formatNumber(report.deviation, 3) +
+    " mm from their points";
+  if (report.strainBefore > 0.0)
+  {
+    note += ", with 95 % of the area strained by no more than " +
+      formatNumber(100.0 * report.strain, 2) + " % (" +
+      formatNumber(100.0 * report.strainBefore, 2) + " % before)";
+  }
+  if (report.straightened > 0)
+  {
+    note += "; " + std::to_string(report.straightened) + " nearly straight stretches made straight";
+  }
+  piece.notes.push_back(note);
+  if (!report.left.empty())
+  {
+    std::string names;
+    for (const std::string& name : report.left)
+    {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    piece.notes.push_back(of + "not smooth within " + formatNumber(tolerance, 3) + " mm, but " +
+      formatNumber(report.worstLeft, 2) +
+      " mm off, and so left as the mesh has them, are stretches of " + names);
+  }
+}
+}
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FairBorders.h"
+#include "Pattern.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// Says on a piece what was drawn smoothly, what was made straight, and what was left as it was and
+/// why.
+void addFairNotes(const FairPieceReport& report, double tolerance, PatternPiece& piece);
+}
+}

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FairPlan.h"
+
+#include "Base/Planar.h"
+#include "Grainlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
+constexpr int spansOfRing = 4;
+constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
+
+class FairPlanner
+{
+public:
+  FairPlanner(const DrawingSource& all, const BorderChains& chains, double tolerance)
+    : All(all)
+    , Chains(chains)
+    , Tolerance(tolerance)
+  {
+  }
+
+  std::vector<PlannedChain> plan()
+  {
+    this->findFirmPoints();
+    this->Plan.resize(this->Chains.chains().size());
+    std::vector<std::vector<double>> notches(this->Plan.size());
+    for (const NotchPlace& notch : this->All.notches)
+    {
+      ChainEdge place;
+      if (this->Chains.find(notch.edge[0], notch.edge[1], place))
+      {
+        notches[place.chain].push_back(this->arcAt(place, notch.fraction));
+      }
+    }
+    for (std::size_t c = 0; c < this->Plan.size(); ++c)
+    {
+      this->addIntervals(c, notches[c]);
+      this->addStretches(c);
+    }
+    this->findPartners();
+    return std::move(this->Plan);
+  }
+
+private:
+  double arcAt(const ChainEdge& place, double fraction) const
+  {
+    const BorderChain& chain = this->Chains.chains()[place.chain];
+    const double along = place.backwards ? 1.0 - fraction : fraction;
+    return chain.arc[place.edge] + along * (chain.arc[place.edge + 1] - chain.arc[place.edge]);
+  }
+
+  /// \param end 0: the point at which the edge starts as it was asked for, 1: that at which it ends
+  std::size_t pointOf(const ChainEdge& place, int end) const
+  {
+    const std::size_t k = place.edge + ((end == 1) != place.backwards ? 1U : 0U);
+    const BorderChain& chain = this->Chains.chains()[place.chain];
+    return chain.closed ? k % chain.points.size() : k;
+  }
+
+  /// Points at which intervals end on both sides of a seam.
+  void findFirmPoints()
+  {
+    for (const BorderChain& chain : this->Chains.chains())
+    {
+      this->Firm.push_back(chain.corner);
+      this->Firm.back().front() = true; // where a ring is opened
+    }
+    ChainEdge place;
+    for (const SourceWire& wire : this->All.source.wires)
+    {
+      const std::size_t last = wire.points.size() - 1;
+      if (wire.points.size() > 1 && this->Chains.find(wire.points[0], wire.points[1], place))
+      {
+        this->Firm[place.chain][this->pointOf(place, 0)] = true;
+      }
+      if (wire.points.size() > 1 &&
+        this->Chains.find(wire.points[last - 1], wire.points[last], place))
+      {
+        this->Firm[place.chain][this->pointOf(place, 1)] = true;
+      }
+    }
+    for (const SewnEdges& pair : this->All.source.sewn)
+    {
+      ChainEdge a;
+      ChainEdge b;
+      if (!this->Chains.find(pair.a[0], pair.a[1], a) ||
+        !this->Chains.find(pair.b[0], pair.b[1], b))
+      {
+        continue;
+      }
+      for (const int end : { 0, 1 })
+      {
+        auto one = this->Firm[a.chain][this->pointOf(a, end)];
+        auto other = this->Firm[b.chain][this->pointOf(b, end)];
+        one = other = one || other;
+      }
+    }
+  }
+
+  void addIntervals(std::size_t c, const std::vector<double>& notches)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    std::vector<double> firm;
+    for (std::size_t k = 0; k < chain.points.size(); ++k)
+    {
+      if (this->Firm[c][k])
+      {
+        firm.push_back(chain.arc[k]);
+      }
+    }
+    if (chain.closed)
+    {
+      firm.push_back(chain.length());
+    }
+    std::vector<double> stops = firm;
+    for (const double notch : notches)
+    {
+      const bool close = std::any_of(firm.begin(), firm.end(),
+        [notch](double stop) { return std::abs(stop - notch) < closestStop; });
+      if (!close)
+      {
+        stops.push_back(notch);
+      }
+    }
+    std::sort(stops.begin(), stops.end());
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k)
+    {
+      if (stops[k + 1] - stops[k] < 1e-6 * chain.length())
+      {
+        stops[k + 1] = stops[k]; // one notch of two curves
+        continue;
+      }
+      PlannedInterval interval;
+      interval.start = stops[k];
+      interval.end = stops[k + 1];
+      interval.length = interval.end - interval.start;
+      const auto edges = std::count_if(chain.arc.begin(), chain.arc.end(),
+        [&](double arc) { return arc > interval.start && arc < interval.end; });
+      interval.most = static_cast<int>(edges) + 2;
+      this->Plan[c].intervals.push_back(interval);
+    }
+  }
+
+  void addStretches(std::size_t c)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    std::vector<std::size_t> ends;
+    for (std::size_t k = 0; k < chain.points.size(); ++k)
+    {
+      if (chain.corner[k])
+      {
+        ends.push_back(k);
+      }
+    }
+    const bool ring = ends.empty();
+    if (ring)
+    {
+      ends.push_back(0);
+    }
+    if (chain.closed)
+    {
+      ends.push_back(chain.points.size());
+    }
+    PlannedChain& planned = this->Plan[c];
+    std::size_t next = 0;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    {
+      PlannedStretch stretch;
+      stretch.firstPoint = ends[k];
+      stretch.lastPoint = ends[k + 1];
+      stretch.firstInterval = next;
+      while (next < planned.intervals.size() &&
+        planned.intervals[next].start < chain.arc[stretch.lastPoint] - 1e-9 * chain.length())
+      {
+        ++next;
+      }
+      stretch.endInterval = next;
+      stretch.smoothEnds = ring;
+      if (ring)
+      {
+        for (PlannedInterval& interval : planned.intervals)
+        {
+          interval.spans = std::max(
+            1, spansOfRing / static_cast<int>(std::min<std::size_t>(4, planned.intervals.size())));
+        }
+      }
+      else
+      {
+        this->straighten(chain, stretch);
+      }
+      planned.stretches.push_back(stretch);
+    }
+  }
+
+  void straighten(const BorderChain& chain, PlannedStretch& stretch) const
+  {
+    const Point2 from = this->All.at(chain.point(stretch.firstPoint));
+    const Point2 chord = this->All.at(chain.point(stretch.lastPoint)) - from;
+    const double length = chord.norm();
+    for (std::size_t k = stretch.firstPoint + 1; k < stretch.lastPoint; ++k)
+    {
+      const Point2 way = this->All.at(chain.point(k)) - from;
+      const bool beside = way.dot(chord) < 0.0 || way.dot(chord) > chord.squaredNorm();
+      stretch.bend = std::max(
+        stretch.bend, beside || length == 0.0 ? way.norm() : std::abs(cross(chord, way)) / length);
+    }
+    if (stretch.bend <= std::min(this->Tolerance, straightness * length))
+    {
+      stretch.form = StretchForm::Straight;
+    }
+  }
+
+  void findPartners()
+  {
+    for (std::size_t c = 0; c < this->Plan.size(); ++c)
+    {
+      for (PlannedInterval& interval : this->Plan[c].intervals)
+      {
+        this->findPartner(c, interval);
+      }
+    }
+    for (PlannedChain& chain : this->Plan)
+    {
+      for (PlannedInterval& interval : chain.intervals)
+      {
+        if (interval.partner[0] == PlannedInterval::none)
+        {
+          continue;
+        }
+        PlannedInterval& other = this->Plan[interval.partner[0]].intervals[interval.partner[1]];
+        const double mean = (interval.length + other.length) / 2.0;
+        if (std::abs(interval.length - other.length) < sameLength * mean)
+        {
+          interval.length = other.length = mean;
+        }
+      }
+    }
+  }
+
+  void findPartner(std::size_t c, PlannedInterval& interval) const
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    const double middle = (interval.start + interval.end) / 2.0;
+    const auto above = std::upper_bound(chain.arc.begin(), chain.arc.end(), middle);
+    const std::size_t edge = static_cast<std::size_t>(above - chain.arc.begin()) - 1;
+    const auto sewn = this->All.partners.find(edgeKey(chain.point(edge), chain.point(edge + 1)));
+    ChainEdge place;
+    if (sewn == this->All.partners.end() ||
+      !this->Chains.find(sewn->second[0], sewn->second[1], place))
+    {
+      return;
+    }
+    const double fraction = (middle - chain.arc[edge]) / (chain.arc[edge + 1] - chain.arc[edge]);
+    const double there = this->arcAt(place, fraction);
+    const std::vector<PlannedInterval>& others = this->Plan[place.chain].intervals;
+    for (std::size_t k = 0; k < others.size(); ++k)
+    {
+      if (others[k].start <= there && there <= others[k].end)
+      {
+        interval.partner = { place.chain, k };
+        interval.reversed = place.backwards;
+        return;
+      }
+    }
+  }
+
+  const DrawingSource& All;
+  const BorderChains& Chains;
+  const double Tolerance;
+  std::vector<std::vector<bool>> Firm; ///< points of the chains
+  std::vector<PlannedChain> Plan;
+};
+}
+
+std::vector<PlannedChain> planFairBorders(
+  const DrawingSource& all, const BorderChains& chains, double tolerance)
+{
+  return FairPlanner(all, chains, tolerance).plan();
+}
+
+void agreeOnSpans(std::vector<PlannedChain>& plan)
+{
+  for (PlannedChain& chain : plan)
+  {
+    for (PlannedInterval& interval : chain.intervals)
+    {
+      if (interval.partner[0] != PlannedInterval::none)
+      {
+        PlannedInterval& other = plan[interval.partner[0]].intervals[interval.partner[1]];
+        interval.spans = other.spans = std::max(interval.spans, other.spans);
+      }
+    }
+  }
+}
+}
+}

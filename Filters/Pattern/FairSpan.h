@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+#include <array>
+
+namespace flattening
+{
+namespace pattern
+{
+/// One cubic Bezier curve of a stretch, over a part of its length.
+struct FairSpan
+{
+  double from = 0.0;
+  double to = 0.0;
+  std::array<Point2, 4> control{};
+
+  Point2 at(double arc) const;
+  Point2 slope(double arc) const; ///< derivative by arc length
+  bool straight() const;          ///< and run evenly, to a millionth of its length
+  double length() const;          ///< to rounding for what nearly runs by arc length
+};
+
+/// How far chords of a drawn curve may be from it, millimetres.
+inline constexpr double sampleDistance = 0.02;
+
+/// Adds points along a curve, without its last one, whose chords are within a distance of it.
+void sampleSpan(const FairSpan& span, double distance, Points2& points);
+
+/// The part of a Bezier curve between two places, or the way back where they descend.
+FairSpan partOf(const FairSpan& span, double from, double to);
+
+/// The one that holds a place.
+const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc);
+
+/// Calls f(t, weight) at the places of Gauss's rule of eight points on each half of an interval.
+template <typename Function>
+void integrate(double from, double to, const Function& f)
+{
+  // Half of the rule on [-1, 1]. M. Abramowitz, I. Stegun, Handbook of Mathematical Functions,
+  // table 25.4.
+  constexpr std::array<double, 4> place{ 0.183434642495649804936, 0.525532409916328985818,
+    0.796666477413626739592, 0.960289856497536231684 };
+  constexpr std::array<double, 4> share{ 0.362683783378361982965, 0.313706645877887287338,
+    0.222381034453374470544, 0.101228536290376259153 };
+  const double quarter = (to - from) / 4.0;
+  for (const double middle : { from + quarter, to - quarter })
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      for (const double sign : { -1.0, 1.0 })
+      {
+        f(middle + sign * quarter * place[k], quarter * share[k]);
+      }
+    }
+  }
+}
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Garment.h"
+#include "PatternSource.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// The panels as flat pieces, triangles on the points of their borders, in centimetres: curved
+/// edges as chords within sampleDistance of them, the same number on both edges of a stitch. What
+/// is sewn together edge by edge under one label is one seam, or a dart where it ends in a common
+/// point. Panels whose borders run clockwise stay as they are, with their triangles
+/// counter-clockwise.
+/// \return InvalidPattern where checkGarment() does, and where a border crosses itself
+Status makePieces(const Garment& garment, PatternSource& source);
+
+/// The way back for what makePieces() made: vertices are where the points of the source are now.
+/// \param scale centimetres of its unit
+Status garmentOf(const PatternSource& source, double scale, Garment& garment);
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FairNetwork.h"
+#include "FairPlan.h"
+
+#include <map>
+
+namespace flattening
+{
+namespace pattern
+{
+/// The planned chains of one piece as a network to solve. Its nodes are corners, and points that
+/// chains share.
+class PieceNetwork
+{
+public:
+  PieceNetwork(const DrawingSource& all, const BorderChains& chains,
+    const std::vector<PlannedChain>& plan, std::size_t piece);
+
+  const FairNetwork& network() const { return this->Network; }
+  /// Writes the solution to the chains of this piece: spans along them, deviations of their
+  /// intervals.
+  void take(const FairCurves& curves, std::vector<std::vector<FairSpan>>& spans,
+    std::vector<std::vector<double>>& deviation) const;
+
+private:
+  /// Where a stretch of the network comes from.
+  struct Origin
+  {
+    std::size_t chain = 0;
+    double start = 0.0;                 ///< along the chain
+    std::vector<std::size_t> intervals; ///< of the chain
+  };
+
+  std::size_t nodeAt(Index point);
+  void add(std::size_t c, const PlannedStretch& planned);
+  void addEdges(std::size_t c, const PlannedStretch& planned);
+
+  const DrawingSource& All;
+  const BorderChains& Chains;
+  const std::vector<PlannedChain>& Plan;
+  FairNetwork Network;
+  std::vector<Origin> Origins;
+  std::map<Index, std::size_t> Nodes;
+};
+}
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StretchCurve.h"
+
+#include "Base/Planar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+std::vector<double> breaksOf(const FairStretch& stretch)
+{
+  std::vector<double> breaks{ 0.0 };
+  for (const FairInterval& interval : stretch.intervals)
+  {
+    const double start = breaks.back();
+    for (int k = 1; k < interval.spans; ++k)
+    {
+      breaks.push_back(start + k * (interval.end - start) / interval.spans);
+    }
+    breaks.push_back(interval.end);
+  }
+  return breaks;
+}
+}
+
+Point2 sum(const Terms& terms, const Eigen::VectorXd& x)
+{
+  Point2 result = Point2::Zero();
+  for (const Term& term : terms)
+  {
+    result += term.factor * x.segment<2>(2 * term.unknown);
+  }
+  return result;
+}
+
+StretchCurve::StretchCurve(const FairStretch& stretch, Eigen::Index& next)
+  : Stretch(stretch)
+  , Basis(breaksOf(stretch))
+  , First(next)
+{
+  next += stretch.straight ? 0 : static_cast<Eigen::Index>(this->Basis.size()) - 2;
+}
+
+Terms StretchCurve::at(double t, Derivative derivative) const
+{
+  const auto from = static_cast<Eigen::Index>(this->Stretch.from);
+  const auto to = static_cast<Eigen::Index>(this->Stretch.to);
+  if (this->Stretch.straight)
+  {
+    const double length = this->Stretch.length();
+    const double s = derivative == Derivative::Place ? t / length
+      : derivative == Derivative::Slope              ? 1.0 / length
+                                                     : 0.0;
+    return { { from, (derivative == Derivative::Place ? 1.0 : 0.0) - s }, { to, s } };
+  }
+  const CubicBasis::Values values = this->Basis.at(t);
+  const std::array<double, 4>& factors = derivative == Derivative::Place ? values.value
+    : derivative == Derivative::Slope                                    ? values.slope
+                                                                         : values.bend;
+  Terms terms;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    const std::size_t j = values.first + k;
+    const Eigen::Index unknown = j == 0 ? from
+      : j + 1 == this->Basis.size()     ? to
+                                        : this->First + static_cast<Eigen::Index>(j) - 1;
+    terms.push_back({ unknown, factors[k] });
+  }
+  return terms;
+}
+
+std::vector<FairSpan> StretchCurve::spans(const Eigen::VectorXd& x) const
+{
+  std::vector<FairSpan> spans;
+  const std::vector<double>& breaks = this->Basis.breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    FairSpan span;
+    span.from = breaks[k];
+    span.to = breaks[k + 1];
+    const double third = (span.to - span.from) / 3.0;
+    const auto value = [&](double t, Derivative derivative) {
+      return sum(this->at(t, derivative), x);
+    };
+    // The curve is differentiable, so that the side of a break does not matter.
+    span.control[0] = value(span.from, Derivative::Place);
+    span.control[3] = value(span.to, Derivative::Place);
+    span.control[1] = span.control[0] + third * value(span.from, Derivative::Slope);
+    span.control[2] = span.control[3] - third * value(span.to, Derivative::Slope);
+    spans.push_back(span);
+  }
+  return spans;
+}
+
+std::vector<double> StretchCurve::deviation(const Points2& nodes, const Eigen::VectorXd& x) const
+{
+  const FairStretch& stretch = this->Stretch;
+  std::vector<double> deviation(stretch.intervals.size(), 0.0);
+  const auto add = [&](double t, const Point2& target) {
+    const Point2 slope = sum(this->at(t, Derivative::Slope), x);
+    const Point2 off = target - sum(this->at(t, Derivative::Place), x);
+    const double across = std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12);
+    std::size_t k = 0;
+    while (k + 1 < stretch.intervals.size() && t > stretch.intervals[k].end)
+    {
+      ++k;
+    }
+    deviation[k] = std::max(deviation[k], across);
+  };
+  for (std::size_t k = 0; k < stretch.points.size(); ++k)
+  {
+    add(stretch.arc[k], stretch.points[k]);
+  }
+  const auto end = [&](std::size_t node) {
+    return (nodes[node] - x.segment<2>(2 * static_cast<Eigen::Index>(node))).norm();
+  };
+  deviation.front() = std::max(deviation.front(), end(stretch.from));
+  deviation.back() = std::max(deviation.back(), end(stretch.to));
+  return deviation;
+}
+}
+}

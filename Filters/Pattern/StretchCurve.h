@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CubicBasis.h"
+#include "FairNetwork.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// A linear combination of unknown points.
+struct Term
+{
+  Eigen::Index unknown = 0;
+  double factor = 0.0;
+};
+using Terms = std::vector<Term>;
+
+Point2 sum(const Terms& terms, const Eigen::VectorXd& x);
+
+enum class Derivative
+{
+  Place,
+  Slope,
+  Bend,
+};
+
+/// A stretch as a curve of unknown points: its nodes, and the coefficients between them.
+class StretchCurve
+{
+public:
+  /// The stretch stays the caller's.
+  /// \param next the first unknown that is free; those taken are counted
+  StretchCurve(const FairStretch& stretch, Eigen::Index& next);
+
+  const FairStretch& stretch() const { return this->Stretch; }
+  const CubicBasis& basis() const { return this->Basis; }
+  Terms at(double t, Derivative derivative) const;
+  std::vector<FairSpan> spans(const Eigen::VectorXd& x) const;
+  /// Of each interval the farthest of the points across the curve; along it they may slide.
+  std::vector<double> deviation(const Points2& nodes, const Eigen::VectorXd& x) const;
+
+private:
+  const FairStretch& Stretch;
+  CubicBasis Basis;
+  Eigen::Index First = 0;
+};
+}
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening/ClothOptions.h"
+
+#include <string>
+
+class vtkTable;
+
+namespace flattening
+{
+namespace bridge
+{
+/// What vtkWireWarpingFilter's Material and Grain say. A material that cannot be read has a status
+/// that says why.
+ClothOptions readCloth(const std::string& material, const std::string& grain);
+
+/// The presets, as vtkWireWarpingFilter::ListMaterials() documents them.
+void writeMaterials(vtkTable* table);
+}
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClothOutput.h"
+
+#include "Base/Planar.h"
+#include "FieldArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+constexpr double degree = pi / 180.0;
+
+/// The largest strain of a triangle and its direction: warp, weft, or the bias between them, in
+/// which a shear of g draws by about g / 2.
+struct Dominant
+{
+  unsigned char thread = 0;
+  double strain = 0.0;
+};
+
+Dominant dominantOf(const ThreadStrain& strain)
+{
+  const double bias = 0.5 * (strain.warp + strain.weft) + std::sin(0.5 * std::abs(strain.shear));
+  Dominant dominant{ 0, strain.warp };
+  const auto consider = [&dominant](unsigned char thread, double value) {
+    if (std::abs(value) > std::abs(dominant.strain))
+    {
+      dominant = { thread, value };
+    }
+  };
+  consider(1, strain.weft);
+  consider(2, bias);
+  return dominant;
+}
+
+template <class Value>
+void addPieces(const FlatteningResult& result, vtkFieldData* field, const char* name, Value value)
+{
+  addRows<vtkDoubleArray>(field, name, result.pieces.size(), [&](std::size_t row) {
+    const auto& cloth = result.pieces[row].cloth;
+    return cloth ? value(*cloth) : 0.0;
+  });
+}
+}
+
+void writeThreads(const FlatteningResult& result, vtkCellData* cells)
+{
+  const std::vector<ThreadStrain>& threads = result.threads;
+  if (threads.empty())
+  {
+    return;
+  }
+  const std::size_t count = threads.size();
+  addRows<vtkDoubleArray>(
+    cells, "StrainWarp", count, [&](std::size_t t) { return threads[t].warp; });
+  addRows<vtkDoubleArray>(
+    cells, "StrainWeft", count, [&](std::size_t t) { return threads[t].weft; });
+  addRows<vtkDoubleArray>(
+    cells, "ShearAngle", count, [&](std::size_t t) { return threads[t].shear / degree; });
+  std::vector<unsigned char> out(count, 0);
+  for (const PieceReport& piece : result.pieces)
+  {
+    for (Index t : piece.cloth ? piece.cloth->outOfLimit : Indices())
+    {
+      out[t] = 1;
+    }
+  }
+  addRows<vtkUnsignedCharArray>(cells, "OutOfLimit", count, [&](std::size_t t) { return out[t]; });
+  addRows<vtkUnsignedCharArray>(
+    cells, "DominantThread", count, [&](std::size_t t) { return dominantOf(threads[t]).thread; });
+  addRows<vtkDoubleArray>(cells, "DominantStretch", count,
+    [&](std::size_t t) { return 100.0 * (1.0 + dominantOf(threads[t]).strain); });
+}
+
+void writeClothReports(const FlatteningResult& result, vtkFieldData* field)
+{
+  if (result.threads.empty())
+  {
+    return;
+  }
+  using Report = const ClothReport&;
+  addPieces(result, field, "StrainWarpRms", [](Report r) { return r.threads.warpRms; });
+  addPieces(result, field, "StrainWeftRms", [](Report r) { return r.threads.weftRms; });
+  addPieces(result, field, "ShearRms", [](Report r) { return r.threads.shearRms / degree; });
+  addPieces(result, field, "ShareOutOfLimit", [](Report r) { return r.threads.shareOutOfLimit; });
+  addPieces(
+    result, field, "ShareOver5Percent", [](Report r) { return r.threads.shareOver5Percent; });
+  addPieces(result, field, "ShareLocked", [](Report r) { return r.threads.shareLocked; });
+  addPieces(result, field, "ShearLimit", [](Report r) { return r.shearLimit / degree; });
+  addPieces(result, field, "GrainAngle", [](Report r) { return r.grain.angle / degree; });
+  addRows<vtkStringArray>(field, "GrainCurve", result.pieces.size(), [&](std::size_t row) {
+    const auto& cloth = result.pieces[row].cloth;
+    return cloth && cloth->grain.curve != none ? result.curves[cloth->grain.curve].name
+                                               : std::string();
+  });
+  addRows<vtkIntArray>(field, "OneWay", result.pieces.size(), [&](std::size_t row) {
+    const auto& cloth = result.pieces[row].cloth;
+    return cloth && cloth->oneWay ? 1 : 0;
+  });
+}
+}
+}

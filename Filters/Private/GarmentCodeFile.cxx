@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GarmentCodeFile.h"
+
+#ifdef FLATTENING_WITH_JSON
+#include "JsonKeys.h"
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+Status invalid(const std::string& message)
+{
+  return { StatusCode::InvalidPattern, message };
+}
+}
+
+#ifndef FLATTENING_WITH_JSON
+Status readGarmentCode(const std::string& path, pattern::Garment& garment)
+{
+  garment = pattern::Garment();
+  return invalid(path + " cannot be read: the library was built without nlohmann-json");
+}
+#else
+namespace
+{
+using Json = nlohmann::ordered_json;
+using pattern::EdgeShape;
+using pattern::Garment;
+using pattern::GarmentEdge;
+using pattern::GarmentPanel;
+using pattern::GarmentStitch;
+constexpr std::uintmax_t largestFile = 100'000'000;
+
+/// Takes a garment from a document and remembers the first thing that is wrong.
+class GarmentReader
+{
+public:
+  Status read(const Json& document, Garment& garment)
+  {
+    const Json& pattern = this->member(document, "pattern", "the file");
+    const Json& panels = this->member(pattern, "panels", "the pattern");
+    if (this->Wrong.ok() && !panels.is_object())
+    {
+      this->blame("the panels are no object of panels by their names");
+    }
+    if (this->Wrong.ok())
+    {
+      this->readProperties(document);
+    }
+    if (this->Wrong.ok())
+    {
+      for (const auto& [name, panel] : panels.items())
+      {
+        this->Numbers[name] = garment.panels.size();
+        this->readPanel(name, panel, garment.panels.emplace_back());
+      }
+    }
+    const auto stitches = this->Wrong.ok() ? pattern.find("stitches") : pattern.end();
+    if (this->Wrong.ok() && stitches != pattern.end())
+    {
+      this->readStitches(*stitches, garment);
+    }
+    return this->Wrong;
+  }
+
+private:
+  void blame(const std::string& defect)
+  {
+    if (this->Wrong.ok())
+    {
+      this->Wrong = invalid(defect);
+    }
+  }
+
+  const Json& member(const Json& object, const char* key, const std::string& owner)
+  {
+    static const Json nothing;
+    const bool has = object.is_object() && object.contains(key);
+    if (!has)
+    {
+      this->blame(owner + " has no member \"" + key + "\"");
+    }
+    return has ? object[key] : nothing;
+  }
+
+  double number(const Json& value, const std::string& what)
+  {
+    const double number = value.is_number() ? value.get<double>() : 0.0;
+    if (!value.is_number() || !std::isfinite(number) || std::abs(number) > 1e12)
+    {
+      this->blame(what + " is no number, or a huge one");
+    }
+    return number;
+  }
+
+  template <typename Vector>
+  Vector vector(const Json& value, const std::string& what)
+  {
+    Vector result = Vector::Zero();
+    const bool fits =
+      value.is_array() && value.size() == static_cast<std::size_t>(Vector::SizeAtCompileTime);
+    if (!fits)
+    {
+      this->blame(
+        what + " is no list of " + std::to_string(Vector::SizeAtCompileTime) + " numbers");
+    }
+    for (std::size_t k = 0; fits && k < value.size(); ++k)
+    {
+      result[static_cast<Eigen::Index>(k)] = this->number(value[k], what);
+    }
+    return result;
+  }
+
+  std::size_t index(const Json& value, const std::string& what)
+  {
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1'000'000'000)
+    {
+      this->blame(what + " is no whole number from 0");
+      return 0;
+    }
+    return value.get<std::size_t>();
+  }
+
+  std::string label(const Json& object, const std::string& owner)
+  {
+    const auto found = object.find("label");
+    if (found == object.end())
+    {
+      return {};
+    }
+    if (!found->is_string())
+    {
+      this->blame("the label of " + owner + " is no text");
+      return {};
+    }
+    return found->get<std::string>();
+  }
+
+  void readProperties(const Json& document)
+  {
+    const auto properties = document.find("properties");
+    if (properties == document.end() || !properties->is_object())
+    {
+      return; // as their loader: in centimetres, relative
+    }
+    const auto unit = properties->find("units_in_meter");
+    if (unit != properties->end())
+    {
+      const double perMetre = this->number(*unit, "units_in_meter");
+      if (this->Wrong.ok() && !(perMetre > 0.0))
+      {
+        this->blame("units_in_meter must be above 0");
+      }
+      // Exactly 1 where the file is in centimetres.
+      this->Scale = this->Wrong.ok() ? 100.0 / perMetre : 1.0;
+    }
+    const auto coordinates = properties->find("curvature_coords");
+    if (coordinates != properties->end())
+    {
+      this->Absolute = *coordinates == "absolute";
+      if (!this->Absolute && *coordinates != "relative")
+      {
+        this->blame("curvature_coords is neither \"relative\" nor \"absolute\"");
+      }
+    }
+  }
+
+  void readPanel(const std::string& name, const Json& json, GarmentPanel& panel)
+  {
+    panel.name = name;
+    const std::string owner = "the panel " + name;
+    const Json& vertices = this->member(json, "vertices", owner);
+    const Json& edges = this->member(json, "edges", owner);
+    if (this->Wrong.ok() && (!vertices.is_array() || !edges.is_array()))
+    {
+      this->blame("vertices and edges of " + owner + " must be lists");
+    }
+    if (!this->Wrong.ok())
+    {
+      return;
+    }
+    panel.label = this->label(json, owner);
+    if (json.contains("translation"))
+    {
+      panel.translation =
+        this->Scale * this->vector<Point3>(json["translation"], "the translation of " + owner);
+    }
+    if (json.contains("rotation"))
+    {
+      panel.rotation = this->vector<Point3>(json["rotation"], "the rotation of " + owner);
+    }
+    for (const Json& vertex : vertices)
+    {
+      panel.vertices.emplace_back(this->Scale *
+        this->vector<Point2>(
+          vertex, "vertex " + std::to_string(panel.vertices.size()) + " of " + owner));
+    }
+    for (const Json& edge : edges)
+    {
+      this->readEdge(edge, panel);
+    }
+  }
+
+  void readEdge(const Json& json, GarmentPanel& panel)
+  {
+    const std::string owner = pattern::edgeName(panel, panel.edges.size());
+    GarmentEdge& edge = panel.edges.emplace_back();
+    const Json& ends = this->member(json, "endpoints", owner);
+    if (this->Wrong.ok() && (!ends.is_array() || ends.size() != 2))
+    {
+      this->blame("the endpoints of " + owner + " are not two");
+    }
+    if (!this->Wrong.ok())
+    {
+      return;
+    }
+    for (const std::size_t k : { 0U, 1U })
+    {
+      edge.ends[k] = this->index(ends[k], "an end of " + owner);
+      if (edge.ends[k] >= panel.vertices.size())
+      {
+        this->blame(owner + " ends at the vertex " + std::to_string(edge.ends[k]) +
+          ", and there are " + std::to_string(panel.vertices.size()));
+        return;
+      }
+    }
+    edge.label = this->label(json, owner);
+    if (json.contains("curvature"))
+    {
+      this->readShape(json["curvature"], owner, panel, edge);
+    }
+  }
+
+  void readShape(
+    const Json& json, const std::string& owner, const GarmentPanel& panel, GarmentEdge& edge)
+  {
+    if (json.is_array()) // of files before there were others
+    {
+      edge.shape = EdgeShape::Quadratic;
+      this->addControl(json, owner, panel, 0, edge);
+      return;
+    }
+    const Json& type = this->member(json, "type", "the curvature of " + owner);
+    const Json& parameters = this->member(json, "params", "the curvature of " + owner);
+    const std::size_t wanted = type == "quadratic" ? 1 : type == "cubic" ? 2 : 3;
+    if (this->Wrong.ok() && wanted == 3 && type != "circle")
+    {
+      this->blame("the curvature of " + owner + " is neither quadratic, cubic nor circle");
+    }
+    if (this->Wrong.ok() && (!parameters.is_array() || parameters.size() != wanted))
+    {
+      this->blame(
+        "the curvature of " + owner + " has not the " + std::to_string(wanted) + " parameters");
+    }
+    if (!this->Wrong.ok())
+    {
+      return;
+    }
+    if (wanted < 3)
+    {
+      edge.shape = wanted == 1 ? EdgeShape::Quadratic : EdgeShape::Cubic;
+      for (std::size_t k = 0; k < wanted; ++k)
+      {
+        this->addControl(parameters[k], owner, panel, 2 * k, edge);
+      }
+      return;
+    }
+    edge.shape = EdgeShape::Circle;
+    edge.parameters[0] = this->Scale * this->number(parameters[0], "the radius of " + owner);
+    for (const std::size_t k : { 1U, 2U })
+    {
+      const Json& flag = parameters[k];
+      edge.parameters[k] = flag.is_boolean()              ? (flag.get<bool>() ? 1.0 : 0.0)
+        : this->number(flag, "a flag of " + owner) != 0.0 ? 1.0
+                                                          : 0.0;
+    }
+  }
+
+  void addControl(const Json& json, const std::string& owner, const GarmentPanel& panel,
+    std::size_t at, GarmentEdge& edge)
+  {
+    Point2 control = this->vector<Point2>(json, "a control point of " + owner);
+    if (this->Absolute)
+    {
+      const Point2& from = panel.vertices[edge.ends[0]];
+      const Point2 chord = panel.vertices[edge.ends[1]] - from;
+      const Point2 way = this->Scale * control - from;
+      control = Point2(way.dot(chord), way.dot(Point2(-chord.y(), chord.x()))) /
+        std::max(chord.squaredNorm(), 1e-300);
+    }
+    edge.parameters[at] = control.x();
+    edge.parameters[at + 1] = control.y();
+  }
+
+  void readStitches(const Json& json, Garment& garment)
+  {
+    if (!json.is_array())
+    {
+      this->blame("the stitches are no list");
+      return;
+    }
+    for (const Json& stitch : json)
+    {
+      const std::string owner = "stitch " + std::to_string(garment.stitches.size());
+      const bool marked = stitch.is_array() && stitch.size() == 3;
+      if (!stitch.is_array() || stitch.size() < 2 || stitch.size() > 3 ||
+        (marked && !stitch[2].is_string()))
+      {
+        this->blame(owner + " does not name two edges");
+        return;
+      }
+      GarmentStitch& made = garment.stitches.emplace_back();
+      made.rightToWrong = marked && stitch[2] == "right_wrong";
+      for (const std::size_t k : { 0U, 1U })
+      {
+        const Json& name = this->member(stitch[k], "panel", owner);
+        const Json& edge = this->member(stitch[k], "edge", owner);
+        if (!this->Wrong.ok())
+        {
+          return;
+        }
+        const auto panel =
+          name.is_string() ? this->Numbers.find(name.get<std::string>()) : this->Numbers.end();
+        if (panel == this->Numbers.end())
+        {
+          this->blame(owner + " names the panel " + name.dump() + ", which is not there");
+          return;
+        }
+        made.sides[k] = { panel->second, this->index(edge, "an edge of " + owner) };
+        if (made.sides[k].edge >= garment.panels[panel->second].edges.size())
+        {
+          this->blame(owner + " names the edge " + edge.dump() + " of the panel " + panel->first +
+            ", which has " + std::to_string(garment.panels[panel->second].edges.size()));
+          return;
+        }
+      }
+    }
+  }
+
+  Status Wrong;
+  double Scale = 1.0;
+  bool Absolute = false;
+  std::map<std::string, std::size_t> Numbers;
+};
+}
+
+Status readGarmentCode(const std::string& path, Garment& garment)
+{
+  garment = Garment();
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed))
+  {
+    return invalid("there is no file " + path);
+  }
+  if (std::filesystem::file_size(path, failed) > largestFile || failed)
+  {
+    return invalid(path + " has more than 100 MB");
+  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  Status status;
+  try
+  {
+    DoubledKeys<Json> doubled;
+    const Json json = Json::parse(
+      text,
+      [&doubled](
+        int, Json::parse_event_t event, const Json& parsed) { return doubled(event, parsed); },
+      true, true);
+    status = doubled.first().empty() ? GarmentReader().read(json, garment)
+                                     : invalid("\"" + doubled.first() + "\" is there twice");
+  }
+  catch (const Json::parse_error& error)
+  {
+    const auto until =
+      text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    status =
+      invalid("it is no JSON in line " + std::to_string(1 + std::count(text.begin(), until, '\n')));
+  }
+  catch (const Json::exception&)
+  {
+    status = invalid("a number in it is too large");
+  }
+  status = status.ok() ? pattern::checkGarment(garment) : status;
+  if (!status.ok())
+  {
+    status.message = path + ": " + status.message;
+    garment = Garment();
+  }
+  return status;
+}
+#endif
+}
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/KeyPrices.h"
+
+class vtkPolyData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// Output 3 of vtkKeyCurvePrices.
+void writeKeyPrices(
+  const std::vector<FeatureCurve>& curves, const KeyPrices& prices, vtkPolyData* output);
+}
+}

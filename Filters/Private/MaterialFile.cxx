@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialFile.h"
+
+#include "Base/Planar.h"
+
+#ifdef FLATTENING_WITH_JSON
+#include "JsonKeys.h"
+#endif
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+constexpr double degree = pi / 180.0;
+const char* const example = "an object such as {\"warp\": 2000, \"weft\": 1800, \"shear\": 25}";
+
+Status refusal(const std::string& path, const std::string& defect, const std::string& give)
+{
+  return { StatusCode::InvalidMaterial, "the material file \"" + path + "\" " + defect, {},
+    { { Remedy::Give, give } } };
+}
+}
+
+bool isMaterialFile(const std::string& text)
+{
+  std::error_code failed;
+  // A pipe or a device may have no end.
+  return std::filesystem::is_regular_file(text, failed) && std::ifstream(text).good();
+}
+
+#ifndef FLATTENING_WITH_JSON
+ClothMaterial readMaterialFile(const std::string& path)
+{
+  ClothMaterial material;
+  material.status = refusal(
+    path, "cannot be read: the library was built without nlohmann-json", "the name of a material");
+  return material;
+}
+#else
+namespace
+{
+using Json = nlohmann::json;
+constexpr std::uintmax_t largestFile = 1000000;
+constexpr std::size_t longestText = 1000;
+
+/// Takes members of an object one after the other and remembers the first thing that is wrong.
+class MaterialReader
+{
+public:
+  MaterialReader(const std::string& path, const Json& object)
+    : Path(path)
+    , Object(object)
+  {
+  }
+
+  ClothMaterial read()
+  {
+    ClothMaterial material;
+    material.name = this->Path;
+    this->onlyMembers(this->Object,
+      { "name", "description", "source", "warp", "weft", "shear", "cross", "compression", "limits",
+        "one_way" });
+    this->text("name", material.name);
+    this->text("description", material.description);
+    this->text("source", material.source);
+    this->number(this->Object, "warp", material.warp, true);
+    this->number(this->Object, "weft", material.weft, true);
+    this->number(this->Object, "shear", material.shear, true);
+    this->number(this->Object, "cross", material.cross, false);
+    this->number(this->Object, "compression", material.compression, false);
+    this->flag("one_way", material.oneWay);
+    this->limits(material);
+    material.status = this->Wrong;
+    return material;
+  }
+
+private:
+  void blame(const std::string& defect, const std::string& give)
+  {
+    if (this->Wrong.ok())
+    {
+      this->Wrong = refusal(this->Path, defect, give);
+    }
+  }
+
+  void onlyMembers(const Json& object, const std::vector<std::string>& known)
+  {
+    for (const auto& [key, value] : object.items())
+    {
+      if (std::find(known.begin(), known.end(), key) == known.end())
+      {
+        std::string names;
+        for (const std::string& name : known)
+        {
+          names += (names.empty() ? "" : ", ") + name;
+        }
+        this->blame("has a member \"" + key + "\" that means nothing", "only " + names);
+      }
+    }
+  }
+
+  void text(const char* key, std::string& value)
+  {
+    const auto found = this->Object.find(key);
+    if (found != this->Object.end() &&
+      (!found->is_string() || found->get_ref<const std::string&>().size() > longestText))
+    {
+      this->blame(std::string("has a \"") + key + "\" that is no text, or a long one",
+        "a text of at most " + std::to_string(longestText) + " characters");
+    }
+    else if (found != this->Object.end())
+    {
+      value = found->get<std::string>();
+    }
+  }
+
+  void flag(const char* key, bool& value)
+  {
+    const auto found = this->Object.find(key);
+    if (found != this->Object.end() && !found->is_boolean())
+    {
+      this->blame(
+        std::string("has a \"") + key + "\" that is neither true nor false", "true or false");
+    }
+    else if (found != this->Object.end())
+    {
+      value = found->get<bool>();
+    }
+  }
+
+  void number(const Json& object, const char* key, double& value, bool needed)
+  {
+    const auto found = object.find(key);
+    if (found == object.end())
+    {
+      if (needed)
+      {
+        this->blame(std::string("has no \"") + key + "\"", "a stiffness above 0 in N/m");
+      }
+      return;
+    }
+    if (!found->is_number())
+    {
+      this->blame(std::string("has a \"") + key + "\" that is no number", "a number");
+      return;
+    }
+    value = found->get<double>();
+  }
+
+  void range(const Json& limits, const char* key, StrainLimits& value)
+  {
+    const auto found = limits.find(key);
+    if (found == limits.end())
+    {
+      return;
+    }
+    if (!found->is_array() || found->size() != 2 || !(*found)[0].is_number() ||
+      !(*found)[1].is_number())
+    {
+      this->blame(std::string("has limits of \"") + key + "\" that are not two numbers",
+        "the least and the greatest strain in percent, such as [-1, 5]");
+      return;
+    }
+    value.least = 0.01 * (*found)[0].get<double>();
+    value.greatest = 0.01 * (*found)[1].get<double>();
+  }
+
+  void limits(ClothMaterial& material)
+  {
+    const auto limits = this->Object.find("limits");
+    if (limits == this->Object.end())
+    {
+      return;
+    }
+    if (!limits->is_object())
+    {
+      this->blame("has \"limits\" that are no object", "such as {\"warp\": [-1, 1]}");
+      return;
+    }
+    this->onlyMembers(*limits, { "warp", "weft", "shear" });
+    this->range(*limits, "warp", material.warpLimits);
+    this->range(*limits, "weft", material.weftLimits);
+    double degrees = material.shearLimit / degree;
+    this->number(*limits, "shear", degrees, false);
+    material.shearLimit = degrees * degree;
+  }
+
+  const std::string& Path;
+  const Json& Object;
+  Status Wrong;
+};
+}
+
+ClothMaterial readMaterialFile(const std::string& path)
+{
+  ClothMaterial material;
+  material.name = path;
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  if (failed || size > largestFile)
+  {
+    material.status = refusal(path, "has more than a megabyte", example);
+    return material;
+  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  try
+  {
+    DoubledKeys<Json> doubled;
+    const Json json = Json::parse(
+      text,
+      [&doubled](
+        int, Json::parse_event_t event, const Json& parsed) { return doubled(event, parsed); },
+      true, true);
+    if (!json.is_object())
+    {
+      material.status = refusal(path, "holds no object", example);
+    }
+    else if (!doubled.first().empty())
+    {
+      material.status = refusal(path, "has \"" + doubled.first() + "\" twice", "it once");
+    }
+    else
+    {
+      material = MaterialReader(path, json).read();
+    }
+  }
+  catch (const Json::parse_error& error)
+  {
+    const auto until =
+      text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), until, '\n');
+    material.status = refusal(path, "is no JSON in line " + std::to_string(line), example);
+  }
+  catch (const Json::exception&) // a number beyond all doubles
+  {
+    material.status = refusal(path, "has a number that is too large", "numbers up to 1e15");
+  }
+  return material;
+}
+#endif
+}
+}

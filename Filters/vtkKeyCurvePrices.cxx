@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkKeyCurvePrices.h"
+
+#include "CurvedSurface.h"
+#include "FilterExecution.h"
+#include "Flattening/FlatteningOptions.h"
+#include "KeyPriceOutput.h"
+#include "Suggestion/KeyPrices.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkKeyCurvePrices);
+
+//------------------------------------------------------------------------------
+vtkKeyCurvePrices::vtkKeyCurvePrices()
+{
+  this->SetNumberOfOutputPorts(4);
+}
+
+//------------------------------------------------------------------------------
+vtkKeyCurvePrices::~vtkKeyCurvePrices() = default;
+
+//------------------------------------------------------------------------------
+int vtkKeyCurvePrices::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Begin(outputVector);
+  flattening::KeyPrices prices;
+  const auto source = this->LoadInput(inputVector);
+  bool done = false;
+  if (source)
+  {
+    prices = flattening::priceKeys(source->imprinted.mesh, source->imprinted.curves,
+      this->Settings(), flattening::bridge::executionOf(this));
+    done = this->Conclude(source->outcomeOfStage(prices.status));
+  }
+  if (!done)
+  {
+    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    return 1;
+  }
+  this->Superclass::RequestData(request, inputVector, outputVector);
+  if (!this->IsRefused())
+  {
+    flattening::bridge::writeKeyPrices(
+      source->imprinted.curves, prices, vtkPolyData::GetData(outputVector, 3));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkKeyCurvePrices::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSewnShape
+ * @brief sew flat pieces together again and compare what comes of it with the design
+ *
+ * The proof of a flattening: cloth that is flat at rest in the shape of the pieces is put where the
+ * design has it and let go. It stretches and bends as little as it can, and comes to rest at some
+ * distance from the surface that was designed: under Pressure, by its weight (Gravity) and on a
+ * body, where these are given, without friction.
+ *
+ * **Port 0**, the flat pieces, and **port 1**, the cut surface in space, point for point and cell
+ * for cell like them: outputs 0 and 2 of vtkWireWarpingFilter. The field data `SeamPairs` of port 0
+ * says what is sewn together; without it nothing is.
+ *
+ * **Port 2**, optional, a body that the cloth does not go through: a penalty pushes it out, then a
+ * barrier keeps it out (M. Li et al., "Incremental potential contact", ACM Transactions on Graphics
+ * 39(4), 2020).
+ *
+ * The cloth is an isotropic sheet that costs (S - 1)^2 + (s - 1)^2 an area, S >= s the stretches of
+ * a triangle, as the flattening counts it (RigidEnergy; AreaBias as there), or has the threads of a
+ * Material, warp along y of the flat pieces, whose limits are no stiffness and do not count; and
+ * bends like a plate
+ * of Thickness (quadratic bending: M. Bergou, M. Wardetzky, D. Harmon, D. Zorin, E. Grinspun, "A
+ * quadratic bending model for inextensible surfaces", 2006); across a seam as in a piece. The rest
+ * is found by Newton's method from the design on. It is a minimum of the energy next to the design;
+ * a sheet that buckles may have others.
+ *
+ * **Output 0, the sewn surface at rest** over the points and cells of port 1, with its point and
+ * cell data but for normals, and **output 1, the design** with the same:
+ *
+ * | array | on | type | meaning |
+ * |---|---|---|---|
+ * | `Distance` | points | double | to the closest point of the other surface, unit of length |
+ * | `NormalDeviation` | cells | double | angle between the normals on both surfaces, radians |
+ * | `PrincipalStrains` | cells | double, 2 components | S - 1 and s - 1 |
+ * | `Compressed` | cells | unsigned char | 1 where s is below 0.999: cloth wrinkles there |
+ * | `ShapeId` | cells | id | row of the field data |
+ * | `SewnStrainWarp`, `SewnStrainWeft` | cells | double | with a Material: length of a thread at rest over that in the piece, less 1 |
+ * | `SewnShearAngle` | cells | double | with a Material: by how many degrees its threads leave the right angle |
+ *
+ * Field data of output 0, **one row a shape** (Test PANEL: a piece; PRODUCT: all that is sewn
+ * together): `Pieces`, `Triangles`, `Iterations` (id), `Converged` (int), `Size` (root of the area
+ * of the design), `DistanceMean`, `DistanceRMS`, `DistanceP95` (of the points of output 0, by area
+ * in the pieces; P95 is not exceeded on 95 % of it), `DistanceMax` (Hausdorff distance of the two
+ * surfaces, by their points) (unit of length), `RelativeDistanceMean`, `RelativeDistanceRMS`,
+ * `RelativeDistanceP95`, `RelativeDistanceMax` (over Size), `NormalDeviationMean` (radians),
+ * `StrainMean`, `StrainP95`, `StrainMax` (of max abs(ln sigma), by area), `CompressedArea` (share
+ * of the area), with a Material `StrainWarpRms`, `StrainWeftRms`, `ShearRms` (degrees; root mean
+ * squares by area in the pieces), `BodyDepth` (how deep a point that is not held
+ * lies in the body, 0: none does; unit of length), `SecondDistanceMean` (of the shape that a second
+ * start finds; unit of length; SecondStart), `SeveralShapes` (int; 1: the two differ by more than a
+ * tenth), `MembraneEnergy`, `BendingEnergy` (over half of Young's modulus; unit of length
+ * squared) (double), `Status`, `StatusMessage` (string). **One row an iteration**: `HistoryShape`
+ * (id), `HistoryEnergy` (mean triangle areas times half the modulus), `HistoryForce` (largest on a
+ * vertex, over modulus times the root of the mean triangle area), `HistoryMove` (of the point that
+ * moved farthest, in roots of the mean triangle area) (double). **One row a pair of cut edges**:
+ * `SeamPairs` (as in port 0), `SeamStrains` (double, 2 components: how much longer each of the two
+ * edges is at rest than in its piece, as a fraction). **One row a run**: see
+ * vtkFlatteningAlgorithm.
+ *
+ * Refused are pieces without area (DEGENERATE_TRIANGLE), inputs that do not belong together
+ * (INVALID_OPTION), and with PRODUCT a piece that is sewn to nothing (INVALID_OPTION): with a free
+ * boundary it comes to rest as the plane, which says nothing of it. So is pressure in a product
+ * that is open, and weight of one without a body. Broken promises: NOT_CONVERGED, and
+ * INVALID_MATERIAL of a material that is unknown or without meaning: the cloth is the isotropic
+ * sheet.
+ *
+ * @code
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
+ * flattening->SetCurvesData(curves);
+ * vtkNew<vtkSewnShape> sewn;
+ * sewn->SetInputConnection(flattening->GetOutputPort(0));
+ * sewn->SetDesignConnection(flattening->GetOutputPort(2));
+ * sewn->Update();
+ * vtkFieldData* measures = sewn->GetOutput()->GetFieldData();
+ * std::cout << measures->GetArray("RelativeDistanceMean")->GetComponent(0, 0) << "\n";
+ * @endcode
+ *
+ * @warning The thinner the cloth, the closer a developable comes to its design: by the square of
+ * Thickness, since the rest of the cloth is flat and bending it has to be held by stretching.
+ * @warning Only where cloth bends like a cylinder does it bend like that plate; bent in both
+ * directions it is stiffer, by the mesh: a flat square sags by 0.56 to 0.75 of what the plate does.
+ *
+ * @sa vtkWireWarpingFilter vtkFlatteningQuality
+ */
+#ifndef vtkSewnShape_h
+#define vtkSewnShape_h
+
+#include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkFlatteningAlgorithm.h"
+
+#include <string>
+
+class VTKFILTERSFLATTENING_EXPORT vtkSewnShape : public vtkFlatteningAlgorithm
+{
+public:
+  static vtkSewnShape* New();
+  vtkTypeMacro(vtkSewnShape, vtkFlatteningAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The cut surface in space, port 1.
+   */
+  void SetDesignConnection(vtkAlgorithmOutput* design);
+  void SetDesignData(vtkPolyData* design);
+  ///@}
+
+  ///@{
+  /**
+   * A surface that the cloth does not go through, port 2, optional: a body, a last, a core. Its
+   * normals point outwards; one that is closed is turned so. Points of the cloth keep a thousandth
+   * of its size from it, triangles between them may cut its bulges.
+   */
+  void SetBodyConnection(vtkAlgorithmOutput* body);
+  void SetBodyData(vtkPolyData* body);
+  ///@}
+
+  /**
+   * Output 1, the design with the arrays.
+   */
+  vtkPolyData* GetDesignOutput();
+
+  /**
+   * What is held while the cloth comes to rest.
+   */
+  enum Tests
+  {
+    PANEL = 0,
+    PRODUCT = 1
+  };
+
+  ///@{
+  /**
+   * What is held while the cloth comes to rest: PANEL, of each piece its boundary where the design
+   * has it; PRODUCT, nothing: seams are shared, hems are free, and the whole is laid over the
+   * design by the rigid motion that brings their points nearest to each other. Default: PANEL.
+   */
+  vtkSetClampMacro(Test, int, PANEL, PRODUCT);
+  vtkGetMacro(Test, int);
+  void SetTestToPanel() { this->SetTest(PANEL); }
+  void SetTestToProduct() { this->SetTest(PRODUCT); }
+  const char* GetTestAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Thickness of a plate that bends as the cloth does, over the root of the mean area of a piece:
+   * the root of 12 times bending stiffness over stiffness against stretch. A shirting of 15 uN m
+   * and 2 kN/m is such a plate of 0.3 mm, which is 0.00075 of a piece of 40 cm. Default: 0.001.
+   * Range: 0 to 1.
+   */
+  vtkSetClampMacro(Thickness, double, 0.0, 1.0);
+  vtkGetMacro(Thickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Above 0 a change of area costs the cloth more than one of angle, below 0 less, as AreaBias of
+   * vtkWireWarpingFilter does. Default: 0. Range: -0.99 to 0.99.
+   */
+  vtkSetClampMacro(AreaBias, double, -0.99, 0.99);
+  vtkGetMacro(AreaBias, double);
+  ///@}
+
+  ///@{
+  /**
+   * Most iterations of a shape. Default: 300. Range: from 1.
+   */
+  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Pressure behind the cloth, along the normals of the design, times its size over the stiffness
+   * of the cloth against stretch: 0.01 strains a ball by a few parts in a thousand. PRODUCT: what
+   * is sewn together must be closed, as a cushion or a plush toy is. Default: 0. Range: -1 to 1.
+   */
+  vtkSetClampMacro(Pressure, double, -1.0, 1.0);
+  vtkGetMacro(Pressure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the cloth per area and where it pulls, times the size of the design over the
+   * stiffness of the cloth against stretch: a shirting of 1.2 N/m^2 and 2 kN/m in a piece of 40 cm
+   * has 0.00024. PRODUCT: there must be a body that holds it. Default: (0, 0, 0). Range: a length
+   * of at most 1.
+   */
+  vtkSetVector3Macro(Gravity, double);
+  vtkGetVector3Macro(Gravity, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the cloth is made of, as Material of vtkWireWarpingFilter: a name, or a JSON file. The
+   * modulus is that of its stiffer thread. Default: empty, the isotropic sheet.
+   */
+  vtkSetStdStringFromCharMacro(Material);
+  vtkGetCharFromStdStringMacro(Material);
+  ///@}
+
+  ///@{
+  /**
+   * Come to rest once more, from as far on the other side of the design as the cloth lies on one,
+   * shaken by a thousandth of the size (with a body from the design, shaken), and say where that is
+   * another shape: the figures are then those of one shape of several. It takes twice the time.
+   * Default: on.
+   */
+  vtkSetMacro(SecondStart, bool);
+  vtkGetMacro(SecondStart, bool);
+  vtkBooleanMacro(SecondStart, bool);
+  ///@}
+
+protected:
+  vtkSewnShape();
+  ~vtkSewnShape() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSewnShape(const vtkSewnShape&) = delete;
+  void operator=(const vtkSewnShape&) = delete;
+
+  int Test;
+  double Thickness;
+  double AreaBias;
+  int MaximumIterations;
+  double Pressure;
+  double Gravity[3];
+  std::string Material;
+  bool SecondStart;
+};
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cloth in the window: chosen in its box, read at the mouse.
+#include "EditorWindow.h"
+
+#include <vtkActor2DCollection.h>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTextActor.h>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+class EditorCloth : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->window.resize(1400, 900);
+    this->window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&this->window));
+    QApplication::setActiveWindow(&this->window);
+    ASSERT_TRUE(this->window.openSurface(FLATTENING_DATA "/shirt_front.vtp"));
+    this->wait();
+  }
+
+  void wait()
+  {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !this->window.isWaiting(); }, 20000));
+    QApplication::processEvents();
+  }
+  vtkPolyData* flat() { return this->window.planeView().shown(); }
+  double value(const char* array, vtkIdType cell)
+  {
+    return this->flat()->GetCellData()->GetArray(array)->GetTuple1(cell);
+  }
+
+  void choose(const QString& material)
+  {
+    QComboBox* const box = this->window.cloth()->materials();
+    QTest::mouseClick(box, Qt::LeftButton); // opens it
+    QApplication::processEvents();
+    box->hidePopup();
+    const int row = box->findText(material);
+    ASSERT_GE(row, 0) << material.toStdString();
+    box->setCurrentIndex(row);
+    emit box->activated(row);
+    this->wait();
+  }
+
+  /// Moves the mouse over the middle of a flat triangle.
+  void pointAt(vtkIdType cell)
+  {
+    std::array<double, 3> middle{};
+    vtkPoints* const corners = this->flat()->GetCell(cell)->GetPoints();
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        middle[i] += corners->GetPoint(k)[i] / 3.0;
+      }
+    }
+    vtkRenderer* const plane = this->window.plane();
+    plane->SetWorldPoint(middle[0], middle[1], middle[2], 1.0);
+    plane->WorldToDisplay();
+    const double* const display = plane->GetDisplayPoint();
+    this->moveTo({ static_cast<int>(std::lround(display[0])),
+      this->window.planeWidget()->height() - 1 - static_cast<int>(std::lround(display[1])) });
+  }
+  void moveTo(const QPoint& place)
+  {
+    QWidget* const view = this->window.planeWidget();
+    QMouseEvent event(QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton,
+      Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(view, &event);
+  }
+  /// A triangle large enough to be met by whole pixels.
+  vtkIdType largestCell()
+  {
+    vtkIdType largest = 0;
+    double area = 0.0;
+    for (vtkIdType cell = 0; cell < this->flat()->GetNumberOfCells(); ++cell)
+    {
+      const double here = this->flat()->GetCell(cell)->GetLength2();
+      if (here > area)
+      {
+        area = here;
+        largest = cell;
+      }
+    }
+    return largest;
+  }
+  bool says(const QString& words) { return this->window.readout().contains(words); }
+
+  /// Whether the view of the plane has such a prop, and words in it.
+  bool shows(const char* type, const std::string& words = "")
+  {
+    vtkActor2DCollection* const props = this->window.plane()->GetActors2D();
+    props->InitTraversal();
+    while (vtkActor2D* const prop = props->GetNextActor2D())
+    {
+      auto* const text = vtkTextActor::SafeDownCast(prop);
+      if (prop->IsA(type) && (!text || std::string(text->GetInput()).find(words) == 0))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  editor::EditorWindow window;
+};
+
+QString percent(double strain)
+{
+  return QString::asprintf("%+.2f %%", 100.0 * strain);
+}
+}
+
+TEST_F(EditorCloth, TheMouseReadsTheMeasuresOfTheFlatPiece)
+{
+  const vtkIdType cell = this->largestCell();
+  this->pointAt(cell);
+  EXPECT_TRUE(
+    this->says(QString::asprintf("cell %.0f of piece 0", this->value("vtkOriginalCellIds", cell))))
+    << this->window.readout().toStdString();
+  EXPECT_TRUE(this->says(
+    QString::asprintf("homogeneity %.3f", this->value("HomogeneityOfDistortion", cell))));
+  EXPECT_FALSE(this->says("warp"));
+  this->moveTo({ 1, 1 });
+  EXPECT_EQ(this->window.readout(), "");
+}
+
+TEST_F(EditorCloth, TheMouseReadsThreadsShearAndTheLockingAngle)
+{
+  this->choose("woven-carbon");
+  ASSERT_TRUE(this->flat()->GetCellData()->HasArray("StrainWarp"));
+  EXPECT_TRUE(this->window.message().contains("beyond the limits"))
+    << this->window.message().toStdString();
+  const vtkIdType cell = this->largestCell();
+  this->pointAt(cell);
+  EXPECT_TRUE(this->says("warp " + percent(this->value("StrainWarp", cell))))
+    << this->window.readout().toStdString();
+  EXPECT_TRUE(this->says("weft " + percent(this->value("StrainWeft", cell))));
+  const double shear = this->value("ShearAngle", cell);
+  EXPECT_TRUE(this->says(QString::asprintf("shear %+.1f", shear)));
+  EXPECT_TRUE(this->says(QString::asprintf("threads at %.1f", 90.0 - std::abs(shear))));
+  EXPECT_TRUE(this->says("limit at 40")); // 50 degrees off the right angle
+  this->choose("none");
+  EXPECT_FALSE(this->flat()->GetCellData()->HasArray("StrainWarp"));
+  EXPECT_EQ(this->window.message(), "");
+}
+
+TEST_F(EditorCloth, AGrainThatIsNoneIsSaid)
+{
+  this->choose("jersey");
+  QLineEdit* const grain = this->window.cloth()->grainField();
+  grain->setText("hem");
+  emit grain->editingFinished();
+  this->wait();
+  EXPECT_TRUE(this->window.message().contains("\"hem\" is no curve of the piece"))
+    << this->window.message().toStdString();
+  grain->setText("45");
+  emit grain->editingFinished();
+  this->wait();
+  EXPECT_FALSE(this->window.message().contains("\"hem\"")) << this->window.message().toStdString();
+  EXPECT_NEAR(this->window.flattening().result().number("GrainAngle"), 45.0, 1e-6);
+}
+
+TEST_F(EditorCloth, MapsOfThreadsHaveTheirScale)
+{
+  this->choose("twill");
+  this->window.setFocus(); // off the list of materials, which takes keys itself
+  QTest::keyClick(&this->window, Qt::Key_5);
+  QApplication::processEvents();
+  if (const char* const folder = std::getenv("PATTERN_EDITOR_PICTURES"))
+  {
+    this->pointAt(this->largestCell());
+    QApplication::processEvents();
+    EXPECT_TRUE(this->window.savePicture(std::string(folder) + "/cloth.png"));
+  }
+  EXPECT_TRUE(this->shows("vtkScalarBarActor"));
+  EXPECT_TRUE(this->shows("vtkTextActor", "largest stretch"));
+  // Without a material there is none to show.
+  this->choose("none");
+  EXPECT_TRUE(this->shows("vtkTextActor", "homogeneity"));
+}

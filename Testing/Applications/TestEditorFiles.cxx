@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Proposals, files and patterns of PatternEditor.
+#include "EditorSession.h"
+
+using namespace session;
+
+TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
+{
+  ASSERT_TRUE(this->window->openSurface(FLATTENING_DATA "/quarter_sphere.vtp"));
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  editor::ProposalBox* const box = this->window->proposals();
+  this->waitForPieces();
+  const double before = this->measure("StrainP95");
+  QTest::keyClick(this->window.get(), Qt::Key_F6);
+  QApplication::setActiveWindow(this->window.get()); // the dialog was it
+  ASSERT_GE(box->cuts().size(), 2U) << this->window->message().toStdString();
+  EXPECT_TRUE(box->isVisible());
+  const std::vector<editor::Proposal> proposed = box->cuts();
+  EXPECT_EQ(curves->GetNumberOfCurves(), 0); // so far they are but shown
+  this->picture("proposals");
+
+  QTest::keyClick(this->window.get(), Qt::Key_F7);
+  EXPECT_EQ(box->chosen(), 1U);
+  QTest::keyClick(this->window.get(), Qt::Key_F9); // rejects the second
+  EXPECT_EQ(box->cuts().size(), proposed.size() - 1);
+  box->set({ proposed, {}, false });
+  QTest::keyClick(this->window.get(), Qt::Key_F8);
+  ASSERT_EQ(curves->GetNumberOfCurves(), 1);
+  EXPECT_EQ(curves->GetCurveName(0), proposed[0].name);
+  EXPECT_EQ(curves->GetCurveType(0), proposed[0].type);
+  EXPECT_NEAR(curves->GetCurveLength(0), proposed[0].length, 1e-3 * proposed[0].length);
+  QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(curves->GetNumberOfCurves(), 0);
+
+  box->set({ proposed, {}, false });
+  QTest::keyClick(this->window.get(), Qt::Key_F8, Qt::ShiftModifier);
+  EXPECT_EQ(curves->GetNumberOfCurves(), static_cast<int>(proposed.size()));
+  EXPECT_FALSE(box->isVisible());
+  this->waitForPieces();
+  // The piece is strained as was foretold.
+  EXPECT_LT(this->measure("StrainP95"), before);
+  EXPECT_NEAR(
+    this->measure("StrainP95"), proposed.back().strainAfter, 0.2 * proposed.back().strainAfter);
+  this->picture("accepted");
+}
+
+TEST_F(PatternEditor, ASearchForProposalsCanBeStopped)
+{
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, [] {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+    {
+      if (auto* const dialog = qobject_cast<QProgressDialog*>(widget))
+      {
+        dialog->cancel();
+      }
+    }
+  });
+  timer.start(50);
+  this->window->propose();
+  EXPECT_TRUE(this->window->proposals()->cuts().empty());
+  EXPECT_TRUE(this->window->message().contains("stopped")) << this->window->message().toStdString();
+}
+
+TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
+{
+  this->drawTutorial();
+  for (const char* extension : { ".pdf", ".svg", ".dxf", ".png" })
+  {
+    const std::string path = testing::TempDir() + "editor_pattern" + extension;
+    const bool picture = std::string(extension) == ".png";
+    EXPECT_TRUE(picture ? this->window->savePicture(path) : this->window->savePattern(path))
+      << this->window->message().toStdString();
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    EXPECT_GT(file.tellg(), 2000) << extension;
+    std::remove(path.c_str());
+  }
+}
+
+TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)
+{
+  const std::string path = testing::TempDir() + "saved_surface.vtp";
+  ASSERT_TRUE(this->window->saveSurface(path)) << this->window->message().toStdString();
+  EXPECT_TRUE(this->window->message().contains("saved_surface.vtp"));
+  const figures::PolyData saved = wirewarp::readSurface(path).surface;
+  ASSERT_EQ(saved->GetNumberOfPoints(), this->surface->GetNumberOfPoints());
+  ASSERT_EQ(saved->GetNumberOfCells(), this->surface->GetNumberOfCells());
+  for (vtkIdType k = 0; k < saved->GetNumberOfPoints(); ++k)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(saved->GetPoint(k)[axis], this->surface->GetPoint(k)[axis]) << k;
+    }
+  }
+  std::remove(path.c_str());
+  EXPECT_FALSE(this->window->saveSurface("/no such folder/surface.vtp"));
+  EXPECT_TRUE(this->window->message().contains("/no such folder"));
+  EXPECT_FALSE(EditorWindow().saveSurface(path)); // nothing is open
+}
+
+// What the menus lead to, from a window without anything to a pattern on paper.
+TEST_F(PatternEditor, ANewUserGetsFromAMeshToAPdfByTheMenus)
+{
+  const std::string path = testing::TempDir() + "first.pdf";
+  this->window = std::make_unique<EditorWindow>();
+  this->window->resize(1400, 900);
+  this->window->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(this->window.get()));
+  QApplication::setActiveWindow(this->window.get());
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  this->picture("empty");
+  this->choose(FLATTENING_DATA "/wetsuit_upper_front.vtp");
+  QTest::keyClick(this->window.get(), Qt::Key_O, Qt::ControlModifier);
+  QApplication::setActiveWindow(this->window.get()); // the dialog was it
+  this->surface = this->window->surface();
+  ASSERT_NE(this->surface, nullptr) << this->window->message().toStdString();
+  this->waitForPieces();
+  EXPECT_TRUE(this->window->size().contains("cm")) << this->window->size().toStdString();
+  this->picture("opened");
+  const double before = this->measure("StrainP95");
+  QTest::keyClick(this->window.get(), Qt::Key_F6);
+  QApplication::setActiveWindow(this->window.get());
+  ASSERT_FALSE(this->window->proposals()->cuts().empty()) << this->window->message().toStdString();
+  this->picture("proposed");
+  QTest::keyClick(this->window.get(), Qt::Key_F8, Qt::ShiftModifier);
+  this->waitForPieces();
+  EXPECT_LT(this->measure("StrainP95"), before);
+  this->picture("cut");
+  this->choose(path);
+  QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier);
+  EXPECT_TRUE(this->window->message().contains("saved")) << this->window->message().toStdString();
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  EXPECT_GT(file.tellg(), 2000);
+  this->picture("exported");
+  std::remove(path.c_str());
+}
+
+TEST_F(PatternEditor, FilesThatCannotBeReadOrWrittenAreNamed)
+{
+  const std::string nowhere = "/no such folder/curves.vtp";
+  EXPECT_FALSE(this->window->openSurface(nowhere));
+  EXPECT_TRUE(this->window->message().contains("/no such folder"));
+  EXPECT_FALSE(this->window->saveCurves(nowhere));
+  EXPECT_FALSE(this->window->savePattern("/no such folder/pattern.pdf"));
+  EXPECT_FALSE(this->window->openSurface(FLATTENING_TUTORIAL));
+  EXPECT_TRUE(this->window->message().contains(".vtp"));
+  EXPECT_FALSE(this->window->openCurves(shirt)); // no curves
+  EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
+}
+
+TEST_F(PatternEditor, AnObjFileKeepsItsDigitsItsVerticesAndItsLines)
+{
+  const std::string path = testing::TempDir() + "seamed.obj";
+  // A square of two triangles with a texture seam along its diagonal, off the origin by more than
+  // single precision can tell.
+  std::ofstream(path) << "v 1000000.01 0 0\nv 1000001.01 0 0\nv 1000001.01 1 0\nv 1000000.01 1 0\n"
+                         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n"
+                         "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\ng seam middle\nl 1 3\n";
+  ASSERT_TRUE(this->window->openSurface(path)) << this->window->message().toStdString();
+  ASSERT_EQ(this->window->curves()->GetNumberOfCurves(), 1);
+  EXPECT_EQ(this->window->curves()->GetCurveName(0), "middle");
+  vtkNew<vtkPolyData> drawn;
+  this->window->curves()->GetCurves(drawn);
+  ASSERT_EQ(drawn->GetNumberOfPoints(), 2);
+  EXPECT_NEAR(drawn->GetPoint(0)[0] - 1000000.0, 0.01, 1e-9);
+}
+
+TEST_F(PatternEditor, CurvesByVertexIdsAreReadAsTheCommandReadsThem)
+{
+  ASSERT_TRUE(this->window->openCurves(FLATTENING_TUTORIAL))
+    << this->window->message().toStdString();
+  EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 5);
+}
+
+TEST_F(PatternEditor, ADamagedFileIsAMessage)
+{
+  const std::string path = testing::TempDir() + "damaged.vtp";
+  std::ifstream whole(shirt, std::ios::binary);
+  std::ostringstream text;
+  text << whole.rdbuf();
+  std::ofstream(path, std::ios::binary) << text.str().substr(0, text.str().size() / 2);
+  EXPECT_FALSE(this->window->openSurface(path));
+  EXPECT_TRUE(this->window->message().contains("damaged.vtp"))
+    << this->window->message().toStdString();
+  EXPECT_GT(this->surface->GetNumberOfCells(), 0);
+}
+
+TEST_F(PatternEditor, WhatCannotBeDoneYetCannotBePressed)
+{
+  const auto isEnabled = [](const EditorWindow& shown, const QString& words) {
+    for (const QToolBar* bar : shown.findChildren<QToolBar*>())
+    {
+      for (const QAction* action : bar->actions())
+      {
+        if (action->text().startsWith(words))
+        {
+          return action->isEnabled();
+        }
+      }
+    }
+    ADD_FAILURE() << words.toStdString() << " is not in the bar";
+    return false;
+  };
+  const EditorWindow empty;
+  EXPECT_TRUE(isEnabled(empty, "Open surface"));
+  for (const char* words : { "Propose cuts", "Offset by", "Save curves", "Export pattern" })
+  {
+    EXPECT_FALSE(isEnabled(empty, words)) << words;
+  }
+  EXPECT_TRUE(isEnabled(*this->window, "Propose cuts"));
+  EXPECT_TRUE(isEnabled(*this->window, "Export pattern"));
+  EXPECT_FALSE(isEnabled(*this->window, "Offset by")); // of no curve
+  this->push(Hand::NEW_CURVE);
+  this->clickSeen(tutorialCurves()[0].vertices[0]);
+  this->clickSeen(tutorialCurves()[0].vertices[1]);
+  this->click({ 5, 5 }, Qt::RightButton);
+  EXPECT_TRUE(isEnabled(*this->window, "Offset by"));
+}
+
+TEST_F(PatternEditor, ThePanelOffersWhatTheBarOffers)
+{
+  this->push(Hand::NEW_CURVE);
+  this->clickSeen(tutorialCurves()[0].vertices[0]);
+  this->clickSeen(tutorialCurves()[0].vertices[1]);
+  this->click({ 5, 5 }, Qt::RightButton);
+  editor::CurvePanel* const panel = this->window->panel();
+  const auto expectTheSame = [&] {
+    EXPECT_EQ(panel->mirrored()->isEnabled(), this->window->action(Hand::MIRROR)->isEnabled());
+    EXPECT_EQ(panel->mirrored()->isChecked(), this->window->action(Hand::MIRROR)->isChecked());
+    EXPECT_EQ(
+      panel->straight()->isEnabled(), this->window->action(Hand::STRAIGHT_KEY)->isEnabled());
+  };
+  expectTheSame();
+  EXPECT_TRUE(panel->mirrored()->isEnabled()); // the plane is found when it is asked for
+  panel->mirrored()->click();
+  EXPECT_TRUE(this->window->curves()->GetCurveMirrored(0));
+  expectTheSame();
+  this->push(Hand::MAKE_KEY);
+  expectTheSame();
+  EXPECT_TRUE(panel->straight()->isEnabled());
+  EXPECT_TRUE(panel->length().endsWith(" cm")) << panel->length().toStdString();
+  this->window->unit()->setCurrentText("mm");
+  EXPECT_TRUE(panel->length().endsWith(" mm"));
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window speaks of what is on the screen, not of properties of filters.
+#include "Files.h"
+#include "WindowWords.h"
+
+#include <vtkFlatteningAlgorithm.h>
+#include <vtkNew.h>
+#include <vtkPatternWriter.h>
+#include <vtkPlaneSource.h>
+#include <vtkWireWarpingFilter.h>
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace
+{
+/// Words such as LengthTolerance or LAPLACIAN; SVG and DXF are names of formats.
+bool namesAProperty(const std::string& text)
+{
+  return std::regex_search(text, std::regex("[a-z][A-Z]|[A-Z]{4}|[A-Z]_"));
+}
+}
+
+TEST(WindowWords, NameNoProperty)
+{
+  EXPECT_TRUE(namesAProperty(vtkFlatteningAlgorithm::GetRemedyWords("ReleaseCurves")));
+  for (int k = 0; k < vtkFlatteningAlgorithm::GetNumberOfRemedies(); ++k)
+  {
+    const std::string name = vtkFlatteningAlgorithm::GetRemedyName(k);
+    const std::string words = editor::remedyWords(name);
+    EXPECT_FALSE(namesAProperty(words)) << name << ": " << words;
+  }
+}
+
+TEST(WindowWords, SayDefectAndWayOut)
+{
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkWireWarpingFilter> filter;
+  figures::silence(filter);
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->SetMaterial("denim");
+  filter->SetGrain("nobody");
+  filter->Update();
+  const std::string said = editor::messageOf(filter);
+  EXPECT_EQ(said.rfind(filter->GetStatusDefect(), 0), 0u) << said;
+  EXPECT_NE(said.find("; "), std::string::npos) << said;
+  EXPECT_FALSE(namesAProperty(said)) << said;
+  EXPECT_NE(said, filter->GetStatusMessage());
+}
+
+TEST(WindowWords, OfAPatternNameNoPropertyOfItsWriter)
+{
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkPatternWriter> writer;
+  figures::silence(writer);
+  writer->SetInputConnection(0, filter->GetOutputPort(0));
+  writer->SetInputConnection(1, filter->GetOutputPort(1));
+  writer->SetInputConnection(2, filter->GetOutputPort(2));
+  writer->SetUnitByName("cm");
+  writer->SetFileName("/nowhere/pattern.svg");
+  EXPECT_EQ(writer->Write(), 0);
+  const std::string said = editor::messageOf(writer);
+  EXPECT_FALSE(said.empty());
+  EXPECT_FALSE(namesAProperty(said)) << said;
+}

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Edges with names, eased seams, and what patterns make of them, through the command."""
+import csv
+import math
+import os
+
+import command
+import ezdxf
+
+SIZE = 8
+
+
+def at(i, j):
+    return j * (SIZE + 1) + i
+
+
+def sheet(height):
+    """A sheet of 800 mm x 800 mm, bulged by a height; vertex (i, j) is at(i, j)."""
+    points = [(100.0 * i, 100.0 * j,
+               height * math.sin(math.pi * i / SIZE) * math.sin(math.pi * j / SIZE))
+              for j in range(SIZE + 1) for i in range(SIZE + 1)]
+    triangles = []
+    for j in range(SIZE):
+        for i in range(SIZE):
+            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+            triangles += [(a, b, c), (a, c, d)] if (i < SIZE // 2) else [(a, b, d), (b, c, d)]
+    return points, triangles
+
+
+class Edges(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("flat.obj", command.obj(*sheet(0.0)))
+        self.write("bulged.obj", command.obj(*sheet(150.0)))
+
+    def curves(self, text):
+        self.write("curves.txt", text)
+        return "curves.txt"
+
+    def length(self, text):
+        report = self.flatten("flat.obj", self.curves(text))
+        return report["curves"][0]["length_3d"]
+
+    def lines(self, layer):
+        block = next(b for b in ezdxf.readfile(self.path("out/pattern.dxf")).blocks if b.name[0] not in "*$")
+        return [entity for entity in block if entity.dxf.layer == layer]
+
+    def test_an_edge_goes_the_shorter_way_along_the_boundary(self):
+        self.assertAlmostEqual(self.length(f"edge hem {at(1, 0)} {at(6, 0)}\n"), 500.0)
+        self.assertAlmostEqual(self.length(f"EDGE hem {at(6, 0)} {at(0, 3)}\n"), 900.0)
+        self.assertAlmostEqual(self.length(f"edge hem {at(1, 0)} {at(8, 4)} {at(2, 8)}\n"), 2100.0)
+        self.assertAlmostEqual(self.length(f"edge hem {at(3, 0)} {at(3, 0)}\n"), 3200.0)
+
+    def test_an_edge_that_cannot_be_is_refused_by_line_and_name(self):
+        for text, *words in (
+            (f"edge hem {at(3, 3)} {at(3, 0)}\n", str(at(3, 3)), "not on the boundary"),
+            (f"edge hem {at(0, 0)} {at(8, 8)}\n", "one length", "between"),
+            (f"edge hem {at(0, 0)}\n", "two vertices"),
+        ):
+            run = self.run_command("flat.obj", self.curves("# edges\n" + text), "--output", "none")
+            self.assertEqual(run.returncode, 3, run.stderr)
+            for word in ("curves.txt:2:", "'hem'", *words):
+                self.assertIn(word, run.stderr)
+            self.assertEqual(run.stdout, "")
+
+    def test_an_edge_has_its_own_allowance_and_notches_and_is_sewn(self):
+        self.flatten("flat.obj", self.curves(f"edge hem {at(0, 0)} {at(8, 0)}\n"), "--unit", "mm", "--dxf",
+                     "--curve-allowance", "hem=40", "--curve-notch", "hem=250", "--curve-notch", "hem=600")
+        border = next(entity for entity in self.lines("1") if entity.dxftype() == "POLYLINE")
+        sizes = sorted(max(p[k] for p in border.points()) for k in (0, 1))
+        self.assertAlmostEqual(sizes[0], 820.0, delta=0.01)
+        self.assertAlmostEqual(sizes[1], 850.0, delta=0.01)
+        notches = [entity.dxf.location for entity in self.lines("4") if entity.dxftype() == "POINT"]
+        self.assertEqual(len(notches), 2)
+        self.assertAlmostEqual((notches[0] - notches[1]).magnitude, 350.0, delta=0.01)
+        self.assertEqual(sum(entity.dxftype() == "POLYLINE" for entity in self.lines("8")), 0)
+
+    def test_a_notch_beyond_the_end_of_its_edge_leaves_no_file(self):
+        run = self.run_command("flat.obj", self.curves(f"edge hem {at(0, 0)} {at(8, 0)}\n"), "--unit", "mm",
+                               "--dxf", "--curve-notch", "hem=801", "--output", "none")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        for word in ("hem", "801", "800"):
+            self.assertIn(word, run.stderr)
+        self.assertFalse(os.path.exists(self.path("none/pattern.dxf")))
+
+    def test_the_walk_of_an_eased_seam_tells_the_ease_of_every_interval(self):
+        seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
+        words = ("--unit", "mm", "--walk", "--tolerance", "side=0.05")
+        self.flatten("bulged.obj", seam, *words, "--ease", "side:1=+3%")
+        with open(self.path("out/walk.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 5)
+        for row in rows:
+            longer = 1 if row["piece_a"].endswith(" 1") else -1
+            lengths = [float(row["length_a_mm"]), float(row["length_b_mm"])][::longer]
+            self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
+            self.assertAlmostEqual(lengths[1], float(row["to_mm"]) - float(row["from_mm"]), places=4)
+            self.assertAlmostEqual(float(row["ease_percent"]), 3.0 if longer > 0 else 100 / 1.03 - 100, places=3)
+
+    def test_an_ease_that_cannot_be_is_refused(self):
+        seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
+        for words, code, says in (
+            (["--ease", "side:1=3%"], 3, ["side", "3 %", "tolerance"]),
+            (["--ease", "side=3%", "--tolerance", "side=0.05"], 3, ["side", "1, 2"]),
+            (["--ease", "side:3=3%", "--tolerance", "side=0.05"], 3, ["piece 3"]),
+            (["--ease", "side:1=3"], 2, ["--ease", "PERCENT%"]),
+            (["--ease", "side:0=3%"], 2, ["--ease", "from 1"]),
+        ):
+            run = self.run_command("bulged.obj", seam, *words, "--output", "none")
+            self.assertEqual(run.returncode, code, run.stderr)
+            for word in says:
+                self.assertIn(word, run.stderr)
+
+    def test_a_symmetric_piece_is_cut_on_the_fold(self):
+        self.flatten("bulged.obj", "--unit", "mm", "--dxf", "--cut-on-fold", "--notch-spacing", "0")
+        (fold,) = self.lines("6")
+        border = next(entity for entity in self.lines("1") if entity.dxftype() == "POLYLINE")
+        span = [max(p[k] for p in border.points()) for k in (0, 1)]
+        self.assertLess(span[0], 0.6 * span[1])
+        self.assertAlmostEqual((fold.dxf.end - fold.dxf.start).magnitude, span[1], delta=30.0)
+
+
+command.main()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--flattenable moves the surface until its flat pieces are strained by no more than a bound."""
+
+import os
+
+import command
+
+
+def hill(height=0.15):
+    return ([(i, j, height * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
+            [t for j in range(6) for i in range(6) for a in [7 * j + i]
+             for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))])
+
+
+class Flattenable(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("hill.obj", command.obj(*hill()))
+        self.write("curves.txt", "accessory middle 21 22 23 24 25 26 27\n")
+
+    def test_the_bound_is_met_and_both_reports_are_there(self):
+        report = self.flatten("hill.obj", "--flattenable", "0.02")
+        moved = report["flattenable"]
+        self.assertTrue(moved["bound_met"])
+        self.assertEqual((moved["bound"], moved["keep"], moved["keep_boundary"]), (0.02, [], True))
+        before, = moved["pieces_before"]
+        after, = report["pieces"]
+        self.assertEqual(before["strain_p95"], moved["strain_p95_before"])
+        self.assertEqual(after["strain_p95"], moved["strain_p95_after"])
+        self.assertGreater(before["strain_p95"], 0.02)
+        self.assertLessEqual(after["strain_p95"], 0.02)
+        self.assertGreater(moved["shift_mean"], 0)
+        self.assertLessEqual(moved["shift_mean"], moved["shift_max"])
+        self.assertEqual(before["strain_p95"], self.flatten("hill.obj")["pieces"][0]["strain_p95"])
+
+    def test_what_it_writes_lies_flat_by_itself_and_goes_with_the_next_run(self):
+        strain = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.03")["pieces"][0]["strain_p95"]
+        again = self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertAlmostEqual(self.report("again")["pieces"][0]["strain_p95"], strain, 9)
+        self.assertIsNone(self.flatten("hill.obj")["flattenable"])
+        self.assertFalse({"flattenable.vtp", "curves.vtp"} & set(os.listdir(self.path("out"))))
+
+    def test_kept_curves_are_named(self):
+        report = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "middle")
+        self.assertEqual(report["flattenable"]["keep"], ["middle"])
+        run = self.run_command("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "centre", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn('no curve is named "centre"', run.stderr)
+        self.assertNotIn("flattenable.vtp", os.listdir(self.path("out")))
+
+    def test_a_bound_that_is_not_met_is_told(self):
+        lines = "".join(f"accessory row{j} " + " ".join(str(7 * j + i) for i in range(7)) + "\n" for j in range(1, 6))
+        self.write("all.txt", lines)
+        keep = [word for j in range(1, 6) for word in ("--keep", f"row{j}")]
+        run = self.run_command("hill.obj", "all.txt", "--flattenable", "0.01", *keep, "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("above the bound of 0.01", run.stderr)
+        self.assertFalse(self.report("out")["flattenable"]["bound_met"])
+
+    def test_the_moved_surface_is_sewn_again(self):
+        row, = self.flatten("hill.obj", "--flattenable", "0.02", "--resew", "panel")["resewn"]
+        plain, = self.flatten("hill.obj", "--resew", "panel")["resewn"]
+        self.assertLess(row["distance_mean"], 0.7 * plain["distance_mean"])
+
+    def test_a_body_is_not_entered(self):
+        # The plane through z = 0.3, facing down, is below the top of the hill.
+        self.write("plane.obj", command.obj(
+            [(-9, -9, 0.3), (-9, 15, 0.3), (15, 15, 0.3), (15, -9, 0.3)], [(0, 1, 2), (0, 2, 3)]))
+        row, = self.flatten("hill.obj", "--resew", "panel", "--body", "plane.obj")["resewn"]
+        self.assertEqual(row["body_depth"], 0)
+        free, = self.flatten("hill.obj", "--resew", "panel")["resewn"]
+        self.assertNotEqual(row["distance_mean"], free["distance_mean"])
+        self.assertEqual(self.run_command("hill.obj", "--body", "plane.obj").returncode, 2)
+        run = self.run_command("hill.obj", "--resew", "panel", "--body", "missing.obj", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("missing.obj", run.stderr)
+
+    def test_a_full_bias_moves_no_point_inwards(self):
+        self.write("saddle.obj", command.obj(
+            [(i, j, 0.06 * ((i - 3) ** 2 - (j - 3) ** 2)) for j in range(7) for i in range(7)], hill()[1]))
+        either, outside = (self.flatten("saddle.obj", "--flattenable", "0.02", "--outside-bias", bias)["flattenable"]
+                           for bias in ("0", "1"))
+        self.assertTrue(outside["bound_met"])
+        self.assertEqual((either["outside_bias"], outside["outside_bias"]), (0, 1))
+        self.assertGreater(either["shift_inwards_max"], 0.001 * either["size"])
+        self.assertLess(outside["shift_inwards_max"], 1e-12 * outside["size"])
+        along = self.array("out/flattenable.vtp", "ShiftOutwards")
+        self.assertEqual(max(0, -min(along)), outside["shift_inwards_max"])
+        self.assertGreater(max(along), 0.01)
+
+    def test_its_options_need_it(self):
+        for arguments in (("--keep", "middle"), ("--free-boundary",), ("--outside-bias", "1"),
+                          ("--flattenable", "0.02", "--outside-bias", "1.5"), ("--flattenable", "0"),
+                          ("--flattenable", "1"), ("--flattenable", "nan"),
+                          ("--flattenable", "0.02", "--suggest", "darts")):
+            self.assertEqual(self.run_command("hill.obj", *arguments).returncode, 2, arguments)
+
+
+if __name__ == "__main__":
+    command.main()

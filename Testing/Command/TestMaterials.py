@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import json
+import math
+import os
+import random
+
+import command
+
+TWILL = {"name": "mine", "warp": 2017, "weft": 2035, "shear": 26, "compression": 1,
+         "limits": {"warp": [-1, 1], "weft": [-2, 2], "shear": 25}}
+KEYS = ["grain_angle", "grain_curve", "one_way", "share_locked",
+        "share_out_of_limit", "share_over_5_percent",
+        "shear_limit", "shear_rms", "strain_warp_rms", "strain_weft_rms"]
+
+
+class Materials(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles, arc = command.quarter_sphere()
+        self.write("lune.obj", command.obj(points, triangles))
+        self.write("arc.txt", "accessory arc " + " ".join(map(str, arc)) + "\n")
+        # A knit that has no limits.
+        self.write("soft.json", json.dumps({"warp": 34, "weft": 17, "shear": 9, "compression": 0.5}))
+
+    def cloth(self, *arguments, code=0):
+        return self.flatten("lune.obj", "arc.txt", *arguments, code=code)["pieces"][0]["cloth"]
+
+    def marked(self, *arguments):
+        """The message of a piece that is written as a plain sheet."""
+        report = self.flatten("lune.obj", "arc.txt", *arguments, code=4)
+        (piece,) = report["pieces"]
+        self.assertEqual((report["status"], piece["status"], piece["cloth"]),
+                         ("InvalidMaterial", "InvalidMaterial", None))
+        self.assertIn("lies as a plain sheet", piece["message"])
+        self.assertLess(piece["E_len_max"], 1e-12)
+        return piece["message"]
+
+    def test_threads_are_reported_and_strained_less_than_without(self):
+        self.assertIsNone(self.cloth())
+        plain = self.cloth("--material", "isotropic")
+        twill = self.cloth("--material", "twill", code=4)
+        self.assertEqual(sorted(twill), KEYS)
+        self.assertTrue(all(math.isfinite(twill[key]) for key in KEYS if key != "grain_curve"))
+        rms = [math.hypot(cloth["strain_warp_rms"], cloth["strain_weft_rms"]) for cloth in (plain, twill)]
+        self.assertLess(rms[1], 0.8 * rms[0])
+        self.assertGreater(twill["shear_rms"], plain["shear_rms"])
+        report = self.report("out")
+        self.assertEqual((report["material"], report["grain"]), ("twill", ""))
+        self.assertLess(report["pieces"][0]["E_len_max"], 1e-12)
+        self.assertEqual(report["pieces"][0]["energy_used"], "cloth")
+        # What cannot be met is said with the cells, the wire and the ways out.
+        self.assertEqual((report["status"], report["id_kind"]), ("BeyondLimits", "cells"))
+        out = self.array("out/flat.vtp", "OutOfLimit")
+        self.assertEqual(sorted(report["ids"]), [cell for cell, beyond in enumerate(out) if beyond])
+        self.assertIn("along the boundary", report["message"])
+        self.assertIn("--material", report["message"])
+
+    def test_a_file_is_what_the_name_is(self):
+        self.write("mine.json", json.dumps(TWILL))
+        self.assertEqual(self.cloth("--material", "mine.json", code=4), self.cloth("--material", "twill", code=4))
+
+    def test_the_grain_follows_a_curve_an_angle_or_the_least_strain(self):
+        along = self.cloth("--material", "soft.json", "--grain", "arc:15")
+        self.assertEqual(along["grain_curve"], "arc")
+        self.assertAlmostEqual(along["grain_angle"], 15.0, 6)
+        turned = self.cloth("--material", "soft.json", "--grain=-20")
+        self.assertAlmostEqual(turned["grain_angle"], -20.0, 6)
+        self.cloth("--material", "soft.json", "--grain", "free")
+
+    def test_a_grain_without_its_curve_is_marked_and_names_those_that_are_there(self):
+        missing = self.cloth("--material", "soft.json", "--grain", "hem", code=4)
+        self.assertEqual(missing["grain_curve"], "")
+        report = self.report("out")
+        self.assertEqual(report["status"], "MissingGrain")
+        self.assertIn('"hem" is no curve of the piece', report["message"])
+        self.assertIn('with --grain: "arc"', report["message"])
+        self.assertIn('"hem"', report["pieces"][0]["message"])
+        # The piece is what its upright makes of it.
+        places = self.array("out/flat.vtp", "Points", "Points")
+        self.cloth("--material", "soft.json")
+        self.assertEqual(self.array("out/flat.vtp", "Points", "Points"), places)
+
+    def test_materials_without_meaning_are_named_and_the_piece_is_a_plain_sheet(self):
+        self.assertIn("one of isotropic, plain, twill", self.marked("--material", "felt"))
+        places = self.array("out/flat.vtp", "Points", "Points")
+        self.flatten("lune.obj", "arc.txt")
+        self.assertEqual(self.array("out/flat.vtp", "Points", "Points"), places)
+        for change, words in (
+                ({"shear": -1}, "the shear stiffness -1"),
+                ({"warp": "stiff"}, 'has a "warp" that is no number'),
+                ({"warp": None}, 'has a "warp" that is no number'),
+                ({"warp": True}, 'has a "warp" that is no number'),
+                ({"warp": [2000]}, 'has a "warp" that is no number'),
+                ({"warp": 0}, "the warp stiffness 0"),
+                ({"weft": -0.0}, "the weft stiffness"),
+                ({"weft": 1e300}, "the weft stiffness 1e+300"),
+                ({"weft": 1e-300}, "the weft stiffness 1e-300"),
+                ({"shear": 1e-5}, "a stiffness too small"),
+                ({"shear": 1e12}, "a stiffness too small"),
+                ({"cross": 1e9}, "the coupling 1e+09"),
+                ({"limits": {"warp": [1, 2]}}, "strain limits that leave out 0"),
+                ({"limits": {"warp": [0, 0]}}, "strain limits that leave out 0"),
+                ({"limits": {"weft": [2, -2]}}, "strain limits that leave out 0"),
+                ({"limits": {"weft": [-1e-300, 1e-300]}}, "strain limits that leave out 0"),
+                ({"limits": {"shear": 0}}, "a shear limit"),
+                ({"limits": {"shear": -5}}, "a shear limit"),
+                ({"limits": {"shear": "5"}}, 'has a "shear" that is no number'),
+                ({"limits": {"warp": 3}}, "are not two numbers"),
+                ({"limits": {"warp": [-1, 1, 2]}}, "are not two numbers"),
+                ({"limits": {"warp": [-1, None]}}, "are not two numbers"),
+                ({"limits": {"bias": [-1, 1]}}, 'has a member "bias" that means nothing'),
+                ({"limits": [-1, 1]}, 'has "limits" that are no object'),
+                ({"compression": 0}, "the compression ratio 0"),
+                ({"compression": 2}, "the compression ratio 2"),
+                ({"one_way": 1}, "neither true nor false"),
+                ({"name": 3}, 'has a "name" that is no text'),
+                ({"name": "x" * 5000}, 'has a "name" that is no text, or a long one'),
+                ({"bending": 3}, 'has a member "bending" that means nothing')):
+            self.write("bad.json", json.dumps({**TWILL, **change}))
+            self.assertIn(words, self.marked("--material", "bad.json"), change)
+        self.write("bad.json", json.dumps({"warp": 2000, "weft": 2000}))
+        self.assertIn('has no "shear"', self.marked("--material", "bad.json"))
+        run = self.run_command("lune.obj", "--grain", "30")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--material", run.stderr)
+
+    def test_files_that_are_no_material_are_named(self):
+        numbers = '"warp": 2000, "weft": 1900, "shear": 25'
+        for text, words in (
+                ("", "is no JSON in line 1"), ("{", "is no JSON in line 1"), ("[1]", "holds no object"),
+                ("7", "holds no object"), ("null", "holds no object"), ('"twill"', "holds no object"),
+                ("{\n" + numbers + "\n,}", "is no JSON in line 3"),
+                ('{"warp": NaN}', "is no JSON"), ('{"warp": Infinity}', "is no JSON"),
+                ("{" + numbers + "} {}", "is no JSON"),
+                ('{"warp": 1e999, "weft": 1, "shear": 1}', "has a number that is too large"),
+                ("{" + numbers + ', "warp": 1}', 'has "warp" twice'),
+                ("{" + numbers + ', "limits": {"shear": 1, "shear": 9}}', 'has "shear" twice'),
+                ("[" * 100000, "is no JSON"), ('{"a":' * 100000, "is no JSON"),
+                (b"\x00\xff\xfe" * 100, "is no JSON"), (b'{"name": "\xff"}', "is no JSON"),
+                (" " * 2000000 + "{" + numbers + "}", "has more than a megabyte")):
+            self.write("bad.json", text)
+            self.assertIn(words, self.marked("--material", "bad.json"), text[:60])
+        os.mkdir(self.path("folder"))
+        os.mkfifo(self.path("pipe"))
+        for name in ("missing.json", "folder", "pipe", "/dev/zero", "", "x" * 5000, "twill\n"):
+            if name:
+                self.assertIn("is neither a material nor a file that can be read", self.marked("--material", name))
+
+    def test_damaged_files_are_materials_or_marked(self):
+        random.seed(15)
+        whole = json.dumps(TWILL).encode()
+        seen = set()
+        for _ in range(60):
+            text = bytearray(whole)
+            for _ in range(random.randint(1, 3)):
+                at = random.randrange(len(text))
+                text[at:at + random.randint(0, 2)] = random.choice((b"", b"9", b"-", b"e9", b'"', b"{", b"]", b"\xff"))
+            self.write("bad.json", bytes(text))
+            run = self.run_command("lune.obj", "arc.txt", "--material", "bad.json", "--output", "out")
+            report = self.report("out")
+            seen.add(report["status"])
+            self.assertIn((run.returncode, report["status"] == "Ok"), ((0, True), (4, False)), text)
+            self.assertEqual(report["pieces"][0]["cloth"] is None, report["status"] == "InvalidMaterial", text)
+            self.assertLess(report["pieces"][0]["E_len_max"], 1e-9, text)
+        self.assertEqual(seen, {"InvalidMaterial", "BeyondLimits"})
+
+    def test_the_list_has_every_material_with_its_source(self):
+        run = self.run_command("--list-materials")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        for name in ("isotropic", "plain", "twill", "denim", "stretch-woven", "jersey", "rib", "neoprene",
+                     "leather", "laminate", "woven-carbon"):
+            self.assertEqual(sum(line.startswith(name + " ") for line in run.stdout.splitlines()), 1, name)
+            self.assertIn(f"\n  {name}: ", run.stdout)
+
+
+if __name__ == "__main__":
+    command.unittest.main()

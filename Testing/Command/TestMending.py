@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces with the blemishes that modellers and scanners leave: mended with a line, or named with the option
+that mends them."""
+import math
+import re
+
+import command
+
+SIZE = 10
+
+
+def at(i, j):
+    return j * (SIZE + 1) + i
+
+
+def dome():
+    """SIZE x SIZE squares of 3 cm over a shallow dome, in cm."""
+    points = [(3.0 * i, 3.0 * j, -0.01 * ((3.0 * i - 15) ** 2 + (3.0 * j - 15) ** 2))
+              for j in range(SIZE + 1) for i in range(SIZE + 1)]
+    triangles = []
+    for j in range(SIZE):
+        for i in range(SIZE):
+            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+            triangles += [(a, b, c), (a, c, d)]
+    return points, triangles
+
+
+def middle(points, a, b):
+    return tuple((x + y) / 2 for x, y in zip(points[a], points[b]))
+
+
+def thick(points, triangles, depth):
+    """The surface, another one below it, and the rim between them."""
+    count = len(points)
+    sides = {(t[k], t[(k + 1) % 3]) for t in triangles for k in range(3)}
+    below = [(x, y, z - depth) for x, y, z in points]
+    rim = []
+    for a, b in sides:
+        if (b, a) not in sides:
+            rim += [(b, a, a + count), (b, a + count, b + count)]
+    return points + below, triangles + [tuple(v + count for v in reversed(t)) for t in triangles] + rim
+
+
+class Mending(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.points, self.triangles = dome()
+        self.write("good.obj", command.obj(self.points, self.triangles))
+
+    def flattened(self, points, triangles, *options):
+        """The report, and what the command warned of."""
+        self.write("bad.obj", command.obj(points, triangles))
+        run = self.run_command("bad.obj", "--unit", "cm", "--output", "out", *options)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = self.report("out")
+        self.assertEqual(report["status"], "Ok")
+        prefix = "wirewarp: warning: "
+        self.assertEqual([line[len(prefix):] for line in run.stderr.splitlines()], report["warnings"])
+        return report, report["warnings"]
+
+    def assert_whole(self, report, triangles):
+        """As the good surface is, but for the diagonals of a square or two."""
+        good = self.flatten("good.obj", "--unit", "cm")
+        self.assertEqual(len(report["pieces"]), 1)
+        piece = report["pieces"][0]
+        self.assertEqual(piece["triangles"], triangles)
+        for key in ("width_mm", "height_mm"):
+            self.assertAlmostEqual(report["sizes"][0][key], good["sizes"][0][key], delta=0.2)
+        self.assertAlmostEqual(piece["E_area"], good["pieces"][0]["E_area"], delta=1e-3)
+
+    def test_a_good_surface_is_said_nothing_of(self):
+        report, warnings = self.flattened(self.points, self.triangles)
+        self.assertEqual(warnings, [])
+        self.assert_whole(report, 2 * SIZE * SIZE)
+
+    def test_quads_need_no_mending(self):
+        quads = [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)) for j in range(SIZE) for i in range(SIZE)]
+        report, warnings = self.flattened(self.points, quads)
+        self.assertEqual(warnings, [])
+        self.assert_whole(report, 2 * SIZE * SIZE)
+
+    def test_a_triangle_without_area_is_taken_out_and_leaves_no_gap(self):
+        # The point in the middle of an edge, which the triangle on one side uses and the other does not.
+        a, c = at(4, 4), at(5, 5)
+        m = len(self.points)
+        points = [*self.points, middle(self.points, a, c)]
+        b = at(5, 4)
+        triangles = [t for t in self.triangles if t != (a, b, c)] + [(a, b, m), (m, b, c), (a, m, c)]
+        report, warnings = self.flattened(points, triangles)
+        self.assertEqual(warnings, [f"1 triangle without area taken out, the first at polygon {len(triangles) - 1}"])
+        self.assert_whole(report, len(self.triangles) + 2)
+        # Where its longest edge is the boundary there is nothing behind it to divide.
+        a, b, c = at(4, 0), at(5, 0), at(5, 1)
+        points = [*self.points, middle(self.points, a, b)]
+        triangles = [t for t in self.triangles if t != (a, b, c)] + [(a, m, c), (m, b, c), (a, b, m)]
+        report, warnings = self.flattened(points, triangles)
+        self.assertIn("1 triangle without area", warnings[0])
+        self.assert_whole(report, len(self.triangles) + 1)
+
+    def test_several_in_one_line_and_doubled_corners(self):
+        a, b, c = at(4, 4), at(5, 4), at(5, 5)
+        m = len(self.points)
+        quarter = middle(self.points, a, c)
+        points = [*self.points, quarter]
+        points.append(middle(points, a, m))
+        triangles = [t for t in self.triangles if t != (a, b, c)]
+        triangles += [(a, b, m + 1), (m + 1, b, m), (m, b, c), (a, m + 1, m), (a, m, c)]
+        triangles += [(at(1, 1), at(1, 1), at(2, 1))]  # a corner twice
+        report, warnings = self.flattened(points, triangles)
+        self.assertIn("3 triangles without area", warnings[0])
+        self.assert_whole(report, len(self.triangles) + 4)
+        # Two corners in one place with points of their own: an edge of length zero.
+        double = len(self.points)
+        points = [*self.points, self.points[at(5, 5)]]
+        right = {(at(5, 5), at(6, 5), at(6, 6)), (at(5, 4), at(6, 5), at(5, 5)), (at(5, 5), at(6, 6), at(5, 6))}
+        triangles = [tuple(double if v == at(5, 5) and t in right else v for v in t) for t in self.triangles]
+        triangles += [(at(5, 5), double, at(5, 6)), (double, at(5, 5), at(5, 4))]
+        report, warnings = self.flattened(points, triangles)
+        self.assertIn("triangles without area", warnings[0])
+        self.assert_whole(report, len(self.triangles))
+
+    def test_a_surface_of_nothing_but_such_triangles_is_refused(self):
+        points = [(float(i), 0.0, 0.0) for i in range(5)]
+        self.write("bad.obj", command.obj(points, [(0, 1, 2), (1, 2, 3), (2, 3, 4)]))
+        self.assertEqual(self.flatten("bad.obj", code=3)["status"], "DegenerateTriangle")
+
+    def split_by_a_texture_seam(self):
+        """Points of the column in the middle twice, for left and right."""
+        column = {at(5, j): len(self.points) + j for j in range(SIZE + 1)}
+        points = self.points + [self.points[v] for v in column]
+        triangles = [tuple(column.get(v, v) for v in t) if k % (2 * SIZE) >= SIZE else t
+                     for k, t in enumerate(self.triangles)]
+        return points, triangles
+
+    def test_doubled_points_are_named_with_the_option_that_joins_them(self):
+        points, triangles = self.split_by_a_texture_seam()
+        report, warnings = self.flattened(points, triangles)
+        self.assertEqual(len(report["pieces"]), 2)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("20 edges of the boundary lie on each other", warnings[0])
+        self.assertIn("--weld", warnings[0])
+        report, warnings = self.flattened(points, triangles, "--weld")
+        self.assertEqual(warnings, ["11 points are joined with one that it lies on, as --weld asks"])
+        self.assert_whole(report, 2 * SIZE * SIZE)
+
+    def test_curves_that_name_points_keep_their_meaning(self):
+        points, triangles = self.split_by_a_texture_seam()
+        self.write("bad.obj", command.obj(points, triangles))
+        # The last of these points is one that is joined to another.
+        self.write("curve.txt", f"accessory c {at(2, 5)} {at(3, 5)} {at(4, 5)} {len(self.points) + 5}\n")
+        curve = self.flatten("bad.obj", "curve.txt", "--weld")["curves"][0]
+        self.assertAlmostEqual(curve["length_3d"], sum(
+            math.dist(self.points[at(i, 5)], self.points[at(i + 1, 5)]) for i in (2, 3, 4)), delta=1e-12)
+
+    def test_missing_triangles_are_named_and_filled(self):
+        missing = [(at(5, 5), at(6, 5), at(6, 6)), (at(2, 7), at(3, 8), at(2, 8)), (at(2, 7), at(3, 7), at(3, 8))]
+        triangles = [t for t in self.triangles if t not in missing]
+        self.assertEqual(len(triangles), 2 * SIZE * SIZE - 3)
+        # Openings of 4.3 cm, a twentieth of the diagonal here is 2.1: they may be meant.
+        self.assertEqual(self.flattened(self.points, triangles)[1], [])
+        report, warnings = self.flattened(self.points, triangles, "--fill-holes", "50")
+        self.assertEqual(warnings, ["2 openings filled, as --fill-holes asks"])
+        self.assert_whole(report, 2 * SIZE * SIZE)
+        report, warnings = self.flattened(self.points, triangles, "--fill-holes", "10")
+        self.assertEqual(warnings, ["--fill-holes found no opening so small"])
+        self.assertEqual(report["pieces"][0]["triangles"], len(triangles))
+
+    def test_an_opening_is_filled_as_its_line_says(self):
+        fine, triangles = self.with_an_opening()
+        _, warnings = self.flattened(fine, triangles)
+        across = math.hypot(10, 10, 0.6)  # mm, a third of a square of 3 cm; the dome's height hardly counts
+        words = re.search(r"the largest ([0-9.]+) mm across.*(--fill-holes) ([0-9]+) closes it", warnings[0])
+        self.assertAlmostEqual(float(words[1]), across, delta=0.2)
+        report, warnings = self.flattened(fine, triangles, words[2], words[3])
+        self.assertEqual(warnings, ["1 opening filled, as --fill-holes asks"])
+        self.assert_whole(report, len(triangles) + 1)
+
+    def with_an_opening(self):
+        fine = [tuple(middle_of) for middle_of in self.points]
+        a, b, c = at(5, 5), at(6, 5), at(6, 6)
+        m = len(fine)
+        # A triangle about the centre of another, a third of its size, is missing.
+        centre = [sum(fine[v][k] for v in (a, b, c)) / 3 for k in range(3)]
+        fine += [tuple(centre[k] + (fine[v][k] - centre[k]) / 3 for k in range(3)) for v in (a, b, c)]
+        triangles = [t for t in self.triangles if t != (a, b, c)]
+        triangles += [(a, b, m), (m, b, m + 1), (b, c, m + 1), (m + 1, c, m + 2), (c, a, m + 2), (m + 2, a, m)]
+        return fine, triangles
+
+    def test_openings_that_look_like_missing_triangles_are_named(self):
+        fine, triangles = self.with_an_opening()
+        _, warnings = self.flattened(fine, triangles)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("1 small opening", warnings[0])
+        self.assertIn("--fill-holes", warnings[0])
+        report, warnings = self.flattened(fine, triangles, "--fill-holes", "20")
+        self.assert_whole(report, len(triangles) + 1)
+
+    def test_of_a_sheet_with_thickness_the_outer_side_is_taken(self):
+        points, triangles = thick(self.points, self.triangles, 0.2)
+        self.write("bad.obj", command.obj(points, triangles))
+        refusal = self.flatten("bad.obj", code=3)
+        self.assertEqual(refusal["status"], "ClosedSurface")
+        self.assertIn("--outer-side", refusal["message"])
+        report, warnings = self.flattened(points, triangles, "--outer-side")
+        self.assertEqual(warnings, [f"of {len(triangles)} triangles the {2 * SIZE * SIZE} of the outer side are "
+                                    "kept, as --outer-side asks"])
+        self.assert_whole(report, 2 * SIZE * SIZE)
+        _, warnings = self.flattened(self.points, self.triangles, "--outer-side")
+        self.assertEqual(warnings, ["--outer-side found no closed sheet with a sharp rim"])
+
+    def test_mends_take_effect_in_stl(self):
+        self.write("cut.stl", command.stl(self.points, [t for t in self.triangles if at(5, 5) not in t]))
+        report = self.flatten("cut.stl", "--unit", "cm", "--fill-holes", "100")
+        self.assertEqual(report["warnings"], ["1 opening filled, as --fill-holes asks"])
+        self.assertEqual(report["pieces"][0]["triangles"], 2 * SIZE * SIZE - 2)
+
+
+command.main()

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""--resew sews the flat pieces together again and reports how far that is from the surface."""
+
+import math
+import os
+
+import command
+
+
+def tube(columns, rows):
+    """A closed cylinder of radius 1 about the z axis; vertex j columns + i."""
+    points = [(math.cos(2 * math.pi * i / columns), math.sin(2 * math.pi * i / columns), 2 * j / rows)
+              for j in range(rows + 1) for i in range(columns)]
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            a, b = j * columns + i, j * columns + (i + 1) % columns
+            triangles += [(a, b, b + columns), (a, b + columns, a + columns)]
+    return points, triangles
+
+
+class Resewing(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("tube.obj", command.obj(*tube(24, 4)))
+        seams = [" ".join(str(24 * j + i) for j in range(5)) for i in (0, 12)]
+        self.write("seams.txt", f"seam front {seams[0]}\nseam back {seams[1]}\n")
+
+    def test_panels_have_a_row_each(self):
+        report = self.flatten("tube.obj", "seams.txt", "--resew", "panel")
+        rows = report["resewn"]
+        self.assertEqual([row["test"] for row in rows], ["panel", "panel"])
+        self.assertEqual([row["pieces"] for row in rows], [1, 1])
+        for row in rows:
+            self.assertTrue(row["converged"])
+            self.assertLess(row["distance_max"], 0.01 * row["size"])
+            self.assertLessEqual(row["distance_mean"], row["distance_rms"])
+            self.assertLessEqual(row["distance_p95"], row["distance_max"])
+            self.assertLess(row["strain_p95"], 1e-3)
+            self.assertEqual(row["distance_mean_relative"], row["distance_mean"] / row["size"])
+        self.assertIn("sewn.vtp", os.listdir(self.path("out")))
+        # Without it there is neither, and an earlier one is gone.
+        self.assertEqual(self.flatten("tube.obj", "seams.txt")["resewn"], [])
+        self.assertNotIn("sewn.vtp", os.listdir(self.path("out")))
+
+    def test_once_does_not_look_for_other_shapes(self):
+        row, = self.flatten("tube.obj", "seams.txt", "--resew", "product")["resewn"]
+        self.assertFalse(row["several_shapes"])
+        self.assertGreater(row["second_distance_mean"], 0)
+        once, = self.flatten("tube.obj", "seams.txt", "--resew", "product", "--resew-once")["resewn"]
+        self.assertEqual((once["several_shapes"], once["second_distance_mean"]), (None, None))
+        self.assertEqual(once["distance_mean"], row["distance_mean"])
+
+    def test_a_product_has_one_row(self):
+        report = self.flatten("tube.obj", "seams.txt", "--resew", "product")
+        row, = report["resewn"]
+        self.assertEqual((row["test"], row["pieces"]), ("product", 2))
+        self.assertLess(row["distance_max_relative"], 0.005)
+
+    def test_it_is_sewn_of_the_material_that_it_is_cut_from_and_hangs_by_its_weight(self):
+        self.write("hill.obj", command.obj(
+            [(i, j, 0.03 * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
+            [t for j in range(6) for i in range(6) for a in [7 * j + i]
+             for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))]))
+        sheet, = self.flatten("hill.obj", "--resew", "panel")["resewn"]
+        self.assertIsNone(sheet["cloth"])
+        knit, = self.flatten("hill.obj", "--resew", "panel", "--material", "jersey")["resewn"]
+        self.assertEqual(sorted(knit["cloth"]), ["shear_rms", "strain_warp_rms", "strain_weft_rms"])
+        self.assertGreater(min(knit["cloth"].values()), 0.0)
+        self.assertEqual(len(self.array("out/sewn.vtp", "SewnShearAngle")), 72)
+        heights = {}
+        for pull in ("-0.002", "0.002"):
+            self.flatten("hill.obj", "--resew", "panel", "--resew-gravity", "0", "0", pull)
+            points = self.array("out/sewn.vtp", "Points", "Points")
+            heights[pull] = sum(points[2::3])
+        self.assertLess(heights["-0.002"], heights["0.002"])
+        run = self.run_command("tube.obj", "seams.txt", "--resew", "product", "--resew-gravity", "0", "0", "-0.001",
+                               "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("nothing holds", run.stderr)
+
+    def test_thinner_cloth_comes_nearer(self):
+        thick, thin = (self.flatten("tube.obj", "seams.txt", "--resew", "panel", "--resew-thickness", value)
+                       ["resewn"][0]["distance_max"] for value in ("1e-3", "1e-5"))
+        self.assertLess(thin, 0.1 * thick)
+
+    def test_a_lone_panel_with_free_boundary_is_refused(self):
+        self.write("sheet.obj", command.obj(*command.sheet()))
+        run = self.run_command("sheet.obj", "--resew", "product", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("sewn to nothing", run.stderr)
+        self.assertIn("use --resew panel", run.stderr)
+        report = self.report("out")
+        self.assertEqual((report["status"], report["resewn"], report["pieces"]), ("InvalidOption", [], []))
+        self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
+
+    def test_cloth_that_is_not_at_rest_is_told(self):
+        self.write("hill.obj", command.obj(
+            [(i, j, 0.2 * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
+            [t for j in range(6) for i in range(6) for a in [7 * j + i]
+             for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))]))
+        run = self.run_command(
+            "hill.obj", "--resew", "panel", "--resew-iterations", "1", "--output", "out")
+        self.assertEqual(run.returncode, 4, run.stderr)
+        self.assertIn("raise --resew-iterations", run.stderr)
+        self.assertFalse(self.report("out")["resewn"][0]["converged"])
+
+    def test_its_options_need_it(self):
+        for arguments in (("--resew-thickness", "1e-3"), ("--resew-iterations", "5"), ("--resew-once",), ("--resew", "dress"),
+                          ("--resew", "panel", "--resew-thickness", "2")):
+            run = self.run_command("tube.obj", *arguments)
+            self.assertEqual(run.returncode, 2, arguments)
+
+
+if __name__ == "__main__":
+    command.main()

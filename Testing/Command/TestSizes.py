@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How large pieces come out, in which unit, and what their cloth has to do."""
+import math
+
+import command
+
+
+def plate(columns, rows, height=lambda x, y: 0.0):
+    """columns x rows unit squares; vertex (i, j) is j * (columns + 1) + i."""
+    points = [(float(i), float(j), height(i, j)) for j in range(rows + 1) for i in range(columns + 1)]
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b = a + columns + 1
+            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
+    return points, triangles
+
+
+def area(points, corners):
+    a, b, c = ([points[3 * v + k] for k in range(3)] for v in corners)
+    u, v = ([q - p for p, q in zip(a, end)] for end in (b, c))
+    return 0.5 * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+
+
+class Sizes(command.CommandTest):
+    def sides(self, report, piece=0):
+        size = report["sizes"][piece]
+        return sorted((size["width_mm"], size["height_mm"]))
+
+    def test_a_flat_plate_has_its_size_in_each_unit(self):
+        self.write("plate.obj", command.obj(*plate(6, 10)))
+        for unit, millimetres in (("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("inch", 25.4)):
+            report = self.flatten("plate.obj", "--unit", unit)
+            self.assertEqual((report["unit"], report["unit_stated"]), (unit, True))
+            for side, count in zip(self.sides(report), (6, 10)):
+                self.assertAlmostEqual(side, millimetres * count, delta=1e-9 * millimetres)
+        report = self.flatten("plate.obj")
+        self.assertEqual((report["unit"], report["unit_stated"]), ("cm", False))
+        self.assertAlmostEqual(self.sides(report)[1], 100.0, delta=1e-9)
+
+    def test_an_obj_file_states_its_unit(self):
+        text = command.obj(*plate(60, 80))
+        for comment, unit in (("# units: mm", "mm"), ("#Units = Centimeters", "cm"), ("# File units: metres", "m"),
+                              ("# unit inch", "inch")):
+            self.write("plate.obj", comment + "\n" + text)
+            report = self.flatten("plate.obj")
+            self.assertEqual((report["unit"], report["unit_stated"]), (unit, True), comment)
+            self.assertNotIn("--unit", self.run_command("plate.obj").stdout)
+        for comment in ("# units", "# unit: parsec", "# in the united kingdom"):
+            self.write("plate.obj", comment + "\n" + text)
+            self.assertFalse(self.flatten("plate.obj")["unit_stated"], comment)
+        # What is said on the command line goes before it, and patterns take the same.
+        self.write("plate.obj", "# units: mm\n" + text)
+        self.assertEqual(self.flatten("plate.obj", "--unit", "cm")["unit"], "cm")
+        self.assertEqual(self.run_command("plate.obj", "--svg", "--output", "of file").stderr, "")
+        self.run_command("plate.obj", "--svg", "--unit", "mm", "--output", "stated")
+        patterns = []
+        for folder in ("of file", "stated"):
+            with open(self.path(folder + "/pattern.svg"), "rb") as file:
+                patterns.append(file.read())
+        self.assertEqual(*patterns)
+
+    def test_sizes_that_nobody_cuts_are_warned_of(self):
+        self.write("plate.obj", command.obj(*plate(6, 10)))
+        for unit, words in (("mm", "smallest piece is 10 mm"), ("m", "largest piece is 10 m"), ("cm", ""),
+                            ("inch", "")):
+            run = self.run_command("plate.obj", "--unit", unit, "--output", "out")
+            self.assertEqual(run.returncode, 0)
+            if words:
+                self.assertIn(words, run.stderr)
+                self.assertIn(words, self.report("out")["warnings"][0])
+            else:
+                self.assertEqual((run.stderr, self.report("out")["warnings"]), ("", []))
+
+    def test_what_must_be_eased_and_stretched_is_that_of_the_triangles(self):
+        self.write("bump.obj", command.obj(*plate(
+            12, 12, lambda x, y: 1.5 * math.exp(-((x - 9.5) ** 2 + (y - 10.0) ** 2) / 3.0))))
+        self.write("arc.txt", "accessory arc " + " ".join(str(13 * 6 + i) for i in range(13)) + "\n")
+        run = self.run_command("bump.obj", "arc.txt", "--unit", "cm", "--output", "out", "--no-arrange")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        flat, cut = (self.array(f"out/{name}.vtp", "Points") for name in ("flat", "cut"))
+        cells = self.array("out/flat.vtp", "connectivity", "Polys")
+        triangles = [cells[k:k + 3] for k in range(0, len(cells), 3)]
+        whole = sum(area(cut, t) for t in triangles)
+        changes = [area(flat, t) - area(cut, t) for t in triangles]
+        size = self.report("out")["sizes"][0]
+        more, less = sum(c for c in changes if c > 0), -sum(c for c in changes if c < 0)
+        self.assertAlmostEqual(size["eased_in"], more / whole, delta=1e-12)
+        self.assertAlmostEqual(size["stretched"], less / whole, delta=1e-12)
+        self.assertGreater(less, 0.01 * whole)
+        # The worst place is on the bump, where cloth is missing.
+        around = {}
+        for triangle, change in zip(triangles, changes):
+            for v in triangle:
+                entry = around.setdefault(v, [0.0, 0.0])
+                entry[0] += change
+                entry[1] += area(cut, triangle)
+        worst = max(around, key=lambda v: abs(around[v][0] / around[v][1]))
+        self.assertAlmostEqual(size["worst_change"], around[worst][0] / around[worst][1], delta=1e-9)
+        self.assertLess(math.dist(cut[3 * worst:3 * worst + 2], (9.5, 10.0)), 2.0)
+        line = next(row for row in run.stdout.splitlines() if row.startswith("piece 1: "))
+        self.assertIn("%.1f %% of the area must be stretched, worst" % (100 * less / whole), line)
+        self.assertIn(size["worst_place"], line)
+
+    def test_how_far_curves_were_off_the_surface_is_said(self):
+        self.write("plate.obj", command.obj(*plate(12, 12)))
+        for height, said in ((0.02, True), (0.0, False)):
+            self.write("c.csv", "name,x,y,z\n" + "".join(f"c,{x},6,{height}\n" for x in (0, 5.5, 12)))
+            run = self.run_command("plate.obj", "c.csv", "--unit", "cm", "--output", "out")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertAlmostEqual(self.report("out")["curve_distance_mm"], 10 * height, delta=1e-12)
+            self.assertEqual("up to 0.2 mm off the surface" in run.stdout, said)
+
+    def test_a_developable_piece_needs_nothing(self):
+        self.write("sheet.obj", command.obj(*command.sheet()))
+        run = self.run_command("sheet.obj", "--unit", "inch")
+        self.assertIn("piece 1: ", run.stdout)
+        self.assertIn("it lies flat as it is", run.stdout)
+
+    def test_the_worst_place_is_named_after_the_curve_there(self):
+        self.write("bump.obj", command.obj(*plate(
+            12, 12, lambda x, y: 1.5 * math.exp(-((x - 6.0) ** 2 + (y - 6.0) ** 2) / 3.0))))
+        self.write("toe.txt", "accessory toe " + " ".join(str(13 * 6 + i) for i in range(13)) + "\n")
+        self.assertIn('near "toe"', self.run_command("bump.obj", "toe.txt").stdout)
+
+
+command.main()

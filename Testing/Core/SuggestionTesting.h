@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening/SurfaceFlattening.h"
+#include "Imprint/CurveImprint.h"
+#include "Suggestion/CurveSuggestion.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace testmeshes
+{
+/// A sheet with a bump on each side of x = 0: its own mirror image in that, and in no other plane.
+inline TriangleMesh twoBumps()
+{
+  return patch(20, 14, [](double i, double j) {
+    const double x = i / 10.0 - 1.0;
+    const double y = j / 10.0;
+    const double square = (std::abs(x) - 0.5) * (std::abs(x) - 0.5) + (y - 0.9) * (y - 0.9);
+    return Point3(x, y, 0.25 * std::exp(-9.0 * square));
+  }).mesh;
+}
+
+/// What the caller gets who takes the proposals and flattens.
+inline FlatteningResult flattened(
+  const TriangleMesh& mesh, std::vector<Polyline> curves, const CurveSuggestions& suggestions)
+{
+  for (const SuggestedCurve& cut : suggestions.curves)
+  {
+    curves.push_back(cut.curve);
+  }
+  const ImprintedSurface surface = imprintCurves(mesh, curves, {});
+  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
+  return flattenSurface(surface.mesh, surface.curves, {}, {});
+}
+
+inline SuggestionOptions optionsOf(double bound, Index most)
+{
+  SuggestionOptions options;
+  options.search.bound = bound;
+  options.search.maximumCuts = most;
+  options.search.trials = 8;
+  return options;
+}
+}

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Planar.h"
+#include "Cloth/ClothEnergy.h"
+#include "Cloth/MaterialPresets.h"
+#include "Cloth/SmoothRamp.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace flattening;
+
+namespace
+{
+/// J by its rows, to parts (q, p).
+Eigen::Vector4d partsOf(const Eigen::Matrix2d& J)
+{
+  return { J(0, 0) + J(1, 1), J(1, 0) - J(0, 1), J(0, 0) - J(1, 1), J(1, 0) + J(0, 1) };
+}
+
+Eigen::Matrix2d turn(double angle)
+{
+  Eigen::Matrix2d R;
+  R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  return R;
+}
+
+/// Maps with singular values about 1, some far from it, in all directions.
+std::vector<Eigen::Matrix2d> sampleMaps(double strain)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<Eigen::Matrix2d> maps;
+  for (int k = 0; k < 60; ++k)
+  {
+    Eigen::Matrix2d S = Eigen::Matrix2d::Identity();
+    S(0, 0) += strain * uniform(random);
+    S(1, 1) += strain * uniform(random);
+    S(0, 1) = S(1, 0) = strain * uniform(random);
+    maps.emplace_back(turn(pi * uniform(random)) * S);
+  }
+  return maps;
+}
+
+/// All presets that have threads, and one with a coupling.
+std::vector<ClothMaterial> woven()
+{
+  std::vector<ClothMaterial> all;
+  for (const ClothMaterial& preset : materialPresets())
+  {
+    if (!preset.isotropic)
+    {
+      all.push_back(preset);
+    }
+  }
+  all.push_back(all.front());
+  all.back().cross = 0.3 * all.back().weft;
+  return all;
+}
+
+/// Alike in all directions for small strains, without a Poisson's effect.
+ClothMaterial plainSheet()
+{
+  ClothMaterial sheet;
+  sheet.warp = sheet.weft = 100.0;
+  sheet.shear = 50.0;
+  return sheet;
+}
+}
+
+TEST(SmoothRamp, HasTwoContinuousDerivatives)
+{
+  const double width = 0.3;
+  const double step = 1e-6;
+  for (double x = -0.2; x < 1.0; x += 0.0371)
+  {
+    const Curve2 up = smoothRamp(x + step, width);
+    const Curve2 down = smoothRamp(x - step, width);
+    const Curve2 at = smoothRamp(x, width);
+    EXPECT_NEAR(at.first, (up.value - down.value) / (2.0 * step), 1e-9);
+    EXPECT_NEAR(at.second, (up.first - down.first) / (2.0 * step), 1e-8);
+  }
+  for (const double joint : { 0.0, width })
+  {
+    EXPECT_NEAR(
+      smoothRamp(joint - 1e-12, width).second, smoothRamp(joint + 1e-12, width).second, 1e-9);
+    EXPECT_NEAR(
+      smoothRamp(joint - 1e-12, width).value, smoothRamp(joint + 1e-12, width).value, 1e-11);
+  }
+}
+
+TEST(ThreadStrain, IsTheLengthOfThreadsOnTheSurface)
+{
+  for (const Eigen::Matrix2d& J : sampleMaps(0.3))
+  {
+    // What the cloth does on the way from the plane to the surface.
+    const Eigen::Matrix2d G = J.inverse();
+    const Eigen::Vector2d weft = G.col(0);
+    const Eigen::Vector2d warp = G.col(1);
+    const ThreadStrain strain = threadStrain(J.row(0).transpose(), J.row(1).transpose());
+    EXPECT_NEAR(strain.weft, weft.norm() - 1.0, 1e-13);
+    EXPECT_NEAR(strain.warp, warp.norm() - 1.0, 1e-13);
+    const double between = std::acos(weft.normalized().dot(warp.normalized()));
+    EXPECT_NEAR(std::abs(strain.shear), std::abs(0.5 * pi - between), 1e-7);
+  }
+}
+
+TEST(ThreadStrain, OfAPureTrellisIsShearAlone)
+{
+  // Threads keep their length and close like the bars of a gate.
+  const double angle = 0.4;
+  Eigen::Matrix2d G;
+  G << 1.0, std::sin(angle), 0.0, std::cos(angle);
+  const Eigen::Matrix2d J = G.inverse();
+  const ThreadStrain strain = threadStrain(J.row(0).transpose(), J.row(1).transpose());
+  EXPECT_NEAR(strain.warp, 0.0, 1e-14);
+  EXPECT_NEAR(strain.weft, 0.0, 1e-14);
+  EXPECT_NEAR(std::abs(strain.shear), angle, 1e-14);
+}
+
+TEST(ThreadStrain, OfAFlippedTriangleIsTheLargest)
+{
+  const ThreadStrain strain = threadStrain({ -1.0, 0.0 }, { 0.0, 1.0 });
+  EXPECT_FALSE(isPossible(strain));
+  EXPECT_EQ(strain.warp, largestThreadStrain);
+}
+
+TEST(ClothEnergy, GradientAndHessianAreThoseOfFiniteDifferences)
+{
+  const double step = 1e-6;
+  // Third derivatives jump at the limits.
+  const double shortStep = 1e-8;
+  for (const ClothMaterial& material : woven())
+  {
+    const ClothEnergy energy(material, 100.0);
+    for (const double size : { 0.003, 0.03, 0.3 })
+    {
+      for (const Eigen::Matrix2d& J : sampleMaps(size))
+      {
+        const Eigen::Vector4d parts = partsOf(J);
+        const DistortionEnergyValue value = energy.evaluate(parts, false);
+        EXPECT_NEAR(value.value, energy.density(parts), 1e-12 * (1.0 + value.value));
+        EXPECT_EQ(energy.gradient(parts), value.gradient);
+        const double scale = 1.0 + value.gradient.norm() + value.hessian.norm();
+        for (int k = 0; k < 4; ++k)
+        {
+          Eigen::Vector4d up = parts;
+          Eigen::Vector4d down = parts;
+          up[k] += step;
+          down[k] -= step;
+          const double slope = (energy.density(up) - energy.density(down)) / (2.0 * step);
+          EXPECT_NEAR(value.gradient[k], slope, 1e-6 * scale) << material.name;
+          up[k] = parts[k] + shortStep;
+          down[k] = parts[k] - shortStep;
+          const Eigen::Vector4d bend =
+            (energy.evaluate(up, false).gradient - energy.evaluate(down, false).gradient) /
+            (2.0 * shortStep);
+          EXPECT_LT((value.hessian.col(k) - bend).norm(), 1e-6 * scale) << material.name;
+        }
+      }
+    }
+  }
+}
+
+TEST(ClothEnergy, ConvexHessianIsTheNearestWithoutNegativeEigenvalues)
+{
+  for (const ClothMaterial& material : woven())
+  {
+    const ClothEnergy energy(material, 100.0);
+    for (const Eigen::Matrix2d& J : sampleMaps(0.2))
+    {
+      const Eigen::Matrix4d exact = energy.evaluate(partsOf(J), false).hessian;
+      const Eigen::Matrix4d convex = energy.evaluate(partsOf(J), true).hessian;
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(exact);
+      const Eigen::Matrix4d expected = solver.eigenvectors() *
+        solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
+      EXPECT_LT((convex - expected).norm(), 1e-10 * exact.norm());
+    }
+  }
+}
+
+TEST(ClothEnergy, IsZeroWithItsGradientAtEveryRotation)
+{
+  for (const ClothMaterial& material : woven())
+  {
+    const ClothEnergy energy(material, 100.0);
+    for (double angle = -3.0; angle < 3.0; angle += 0.37)
+    {
+      const DistortionEnergyValue value = energy.evaluate(partsOf(turn(angle)), false);
+      EXPECT_LT(std::abs(value.value), 1e-20);
+      EXPECT_LT(value.gradient.norm(), 1e-10);
+    }
+  }
+}
+
+TEST(ClothEnergy, OfASheetAlikeInAllDirectionsIsThatOfThePlainSheetToSecondOrder)
+{
+  const ClothEnergy energy(plainSheet(), 0.0);
+  for (const double size : { 1e-2, 1e-3, 1e-4 })
+  {
+    for (const Eigen::Matrix2d& J : sampleMaps(size))
+    {
+      const double expected = distortionEnergyDensity({}, partsOf(J));
+      EXPECT_NEAR(energy.density(partsOf(J)), expected, 20.0 * size * size * size);
+    }
+  }
+}
+
+TEST(ClothEnergy, DrawsThreadsByTheirOwnStiffnessAndCompressesThemMoreSoftly)
+{
+  ClothMaterial cloth = plainSheet();
+  cloth.warp = 1000.0;
+  cloth.weft = 250.0;
+  cloth.shear = 10.0;
+  cloth.compression = 0.25;
+  const ClothEnergy energy(cloth, 0.0);
+  // In wear the warp becomes 1 + e times as long; the plane is shorter by that.
+  const auto stretched = [&](double weft, double warp) {
+    const Eigen::Matrix2d J = Eigen::Vector2d(1.0 / (1.0 + weft), 1.0 / (1.0 + warp)).asDiagonal();
+    return energy.density(partsOf(J)) / J.determinant();
+  };
+  const double e = 0.04;
+  // But for the joint of both stiffnesses, which is 0.1 % wide.
+  EXPECT_NEAR(stretched(0.0, e), e * e, 0.02 * e * e);
+  EXPECT_NEAR(stretched(e, 0.0), 0.25 * e * e, 0.02 * 0.25 * e * e);
+  EXPECT_NEAR(stretched(0.0, -e), 0.25 * e * e, 0.04 * 0.25 * e * e);
+}
+
+TEST(ClothEnergy, GrowsBeyondLimitsAlone)
+{
+  ClothMaterial cloth = plainSheet();
+  cloth.warpLimits = { -0.01, 0.02 };
+  cloth.shearLimit = 0.1;
+  const ClothEnergy free(cloth, 0.0);
+  const ClothEnergy limited(cloth, 50.0);
+  const auto map = [](double warp) {
+    const Eigen::Matrix2d J = Eigen::Vector2d(1.0, 1.0 / (1.0 + warp)).asDiagonal();
+    return partsOf(J);
+  };
+  EXPECT_EQ(limited.density(map(0.019)), free.density(map(0.019)));
+  EXPECT_EQ(limited.density(map(-0.009)), free.density(map(-0.009)));
+  EXPECT_GT(limited.density(map(0.05)), 5.0 * free.density(map(0.05)));
+  EXPECT_GT(limited.density(map(-0.04)), 5.0 * free.density(map(-0.04)));
+}
+
+TEST(ClothEnergy, StrainsFarBeyondALimitCostInProportion)
+{
+  ClothMaterial cloth = plainSheet();
+  cloth.warpLimits = { -0.03, 0.02 };
+  const ClothEnergy free(cloth, 0.0);
+  const ClothEnergy limited(cloth, 50.0);
+  // Of the cloth's area, which a strain of the warp leaves over 1 + strain.
+  const auto limit = [&](double warp) {
+    const Eigen::Matrix2d J = Eigen::Vector2d(1.0, 1.0 / (1.0 + warp)).asDiagonal();
+    return (1.0 + warp) * (limited.density(partsOf(J)) - free.density(partsOf(J)));
+  };
+  for (const double side : { 1.0, -1.0 })
+  {
+    const double first = limit(0.3 * side) - limit(0.2 * side);
+    const double second = limit(0.4 * side) - limit(0.3 * side);
+    EXPECT_GT(first, 0.0);
+    EXPECT_NEAR(second, first, 1e-9 * first);
+    EXPECT_GT(limit(0.06 * side) - limit(0.05 * side), limit(0.05 * side) - limit(0.04 * side));
+  }
+}
+
+TEST(ClothEnergy, IsInfiniteWhereATriangleIsTurnedOver)
+{
+  const ClothEnergy energy(plainSheet(), 1.0);
+  const Eigen::Matrix2d J = Eigen::Vector2d(1.0, -1.0).asDiagonal();
+  EXPECT_TRUE(std::isinf(energy.density(partsOf(J))));
+  EXPECT_TRUE(energy.evaluate(partsOf(J), true).hessian.allFinite());
+}
+
+TEST(ClothMaterial, PresetsAreSoundAndSayWhereTheirNumbersComeFrom)
+{
+  EXPECT_GE(materialPresets().size(), 11u);
+  for (const ClothMaterial& preset : materialPresets())
+  {
+    EXPECT_TRUE(checkMaterial(preset).ok()) << preset.name;
+    EXPECT_FALSE(preset.source.empty()) << preset.name;
+    EXPECT_EQ(findPreset(preset.name)->description, preset.description);
+  }
+  EXPECT_FALSE(findPreset("felt").has_value());
+}
+
+TEST(ClothMaterial, NumbersWithoutMeaningAreRefused)
+{
+  const auto refused = [](auto change) {
+    ClothMaterial material = plainSheet();
+    EXPECT_TRUE(checkMaterial(material).ok());
+    change(material);
+    const Status status = checkMaterial(material);
+    EXPECT_EQ(status.code, StatusCode::InvalidMaterial);
+    EXPECT_FALSE(status.waysOut.empty());
+  };
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  refused([](ClothMaterial& m) { m.warp = -1.0; });
+  refused([](ClothMaterial& m) { m.weft = 0.0; });
+  refused([&](ClothMaterial& m) { m.shear = nothing; });
+  refused([](ClothMaterial& m) { m.shear = std::numeric_limits<double>::infinity(); });
+  refused([](ClothMaterial& m) { m.shear = 1e-9; });
+  refused([](ClothMaterial& m) { m.cross = 100.0; });
+  refused([](ClothMaterial& m) { m.compression = 0.0; });
+  refused([](ClothMaterial& m) { m.compression = 2.0; });
+  refused([](ClothMaterial& m) { m.warpLimits = { 0.01, 0.02 }; });
+  refused([](ClothMaterial& m) { m.weftLimits.greatest = -0.5; });
+  refused([&](ClothMaterial& m) { m.weftLimits.greatest = nothing; });
+  refused([](ClothMaterial& m) { m.shearLimit = 0.0; });
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Flattening/SurfaceFlattening.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr Index size = 10;
+
+/// A cushion that an elastic seam divides in two, with an elastic edge along one side.
+Surface seamedCushion(double tolerance)
+{
+  Surface surface = cushion(size, size, 0.4);
+  FeatureCurve seam = columnCurve(size, size, 4);
+  seam.type = CurveType::Seam;
+  seam.name = "seam";
+  seam.tolerance = tolerance;
+  FeatureCurve hem = rowCurve(size, 0);
+  hem.name = "hem";
+  hem.tolerance = tolerance;
+  hem.vertices.erase(hem.vertices.begin() + 4, hem.vertices.end());
+  surface.curves = { seam, hem };
+  return surface;
+}
+
+FlatteningResult flatten(const Surface& surface, const std::vector<CurveEase>& eases)
+{
+  FlatteningOptions options;
+  options.eases = eases;
+  return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+/// By how much a curve's edges are longer in a piece than on the surface: the least and the most.
+std::array<double, 2> stretchesOf(const FlatteningResult& result, Index curve, Index piece)
+{
+  std::array<double, 2> range{ 10.0, -10.0 };
+  for (const Wire& wire : result.wires)
+  {
+    for (std::size_t k = 0;
+         wire.curve == curve && wire.piece == piece && k + 1 < wire.vertices.size(); ++k)
+    {
+      const Index a = wire.vertices[k];
+      const Index b = wire.vertices[k + 1];
+      const double rest = (result.cut->mesh.point(b) - result.cut->mesh.point(a)).norm();
+      const double stretch = (result.positions[b] - result.positions[a]).norm() / rest - 1.0;
+      range = { std::min(range[0], stretch), std::max(range[1], stretch) };
+    }
+  }
+  return range;
+}
+
+void expectRefusal(const FlatteningResult& result, const std::vector<std::string>& words)
+{
+  EXPECT_EQ(result.status.code, StatusCode::InvalidOption);
+  EXPECT_TRUE(result.positions.empty());
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(result.status.message.find(word), std::string::npos) << result.status.message;
+  }
+}
+}
+
+TEST(CurveEase, OneSideIsLongerByItAndTheOtherIsAsOnTheSurface)
+{
+  for (const double ease : { 0.03, -0.02 })
+  {
+    const FlatteningResult result = flatten(seamedCushion(0.05), { { "seam", 1, ease } });
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    for (const double stretch : stretchesOf(result, 0, 1))
+    {
+      EXPECT_NEAR(stretch, ease, 1e-9);
+    }
+    for (const double stretch : stretchesOf(result, 0, 0))
+    {
+      EXPECT_NEAR(stretch, 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(CurveEase, AnEdgeOfOnePieceNeedsNoNumber)
+{
+  const FlatteningResult result = flatten(seamedCushion(0.05), { { "hem", none, 0.04 } });
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  const Index piece = stretchesOf(result, 1, 0)[1] > -10.0 ? 0 : 1;
+  for (const double stretch : stretchesOf(result, 1, piece))
+  {
+    EXPECT_NEAR(stretch, 0.04, 1e-9);
+  }
+}
+
+TEST(CurveEase, MoreThanTheToleranceOfTheCurveIsRefusedWithBoth)
+{
+  expectRefusal(flatten(seamedCushion(0.02), { { "seam", 0, 0.03 } }), { "seam", "3 %", "2 %" });
+  expectRefusal(flatten(seamedCushion(0.0), { { "seam", 0, 0.03 } }), { "seam", "3 %", "nothing" });
+}
+
+TEST(CurveEase, ASeamOfTwoPiecesNeedsTheNumberOfOneOfThem)
+{
+  expectRefusal(flatten(seamedCushion(0.05), { { "seam", none, 0.03 } }), { "no piece", "1, 2" });
+  expectRefusal(flatten(seamedCushion(0.05), { { "seam", 2, 0.03 } }), { "piece 3", "1, 2" });
+  expectRefusal(flatten(seamedCushion(0.05), { { "cuff", 0, 0.03 } }), { "cuff" });
+}
+
+TEST(CurveEase, ADartWhoseSidesAreInOnePieceCannotBeEased)
+{
+  Surface surface = cushion(size, size, 0.4);
+  surface.curves = { curveOf(CurveType::Dart, "dart", { 4, 4 + 11, 4 + 22 }) };
+  surface.curves[0].tolerance = 0.05;
+  expectRefusal(flatten(surface, { { "dart", 0, 0.03 } }), { "both sides", "dart" });
+}

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Offsets and strokes as curves of an editor.
+#include "Editing/CurveEditor.h"
+#include "Editing/DerivedCurves.h"
+#include "Paths/PathPoints.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace flattening;
+
+namespace
+{
+/// 20 x 20, vertices at whole numbers.
+CurveEditor sheet(double height)
+{
+  return CurveEditor(
+    std::make_shared<const DrawingSurface>(testmeshes::patch(20, 20, [=](double i, double j) {
+      return Point3(i, j, height * std::sin(pi * i / 20) * std::sin(pi * j / 20));
+    }).mesh));
+}
+
+EditedCurve through(const CurveEditor& editor, const Points3& points, SegmentKind kind)
+{
+  EditedCurve curve;
+  for (const Point3& point : points)
+  {
+    curve.nodes.push_back(editor.surface().pointNear(point));
+  }
+  curve.kinds.assign(points.size() - 1, kind);
+  curve.traits.name = "hem";
+  curve.traits.type = CurveType::Key;
+  curve.traits.tolerance = 0.01;
+  return curve;
+}
+
+/// The farthest that a curve goes from places that were meant.
+double farthest(const EditedCurve& curve, const Points3& meant)
+{
+  const Points3 line = pointsAlong(curve.segments);
+  double most = 0.0;
+  for (const Point3& point : meant)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < line.size(); ++k)
+    {
+      const Point3 side = line[k] - line[k - 1];
+      const double s = std::clamp(side.dot(point - line[k - 1]) / side.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (line[k - 1] + s * side - point).norm());
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+}
+
+TEST(DerivedCurves, AnOffsetIsACurveOfItsOwnThatCanBeUndone)
+{
+  CurveEditor editor = sheet(0.0);
+  ASSERT_TRUE(
+    editor.add(through(editor, { { 0, 8, 0 }, { 20, 8, 0 } }, SegmentKind::Geodesic)).ok());
+  const CurveSet before = editor.state();
+  ASSERT_TRUE(editor.addOffset(0, 2.5).ok());
+  ASSERT_EQ(editor.curveCount(), 2U);
+  const EditedCurve& offset = editor.curve(1);
+  EXPECT_EQ(offset.traits.name, "hem offset");
+  EXPECT_EQ(offset.traits.type, CurveType::Key);
+  EXPECT_EQ(offset.traits.tolerance, 0.01);
+  ASSERT_EQ(offset.nodes.size(), 2U); // a straight line needs no more
+  EXPECT_NEAR(lengthOf(offset), 20.0, 1e-12);
+  EXPECT_LE((offset.nodes[0].position - Point3(0, 10.5, 0)).norm(), 1e-12);
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+  EXPECT_EQ(editor.addOffset(0, 30.0).code, StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(editor.addOffset(7, 1.0).code, StatusCode::InvalidOption);
+  EXPECT_TRUE(identical(editor.state(), before));
+}
+
+TEST(DerivedCurves, AnOffsetHasFewNodesAndKeepsItsDistance)
+{
+  for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Spline })
+  {
+    CurveEditor editor = sheet(0.0);
+    ASSERT_TRUE(
+      editor.add(through(editor, { { 3, 3, 0 }, { 9, 6, 0 }, { 15, 4, 0 }, { 18, 9, 0 } }, kind))
+        .ok());
+    ASSERT_TRUE(editor.addOffset(0, 1.5).ok());
+    const EditedCurve& offset = editor.curve(1);
+    EXPECT_LT(offset.nodes.size(), 30U) << static_cast<int>(kind);
+    EXPECT_EQ(offset.kinds[0], kind);
+    const Points3 source = pointsAlong(editor.curve(0).segments);
+    for (const Point3& point : pointsAlong(offset.segments))
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 1; k < source.size(); ++k)
+      {
+        const Point3 side = source[k] - source[k - 1];
+        const double s = std::clamp(side.dot(point - source[k - 1]) / side.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (source[k - 1] + s * side - point).norm());
+      }
+      // 3 thousandths for its nodes, and one for the tangents of arcs.
+      EXPECT_NEAR(least, 1.5, 4.1e-3 * 1.5);
+    }
+  }
+}
+
+TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
+{
+  for (const double height : { 0.0, 4.0 })
+  {
+    CurveEditor editor = sheet(height);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> shaking(-0.02, 0.02);
+    std::vector<SurfacePoint> stroke;
+    Points3 meant;
+    for (int k = 0; k <= 200; ++k)
+    {
+      const double x = 2.0 + 16.0 * k / 200 + shaking(random);
+      const double y = 10.0 + 3.0 * std::sin(0.5 * x) + shaking(random);
+      stroke.push_back(editor.surface().pointNear(
+        Point3(x, y, height * std::sin(pi * x / 20) * std::sin(pi * y / 20))));
+      meant.push_back(stroke.back().position);
+    }
+    ASSERT_TRUE(editor.addStroke(stroke, 0.1).ok());
+    const EditedCurve& curve = editor.curve(0);
+    EXPECT_LE(farthest(curve, meant), 0.1 * (1.0 + 1e-9));
+    EXPECT_LE(curve.nodes.size(), 16U); // of 201
+    EXPECT_EQ(curve.kinds[0], SegmentKind::Spline);
+    EXPECT_FALSE(curve.closed);
+    editor.undo();
+    EXPECT_EQ(editor.curveCount(), 0U);
+  }
+}
+
+TEST(DerivedCurves, AStrokeThatComesBackIsClosed)
+{
+  CurveEditor editor = sheet(2.0);
+  std::vector<SurfacePoint> stroke;
+  for (int k = 0; k <= 100; ++k)
+  {
+    const double turn = 2.0 * pi * k / 101;
+    stroke.push_back(
+      editor.surface().pointNear(Point3(10 + 4 * std::cos(turn), 10 + 4 * std::sin(turn), 1.5)));
+  }
+  ASSERT_TRUE(editor.addStroke(stroke, 0.15).ok());
+  EXPECT_TRUE(editor.curve(0).closed);
+  EXPECT_LE(editor.curve(0).nodes.size(), 12U);
+  EXPECT_EQ(editor.addStroke({ stroke[0] }, 0.1).code, StatusCode::CurveTooShort);
+  EXPECT_EQ(editor.addStroke({}, 0.1).code, StatusCode::CurveTooShort);
+  EXPECT_EQ(editor.curveCount(), 1U);
+}
+
+TEST(DerivedCurves, SplitAndJoinedACurveIsItselfAgain)
+{
+  for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Section, SegmentKind::Edges })
+  {
+    CurveEditor editor = sheet(3.0);
+    ASSERT_TRUE(
+      editor.add(through(editor, { { 3, 3, 0 }, { 9, 6, 2 }, { 15, 4, 2 }, { 18, 9, 1 } }, kind))
+        .ok());
+    const Points3 before = pointsAlong(editor.curve(0).segments);
+    ASSERT_TRUE(editor.split(0, 2).ok());
+    ASSERT_EQ(editor.curveCount(), 2U);
+    EXPECT_EQ(editor.curve(0).nodes.size() + editor.curve(1).nodes.size(), 5U);
+    Points3 halves = pointsAlong(editor.curve(0).segments);
+    const Points3 second = pointsAlong(editor.curve(1).segments);
+    halves.insert(halves.end(), second.begin() + 1, second.end());
+    EXPECT_EQ(halves, before);
+    // The other way round as well: their near ends meet.
+    ASSERT_TRUE(editor.join(1, 0).ok());
+    ASSERT_EQ(editor.curveCount(), 1U);
+    ASSERT_EQ(editor.curve(0).nodes.size(), 4U);
+    const Points3 after = pointsAlong(editor.curve(0).segments);
+    ASSERT_EQ(after.size(), before.size());
+    const bool turned = (after.front() - before.front()).norm() > 1.0;
+    for (std::size_t k = 0; k < after.size(); ++k)
+    {
+      EXPECT_LE((after[turned ? after.size() - 1 - k : k] - before[k]).norm(), 1e-9);
+    }
+  }
+}

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reshaping/FlattenableSurface.h"
+#include "Sewing/BodyContact.h"
+#include "TestMeshes.h"
+#include "TestThreads.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+FlattenableSurface flattenable(
+  const Surface& surface, const FlattenableOptions& options = {}, const Execution& run = {})
+{
+  return makeFlattenable(surface.mesh, surface.curves, options, run);
+}
+
+/// A patch that is strained by a multiple of the bound.
+Surface dome()
+{
+  return cushion(12, 12, 0.2);
+}
+
+/// The vertices of a row of the patch, from side to side.
+Indices rowOf(Index columns, Index row)
+{
+  Indices vertices;
+  for (Index i = 0; i <= columns; ++i)
+  {
+    vertices.push_back(row * (columns + 1) + i);
+  }
+  return vertices;
+}
+
+double lengthChange(const TriangleMesh& mesh, const TriangleMesh& moved, Index a, Index b)
+{
+  const double before = (mesh.point(b) - mesh.point(a)).norm();
+  return std::abs((moved.point(b) - moved.point(a)).norm() / before - 1.0);
+}
+}
+
+TEST(FlattenableSurface, MeetsTheBoundAndTheBoundaryStays)
+{
+  const Surface surface = dome();
+  const FlattenableSurface result = flattenable(surface);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_TRUE(result.boundMet);
+  EXPECT_GT(result.strainBefore, 0.04);
+  EXPECT_LE(result.strainAfter, 0.02);
+  EXPECT_EQ(result.strainAfter, result.after.pieces.front().quality.strainP95);
+  EXPECT_EQ(result.strainBefore, result.before.pieces.front().quality.strainP95);
+  // Not moved farther than it takes.
+  EXPECT_GT(result.strainAfter, 0.017);
+  EXPECT_GT(result.shift.mean, 0.0);
+  EXPECT_LT(result.shift.mean, 0.025 * result.shift.size);
+  EXPECT_LE(result.shift.p95, result.shift.max);
+  for (Index v = 0; v < surface.mesh.vertexCount(); ++v)
+  {
+    EXPECT_EQ(result.kept[v] != 0, surface.mesh.onBoundary(v));
+    const double moved = (result.mesh.point(v) - surface.mesh.point(v)).norm();
+    EXPECT_EQ(moved, result.shift.ofVertex[v]);
+    EXPECT_TRUE(!surface.mesh.onBoundary(v) || moved == 0.0);
+  }
+  EXPECT_EQ(result.mesh.triangles(), surface.mesh.triangles());
+}
+
+TEST(FlattenableSurface, KeptCurvesStayAndKeepTheirLengthsInThePlane)
+{
+  Surface surface = dome();
+  surface.curves = { accessory("middle", rowOf(12, 6)) };
+  FlattenableOptions options;
+  options.kept = { 0 };
+  const FlattenableSurface result = flattenable(surface, options);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.strainAfter, result.strainBefore);
+  const Indices row = surface.curves.front().vertices;
+  for (std::size_t k = 0; k < row.size(); ++k)
+  {
+    EXPECT_EQ(result.mesh.point(row[k]), surface.mesh.point(row[k]));
+    if (k > 0)
+    {
+      const double flat =
+        (result.after.positions[row[k]] - result.after.positions[row[k - 1]]).norm();
+      const double designed = (surface.mesh.point(row[k]) - surface.mesh.point(row[k - 1])).norm();
+      EXPECT_NEAR(flat / designed, 1.0, 1e-12);
+      EXPECT_EQ(lengthChange(surface.mesh, result.mesh, row[k - 1], row[k]), 0.0);
+    }
+  }
+  EXPECT_GT(result.shift.max, 0.0);
+}
+
+TEST(FlattenableSurface, AFreeBoundaryMayMove)
+{
+  FlattenableOptions options;
+  options.keepBoundary = false;
+  const Surface surface = dome();
+  const FlattenableSurface result = flattenable(surface, options);
+  EXPECT_TRUE(result.boundMet);
+  double atBoundary = 0.0;
+  for (Index v = 0; v < surface.mesh.vertexCount(); ++v)
+  {
+    atBoundary =
+      surface.mesh.onBoundary(v) ? std::max(atBoundary, result.shift.ofVertex[v]) : atBoundary;
+  }
+  EXPECT_GT(atBoundary, 1e-3 * result.shift.size);
+}
+
+TEST(FlattenableSurface, WhatLiesFlatAlreadyIsNotTouched)
+{
+  for (const Surface& surface : { cylinder(16, 8), cone(16, 8) })
+  {
+    const FlattenableSurface result = flattenable(surface);
+    ASSERT_TRUE(result.status.ok());
+    EXPECT_TRUE(result.boundMet);
+    EXPECT_EQ(result.shift.max, 0.0);
+    EXPECT_TRUE(result.mesh.identical(surface.mesh));
+    EXPECT_EQ(result.trials.size(), 1U);
+  }
+}
+
+TEST(FlattenableSurface, ADartLessensTheShift)
+{
+  const auto shift = [](bool dart) {
+    Surface surface = cushion(12, 12, 0.35);
+    if (dart)
+    {
+      surface.curves = { accessory("dart", { 6, 19, 32, 45, 58 }) };
+      surface.curves.front().type = CurveType::Dart;
+    }
+    const FlattenableSurface result = flattenable(surface);
+    EXPECT_TRUE(result.boundMet);
+    // Both banks stay one curve on the surface.
+    EXPECT_EQ(result.mesh.vertexCount(), surface.mesh.vertexCount());
+    return result.shift.mean;
+  };
+  EXPECT_LT(shift(true), 0.9 * shift(false));
+}
+
+TEST(FlattenableSurface, ATighterBoundMovesItFarther)
+{
+  double before = 0.0;
+  for (const double bound : { 0.03, 0.02, 0.01 })
+  {
+    FlattenableOptions options;
+    options.bound = bound;
+    const FlattenableSurface result = flattenable(dome(), options);
+    EXPECT_TRUE(result.boundMet);
+    EXPECT_LE(result.strainAfter, bound);
+    EXPECT_GT(result.shift.mean, before);
+    before = result.shift.mean;
+  }
+}
+
+TEST(FlattenableSurface, ABoundThatIsNotMetIsToldWithTheLeastStrain)
+{
+  // All vertices are held.
+  Surface surface = cushion(4, 4, 0.3);
+  FlattenableOptions options;
+  for (Index row = 1; row < 4; ++row)
+  {
+    surface.curves.push_back(accessory("row" + std::to_string(row), rowOf(4, row)));
+    options.kept.push_back(row - 1);
+  }
+  const FlattenableSurface result = flattenable(surface, options);
+  ASSERT_FALSE(result.status.refused());
+  EXPECT_FALSE(result.boundMet);
+  EXPECT_GT(result.strainAfter, options.bound);
+  EXPECT_EQ(result.strainAfter, result.strainBefore);
+  EXPECT_EQ(result.shift.max, 0.0);
+}
+
+TEST(FlattenableSurface, UnitAndThreadsChangeNothing)
+{
+  const Surface surface = cushion(6, 6, 0.2);
+  const FlattenableSurface one = flattenable(surface);
+  const FlattenableSurface three = flattenable(surface, {}, withThreads(3));
+  EXPECT_TRUE(one.mesh.identical(three.mesh));
+  Points3 large;
+  for (const Point3& p : surface.mesh.points())
+  {
+    large.push_back(1024.0 * p);
+  }
+  Surface scaled = surface;
+  scaled.mesh = TriangleMesh(large, surface.mesh.triangles());
+  const FlattenableSurface other = flattenable(scaled);
+  EXPECT_NEAR(other.shift.mean / one.shift.mean / 1024.0, 1.0, 1e-6);
+  EXPECT_NEAR(other.strainAfter / one.strainAfter, 1.0, 1e-6);
+}
+
+TEST(FlattenableSurface, RefusesWhatMeansNothingAndStopsWhenTold)
+{
+  const auto code = [](const FlattenableOptions& options) {
+    return flattenable(dome(), options).status.code;
+  };
+  FlattenableOptions options;
+  for (const double bound : { 0.0, -1.0, 1.0, std::nan("") })
+  {
+    options.bound = bound;
+    EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  }
+  options = {};
+  options.kept = { 7 };
+  EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  for (const double bias : { -0.1, 1.1, std::nan("") })
+  {
+    options = {};
+    options.outsideBias = bias;
+    EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  }
+  options = {};
+  options.thickness = 2.0;
+  EXPECT_EQ(code(options), StatusCode::InvalidOption);
+
+  int asked = 0;
+  Execution run;
+  run.cancel = [&asked] { return ++asked > 40; };
+  const FlattenableSurface cancelled = flattenable(dome(), {}, run);
+  EXPECT_EQ(cancelled.status.code, StatusCode::Cancelled);
+  EXPECT_EQ(cancelled.mesh.vertexCount(), 0);
+}
+
+namespace
+{
+/// A saddle over a square, its normals upwards or, turned, downwards.
+Surface saddle(bool turned)
+{
+  Surface surface = patch(12, 12, [](double i, double j) {
+    const double x = i / 6.0 - 1.0;
+    const double y = j / 6.0 - 1.0;
+    return Point3(x, y, 0.35 * (x * x - y * y));
+  });
+  Triangles triangles = surface.mesh.triangles();
+  for (Triangle& c : triangles)
+  {
+    if (turned)
+    {
+      std::swap(c[1], c[2]);
+    }
+  }
+  surface.mesh = TriangleMesh(surface.mesh.points(), std::move(triangles));
+  return surface;
+}
+
+FlattenableSurface withBias(const Surface& surface, double bias)
+{
+  FlattenableOptions options;
+  options.outsideBias = bias;
+  return flattenable(surface, options);
+}
+}
+
+TEST(FlattenableSurface, AnOutsideBiasTakesASaddleToTheSideOfItsNormals)
+{
+  // Both sides of the convex hull of its boundary are developable.
+  for (const bool turned : { false, true })
+  {
+    const Surface surface = saddle(turned);
+    const ContactBody design(surface.mesh);
+    double before = -1.0;
+    for (const double bias : { 0.0, 0.9, 1.0 })
+    {
+      const FlattenableSurface result = withBias(surface, bias);
+      ASSERT_TRUE(result.status.ok()) << result.status.message;
+      EXPECT_GT(result.strainBefore, 0.03);
+      EXPECT_TRUE(result.boundMet) << bias << " " << result.strainAfter;
+      double mean = 0.0;
+      double deepest = 0.0;
+      for (const Point3& p : result.mesh.points())
+      {
+        const double distance = design.locate(p).distance;
+        mean += distance / result.mesh.vertexCount();
+        deepest = std::min(deepest, distance);
+      }
+      EXPECT_GT(mean, before);
+      before = mean;
+      if (bias == 1.0)
+      {
+        EXPECT_LE(result.shift.inwardsMax, 1e-12);
+        EXPECT_GT(result.shift.outwardsMean, 0.5 * result.shift.mean);
+        EXPECT_GE(deepest, -1e-3 * result.shift.size);
+      }
+    }
+    EXPECT_GT(before, 0.0);
+  }
+}
+
+TEST(FlattenableSurface, WithAFullBiasADomeDoesNotSinkWhereItsBoundaryMayMove)
+{
+  FlattenableOptions options;
+  options.keepBoundary = false;
+  const FlattenableSurface either = flattenable(dome(), options);
+  EXPECT_GT(either.shift.inwardsMax, 1e-3 * either.shift.size);
+  options.outsideBias = 1.0;
+  const FlattenableSurface outside = flattenable(dome(), options);
+  EXPECT_TRUE(outside.boundMet) << outside.strainAfter;
+  EXPECT_LE(outside.shift.inwardsMax, 1e-12);
+  EXPECT_GT(outside.shift.outwardsMean, 0.0);
+  EXPECT_GT(outside.shift.outwardsMean, either.shift.outwardsMean);
+}
+
+TEST(FlattenableSurface, DoesNotEnterABody)
+{
+  // The dome sinks as it is made flattenable; the body fills it up to a little below the top.
+  const Surface surface = dome();
+  Points3 within;
+  for (const Point3& p : surface.mesh.points())
+  {
+    within.emplace_back(p.x(), p.y(), 0.95 * p.z() - 1e-3);
+  }
+  const TriangleMesh body(within, surface.mesh.triangles());
+  FlattenableOptions options;
+  options.body = &body;
+  options.bound = 0.03;
+  const auto lowest = [&](const FlattenableSurface& result) {
+    const ContactBody place(body);
+    double least = 1.0;
+    for (Index v = 0; v < result.mesh.vertexCount(); ++v)
+    {
+      least = result.kept[v] ? least : std::min(least, place.locate(result.mesh.point(v)).distance);
+    }
+    return least;
+  };
+  EXPECT_GE(lowest(flattenable(surface, options)), -1e-9);
+  options.body = nullptr;
+  EXPECT_LT(lowest(flattenable(surface, options)), -1e-3);
+}

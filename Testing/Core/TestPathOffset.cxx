@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Paths/PathOffset.h"
+
+#include "OffsetFacts.h"
+#include "Paths/NearbyLegs.h"
+#include "Paths/PathDistance.h"
+#include "Paths/PathPoints.h"
+#include "Paths/StraightRay.h"
+
+#include <gtest/gtest.h>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr double exactly = 1e-9;
+const double tangent = 1.0 / std::cos(pi / 72.0); // of an arc of 5 degrees, at its end
+
+/// Curves on a surface that can be unrolled, and both offsets of each.
+void expectExact(const Surface& surface, unsigned seed)
+{
+  const TriangleMesh& mesh = surface.mesh;
+  const PathGraph graph(mesh);
+  const double size = std::sqrt(mesh.area(0) * mesh.triangleCount());
+  std::mt19937 random(seed);
+  int points = 0;
+  for (int k = 0; k < 12; ++k)
+  {
+    const SurfacePath path = through(graph,
+      std::vector<SurfacePoint>{
+        randomPoint(mesh, random), randomPoint(mesh, random), randomPoint(mesh, random) });
+    const Points2 line = unrolled(surface, path);
+    const double distance = (k % 2 == 0 ? 0.03 : -0.06) * size;
+    const PathOffset offset = offsetPath(graph, path, distance);
+    if (offset.status.code == StatusCode::CurveLeavesSurface)
+    {
+      continue;
+    }
+    ASSERT_TRUE(offset.status.ok()) << offset.status.message;
+    const double reach = std::abs(distance);
+    for (const SurfacePath& part : offset.parts)
+    {
+      ASSERT_TRUE(liesOn(mesh, part));
+      for (const Point2& place : unrolled(surface, part))
+      {
+        const Foot foot = footOn(line, place);
+        EXPECT_GE(foot.distance, reach * (1.0 - exactly)) << k;
+        EXPECT_LE(foot.distance, reach * (foot.within ? 1.0 + exactly : tangent)) << k;
+        EXPECT_TRUE(!foot.within || foot.left == (distance > 0.0)) << k;
+        ++points;
+      }
+    }
+    // What is reached at right angles and from nowhere nearer is on the offset.
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    {
+      const SurfacePoint foot =
+        pointBetween(mesh, path.triangles[i], path.points[i], path.points[i + 1], 0.5);
+      if (!((path.points[i + 1].position - path.points[i].position).norm() > 1e-9 * size))
+      {
+        continue;
+      }
+      const PointDirections around(mesh, foot);
+      const double turn = distance > 0.0 ? 0.5 * pi : -0.5 * pi;
+      const StraightRay ray = straightRay(mesh, foot,
+        around.at(around.angleTo(path.triangles[i], path.points[i + 1].position) + turn), reach);
+      if (!ray.arrived)
+      {
+        continue;
+      }
+      const Point2 place = testmeshes::unrolled(mesh, surface.unrolled, ray.end);
+      if (footOn(line, place).distance < reach * (1.0 - exactly))
+      {
+        continue;
+      }
+      double gap = reach;
+      for (const SurfacePath& part : offset.parts)
+      {
+        gap = std::min(gap, footOn(unrolled(surface, part), place).distance);
+      }
+      EXPECT_LE(gap, exactly * reach) << k;
+    }
+  }
+  EXPECT_GT(points, 300);
+}
+}
+
+TEST(PathOffset, IsExactOnPlanesConesAndCylinders)
+{
+  expectExact(flatPatch(30, 25), 1);
+  expectExact(cone(40, 20), 2);
+  expectExact(cylinder(30, 15), 3);
+}
+
+// Some hundred loops are taken out of these.
+TEST(PathOffset, OfCurvesThatCrossThemselvesManyTimesIsNowhereNearerNorFurther)
+{
+  const std::vector<Surface> surfaces{ flatPatch(30, 25), flatPatch(60, 10) };
+  std::mt19937 random(4);
+  for (const Surface& surface : surfaces)
+  {
+    const TriangleMesh& mesh = surface.mesh;
+    const PathGraph graph(mesh);
+    const double size = std::sqrt(mesh.area(0) * mesh.triangleCount());
+    for (const double fraction : { 0.01, -0.03, 0.06 })
+    {
+      std::vector<SurfacePoint> nodes;
+      for (int n = 0; n < 54; ++n)
+      {
+        nodes.push_back(randomPoint(mesh, random));
+      }
+      if (fraction < 0.0)
+      {
+        nodes.push_back(nodes.front());
+      }
+      const SurfacePath path = through(graph, nodes);
+      const Points2 line = unrolled(surface, path);
+      const double reach = std::abs(fraction) * size;
+      const PathOffset offset = offsetPath(graph, path, fraction * size);
+      ASSERT_TRUE(offset.status.ok()) << offset.status.message;
+      std::size_t points = 0;
+      for (const SurfacePath& part : offset.parts)
+      {
+        ASSERT_TRUE(liesOn(mesh, part));
+        for (const Point2& place : unrolled(surface, part))
+        {
+          const Foot foot = footOn(line, place);
+          EXPECT_GE(foot.distance, reach * (1.0 - exactly)) << fraction;
+          EXPECT_LE(foot.distance, reach * tangent) << fraction; // arcs round corners are polygons
+          ++points;
+        }
+      }
+      EXPECT_GT(points, 100u) << fraction;
+    }
+  }
+}
+
+TEST(NearbyLegs, HaveTheFeetOfAllLegs)
+{
+  for (const double unit : { 1e-6, 1.0, 1e6 })
+  {
+    const Surface surface = patch(40, 30, [=](double i, double j) {
+      return Point3(unit * Point3(i, j, 3.0 * std::sin(0.3 * i) * std::cos(0.2 * j)));
+    });
+    const PathGraph graph(surface.mesh);
+    std::mt19937 random(6);
+    std::vector<SurfacePoint> nodes;
+    for (int n = 0; n < 40; ++n)
+    {
+      nodes.push_back(randomPoint(surface.mesh, random));
+    }
+    const SurfacePath path = through(graph, nodes);
+    std::size_t found = 0;
+    for (const double bound : { 0.01 * unit, unit, 8.0 * unit, 1000.0 * unit })
+    {
+      const NearbyLegs legs(path, bound);
+      for (int k = 0; k < 100; ++k)
+      {
+        const Point3 point = randomPoint(surface.mesh, random).position;
+        for (const double reach : { 0.5 * bound, bound })
+        {
+          const std::vector<PathFoot> some = legs.feet(point, reach);
+          const std::vector<PathFoot> all = pathFeet(path, point, reach);
+          ASSERT_EQ(some.size(), all.size());
+          for (std::size_t i = 0; i < all.size(); ++i)
+          {
+            EXPECT_EQ(some[i].leg, all[i].leg);
+            EXPECT_EQ(some[i].along, all[i].along);
+            EXPECT_EQ(some[i].gap, all[i].gap);
+          }
+          found += all.size();
+        }
+      }
+    }
+    EXPECT_GT(found, 3000u);
+  }
+}
+
+TEST(PathOffset, OfALineFromSideToSideIsTheParallelLine)
+{
+  const Surface surface = square(10, 10.0);
+  const PathGraph graph(surface.mesh);
+  for (const double height : { 4.0, 4.3 })
+  {
+    const SurfacePath line = through(graph, Points3{ { 0.0, height, 0.0 }, { 10.0, height, 0.0 } });
+    for (const double distance : { 1.0, -1.0, 2.37, 0.01 })
+    {
+      const PathOffset offset = offsetPath(graph, line, distance);
+      ASSERT_TRUE(offset.status.ok()) << offset.status.message;
+      ASSERT_EQ(offset.parts.size(), 1U);
+      EXPECT_NEAR(lengthOf(offset.parts[0]), 10.0, 1e-12);
+      EXPECT_NEAR(offset.parts[0].points.front().position.x(), 0.0, 1e-12);
+      for (const SurfacePoint& point : offset.parts[0].points)
+      {
+        EXPECT_NEAR(point.position.y(), height + distance, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(PathOffset, OfALineThatMeetsTheSideAtAnAngleEndsOnTheSide)
+{
+  const Surface surface = square(10, 10.0);
+  const PathGraph graph(surface.mesh);
+  const SurfacePath line = through(graph, Points3{ { 0.0, 2.0, 0.0 }, { 10.0, 7.0, 0.0 } });
+  const PathOffset offset = offsetPath(graph, line, 1.5);
+  ASSERT_EQ(offset.parts.size(), 1U);
+  // On the left it is cut off; on the right the arc round the line's end leads to the side.
+  const Point3 start = offset.parts[0].points.front().position;
+  const Point3 end = offset.parts[0].points.back().position;
+  EXPECT_NEAR(start.x(), 0.0, 1e-9);
+  EXPECT_NEAR(start.y(), 2.0 + 1.5 * std::sqrt(1.25), 1e-8);
+  EXPECT_NEAR(end.x(), 10.0, 1e-9);
+  EXPECT_NEAR(end.y(), 8.5, 1e-9);
+}
+
+TEST(PathOffset, OfASquareIsASquareInsideAndRoundOutside)
+{
+  const Surface surface = square(20, 10.0);
+  const PathGraph graph(surface.mesh);
+  const SurfacePath loop =
+    through(graph, Points3{ { 3, 3, 0 }, { 7, 3, 0 }, { 7, 7, 0 }, { 3, 7, 0 }, { 3, 3, 0 } });
+  const PathOffset inside = offsetPath(graph, loop, 0.8);
+  ASSERT_EQ(inside.parts.size(), 1U);
+  EXPECT_TRUE(samePlace(inside.parts[0].points.front(), inside.parts[0].points.back()));
+  EXPECT_NEAR(lengthOf(inside.parts[0]), 4.0 * (4.0 - 1.6), 1e-9);
+  const PathOffset outside = offsetPath(graph, loop, -0.8);
+  ASSERT_EQ(outside.parts.size(), 1U);
+  EXPECT_TRUE(samePlace(outside.parts[0].points.front(), outside.parts[0].points.back()));
+  const double arcs = 4 * 18 * 2.0 * 0.8 * std::tan(pi / 72.0);
+  EXPECT_NEAR(lengthOf(outside.parts[0]), 16.0 + arcs, 1e-9);
+}
+
+TEST(PathOffset, RoundACylinderIsTheNextRound)
+{
+  // Forty sides, closed, so that every round is a polygon of one length.
+  Points3 points;
+  Triangles triangles;
+  for (Index j = 0; j <= 10; ++j)
+  {
+    for (Index i = 0; i < 40; ++i)
+    {
+      points.emplace_back(std::cos(pi * i / 20), std::sin(pi * i / 20), 0.3 * j);
+      if (j > 0)
+      {
+        const Index a = 40 * (j - 1) + i;
+        const Index b = 40 * (j - 1) + (i + 1) % 40;
+        triangles.push_back({ a, b, b + 40 });
+        triangles.push_back({ a, b + 40, a + 40 });
+      }
+    }
+  }
+  const TriangleMesh mesh(points, triangles);
+  const PathGraph graph(mesh);
+  std::vector<SurfacePoint> ring;
+  for (Index i = 0; i <= 4; ++i)
+  {
+    ring.push_back(vertexPoint(mesh, 160 + 10 * (i % 4)));
+  }
+  const SurfacePath loop = through(graph, ring);
+  for (const double distance : { 0.3, 0.47, -0.9, -1.2 })
+  {
+    const PathOffset offset = offsetPath(graph, loop, distance);
+    ASSERT_EQ(offset.parts.size(), 1U) << offset.status.message;
+    EXPECT_NEAR(lengthOf(offset.parts[0]), lengthOf(loop), 1e-9);
+    for (const SurfacePoint& point : offset.parts[0].points)
+    {
+      EXPECT_NEAR(point.position.z(), 1.2 + distance, 1e-9);
+    }
+  }
+  EXPECT_EQ(offsetPath(graph, loop, 2.0).status.code, StatusCode::CurveLeavesSurface);
+}
+
+TEST(PathOffset, OfAGreatCircleIsACircleOfLatitude)
+{
+  for (const Index n : { 30, 60 })
+  {
+    const Surface cap = patch(n, n, [=](double i, double j) {
+      const double a = 0.6 * (2.0 * i / n - 1.0);
+      const double b = 0.6 * (2.0 * j / n - 1.0);
+      return Point3(std::tan(a), std::tan(b), 1.0).normalized();
+    });
+    const PathGraph graph(cap.mesh);
+    std::vector<SurfacePoint> row; // its edges; a straight path goes beside their vertices
+    for (Index i = n / 6; i <= n - n / 6; ++i)
+    {
+      row.push_back(vertexPoint(cap.mesh, n / 2 * (n + 1) + i));
+    }
+    const SurfacePath line = through(graph, row);
+    const PathOffset offset = offsetPath(graph, line, 0.3);
+    ASSERT_EQ(offset.parts.size(), 1U);
+    const double bound = 1.44 / (n * n); // the square of an edge, as the mesh comes near the sphere
+    for (const SurfacePoint& point : offset.parts[0].points)
+    {
+      EXPECT_NEAR(std::asin(point.position.normalized().y()), 0.3, bound);
+    }
+  }
+}
+
+TEST(PathOffset, IsInterruptedByAHole)
+{
+  Surface plate = square(12, 12.0);
+  Triangles triangles;
+  for (const Triangle& t : plate.mesh.triangles())
+  {
+    const Point3 center =
+      (plate.mesh.point(t[0]) + plate.mesh.point(t[1]) + plate.mesh.point(t[2])) / 3.0;
+    if (std::max(std::abs(center.x() - 6.0), std::abs(center.y() - 6.0)) > 2.0)
+    {
+      triangles.push_back(t);
+    }
+  }
+  const TriangleMesh mesh(plate.mesh.points(), triangles);
+  const PathGraph graph(mesh);
+  const SurfacePath line = through(graph, Points3{ { 0.0, 3.0, 0.0 }, { 12.0, 3.0, 0.0 } });
+  const PathOffset offset = offsetPath(graph, line, 2.5);
+  ASSERT_EQ(offset.parts.size(), 2U);
+  for (const SurfacePath& part : offset.parts)
+  {
+    EXPECT_NEAR(lengthOf(part), 4.0, 1e-8);
+  }
+}
+
+TEST(PathOffset, DoesNotDependOnTheUnit)
+{
+  for (const double scale : { 1e-3, 1.0, 1e3 })
+  {
+    const Surface surface = patch(20, 20, [=](double i, double j) -> Point3 {
+      return scale * Point3(i, j, 2.0 * std::sin(0.3 * i) * std::cos(0.2 * j));
+    });
+    const PathGraph graph(surface.mesh);
+    const SurfacePath line = through(graph,
+      Points3{ scale * Point3(2.2, 3.1, 1.0), scale * Point3(9.4, 12.2, 0.0),
+        scale * Point3(15.0, 8.0, 0.0) });
+    const PathOffset offset = offsetPath(graph, line, 2.0 * scale);
+    ASSERT_EQ(offset.parts.size(), 1U);
+    static double length = 0.0;
+    length = length > 0.0 ? length : lengthOf(offset.parts[0]) / scale;
+    EXPECT_NEAR(lengthOf(offset.parts[0]), length * scale, 1e-9 * scale * length);
+  }
+}
+
+TEST(PathOffset, RefusesWhatHasNone)
+{
+  const Surface surface = square(4, 4.0);
+  const PathGraph graph(surface.mesh);
+  const SurfacePath line = through(graph, Points3{ { 1.0, 1.0, 0.0 }, { 3.0, 1.0, 0.0 } });
+  for (const double distance :
+    { 0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_EQ(offsetPath(graph, line, distance).status.code, StatusCode::InvalidOption);
+  }
+  const PathOffset far = offsetPath(graph, line, 40.0);
+  EXPECT_EQ(far.status.code, StatusCode::CurveLeavesSurface);
+  EXPECT_NE(far.status.message.find("40"), std::string::npos);
+  EXPECT_EQ(offsetPath(graph, {}, 1.0).status.code, StatusCode::InvalidCurve);
+  EXPECT_EQ(offsetPath(graph, { { line.points.front() }, {}, true }, 1.0).status.code,
+    StatusCode::InvalidCurve);
+}
+
+TEST(PathDistance, IsThatOfTheUnrolledSurface)
+{
+  const Surface surface = cone(40, 20);
+  const PathGraph graph(surface.mesh);
+  std::mt19937 random(5);
+  int measured = 0;
+  for (int k = 0; k < 40; ++k)
+  {
+    const SurfacePath path = through(graph,
+      std::vector<SurfacePoint>{
+        randomPoint(surface.mesh, random), randomPoint(surface.mesh, random) });
+    const SurfacePoint point = randomPoint(surface.mesh, random);
+    const PathDistance distance = distanceFrom(graph, path, point);
+    ASSERT_TRUE(distance.way.status.ok());
+    const Foot foot =
+      footOn(unrolled(surface, path), testmeshes::unrolled(surface.mesh, surface.unrolled, point));
+    // Round the cut-off tip no straight line of the plane goes.
+    EXPECT_GE(distance.way.length, foot.distance * (1.0 - exactly));
+    if (distance.way.length < foot.distance * (1.0 + 1e-7))
+    {
+      EXPECT_TRUE(!foot.within || distance.left == foot.left) << k;
+      ++measured;
+    }
+  }
+  EXPECT_GT(measured, 30);
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/SurfaceCoarsening.h"
+
+#include "Flattening/SurfaceFlattening.h"
+#include "Imprint/CurveImprint.h"
+#include "Suggestion/PieceSurface.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// A dome over the unit square of 24 x 24 squares.
+TriangleMesh dome()
+{
+  return patch(24, 24, [](double i, double j) {
+    const double x = i / 12.0 - 1.0;
+    const double y = j / 12.0 - 1.0;
+    return Point3(x, y, 0.4 * (1.0 - x * x) * (1.0 - y * y));
+  }).mesh;
+}
+
+double areaOf(const TriangleMesh& mesh)
+{
+  double area = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    area += mesh.area(t);
+  }
+  return area;
+}
+
+double boundaryLength(const TriangleMesh& mesh)
+{
+  double length = 0.0;
+  for (const Indices& loop : mesh.boundaryLoops())
+  {
+    for (Index h : loop)
+    {
+      length += mesh.length(h);
+    }
+  }
+  return length;
+}
+
+double rigidEnergy(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
+{
+  const FlatteningResult result = flattenSurface(mesh, curves, {}, {});
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  return result.pieces.front().quality.rigidEnergy;
+}
+}
+
+TEST(SurfaceCoarsening, KeepsBoundaryAndEdgesBetweenKeptVertices)
+{
+  const TriangleMesh mesh = dome();
+  std::vector<char> kept(mesh.vertexCount(), 0);
+  for (Index j = 0; j <= 24; ++j)
+  {
+    kept[j * 25 + 12] = 1;
+  }
+  const CoarseSurface coarse = coarsened(mesh, kept, 400);
+  EXPECT_LE(coarse.mesh.triangleCount(), 400);
+  EXPECT_GE(coarse.mesh.triangleCount(), 390);
+  EXPECT_EQ(eulerCharacteristic(coarse.mesh), 1);
+  EXPECT_NEAR(boundaryLength(coarse.mesh), boundaryLength(mesh), 1e-12);
+  Indices number(mesh.vertexCount(), none);
+  for (std::size_t v = 0; v < coarse.vertices.size(); ++v)
+  {
+    number[coarse.vertices[v]] = static_cast<Index>(v);
+    EXPECT_EQ(coarse.mesh.point(static_cast<Index>(v)), mesh.point(coarse.vertices[v]));
+  }
+  for (Index j = 0; j < 24; ++j)
+  {
+    const Index a = number[j * 25 + 12];
+    const Index b = number[(j + 1) * 25 + 12];
+    ASSERT_NE(a, none);
+    ASSERT_NE(b, none);
+    EXPECT_NE(coarse.mesh.find(a, b), none) << j;
+  }
+}
+
+TEST(SurfaceCoarsening, LeavesAFlatSurfaceFlatAndOfTheSameArea)
+{
+  const Surface flat = flatPatch(20, 15);
+  const CoarseSurface coarse = coarsened(flat.mesh, std::vector<char>(flat.mesh.vertexCount()), 1);
+  EXPECT_LT(coarse.mesh.triangleCount(), flat.mesh.triangleCount() / 3);
+  EXPECT_NEAR(areaOf(coarse.mesh), areaOf(flat.mesh), 1e-9 * areaOf(flat.mesh));
+}
+
+TEST(SurfaceCoarsening, ACylinderFlattensAsWellCoarse)
+{
+  // Where curvature moved about, coarse triangles of a cylinder would have no common plane.
+  const TriangleMesh mesh = cylinder(24, 16).mesh;
+  const CoarseSurface coarse = coarsened(mesh, std::vector<char>(mesh.vertexCount()), 300);
+  EXPECT_LT(coarse.mesh.triangleCount(), 320);
+  EXPECT_LT(rigidEnergy(coarse.mesh, {}), 1e-4);
+}
+
+TEST(SurfaceCoarsening, ACoarsePieceIsDistortedAlike)
+{
+  const TriangleMesh mesh = dome();
+  const CoarseSurface coarse = coarsened(mesh, std::vector<char>(mesh.vertexCount()), 500);
+  const double fine = rigidEnergy(mesh, {});
+  EXPECT_NEAR(rigidEnergy(coarse.mesh, {}), fine, 0.1 * fine);
+}
+
+TEST(PieceSurface, FlattensAsThePieceDoes)
+{
+  const TriangleMesh mesh = dome();
+  const auto line = [&](CurveType type, Index from, Index to, Index step) {
+    Polyline curve;
+    curve.type = type;
+    for (Index v = from; v <= to; v += step)
+    {
+      curve.points.push_back(mesh.point(v));
+    }
+    return curve;
+  };
+  // A seam up the middle, on its right a dart from the hem and a girth that the seam divides.
+  const std::vector<Polyline> curves{ line(CurveType::Seam, 12, 24 * 25 + 12, 25),
+    line(CurveType::Dart, 18, 8 * 25 + 18, 25),
+    line(CurveType::Accessory, 16 * 25, 16 * 25 + 24, 1) };
+  const ImprintedSurface surface = imprintCurves(mesh, curves, {});
+  ASSERT_TRUE(surface.status.ok());
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  const std::vector<PieceSurface> pieces = pieceSurfaces(surface, cut);
+  ASSERT_EQ(pieces.size(), 2u);
+  const FlatteningResult whole = flattenSurface(surface.mesh, surface.curves, {}, {});
+  for (std::size_t p = 0; p < 2; ++p)
+  {
+    const double energy = whole.pieces[p].quality.rigidEnergy;
+    EXPECT_NEAR(rigidEnergy(pieces[p].mesh, pieces[p].curves), energy, 1e-9 * energy);
+    const PieceSurface coarse = coarsened(pieces[p], 300);
+    EXPECT_LE(coarse.mesh.triangleCount(), 300);
+    EXPECT_NEAR(rigidEnergy(coarse.mesh, coarse.curves), energy, 0.25 * energy);
+  }
+  EXPECT_EQ(pieces[0].curves.size() + pieces[1].curves.size(), 3u);
+}

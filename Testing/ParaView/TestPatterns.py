@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Save Data writes flat pieces as patterns, and what is shown first needs no choice of the user's."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+
+import paraview.simple as pv
+
+from plugin import COMMAND, DATA, read
+
+
+def lengths(svg):
+    """Name of each curve of a pattern to the lengths on the surface of its wires."""
+    found = {}
+    for path in re.findall(r"<path[^>]*data-curve=[^>]*data-length=[^>]*>", svg):
+        name, length = (re.search(rf'data-{key}="([^"]*)"', path).group(1) for key in ("curve", "length"))
+        found.setdefault(name, []).append(length)
+    return {name: sorted(values) for name, values in found.items()}
+
+
+class Patterns(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.flattening = pv.WireWarping(Input=read("pants_front"), Curves=read("pants_front_curves"))
+
+    def save(self, name, **options):
+        path = os.path.join(self.folder, name)
+        pv.SaveData(path, proxy=self.flattening, Unit="Centimetre", **options)
+        return path
+
+    def test_an_svg_has_the_curves_that_the_command_draws(self):
+        with open(self.save("pattern.svg", PatternName="trousers", SeamAllowance=15),
+                  encoding="utf-8") as file:
+            drawn = file.read()
+        subprocess.run(
+            [COMMAND, os.path.join(DATA, "pants_front.vtp"), os.path.join(DATA, "pants_front_curves.vtp"),
+             "--unit", "cm", "--svg", "--name", "trousers", "--allowance", "15", "--output", self.folder],
+            check=False, capture_output=True)
+        with open(os.path.join(self.folder, "pattern.svg"), encoding="utf-8") as file:
+            expected = file.read()
+        self.assertGreater(len(lengths(drawn)), 3)
+        self.assertEqual(lengths(drawn), lengths(expected))
+        self.assertIn("trousers", drawn)
+        self.assertEqual(drawn.count("<path"), expected.count("<path"))
+
+    def test_pages_and_blocks_are_written(self):
+        with open(self.save("pattern.pdf", Paper="A0"), "rb") as file:
+            self.assertTrue(file.read().startswith(b"%PDF"))
+        with open(self.save("pattern.dxf"), encoding="ascii") as file:
+            self.assertIn("INSERT", file.read())
+
+    def test_what_is_shown_first_is_coloured(self):
+        view = pv.CreateView("RenderView")
+        shown = [pv.Show(pv.OutputPort(self.flattening, port), view) for port in range(3)]
+        self.assertEqual([list(display.ColorArrayName) for display in shown],
+                         [["CELLS", "HomogeneityOfDistortion"], ["CELLS", "WireKind"],
+                          ["CELLS", "HomogeneityOfDistortion"]])
+        quality = pv.GetColorTransferFunction("HomogeneityOfDistortion")
+        self.assertEqual((quality.RGBPoints[0], quality.RGBPoints[-4]), (0.5, 1.0))
+        wires = pv.GetColorTransferFunction("WireKind")
+        names = dict(zip(wires.Annotations[::2], wires.Annotations[1::2]))
+        self.assertEqual(names, {"-2": "connector", "-1": "boundary", "0": "accessory", "1": "key",
+                                 "2": "dart", "3": "seam"})
+        self.assertEqual(len(wires.IndexedColors), 18)
+        # Beside the surface, so that one view shows both.
+        flat, _, cut = (pv.OutputPort(self.flattening, port).GetDataInformation().GetBounds()
+                        for port in range(3))
+        self.assertGreater(flat[0], cut[1])
+
+    def test_measures_are_tables(self):
+        pieces = pv.FlatteningTable(Input=self.flattening)
+        curves = pv.FlatteningTable(Input=pv.OutputPort(self.flattening, 1))
+        given = read("pants_front_curves")
+        given.UpdatePipeline()
+        count = given.GetDataInformation().GetNumberOfCells()
+        for table, rows, column in ((pieces, 1, "AreaError"), (curves, count, "CurveNames")):
+            table.UpdatePipeline()
+            self.assertEqual(table.GetDataInformation().GetNumberOfRows(), rows)
+            columns = table.GetDataInformation().GetRowDataInformation()
+            self.assertIsNotNone(columns.GetArrayInformation(column))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scripts that build-paraview-plugin names start ParaView's Python with the plugin, from anywhere."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BIN = os.path.join(os.environ["FLATTENING_BINARY"], "bin")
+PROGRAM = """
+import paraview.simple as pv
+print("made", pv.WireWarping().GetXMLName())
+"""
+
+
+class Start(unittest.TestCase):
+    def test_python_finds_the_plugin(self):
+        # As a user's shell is, which knows of no ParaView.
+        environment = {name: value for name, value in os.environ.items()
+                       if name not in ("PYTHONPATH", "PV_PLUGIN_CONFIG_FILE")}
+        with tempfile.TemporaryDirectory() as folder:
+            script = os.path.join(folder, "script.py")
+            with open(script, "w", encoding="utf-8") as file:
+                file.write(PROGRAM)
+            for program in ("pvpython", "pvbatch"):
+                run = subprocess.run([os.path.join(BIN, program), script], env=environment, cwd=folder,
+                                     capture_output=True, text=True, check=False)
+                self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+                self.assertIn("made WireWarping", run.stdout)
+
+    @staticmethod
+    def install(prefix):
+        subprocess.run(["cmake", "--install", os.environ["FLATTENING_BINARY"], "--prefix", prefix,
+                        "--component", "plugin"], check=True, capture_output=True)
+
+    def test_the_window_starts_with_the_macro_unless_its_user_deleted_it(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            self.install(prefix)
+            macro = os.path.join(prefix, "share", "surfaceflattening-paraview", "flat_beside.py")
+            programs, settings = (os.path.join(prefix, name) for name in ("programs", "settings"))
+            macros = os.path.join(settings, "ParaView", "Macros")  # where ParaView looks for them
+            os.makedirs(programs)
+            for program in ("paraview", "pvpython"):
+                path = os.path.join(programs, program)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write("#!/bin/sh\necho started\n")
+                os.chmod(path, 0o755)
+
+            def start(*words, folder=settings):
+                run = subprocess.run([os.path.join(prefix, "bin", "surfaceflattening-paraview"), *words],
+                                     env={**os.environ, "XDG_CONFIG_HOME": folder,
+                                          "PATH": programs + ":" + os.environ["PATH"]},
+                                     capture_output=True, text=True, check=False)
+                self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "started\n", ""))
+
+            start("pvpython")
+            self.assertFalse(os.path.exists(settings))
+            start()
+            start()
+            self.assertEqual(os.listdir(macros), ["flat_beside.py"])
+            self.assertTrue(os.path.samefile(os.path.join(macros, "flat_beside.py"), macro))
+            # As ParaView does with a macro that is deleted.
+            os.rename(os.path.join(macros, "flat_beside.py"), os.path.join(macros, ".flat_beside.py"))
+            start()
+            self.assertEqual(os.listdir(macros), [".flat_beside.py"])
+            # A link to what was installed elsewhere once is made anew.
+            os.remove(os.path.join(macros, ".flat_beside.py"))
+            os.symlink(os.path.join(prefix, "gone.py"), os.path.join(macros, "flat_beside.py"))
+            start()
+            self.assertTrue(os.path.samefile(os.path.join(macros, "flat_beside.py"), macro))
+            # A folder that cannot be made keeps nobody from starting.
+            start(folder=macro)
+
+    def test_what_is_installed_starts_with_one_command(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            self.install(prefix)
+            script = os.path.join(prefix, "script.py")
+            with open(script, "w", encoding="utf-8") as file:
+                file.write(PROGRAM)
+            # ParaView itself is where the tests have it.
+            path = os.path.dirname(os.environ["PVPYTHON"]) + ":" + os.environ["PATH"]
+            run = subprocess.run(
+                [os.path.join(prefix, "bin", "surfaceflattening-paraview"), "pvpython", script],
+                env={**os.environ, "PATH": path, "PYTHONPATH": os.environ["PARAVIEW_PYTHONPATH"]},
+                capture_output=True, text=True, check=False)
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            self.assertIn("made WireWarping", run.stdout)
+            shared = os.path.join(prefix, "share", "surfaceflattening-paraview")
+            self.assertLessEqual({"flat_beside.py", "flatten_collection.py"}, set(os.listdir(shared)))
+
+    def test_every_program_has_a_script(self):
+        for program in ("paraview", "pvpython", "pvbatch", "pvserver"):
+            self.assertTrue(os.access(os.path.join(BIN, program), os.X_OK), program)
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Smooth borders of known shapes, measured by rules of their own.
+#include "FairBorders.h"
+#include "SeamWalk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace
+{
+using namespace flattening;
+using namespace flattening::pattern;
+
+/// Length of a Bezier curve by Simpson's rule in many steps.
+double lengthOf(const FairSpan& span)
+{
+  const int steps = 2000;
+  const auto speed = [&span](double u) {
+    const double v = 1.0 - u;
+    const auto& c = span.control;
+    return Point2(
+      3.0 * (v * v * (c[1] - c[0]) + 2.0 * u * v * (c[2] - c[1]) + u * u * (c[3] - c[2])))
+      .norm();
+  };
+  double sum = speed(0.0) + speed(1.0);
+  for (int k = 1; k < steps; ++k)
+  {
+    sum += (k % 2 == 1 ? 4.0 : 2.0) * speed(static_cast<double>(k) / steps);
+  }
+  return sum / (3.0 * steps);
+}
+
+double lengthOf(const std::vector<FairSpan>& curve)
+{
+  double length = 0.0;
+  for (const FairSpan& span : curve)
+  {
+    length += lengthOf(span);
+  }
+  return length;
+}
+
+double distanceFrom(const std::vector<FairSpan>& curve, const Point2& point)
+{
+  Points2 points;
+  for (const FairSpan& span : curve)
+  {
+    sampleSpan(span, 1e-5, points);
+  }
+  points.push_back(curve.back().control[3]);
+  Segments segments;
+  addSegments(points, false, segments);
+  return distance(point, segments);
+}
+
+/// A polygon around the point 0 of the source, as one piece with its border as wire.
+PatternSource polygon(const Points2& corners)
+{
+  PatternSource source;
+  source.positions.emplace_back(0.0, 0.0);
+  SourceWire border{ {}, WireType::Boundary, none, 0, "boundary" };
+  const auto count = static_cast<Index>(corners.size());
+  for (Index k = 0; k < count; ++k)
+  {
+    source.positions.push_back(corners[static_cast<std::size_t>(k)]);
+    source.triangles.push_back({ 0, k + 1, (k + 1) % count + 1 });
+    border.points.push_back(k + 1);
+  }
+  border.points.push_back(1);
+  source.pieceOfTriangle.assign(source.triangles.size(), 0);
+  source.wires = { border };
+  return source;
+}
+
+PatternSource disc(int corners, double radius)
+{
+  Points2 points;
+  for (int k = 0; k < corners; ++k)
+  {
+    const double angle = 2.0 * pi * k / corners;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return polygon(points);
+}
+
+/// Two pieces that are sewn along a border of ten edges from (0, 0) on: these turn to the left in
+/// one piece and to the right in the other, but for a straight beginning, so that both are as long.
+PatternSource sewnPieces()
+{
+  PatternSource source;
+  for (const double side : { 1.0, -1.0 })
+  {
+    const auto first = static_cast<Index>(source.positions.size());
+    Point2 at(100.0 * side, 0.0);
+    double angle = pi / 2.0;
+    SourceWire seam{ {}, WireType::Seam, 0, side > 0.0 ? 0 : 1, "seam" };
+    for (Index k = 0; k <= 10; ++k)
+    {
+      seam.points.push_back(first + k);
+      source.positions.push_back(at);
+      at += 17.0 * Point2(std::cos(angle), std::sin(angle));
+      angle += k < 2 ? 0.0 : 0.15 * side;
+    }
+    source.positions.emplace_back(100.0 * side - 150.0 * side, 70.0);
+    const Index tip = first + 11;
+    for (Index k = 0; k < 10; ++k)
+    {
+      const Triangle triangle{ first + k, first + k + 1, tip };
+      const Point2 a = source.positions[static_cast<std::size_t>(first + k + 1)] -
+        source.positions[static_cast<std::size_t>(first + k)];
+      const Point2 b = source.positions[static_cast<std::size_t>(tip)] -
+        source.positions[static_cast<std::size_t>(first + k)];
+      const bool left = a.x() * b.y() - a.y() * b.x() > 0.0;
+      source.triangles.push_back(
+        left ? triangle : Triangle{ triangle[1], triangle[0], triangle[2] });
+      source.pieceOfTriangle.push_back(side > 0.0 ? 0 : 1);
+    }
+    source.wires.push_back(seam);
+    source.wires.push_back(
+      { { first + 10, tip, first }, WireType::Boundary, none, seam.piece, "boundary" });
+  }
+  for (Index k = 0; k < 10; ++k)
+  {
+    source.sewn.push_back({ { k, k + 1 }, { 12 + k, 13 + k } });
+  }
+  return source;
+}
+
+/// The smooth borders of a source in millimetres.
+struct Smoothed
+{
+  PatternSource source;
+  PatternOptions options;
+  DrawingSource all;
+  std::unique_ptr<FairBorders> borders;
+
+  Smoothed(const PatternSource& given, double tolerance, double notches = 0.0)
+    : source(given)
+    , all{ source, options, {}, {}, {}, {}, nullptr, nullptr }
+  {
+    this->options.unit = Unit::Millimetre;
+    this->options.notchSpacing = notches;
+    EXPECT_TRUE(findBorders(this->all).ok());
+    this->borders = std::make_unique<FairBorders>(this->all, tolerance);
+  }
+};
+}
+
+TEST(FairBorders, ARoundPolygonBecomesARingOfItsLengthWithFewCurves)
+{
+  const double radius = 50.0;
+  const Smoothed smoothed(disc(48, radius), 0.2);
+  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  const double length = 48 * 2.0 * radius * std::sin(pi / 48);
+  EXPECT_NEAR(lengthOf(curve), length, 1e-9);
+  EXPECT_LE(curve.size(), 6U);
+  for (const FairSpan& span : curve)
+  {
+    for (int k = 0; k <= 10; ++k)
+    {
+      const double at = span.from + (span.to - span.from) * k / 10.0;
+      EXPECT_NEAR(span.at(at).norm(), radius, 0.2);
+    }
+  }
+  // The ring has no corner where it closes.
+  const Point2 in = curve.back().control[3] - curve.back().control[2];
+  const Point2 out = curve.front().control[1] - curve.front().control[0];
+  EXPECT_NEAR(in.normalized().dot(out.normalized()), 1.0, 1e-9);
+}
+
+TEST(FairBorders, NoPointIsFartherThanTheTolerance)
+{
+  for (const double tolerance : { 0.05, 0.2, 1.0 })
+  {
+    const Smoothed smoothed(sewnPieces(), tolerance, 40.0);
+    for (const SourceWire& wire : smoothed.source.wires)
+    {
+      const auto curve = smoothed.borders->curveOf(wire);
+      for (const Index v : wire.points)
+      {
+        EXPECT_LE(distanceFrom(curve, smoothed.source.positions[static_cast<std::size_t>(v)]),
+          tolerance + 1e-5);
+      }
+    }
+  }
+}
+
+TEST(FairBorders, EveryIntervalOfASeamHasItsLengthOnBothSides)
+{
+  const PatternSource source = sewnPieces();
+  std::vector<WalkInterval> walk;
+  PatternOptions options;
+  options.unit = Unit::Millimetre;
+  options.notchSpacing = 40.0;
+  options.fairTolerance = 1.0;
+  ASSERT_TRUE(walkSeams(source, options, walk).ok());
+  ASSERT_EQ(walk.size(), 4U);
+  for (const WalkInterval& interval : walk)
+  {
+    EXPECT_NEAR(interval.length[0], interval.length[1], 1e-9);
+    EXPECT_NEAR(interval.length[0], interval.to - interval.from, 1e-9);
+  }
+  const Smoothed smoothed(source, 1.0, 40.0);
+  for (const std::size_t wire : { 0U, 2U })
+  {
+    const auto curve = smoothed.borders->curveOf(smoothed.source.wires[wire]);
+    EXPECT_LT(curve.size(), 9U);
+    double length = 0.0;
+    std::vector<double> ends;
+    for (const FairSpan& span : curve)
+    {
+      EXPECT_FALSE(span.straight());
+      ends.push_back(length += lengthOf(span));
+    }
+    for (const double notch : { 40.0, 80.0, 120.0, 170.0 })
+    {
+      EXPECT_TRUE(std::any_of(
+        ends.begin(), ends.end(), [notch](double end) { return std::abs(end - notch) < 1e-9; }))
+        << notch;
+    }
+  }
+}
+
+TEST(FairBorders, SidesThatAreNearlyStraightBecomeStraightAndKeepTheirLengths)
+{
+  Points2 corners;
+  for (int side = 0; side < 4; ++side)
+  {
+    const double angle = pi / 2.0 * side;
+    const Point2 along(std::cos(angle), std::sin(angle));
+    const Point2 inward(-along.y(), along.x());
+    for (int k = 0; k < 10; ++k)
+    {
+      const double off = k == 0 ? 0.0 : 0.05 * std::sin(2.0 * k + side);
+      corners.emplace_back((20.0 * k - 100.0) * along + (off - 100.0) * inward);
+    }
+  }
+  const Smoothed smoothed(polygon(corners), 0.2);
+  const FairPieceReport& report = smoothed.borders->reports()[0];
+  EXPECT_EQ(report.straightened, 4U);
+  EXPECT_EQ(report.segments, 4U);
+  EXPECT_EQ(report.splines, 0U);
+  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  double length = 0.0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    length += (corners[(k + 1) % corners.size()] - corners[k]).norm();
+  }
+  EXPECT_NEAR(lengthOf(curve), length, 1e-9);
+  EXPECT_TRUE(
+    std::all_of(curve.begin(), curve.end(), [](const FairSpan& span) { return span.straight(); }));
+}
+
+TEST(FairBorders, WhatCannotKeepToTheToleranceStaysAndIsNamed)
+{
+  // The chords of twelve edges are 1.7 mm inside the circle: a ring as long as they cuts their
+  // corners.
+  const Smoothed smoothed(disc(12, 50.0), 0.01);
+  const FairPieceReport& report = smoothed.borders->reports()[0];
+  EXPECT_EQ(report.left, std::vector<std::string>{ "boundary" });
+  EXPECT_GT(report.worstLeft, 0.1);
+  EXPECT_EQ(report.segments, 12U);
+  for (std::size_t v = 0; v < smoothed.source.positions.size(); ++v)
+  {
+    EXPECT_LT((smoothed.borders->positions()[v] - smoothed.source.positions[v]).norm(), 1e-9);
+  }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks whose lengths and angles are known by construction.
+#include "SeamWalk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace flattening;
+using namespace flattening::pattern;
+
+constexpr double degrees = 57.295779513082320877;
+
+/// A square of 20 with a dart of depth 12 and a mouth of 4 in its upper side. Unit: centimetre.
+PatternSource dartedSquare()
+{
+  PatternSource source;
+  source.positions = { { 0.0, 0.0 }, { 20.0, 0.0 }, { 20.0, 20.0 }, { 0.0, 20.0 }, { 12.0, 20.0 },
+    { 10.0, 8.0 }, { 8.0, 20.0 } };
+  source.triangles = { { 0, 1, 5 }, { 1, 2, 5 }, { 2, 4, 5 }, { 6, 3, 5 }, { 3, 0, 5 } };
+  source.pieceOfTriangle.assign(source.triangles.size(), 0);
+  source.wires = { { { 4, 2, 1, 0, 3, 6 }, WireType::Boundary, none, 0, "boundary" },
+    { { 4, 5 }, WireType::Dart, 0, 0, "dart" }, { { 6, 5 }, WireType::Dart, 0, 0, "dart" } };
+  source.sewn = { { { 4, 5 }, { 6, 5 } } };
+  return source;
+}
+
+/// Two triangles that are sewn along a side of 10 in two edges; the second one's is longer by 1 in
+/// its upper half, and stands on a corner of 45 degrees in the place of one of 90.
+PatternSource twoTriangles()
+{
+  PatternSource source;
+  source.positions = { { 0.0, 0.0 }, { 10.0, 0.0 }, { 10.0, 5.0 }, { 10.0, 10.0 }, { 30.0, 0.0 },
+    { 30.0, 5.0 }, { 30.0, 11.0 }, { 41.0, 11.0 } };
+  source.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 7, 5 }, { 5, 7, 6 } };
+  source.pieceOfTriangle = { 0, 0, 1, 1 };
+  source.wires = { { { 1, 2, 3 }, WireType::Seam, 0, 0, "side, \"left\"" },
+    { { 4, 5, 6 }, WireType::Seam, 0, 1, "side, \"left\"" } };
+  source.sewn = { { { 1, 2 }, { 4, 5 } }, { { 2, 3 }, { 5, 6 } } };
+  return source;
+}
+
+PatternOptions withSpacing(double spacing)
+{
+  PatternOptions options;
+  options.notchSpacing = spacing;
+  return options;
+}
+
+std::vector<WalkInterval> walkOf(const PatternSource& source, double spacing)
+{
+  std::vector<WalkInterval> walk;
+  EXPECT_TRUE(walkSeams(source, withSpacing(spacing), walk).ok());
+  return walk;
+}
+}
+
+TEST(SeamWalk, LegsOfADartAreWalkedFromMouthToTip)
+{
+  const auto walk = walkOf(dartedSquare(), 0.0);
+  ASSERT_EQ(walk.size(), 1U);
+  const double leg = 10.0 * std::hypot(2.0, 12.0);
+  EXPECT_NEAR(walk[0].length[0], leg, 1e-12);
+  EXPECT_NEAR(walk[0].length[1], leg, 1e-12);
+  EXPECT_EQ(walk[0].from, 0.0);
+  EXPECT_NEAR(walk[0].to, leg, 1e-12);
+  const double opening = 2.0 * degrees * std::atan2(2.0, 12.0);
+  EXPECT_NEAR(walk[0].angleSum[0], 180.0 + opening, 1e-9); // at the mouth
+  EXPECT_NEAR(walk[0].angleSum[1], 360.0 - opening, 1e-9); // at the tip, one point
+}
+
+TEST(SeamWalk, IntervalsEndAtTheNotches)
+{
+  const auto walk = walkOf(dartedSquare(), 50.0);
+  ASSERT_EQ(walk.size(), 3U);
+  EXPECT_NEAR(walk[0].to, 50.0, 1e-12);
+  EXPECT_NEAR(walk[1].from, 50.0, 1e-12);
+  EXPECT_NEAR(walk[1].length[1], 50.0, 1e-12);
+  EXPECT_NEAR(walk[2].length[0], 10.0 * std::hypot(2.0, 12.0) - 100.0, 1e-12);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_EQ(walk[k].number, k + 1);
+  }
+}
+
+TEST(SeamWalk, SidesOfDifferentLengthsAreMeasuredEachOnItsPiece)
+{
+  const auto walk = walkOf(twoTriangles(), 0.0);
+  ASSERT_EQ(walk.size(), 1U);
+  EXPECT_EQ(walk[0].piece, (std::array<std::size_t, 2>{ 0, 1 }));
+  EXPECT_NEAR(walk[0].length[0], 100.0, 1e-12);
+  EXPECT_NEAR(walk[0].length[1], 110.0, 1e-12);
+  EXPECT_NEAR(walk[0].angleSum[0], 90.0 + 45.0, 1e-9);
+  EXPECT_NEAR(walk[0].angleSum[1], 45.0 + 90.0, 1e-9);
+}
+
+TEST(SeamWalk, TheTableHoldsWhatWasWalked)
+{
+  Pattern pattern;
+  pattern.names = { "front", "back" };
+  const std::string table = makeWalkTable(walkOf(twoTriangles(), 0.0), pattern);
+  EXPECT_NE(
+    table.find("\n\"side, \"\"left\"\"\",seam,front,back,1,0,100,100,110,-10,-9.090909,135,135\n"),
+    std::string::npos)
+    << table;
+}
+
+TEST(SeamWalk, NotchesWithoutNumberAreRefusedWithTheirCurve)
+{
+  std::vector<WalkInterval> walk;
+  const Status status = walkSeams(dartedSquare(), withSpacing(1e-9), walk);
+  EXPECT_EQ(status.code, StatusCode::InvalidOption);
+  EXPECT_NE(status.message.find("dart"), std::string::npos);
+}

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""make_flattenable() moves a surface until it lies flat with little strain."""
+
+import inspect
+import unittest
+import warnings
+
+import numpy as np
+
+import surfaceflattening as sf
+from surfaces import grid
+
+
+def dome(columns=10, rows=10, height=0.3):
+    points, triangles = grid(columns, rows)
+    x, y = 2 * points[:, 0] / points[:, 0].max() - 1, 2 * points[:, 1] / points[:, 1].max() - 1
+    return np.column_stack([x, y, height * (1 - x * x) * (1 - y * y)]), triangles
+
+
+class Flattenable(unittest.TestCase):
+    def test_defaults_are_those_of_the_filter(self):
+        parameters = inspect.signature(sf.make_flattenable).parameters
+        filter_ = sf.vtkMakeFlattenable()
+        self.assertEqual(parameters["bound"].default, filter_.GetBound())
+        self.assertEqual(parameters["keep_boundary"].default, filter_.GetKeepBoundary())
+        self.assertEqual(parameters["thickness"].default, filter_.GetThickness())
+        self.assertEqual(parameters["outside_bias"].default, filter_.GetOutsideBias())
+
+    def test_the_moved_surface_lies_flat_and_its_boundary_stays(self):
+        points, triangles = dome()
+        moved = sf.make_flattenable(points, triangles, bound=0.01)
+        self.assertTrue(moved.bound_met)
+        self.assertEqual(moved.strain_before, sf.flatten(points, triangles).report["pieces"][0]["strain_p95"])
+        self.assertEqual(moved.strain_after, moved.flattening.report["pieces"][0]["strain_p95"])
+        self.assertLessEqual(moved.strain_after, 0.01)
+        np.testing.assert_array_equal(moved.points - moved.shift, moved.points - (moved.points - points))
+        np.testing.assert_array_equal(moved.points[moved.kept], points[moved.kept])
+        self.assertEqual(moved.kept.sum(), 40)
+        again = sf.flatten(moved.points, moved.triangles)
+        self.assertAlmostEqual(again.report["pieces"][0]["strain_p95"], moved.strain_after, 12)
+        # By area: a third of the triangles around a point.
+        a, b, c = (points[np.asarray(triangles)[:, k]] for k in range(3))
+        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        weights = np.zeros(len(points))
+        for corner in range(3):
+            np.add.at(weights, np.asarray(triangles)[:, corner], area / 3)
+        far = np.linalg.norm(moved.shift, axis=1)
+        self.assertAlmostEqual(moved.shift_mean, (weights * far).sum() / area.sum())
+        self.assertEqual(moved.shift_max, far.max())
+        self.assertAlmostEqual(moved.size ** 2, area.sum())
+
+    def test_with_a_full_bias_no_point_moves_inwards(self):
+        points, triangles = dome()
+        points[:, 2] = 0.3 * (points[:, 0] ** 2 - points[:, 1] ** 2)
+        either, outside = (sf.make_flattenable(points, triangles, outside_bias=bias) for bias in (0, 1))
+        self.assertTrue(outside.bound_met)
+        self.assertGreater(either.shift_inwards_max, 1e-3)
+        self.assertLess(outside.shift_inwards_max, 1e-12)
+        self.assertGreater(outside.shift_outwards_mean, either.shift_outwards_mean)
+        # Upwards, where the triangles turn counter-clockwise.
+        self.assertGreater(outside.shift[:, 2].mean(), 0)
+
+    def test_kept_curves_stay_and_come_back(self):
+        points, triangles = dome()
+        row = list(range(5 * 11, 6 * 11))
+        curves = [sf.Curve(row, "key", "middle", "straight")]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            moved = sf.make_flattenable(points, triangles, curves, keep=["middle"])
+        np.testing.assert_array_equal(moved.points[row], points[row])
+        curve, = moved.curves
+        self.assertEqual((list(curve.points), curve.type, curve.name, curve.key_shape),
+                         (row, "key", "middle", "straight"))
+        self.assertEqual(len(sf.flatten(moved.points, moved.triangles, moved.curves).wires), len(moved.flattening.wires))
+
+    def test_what_is_wrong_is_raised(self):
+        points, triangles = dome(4, 4)
+        with self.assertRaisesRegex(sf.FlatteningError, "no curve is named"):
+            sf.make_flattenable(points, triangles, keep=["hem"])
+        for arguments in ({"bound": 0.0}, {"bound": 1.0}, {"thickness": -1.0}, {"outside_bias": 1.5},
+                          {"outside_bias": -0.5}, {"outside_bias": float("nan")}):
+            with self.assertRaises(ValueError):
+                sf.make_flattenable(points, triangles, **arguments)
+        for arguments in ({"keep": "hem"}, {"cuts": "all"}):
+            with self.assertRaises(TypeError):
+                sf.make_flattenable(points, triangles, **arguments)
+        with self.assertRaises(TypeError):
+            sf.make_flattenable_polydata(points)
+
+
+if __name__ == "__main__":
+    unittest.main()

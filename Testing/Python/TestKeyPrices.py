@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""price_keys() tells which key curve costs what."""
+
+import dataclasses
+import math
+import unittest
+import warnings
+
+import surfaceflattening as sf
+from surfaces import points_of, polylines_of, read, triangles_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def piece(name, curves, kinds=None):
+    """Points, triangles and the curves by their types, or those of the numbers `kinds` as keys."""
+    surface, lines = read(name), read(curves)
+    ids = {tuple(point): k for k, point in enumerate(points_of(surface))}
+    places = points_of(lines)
+    types = vtk_to_numpy(lines.GetCellData().GetArray("CurveType"))
+    result = []
+    for k, chain in enumerate(polylines_of(lines)):
+        kind = ("accessory", "key", "dart", "seam")[types[k]] if kinds is None else (
+            "key" if k in kinds else "accessory")
+        result.append(sf.Curve([ids[tuple(places[p])] for p in chain], kind, f"curve {k}"))
+    return points_of(surface), triangles_of(surface), result
+
+
+def largest(report, key):
+    return max(part[key] for part in report["pieces"])
+
+
+class KeyPrices(unittest.TestCase):
+    def test_the_price_is_what_releasing_the_shape_saves(self):
+        points, triangles, curves = piece("quarter_sphere", "quarter_sphere_curves_two", kinds=(0, 1))
+        prices = sf.price_keys(points, triangles, curves, scheme="global")
+        self.assertEqual({key.name for key in prices.keys}, {"curve 0", "curve 1"})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            whole = sf.flatten(points, triangles, curves, scheme="global").report
+            for key in prices.keys:
+                k = int(key.name[-1])
+                others = [dataclasses.replace(c, type="accessory") if j == k else c
+                          for j, c in enumerate(curves)]
+                report = sf.flatten(points, triangles, others, scheme="global").report
+                self.assertAlmostEqual(
+                    key.price, largest(whole, "E_area") - largest(report, "E_area"), 12)
+                self.assertAlmostEqual(key.without.strain_p95, largest(report, "strain_p95"), 12)
+                self.assertEqual(key.without.released, [
+                    curve["name"] for curve in report["curves"] if curve["released"]])
+        self.assertAlmostEqual(prices.all.E_area, largest(whole, "E_area"), 12)
+        self.assertEqual([key.price for key in prices.keys],
+                         sorted((key.price for key in prices.keys), reverse=True))
+
+    def test_the_key_that_contradicts_others_comes_first(self):
+        points, triangles, curves = piece("pants_front", "pants_front_curves_set3")
+        prices = sf.price_keys(points, triangles, curves, scheme="global")
+        self.assertEqual(prices.all.status, "IncompatibleKeys")
+        self.assertTrue(prices.all.released)
+        first = prices.keys[0]
+        self.assertLess(len(first.without.released), len(prices.all.released))
+        self.assertIn(f"without {first.name}", str(prices))
+        self.assertIn("gave up", str(prices))
+
+    def test_a_key_costs_nothing_where_the_surface_unrolls(self):
+        prices = sf.price_keys(*piece("cone", "cone_curves"))
+        for key in prices.keys:
+            self.assertLess(abs(key.price), 1e-9)
+            self.assertFalse(math.isnan(key.alone.E_area))
+
+    def test_a_surface_without_keys_is_refused(self):
+        points, triangles, curves = piece("cone", "cone_curves", kinds=())
+        with self.assertRaisesRegex(sf.FlatteningError, "there is no key curve"):
+            sf.price_keys(points, triangles, curves)
+
+
+if __name__ == "__main__":
+    unittest.main()

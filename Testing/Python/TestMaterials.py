@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pieces cut from cloth: the measures are those of the geometry, whatever computed them."""
+
+import json
+import os
+import re
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+
+import surfaceflattening as sf
+from surfaces import SOURCE, grid
+
+
+def shell(columns=10, rows=12, height=0.25):
+    points, triangles = grid(columns, rows)
+    x, y = points[:, 0] / points[:, 0].max(), points[:, 1] / points[:, 1].max()
+    points = np.column_stack(
+        [x, y * rows / columns, height * np.sin(np.pi * x) * np.sin(np.pi * y)])
+    return points, triangles
+
+
+def flatten(*arguments, **options):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sf.FlatteningWarning)
+        return sf.flatten(*arguments, **options)
+
+
+def threads_of(points, result):
+    """Strain of warp and weft and the shear of each triangle, from its corners alone."""
+    origin = result.point_arrays["vtkOriginalPointIds"]
+    space = points[origin][result.triangles]
+    flat = result.positions[result.triangles]
+    along = space[:, 1:] - space[:, :1]
+    plane = np.swapaxes(flat[:, 1:] - flat[:, :1], 1, 2)
+    # What takes vectors of the plane to the surface: a 3 x 2 matrix a triangle.
+    onto = np.swapaxes(along, 1, 2) @ np.linalg.inv(plane)
+    weft, warp = onto[:, :, 0], onto[:, :, 1]
+    lengths = np.linalg.norm(warp, axis=1), np.linalg.norm(weft, axis=1)
+    angle = np.degrees(np.arccos((weft * warp).sum(axis=1) / (lengths[0] * lengths[1])))
+    area = np.linalg.norm(np.cross(along[:, 0], along[:, 1]), axis=1)
+    return lengths[0] - 1, lengths[1] - 1, angle - 90, area / area.sum()
+
+
+class Materials(unittest.TestCase):
+    def test_strains_are_those_of_the_geometry(self):
+        points, triangles = shell()
+        for scheme in ("isometric", "global"):
+            result = flatten(points, triangles, material="twill", grain=25, scheme=scheme)
+            warp, weft, shear, share = threads_of(points, result)
+            cells = result.cell_arrays
+            np.testing.assert_allclose(cells["StrainWarp"], warp, atol=1e-12)
+            np.testing.assert_allclose(cells["StrainWeft"], weft, atol=1e-12)
+            np.testing.assert_allclose(np.abs(cells["ShearAngle"]), np.abs(shear), atol=1e-5)
+            cloth = result.report["pieces"][0]["cloth"]
+            for key, values in (("strain_warp_rms", warp), ("strain_weft_rms", weft), ("shear_rms", shear)):
+                self.assertAlmostEqual(cloth[key], np.sqrt((share * values**2).sum()), 6)
+            over = (np.abs(warp) > 0.05) | (np.abs(weft) > 0.05)
+            self.assertAlmostEqual(cloth["share_over_5_percent"], share[over].sum(), 12)
+            (twill,) = (material for material in sf.materials() if material["name"] == "twill")
+            out = np.zeros(len(warp), bool)
+            for values, name in ((warp, "warp"), (weft, "weft")):
+                out |= (100 * values < twill[name + "_least"]) | (100 * values > twill[name + "_greatest"])
+            out |= np.abs(shear) > twill["shear_limit"]
+            np.testing.assert_array_equal(cells["OutOfLimit"], out)
+            self.assertAlmostEqual(cloth["share_out_of_limit"], share[out].sum(), 12)
+            locked = np.abs(shear) > twill["shear_limit"]
+            self.assertAlmostEqual(cloth["share_locked"], share[locked].sum(), 12)
+
+    def test_the_dominant_stretch_is_the_largest(self):
+        points, triangles = shell()
+        result = flatten(points, triangles, material="jersey")
+        cells = result.cell_arrays
+        strain = cells["DominantStretch"] / 100 - 1
+        self.assertTrue((np.abs(strain) >= np.abs(cells["StrainWarp"]) - 1e-12).all())
+        self.assertTrue((np.abs(strain) >= np.abs(cells["StrainWeft"]) - 1e-12).all())
+        for thread, name in ((0, "StrainWarp"), (1, "StrainWeft")):
+            rows = cells["DominantThread"] == thread
+            np.testing.assert_allclose(strain[rows], cells[name][rows], atol=1e-12)
+
+    def test_without_a_material_nothing_is_said_of_threads(self):
+        points, triangles = shell()
+        result = flatten(points, triangles)
+        self.assertNotIn("StrainWarp", result.cell_arrays)
+        self.assertIsNone(result.report["pieces"][0]["cloth"])
+
+    def test_materials_are_names_or_files(self):
+        points, triangles = shell()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cloth.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump({"warp": 2000, "weft": 1000, "shear": 20, "one_way": True}, file)
+            cloth = flatten(points, triangles, material=path).report["pieces"][0]["cloth"]
+        self.assertTrue(cloth["one_way"])
+        self.assertEqual(cloth["share_out_of_limit"], 0)  # without limits
+        with self.assertWarnsRegex(sf.FlatteningWarning, "one of isotropic, plain"):
+            unknown = sf.flatten(points, triangles, material="felt")
+        self.assertEqual(unknown.report["status"], "InvalidMaterial")
+        self.assertIsNone(unknown.report["pieces"][0]["cloth"])
+        np.testing.assert_array_equal(unknown.positions, flatten(points, triangles).positions)
+        with self.assertRaisesRegex(ValueError, "a material"):
+            sf.flatten(points, triangles, grain=3)
+        with self.assertRaisesRegex(TypeError, "name or the path"):
+            sf.flatten(points, triangles, material=3)
+
+    def test_a_grain_is_an_angle_or_names_of_curves(self):
+        points, triangles = shell()
+        angles = [flatten(points, triangles, material="twill", grain=grain)
+                  for grain in (25, 25.0, np.float32(25), np.int64(25), "25")]
+        for result in angles:
+            np.testing.assert_array_equal(result.positions, angles[0].positions)
+        for grain in (float("nan"), float("inf"), 10**400):
+            with self.assertRaisesRegex(ValueError, "finite angle"):
+                sf.flatten(points, triangles, material="twill", grain=grain)
+        for grain in (b"hem", [25], [b"hem"], True, object()):
+            with self.assertRaisesRegex(TypeError, "NAME|name of a curve"):
+                sf.flatten(points, triangles, material="twill", grain=grain)
+
+    def test_the_page_has_the_numbers_of_every_material(self):
+        with open(os.path.join(SOURCE, "Documentation", "materials.md"), encoding="utf-8") as file:
+            rows = [line.strip("|\n").split("|") for line in file if line.startswith("| `")]
+        rows = {row[0].strip(" `"): [cell.strip() for cell in row[1:]] for row in rows if len(row) == 7}
+
+        def numbers(text):
+            return [float(number) for number in re.findall(r"-?[\d.]+", text)]
+
+        known = {material["name"]: material for material in sf.materials() if material["warp"] > 0}
+        self.assertEqual(rows.keys(), known.keys())
+        for name, material in known.items():
+            stiffness, source, compression, strains, allowed_by, shear = rows[name]
+            self.assertEqual(numbers(stiffness), [material[key] for key in ("warp", "weft", "shear")], name)
+            self.assertEqual(numbers(compression), [material["compression"]], name)
+            np.testing.assert_allclose(numbers(strains), [material[key] for key in (
+                "warp_least", "warp_greatest", "weft_least", "weft_greatest")], atol=1e-12, err_msg=name)
+            np.testing.assert_allclose(numbers(shear), [material["shear_limit"]], atol=1e-9, err_msg=name)
+            self.assertTrue(source and allowed_by, name)
+
+    def test_every_material_has_a_source(self):
+        self.assertGreaterEqual(len(sf.materials()), 11)
+        for material in sf.materials():
+            self.assertTrue(material["source"], material["name"])
+
+
+if __name__ == "__main__":
+    unittest.main()

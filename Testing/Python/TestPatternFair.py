@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Smooth borders, measured again in SVG, DXF and the walk by code of its own."""
+
+import csv
+import io
+import re
+import unittest
+
+import numpy as np
+
+import pattern_files as pattern
+
+TOLERANCE = 1.0  # the meshes of Data have chords of 20 mm
+
+
+def curves_of(element):
+    """Bezier curves of a path of M, L, C and Z with absolute coordinates."""
+    curves, at, first = [], None, None
+    for letter, numbers in re.findall(r"([MLCZ])([^MLCZ]*)", element.get("d")):
+        points = np.array([float(word) for word in numbers.replace(",", " ").split()]).reshape(-1, 2)
+        if letter == "M":
+            at = first = points[0]
+        elif letter == "C":
+            curves.append(np.array([at, *points]))
+            at = points[-1]
+        else:
+            end = first if letter == "Z" else points[0]
+            if np.linalg.norm(end - at) > 0:
+                curves.append(np.array([at, at + (end - at) / 3, end - (end - at) / 3, end]))
+            at = end
+    return curves
+
+
+def length_of(control):
+    places, weights = np.polynomial.legendre.leggauss(12)
+    total = 0.0
+    for part in range(8):
+        u = ((part + 0.5 + places / 2) / 8)[:, None]
+        v = 1 - u
+        slope = 3 * (v**2 * (control[1] - control[0]) + 2 * u * v * (control[2] - control[1])
+                     + u**2 * (control[3] - control[2]))
+        total += float(weights @ np.linalg.norm(slope, axis=1)) / 16
+    return total
+
+
+class Fair(pattern.PatternTest):
+    def paths(self):
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        found = []
+        for number, group in enumerate(pattern.pieces_of(root)):
+            for layer in group:
+                for element in layer.findall(pattern.SVG + "path"):
+                    if element.get("data-length"):
+                        found.append((number, element))
+        return root, found
+
+    def test_every_curve_of_the_svg_has_its_length_on_the_surface(self):
+        for piece in ("tshirt", "shirt_front", "shoe_upper"):
+            with self.subTest(piece):
+                self.make(piece, "--svg", "--fair", str(TOLERANCE))
+                wires = pattern.wires_in_space(self.path("out"), "cm")
+                _, paths = self.paths()
+                self.assertEqual(len(paths), len(wires))
+                wanted = sorted(sum(wire.edges) for wire in wires)
+                found = sorted(sum(map(length_of, curves_of(element))) for _, element in paths)
+                for a, b in zip(found, wanted):
+                    self.assertLess(abs(a - b), 1e-6)
+                self.assertTrue(any("C" in element.get("d") for _, element in paths))
+
+    def test_a_curve_ends_at_each_notch_of_both_sides(self):
+        self.make("tshirt", "--svg", "--fair", str(TOLERANCE))
+        root, paths = self.paths()
+        checked = 0
+        for _, notch, _, _ in pattern.svg_paths(root, "notch"):
+            name, arc = notch.get("data-curve"), float(notch.get("data-arc-length"))
+            for _, element in paths:
+                if element.get("data-curve") != name:
+                    continue
+                ends = np.cumsum([length_of(curve) for curve in curves_of(element)])
+                self.assertLess(min(abs(ends - arc)), 1e-6, (name, arc))
+                checked += 1
+        self.assertGreater(checked, 20)
+
+    def test_the_walk_finds_both_sides_of_every_interval_alike(self):
+        self.make("tshirt", "--walk", "--fair", str(TOLERANCE))
+        rows = list(csv.DictReader(io.StringIO(self.content("walk.csv").decode())))
+        self.assertGreater(len(rows), 10)
+        for row in rows:
+            self.assertEqual(float(row["difference_mm"]), 0.0)
+            self.assertAlmostEqual(float(row["length_a_mm"]),
+                                   float(row["to_mm"]) - float(row["from_mm"]), delta=2e-6)
+
+    def test_the_dxf_keeps_lengths_with_few_curve_points(self):
+        self.make("tshirt", "--dxf", "--svg")
+        raw = self.curve_points()
+        self.make("tshirt", "--dxf", "--svg", "--fair", str(TOLERANCE))
+        self.assertLess(2 * self.curve_points(), raw)
+        document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
+        self.assertEqual(audit, [])
+        _, paths = self.paths()
+        for number, insert in enumerate(document.modelspace().query("INSERT")):
+            lines = pattern.block_lines(document.blocks.get(insert.dxf.name), "8", "14")
+            found = sorted(sum(pattern.edge_lengths(points, closed)) for points, closed in lines)
+            wanted = sorted(float(element.get("data-length")) for piece, element in paths
+                            if piece == number)
+            self.assertEqual(len(found), len(wanted))
+            for a, b in zip(found, wanted):
+                self.assertLess(abs(a - b), 0.05 * max(1.0, b / 100.0))  # of each 100 mm
+
+    def curve_points(self):
+        """On sew lines and feature curves; the cut line is another line."""
+        document, _ = pattern.read_dxf(self.path("out", "pattern.dxf"))
+        count = 0
+        for insert in document.modelspace().query("INSERT"):
+            block = document.blocks.get(insert.dxf.name)
+            ((cut, _),) = pattern.block_lines(block, "1")
+            corners = set(cut)
+            count += sum(1 for point in block.query("POINT") if point.dxf.layer == "3"
+                         and tuple(point.dxf.location)[:2] not in corners)
+        return count
+
+    def test_what_was_done_is_said_and_what_could_not_be_is_named(self):
+        run = self.make("tshirt", "--svg", "--fair", "0.001")
+        notes = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: note: ")]
+        self.assertTrue(any("curves and" in note and "strained" in note for note in notes), notes)
+        self.assertTrue(any("left as the mesh has them" in note for note in notes), notes)
+
+
+if __name__ == "__main__":
+    unittest.main()

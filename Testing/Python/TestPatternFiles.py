@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""SVG as Inkscape and laser cutters take it, and HPGL, read by an XML parser and an interpreter of HPGL."""
+
+import math
+import re
+import unittest
+
+import pattern_files as pattern
+
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+
+
+def read_hpgl(text):
+    """(pen, points in millimetres) of every line that is drawn, and the texts."""
+    pen, down, at = 0, False, (0, 0)
+    lines, texts = [], []
+    rest = text
+    while rest:
+        match = re.match(r"\s*([A-Z]{2})", rest)
+        if not match:
+            assert not rest.strip(), rest[:20]
+            break
+        command, rest = match.group(1), rest[match.end():]
+        if command == "LB":
+            words, _, rest = rest.partition("\x03")
+            texts.append(words)
+            rest = rest.lstrip(";")
+            continue
+        arguments, _, rest = rest.partition(";")
+        numbers = [float(word) for word in arguments.split(",") if word]
+        if command == "SP":
+            pen = int(numbers[0])
+        elif command in ("PU", "PD"):
+            down = command == "PD"
+            for x, y in zip(numbers[::2], numbers[1::2]):
+                assert x == int(x) and y == int(y), (x, y)
+                if down:
+                    if not lines or lines[-1][1][-1] != at or lines[-1][0] != pen:
+                        lines.append((pen, [at]))
+                    lines[-1][1].append((x, y))
+                at = (x, y)
+        else:
+            assert command in ("IN", "DI", "SI"), command
+    return [(pen, [(x / 40, y / 40) for x, y in points]) for pen, points in lines], texts
+
+
+class Svg(pattern.PatternTest):
+    def layers(self, group):
+        return [child for child in group.findall(pattern.SVG + "g")
+                if child.get(INKSCAPE + "groupmode") == "layer"]
+
+    def test_pieces_are_layers_and_each_role_is_one_layer_in_them(self):
+        self.make("shirt_front", "--svg", "--piece-name", "front & facing")
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        layers = self.layers(root)
+        self.assertEqual([layer.get(INKSCAPE + "label") for layer in layers],
+                         ["scale check", "front & facing"])
+        roles = self.layers(layers[1])
+        self.assertEqual(len(roles), len(layers[1]))
+        labels = [role.get(INKSCAPE + "label") for role in roles]
+        self.assertEqual(len(labels), len(set(labels)), labels)
+        self.assertEqual([label.replace(" ", "-") for label in labels],
+                         [role.get("class") for role in roles])
+        for label in ("cut line", "sew line", "dart leg", "dart fold", "notch", "drill hole", "text"):
+            self.assertIn(label, labels)
+
+    def test_a_laser_gets_thin_whole_lines_in_a_colour_a_role(self):
+        self.make("shirt_front", "--svg", "--laser-colors")
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        (piece,) = pattern.pieces_of(root)
+        colours = {}
+        for role in self.layers(piece):
+            if role.get("class") == "text":
+                continue
+            self.assertIsNone(role.get("stroke-dasharray"))
+            self.assertLessEqual(float(role.get("stroke-width")), 0.1)
+            colours[role.get("class")] = role.get("stroke")
+        self.assertEqual(colours["cut-line"], "#ff0000")
+        self.assertEqual(colours["sew-line"], "#0000ff")
+        self.assertEqual(len(set(colours.values())), len(colours))
+        self.assertGreater(len(colours), 6)
+
+
+class Hpgl(pattern.PatternTest):
+    def test_every_line_of_the_svg_is_drawn_at_its_place_and_cut_lines_are_cut_last(self):
+        self.make("tshirt", "--svg", "--plt")
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        lines, _ = read_hpgl(self.content("pattern.plt").decode("ascii"))
+        roles = {group.get("class") for piece in pattern.pieces_of(root) for group in piece} - {"text"}
+        paths = [(role in ("cut-line", "cut-out"), element, points + points[:1] if closed else points)
+                 for role in roles for _, element, points, closed in pattern.svg_paths(root, role)]
+        self.assertEqual(len(paths), len(lines))
+        # The SVG has y downwards, and a legend above.
+        left = min(x for _, _, points in paths for x, _ in points)
+        bottom = max(y for _, _, points in paths for _, y in points)
+        low = [min(point[k] for _, points in lines for point in points) for k in (0, 1)]
+        wires = 0
+        for is_cut, element, points in paths:
+            wanted = [(x - left + low[0], bottom - y + low[1]) for x, y in points]
+            pen, found = min(
+                ((pen, line) for pen, line in lines if len(line) == len(wanted)),
+                key=lambda line: max(math.dist(a, b) for a, b in zip(line[1], wanted)))
+            self.assertLess(max(math.dist(a, b) for a, b in zip(found, wanted)), 0.036)
+            self.assertEqual(pen, 2 if is_cut else 1)
+            if element.get("data-length"):
+                wires += 1
+                length = sum(pattern.edge_lengths(found))
+                self.assertLess(abs(length - float(element.get("data-length"))), 0.05)
+        self.assertGreater(wires, 10)
+        pens = [pen for pen, _ in lines]
+        self.assertEqual(pens, sorted(pens))
+
+    def test_texts_are_seven_bits(self):
+        self.make("quarter_sphere", "--plt", "--name", "Ärmel; \"2\"")
+        _, texts = read_hpgl(self.content("pattern.plt").decode("ascii"))
+        self.assertIn("?rmel; \"2\"", texts)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Patterns as GarmentCode's JSON, read by the rules of its format: edges in the frames of their chords,
+rotations about axes that stay, stitches of edges with equal lengths."""
+
+import json
+import math
+import unittest
+
+import numpy as np
+
+import pattern_files as pattern
+
+
+def bezier(panel, edge):
+    """Four control points of an edge."""
+    start, end = (np.array(panel["vertices"][k]) for k in edge["endpoints"])
+    if "curvature" not in edge:
+        return np.array([start, start + (end - start) / 3, end - (end - start) / 3, end])
+    assert edge["curvature"]["type"] == "cubic"
+    chord = end - start
+    left = np.array([-chord[1], chord[0]])
+    return np.array([start, *(start + x * chord + y * left for x, y in edge["curvature"]["params"]), end])
+
+
+def points_of(control, count=400):
+    u = np.linspace(0.0, 1.0, count + 1)[:, None]
+    v = 1 - u
+    return v**3 * control[0] + 3 * u * v**2 * control[1] + 3 * u**2 * v * control[2] + u**3 * control[3]
+
+
+def length_of(control):
+    """By Gauss's rule on 8 parts."""
+    places, weights = np.polynomial.legendre.leggauss(12)
+    total = 0.0
+    for part in range(8):
+        u = ((part + 0.5 + places / 2) / 8)[:, None]
+        v = 1 - u
+        slope = 3 * (v**2 * (control[1] - control[0]) + 2 * u * v * (control[2] - control[1])
+                     + u**2 * (control[3] - control[2]))
+        total += float(weights @ np.linalg.norm(slope, axis=1)) / 16
+    return total
+
+
+def rotation(degrees):
+    x, y, z = np.radians(degrees)
+    about_x = np.array([[1, 0, 0], [0, math.cos(x), -math.sin(x)], [0, math.sin(x), math.cos(x)]])
+    about_y = np.array([[math.cos(y), 0, math.sin(y)], [0, 1, 0], [-math.sin(y), 0, math.cos(y)]])
+    about_z = np.array([[math.cos(z), -math.sin(z), 0], [math.sin(z), math.cos(z), 0], [0, 0, 1]])
+    return about_z @ about_y @ about_x
+
+
+class GarmentCode(pattern.PatternTest):
+    def read(self):
+        return json.loads(self.content("pattern.json"))
+
+    def seam_lengths(self):
+        """Of each cut, in centimetres, on the surface."""
+        return {wire.name: sum(wire.edges) / 10 for wire in pattern.wires_in_space(self.path("out"), "cm")
+                if wire.kind in (pattern.SEAM, pattern.DART)}
+
+    def check(self, tolerance):
+        document = self.read()
+        self.assertEqual(document["properties"]["units_in_meter"], 100)
+        self.assertEqual(document["properties"]["curvature_coords"], "relative")
+        panels = document["pattern"]["panels"]
+        self.assertEqual(list(panels), document["pattern"]["panel_order"])
+        for panel in panels.values():
+            count = len(panel["vertices"])
+            self.assertEqual([edge["endpoints"] for edge in panel["edges"]],
+                             [[k, (k + 1) % count] for k in range(count)])
+            ring = np.concatenate([points_of(bezier(panel, edge))[:-1] for edge in panel["edges"]])
+            after = np.roll(ring, -1, axis=0)
+            self.assertGreater(float(np.sum(ring[:, 0] * after[:, 1] - ring[:, 1] * after[:, 0])), 0.0)
+        totals = {}
+        stitched = set()
+        for sides in document["pattern"]["stitches"]:
+            edges = [panels[side["panel"]]["edges"][side["edge"]] for side in sides]
+            lengths = [length_of(bezier(panels[side["panel"]], edge)) for side, edge in zip(sides, edges)]
+            self.assertLess(abs(lengths[0] - lengths[1]), tolerance * lengths[0])
+            self.assertEqual(edges[0]["label"], edges[1]["label"])
+            total = totals.setdefault(edges[0]["label"], [0.0, 0.0])
+            for k in (0, 1):
+                total[k] += lengths[k]
+                stitched.add((sides[k]["panel"], sides[k]["edge"]))
+        self.assertEqual(len(stitched), 2 * len(document["pattern"]["stitches"]))
+        wanted = self.seam_lengths()
+        self.assertEqual(set(totals), set(wanted))
+        for name, sides in totals.items():
+            for side in sides:
+                self.assertLess(abs(side - wanted[name]), 1e-6, name)
+        return document
+
+    def test_edges_of_the_mesh_are_stitched_to_edges_of_equal_length(self):
+        self.make("tshirt", "--garmentcode")
+        document = self.check(1e-9)
+        self.assertFalse(any("curvature" in edge for panel in document["pattern"]["panels"].values()
+                             for edge in panel["edges"]))
+
+    def test_smooth_borders_are_cubic_edges_of_the_seams_lengths(self):
+        self.make("tshirt", "--garmentcode", "--fair", "1.0")
+        document = self.check(0.01)
+        edges = [edge for panel in document["pattern"]["panels"].values() for edge in panel["edges"]]
+        self.assertTrue(any("curvature" in edge for edge in edges))
+        self.make("tshirt", "--garmentcode")
+        raw = sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values())
+        self.assertLess(2 * len(edges), raw)
+
+    def test_legs_of_a_dart_are_stitched_to_each_other(self):
+        self.make("shirt_front", "--garmentcode")
+        document = self.check(1e-9)
+        for sides in document["pattern"]["stitches"]:
+            self.assertEqual(sides[0]["panel"], sides[1]["panel"])
+
+    def test_a_piece_that_is_flat_in_space_is_placed_where_it_was(self):
+        turn = rotation((20.0, -50.0, 130.0))
+        corners = [(0, 0), (30, 0), (30, 20), (10, 25), (0, 20)]
+        in_space = [turn @ (x, y, 0) + (5, -7, 11) for x, y in corners]
+        with open(self.path("flat.obj"), "w", encoding="ascii") as file:
+            for point in in_space:
+                file.write("v " + " ".join(repr(float(value)) for value in point) + "\n")
+            file.write("f 1 2 3\nf 1 3 4\nf 1 4 5\n")
+        run = self.run_command("flat.obj", "--garmentcode", "--unit", "cm", "-q", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        (panel,) = self.read()["pattern"]["panels"].values()
+        placed = [rotation(panel["rotation"]) @ (x, y, 0) + panel["translation"]
+                  for x, y in panel["vertices"]]
+        for point in in_space:
+            self.assertLess(min(np.linalg.norm(point - other) for other in placed), 1e-8)
+
+    def test_a_piece_with_a_hole_is_refused_by_name(self):
+        with open(self.path("ring.obj"), "w", encoding="ascii") as file:
+            for radius in (1, 2, 3):
+                for k in range(12):
+                    file.write(f"v {radius * math.cos(k * math.pi / 6)!r} {radius * math.sin(k * math.pi / 6)!r} 0\n")
+            for inner in (0, 12):
+                for k in range(12):
+                    a, b = inner + k + 1, inner + (k + 1) % 12 + 1
+                    file.write(f"f {a} {a + 12} {b + 12}\nf {a} {b + 12} {b}\n")
+        run = self.run_command("ring.obj", "--garmentcode", "--unit", "cm", "-q", "--output", "out",
+                               "--piece-name", "washer")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("washer", run.stderr)
+        self.assertIn("hole", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

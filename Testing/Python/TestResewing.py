@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""resew() sews flat pieces together again and says how far that is from the design."""
+
+import inspect
+import unittest
+import warnings
+
+import numpy as np
+
+import surfaceflattening as sf
+from surfaceflattening._resewing import SEWING_TESTS
+from surfaces import grid
+
+
+def dome(columns=12, rows=12, height=0.3):
+    points, triangles = grid(columns, rows)
+    x, y = 2 * points[:, 0] / points[:, 0].max() - 1, 2 * points[:, 1] / points[:, 1].max() - 1
+    return np.column_stack([x, y, height * (1 - x * x) * (1 - y * y)]), triangles
+
+
+def half_pipe(columns=12, rows=6):
+    points, triangles = grid(columns, rows)
+    angle = np.pi * points[:, 0] / points[:, 0].max()
+    height = 2 * points[:, 1] / points[:, 1].max()
+    return np.column_stack([np.cos(angle), height, -np.sin(angle)]), triangles
+
+
+class Resewing(unittest.TestCase):
+    def test_defaults_are_those_of_the_filter(self):
+        defaults = {name: parameter.default for name, parameter in inspect.signature(sf.resew).parameters.items()}
+        sewn = sf.vtkSewnShape()
+        self.assertEqual(defaults["test"], SEWING_TESTS[sewn.GetTest()])
+        self.assertEqual(defaults["thickness"], sewn.GetThickness())
+        self.assertEqual(defaults["area_bias"], sewn.GetAreaBias())
+        self.assertEqual(defaults["max_iterations"], sewn.GetMaximumIterations())
+        self.assertEqual(defaults["pressure"], sewn.GetPressure())
+        self.assertEqual(defaults["gravity"], sewn.GetGravity())
+        self.assertEqual(defaults["material"] or "", sewn.GetMaterial())
+        self.assertEqual(defaults["second_start"], sewn.GetSecondStart())
+
+    def test_a_body_is_not_entered_and_pressure_lifts(self):
+        flat = sf.flatten(*dome())
+        free = sf.resew(flat)
+        top = free.points[:, 2].max()
+        plane = sf.make_surface([(-9, -9, 0.5 * top), (-9, 9, 0.5 * top), (9, 9, 0.5 * top), (9, -9, 0.5 * top)],
+                                [(0, 1, 2), (0, 2, 3)])
+        held = sf.resew(flat, body=plane)
+        self.assertLess(held.points[:, 2].max(), 0.5 * top)
+        self.assertEqual(held.shapes[0].body_depth, 0.0)
+        self.assertGreater(sf.resew(flat, pressure=0.05).points[:, 2].sum(), free.points[:, 2].sum())
+        self.assertEqual(sf.resew(flat, second_start=False).shapes[0].second_distance_mean, 0.0)
+        with self.assertRaisesRegex(TypeError, "body is"):
+            sf.resew(flat, body=[0.0])
+
+    def test_threads_are_strained_by_the_lengths_of_the_sewn_cloth(self):
+        points, triangles = dome()
+        flat = sf.flatten(points, triangles, material="jersey")
+        sewn = sf.resew(flat, material="jersey", second_start=False)
+        # The images of the axes of the plane: warp along y.
+        plane, space = (places[triangles] for places in (flat.positions, sewn.points))
+        edges = plane[:, 1:, :2] - plane[:, :1, :2]
+        axes = np.linalg.solve(edges, space[:, 1:] - space[:, :1])
+        lengths = np.linalg.norm(axes, axis=2)
+        cosine = (axes[:, 0] * axes[:, 1]).sum(axis=1) / lengths.prod(axis=1)
+        expected = np.column_stack([lengths[:, 1] - 1, lengths[:, 0] - 1, 90 - np.degrees(np.arccos(cosine))])
+        np.testing.assert_allclose(sewn.thread_strains, expected, atol=1e-9)
+        area = np.abs(np.cross(edges[:, 0], edges[:, 1]))
+        rms = np.sqrt((area[:, None] * expected**2).sum(axis=0) / area.sum())
+        shape, = sewn.shapes
+        np.testing.assert_allclose((shape.strain_warp_rms, shape.strain_weft_rms, shape.shear_rms), rms, rtol=1e-6)
+        sheet = sf.resew(flat, second_start=False)
+        self.assertIsNone(sheet.thread_strains)
+        self.assertIsNone(sheet.shapes[0].shear_rms)
+        self.assertNotAlmostEqual(sheet.shapes[0].distance_mean, shape.distance_mean, 6)
+        with self.assertWarnsRegex(sf.FlatteningWarning, "plain sheet"):
+            felt = sf.resew(flat, material="felt", second_start=False)
+        np.testing.assert_array_equal(felt.points, sheet.points)
+        with self.assertRaisesRegex(TypeError, "name or the path"):
+            sf.resew(flat, material=3)
+
+    def test_weight_pulls_and_what_nothing_holds_is_refused(self):
+        flat = sf.flatten(*dome())
+        free, down, up = (sf.resew(flat, gravity=(0, 0, g), second_start=False).points[:, 2].sum()
+                          for g in (0, -2e-3, 2e-3))
+        self.assertLess(down, free)
+        self.assertLess(free, up)
+        seam = [6 + 13 * j for j in range(13)]
+        halves = sf.flatten(*dome(), [sf.Curve(seam, "seam", "middle")])
+        with self.assertRaisesRegex(sf.FlatteningError, "nothing holds"):
+            sf.resew(halves, "product", gravity=(0, 0, -1e-3))
+        for wrong in ((0, 0), 1.0, "down", (0, 0, None)):
+            with self.assertRaisesRegex(TypeError, "three numbers"):
+                sf.resew(flat, gravity=wrong)
+        for wrong in ((0, 0, 2), (float("nan"), 0, 0)):
+            with self.assertRaisesRegex(ValueError, "out of range"):
+                sf.resew(flat, gravity=wrong)
+
+    def test_a_developable_comes_back(self):
+        flat = sf.flatten(*half_pipe())
+        sewn = sf.resew(flat, thickness=1e-6)
+        shape, = sewn.shapes
+        self.assertTrue(shape.converged)
+        self.assertLess(shape.distance_max_relative, 1e-6)
+        self.assertLess(np.linalg.norm(sewn.points - flat.points, axis=1).max(), 1e-6 * shape.size)
+        self.assertLess(abs(sewn.principal_strains).max(), 1e-8)
+        self.assertEqual(sewn.seam_strains.shape, (0, 2))
+
+    def test_measures_are_those_of_the_arrays(self):
+        points, triangles = dome()
+        flat = sf.flatten(points, triangles)
+        sewn = sf.resew(flat)
+        shape, = sewn.shapes
+        self.assertEqual((shape.pieces, shape.triangles), (1, len(flat.triangles)))
+        a, b, c = (flat.points[flat.triangles[:, k]] for k in range(3))
+        self.assertAlmostEqual(shape.size ** 2, 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+        # Stretches by another way: the generalized eigenvalues of both metrics.
+        u, v, w = (flat.positions[flat.triangles[:, k]] for k in range(3))
+        x, y, z = (sewn.points[flat.triangles[:, k]] for k in range(3))
+        rest = np.stack([v - u, w - u], axis=2)
+        bent = np.stack([y - x, z - x], axis=2) @ np.linalg.inv(rest)
+        stretches = np.linalg.svd(bent, compute_uv=False)
+        np.testing.assert_allclose(sewn.principal_strains, stretches - 1, atol=1e-12)
+        area = 0.5 * abs(np.linalg.det(rest))
+        strain = abs(np.log(stretches)).max(axis=1)
+        self.assertAlmostEqual(shape.strain_mean, area @ strain / area.sum(), 12)
+        self.assertAlmostEqual(shape.strain_max, strain.max(), 12)
+        self.assertAlmostEqual(shape.energy_membrane, (area * ((stretches - 1) ** 2).sum(axis=1)).sum(), 12)
+        self.assertAlmostEqual(
+            shape.compressed_area, area[stretches[:, 1] < 0.999].sum() / area.sum(), 12)
+        shares = np.bincount(flat.triangles.ravel(), np.repeat(area / 3, 3)) / area.sum()
+        self.assertAlmostEqual(shape.distance_mean, shares @ sewn.distance, 12)
+        self.assertAlmostEqual(shape.distance_rms, np.sqrt(shares @ sewn.distance ** 2), 12)
+        self.assertEqual(shape.distance_max, max(sewn.distance.max(), sewn.design_distance.max()))
+        self.assertGreater(shape.distance_mean, 0)
+        # The boundary is held, and no point is farther from the design than from its own place.
+        moved = np.linalg.norm(sewn.points - flat.points, axis=1)
+        self.assertTrue((sewn.distance <= moved + 1e-12).all())
+        edge = np.isclose(abs(flat.points[:, :2]).max(axis=1), 1)
+        self.assertEqual(moved[edge].max(), 0)
+
+    def test_the_scheme_that_distorts_least_is_nearest_to_the_design(self):
+        points, triangles = dome(height=0.6)
+        isometric, least_squares = (
+            sf.resew(sf.flatten(points, triangles, scheme=scheme)).shapes[0].distance_mean
+            for scheme in ("isometric", "lscm"))
+        self.assertLess(isometric, least_squares)
+
+    def test_a_lone_panel_with_free_boundary_is_refused(self):
+        flat = sf.flatten(*dome())
+        with self.assertRaisesRegex(sf.FlatteningError, 'sewn to nothing.*take test="panel"'):
+            sf.resew(flat, "product")
+
+    def test_what_is_not_at_rest_is_told(self):
+        flat = sf.flatten(*dome())
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            sewn = sf.resew(flat, max_iterations=1)
+        self.assertFalse(sewn.shapes[0].converged)
+        self.assertIn("raise max_iterations", str(told[-1].message))
+        self.assertIs(told[-1].category, sf.FlatteningWarning)
+
+    def test_odd_arguments_are_refused(self):
+        flat = sf.flatten(*half_pipe(4, 3))
+        for arguments, kind in (({"test": "dress"}, ValueError), ({"thickness": -1.0}, ValueError),
+                                ({"thickness": float("nan")}, ValueError), ({"thickness": "thin"}, TypeError),
+                                ({"max_iterations": 0}, ValueError)):
+            with self.subTest(arguments), self.assertRaises(kind):
+                sf.resew(flat, **arguments)
+        with self.assertRaises(TypeError):
+            sf.resew(flat.positions)
+
+    def test_progress_ends_the_run(self):
+        flat = sf.flatten(*dome())
+        fractions = []
+        sf.resew(flat, progress=fractions.append)
+        self.assertTrue(fractions)
+        self.assertTrue(all(0 <= fraction <= 1 for fraction in fractions))
+
+        def stop(_):
+            raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            sf.resew(flat, progress=stop)
+
+
+if __name__ == "__main__":
+    unittest.main()

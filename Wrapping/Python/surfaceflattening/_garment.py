@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sewing patterns of GarmentCode as flat pieces with seams."""
+
+from __future__ import annotations  # help() prints hints as they are written here
+
+import os
+from dataclasses import dataclass
+from typing import Any, List, Literal, NamedTuple, Tuple, Union, cast
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._options import index_of
+from ._pattern import _text, write_parts
+from ._report import values_of
+from ._result import Wire, _rows, _wires
+from ._types import Part
+from .vtkFiltersFlattening import vtkGarmentCodeReader
+
+EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
+_SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
+_PARAMETERS = (0, 2, 4, 3)
+
+
+class PanelEdge(NamedTuple):
+    """An edge of a panel."""
+
+    #: Rows of the panel's vertices at which it begins and ends.
+    ends: Tuple[int, int]
+    shape: EdgeShape
+    #: None of a straight edge; control points in the frame of the chord, x and y of each, along it and to
+    #: its left, of which the chord is 1 long; radius in cm, 1 for the larger arc and 1 for
+    #: counter-clockwise of a circle.
+    parameters: Tuple[float, ...]
+    label: str
+
+
+class Panel(NamedTuple):
+    """A panel of a pattern."""
+
+    name: str
+    label: str
+    #: In its plane, cm; float64, shape (k, 2).
+    vertices: NDArray[np.float64]
+    #: One after the other around the panel.
+    edges: List[PanelEdge]
+    #: Where it is in space: cm, and degrees about x, then y, then z, which stay.
+    translation: Tuple[float, float, float]
+    rotation: Tuple[float, float, float]
+
+
+class Stitch(NamedTuple):
+    """Two edges that are sewn together, each a panel and an edge of it, from 0."""
+
+    first: Tuple[int, int]
+    second: Tuple[int, int]
+    #: Whether start is sewn to start instead of start to end.
+    right_to_wrong: bool
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class GarmentPattern:
+    """Panels and stitches of a file, and the same as flat pieces; lengths in cm."""
+
+    panels: List[Panel]
+    stitches: List[Stitch]
+    #: Points on the borders in the plane; float64, shape (n, 2).
+    positions: NDArray[np.float64]
+    #: Between them, counter-clockwise; int64, shape (m, 3).
+    triangles: NDArray[np.int64]
+    #: The panel of each triangle; int64, shape (m,).
+    piece_ids: NDArray[np.int64]
+    #: The points where the panels are placed in space; float64, shape (n, 3).
+    points: NDArray[np.float64]
+    #: The borders: seams, darts, labelled edges and the rest.
+    wires: List[Wire]
+    #: As :attr:`Flattening.seam_pairs`.
+    seam_pairs: NDArray[np.int64]
+    _parts: Tuple[vtkPolyData, vtkPolyData, vtkPolyData]
+
+    def __repr__(self) -> str:
+        return f"<GarmentPattern: {len(self.panels)} panels, {len(self.stitches)} stitches>"
+
+    def to_polydata(self, part: Part = "flat") -> vtkPolyData:
+        """A vtkPolyData of its own: "flat", the pieces; "wires", their borders; "cut", the pieces placed
+        in space; with the arrays of vtkGarmentCodeReader."""
+        copy = vtkPolyData()
+        copy.DeepCopy(self._parts[index_of(part, ("flat", "wires", "cut"), "part")])
+        return copy
+
+    def write_pattern(self, path: Union[str, os.PathLike[str]], **options: Any) -> None:
+        """Writes the panels as a pattern to cut, or as GarmentCode's JSON again: panels, edges and
+        stitches are then those that were read.
+
+        Args:
+            path: as for :meth:`Flattening.write_pattern`.
+            options: those of :meth:`Flattening.write_pattern` but unit, which is cm.
+
+        Raises:
+            TypeError: there is no such option.
+            ValueError, OSError, MemoryError: as :meth:`Flattening.write_pattern`.
+        """
+        from inspect import signature
+
+        from ._result import Flattening
+        known = {name: parameter.default
+                 for name, parameter in signature(Flattening.write_pattern).parameters.items()
+                 if parameter.kind is parameter.KEYWORD_ONLY and name != "unit"}
+        for name in options:
+            if name not in known:
+                raise TypeError(f"write_pattern() has no option {name!r}; there are {', '.join(known)}")
+        write_parts(self._parts, os.fspath(path), {**known, **options, "unit": "cm"}, stacklevel=3)
+
+
+def _triple(values: Any) -> Tuple[float, float, float]:
+    return (float(values[0]), float(values[1]), float(values[2]))
+
+
+def _panels(wires: vtkPolyData, positions: NDArray[np.float64]) -> Tuple[List[Panel], List[Tuple[int, int]]]:
+    field = wires.GetFieldData()
+    labels, placements = values_of(field, "PanelLabels"), values_of(field, "PanelPlacements")
+    rows = values_of(field, "PanelEdges")
+    points = [sorted({end for piece, *ends, _ in rows if piece == panel for end in ends})
+              for panel in range(len(labels))]
+    panels = [
+        Panel(name, labels[panel], np.array(positions[points[panel]]), [], _triple(placements[panel][:3]),
+              _triple(placements[panel][3:]))
+        for panel, name in enumerate(values_of(field, "PanelNames"))]
+    numbers = []
+    for (piece, first, last, shape), parameters, label in zip(
+            rows, values_of(field, "PanelEdgeParameters"), values_of(field, "PanelEdgeLabels")):
+        ends = (points[piece].index(first), points[piece].index(last))
+        numbers.append((piece, len(panels[piece].edges)))
+        panels[piece].edges.append(
+            PanelEdge(ends, _SHAPES[shape], tuple(parameters[:_PARAMETERS[shape]]), label))
+    return panels, numbers
+
+
+def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
+    """Reads a sewing pattern of GarmentCode (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on
+    Graphics 42(6), 2023).
+
+    Args:
+        path: a JSON file with panels, straight, quadratic, cubic and circular edges, and stitches. Its
+            lengths are brought to cm. Parameters of a design are passed over.
+
+    Returns:
+        A :class:`GarmentPattern`, whose write_pattern() draws it as SVG, PDF, DXF, HPGL or JSON.
+
+    Raises:
+        ValueError: the file is missing or cannot be read, or a panel or stitch cannot be; the message
+            names panel and edge.
+        MemoryError: there is not enough memory.
+    """
+    reader = vtkGarmentCodeReader()
+    reader.SetFileName(_text("path", os.fspath(path)))
+    reader.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
+    reader.Update()
+    if reader.GetStatusName() != "Ok":
+        kind = MemoryError if reader.GetStatusName() == "OutOfMemory" else ValueError
+        raise kind(reader.GetErrorMessage())
+    flat, wires, cut = (reader.GetOutput(port) for port in range(3))
+    positions = np.array(vtk_to_numpy(flat.GetPoints().GetData())[:, :2], np.float64)
+    panels, numbers = _panels(wires, positions)
+    stitches = [Stitch(numbers[a], numbers[b], bool(right_to_wrong))
+                for a, b, right_to_wrong in values_of(wires.GetFieldData(), "PanelStitches")]
+    return GarmentPattern(
+        panels, stitches, positions,
+        np.array(vtk_to_numpy(flat.GetPolys().GetConnectivityArray()), np.int64).reshape(-1, 3),
+        np.array(vtk_to_numpy(flat.GetCellData().GetArray("PieceId")), np.int64),
+        np.array(vtk_to_numpy(cut.GetPoints().GetData()), np.float64), _wires(wires),
+        _rows(flat.GetFieldData(), "SeamPairs", 5), cast(Any, (flat, wires, cut)))

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the planar shape of each key curve costs."""
+
+from __future__ import annotations  # help() prints hints as they are written here
+
+import dataclasses
+import warnings
+from typing import Any, List, NamedTuple, Sequence, Union
+
+from numpy.typing import ArrayLike
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._curves import Curve, make_curves, make_surface
+from ._errors import FlatteningWarning
+from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
+from ._options import make_filter
+from ._report import values_of
+from ._result import make_result
+from .vtkFiltersFlattening import vtkKeyCurvePrices
+
+
+class KeyTrial(NamedTuple):
+    """A flattening with some of the keys; measures are of the piece where they are largest."""
+
+    #: "Ok", or the name of what is broken.
+    status: str
+    #: Mean change of area; NaN where the surface was refused.
+    E_area: float
+    #: The strain on 95 % of the area; NaN where the surface was refused.
+    strain_p95: float
+    #: Keys that lost their shape, since they clash with others.
+    released: List[str]
+
+
+class KeyPrice(NamedTuple):
+    """What the planar shape of one key curve costs."""
+
+    name: str
+    #: By how much E_area falls where its shape alone is given up.
+    price: float
+    #: With all other keys.
+    without: KeyTrial
+    #: With no other key.
+    alone: KeyTrial
+
+
+class KeyPrices(NamedTuple):
+    """A table of keys, the dearest first; str() prints it."""
+
+    all: KeyTrial
+    none: KeyTrial
+    keys: List[KeyPrice]
+
+    def __str__(self) -> str:
+        rows = [("all keys", "", self.all)]
+        for key in self.keys:
+            rows += [(f"without {key.name}", f"{key.price:.5f}", key.without),
+                     (f"{key.name} alone", "", key.alone)]
+        rows.append(("no key", "", self.none))
+        wide = max(len(row[0]) for row in rows)
+        lines = [f"{'':{wide}}  {'price':>8}  {'E_area':>8}  {'strain p95':>10}  status"]
+        for what, price, trial in rows:
+            released = f", gave up {', '.join(trial.released)}" if trial.released else ""
+            lines.append(f"{what:{wide}}  {price:>8}  {trial.E_area:8.5f}  {trial.strain_p95:10.5f}  "
+                         f"{trial.status}{released}")
+        return "\n".join(lines)
+
+
+def price_keys(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    curves: Sequence[Union[Curve, ArrayLike]],
+    **options: Any,
+) -> KeyPrices:
+    """Flattens a surface without each of its key curves, and with each alone, to tell what they cost.
+
+    A key that is left out keeps its lengths and is free in its shape, as an accessory curve. Where keys
+    contradict each other, the `without` of one that is to blame gives up no other.
+
+    Args:
+        points, triangles: as for :func:`flatten`.
+        curves: all curves of the surface, of any type; at least one is a key curve.
+        options: the options of :func:`flatten`, with which all trials are made.
+
+    Returns:
+        A :class:`KeyPrices`, the dearest key first: by the number of keys that are given up with it and
+        not without it, then by `price`.
+
+    Raises FlatteningError where there is no key curve, or the surface is refused with all keys; nothing
+    warns.
+    """
+    given = [curve if isinstance(curve, Curve) else Curve(curve) for curve in curves]
+    given = [curve if curve.name else dataclasses.replace(curve, name=f"curve {k}")
+             for k, curve in enumerate(given)]
+    filter_ = make_filter(options, "price_keys", vtkKeyCurvePrices)
+    filter_.SetInputData(make_surface(points, triangles))
+    filter_.SetCurvesData(make_curves(given, points))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", FlatteningWarning)
+        _update(filter_, options.get("progress"))
+        make_result(filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), vtkPolyData)
+    field = filter_.GetOutput(3).GetFieldData()
+    curve_of, price_of = values_of(field, "KeyCurve"), values_of(field, "KeyPrice")
+    trials = [KeyTrial(status, area, strain, released.split(", ") if released else [])
+              for status, area, strain, released in zip(*(
+                  values_of(field, name) for name in ("Status", "AreaError", "StrainP95", "Released")))]
+    keys = [KeyPrice(given[curve_of[k]].name, price_of[k], trials[k], trials[k + 1])
+            for k in range(1, len(trials) - 1, 2)]
+    return KeyPrices(trials[0], trials[-1], keys)

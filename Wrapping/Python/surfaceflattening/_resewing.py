@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Flat pieces sewn together again: how far what comes of a pattern is from the design."""
+
+from __future__ import annotations  # help() prints hints as they are written here
+
+import math
+import os
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
+from ._options import flag, index_of, material_text, set_property
+from ._report import values_of
+from ._result import Flattening
+from .vtkFiltersFlattening import vtkSewnShape
+
+# The words of the command wirewarp, in the order of the filter's enumeration.
+SEWING_TESTS = ("panel", "product")
+
+
+class ResewnShape(NamedTuple):
+    """A piece, or all that is sewn together; the keys of "resewn" in wirewarp's report.json."""
+
+    #: How many pieces and triangles.
+    pieces: int
+    triangles: int
+    #: Root of the area of the design, unit of length.
+    size: float
+    #: From the cloth at rest to the design, by area; max is the Hausdorff distance. Unit of length.
+    distance_mean: float
+    distance_rms: float
+    distance_p95: float
+    distance_max: float
+    #: The same over `size`.
+    distance_mean_relative: float
+    distance_max_relative: float
+    #: Mean angle between the normals of cloth and design, radians.
+    normal_deviation_mean: float
+    #: max |ln sigma| of a triangle, by area.
+    strain_mean: float
+    strain_p95: float
+    strain_max: float
+    #: Share of the area that is compressed by more than 0.1 %, where cloth wrinkles.
+    compressed_area: float
+    #: Over half of Young's modulus, unit of length squared.
+    energy_membrane: float
+    energy_bending: float
+    #: How deep a point that is not held lies in the body; 0: none does. Unit of length.
+    body_depth: float
+    #: Mean distance of the shape that a second start finds, and whether it is another one.
+    second_distance_mean: float
+    several_shapes: bool
+    iterations: int
+    #: Whether the cloth is at rest.
+    converged: bool
+    #: Root mean squares of the strains of the threads, by area, the shear in degrees; None without
+    #: a material.
+    strain_warp_rms: Optional[float] = None
+    strain_weft_rms: Optional[float] = None
+    shear_rms: Optional[float] = None
+
+
+_ARRAYS = {
+    "pieces": "Pieces", "triangles": "Triangles", "size": "Size", "distance_mean": "DistanceMean",
+    "distance_rms": "DistanceRMS", "distance_p95": "DistanceP95", "distance_max": "DistanceMax",
+    "distance_mean_relative": "RelativeDistanceMean", "distance_max_relative": "RelativeDistanceMax",
+    "normal_deviation_mean": "NormalDeviationMean", "strain_mean": "StrainMean",
+    "strain_p95": "StrainP95", "strain_max": "StrainMax", "compressed_area": "CompressedArea",
+    "energy_membrane": "MembraneEnergy", "energy_bending": "BendingEnergy", "body_depth": "BodyDepth",
+    "second_distance_mean": "SecondDistanceMean", "several_shapes": "SeveralShapes", "iterations": "Iterations",
+    "converged": "Converged"}
+_THREADS = {"strain_warp_rms": "StrainWarpRms", "strain_weft_rms": "StrainWeftRms", "shear_rms": "ShearRms"}
+
+
+class Resewn(NamedTuple):
+    """Flat pieces, sewn together again and at rest; point for point and triangle for triangle the
+    flattening."""
+
+    #: Where the points lie at rest; float64, shape (n, 3).
+    points: NDArray[np.float64]
+    #: From there to the closest point of the design, and from the points of the design to the cloth;
+    #: float64, shape (n,).
+    distance: NDArray[np.float64]
+    design_distance: NDArray[np.float64]
+    #: Per triangle the angle between its normals at rest and in the design, radians; shape (m,).
+    normal_deviation: NDArray[np.float64]
+    #: Per triangle the larger and the smaller stretch less 1; shape (m, 2).
+    principal_strains: NDArray[np.float64]
+    #: Per triangle its row of `shapes`; int64, shape (m,).
+    shape_of_triangle: NDArray[np.int64]
+    #: How much longer both edges of each of the flattening's seam_pairs are than in their pieces, as a
+    #: fraction; shape (k, 2).
+    seam_strains: NDArray[np.float64]
+    #: A row of measures a piece ("panel") or all that is sewn together ("product").
+    shapes: List[ResewnShape]
+    #: Per triangle the strains of warp and weft and the shear in degrees, shape (m, 3); None without
+    #: a material.
+    thread_strains: Optional[NDArray[np.float64]] = None
+
+
+def resew(
+    flattening: Flattening,
+    test: str = "panel",
+    *,
+    thickness: float = 0.001,
+    area_bias: float = 0.0,
+    max_iterations: int = 300,
+    pressure: float = 0.0,
+    gravity: Sequence[float] = (0.0, 0.0, 0.0),
+    material: Union[None, str, "os.PathLike[str]"] = None,
+    body: Optional[vtkPolyData] = None,
+    second_start: bool = True,
+    progress: Optional[Callable[[float], Any]] = None,
+) -> Resewn:
+    """Sews flat pieces together again, lets them come to rest and compares that with the design.
+
+    The pieces are cloth that is flat at rest, stretches as the flattening counts it and bends like a
+    plate; without friction; under pressure, by its weight and on a body where these are given.
+
+    Args:
+        flattening: what :func:`flatten` gave.
+        test: what is held: "panel", of each piece its boundary where the design has it; "product",
+            nothing, with seams shared and hems free.
+        thickness: of a plate that bends as the cloth does, over the size of a piece, in [0, 1].
+        area_bias: above 0 a change of area costs the cloth more than one of angle, below 0 less, in
+            [-0.99, 0.99].
+        max_iterations: most iterations of a piece or product.
+        pressure: behind the cloth, times its size over its stiffness, in [-1, 1]; what is sewn
+            together must be closed.
+        gravity: weight of the cloth per area and where it pulls, times its size over its stiffness;
+            at most 1 long. A product needs a body to lie on.
+        material: what the cloth is made of, a name that :func:`materials` knows or the path of a
+            JSON file, with its warp along y of the flat pieces; None: the isotropic sheet.
+        body: a surface that the cloth does not go through, its normals outwards, such as
+            :func:`make_surface` makes of points and triangles.
+        second_start: come to rest from a second start as well, to learn of other shapes; it takes
+            twice the time.
+        progress: called with the fraction done, 0 to 1. What it raises ends the run and is raised
+            again.
+
+    Raises:
+        FlatteningError: "product" has a piece that is sewn to nothing; with a free boundary it comes
+            to rest as the plane, which says nothing of it.
+        ValueError, TypeError: an argument is not one of the words, out of range, or of another type.
+
+    Warns:
+        FlatteningWarning: the cloth is not at rest, has several shapes, or lies in the body.
+    """
+    if not isinstance(flattening, Flattening):
+        raise TypeError(f"flattening is {type(flattening).__name__}; it must be what flatten() gave")
+    filter_ = vtkSewnShape()
+    set_property(filter_, "test", "Test", index_of(test, SEWING_TESTS, "test"))
+    set_property(filter_, "thickness", "Thickness", thickness)
+    set_property(filter_, "area_bias", "AreaBias", area_bias)
+    set_property(filter_, "max_iterations", "MaximumIterations", max_iterations)
+    set_property(filter_, "pressure", "Pressure", pressure)
+    try:
+        pull = tuple(float(component) for component in gravity)
+    except (TypeError, ValueError):
+        pull = ()
+    if len(pull) != 3:
+        raise TypeError(f"gravity = {gravity!r} must be three numbers")
+    if not math.hypot(*pull) <= 1.0:
+        raise ValueError(f"gravity = {gravity!r} is out of range; it must be at most 1 long")
+    set_property(filter_, "gravity", "Gravity", pull)
+    if material is not None:
+        set_property(filter_, "material", "Material", material_text(material))
+    set_property(filter_, "second_start", "SecondStart", flag(second_start, "second_start"))
+    if body is not None:
+        if not isinstance(body, vtkPolyData):
+            raise TypeError(f"body is {type(body).__name__}; it must be a vtkPolyData")
+        filter_.SetBodyData(body)
+    # PyVista's meshes are data sets of VTK too.
+    filter_.SetInputData(flattening.to_polydata("flat"))
+    filter_.SetDesignData(flattening.to_polydata("cut"))
+    _update(filter_, progress)
+    sewn, design = filter_.GetOutput(0), filter_.GetOutput(1)
+    field, cells = sewn.GetFieldData(), sewn.GetCellData()
+    threads = field.GetArray("StrainWarpRms") is not None
+    names = {**_ARRAYS, **(_THREADS if threads else {})}
+    columns = [values_of(field, array) for array in names.values()]
+    shapes = [row._replace(converged=row.converged != 0, several_shapes=row.several_shapes != 0)
+              for row in (ResewnShape(*values) for values in zip(*columns))]
+
+    def copy(data: Any, name: str) -> NDArray[Any]:
+        return np.array(vtk_to_numpy(data.GetArray(name)))
+
+    pairs = field.GetArray("SeamStrains") is not None
+    return Resewn(
+        points=np.array(vtk_to_numpy(sewn.GetPoints().GetData())),
+        distance=copy(sewn.GetPointData(), "Distance"),
+        design_distance=copy(design.GetPointData(), "Distance"),
+        normal_deviation=copy(cells, "NormalDeviation"),
+        principal_strains=copy(cells, "PrincipalStrains"),
+        shape_of_triangle=copy(cells, "ShapeId").astype(np.int64),
+        seam_strains=copy(field, "SeamStrains") if pairs else np.zeros((0, 2)),
+        shapes=shapes,
+        thread_strains=np.column_stack([copy(cells, name) for name in (
+            "SewnStrainWarp", "SewnStrainWeft", "SewnShearAngle")]) if threads else None)

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A surface moved as little as it takes to lie flat with little strain."""
+
+from __future__ import annotations  # help() prints hints as they are written here
+
+from typing import Any, List, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, make_curves, make_surface
+from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
+from ._options import flag, make_filter, set_property
+from ._report import values_of
+from ._result import Flattening, make_result
+from .vtkFiltersFlattening import vtkMakeFlattenable
+
+
+class Flattenable(NamedTuple):
+    """A surface that was moved until it lies flat with little strain, and its flat pieces."""
+
+    #: Where the points lie; those of the surface given, behind them those at which curves cross
+    #: edges. float64, shape (n, 3).
+    points: NDArray[np.float64]
+    #: int64, shape (m, 3).
+    triangles: NDArray[np.int64]
+    #: From the design to the moved surface; float64, shape (n, 3).
+    shift: NDArray[np.float64]
+    #: Which points were not to be moved; bool, shape (n,).
+    kept: NDArray[np.bool_]
+    #: The curves on the moved surface, ready for :func:`flatten`.
+    curves: List[Curve]
+    #: Whether the strain of every piece is within the bound.
+    bound_met: bool
+    #: The largest strain on 95 % of a piece, before and after.
+    strain_before: float
+    strain_after: float
+    #: Root of the area of the design, unit of length.
+    size: float
+    #: How far the points were moved: mean and maximum, by area; unit of length.
+    shift_mean: float
+    shift_max: float
+    #: The mean, by area, of the part of the shift along the normals of the design; below 0 inwards.
+    shift_outwards_mean: float
+    #: How far a point was moved inwards, at most; 0: none was.
+    shift_inwards_max: float
+    #: The flat pieces of the moved surface.
+    flattening: Flattening
+
+
+def make_flattenable(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    curves: Sequence[Union[Curve, ArrayLike]] = (),
+    *,
+    bound: float = 0.02,
+    keep: Sequence[str] = (),
+    keep_boundary: bool = True,
+    outside_bias: float = 0.0,
+    thickness: float = 0.001,
+    body: Optional[vtkPolyData] = None,
+    **options: Any,
+) -> Flattenable:
+    """Moves a surface as little as it takes to lie flat with little strain, and flattens it.
+
+    Args:
+        points, triangles, curves: as for :func:`flatten`.
+        bound: the strain that is good enough, on 95 % of each piece's area, in [1e-6, 0.99].
+        keep: names of curves that stay where they are.
+        keep_boundary: the boundary of the surface stays where it is.
+        outside_bias: how much the surface moves outwards, along the normals of the design, rather than
+            inwards: a step inwards costs 1 / (1 - outside_bias) times one outwards, at 1 no point moves
+            inwards; in [0, 1].
+        thickness: of a plate that bends as the cloth does that the surface is made of while it moves,
+            over its size, in [0, 1].
+        body: a surface that is not entered, its normals outwards, such as :func:`make_surface` makes of
+            points and triangles.
+        options: the options of :func:`flatten`.
+
+    Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
+    """
+    return _make_flattenable(
+        make_surface(points, triangles), make_curves(curves, points), bound=bound, keep=keep,
+        keep_boundary=keep_boundary, outside_bias=outside_bias, thickness=thickness, body=body, **options)
+
+
+def make_flattenable_polydata(
+    surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
+) -> Flattenable:
+    """:func:`make_flattenable` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for
+    one."""
+    return _make_flattenable(surface, curves, **options)
+
+
+def _curves_of(data: vtkPolyData) -> List[Curve]:
+    cells = data.GetCellData()
+    kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
+    shapes, tolerances = values_of(cells, "KeyShape"), values_of(cells, "LengthTolerance")
+    planar = data.GetPointData().GetArray("PlanarShape")
+    curves = []
+    for cell, kind in enumerate(kinds):
+        ids = data.GetCell(cell).GetPointIds()
+        chain = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        rows = None if planar is None else np.array(vtk_to_numpy(planar))[chain]
+        planar_shape = rows if rows is not None and np.isfinite(rows).all() else None
+        curves.append(Curve(
+            chain, CURVE_TYPES[kind], names[cell], KEY_SHAPES[shapes[cell]], tolerances[cell],
+            planar_shape))
+    return curves
+
+
+def _make_flattenable(
+    surface: vtkPolyData,
+    curves: Optional[vtkPolyData],
+    *,
+    bound: float = 0.02,
+    keep: Sequence[str] = (),
+    keep_boundary: bool = True,
+    outside_bias: float = 0.0,
+    thickness: float = 0.001,
+    body: Optional[vtkPolyData] = None,
+    **options: Any,
+) -> Flattenable:
+    for data, what in ((surface, "surface"), (curves, "curves"), (body, "body")):
+        # The pipeline would print an error and give no result.
+        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
+            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
+    if isinstance(keep, str):
+        raise TypeError(f"keep is {keep!r}; it must be a sequence of names")
+    filter_ = make_filter(options, "make_flattenable", vtkMakeFlattenable)
+    set_property(filter_, "bound", "Bound", bound)
+    set_property(filter_, "keep_boundary", "KeepBoundary", flag(keep_boundary, "keep_boundary"))
+    set_property(filter_, "outside_bias", "OutsideBias", outside_bias)
+    set_property(filter_, "thickness", "Thickness", thickness)
+    for name in keep:
+        filter_.AddKeptCurve(name)
+    filter_.SetInputData(surface)
+    if curves is not None:
+        filter_.SetCurvesData(curves)
+    if body is not None:
+        filter_.SetBodyData(body)
+    _update(filter_, options.get("progress"))
+    flattening = make_result(
+        filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
+    moved = filter_.GetOutput(3)
+    field, arrays = moved.GetFieldData(), moved.GetPointData()
+
+    def number(name: str, row: int = 0) -> float:
+        return float(values_of(field, name)[row])
+
+    corners = vtk_to_numpy(moved.GetPolys().GetConnectivityArray())
+    return Flattenable(
+        points=np.array(vtk_to_numpy(moved.GetPoints().GetData()), np.float64),
+        triangles=np.array(corners, np.int64).reshape(-1, 3),
+        shift=np.array(vtk_to_numpy(arrays.GetArray("Shift"))),
+        kept=np.array(vtk_to_numpy(arrays.GetArray("Kept"))) != 0,
+        curves=_curves_of(filter_.GetOutput(4)),
+        bound_met=number("BoundMet") != 0.0,
+        strain_before=number("Strain"),
+        strain_after=number("Strain", 1),
+        size=number("Size"),
+        shift_mean=number("ShiftMean"),
+        shift_max=number("ShiftMax"),
+        shift_outwards_mean=number("ShiftOutwardsMean"),
+        shift_inwards_max=number("ShiftInwardsMax"),
+        flattening=flattening)
