@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FabricLay.h"
 
+#include "Base/Planar.h"
 #include "NoFitRegion.h"
 #include "PatternText.h"
 #include "PlaneGeometry.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
+#include <random>
 
 namespace flattening
 {
@@ -132,9 +133,7 @@ double areaOf(const Points2& polygon)
   double twice = 0.0;
   for (std::size_t k = 0; k < polygon.size(); ++k)
   {
-    const Point2& p = polygon[k];
-    const Point2& q = polygon[(k + 1) % polygon.size()];
-    twice += p.x() * q.y() - p.y() * q.x();
+    twice += cross(polygon[k], polygon[(k + 1) % polygon.size()]);
   }
   return std::abs(twice) / 2.0;
 }
@@ -184,6 +183,16 @@ public:
       {
         return { StatusCode::InvalidPattern, "piece " + piece.name + " has no cut line" };
       }
+      const std::size_t copies =
+        this->KindOf.size() + static_cast<std::size_t>(std::max(piece.quantity, 0));
+      if (copies > mostCopies)
+      {
+        return { StatusCode::InvalidOption,
+          "up to piece " + piece.name + " " + std::to_string(copies) +
+            " pieces of cloth are to be laid, and no more than " + std::to_string(mostCopies) +
+            " can be",
+          {}, { { Remedy::Give, "a smaller quantity" } } };
+      }
       this->addCopies(p, false, piece.quantity - piece.turnedOver);
       this->addCopies(p, true, piece.turnedOver);
       if (this->Kinds.back().extent.x() > this->Options.width)
@@ -193,11 +202,6 @@ public:
             " mm wide across its grain, and the cloth " + formatNumber(this->Options.width, 1) +
             " mm",
           {}, { { Remedy::Give, "a wider cloth, or another grain" } } };
-      }
-      if (this->KindOf.size() > mostCopies)
-      {
-        return { StatusCode::InvalidOption,
-          "more than " + std::to_string(mostCopies) + " pieces of cloth are to be laid" };
       }
     }
     this->improve();
@@ -296,14 +300,10 @@ private:
       });
       tryOrder(order);
     }
-    // The same numbers on every machine.
-    std::uint32_t state = 2463534242U;
-    const auto draw = [&state](std::size_t count) {
-      state ^= state << 13U;
-      state ^= state >> 17U;
-      state ^= state << 5U;
-      return static_cast<std::size_t>(state) % count;
-    };
+    // This generator, unlike the distributions, gives the same numbers on every machine.
+    std::mt19937 random(1);
+    const auto draw = [&random](
+                        std::size_t count) { return static_cast<std::size_t>(random()) % count; };
     for (std::size_t k = 0; order.size() > 1 && k < mostOrders && this->Placings < mostPlacings;
          ++k)
     {

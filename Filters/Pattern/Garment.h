@@ -44,6 +44,11 @@ struct GarmentSide
 {
   std::size_t panel = 0;
   std::size_t edge = 0;
+
+  bool operator==(const GarmentSide& other) const
+  {
+    return this->panel == other.panel && this->edge == other.edge;
+  }
 };
 
 /// Two edges that are sewn together, the start of one to the end of the other.

@@ -185,10 +185,7 @@ private:
     }
     const std::size_t t = this->StitchOf[this->Numbers.of(next)];
     const std::size_t u = this->StitchOf[this->Numbers.of(other)];
-    const bool isSame = [&](const GarmentSide& a, const GarmentSide& b) {
-      return a.panel == b.panel && a.edge == b.edge;
-    }(next, other);
-    return t == u && t != s && !isSame &&
+    return t == u && t != s && !(next == other) &&
       this->Panels.stitches[t].rightToWrong == stitch.rightToWrong &&
       this->edgeAt(next).label == this->edgeAt(stitch.sides[first]).label &&
       this->edgeAt(other).label == this->edgeAt(stitch.sides[1 - first]).label;
@@ -216,8 +213,7 @@ private:
         }
         const std::size_t t = this->StitchOf[this->Numbers.of(before)];
         const GarmentStitch& earlier = this->Panels.stitches[t];
-        const std::size_t side =
-          earlier.sides[0].panel == before.panel && earlier.sides[0].edge == before.edge ? 0 : 1;
+        const std::size_t side = earlier.sides[0] == before ? 0 : 1;
         GarmentSide next;
         GarmentSide other;
         if (t == s || done[t] || !this->goesOn(t, side, next, other) ||
@@ -259,10 +255,7 @@ private:
       };
       append(wires[0].points, a);
       append(wires[1].points, b);
-      const std::size_t side = this->Panels.stitches[s].sides[0].panel == one.panel &&
-          this->Panels.stitches[s].sides[0].edge == one.edge
-        ? 0
-        : 1;
+      const std::size_t side = this->Panels.stitches[s].sides[0] == one ? 0 : 1;
       GarmentSide next;
       GarmentSide other;
       if (!this->goesOn(s, side, next, other) || done[this->StitchOf[this->Numbers.of(next)]])

@@ -7,6 +7,7 @@ import re
 import unittest
 
 import numpy as np
+import surfaceflattening as sf
 
 import pattern_files as pattern
 
@@ -142,6 +143,14 @@ class Lay(pattern.PatternTest):
         for options in (("--nap",), ("--fabric-width", "0"), ("--fabric-width", "900", "--fabric-gap", "-1")):
             run = self.run_command(*arguments, *options)
             self.assertEqual(run.returncode, 2, options)
+
+    def test_more_pieces_than_can_be_laid_are_refused_before_they_are_counted_out(self):
+        surface, curves = (pattern.read_polydata(os.path.join(pattern.DATA, name))
+                           for name in ("tshirt.vtp", "tshirt_curves.vtp"))
+        for quantity in (1001, 1_000_000):
+            with self.subTest(quantity=quantity), self.assertRaisesRegex(Exception, "no more than 1000 can be"):
+                sf.flatten(surface, curves).save_pattern(
+                    self.path("lay.svg"), fabric_width=1400.0, quantity=quantity)
 
     def test_a_quantity_of_a_piece_that_is_not_there_is_refused(self):
         arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]

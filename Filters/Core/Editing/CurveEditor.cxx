@@ -73,11 +73,16 @@ Status CurveEditor::replace(std::size_t c, EditedCurve changed)
   Status status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), changed);
   if (!status.refused())
   {
-    CurveSet next = this->state();
-    next.curves[c] = std::make_shared<const EditedCurve>(std::move(changed));
-    this->History.push(std::move(next));
+    this->put(c, std::move(changed));
   }
   return status;
+}
+
+void CurveEditor::put(std::size_t c, EditedCurve drawn)
+{
+  CurveSet next = this->state();
+  next.curves[c] = std::make_shared<const EditedCurve>(std::move(drawn));
+  this->History.push(std::move(next));
 }
 
 //------------------------------------------------------------------------------
@@ -342,9 +347,7 @@ Status CurveEditor::tighten(std::size_t c)
     status = drawNewCurve(*this->Surface, this->state().mirror, changed);
     if (!status.refused())
     {
-      CurveSet next = this->state();
-      next.curves[c] = std::make_shared<const EditedCurve>(std::move(changed));
-      this->History.push(std::move(next));
+      this->put(c, std::move(changed));
     }
     return status.ok() ? tight.status : status;
   });

@@ -73,6 +73,7 @@ public:
 
 private:
   Status replace(std::size_t c, EditedCurve changed);
+  void put(std::size_t c, EditedCurve drawn);
   Status checkCurve(std::size_t c) const;
   Status checkNode(std::size_t c, std::size_t node) const;
   Status addDerived(DerivedCurves derived);
