@@ -5,6 +5,8 @@ Usage: TestMutatedFiles.py COUNT [FIRST]; a case is made from its number alone, 
 """
 
 import collections
+import concurrent.futures
+import functools
 import json
 import math
 import os
@@ -147,33 +149,55 @@ def keep(number, name, data):
     return path
 
 
+def alone(parent, number, name, data):
+    """What came of one case, and what is wrong with it."""
+    folder, seen, wrong = new_folder(parent), collections.Counter(), []
+    try:
+        run_alone(folder, name, data, seen)
+    except Exception as error:
+        wrong.append((number, repr(error)))
+    shutil.rmtree(folder)
+    return seen, wrong
+
+
+def together(parent, cases):
+    folder, seen, wrong = new_folder(parent), collections.Counter(), []
+    try:
+        wrong += run_many(folder, cases, seen)
+    except Exception as error:
+        wrong.append((min(cases), f"and those up to {max(cases)}: {error!r}"))
+    shutil.rmtree(folder)
+    return seen, wrong
+
+
+def jobs(count, first, tried):
+    """Functions of a folder, which try all cases."""
+    waiting = {}
+    for number in range(first, first + count):
+        name, kind, data = mutated(number)
+        tried[name, kind] += 1
+        if name == "list.txt" or number % SINGLE == 0:
+            yield functools.partial(alone, number=number, name=name, data=data)
+        else:
+            waiting[number] = name, kind, data
+        if waiting and (len(waiting) == CASES_AT_A_TIME or number == first + count - 1):
+            yield functools.partial(together, cases=waiting)
+            waiting = {}
+
+
 def test(count, first):
     wrong = []
     seen = collections.Counter()
     tried = collections.Counter()
     with tempfile.TemporaryDirectory(prefix="mutated ") as parent:
         specimens_are_sound(parent)
-        waiting = {}
-        for number in range(first, first + count):
-            name, kind, data = mutated(number)
-            tried[name, kind] += 1
-            if name == "list.txt" or number % SINGLE == 0:
-                folder = new_folder(parent)
-                try:
-                    run_alone(folder, name, data, seen)
-                except Exception as error:
-                    wrong.append((number, repr(error)))
-                shutil.rmtree(folder)
-            else:
-                waiting[number] = name, kind, data
-            if waiting and (len(waiting) == CASES_AT_A_TIME or number == first + count - 1):
-                folder = new_folder(parent)
-                try:
-                    wrong += run_many(folder, waiting, seen)
-                except Exception as error:
-                    wrong.append((min(waiting), f"and those up to {max(waiting)}: {error!r}"))
-                shutil.rmtree(folder)
-                waiting = {}
+        # Most of a run alone is one process that starts, so several run at a time.
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            running = [pool.submit(job, parent) for job in jobs(count, first, tried)]
+            for done in running:
+                counts, faults = done.result()
+                seen += counts
+                wrong += faults
     for number, text in wrong:
         name, kind, data = mutated(number)
         print(f"case {number} ({name}, {kind}): {text}; kept as {keep(number, name, data)}")
