@@ -15,6 +15,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
 namespace flattening
 {
 namespace bridge
@@ -69,16 +74,30 @@ int curveType(WireType type)
   }
 }
 
-double lengthOf(const PatternSource& source, const SourceWire& wire)
+struct WireLengths
 {
-  double length = 0.0;
+  double inSpace = 0.0;
+  double inPlane = 0.0;
+  double error = 0.0; ///< the largest relative one of an edge
+};
+
+WireLengths lengthsOf(const PatternSource& source, const SourceWire& wire)
+{
+  WireLengths lengths;
   for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
   {
-    length += (source.positions[static_cast<std::size_t>(wire.points[k + 1])] -
-      source.positions[static_cast<std::size_t>(wire.points[k])])
-                .norm();
+    const auto a = static_cast<std::size_t>(wire.points[k]);
+    const auto b = static_cast<std::size_t>(wire.points[k + 1]);
+    const double inSpace = (source.inSpace[b] - source.inSpace[a]).norm();
+    const double inPlane = (source.positions[b] - source.positions[a]).norm();
+    lengths.inSpace += inSpace;
+    lengths.inPlane += inPlane;
+    if (inSpace > 0.0)
+    {
+      lengths.error = std::max(lengths.error, std::abs(inPlane - inSpace) / inSpace);
+    }
   }
-  return length;
+  return lengths;
 }
 
 void addSeamPairs(const PatternSource& source, vtkPolyData* flat)
@@ -112,13 +131,13 @@ void addWires(const PatternSource& source, vtkPolyData* data)
   const std::vector<SourceWire>& wires = source.wires;
   vtkNew<vtkCellArray> cells;
   std::vector<std::string> names;
-  std::vector<double> lengths;
+  std::vector<WireLengths> lengths;
   for (const SourceWire& wire : wires)
   {
     const std::vector<vtkIdType> ids(wire.points.begin(), wire.points.end());
     cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     names.push_back(wire.name);
-    lengths.push_back(lengthOf(source, wire));
+    lengths.push_back(lengthsOf(source, wire));
   }
   data->SetLines(cells);
   vtkCellData* const cellData = data->GetCellData();
@@ -133,11 +152,14 @@ void addWires(const PatternSource& source, vtkPolyData* data)
   const auto flag = [](unsigned char value) { return [value](std::size_t) { return value; }; };
   addRows<vtkUnsignedCharArray>(cellData, "Boundary", wires.size(), flag(1));
   addRows<vtkUnsignedCharArray>(cellData, "Connector", wires.size(), flag(0));
-  addRows<vtkDoubleArray>(cellData, "LengthError", wires.size(), [](std::size_t) { return 0.0; });
-  for (const char* const name : { "RestLength", "FlatLength" })
+  const std::array<std::pair<const char*, double WireLengths::*>, 3> columns{
+    { { "LengthError", &WireLengths::error }, { "RestLength", &WireLengths::inSpace },
+      { "FlatLength", &WireLengths::inPlane } }
+  };
+  for (const auto& [name, value] : columns)
   {
-    addRows<vtkDoubleArray>(
-      cellData, name, wires.size(), [&](std::size_t row) { return lengths[row]; });
+    addRows<vtkDoubleArray>(cellData, name, wires.size(),
+      [&lengths, member = value](std::size_t row) { return lengths[row].*member; });
   }
 }
 }

@@ -200,6 +200,15 @@ class Reading(pattern.PatternTest):
             placed = flat @ rotation(panel["rotation"]).T + panel["translation"]
             self.assertLess(np.abs(garment.points[ids] - placed).max(), 1e-12)
 
+    def test_lengths_are_those_of_the_panel_in_space_and_in_the_plane(self):
+        garment = self.read(SKIRT)
+        for wire in garment.wires:
+            space, plane = (np.linalg.norm(np.diff(points[wire.vertices], axis=0), axis=1)
+                            for points in (garment.points, garment.positions))
+            self.assertAlmostEqual(wire.rest_length, space.sum(), delta=1e-12 * space.sum())
+            self.assertAlmostEqual(wire.flat_length, plane.sum(), delta=1e-12 * plane.sum())
+            self.assertAlmostEqual(wire.length_error, np.max(np.abs(plane / space - 1.0)), delta=1e-13)
+
     def test_a_file_in_another_unit_with_control_points_of_the_panel_is_the_same(self):
         millimetres = copy.deepcopy(SKIRT)
         millimetres["properties"] = {"curvature_coords": "absolute", "units_in_meter": 1000}
