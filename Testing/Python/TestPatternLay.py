@@ -147,10 +147,11 @@ class Lay(pattern.PatternTest):
     def test_more_pieces_than_can_be_laid_are_refused_before_they_are_counted_out(self):
         surface, curves = (pattern.read_polydata(os.path.join(pattern.DATA, name))
                            for name in ("tshirt.vtp", "tshirt_curves.vtp"))
+        result = sf.flatten_polydata(surface, curves)
         for quantity in (1001, 1_000_000):
             with self.subTest(quantity=quantity), self.assertRaisesRegex(Exception, "no more than 1000 can be"):
-                sf.flatten(surface, curves).save_pattern(
-                    self.path("lay.svg"), fabric_width=1400.0, quantity=quantity)
+                result.write_pattern(self.path("lay.svg"), unit="cm", fabric_width=1400.0, quantity=quantity)
+            self.assertFalse(os.path.exists(self.path("lay.svg")))
 
     def test_a_quantity_of_a_piece_that_is_not_there_is_refused(self):
         arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]

@@ -16,6 +16,9 @@ namespace
 constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shape term
 constexpr int mostIterations = 200;
 constexpr int fewestIterations = 20;
+/// A patch whose wires leave it no way to lie flat lowers epsilon for ever. On 24 garment pieces
+/// and their refinements none that was untangled had so many iterations without a fold less.
+constexpr int patience = 40;
 /// Iterations times triangles, so that time is bounded on every mesh.
 constexpr double mostTriangles = 4e6;
 /// From so many interior vertices on a factorization by blocks pays.
@@ -84,11 +87,12 @@ public:
     this->declareBlocks();
     Eigen::VectorXd best = this->X;
     Index fewest = this->flips(best);
+    int since = 0;
     double epsilon = 1.0;
     const int iterations =
       static_cast<int>(std::clamp(mostTriangles / static_cast<double>(this->Frames.size()),
         double{ fewestIterations }, double{ mostIterations }));
-    for (int iteration = 0; iteration < iterations; ++iteration)
+    for (int iteration = 0; iteration < iterations && since < patience; ++iteration)
     {
       if (execution.cancelled())
       {
@@ -101,6 +105,7 @@ public:
         break;
       }
       const Index flipped = this->flips(this->X);
+      since = flipped < fewest || flipped == 0 ? 0 : since + 1;
       if (flipped < fewest || (flipped == 0 && fewest == 0))
       {
         fewest = flipped;
