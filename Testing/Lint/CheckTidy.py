@@ -109,23 +109,25 @@ def joined(members):
 
 
 def check_alone(name):
+    stamp = CACHE / key(name, commands[name])  # of what is looked at, should it change meanwhile
     passed, output = run_tidy("-p", str(BUILD), str(ROOT / name))
     if passed:
-        (CACHE / key(name, commands[name])).touch()
+        stamp.touch()
     return name, passed, output
 
 
 def check(batch):
     options, members = batch
     if len(members) > 1:
+        stamps = [CACHE / key(name, commands[name]) for name in members]
         source = CACHE / (hashlib.sha256(" ".join(members).encode()).hexdigest()[:16] + ".cxx")
         source.write_text(joined(members), encoding="utf-8")
         folders = sorted({f"-iquote{(ROOT / name).parent}" for name in members})
         passed, _ = run_tidy(f"--config-file={ROOT / '.clang-tidy'}", str(source), "--", *options, *folders)
         source.unlink()
         if passed:
-            for name in members:
-                (CACHE / key(name, commands[name])).touch()
+            for stamp in stamps:
+                stamp.touch()
             return [(name, True, "") for name in members]
     return [check_alone(name) for name in members]
 
