@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of PdfWriter.cxx in a build without cairo.
+// In the place of PdfWriter.cxx in a build without cairo or FriBidi.
 #include "PdfWriter.h"
 
 namespace flattening
@@ -9,7 +9,7 @@ namespace pattern
 Status makePdf(const Pattern&, const PageOptions&, std::string&)
 {
   return { StatusCode::InvalidOption,
-    "this build cannot write PDF, because it was made without cairo", {},
+    "this build cannot write PDF, because it was made without cairo or FriBidi", {},
     { Remedy::WriteOtherFormat } };
 }
 }

@@ -1,5 +1,5 @@
-# Builds the command as where neither cairo nor Clipper is installed: it flattens, draws what needs none
-# of them, and refuses the rest by name.
+# Builds the command as where none of cairo, FriBidi and Clipper is installed: it flattens, draws what
+# needs none of them, and refuses the rest by name.
 function (run expected_result expected_words)
   execute_process(COMMAND ${ARGN}
     RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -15,7 +15,7 @@ function (run expected_result expected_words)
 endfunction ()
 
 file(REMOVE_RECURSE "${folder}")
-run(0 "without cairo: PDF is refused;without polyclipping: seam allowances are refused"
+run(0 "without CAIRO and FRIBIDI: PDF is refused;without CLIPPER: seam allowances are refused"
   "${CMAKE_COMMAND}" -S "${source}" -B "${folder}" -G "${generator}"
   -DCMAKE_BUILD_TYPE=None
   "-DCMAKE_CXX_COMPILER=${compiler}"
@@ -36,4 +36,4 @@ foreach (file IN ITEMS flat.vtp pattern.svg pattern.dxf)
   endif ()
 endforeach ()
 run(3 "made without Clipper" ${flatten} --svg)
-run(3 "made without cairo" ${flatten} --pdf --allowance 0)
+run(3 "made without cairo or FriBidi" ${flatten} --pdf --allowance 0)

@@ -41,4 +41,31 @@ TEST(VisualOrder, MarksStayBehindTheirLetters)
 {
   EXPECT_EQ(visualOrder("\u05E9\u05C1\u05D0"), "\u05D0\u05E9\u05C1");
 }
+
+TEST(VisualOrder, SignsOfMeasureStayOnTheirSideOfTheNumber)
+{
+  EXPECT_EQ(visualOrder("מידה 50%"), "50% הדימ");
+  EXPECT_EQ(visualOrder("ימין 20°"), "20° ןימי");
+}
+
+TEST(VisualOrder, BracketsInALineFromTheLeftHoldTheirWord)
+{
+  EXPECT_EQ(visualOrder("(שמאל) 2 x"), "(לאמש) 2 x");
+}
+
+TEST(VisualOrder, MarksOfDirectionAreHeededAndNotDrawn)
+{
+  EXPECT_EQ(visualOrder("a \u05D1!\u200F c"), "a !\u05D1 c");
+}
+
+TEST(VisualOrder, ArabicLettersJoin)
+{
+  // seen at the start, lam with alef as one at the end, meem alone
+  EXPECT_EQ(visualOrder("\u0633\u0644\u0627\u0645"), "\uFEE1\uFEFC\uFEB3");
+}
+
+TEST(VisualOrder, CharactersBeyondSixteenBitsStayWhole)
+{
+  EXPECT_EQ(visualOrder("\U0001F600 \u05D0\u05D1"), "\u05D1\u05D0 \U0001F600");
+}
 }

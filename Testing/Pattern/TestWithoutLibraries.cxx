@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A build without cairo and Clipper says so where they are asked for, and does the rest.
+// A build without cairo, FriBidi and Clipper says so where they are asked for, and does the rest.
 #include "NoFitRegion.h"
 #include "PdfWriter.h"
 #include "SeamAllowance.h"
@@ -14,7 +14,7 @@ TEST(WithoutLibraries, PdfIsRefusedByName)
   std::string pdf;
   const Status status = makePdf({}, {}, pdf);
   EXPECT_FALSE(status.ok());
-  EXPECT_NE(status.message.find("cairo"), std::string::npos) << status.message;
+  EXPECT_NE(status.message.find("cairo or FriBidi"), std::string::npos) << status.message;
   ASSERT_EQ(status.waysOut.size(), 1u);
   EXPECT_EQ(status.waysOut[0].remedy, Remedy::WriteOtherFormat);
   EXPECT_TRUE(pdf.empty());
