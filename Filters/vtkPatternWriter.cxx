@@ -194,6 +194,34 @@ void vtkPatternWriter::RemoveAllCurveNotches()
 }
 
 //------------------------------------------------------------------------------
+void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
+{
+  this->DoubleNotches.insert(curve);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllDoubleNotches()
+{
+  this->DoubleNotches.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
+{
+  this->CurveFairTolerances[curve] = tolerance;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveFairTolerances()
+{
+  this->CurveFairTolerances.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
 {
   static_assert(static_cast<int>(pattern::Unit::Unspecified) == UNSPECIFIED, "");
@@ -215,10 +243,14 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
   options.pattern.mitreLimit = this->MitreLimit;
   options.pattern.notchSpacing = this->NotchSpacing;
   options.pattern.notchesOfCurve = this->CurveNotches;
+  options.pattern.doubleNotches = this->DoubleNotches;
+  options.pattern.notchCorners = this->NotchCorners;
+  options.pattern.notchCurveEnds = this->NotchCurveEnds;
   options.pattern.notchLength = this->NotchLength;
   options.pattern.cutOnFold = this->CutOnFold;
   options.pattern.pairs = this->CutPairs;
   options.pattern.fairTolerance = this->FairTolerance;
+  options.pattern.fairToleranceOfCurve = this->CurveFairTolerances;
   options.pattern.darts =
     this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
   options.pages.paper = static_cast<pattern::PaperSize>(this->Paper);
@@ -381,9 +413,19 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
     }
     os << "\n";
   }
+  for (const std::string& curve : this->DoubleNotches)
+  {
+    os << indent << "DoubleNotches: " << curve << "\n";
+  }
+  os << indent << "NotchCorners: " << (this->NotchCorners ? "On" : "Off") << "\n";
+  os << indent << "NotchCurveEnds: " << (this->NotchCurveEnds ? "On" : "Off") << "\n";
   os << indent << "CutOnFold: " << (this->CutOnFold ? "On" : "Off") << "\n";
   os << indent << "CutPairs: " << (this->CutPairs ? "On" : "Off") << "\n";
   os << indent << "FairTolerance: " << this->FairTolerance << "\n";
+  for (const auto& entry : this->CurveFairTolerances)
+  {
+    os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";
+  }
   os << indent << "FabricWidth: " << this->FabricWidth << "\n";
   os << indent << "FabricNap: " << (this->FabricNap ? "On" : "Off") << "\n";
   os << indent << "FabricGap: " << this->FabricGap << "\n";

@@ -84,7 +84,8 @@
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkPatternFileWriter.h"
 
-#include <map>    // for the allowances
+#include <map>
+#include <set>    // for the allowances
 #include <string> // for names
 #include <vector> // for the names of pieces
 
@@ -232,6 +233,37 @@ public:
 
   ///@{
   /**
+   * Draw all notches of the curves of a name double, as two marks 6.35 mm apart along the border,
+   * on both sides of a seam or dart: so the back of an armhole is told from its front. A name that
+   * is not there is an error when writing.
+   */
+  void AddDoubleNotches(const std::string& curve);
+  void RemoveAllDoubleNotches();
+  ///@}
+
+  ///@{
+  /**
+   * Notch the cut line at the corners of the sew line, where both sew lines, drawn on, meet it; a
+   * corner that points into the cloth gets one notch. Default: off.
+   */
+  vtkSetMacro(NotchCorners, bool);
+  vtkGetMacro(NotchCorners, bool);
+  vtkBooleanMacro(NotchCorners, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Notch the border where curves meet it: at the ends of feature curves, of edges with names, and
+   * opposite to the ends of seams and curves of the piece that is sewn to it, but at corners.
+   * Default: off.
+   */
+  vtkSetMacro(NotchCurveEnds, bool);
+  vtkGetMacro(NotchCurveEnds, bool);
+  vtkBooleanMacro(NotchCurveEnds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: from 0.
    */
   vtkSetClampMacro(NotchLength, double, 0.0, VTK_DOUBLE_MAX);
@@ -284,6 +316,16 @@ public:
    */
   vtkSetClampMacro(FairTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FairTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * FairTolerance along all curves of a name, or "boundary" for what is left of the surface's own,
+   * in millimetres from 0; smooth lines meet those that stay as the mesh has them (0) in a corner.
+   * A name that is not there is an error when writing.
+   */
+  void SetCurveFairTolerance(const std::string& curve, double tolerance);
+  void RemoveAllCurveFairTolerances();
   ///@}
 
   ///@{
@@ -382,12 +424,16 @@ private:
   std::map<std::string, double> CurveAllowances;
   std::map<std::string, std::vector<double>> CurveNotches;
   double MitreLimit = 2.0;
+  std::set<std::string> DoubleNotches;
   double NotchSpacing = 100.0;
+  bool NotchCorners = false;
+  bool NotchCurveEnds = false;
   double NotchLength = 5.0;
   bool CutDartsOut = false;
   bool CutOnFold = false;
   bool CutPairs = false;
   double FairTolerance = 0.0;
+  std::map<std::string, double> CurveFairTolerances;
   double FabricWidth = 0.0;
   bool FabricNap = false;
   double FabricGap = 5.0;

@@ -77,6 +77,19 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
     splitNameAndNumber(text, name, distance);
     writer->AddCurveNotch(name, distance);
   }
+  for (const std::string& name : request.doubleNotches)
+  {
+    writer->AddDoubleNotches(name);
+  }
+  writer->SetNotchCorners(request.notchCorners);
+  writer->SetNotchCurveEnds(request.notchCurveEnds);
+  for (const std::string& text : request.curveFairs)
+  {
+    std::string name;
+    double tolerance = 0.0;
+    splitNameAndNumber(text, name, tolerance);
+    writer->SetCurveFairTolerance(name, tolerance);
+  }
   writer->SetMitreLimit(request.mitreLimit);
   writer->SetNotchSpacing(request.notchSpacing);
   writer->SetCutDartsOut(request.cutDartsOut);
@@ -181,6 +194,22 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->check(nameAndMillimetres())
     ->group(group);
   app
+    .add_option("--double-notches", request.doubleNotches,
+      "A curve whose notches are double, as at the back: two marks 6.35 mm apart; repeat it for "
+      "the next")
+    ->type_name("NAME")
+    ->allow_extra_args(false)
+    ->group(group);
+  app
+    .add_flag("--notch-corners", request.notchCorners,
+      "Notch the cut line at corners, where the sew lines, drawn on, meet it")
+    ->group(group);
+  app
+    .add_flag("--notch-curve-ends", request.notchCurveEnds,
+      "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
+      "it")
+    ->group(group);
+  app
     .add_flag("--cut-darts-out", request.cutDartsOut,
       "Cut darts out along their seam allowance instead of folding them")
     ->group(group);
@@ -199,6 +228,13 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
       "most this far from the points of the mesh; 0: as the mesh has them")
     ->check(number(0.0, 100.0, "[0, 100]"))
     ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--curve-fair", request.curveFairs,
+      "--fair along one curve, or along 'boundary', in place of the common one; repeat it for the "
+      "next")
+    ->allow_extra_args(false)
+    ->check(nameAndMillimetres())
     ->group(group);
   app
     .add_flag("--laser-colors", request.laserColours,

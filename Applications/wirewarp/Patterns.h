@@ -36,9 +36,13 @@ struct PatternRequest
   double notchSpacing = 100.0;
   bool cutDartsOut = false;
   std::vector<std::string> curveNotches; ///< NAME=MM
+  std::vector<std::string> doubleNotches;
+  bool notchCorners = false;
+  bool notchCurveEnds = false;
   bool cutOnFold = false;
   bool cutPairs = false;
   double fairTolerance = 0.0;
+  std::vector<std::string> curveFairs; ///< NAME=MM
   bool laserColours = false;
   double fabricWidth = 0.0; ///< 0: no lay
   bool nap = false;

@@ -108,6 +108,7 @@ void BorderChains::add(
     const auto first = std::find(chain.corner.begin(), chain.corner.end(), true);
     const auto shift = first == chain.corner.end() ? 0 : first - chain.corner.begin();
     std::rotate(chain.corner.begin(), chain.corner.begin() + shift, chain.corner.end());
+    std::rotate(chain.turns.begin(), chain.turns.begin() + shift, chain.turns.end());
     std::rotate(chain.points.begin(), chain.points.begin() + shift, chain.points.end());
   }
   chain.arc.push_back(0.0);
@@ -146,6 +147,15 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
       std::max({ roundTurn, sign * turn[(k + count - 1) % count], sign * turn[(k + 1) % count] });
     const double own = std::abs(turn[k]);
     chain.corner[k] = own > sharpTurn || (own > leastTurn && own > timesNeighbour * beside);
+  }
+  chain.turns = chain.corner;
+  // Where what is smooth meets what stays as it is.
+  for (std::size_t k = ends; k + ends < count; ++k)
+  {
+    const Index at = chain.points[k];
+    const bool before = all.fairToleranceAlong(chain.points[(k + count - 1) % count], at) > 0.0;
+    const bool after = all.fairToleranceAlong(at, chain.points[(k + 1) % count]) > 0.0;
+    chain.corner[k] = chain.corner[k] || before != after;
   }
   if (!chain.closed)
   {

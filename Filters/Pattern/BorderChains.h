@@ -15,7 +15,8 @@ struct BorderChain
   Indices points; ///< of a closed one the first not again
   std::vector<double>
     arc; ///< of the points, in the plane, millimetres; of a closed one also its length
-  std::vector<bool> corner; ///< of the points; both ends of an open one are corners
+  std::vector<bool> turns;  ///< whether the line has a corner at a point
+  std::vector<bool> corner; ///< the same, and both ends of an open one, and ends of what is smooth
 
   std::size_t edges() const { return this->arc.size() - 1; }
   double length() const { return this->arc.back(); }
@@ -30,7 +31,7 @@ struct ChainEdge
   bool backwards = false; ///< the chain runs from its second point to its first
 };
 
-/// All borders and feature curves of all pieces as chains.
+/// All borders and feature curves of all pieces as chains, the borders first.
 class BorderChains
 {
 public:

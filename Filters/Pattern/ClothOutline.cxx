@@ -48,11 +48,7 @@ std::vector<AllowancePolygon> ClothOutline::polygons() const
 double ClothOutline::allowanceOf(Index from, Index to) const
 {
   const PatternOptions& options = this->All.options;
-  const std::size_t wire = wireOf(this->All.source, this->All.wires, from, to);
-  const bool known = wire < this->All.source.wires.size();
-  const auto found =
-    options.allowanceOfCurve.find(known ? this->All.source.wires[wire].name : "boundary");
-  return found == options.allowanceOfCurve.end() ? options.allowance : found->second;
+  return this->All.valueAlong(from, to, options.allowanceOfCurve, options.allowance);
 }
 
 AllowancePolygon ClothOutline::polygonOf(std::size_t l) const

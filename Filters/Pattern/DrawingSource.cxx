@@ -25,6 +25,21 @@ void DrawingSource::addAlong(Index from, Index to, Points2& points) const
   }
 }
 
+double DrawingSource::valueAlong(
+  Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const
+{
+  const std::size_t wire = wireOf(this->source, this->wires, from, to);
+  const bool known = wire < this->source.wires.size();
+  const auto found = ofCurve.find(known ? this->source.wires[wire].name : "boundary");
+  return found == ofCurve.end() ? common : found->second;
+}
+
+double DrawingSource::fairToleranceAlong(Index from, Index to) const
+{
+  return this->valueAlong(
+    from, to, this->options.fairToleranceOfCurve, this->options.fairTolerance);
+}
+
 Status findBorders(DrawingSource& all)
 {
   std::size_t pieces = 0;

@@ -24,6 +24,11 @@ struct DrawingSource
   const FairBorders* fair = nullptr; ///< null: borders are drawn as the mesh has them
   const Points2* moved = nullptr;    ///< where the points are then, millimetres
 
+  /// How far points of an edge may be from its smooth curve, millimetres; 0: it stays as it is.
+  double fairToleranceAlong(Index from, Index to) const;
+  /// The value of a curve, the boundary's where an edge is of none, or the common one.
+  double valueAlong(
+    Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const;
   double scale() const { return millimetresPer(this->options.unit); }
   Point2 at(Index point) const
   {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -45,29 +46,23 @@ void addParts(
 }
 }
 
-FairBorders::FairBorders(const DrawingSource& all, double tolerance)
+FairBorders::FairBorders(const DrawingSource& all)
   : All(all)
   , Chains(all)
-  , Plan(planFairBorders(all, this->Chains, tolerance))
+  , Plan(planFairBorders(all, this->Chains))
   , Spans(this->Plan.size())
   , Deviation(this->Plan.size())
-  , NeededForLeft(all.loops.size(), 0.0)
-  , LeftNames(all.loops.size())
+  , Reports(all.loops.size())
 {
-  this->Reports.resize(all.loops.size());
-  this->solve(tolerance);
+  this->solve();
   this->place();
   this->report();
 }
 
-void FairBorders::solve(double tolerance)
+void FairBorders::solve()
 {
   const std::size_t pieces = this->All.loops.size();
   std::vector<double> wave(pieces, 0.0);
-  for (std::size_t p = 0; p < pieces && tolerance == 0.0; ++p)
-  {
-    this->leave(p);
-  }
   for (std::size_t p = 0; p < pieces; ++p)
   {
     double length = 0.0;
@@ -94,7 +89,7 @@ void FairBorders::solve(double tolerance)
         changed = true;
         continue;
       }
-      changed = this->refine(p, tolerance, round + 4 > rounds) || changed;
+      changed = this->refine(p, round + 4 > rounds) || changed;
     }
     if (!changed)
     {
@@ -113,7 +108,7 @@ void FairBorders::solve(double tolerance)
       wave[p] *= widerWave;
       const auto spans = this->Spans;
       const auto deviation = this->Deviation;
-      if (!this->solvePiece(p, wave[p]) || this->largestDeviation(p) > sparing * tolerance)
+      if (!this->solvePiece(p, wave[p]) || this->largestShare(p) > sparing)
       {
         this->Spans = spans;
         this->Deviation = deviation;
@@ -134,7 +129,7 @@ bool FairBorders::solvePiece(std::size_t piece, double wave)
   return curves.converged;
 }
 
-bool FairBorders::refine(std::size_t piece, double tolerance, bool last)
+bool FairBorders::refine(std::size_t piece, bool last)
 {
   bool changed = false;
   for (std::size_t c = 0; c < this->Plan.size(); ++c)
@@ -143,27 +138,29 @@ bool FairBorders::refine(std::size_t piece, double tolerance, bool last)
     {
       for (PlannedStretch& stretch : this->Plan[c].stretches)
       {
-        changed = this->refineStretch(c, stretch, tolerance, last) || changed;
+        changed = this->refineStretch(c, stretch, last) || changed;
       }
     }
   }
   return changed;
 }
 
-bool FairBorders::refineStretch(std::size_t c, PlannedStretch& stretch, double tolerance, bool last)
+bool FairBorders::refineStretch(std::size_t c, PlannedStretch& stretch, bool last)
 {
   if (stretch.form == StretchForm::Raw)
   {
     return false;
   }
   double needed = 0.0;
+  double wanted = 0.0;
   bool refined = false;
   for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
   {
     const double off = this->Deviation[c][k];
     PlannedInterval& interval = this->Plan[c].intervals[k];
-    if (off > tolerance)
+    if (off > interval.tolerance)
     {
+      wanted = off > needed ? interval.tolerance : wanted;
       needed = std::max(needed, off);
       if (stretch.form == StretchForm::Spline && interval.spans < interval.most && !last)
       {
@@ -183,9 +180,10 @@ bool FairBorders::refineStretch(std::size_t c, PlannedStretch& stretch, double t
   else if (!refined)
   {
     stretch.form = StretchForm::Raw;
-    const std::size_t piece = this->Chains.chains()[c].piece;
-    this->NeededForLeft[piece] = std::max(this->NeededForLeft[piece], needed);
-    this->LeftNames[piece].push_back(this->nameOf(c, stretch.firstPoint));
+    FairPieceReport& report = this->Reports[this->Chains.chains()[c].piece];
+    report.wantedOfWorst = needed > report.worstLeft ? wanted : report.wantedOfWorst;
+    report.worstLeft = std::max(report.worstLeft, needed);
+    report.left.push_back(this->nameOf(c, stretch.firstPoint));
   }
   return true;
 }
@@ -233,6 +231,33 @@ double FairBorders::largestDeviation(std::size_t piece) const
       {
         most = std::max(most, deviation);
       }
+    }
+  }
+  return most;
+}
+
+double FairBorders::largestShare(std::size_t piece) const
+{
+  double most = 0.0;
+  double largest = 0.0; // tolerance, for what stays as it was
+  for (const PlannedChain& chain : this->Plan)
+  {
+    for (const PlannedInterval& interval : chain.intervals)
+    {
+      largest = std::max(largest, interval.tolerance);
+    }
+  }
+  if (largest == 0.0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  {
+    const bool isHere = this->Chains.chains()[c].piece == piece;
+    for (std::size_t k = 0; isHere && k < this->Deviation[c].size(); ++k)
+    {
+      const double own = this->Plan[c].intervals[k].tolerance;
+      most = std::max(most, this->Deviation[c][k] / (own > 0.0 ? own : largest));
     }
   }
   return most;
@@ -297,8 +322,6 @@ void FairBorders::report()
     report.deviation = this->largestDeviation(p);
     report.strainBefore = strainQuantile(this->All, p, before);
     report.strain = strainQuantile(this->All, p, followBorders(this->All, p, this->Positions));
-    report.worstLeft = this->NeededForLeft[p];
-    report.left = this->LeftNames[p];
     std::sort(report.left.begin(), report.left.end());
     report.left.erase(std::unique(report.left.begin(), report.left.end()), report.left.end());
   }

@@ -19,7 +19,8 @@ struct FairPieceReport
   double strainBefore = 0.0;    ///< of 95 % of the area, strainQuantile()
   double strain = 0.0;          ///< the same with borders as they are drawn, followBorders()
   bool solved = true;           ///< false: nothing was drawn otherwise
-  double worstLeft = 0.0; ///< what the worst of the stretches that were left would have needed
+  double worstLeft = 0.0;     ///< what the worst of the stretches that were left would have needed
+  double wantedOfWorst = 0.0; ///< its tolerance
   std::vector<std::string> left; ///< names of curves with such stretches
 };
 
@@ -29,10 +30,9 @@ struct FairPieceReport
 class FairBorders
 {
 public:
-  /// The source stays the caller's.
-  /// \param tolerance how far points of the flat piece may be from what is drawn, millimetres; 0: all
-  /// stays as it is
-  FairBorders(const DrawingSource& all, double tolerance);
+  /// The source stays the caller's; its options say how far points of the flat pieces may be from
+  /// what is drawn.
+  explicit FairBorders(const DrawingSource& all);
 
   const BorderChains& chains() const { return this->Chains; }
   const std::vector<PlannedChain>& plan() const { return this->Plan; }
@@ -48,17 +48,19 @@ public:
     Index from, Index to, double fromFraction = 0.0, double toFraction = 1.0) const;
 
 private:
-  void solve(double tolerance);
+  void solve();
   bool solvePiece(std::size_t piece, double wave);
   /// More spans where the tolerance is not kept, and the stretch as it was where they do not help.
   /// \param last nothing is tried any more
-  bool refine(std::size_t piece, double tolerance, bool last);
-  bool refineStretch(std::size_t c, PlannedStretch& stretch, double tolerance, bool last);
+  bool refine(std::size_t piece, bool last);
+  bool refineStretch(std::size_t c, PlannedStretch& stretch, bool last);
   /// Lets what was made straight bend again, if there is any.
   bool loosen(std::size_t piece);
   /// Lets all of the piece be as it was.
   void leave(std::size_t piece);
   double largestDeviation(std::size_t piece) const;
+  /// The same over the tolerances; infinite where nothing is to be smooth.
+  double largestShare(std::size_t piece) const;
   void place();
   void report();
   std::string nameOf(std::size_t chain, std::size_t point) const;
@@ -66,10 +68,8 @@ private:
   const DrawingSource& All;
   BorderChains Chains;
   std::vector<PlannedChain> Plan;
-  std::vector<std::vector<FairSpan>> Spans;        ///< of each chain
-  std::vector<std::vector<double>> Deviation;      ///< of each interval of each chain
-  std::vector<double> NeededForLeft;               ///< of each piece
-  std::vector<std::vector<std::string>> LeftNames; ///< of each piece
+  std::vector<std::vector<FairSpan>> Spans;   ///< of each chain
+  std::vector<std::vector<double>> Deviation; ///< of each interval of each chain
   Points2 Positions;
   std::vector<FairPieceReport> Reports;
 };

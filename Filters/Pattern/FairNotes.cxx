@@ -7,7 +7,7 @@ namespace flattening
 {
 namespace pattern
 {
-void addFairNotes(const FairPieceReport& report, double tolerance, PatternPiece& piece)
+void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
 {
   const std::string of = "piece " + piece.name + ": ";
   if (!report.solved)
@@ -38,8 +38,8 @@ void addFairNotes(const FairPieceReport& report, double tolerance, PatternPiece&
     {
       names += (names.empty() ? "" : ", ") + name;
     }
-    piece.notes.push_back(of + "not smooth within " + formatNumber(tolerance, 3) + " mm, but " +
-      formatNumber(report.worstLeft, 2) +
+    piece.notes.push_back(of + "not smooth within " + formatNumber(report.wantedOfWorst, 3) +
+      " mm, but " + formatNumber(report.worstLeft, 2) +
       " mm off, and so left as the mesh has them, are stretches of " + names);
   }
 }

@@ -10,6 +10,6 @@ namespace pattern
 {
 /// Says on a piece what was drawn smoothly, what was made straight, and what was left as it was and
 /// why.
-void addFairNotes(const FairPieceReport& report, double tolerance, PatternPiece& piece);
+void addFairNotes(const FairPieceReport& report, PatternPiece& piece);
 }
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -20,10 +21,9 @@ constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
 class FairPlanner
 {
 public:
-  FairPlanner(const DrawingSource& all, const BorderChains& chains, double tolerance)
+  FairPlanner(const DrawingSource& all, const BorderChains& chains)
     : All(all)
     , Chains(chains)
-    , Tolerance(tolerance)
   {
   }
 
@@ -35,7 +35,7 @@ public:
     for (const NotchPlace& notch : this->All.notches)
     {
       ChainEdge place;
-      if (this->Chains.find(notch.edge[0], notch.edge[1], place))
+      if (notch.isStop && this->Chains.find(notch.edge[0], notch.edge[1], place))
       {
         notches[place.chain].push_back(this->arcAt(place, notch.fraction));
       }
@@ -55,6 +55,14 @@ private:
     const BorderChain& chain = this->Chains.chains()[place.chain];
     const double along = place.backwards ? 1.0 - fraction : fraction;
     return chain.arc[place.edge] + along * (chain.arc[place.edge + 1] - chain.arc[place.edge]);
+  }
+
+  std::size_t edgeAt(std::size_t c, double arc) const
+  {
+    const std::vector<double>& arcs = this->Chains.chains()[c].arc;
+    return static_cast<std::size_t>(
+             std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin()) -
+      1;
   }
 
   /// \param end 0: the point at which the edge starts as it was asked for, 1: that at which it ends
@@ -145,6 +153,8 @@ private:
       const auto edges = std::count_if(chain.arc.begin(), chain.arc.end(),
         [&](double arc) { return arc > interval.start && arc < interval.end; });
       interval.most = static_cast<int>(edges) + 2;
+      const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
+      interval.tolerance = this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
       this->Plan[c].intervals.push_back(interval);
     }
   }
@@ -184,7 +194,16 @@ private:
       }
       stretch.endInterval = next;
       stretch.smoothEnds = ring;
-      if (ring)
+      double tolerance = std::numeric_limits<double>::infinity();
+      for (std::size_t i = stretch.firstInterval; i < next; ++i)
+      {
+        tolerance = std::min(tolerance, planned.intervals[i].tolerance);
+      }
+      if (tolerance == 0.0)
+      {
+        stretch.form = StretchForm::Raw;
+      }
+      else if (ring)
       {
         for (PlannedInterval& interval : planned.intervals)
         {
@@ -194,13 +213,13 @@ private:
       }
       else
       {
-        this->straighten(chain, stretch);
+        this->straighten(chain, stretch, tolerance);
       }
       planned.stretches.push_back(stretch);
     }
   }
 
-  void straighten(const BorderChain& chain, PlannedStretch& stretch) const
+  void straighten(const BorderChain& chain, PlannedStretch& stretch, double tolerance) const
   {
     const Point2 from = this->All.at(chain.point(stretch.firstPoint));
     const Point2 chord = this->All.at(chain.point(stretch.lastPoint)) - from;
@@ -212,7 +231,7 @@ private:
       stretch.bend = std::max(
         stretch.bend, beside || length == 0.0 ? way.norm() : std::abs(cross(chord, way)) / length);
     }
-    if (stretch.bend <= std::min(this->Tolerance, straightness * length))
+    if (stretch.bend <= std::min(tolerance, straightness * length))
     {
       stretch.form = StretchForm::Straight;
     }
@@ -249,8 +268,7 @@ private:
   {
     const BorderChain& chain = this->Chains.chains()[c];
     const double middle = (interval.start + interval.end) / 2.0;
-    const auto above = std::upper_bound(chain.arc.begin(), chain.arc.end(), middle);
-    const std::size_t edge = static_cast<std::size_t>(above - chain.arc.begin()) - 1;
+    const std::size_t edge = this->edgeAt(c, middle);
     const auto sewn = this->All.partners.find(edgeKey(chain.point(edge), chain.point(edge + 1)));
     ChainEdge place;
     if (sewn == this->All.partners.end() ||
@@ -274,16 +292,14 @@ private:
 
   const DrawingSource& All;
   const BorderChains& Chains;
-  const double Tolerance;
   std::vector<std::vector<bool>> Firm; ///< points of the chains
   std::vector<PlannedChain> Plan;
 };
 }
 
-std::vector<PlannedChain> planFairBorders(
-  const DrawingSource& all, const BorderChains& chains, double tolerance)
+std::vector<PlannedChain> planFairBorders(const DrawingSource& all, const BorderChains& chains)
 {
-  return FairPlanner(all, chains, tolerance).plan();
+  return FairPlanner(all, chains).plan();
 }
 
 void agreeOnSpans(std::vector<PlannedChain>& plan)

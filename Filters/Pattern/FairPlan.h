@@ -12,9 +12,10 @@ struct PlannedInterval
 {
   double start = 0.0; ///< along the chain
   double end = 0.0;
-  double length = 0.0; ///< that its curve must have, the same on both sides of a seam
-  int spans = 1;       ///< of its spline
-  int most = 1;        ///< that make sense: one an edge of the mesh, and one more
+  double length = 0.0;    ///< that its curve must have, the same on both sides of a seam
+  int spans = 1;          ///< of its spline
+  int most = 1;           ///< that make sense: one an edge of the mesh, and one more
+  double tolerance = 0.0; ///< of its points from its curve, millimetres; 0: it stays as it was
   std::array<std::size_t, 2> partner{ none, none }; ///< chain and interval that it is sewn to
   bool reversed = false;                            ///< the partner's chain runs the other way
 
@@ -47,9 +48,7 @@ struct PlannedChain
 };
 
 /// Into which stretches and intervals the chains fall.
-/// \param tolerance of straight stretches, millimetres
-std::vector<PlannedChain> planFairBorders(
-  const DrawingSource& all, const BorderChains& chains, double tolerance);
+std::vector<PlannedChain> planFairBorders(const DrawingSource& all, const BorderChains& chains);
 
 /// Gives both sides of each interval as many spans as the one of them that needs more.
 void agreeOnSpans(std::vector<PlannedChain>& plan);

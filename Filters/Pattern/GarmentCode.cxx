@@ -123,7 +123,7 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
   {
     return status;
   }
-  const FairBorders fair(all, options.fairTolerance);
+  const FairBorders fair(all);
   const std::vector<std::vector<BorderEdge>> borders = borderEdges(all, fair);
   std::vector<std::string> names; // members of an object, and so all different
   for (const std::string& name : drawing.names)

@@ -56,6 +56,33 @@ NotchPlace onBoundary(const std::unordered_set<std::uint64_t>& boundary, NotchPl
   }
   return place;
 }
+
+/// A notch or a mark of a double one.
+struct Mark
+{
+  double at = 0.0;
+  bool isDrawn = true;
+  bool isStop = true;
+};
+
+/// What the stations of a curve become, in their order.
+std::vector<Mark> marksOf(
+  const std::vector<double>& stations, bool twice, double half, double length)
+{
+  std::vector<Mark> marks;
+  for (const double at : stations)
+  {
+    marks.push_back({ at, !twice, true });
+    if (twice)
+    {
+      marks.push_back({ std::max(at - half, 0.0), true, false });
+      marks.push_back({ std::min(at + half, length), true, false });
+    }
+  }
+  std::stable_sort(
+    marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.at < b.at; });
+  return marks;
+}
 }
 
 Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
@@ -111,12 +138,14 @@ Status placeNotches(const PatternSource& source, const PieceLoops& loops,
     {
       longest[wire.name] = std::max(longest[wire.name], scale * arc.back());
     }
-    std::vector<double> at;
-    Status status = stationsOf(wire, arc.back(), options, scale, at);
+    std::vector<double> stations;
+    Status status = stationsOf(wire, arc.back(), options, scale, stations);
     if (!status.ok())
     {
       return status;
     }
+    const std::vector<Mark> marks = marksOf(stations, options.doubleNotches.count(wire.name) > 0,
+      doubleNotchDistance / 2.0 / scale, arc.back());
     std::size_t next = 0;
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
     {
@@ -127,17 +156,20 @@ Status placeNotches(const PatternSource& source, const PieceLoops& loops,
       const bool isBorder =
         boundary.count(edgeKey(from, to)) + boundary.count(edgeKey(to, from)) > 0;
       const bool walked = !isBorder || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
-      for (; next < at.size() && at[next] <= arc[k + 1]; ++next)
+      for (; next < marks.size() && marks[next].at <= arc[k + 1]; ++next)
       {
         if (walked)
         {
           continue;
         }
-        const double fraction = (at[next] - arc[k]) / (arc[k + 1] - arc[k]);
-        places.push_back(onBoundary(boundary, { { from, to }, fraction, at[next], w }));
+        const Mark& mark = marks[next];
+        const double fraction = (mark.at - arc[k]) / (arc[k + 1] - arc[k]);
+        places.push_back(
+          onBoundary(boundary, { { from, to }, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
         if (sewn)
         {
-          places.push_back(onBoundary(boundary, { partner->second, fraction, at[next], w }));
+          places.push_back(onBoundary(
+            boundary, { partner->second, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
         }
       }
       if (sewn)

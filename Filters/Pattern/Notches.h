@@ -16,7 +16,13 @@ struct NotchPlace
   double arcLength =
     0.0; ///< on the surface, from the start of its wire, in the unit of the surface
   std::size_t wire = 0;
+  bool isDrawn = true; ///< false: two marks beside it are drawn in its place
+  bool isStop = true;  ///< false: such a mark, where no interval of the curve ends
 };
+
+/// Distance of the two marks of a double notch along the border, millimetres: a quarter of an inch,
+/// as on printed patterns.
+constexpr double doubleNotchDistance = 6.35;
 
 /// Of an edge on the surface; in the plane where its points in space are not known.
 double lengthOnSurface(const PatternSource& source, Index a, Index b);
@@ -35,8 +41,9 @@ Status stationsOf(const SourceWire& wire, double length, const PatternOptions& o
 
 /// Places on both banks of every seam and dart, and on the edges of the boundary that have notches
 /// of their own, at the lengths on the surface that stationsOf() says. A place and its partner lie
-/// on the same point of the curve before the cut. Error: InvalidOption where a notch is farther out
-/// than any wire of its name is long.
+/// on the same point of the curve before the cut. A double notch is a place that is not drawn and
+/// two marks beside it. Error: InvalidOption where a notch is farther out than any wire of its name
+/// is long.
 Status placeNotches(const PatternSource& source, const PieceLoops& loops,
   const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places);
 }

@@ -2,6 +2,7 @@
 #include "PatternBuilder.h"
 
 #include "Base/Planar.h"
+#include "BorderMarks.h"
 #include "ClosedCuts.h"
 #include "FairBorders.h"
 #include "FairNotes.h"
@@ -151,12 +152,13 @@ Status buildPattern(const PatternSource& source, const PatternOptions& options, 
     return status;
   }
   std::optional<FairBorders> fair;
-  if (options.fairTolerance > 0.0)
+  if (options.isFair())
   {
-    fair.emplace(all, options.fairTolerance);
+    fair.emplace(all);
     all.fair = &*fair;
     all.moved = &fair->positions();
   }
+  const std::vector<BorderMark> marks = findBorderMarks(all);
 
   pattern.name = cleanText(options.name);
   pattern.unit = options.unit;
@@ -215,7 +217,7 @@ Status buildPattern(const PatternSource& source, const PatternOptions& options, 
     }
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
-    status = drawPiece(all, p, fold, piece);
+    status = drawPiece(all, p, marks, fold, piece);
     if (fold)
     {
       piece.notes.push_back("piece " + piece.name + ": a half, to be cut on the fold; the halves " +
@@ -228,7 +230,7 @@ Status buildPattern(const PatternSource& source, const PatternOptions& options, 
     }
     if (fair)
     {
-      addFairNotes(fair->reports()[p], options.fairTolerance, piece);
+      addFairNotes(fair->reports()[p], piece);
     }
   }
   return status;

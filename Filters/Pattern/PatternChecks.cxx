@@ -85,6 +85,27 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
       return status;
     }
   }
+  for (const auto& [name, tolerance] : options.fairToleranceOfCurve)
+  {
+    if (!isLength(tolerance))
+    {
+      return invalid(
+        "the tolerance of the smooth " + name + " must be a number of millimetres from 0");
+    }
+    Status status = checkName(source, "a tolerance of smooth borders", name);
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  for (const std::string& name : options.doubleNotches)
+  {
+    Status status = checkName(source, "a double notch", name);
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
   for (const auto& [name, distances] : options.notchesOfCurve)
   {
     if (!std::all_of(distances.begin(), distances.end(), isLength))

@@ -4,8 +4,10 @@
 #include "Base/Types.h"
 #include "PatternUnit.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -104,13 +106,25 @@ struct PatternOptions
   double notchSpacing = 100.0; ///< along the curve, on the surface; 0: at mouths of darts alone
   std::map<std::string, std::vector<double>>
     notchesOfCurve; ///< by curve name, distances from its start in place of the spacing
+  std::set<std::string> doubleNotches; ///< names of curves whose notches are two marks
+  bool notchCorners = false;           ///< notches where the sew lines of a corner end
+  bool notchCurveEnds = false;         ///< notches where curves meet the border
   double notchLength = 5.0;
   DartStyle darts = DartStyle::Folded;
   double fairTolerance =
-    0.0;                  ///< of smooth borders and curves from the flat pieces; 0: as these are
-  bool cutOnFold = false; ///< of symmetric pieces draw a half
+    0.0; ///< of smooth borders and curves from the flat pieces; 0: as these are
+  std::map<std::string, double> fairToleranceOfCurve; ///< by curve name; "boundary" for the rest
+  bool cutOnFold = false;                             ///< of symmetric pieces draw a half
   bool pairs =
     false; ///< of two pieces that are mirror images draw the first alone, to be cut twice
+
+  /// Whether any line is to be smooth.
+  bool isFair() const
+  {
+    return this->fairTolerance > 0.0 ||
+      std::any_of(this->fairToleranceOfCurve.begin(), this->fairToleranceOfCurve.end(),
+        [](const auto& ofCurve) { return ofCurve.second > 0.0; });
+  }
 };
 }
 }

@@ -5,6 +5,7 @@
 #include "FairBorders.h"
 #include "Grainlines.h"
 #include "HalfPiece.h"
+#include "NotchMarks.h"
 #include "PatternText.h"
 #include "PieceTexts.h"
 #include "SeamAllowance.h"
@@ -32,10 +33,11 @@ public:
     , Loops(all.loops[piece])
     , Cloth(all, all.loops[piece])
     , Drawing(drawing)
+    , Marks(all, this->CutLine, drawing)
   {
   }
 
-  Status draw(const std::optional<MirrorAxis>& fold)
+  Status draw(const std::vector<BorderMark>& marks, const std::optional<MirrorAxis>& fold)
   {
     Status status = this->drawCutLine();
     if (!status.ok())
@@ -48,6 +50,13 @@ public:
       this->drawDart(dart);
     }
     this->drawNotches();
+    for (const BorderMark& mark : marks)
+    {
+      if (mark.piece == this->Piece)
+      {
+        this->Marks.add(mark);
+      }
+    }
     if (fold)
     {
       keepRightHalf(*fold, this->Drawing);
@@ -162,35 +171,6 @@ private:
     }
   }
 
-  /// Where a ray first meets the cut line; `from` where it does not.
-  Point2 onCutLine(const Point2& from, const Point2& direction) const
-  {
-    for (const double at : crossings(from, direction, this->CutLine))
-    {
-      if (at > -1e-6)
-      {
-        return from + std::max(at, 0.0) * direction;
-      }
-    }
-    return from;
-  }
-
-  void addNotch(
-    const Point2& foot, const Point2& outward, double arcLength, const std::string& name)
-  {
-    Notch notch;
-    notch.foot = foot;
-    notch.from = this->onCutLine(foot, outward);
-    const double room = (notch.from - foot).norm();
-    // A cut into the allowance stays clear of the seam; without allowance it is a short mark.
-    const double most = this->All.options.notchLength;
-    const double length = room > 0.2 ? std::min(most, 0.6 * room) : std::min(most, 3.0);
-    notch.to = notch.from - length * outward;
-    notch.arcLength = arcLength;
-    notch.name = name;
-    this->Drawing.notches.push_back(std::move(notch));
-  }
-
   void drawDart(const Dart& dart)
   {
     const Indices& loop = this->Loops[dart.loop];
@@ -228,9 +208,9 @@ private:
       {
         length += (at(k + 1) - at(k)).norm();
       }
-      this->addNotch(at(dart.firstEdge), (at(dart.firstEdge) - at(dart.firstEdge + 1)).normalized(),
-        length, dart.name);
-      this->addNotch(at(end), (at(end) - at(end - 1)).normalized(), length, dart.name);
+      this->Marks.add(at(dart.firstEdge),
+        (at(dart.firstEdge) - at(dart.firstEdge + 1)).normalized(), length, dart.name);
+      this->Marks.add(at(end), (at(end) - at(end - 1)).normalized(), length, dart.name);
     }
     this->Drawing.lines.push_back(std::move(fold));
   }
@@ -268,7 +248,7 @@ private:
     {
       const Index from = place.edge[0];
       const Index to = place.edge[1];
-      if (!this->isOnLoop(from, to))
+      if (!place.isDrawn || !this->isOnLoop(from, to))
       {
         continue;
       }
@@ -278,18 +258,10 @@ private:
       const double arcLength = this->All.scale() * place.arcLength;
       if (!this->Cloth.isFolded(from, to))
       {
-        this->addNotch(foot, outward, arcLength, name);
+        this->Marks.add(foot, outward, arcLength, name);
         continue;
       }
-      Notch notch;
-      notch.onCutLine = false;
-      notch.foot = foot;
-      const double half = std::min(this->All.options.notchLength, 5.0) / 2.0;
-      notch.from = foot + half * outward;
-      notch.to = foot - half * outward;
-      notch.arcLength = arcLength;
-      notch.name = name;
-      this->Drawing.notches.push_back(std::move(notch));
+      this->Marks.addAcross(foot, outward, arcLength, name);
     }
   }
 
@@ -361,13 +333,14 @@ private:
   std::vector<Points2> Outlines;           ///< along the sew lines
   Segments Boundary;                       ///< of what is drawn
   Segments CutLine;
+  NotchMarks Marks;
 };
 }
 
-Status drawPiece(const DrawingSource& all, std::size_t piece, const std::optional<MirrorAxis>& fold,
-  PatternPiece& drawing)
+Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<BorderMark>& marks,
+  const std::optional<MirrorAxis>& fold, PatternPiece& drawing)
 {
-  return PieceDrawer(all, piece, drawing).draw(fold);
+  return PieceDrawer(all, piece, drawing).draw(marks, fold);
 }
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "DrawingSource.h"
+#include "BorderMarks.h"
 #include "MirrorPairs.h"
 
 namespace flattening
@@ -9,8 +9,9 @@ namespace flattening
 namespace pattern
 {
 /// Draws one piece: its lines, notches, drill holes, grainline and texts.
+/// \param marks of all pieces
 /// \param fold where there is one, half of the piece alone
-Status drawPiece(const DrawingSource& all, std::size_t piece, const std::optional<MirrorAxis>& fold,
-  PatternPiece& drawing);
+Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<BorderMark>& marks,
+  const std::optional<MirrorAxis>& fold, PatternPiece& drawing);
 }
 }

@@ -192,14 +192,14 @@ Status walkSeams(
   const double scale = millimetresPer(options.unit);
   DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
   std::optional<FairBorders> fair;
-  if (options.fairTolerance > 0.0)
+  if (options.isFair())
   {
     Status status = findBorders(all);
     if (!status.ok())
     {
       return status;
     }
-    fair.emplace(all, options.fairTolerance);
+    fair.emplace(all);
   }
   SeamWalker walker(whole, scale, fair ? &*fair : nullptr, walk);
   for (const SourceWire& wire : whole.wires)

@@ -137,14 +137,17 @@ struct Smoothed
   DrawingSource all;
   std::unique_ptr<FairBorders> borders;
 
-  Smoothed(const PatternSource& given, double tolerance, double notches = 0.0)
+  Smoothed(const PatternSource& given, double tolerance, double notches = 0.0,
+    const PatternOptions& more = {})
     : source(given)
+    , options(more)
     , all{ source, options, {}, {}, {}, {}, nullptr, nullptr }
   {
     this->options.unit = Unit::Millimetre;
     this->options.notchSpacing = notches;
+    this->options.fairTolerance = tolerance;
     EXPECT_TRUE(findBorders(this->all).ok());
-    this->borders = std::make_unique<FairBorders>(this->all, tolerance);
+    this->borders = std::make_unique<FairBorders>(this->all);
   }
 };
 }
@@ -266,5 +269,36 @@ TEST(FairBorders, WhatCannotKeepToTheToleranceStaysAndIsNamed)
   for (std::size_t v = 0; v < smoothed.source.positions.size(); ++v)
   {
     EXPECT_LT((smoothed.borders->positions()[v] - smoothed.source.positions[v]).norm(), 1e-9);
+  }
+}
+
+TEST(FairBorders, OneCurveIsSmoothAndTheRestOfTheBorderStays)
+{
+  PatternSource source = disc(48, 50.0);
+  SourceWire arc{ {}, WireType::Accessory, 0, 0, "arc" };
+  SourceWire rest{ {}, WireType::Boundary, none, 0, "boundary" };
+  for (Index k = 0; k <= 24; ++k)
+  {
+    arc.points.push_back(k + 1);
+    rest.points.push_back((k + 24) % 48 + 1);
+  }
+  source.wires = { arc, rest };
+  PatternOptions options;
+  options.fairToleranceOfCurve = { { "arc", 0.2 } };
+  const Smoothed smoothed(source, 0.0, 0.0, options);
+  const double side = 2.0 * 50.0 * std::sin(pi / 48);
+  const auto smooth = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  EXPECT_LE(smooth.size(), 4U);
+  EXPECT_NEAR(lengthOf(smooth), 24 * side, 1e-9);
+  const auto left = smoothed.borders->curveOf(smoothed.source.wires[1]);
+  EXPECT_EQ(left.size(), 24U);
+  for (const FairSpan& span : left)
+  {
+    EXPECT_TRUE(span.straight());
+    EXPECT_NEAR(lengthOf(span), side, 1e-9);
+  }
+  for (const Index v : arc.points)
+  {
+    EXPECT_LE(distanceFrom(smooth, source.positions[static_cast<std::size_t>(v)]), 0.2 + 1e-5);
   }
 }

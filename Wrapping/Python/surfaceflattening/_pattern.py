@@ -52,6 +52,8 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
     writer.SetCutDartsOut(flag(options["cut_darts_out"], "cut_darts_out"))
     writer.SetCutOnFold(flag(options["cut_on_fold"], "cut_on_fold"))
+    writer.SetNotchCorners(flag(options["notch_corners"], "notch_corners"))
+    writer.SetNotchCurveEnds(flag(options["notch_curve_ends"], "notch_curve_ends"))
     writer.SetWalkTable(flag(options["walk_table"], "walk_table"))
     writer.SetCutPairs(flag(options["cut_pairs"], "cut_pairs"))
     writer.SetLaserColors(flag(options["laser_colors"], "laser_colors"))
@@ -73,6 +75,12 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     for curve, distances in (options["curve_notches"] or {}).items():
         for distance in distances:
             writer.AddCurveNotch(curve, _in_range(f"notch of {curve!r}", distance, 0.0, 1e6))
+    if isinstance(options["double_notches"], str):
+        raise TypeError(f"double_notches = {options['double_notches']!r} must be a list of names")
+    for curve in options["double_notches"]:
+        writer.AddDoubleNotches(_text("double_notches", curve))
+    for curve, tolerance in (options["curve_fairs"] or {}).items():
+        writer.SetCurveFairTolerance(curve, _in_range(f"fair of {curve!r}", tolerance, 0.0, 100.0))
 
 
 def _text(what: str, value: Any) -> str:

@@ -146,11 +146,15 @@ class Flattening(ComparedByValue):
         mitre_limit: float = 2.0,
         notch_spacing: float = 100.0,
         curve_notches: Optional[Mapping[str, Sequence[float]]] = None,
+        double_notches: Sequence[str] = (),
+        notch_corners: bool = False,
+        notch_curve_ends: bool = False,
         notch_length: float = 5.0,
         cut_darts_out: bool = False,
         cut_on_fold: bool = False,
         cut_pairs: bool = False,
         fair: float = 0.0,
+        curve_fairs: Optional[Mapping[str, float]] = None,
         laser_colors: bool = False,
         fabric_width: float = 0.0,
         nap: bool = False,
@@ -181,6 +185,10 @@ class Flattening(ComparedByValue):
                 mouths of darts.
             curve_notches: by the name of a curve, a seam, a dart or one along the boundary, distances from
                 its start in place of notch_spacing, each in [0, 1e6].
+            double_notches: names of curves whose notches are double, as at the back: two marks 6.35 mm apart.
+            notch_corners: notch the cut line at corners, where the sew lines, drawn on, meet it.
+            notch_curve_ends: notch the border where feature curves and edges end on it, and opposite on
+                what is sewn to it.
             notch_length: in [0, 1e6].
             cut_darts_out: cut darts out along their allowance instead of folding them.
             cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
@@ -188,6 +196,7 @@ class Flattening(ComparedByValue):
                 which one is turned over.
             fair: draw borders and curves as smooth splines of the same lengths, straight where nearly so, at
                 most this far from the points of the mesh, in [0, 100]; 0: as the mesh has them.
+            curve_fairs: by the name of a curve, or "boundary", another such distance, each in [0, 100].
             laser_colors: draw an SVG in thin lines with a colour of its own for each role.
             fabric_width: of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width, their
                 grain along it, as short as a search finds it, in [0, 1e5]; 0: pieces in rows.
