@@ -295,6 +295,37 @@ public:
 
   ///@{
   /**
+   * Cut pieces on the fold of the cloth along all curves of a name. Of a piece that has it inside
+   * one half is drawn, as with CutOnFold. A piece that has it on its border is a half: it lies with
+   * this edge on the fold, without allowance there. What cannot be is an error when writing, with
+   * piece and curve: a name that is not there, a curve that is sewn, that bends by more than 0.5 mm
+   * or about which its piece is not symmetric to 0.5 mm, and a half that is laid on one layer of
+   * cloth (FabricWidth).
+   */
+  void AddFold(const std::string& curve);
+  void RemoveAllFolds();
+  ///@}
+
+  ///@{
+  /**
+   * How far the tips of folded darts are drawn back, in millimetres, so that the sewn dart ends
+   * before the fullest place. The legs go with the tip by an affine map that leaves the mouth where
+   * it is: straight legs stay straight and mirrored ones (DartLegs of vtkWireWarpingFilter) stay
+   * mirror images of equal lengths; these and not those of the surface are what `data-length` says.
+   * More than half of a dart's depth is an error when writing. Default: 0. Range: from 0.
+   */
+  vtkSetClampMacro(DartTip, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DartTip, double);
+  ///@}
+
+  ///@{
+  /// DartTip of the darts of a name. A name that is not there is an error when writing.
+  void SetCurveDartTip(const std::string& curve, double distance);
+  void RemoveAllCurveDartTips();
+  ///@}
+
+  ///@{
+  /**
    * Of two pieces that are mirror images of each other, all their wires included and within 0.5 mm,
    * draw the first alone, to be cut in pairs of which one is turned over ("cut 1 pair"). Off, both
    * are drawn and named each other's mirror image. Default: off.
@@ -431,6 +462,9 @@ private:
   double NotchLength = 5.0;
   bool CutDartsOut = false;
   bool CutOnFold = false;
+  std::set<std::string> Folds;
+  double DartTip = 0.0;
+  std::map<std::string, double> CurveDartTips;
   bool CutPairs = false;
   double FairTolerance = 0.0;
   std::map<std::string, double> CurveFairTolerances;

@@ -94,6 +94,18 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
   writer->SetNotchSpacing(request.notchSpacing);
   writer->SetCutDartsOut(request.cutDartsOut);
   writer->SetCutOnFold(request.cutOnFold);
+  for (const std::string& name : request.folds)
+  {
+    writer->AddFold(name);
+  }
+  writer->SetDartTip(request.dartTip);
+  for (const std::string& text : request.curveDartTips)
+  {
+    std::string name;
+    double distance = 0.0;
+    splitNameAndNumber(text, name, distance);
+    writer->SetCurveDartTip(name, distance);
+  }
   writer->SetWalkTable(request.walk);
   writer->SetCutPairs(request.cutPairs);
   writer->SetFairTolerance(request.fairTolerance);
@@ -216,6 +228,28 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
   app
     .add_flag("--cut-on-fold", request.cutOnFold,
       "Draw a half of each symmetric piece, to be cut on the fold of the cloth")
+    ->group(group);
+  app
+    .add_option("--fold", request.folds,
+      "Cut pieces on the fold of the cloth along a curve: a half of a piece that is symmetric "
+      "about "
+      "it, or a piece that is a half and has it on its border; repeat it for the next")
+    ->type_name("NAME")
+    ->allow_extra_args(false)
+    ->group(group);
+  app
+    .add_option("--dart-tip", request.dartTip,
+      "How far tips of folded darts are drawn back, their legs with them; with --dart-legs "
+      "straight "
+      "or mirrored the legs stay mirror images")
+    ->check(number(0.0, large, "[0, 1e6]"))
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--curve-dart-tip", request.curveDartTips,
+      "--dart-tip of one dart, in place of the common one; repeat it for the next")
+    ->allow_extra_args(false)
+    ->check(nameAndMillimetres())
     ->group(group);
   app
     .add_flag("--cut-pairs", request.cutPairs,

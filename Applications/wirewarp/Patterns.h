@@ -40,6 +40,9 @@ struct PatternRequest
   bool notchCorners = false;
   bool notchCurveEnds = false;
   bool cutOnFold = false;
+  std::vector<std::string> folds;
+  double dartTip = 0.0;
+  std::vector<std::string> curveDartTips; ///< NAME=MM
   bool cutPairs = false;
   double fairTolerance = 0.0;
   std::vector<std::string> curveFairs; ///< NAME=MM

@@ -15,19 +15,28 @@ ClothOutline::ClothOutline(const DrawingSource& all, const std::vector<Indices>&
   {
     this->Darts = findDarts(all.source, loops, all.wires, all.partners);
   }
-  for (const Dart& dart : this->Darts)
+  for (std::size_t d = 0; d < this->Darts.size(); ++d)
   {
+    const Dart& dart = this->Darts[d];
     const Indices& loop = loops[dart.loop];
+    this->Placements.emplace_back(all, loop, dart);
     for (std::size_t k = dart.firstEdge; k < dart.firstEdge + dart.edges; ++k)
     {
-      this->Folded.insert(edgeKey(loop[k % loop.size()], loop[(k + 1) % loop.size()]));
+      this->Folded.emplace(edgeKey(loop[k % loop.size()], loop[(k + 1) % loop.size()]), d);
     }
   }
 }
 
 bool ClothOutline::isFolded(Index from, Index to) const
 {
-  return this->Folded.count(edgeKey(from, to)) + this->Folded.count(edgeKey(to, from)) > 0;
+  return this->placementAlong(from, to) != nullptr;
+}
+
+const DartPlacement* ClothOutline::placementAlong(Index from, Index to) const
+{
+  auto found = this->Folded.find(edgeKey(from, to));
+  found = found == this->Folded.end() ? this->Folded.find(edgeKey(to, from)) : found;
+  return found == this->Folded.end() ? nullptr : &this->Placements[found->second];
 }
 
 std::vector<AllowancePolygon> ClothOutline::polygons() const
@@ -48,6 +57,10 @@ std::vector<AllowancePolygon> ClothOutline::polygons() const
 double ClothOutline::allowanceOf(Index from, Index to) const
 {
   const PatternOptions& options = this->All.options;
+  if (this->All.isFoldEdge(from, to))
+  {
+    return 0.0;
+  }
   return this->All.valueAlong(from, to, options.allowanceOfCurve, options.allowance);
 }
 
@@ -86,7 +99,7 @@ AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
     const double after = this->allowanceOf(point(end), point(end + 1));
     Point2 corner;
     add(this->All.at(point(k)), before);
-    if (this->roof(*dart, corner))
+    if (this->roof(static_cast<std::size_t>(dart - this->Darts.begin()), corner))
     {
       add(corner, after);
     }
@@ -95,13 +108,14 @@ AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
   return polygon;
 }
 
-bool ClothOutline::roof(const Dart& dart, Point2& corner) const
+bool ClothOutline::roof(std::size_t d, Point2& corner) const
 {
+  const Dart& dart = this->Darts[d];
   const Indices& loop = this->Loops[dart.loop];
   const std::size_t count = loop.size();
   const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
   const std::size_t end = dart.firstEdge + dart.edges;
-  return dartRoof(this->All.at(dart.tip), { at(dart.firstEdge), at(end) },
+  return dartRoof(this->Placements[d].at(this->All.at(dart.tip)), { at(dart.firstEdge), at(end) },
     { at(dart.firstEdge + count - 1), at(end + 1) }, corner);
 }
 }

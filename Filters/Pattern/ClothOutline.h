@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "DrawingSource.h"
+#include "DartPlacement.h"
 #include "SeamAllowance.h"
 
-#include <unordered_set>
+#include <unordered_map>
 
 namespace flattening
 {
@@ -20,6 +20,10 @@ public:
 
   /// The darts that are folded; none where the options want them cut out.
   const std::vector<Dart>& darts() const { return this->Darts; }
+  /// Where a dart, by its place in darts(), is drawn.
+  const DartPlacement& placement(std::size_t dart) const { return this->Placements[dart]; }
+  /// That of the dart of which an edge of a loop is a leg; null where it is none that is folded.
+  const DartPlacement* placementAlong(Index from, Index to) const;
   /// Whether an edge of a loop is a leg of a folded dart.
   bool isFolded(Index from, Index to) const;
   /// One polygon a loop but for the loops that are a folded dart, millimetres.
@@ -28,12 +32,13 @@ public:
 private:
   double allowanceOf(Index from, Index to) const;
   AllowancePolygon polygonOf(std::size_t l) const;
-  bool roof(const Dart& dart, Point2& corner) const;
+  bool roof(std::size_t d, Point2& corner) const;
 
   const DrawingSource& All;
   const std::vector<Indices>& Loops;
   std::vector<Dart> Darts;
-  std::unordered_set<std::uint64_t> Folded;
+  std::vector<DartPlacement> Placements;
+  std::unordered_map<std::uint64_t, std::size_t> Folded; ///< edges of the loops, with their darts
 };
 }
 }

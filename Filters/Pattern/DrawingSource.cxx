@@ -34,6 +34,17 @@ double DrawingSource::valueAlong(
   return found == ofCurve.end() ? common : found->second;
 }
 
+bool DrawingSource::isFoldEdge(Index from, Index to) const
+{
+  if (this->options.foldsAlong.empty())
+  {
+    return false;
+  }
+  const std::size_t wire = wireOf(this->source, this->wires, from, to);
+  return wire < this->source.wires.size() &&
+    this->options.foldsAlong.count(this->source.wires[wire].name) > 0;
+}
+
 double DrawingSource::fairToleranceAlong(Index from, Index to) const
 {
   return this->valueAlong(

@@ -29,6 +29,8 @@ struct DrawingSource
   /// The value of a curve, the boundary's where an edge is of none, or the common one.
   double valueAlong(
     Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const;
+  /// Whether an edge is of a curve that lies on the fold of the cloth.
+  bool isFoldEdge(Index from, Index to) const;
   double scale() const { return millimetresPer(this->options.unit); }
   Point2 at(Index point) const
   {

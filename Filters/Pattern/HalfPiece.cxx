@@ -218,29 +218,6 @@ std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
   return parts;
 }
 
-/// The fold from the lowest to the highest place of the cut line on the axis.
-PatternLine foldOf(const std::vector<PatternLine>& lines, const MirrorAxis& axis)
-{
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const PatternLine& line : lines)
-  {
-    for (const Point2& p : line.points)
-    {
-      if (line.kind == LineKind::CutLine && std::abs(rightOf(axis, p)) < 1e-3)
-      {
-        const double along = axis.along.dot(p - axis.at);
-        low = std::min(low, along);
-        high = std::max(high, along);
-      }
-    }
-  }
-  PatternLine fold;
-  fold.kind = LineKind::Fold;
-  fold.name = "cut on fold";
-  fold.points = { axis.at + low * axis.along, axis.at + high * axis.along };
-  return fold;
-}
 }
 
 Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis)
@@ -265,6 +242,29 @@ Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis)
   return half;
 }
 
+PatternLine foldLine(const std::vector<PatternLine>& lines, const MirrorAxis& axis)
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const PatternLine& line : lines)
+  {
+    for (const Point2& p : line.points)
+    {
+      if (line.kind == LineKind::CutLine && std::abs(rightOf(axis, p)) < 1e-3)
+      {
+        const double along = axis.along.dot(p - axis.at);
+        low = std::min(low, along);
+        high = std::max(high, along);
+      }
+    }
+  }
+  PatternLine fold;
+  fold.kind = LineKind::Fold;
+  fold.name = "cut on fold";
+  fold.points = { axis.at + low * axis.along, axis.at + high * axis.along };
+  return fold;
+}
+
 void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
 {
   std::vector<PatternLine> lines;
@@ -275,7 +275,7 @@ void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
       lines.push_back(std::move(part));
     }
   }
-  lines.push_back(foldOf(lines, axis));
+  lines.push_back(foldLine(lines, axis));
   piece.lines = std::move(lines);
   const auto isLeft = [&axis](const Point2& p) { return rightOf(axis, p) < -onAxis; };
   piece.notches.erase(std::remove_if(piece.notches.begin(), piece.notches.end(),

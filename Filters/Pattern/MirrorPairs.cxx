@@ -190,6 +190,27 @@ std::optional<MirrorAxis> findMirrorAxis(const PieceShape& shape, double toleran
   return best;
 }
 
+double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis)
+{
+  Segments lines;
+  addSegments(shape.outline, true, lines);
+  for (const Points2& line : shape.lines)
+  {
+    addSegments(line, false, lines);
+  }
+  double most = 0.0;
+  const auto add = [&](const Points2& points) {
+    for (const Point2& p : points)
+    {
+      const Point2 foot = axis.at + axis.along.dot(p - axis.at) * axis.along;
+      most = std::max(most, distance(2.0 * foot - p, lines));
+    }
+  };
+  add(shape.outline);
+  std::for_each(shape.lines.begin(), shape.lines.end(), add);
+  return most;
+}
+
 std::vector<std::size_t> findMirrorPairs(const std::vector<PieceShape>& shapes, double tolerance)
 {
   std::vector<LaidShape> laid;

@@ -36,6 +36,9 @@ struct MirrorAxis
 /// farther from the mirror image than the tolerance.
 std::optional<MirrorAxis> findMirrorAxis(const PieceShape& shape, double tolerance);
 
+/// How far a vertex of a shape, mirrored at the axis, is from its lines.
+double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis);
+
 inline constexpr std::size_t noPair = static_cast<std::size_t>(-1);
 }
 }

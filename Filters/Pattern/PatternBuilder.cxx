@@ -6,7 +6,7 @@
 #include "ClosedCuts.h"
 #include "FairBorders.h"
 #include "FairNotes.h"
-#include "MirrorPairs.h"
+#include "NamedFolds.h"
 #include "PatternChecks.h"
 #include "PatternText.h"
 #include "PieceDrawing.h"
@@ -111,6 +111,23 @@ std::vector<PieceShape> shapesOf(const DrawingSource& all)
   return shapes;
 }
 
+/// Along a curve that the options name, or where the piece is symmetric.
+Status findFold(const DrawingSource& all, std::size_t piece, const std::string& name,
+  const PieceShape& shape, std::optional<NamedFold>& fold)
+{
+  Status status = findNamedFold(all, piece, name, shape, fold);
+  if (!status.ok() || fold || !all.options.cutOnFold || all.options.oneLayer)
+  {
+    return status;
+  }
+  if (const std::optional<MirrorAxis> axis = findMirrorAxis(shape, mirrorTolerance))
+  {
+    fold.emplace();
+    fold->axis = *axis;
+  }
+  return status;
+}
+
 std::string plural(int count, const std::string& what)
 {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -192,8 +209,12 @@ Status buildPattern(const PatternSource& source, const PatternOptions& options, 
       piece.texts.push_back(std::move(line));
     };
     addText(TextRole::Title, piece.name);
-    const std::optional<MirrorAxis> fold =
-      options.cutOnFold ? findMirrorAxis(shapes[p], mirrorTolerance) : std::nullopt;
+    std::optional<NamedFold> fold;
+    status = findFold(all, p, piece.name, shapes[p], fold);
+    if (!status.ok())
+    {
+      break;
+    }
     const std::string onFold = fold ? " on fold" : "";
     if (!piece.size.empty())
     {
@@ -218,12 +239,12 @@ Status buildPattern(const PatternSource& source, const PatternOptions& options, 
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
     status = drawPiece(all, p, marks, fold, piece);
-    if (fold)
+    if (fold && !fold->isBorder)
     {
       piece.notes.push_back("piece " + piece.name + ": a half, to be cut on the fold; the halves " +
-        "differed by " + formatNumber(fold->miss, 2) + " mm");
+        "differed by " + formatNumber(fold->axis.miss, 2) + " mm");
     }
-    else if (options.cutOnFold)
+    else if (!fold && options.cutOnFold && !options.oneLayer)
     {
       piece.notes.push_back("piece " + piece.name + ": not symmetric to " +
         formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole");

@@ -98,6 +98,31 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
       return status;
     }
   }
+  if (!isLength(options.dartTip))
+  {
+    return invalid("how far tips of darts are drawn back must be a number of millimetres from 0");
+  }
+  for (const auto& [name, back] : options.dartTipOfCurve)
+  {
+    if (!isLength(back))
+    {
+      return invalid(
+        "how far the tip of " + name + " is drawn back must be a number of millimetres from 0");
+    }
+    Status status = checkName(source, "a tip to be drawn back", name);
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  for (const std::string& name : options.foldsAlong)
+  {
+    Status status = checkName(source, "a fold", name);
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
   for (const std::string& name : options.doubleNotches)
   {
     Status status = checkName(source, "a double notch", name);

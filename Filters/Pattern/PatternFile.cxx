@@ -81,7 +81,7 @@ Status makePatternFile(
     (options.format == FileFormat::Svg || options.format == FileFormat::Pdf ||
       options.format == FileFormat::Hpgl);
   PatternOptions drawn = options.pattern;
-  drawn.cutOnFold = drawn.cutOnFold && !onFabric; // the cloth lies in one layer
+  drawn.oneLayer = onFabric;
   Status status = buildPattern(source, drawn, drawing);
   if (status.ok() && onFabric)
   {

@@ -114,7 +114,11 @@ struct PatternOptions
   double fairTolerance =
     0.0; ///< of smooth borders and curves from the flat pieces; 0: as these are
   std::map<std::string, double> fairToleranceOfCurve; ///< by curve name; "boundary" for the rest
-  bool cutOnFold = false;                             ///< of symmetric pieces draw a half
+  double dartTip = 0.0;                         ///< how far tips of folded darts are drawn back
+  std::map<std::string, double> dartTipOfCurve; ///< by name of the dart
+  bool cutOnFold = false;                       ///< of symmetric pieces draw a half
+  std::set<std::string> foldsAlong; ///< names of curves along which pieces are cut on the fold
+  bool oneLayer = false;            ///< the cloth is not folded: pieces are drawn whole
   bool pairs =
     false; ///< of two pieces that are mirror images draw the first alone, to be cut twice
 

@@ -37,7 +37,7 @@ public:
   {
   }
 
-  Status draw(const std::vector<BorderMark>& marks, const std::optional<MirrorAxis>& fold)
+  Status draw(const std::vector<BorderMark>& marks, const std::optional<NamedFold>& fold)
   {
     Status status = this->drawCutLine();
     if (!status.ok())
@@ -45,9 +45,14 @@ public:
       return status;
     }
     this->drawWires();
-    for (const Dart& dart : this->Cloth.darts())
+    for (std::size_t d = 0; d < this->Cloth.darts().size() && status.ok(); ++d)
     {
-      this->drawDart(dart);
+      status = this->Cloth.placement(d).check(this->Cloth.darts()[d].name, this->Drawing.name);
+      this->drawDart(d);
+    }
+    if (!status.ok())
+    {
+      return status;
     }
     this->drawNotches();
     for (const BorderMark& mark : marks)
@@ -57,13 +62,18 @@ public:
         this->Marks.add(mark);
       }
     }
-    if (fold)
+    const bool half = fold && !fold->isBorder;
+    if (half)
     {
-      keepRightHalf(*fold, this->Drawing);
+      keepRightHalf(fold->axis, this->Drawing);
+    }
+    else if (fold)
+    {
+      this->Drawing.lines.push_back(foldLine(this->Drawing.lines, fold->axis));
     }
     for (const Points2& outline : this->Outlines)
     {
-      addSegments(fold ? rightHalf(outline, *fold) : outline, true, this->Boundary);
+      addSegments(half ? rightHalf(outline, fold->axis) : outline, true, this->Boundary);
     }
     drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
     placeTexts(this->Boundary, this->Drawing);
@@ -121,7 +131,9 @@ private:
       case WireType::Key:
         return LineKind::KeyCurve;
       case WireType::Accessory:
-        return this->isBorder(wire) ? LineKind::SewLine : LineKind::Internal;
+        return this->isBorder(wire) && this->All.options.foldsAlong.count(wire.name) == 0
+          ? LineKind::SewLine
+          : LineKind::Internal;
       default:
         return LineKind::SewLine;
     }
@@ -162,6 +174,10 @@ private:
         }
         line.points.push_back(line.curve.back().control[3]);
       }
+      if (line.kind == LineKind::DartLeg)
+      {
+        this->Cloth.placementAlong(wire.points[0], wire.points[1])->place(line);
+      }
       if (wire.points.front() == wire.points.back())
       {
         line.closed = true;
@@ -171,19 +187,21 @@ private:
     }
   }
 
-  void drawDart(const Dart& dart)
+  void drawDart(std::size_t d)
   {
+    const Dart& dart = this->Cloth.darts()[d];
+    const DartPlacement& placement = this->Cloth.placement(d);
     const Indices& loop = this->Loops[dart.loop];
     const std::size_t count = loop.size();
     const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
-    const Point2 tip = this->All.at(dart.tip);
-    this->noteMiss(dart);
+    const Point2 tip = placement.at(this->All.at(dart.tip));
+    this->noteMiss(d);
     PatternLine fold;
     fold.kind = LineKind::DartFold;
     fold.name = dart.name;
     if (dart.otherTip != none)
     {
-      fold.points = { tip, this->All.at(dart.otherTip) };
+      fold.points = { tip, placement.at(this->All.at(dart.otherTip)) };
       this->addDrill(tip, fold.points[1]);
       this->addDrill(fold.points[1], tip);
     }
@@ -216,13 +234,21 @@ private:
   }
 
   /// Legs that are not mirror images fit when they are sewn, and not when they are folded.
-  void noteMiss(const Dart& dart)
+  void noteMiss(std::size_t d)
   {
+    const Dart& dart = this->Cloth.darts()[d];
+    const DartPlacement& placement = this->Cloth.placement(d);
     const Indices& loop = this->Loops[dart.loop];
     Points2 legs;
     for (std::size_t k = dart.firstEdge; k <= dart.firstEdge + dart.edges; ++k)
     {
-      legs.push_back(this->All.at(loop[k % loop.size()]));
+      legs.push_back(placement.at(this->All.at(loop[k % loop.size()])));
+    }
+    if (placement.back() > 0.0)
+    {
+      this->Drawing.notes.push_back("piece " + this->Drawing.name + ": the tip of " + dart.name +
+        " is drawn back by " + formatNumber(placement.back(), 1) + " mm, of a depth of " +
+        formatNumber(placement.depth(), 1) + " mm");
     }
     const double miss = foldMiss(legs);
     if (miss > worthSaying)
@@ -261,7 +287,10 @@ private:
         this->Marks.add(foot, outward, arcLength, name);
         continue;
       }
-      this->Marks.addAcross(foot, outward, arcLength, name);
+      const DartPlacement& dart = *this->Cloth.placementAlong(from, to);
+      const Point2 placed = dart.at(foot);
+      this->Marks.addAcross(
+        placed, (dart.at(foot + outward) - placed).normalized(), arcLength, name);
     }
   }
 
@@ -338,7 +367,7 @@ private:
 }
 
 Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<BorderMark>& marks,
-  const std::optional<MirrorAxis>& fold, PatternPiece& drawing)
+  const std::optional<NamedFold>& fold, PatternPiece& drawing)
 {
   return PieceDrawer(all, piece, drawing).draw(marks, fold);
 }

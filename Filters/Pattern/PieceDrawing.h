@@ -2,7 +2,7 @@
 #pragma once
 
 #include "BorderMarks.h"
-#include "MirrorPairs.h"
+#include "NamedFolds.h"
 
 namespace flattening
 {
@@ -10,8 +10,8 @@ namespace pattern
 {
 /// Draws one piece: its lines, notches, drill holes, grainline and texts.
 /// \param marks of all pieces
-/// \param fold where there is one, half of the piece alone
+/// \param fold where there is one: half of the piece alone, or the piece with an edge on it
 Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<BorderMark>& marks,
-  const std::optional<MirrorAxis>& fold, PatternPiece& drawing);
+  const std::optional<NamedFold>& fold, PatternPiece& drawing);
 }
 }

@@ -119,5 +119,18 @@ class Edges(command.CommandTest):
         self.assertLess(span[0], 0.6 * span[1])
         self.assertAlmostEqual((fold.dxf.end - fold.dxf.start).magnitude, span[1], delta=30.0)
 
+    def test_a_fold_along_a_curve_about_which_its_piece_is_not_symmetric_leaves_no_file(self):
+        middle = "straight middle " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n"
+        beside = "straight beside " + " ".join(str(at(3, j)) for j in range(SIZE + 1)) + "\n"
+        self.flatten("flat.obj", self.curves(middle), "--unit", "mm", "--dxf", "--fold", "middle")
+        (fold,) = self.lines("6")
+        self.assertAlmostEqual((fold.dxf.end - fold.dxf.start).magnitude, 820.0, delta=0.01)
+        run = self.run_command("flat.obj", self.curves(beside), "--unit", "mm", "--dxf", "--svg", "--piece-name",
+                               "front", "--fold", "beside", "--output", "none")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        for word in ("front", "beside", "symmetric", "200 mm"):
+            self.assertIn(word, run.stderr)
+        self.assertEqual(os.listdir(self.path("none")), [])
+
 
 command.main()

@@ -32,6 +32,21 @@ PatternSource dartedSquare()
   return source;
 }
 
+/// The same with legs that bend, mirror images of each other.
+PatternSource bentDart()
+{
+  PatternSource source = dartedSquare();
+  source.positions.emplace_back(113.0, 140.0);
+  source.positions.emplace_back(87.0, 140.0);
+  source.triangles = { { 0, 1, 7 }, { 1, 2, 5 }, { 2, 4, 8 }, { 2, 8, 5 }, { 6, 3, 9 }, { 9, 3, 5 },
+    { 3, 0, 5 }, { 1, 5, 7 }, { 5, 0, 7 } };
+  source.pieceOfTriangle.assign(source.triangles.size(), 0);
+  source.wires[1].points = { 4, 8, 5 };
+  source.wires[2].points = { 6, 9, 5 };
+  source.sewn = { { { 4, 8 }, { 6, 9 } }, { { 8, 5 }, { 9, 5 } } };
+  return source;
+}
+
 PatternOptions millimetres(double allowance)
 {
   PatternOptions options;
@@ -96,6 +111,69 @@ TEST(Darts, LegsFoldLineNotchesAndDrillHoleAreWhereTheyBelong)
     const double share = notch.onCutLine ? 1.0 : 0.5;
     EXPECT_NEAR((notch.foot - fold[0].points[0]).norm(), share * std::hypot(20.0, 120.0), 1e-9);
   }
+}
+
+TEST(Darts, ATipIsDrawnBackWithLegsRoofAndDrillHole)
+{
+  PatternOptions options = millimetres(0.0);
+  options.dartTip = 13.0;
+  const PatternPiece piece = build(dartedSquare(), options).pieces.front();
+  const auto legs = linesOf(piece, LineKind::DartLeg);
+  ASSERT_EQ(legs.size(), 2U);
+  for (const PatternLine& leg : legs)
+  {
+    EXPECT_NEAR(leg.restLength, std::hypot(20.0, 107.0), 1e-9);
+    EXPECT_NEAR((leg.points.back() - leg.points.front()).norm(), std::hypot(20.0, 107.0), 1e-9);
+    EXPECT_NEAR(leg.points.back().y(), 93.0, 1e-9);
+  }
+  EXPECT_NEAR((legs[0].points.front() - legs[1].points.front()).norm(), 40.0, 1e-9);
+  ASSERT_EQ(piece.drillHoles.size(), 1U);
+  EXPECT_NEAR(piece.drillHoles[0].y(), 103.0, 1e-9);
+  // As of a dart of that depth.
+  EXPECT_NEAR(piece.extent.y(), 200.0 + 20.0 * std::tan(2.0 * std::atan2(20.0, 107.0)), 1e-9);
+}
+
+TEST(Darts, BentLegsThatAreMirrorImagesStaySoWhenTheTipIsDrawnBack)
+{
+  PatternOptions options = millimetres(10.0);
+  options.dartTip = 50.0;
+  options.dartTipOfCurve = { { "dart", 30.0 } };
+  const PatternPiece piece = build(bentDart(), options).pieces.front();
+  const auto legs = linesOf(piece, LineKind::DartLeg);
+  ASSERT_EQ(legs.size(), 2U);
+  const double middle = linesOf(piece, LineKind::DartFold)[0].points[0].x();
+  ASSERT_EQ(legs[0].points.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(legs[0].points[k].x() - middle, middle - legs[1].points[k].x(), 1e-9);
+    EXPECT_NEAR(legs[0].points[k].y(), legs[1].points[k].y(), 1e-9);
+  }
+  EXPECT_NEAR(legs[0].restLength, legs[1].restLength, 1e-9);
+  // Half way in, half as far.
+  EXPECT_NEAR(legs[0].points[0].y() - legs[0].points[1].y(), 60.0 * 90.0 / 120.0, 1e-9);
+  EXPECT_NEAR(legs[0].points[0].y() - legs[0].points[2].y(), 90.0, 1e-9);
+  std::vector<Notch> across;
+  std::copy_if(piece.notches.begin(), piece.notches.end(), std::back_inserter(across),
+    [](const Notch& notch) { return !notch.onCutLine; });
+  ASSERT_EQ(across.size(), 2U);
+  EXPECT_NEAR(across[0].foot.x() - middle, middle - across[1].foot.x(), 1e-9);
+  EXPECT_NEAR(across[0].foot.y(), across[1].foot.y(), 1e-9);
+}
+
+TEST(Darts, ATipThatWouldBeBeyondHalfOfItsDartIsRefusedByName)
+{
+  PatternOptions options = millimetres(10.0);
+  options.pieceNames = { "front" };
+  options.dartTip = 61.0;
+  Pattern pattern;
+  const Status status = buildPattern(dartedSquare(), options, pattern);
+  EXPECT_EQ(status.code, StatusCode::InvalidOption);
+  for (const char* word : { "dart dart", "front", "61 mm", "120 mm" })
+  {
+    EXPECT_NE(status.message.find(word), std::string::npos) << status.message;
+  }
+  options.dartTip = 59.0;
+  EXPECT_TRUE(buildPattern(dartedSquare(), options, pattern).ok());
 }
 
 TEST(Darts, ADartThatIsCutOutHasAllowanceAlongItsLegs)

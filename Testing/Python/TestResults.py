@@ -297,7 +297,8 @@ class Patterns(unittest.TestCase):
                  "front", "--allowance", "12", "--curve-allowance", "boundary=20", "--mitre-limit", "3",
                  "--notch-spacing", "70", "--cut-darts-out", "--paper", "letter", "--page-overlap", "5",
                  "--max-pages", "900", "--laser-colors", "--piece-quantity", "4", "--cut-on-fold", "--curve-notch", "boundary=30",
-                 "--double-notches", "boundary", "--notch-corners", "--notch-curve-ends", "--curve-fair", "boundary=0.4"]
+                 "--double-notches", "boundary", "--notch-corners", "--notch-curve-ends", "--dart-tip", "9",
+                "--curve-dart-tip", "waist_dart=11", "--curve-fair", "boundary=0.4"]
         subprocess.run([os.environ["WIREWARP"], os.path.join(root, "Data", "pants_front.vtp"),
                         os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", "--output",
                         self.path("out"), "--svg", "--dxf", "--pdf", "--plt", *words], check=True)
@@ -307,7 +308,8 @@ class Patterns(unittest.TestCase):
                 piece_names=["front"], allowance=12, curve_allowances={"boundary": 20.0}, mitre_limit=3,
                 notch_spacing=70, cut_darts_out=True, paper="letter", page_overlap=5, max_pages=900,
                 laser_colors=True, cut_on_fold=True, curve_notches={"boundary": [30]},
-                double_notches=["boundary"], notch_corners=True, notch_curve_ends=True, curve_fairs={"boundary": 0.4})
+                double_notches=["boundary"], notch_corners=True, notch_curve_ends=True, dart_tip=9,
+                curve_dart_tips={"waist_dart": 11}, curve_fairs={"boundary": 0.4})
             mine, theirs = self.content("own." + kind), self.content(f"out/pattern.{kind}")
             if kind == "pdf":  # it holds the time
                 self.assertAlmostEqual(len(mine), len(theirs), delta=64)
@@ -348,6 +350,9 @@ class Patterns(unittest.TestCase):
             (TypeError, ["quantity", "1.5"], "a.svg", {"quantity": 1.5}),
             (TypeError, ["double_notches"], "a.svg", {"double_notches": "boundary"}),
             (ValueError, ["no_such"], "a.svg", {"double_notches": ["no_such"]}),
+            (ValueError, ["piece", "grainline", "bends"], "a.svg", {"folds": ["grainline"]}),
+            (TypeError, ["folds"], "a.svg", {"folds": "grainline"}),
+            (ValueError, ["no_such"], "a.svg", {"curve_dart_tips": {"no_such": 1.0}}),
             (ValueError, ["no_such"], "a.svg", {"curve_fairs": {"no_such": 1.0}}),
             (TypeError, ["piece_names"], "a.svg", {"piece_names": "front"}),
             (ValueError, ["name", "UTF-8"], "a.svg", {"name": "a\ud800"}),
@@ -375,7 +380,7 @@ class Patterns(unittest.TestCase):
             ("cut_darts_out", "CutDartsOut"), ("cut_pairs", "CutPairs"), ("laser_colors", "LaserColors"),
             ("fair", "FairTolerance"), ("fabric_width", "FabricWidth"), ("nap", "FabricNap"),
             ("fabric_gap", "FabricGap"), ("cut_on_fold", "CutOnFold"), ("walk_table", "WalkTable"),
-            ("notch_corners", "NotchCorners"), ("notch_curve_ends", "NotchCurveEnds"),
+            ("notch_corners", "NotchCorners"), ("dart_tip", "DartTip"), ("notch_curve_ends", "NotchCurveEnds"),
         ):
             self.assertEqual(parameters[option].default, getattr(writer, "Get" + property_)(), option)
 

@@ -22,6 +22,7 @@ _NUMBERS = {
     "mitre_limit": ("MitreLimit", 1.0, 100.0),
     "notch_spacing": ("NotchSpacing", 0.0, 1e6),
     "notch_length": ("NotchLength", 0.0, 1e6),
+    "dart_tip": ("DartTip", 0.0, 1e6),
     "fair": ("FairTolerance", 0.0, 100.0),
     "fabric_width": ("FabricWidth", 0.0, 1e5),
     "fabric_gap": ("FabricGap", 0.0, 1000.0),
@@ -79,6 +80,12 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
         raise TypeError(f"double_notches = {options['double_notches']!r} must be a list of names")
     for curve in options["double_notches"]:
         writer.AddDoubleNotches(_text("double_notches", curve))
+    if isinstance(options["folds"], str):
+        raise TypeError(f"folds = {options['folds']!r} must be a list of names")
+    for curve in options["folds"]:
+        writer.AddFold(_text("folds", curve))
+    for curve, distance in (options["curve_dart_tips"] or {}).items():
+        writer.SetCurveDartTip(curve, _in_range(f"dart tip of {curve!r}", distance, 0.0, 1e6))
     for curve, tolerance in (options["curve_fairs"] or {}).items():
         writer.SetCurveFairTolerance(curve, _in_range(f"fair of {curve!r}", tolerance, 0.0, 100.0))
 

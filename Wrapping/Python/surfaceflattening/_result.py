@@ -152,6 +152,9 @@ class Flattening(ComparedByValue):
         notch_length: float = 5.0,
         cut_darts_out: bool = False,
         cut_on_fold: bool = False,
+        folds: Sequence[str] = (),
+        dart_tip: float = 0.0,
+        curve_dart_tips: Optional[Mapping[str, float]] = None,
         cut_pairs: bool = False,
         fair: float = 0.0,
         curve_fairs: Optional[Mapping[str, float]] = None,
@@ -192,6 +195,11 @@ class Flattening(ComparedByValue):
             notch_length: in [0, 1e6].
             cut_darts_out: cut darts out along their allowance instead of folding them.
             cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
+            folds: names of curves along which pieces are cut on the fold: inside, where a half is drawn of a
+                piece that must be symmetric about it, or on the border of a piece that is a half.
+            dart_tip: how far tips of folded darts are drawn back, their legs with them, in [0, 1e6] and at most
+                half of a dart's depth.
+            curve_dart_tips: by the name of a dart, another such distance.
             cut_pairs: of two pieces that are mirror images draw the first alone, to be cut in pairs of
                 which one is turned over.
             fair: draw borders and curves as smooth splines of the same lengths, straight where nearly so, at

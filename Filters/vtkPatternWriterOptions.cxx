@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a pattern is asked for: the properties of vtkPatternWriter that are lists, and all of them
+// as options.
+#include "vtkPatternWriter.h"
+
+#include "PatternFile.h"
+
+namespace
+{
+namespace pattern = flattening::pattern;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetUnitAsString() const
+{
+  static const char* const names[] = { "Unspecified", "Millimetre", "Centimetre", "Metre", "Inch" };
+  return names[this->Unit];
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::SetUnitByName(const std::string& name)
+{
+  for (const int unit : { MILLIMETRE, CENTIMETRE, METRE, INCH })
+  {
+    if (name == pattern::unitName(static_cast<pattern::Unit>(unit)))
+    {
+      this->SetUnit(unit);
+      return true;
+    }
+  }
+  vtkErrorMacro("Unknown unit '" << name << "'; there are mm, cm, m and inch.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetPieceName(int piece, const std::string& name)
+{
+  if (piece < 0 || piece > 1000000)
+  {
+    vtkErrorMacro("There can be no piece " << piece << "; pieces are counted from 0.");
+    return;
+  }
+  const std::size_t index = static_cast<std::size_t>(piece);
+  if (this->PieceNames.size() <= index)
+  {
+    this->PieceNames.resize(index + 1);
+  }
+  this->PieceNames[index] = name;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetPieceQuantity(int piece, int quantity)
+{
+  if (piece < 0 || piece > 1000000 || quantity < 0)
+  {
+    vtkErrorMacro("There can be no piece " << piece << " of which " << quantity
+                                           << " are cut; both are counted from 0.");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(piece);
+  if (this->PieceQuantities.size() <= index)
+  {
+    this->PieceQuantities.resize(index + 1, 0);
+  }
+  this->PieceQuantities[index] = quantity;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllPieceQuantities()
+{
+  this->PieceQuantities.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllPieceNames()
+{
+  this->PieceNames.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowance)
+{
+  this->CurveAllowances[curve] = allowance;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveAllowances()
+{
+  this->CurveAllowances.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::AddCurveNotch(const std::string& curve, double distance)
+{
+  this->CurveNotches[curve].push_back(distance);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveNotches()
+{
+  this->CurveNotches.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
+{
+  this->DoubleNotches.insert(curve);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllDoubleNotches()
+{
+  this->DoubleNotches.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
+{
+  this->CurveFairTolerances[curve] = tolerance;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveFairTolerances()
+{
+  this->CurveFairTolerances.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::AddFold(const std::string& curve)
+{
+  this->Folds.insert(curve);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllFolds()
+{
+  this->Folds.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance)
+{
+  this->CurveDartTips[curve] = distance;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveDartTips()
+{
+  this->CurveDartTips.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
+{
+  static_assert(static_cast<int>(pattern::Unit::Unspecified) == UNSPECIFIED, "");
+  static_assert(static_cast<int>(pattern::Unit::Inch) == INCH, "");
+  static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
+  static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
+  static_assert(static_cast<int>(pattern::PaperSize::A0) == A0, "");
+  static_assert(static_cast<int>(pattern::PaperSize::Sheet) == SHEET, "");
+  pattern::FileOptions options;
+  options.format = static_cast<pattern::FileFormat>(format);
+  options.pattern.unit = static_cast<pattern::Unit>(this->Unit);
+  options.pattern.name = this->PatternName;
+  options.pattern.size = this->PatternSize;
+  options.pattern.quantity = this->Quantity;
+  options.pattern.pieceQuantities = this->PieceQuantities;
+  options.pattern.pieceNames = this->PieceNames;
+  options.pattern.allowance = this->Allowance;
+  options.pattern.allowanceOfCurve = this->CurveAllowances;
+  options.pattern.mitreLimit = this->MitreLimit;
+  options.pattern.notchSpacing = this->NotchSpacing;
+  options.pattern.notchesOfCurve = this->CurveNotches;
+  options.pattern.doubleNotches = this->DoubleNotches;
+  options.pattern.notchCorners = this->NotchCorners;
+  options.pattern.notchCurveEnds = this->NotchCurveEnds;
+  options.pattern.notchLength = this->NotchLength;
+  options.pattern.cutOnFold = this->CutOnFold;
+  options.pattern.foldsAlong = this->Folds;
+  options.pattern.dartTip = this->DartTip;
+  options.pattern.dartTipOfCurve = this->CurveDartTips;
+  options.pattern.pairs = this->CutPairs;
+  options.pattern.fairTolerance = this->FairTolerance;
+  options.pattern.fairToleranceOfCurve = this->CurveFairTolerances;
+  options.pattern.darts =
+    this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
+  options.pages.paper = static_cast<pattern::PaperSize>(this->Paper);
+  options.pages.overlap = this->PageOverlap;
+  options.pages.maximumPages = this->MaximumPages;
+  options.walkTable = this->WalkTable;
+  options.fabric.width = this->FabricWidth;
+  options.fabric.nap = this->FabricNap;
+  options.fabric.gap = this->FabricGap;
+  options.laserColours = this->LaserColors;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Unit: " << this->GetUnitAsString() << "\n";
+  os << indent << "PatternName: " << this->PatternName << "\n";
+  os << indent << "PatternSize: " << this->PatternSize << "\n";
+  os << indent << "Quantity: " << this->Quantity << "\n";
+  for (std::size_t p = 0; p < this->PieceQuantities.size(); ++p)
+  {
+    os << indent << "PieceQuantity " << p << ": " << this->PieceQuantities[p] << "\n";
+  }
+  for (std::size_t p = 0; p < this->PieceNames.size(); ++p)
+  {
+    os << indent << "PieceName " << p << ": " << this->PieceNames[p] << "\n";
+  }
+  os << indent << "Allowance: " << this->Allowance << "\n";
+  for (const auto& entry : this->CurveAllowances)
+  {
+    os << indent << "CurveAllowance " << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "MitreLimit: " << this->MitreLimit << "\n";
+  os << indent << "NotchSpacing: " << this->NotchSpacing << "\n";
+  os << indent << "NotchLength: " << this->NotchLength << "\n";
+  os << indent << "CutDartsOut: " << (this->CutDartsOut ? "On" : "Off") << "\n";
+  for (const auto& [curve, distances] : this->CurveNotches)
+  {
+    os << indent << "CurveNotches " << curve << ":";
+    for (const double distance : distances)
+    {
+      os << " " << distance;
+    }
+    os << "\n";
+  }
+  for (const std::string& curve : this->DoubleNotches)
+  {
+    os << indent << "DoubleNotches: " << curve << "\n";
+  }
+  os << indent << "NotchCorners: " << (this->NotchCorners ? "On" : "Off") << "\n";
+  os << indent << "NotchCurveEnds: " << (this->NotchCurveEnds ? "On" : "Off") << "\n";
+  os << indent << "CutOnFold: " << (this->CutOnFold ? "On" : "Off") << "\n";
+  for (const std::string& curve : this->Folds)
+  {
+    os << indent << "Fold: " << curve << "\n";
+  }
+  os << indent << "DartTip: " << this->DartTip << "\n";
+  for (const auto& entry : this->CurveDartTips)
+  {
+    os << indent << "CurveDartTip " << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "CutPairs: " << (this->CutPairs ? "On" : "Off") << "\n";
+  os << indent << "FairTolerance: " << this->FairTolerance << "\n";
+  for (const auto& entry : this->CurveFairTolerances)
+  {
+    os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "FabricWidth: " << this->FabricWidth << "\n";
+  os << indent << "FabricNap: " << (this->FabricNap ? "On" : "Off") << "\n";
+  os << indent << "FabricGap: " << this->FabricGap << "\n";
+  os << indent << "FabricLength: " << this->FabricLength << "\n";
+  os << indent << "FabricEfficiency: " << this->FabricEfficiency << "\n";
+  os << indent << "FollowPipeline: " << (this->FollowPipeline ? "On" : "Off") << "\n";
+}
