@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plane sections, girths and loops drawn tight.
 #include "PathFacts.h"
+#include "Paths/Girth.h"
 #include "Paths/PathPoints.h"
-#include "Paths/PlaneSection.h"
 #include "Paths/StraightLoop.h"
 #include "TestMeshes.h"
 

@@ -141,25 +141,29 @@ PathDistance distanceFrom(
     std::sort(
       feet.begin(), feet.end(), [](const PathFoot& a, const PathFoot& b) { return a.gap < b.gap; });
     feet.resize(std::min(feet.size(), mostFeet));
+    const auto offer = [&](double place) {
+      StraightPath way = ways.from(place);
+      if (way.status.refused())
+      {
+        found.status = way.status;
+      }
+      else if (!found.distance.way.path.arrived || way.length < found.distance.way.length)
+      {
+        found.distance.left =
+          way.length > 0.0 && leavesLeft(graph.mesh(), path, ways.legAt(place), way.path);
+        found.distance.way = std::move(way);
+      }
+    };
+    // What is nearest over the surface may be farther in space than other ends.
+    offer(0.0);
+    offer(ways.length());
     for (const PathFoot& foot : feet)
     {
       if (found.distance.way.path.arrived && foot.gap >= found.distance.way.length)
       {
         break;
       }
-      const double place = ways.nearest(ways.place(foot));
-      StraightPath way = ways.from(place);
-      if (way.status.refused())
-      {
-        found.status = way.status;
-        continue;
-      }
-      if (!found.distance.way.path.arrived || way.length < found.distance.way.length)
-      {
-        found.distance.left =
-          way.length > 0.0 && leavesLeft(graph.mesh(), path, ways.legAt(place), way.path);
-        found.distance.way = std::move(way);
-      }
+      offer(ways.nearest(ways.place(foot)));
     }
     return found;
   });

@@ -4,9 +4,7 @@
 #include "Base/Memory.h"
 #include "Paths/PathPoints.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace flattening
 {
@@ -14,11 +12,6 @@ namespace
 {
 /// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
 constexpr double atVertex = 1e-13;
-/// Planes through two points that are tried, and how often the best is halved between its
-/// neighbours.
-constexpr int planes = 36;
-constexpr int halvings = 40;
-constexpr double goldenRatio = 0.6180339887498949;
 
 /// Where a section crosses an edge, by the heights of its ends above the plane.
 SurfacePoint crossingOf(const TriangleMesh& mesh, Index edge, double from, double to)
@@ -34,13 +27,10 @@ SurfacePoint crossingOf(const TriangleMesh& mesh, Index edge, double from, doubl
 class SectionCurve
 {
 public:
-  /// Marks the triangles that it goes through, also those of which it only meets a corner.
-  SectionCurve(const TriangleMesh& mesh, const SurfacePoint& start, const Point3& normal,
-    std::vector<char>* visited = nullptr)
+  SectionCurve(const TriangleMesh& mesh, const SurfacePoint& start, const Point3& normal)
     : Mesh(mesh)
     , Start(start)
     , Normal(normal)
-    , Visited(visited)
   {
   }
 
@@ -117,10 +107,6 @@ private:
     Index h = first;
     for (Index steps = 0; h != none && steps < this->Mesh.halfedgeCount(); ++steps)
     {
-      if (this->Visited)
-      {
-        (*this->Visited)[h / 3] = 1;
-      }
       const SurfacePoint point = this->startsOn(h) ? this->Start : this->crossing(h);
       if (!samePlace(point, path.points.back()))
       {
@@ -150,81 +136,99 @@ private:
   const TriangleMesh& Mesh;
   const SurfacePoint& Start;
   Point3 Normal;
-  std::vector<char>* Visited;
 };
 
-/// Where a section goes through a point, by triangles and not by distance alone: a surface may be
-/// folded. The place in the list, before which the point is to be inserted where it is not in it.
-bool findStation(
-  const TriangleMesh& mesh, SurfacePath& path, const SurfacePoint& point, std::size_t& station)
+/// All curves of a section. Each triangle that has corners in front of the plane and behind it is
+/// entered over one edge and left over another, and so is of one curve.
+class WholeSection
 {
-  for (std::size_t i = 0; i < path.points.size(); ++i)
+public:
+  WholeSection(const TriangleMesh& mesh, const Point3& point, const Point3& normal)
+    : Mesh(mesh)
+    , Visited(mesh.triangleCount(), 0)
   {
-    if (samePlace(path.points[i], point) ||
-      (path.points[i].carrier == Carrier::Edge && point.carrier == Carrier::Edge &&
-        path.points[i].id == point.id))
+    for (const Point3& vertex : mesh.points())
     {
-      station = i;
-      return true;
+      this->Heights.push_back(normal.dot(vertex - point));
     }
   }
-  for (std::size_t i = 0; i < path.triangles.size(); ++i)
-  {
-    if (contains(mesh, path.triangles[i], point))
-    {
-      station = i + 1;
-      path.points.insert(path.points.begin() + static_cast<std::ptrdiff_t>(station), point);
-      path.triangles.insert(
-        path.triangles.begin() + static_cast<std::ptrdiff_t>(i), path.triangles[i]);
-      return true;
-    }
-  }
-  return false;
-}
 
-PlaneSection notClosed()
-{
-  PlaneSection refused;
-  refused.status = { StatusCode::CurveLeavesSurface,
-    "no closed section of the surface goes through the points of a girth", {},
-    { Remedy::RedrawCurve } };
-  return refused;
-}
+  std::vector<PlaneSection> run()
+  {
+    std::vector<PlaneSection> sections;
+    for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
+    {
+      if (!this->Visited[t] && this->entering(t) != none)
+      {
+        PlaneSection section = this->through(t);
+        // One of a single point only touches.
+        if (!section.path.triangles.empty())
+        {
+          sections.push_back(std::move(section));
+        }
+      }
+    }
+    return sections;
+  }
 
-PlaneSection closedThrough(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points,
-  const Point3& normal, std::vector<std::size_t>& stations)
-{
-  PlaneSection section = planeSection(mesh, points.front(), normal);
-  if (!section.status.ok() || !section.closed)
+private:
+  bool inFront(Index v) const { return this->Heights[v] >= 0.0; }
+  /// The half-edge of a triangle that leads from behind the plane to its front, or back.
+  Index crossed(Index t, bool back) const
   {
-    return notClosed();
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      if (this->inFront(this->Mesh.from(h)) == back && this->inFront(this->Mesh.to(h)) != back)
+      {
+        return h;
+      }
+    }
+    return none;
   }
-  stations.assign(1, 0);
-  for (std::size_t k = 1; k < points.size(); ++k)
+  Index entering(Index t) const { return this->crossed(t, false); }
+  Index leaving(Index t) const { return this->crossed(t, true); }
+  Index beyond(Index h) const { return this->Mesh.twin(h) == none ? none : this->Mesh.twin(h) / 3; }
+
+  SurfacePoint crossing(Index h) const
   {
-    const std::size_t before = section.path.points.size();
-    std::size_t station = 0;
-    if (!findStation(mesh, section.path, points[k], station))
-    {
-      return notClosed();
-    }
-    for (std::size_t& other : stations)
-    {
-      other += section.path.points.size() > before && other >= station ? 1 : 0;
-    }
-    stations.push_back(station);
+    const Index low = edgeOf(this->Mesh, h);
+    return crossingOf(
+      this->Mesh, low, this->Heights[this->Mesh.from(low)], this->Heights[this->Mesh.to(low)]);
   }
-  if (points.size() == 3 && stations[1] > stations[2])
+
+  /// The curve through a triangle: from there round to it again, or from where the boundary is met.
+  PlaneSection through(Index t)
   {
-    section.path = reversed(std::move(section.path));
-    for (std::size_t k = 1; k < 3; ++k)
+    Index first = t;
+    Index before = this->beyond(this->entering(t));
+    for (; before != none && before != t; before = this->beyond(this->entering(before)))
     {
-      stations[k] = section.path.points.size() - 1 - stations[k];
+      first = before;
     }
+    PlaneSection section;
+    section.closed = before == t;
+    first = section.closed ? t : first;
+    SurfacePath& path = section.path;
+    path.points = { this->crossing(this->entering(first)) };
+    for (Index at = first; at != none && !this->Visited[at]; at = this->beyond(this->leaving(at)))
+    {
+      this->Visited[at] = 1;
+      const SurfacePoint point = this->crossing(this->leaving(at));
+      if (!samePlace(point, path.points.back()))
+      {
+        path.points.push_back(point);
+        path.triangles.push_back(at);
+      }
+    }
+    path.arrived = true;
+    section.length = lengthOf(path);
+    return section;
   }
-  section.length = lengthOf(section.path);
-  return section;
-}
+
+  const TriangleMesh& Mesh;
+  std::vector<double> Heights;
+  std::vector<char> Visited;
+};
 }
 
 PlaneSection planeSection(const TriangleMesh& mesh, const SurfacePoint& point, const Point3& normal)
@@ -259,103 +263,6 @@ PlaneSection planeSection(const TriangleMesh& mesh, const SurfacePoint& point, c
 std::vector<PlaneSection> planeSections(
   const TriangleMesh& mesh, const Point3& point, const Point3& normal)
 {
-  const Point3 unit = normal.normalized();
-  const auto height = [&](Index v) { return unit.dot(mesh.point(v) - point); };
-  std::vector<char> visited(mesh.triangleCount(), 0);
-  std::vector<PlaneSection> sections;
-  const auto follow = [&](Index t, bool fromVertices) {
-    for (Index h = 3 * t; h < 3 * t + 3 && visited[t] == 0; ++h)
-    {
-      const double from = height(mesh.from(h));
-      const double to = height(mesh.to(h));
-      const Index edge = edgeOf(mesh, h);
-      if (from >= 0.0 || to < 0.0)
-      {
-        continue;
-      }
-      const SurfacePoint start =
-        crossingOf(mesh, edge, edge == h ? from : to, edge == h ? to : from);
-      if ((start.carrier == Carrier::Vertex) != fromVertices)
-      {
-        continue;
-      }
-      visited[t] = 1;
-      PlaneSection section = SectionCurve(mesh, start, unit, &visited).run();
-      for (const Index around : fromVertices ? trianglesAround(mesh, start) : Indices{})
-      {
-        visited[around] = 1; // The walk begins beyond them.
-      }
-      if (section.status.ok())
-      {
-        sections.push_back(std::move(section));
-      }
-    }
-  };
-  // From a vertex only where a curve goes through nothing else: several may go through one.
-  for (const bool fromVertices : { false, true })
-  {
-    for (Index t = 0; t < mesh.triangleCount(); ++t)
-    {
-      follow(t, fromVertices);
-    }
-  }
-  return sections;
-}
-
-PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points,
-  std::vector<std::size_t>* stations)
-{
-  return withinMemory([&] {
-    std::vector<std::size_t> found;
-    std::vector<std::size_t>& where = stations ? *stations : found;
-    if (points.size() != 2 && points.size() != 3)
-    {
-      PlaneSection refused;
-      refused.status = { StatusCode::InvalidOption,
-        "a girth goes through two or three points, not " + std::to_string(points.size()), {},
-        { { Remedy::Give, "two or three points" } } };
-      return refused;
-    }
-    const Point3 along = points[1].position - points[0].position;
-    if (points.size() == 3)
-    {
-      return closedThrough(
-        mesh, points, along.cross(points[2].position - points[0].position), where);
-    }
-    if (!(along.norm() > 0.0))
-    {
-      return notClosed();
-    }
-    const Point3 first = along.unitOrthogonal();
-    const Point3 second = along.normalized().cross(first);
-    const auto tape = [&](double angle) {
-      std::vector<std::size_t> places;
-      const PlaneSection section =
-        closedThrough(mesh, points, std::cos(angle) * first + std::sin(angle) * second, places);
-      return section.status.ok() ? section.length : std::numeric_limits<double>::infinity();
-    };
-    double best = 0.0;
-    double shortest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < planes; ++k)
-    {
-      const double length = tape(pi * k / planes);
-      if (length < shortest)
-      {
-        shortest = length;
-        best = pi * k / planes;
-      }
-    }
-    double low = best - pi / planes;
-    double high = best + pi / planes;
-    for (int k = 0; k < halvings; ++k)
-    {
-      const double a = high - goldenRatio * (high - low);
-      const double b = low + goldenRatio * (high - low);
-      (tape(a) <= tape(b) ? high : low) = tape(a) <= tape(b) ? b : a;
-    }
-    const double refined = tape(0.5 * (low + high)) <= shortest ? 0.5 * (low + high) : best;
-    return closedThrough(
-      mesh, points, std::cos(refined) * first + std::sin(refined) * second, where);
-  });
+  return WholeSection(mesh, point, normal.normalized()).run();
 }
 }

@@ -15,6 +15,8 @@ namespace
 {
 constexpr int mostRounds = 1000;
 constexpr int halvings = 100;
+/// A base so near to an end of its edge, as a fraction, is there.
+constexpr double atEnd = 1e-9;
 /// A band that is so much shorter than it was is drawn together to a point.
 constexpr double vanishing = 1e-9;
 
@@ -141,7 +143,7 @@ private:
         .normalized();
     double low = 0.0;
     double high = 1.0;
-    for (int k = 0; k < halvings && high - low > 1e-16; ++k)
+    for (int k = 0; k < halvings && high - low > 1e-16 && low < 1.0 - atEnd && high > atEnd; ++k)
     {
       const double middle = 0.5 * (low + high);
       const SurfacePath loop = this->heldAt(middle);
@@ -153,7 +155,7 @@ private:
       (this->growth(loop, along) > 0.0 ? high : low) = middle;
     }
     const double best = 0.5 * (low + high);
-    if (best > 1e-9 && best < 1.0 - 1e-9)
+    if (best > atEnd && best < 1.0 - atEnd)
     {
       this->Loop = this->heldAt(best);
       return false;
