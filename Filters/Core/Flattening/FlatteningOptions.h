@@ -27,11 +27,18 @@ enum class DartLegs
   Mirrored, ///< both the mean of the two curves that free legs are, mirror images of each other
 };
 
+/// Where the corners of a triangle lie in the plane.
+using FlatCorners = std::array<Point2, 3>;
+
 /// All defaults of the project are these and those of the options inside: filters, command, Python
 /// package and plugin take them over or are tested for it.
 struct FlatteningOptions
 {
   Scheme scheme = Scheme::Isometric;
+  /// Isometric scheme: by triangle where it lay before more of the surface was cut. Pieces that
+  /// lengths alone hold go on from there, which is quicker than from the wires' angles, to the same
+  /// minimum or one beside it (see warpFromGivenStart()). Empty: all start from their angles.
+  std::vector<FlatCorners> start;
   AngleSolverOptions angles;
   InteriorOptions interior;
   IsometricOptions isometric;

@@ -31,8 +31,8 @@ PieceContext contextOf(
   {
     wired.network = buildWireNetwork(wired.piece, wired.disk);
   }
-  // A conformal map keeps no length that would want room.
-  if (!(wired.area && wired.area->known) &&
+  // A conformal map keeps no length that would want room, and a start says that there is some.
+  if (!(wired.area && wired.area->known) && settings.options.start.empty() &&
     settings.options.scheme != Scheme::LeastSquaresConformal)
   {
     wired.area = forecastArea(wired.piece.mesh, execution);

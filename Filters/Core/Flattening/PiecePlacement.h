@@ -17,6 +17,8 @@ struct PlacedPiece
   DistortionEnergyKind energyUsed = DistortionEnergyKind::AsRigidAsPossible;
   /// Isometric scheme: the solution came from a convex embedding, not from the wires' angles.
   bool fromConvexStart = false;
+  /// Isometric scheme: the solution came from FlatteningOptions::start.
+  bool fromGivenStart = false;
   /// Where options have a cloth: how it lies there.
   std::optional<GrainReport> grain;
   bool clothSolved = false; ///< by the isometric scheme with the cloth's energy

@@ -4,6 +4,7 @@
 #include "Angles/WireProblem.h"
 #include "Base/Stopwatch.h"
 #include "Flattening/ClothWarping.h"
+#include "Flattening/ContinuedWarping.h"
 #include "Flattening/ConvexWarping.h"
 #include "Quality/FlatteningQuality.h"
 
@@ -94,8 +95,8 @@ FlatWires finishScheme(const PieceContext& context, PlacedWires placed)
   if (context.options.scheme == Scheme::Isometric && !refused)
   {
     FlatteningOptions start = context.options;
-    start.isometric.rough =
-      start.cloth && start.cloth->usable() && !start.cloth->material.isotropic;
+    start.isometric.rough = context.options.isometric.rough ||
+      (start.cloth && start.cloth->usable() && !start.cloth->material.isotropic);
     const PieceContext startContext{ context.piece, context.network, context.cut, context.curves,
       start, context.execution, context.interiors, context.area };
     warpFromBetterStart(startContext, flat);
@@ -123,6 +124,11 @@ FlatWires flattenWires(const PieceContext& context, const CurveRules& rules)
     return flattenConformally(context);
   }
   Stopwatch watch;
+  if (std::optional<PlacedWires> continued = warpFromGivenStart(context, rules))
+  {
+    return { std::move(continued->wires), std::move(continued->placed), {}, 0.0, watch.seconds() };
+  }
+  watch.restart();
   PlacedWires placed = solveWithKeys(context, rules);
   double seconds = watch.restart();
   if (std::optional<FlatWires> deep = flattenDeepPiece(context, placed))

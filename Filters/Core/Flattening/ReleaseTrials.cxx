@@ -65,7 +65,7 @@ ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
 {
   const Scheme scheme = context.options.scheme;
   if (scheme == Scheme::Progressive || scheme == Scheme::LeastSquaresConformal ||
-    flat.status.refused())
+    flat.status.refused() || flat.placed.fromGivenStart)
   {
     return {};
   }

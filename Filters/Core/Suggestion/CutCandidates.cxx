@@ -2,6 +2,7 @@
 #include "Suggestion/CutCandidates.h"
 
 #include "Suggestion/CutPlaces.h"
+#include "Suggestion/MirrorRoles.h"
 #include "Surface/EdgePaths.h"
 
 #include <algorithm>
@@ -12,17 +13,24 @@ namespace flattening
 namespace
 {
 /// In sqrt(area / pi): steps between bases along the boundary, how far they stay from corners, how
-/// far cuts stay from the mirror plane or lie in it, how much banks may overlap by the forecast,
-/// how long a dart may be, how far along the boundary a seam's ends lie apart, and how far plans
-/// that differ.
+/// much banks may overlap by the forecast, how long a dart may be, and how far along the boundary a
+/// seam's ends lie apart.
 constexpr double baseSpacing = 0.12;
 constexpr double clearOfCorner = 0.05;
-constexpr double clearOfPlane = 0.04;
 constexpr double mostOverlap = 4e-3;
 constexpr double longestDart = 2.0;
 constexpr double leastSeamArc = 0.35;
-constexpr double plansApart = 0.15;
 constexpr Index mostBases = 80;
+/// Seams run over so many of the places that are farthest from flat, and turn there by less than
+/// the angle whose cosine this is.
+constexpr std::size_t mostPeaks = 6;
+constexpr double leastTurn = 0.8;
+/// In sqrt(area / pi): how far these places are apart, and how far from one a way's direction is
+/// seen.
+constexpr double peaksApart = 0.3;
+constexpr double seenFrom = 0.25;
+/// Of more every other is the end of such a seam.
+constexpr std::size_t fewBases = 40;
 
 class Planning
 {
@@ -34,7 +42,7 @@ public:
     , Factor(factor)
     , Options(options)
     , Longest(longest)
-    , Margin(clearOfPlane * piece.size())
+    , Roles(piece, options.maximumCuts > 1)
   {
     double around = 0.0;
     for (Index l = 0; l < piece.ruler().loopCount(); ++l)
@@ -49,20 +57,29 @@ public:
         this->Bases.push_back(v);
       }
     }
-    if (options.cuts != SuggestedCuts::Seams)
+    this->Places = cutPlaces(this->Mesh, piece.barred());
+    if (options.cuts != SuggestedCuts::Darts)
     {
-      this->Places = cutPlaces(this->Mesh, piece.barred());
+      this->findPeaks();
+    }
+    if (options.cuts == SuggestedCuts::Seams)
+    {
+      this->Places = {};
     }
   }
 
   std::vector<CutPlan> run(const Execution& execution) const
   {
     const auto bases = static_cast<Index>(this->Bases.size());
-    std::vector<std::vector<CutPlan>> parts(this->Bases.size() + this->Places.sites.size());
+    const auto sites = static_cast<Index>(this->Places.sites.size());
+    const auto peaks = static_cast<Index>(this->Peaks.size());
+    std::vector<std::vector<CutPlan>> parts(bases + sites + peaks);
     execution.parallelFor(static_cast<Index>(parts.size()), [&](Index begin, Index end) {
       for (Index k = begin; k < end; ++k)
       {
-        parts[k] = k < bases ? this->plansFrom(k) : this->plansInside(k - bases);
+        parts[k] = k < bases  ? this->plansFrom(k)
+          : k < bases + sites ? this->plansInside(k - bases)
+                              : this->plansOver(this->Peaks[k - bases - sites]);
       }
     });
     std::vector<CutPlan> plans;
@@ -76,18 +93,11 @@ public:
   }
 
 private:
-  /// On which side of the mirror plane; 0 in it.
-  int side(const Point3& point) const
-  {
-    const double distance = this->Piece.mirror()->side(point);
-    return distance > this->Margin ? 1 : distance < -this->Margin ? -1 : 0;
-  }
-
   std::vector<CutPlan> plansFrom(Index b) const
   {
     std::vector<CutPlan> plans;
     const Index base = this->Bases[b];
-    if (this->Piece.mirror() && this->side(this->Mesh.point(base)) < 0)
+    if (this->Piece.mirror() && this->Roles.side(this->Mesh.point(base)) < 0)
     {
       return plans; // the mirror image of another
     }
@@ -110,7 +120,7 @@ private:
     }
     if (this->Piece.mirror())
     {
-      this->addSeam(paths, base, this->mirroredBase(base), plans);
+      this->addSeam(paths, base, this->Roles.mirroredBase(base), plans);
     }
     return plans;
   }
@@ -120,7 +130,7 @@ private:
   {
     std::vector<CutPlan> plans;
     const Index start = this->Places.sites[s];
-    const bool image = this->Piece.mirror() && this->side(this->Mesh.point(start)) < 0;
+    const bool image = this->Piece.mirror() && this->Roles.side(this->Mesh.point(start)) < 0;
     if (image || !this->Piece.takesInnerTip(this->Mesh.point(start)))
     {
       return plans;
@@ -134,7 +144,7 @@ private:
       plan.tip = this->Mesh.point(tip);
       if (!this->Piece.takesInnerTip(plan.tip) || !paths.reaches(tip) ||
         paths.distance(tip) > longestDart * this->Piece.size() ||
-        !this->takeRole(*plan.start, plan.tip, plan))
+        !this->Roles.take(*plan.start, plan.tip, plan))
       {
         continue;
       }
@@ -148,27 +158,93 @@ private:
     return plans;
   }
 
-  Index mirroredBase(Index base) const
+  /// The places of the inside that are farthest from flat by the forecast, apart from each other.
+  void findPeaks()
   {
-    return this->Piece.ruler().vertex(this->Piece.mirrored(this->Piece.ruler().placeOf(base)));
+    Indices tips = this->Places.tips;
+    const std::vector<double>& u = this->Factor.values();
+    std::stable_sort(
+      tips.begin(), tips.end(), [&](Index a, Index b) { return std::abs(u[a]) > std::abs(u[b]); });
+    for (Index tip : tips)
+    {
+      const bool near = std::any_of(this->Peaks.begin(), this->Peaks.end(), [&](Index peak) {
+        return (this->Mesh.point(peak) - this->Mesh.point(tip)).norm() <
+          peaksApart * this->Piece.size();
+      });
+      if (!near && this->Peaks.size() < mostPeaks)
+      {
+        this->Peaks.push_back(tip);
+      }
+    }
   }
 
-  /// Its role to the mirror plane; false where it can have none.
-  bool takeRole(const Point3& from, const Point3& to, CutPlan& plan) const
+  /// Seams that run over a place nearly straight, which need not be the shortest way: that between
+  /// opposite places of a hemisphere's boundary runs along it.
+  std::vector<CutPlan> plansOver(Index peak) const
   {
-    if (!this->Piece.mirror())
+    std::vector<CutPlan> plans;
+    const Point3& top = this->Mesh.point(peak);
+    if (this->Piece.mirror() && this->Roles.side(top) < 0)
     {
-      return true;
+      return plans;
     }
-    const int a = this->side(from);
-    const int b = this->side(to);
-    if (a == 0 && b == 0)
+    const EdgePaths paths(this->Mesh, { peak }, this->Piece.barred());
+    const Point3 up = this->Piece.normalNear(top);
+    std::vector<std::pair<Index, Point3>> ends;
+    const std::size_t step = this->Bases.size() > fewBases ? 2 : 1;
+    for (std::size_t b = 0; b < this->Bases.size(); b += step)
     {
-      plan.role = MirrorRole::Along;
-      return true;
+      if (paths.reaches(this->Bases[b]))
+      {
+        ends.emplace_back(this->Bases[b], this->directionTo(paths, this->Bases[b], top, up));
+      }
     }
-    plan.role = MirrorRole::Pair;
-    return a * b > 0 && this->Options.maximumCuts > 1;
+    for (std::size_t e = 0; e < ends.size(); ++e)
+    {
+      for (std::size_t b = 0; b < e; ++b)
+      {
+        if (ends[b].second.dot(ends[e].second) < -leastTurn)
+        {
+          this->addSeamOver(paths, ends[b].first, peak, ends[e].first, plans);
+        }
+      }
+    }
+    return plans;
+  }
+
+  /// In which direction a way sets out, seen from some way along it.
+  Point3 directionTo(const EdgePaths& paths, Index end, const Point3& top, const Point3& up) const
+  {
+    Point3 ahead = this->Mesh.point(end) - top;
+    for (Index v : paths.path(end))
+    {
+      if (paths.distance(v) >= seenFrom * this->Piece.size())
+      {
+        ahead = this->Mesh.point(v) - top;
+        break;
+      }
+    }
+    ahead -= ahead.dot(up) * up;
+    return ahead.normalized();
+  }
+
+  void addSeamOver(
+    const EdgePaths& paths, Index base, Index peak, Index end, std::vector<CutPlan>& plans) const
+  {
+    CutPlan plan;
+    plan.type = CurveType::Seam;
+    plan.base = this->Piece.ruler().placeOf(base);
+    plan.end = this->Piece.ruler().placeOf(end);
+    plan.via = this->Mesh.point(peak);
+    if (this->Piece.mirror() && !this->Roles.takeOver(base, end, plan))
+    {
+      return;
+    }
+    Indices path = paths.path(base);
+    std::reverse(path.begin(), path.end());
+    const Indices rest = paths.path(end);
+    path.insert(path.end(), rest.begin() + 1, rest.end());
+    this->add(path, plan, plans);
   }
 
   void addDart(const EdgePaths& paths, Index base, Index tip, std::vector<CutPlan>& plans) const
@@ -177,13 +253,13 @@ private:
     plan.base = this->Piece.ruler().placeOf(base);
     plan.tip = this->Mesh.point(tip);
     if (!paths.reaches(tip) || paths.distance(tip) > longestDart * this->Piece.size() ||
-      !this->takeRole(this->Mesh.point(base), plan.tip, plan))
+      !this->Roles.take(this->Mesh.point(base), plan.tip, plan))
     {
       return;
     }
     if (plan.role == MirrorRole::Along)
     {
-      this->bringIntoPlane(plan);
+      this->Roles.bringIntoPlane(plan);
     }
     this->add(paths.path(tip), plan, plans);
   }
@@ -201,54 +277,19 @@ private:
     {
       return;
     }
-    if (this->Piece.mirror() && end == this->mirroredBase(base))
+    if (this->Piece.mirror() && end == this->Roles.mirroredBase(base))
     {
       plan.role = MirrorRole::Across;
     }
-    else if (!this->takeRole(this->Mesh.point(base), this->Mesh.point(end), plan))
+    else if (!this->Roles.take(this->Mesh.point(base), this->Mesh.point(end), plan))
     {
       return;
     }
     if (plan.role == MirrorRole::Along)
     {
-      this->bringIntoPlane(plan);
+      this->Roles.bringIntoPlane(plan);
     }
     this->add(paths.path(end), plan, plans);
-  }
-
-  void bringIntoPlane(CutPlan& plan) const
-  {
-    const MirrorPlane& plane = *this->Piece.mirror();
-    plan.base = this->inPlane(plan.base);
-    if (plan.type == CurveType::Seam)
-    {
-      plan.end = this->inPlane(plan.end);
-    }
-    else
-    {
-      plan.tip = this->Piece.onto(plane.projected(plan.tip));
-    }
-  }
-
-  /// Where the boundary crosses the plane near a place.
-  BoundaryPlace inPlane(BoundaryPlace place) const
-  {
-    const BoundaryRuler& ruler = this->Piece.ruler();
-    const MirrorPlane& plane = *this->Piece.mirror();
-    double low = -2.0 * this->Margin;
-    double high = 2.0 * this->Margin;
-    const auto at = [&](double by) { return plane.side(ruler.point(ruler.moved(place, by))); };
-    if (at(low) * at(high) > 0.0)
-    {
-      return place;
-    }
-    const bool rising = at(high) > 0.0;
-    for (int halving = 0; halving < 60; ++halving)
-    {
-      const double middle = 0.5 * (low + high);
-      ((at(middle) > 0.0) == rising ? high : low) = middle;
-    }
-    return ruler.moved(place, 0.5 * (low + high));
   }
 
   void add(const Indices& path, CutPlan& plan, std::vector<CutPlan>& plans) const
@@ -299,9 +340,10 @@ private:
   const ScaleFactor& Factor;
   const SearchOptions& Options;
   double Longest;
-  double Margin;
+  MirrorRoles Roles;
   Indices Bases;
   CutPlaces Places; ///< none where seams alone are wanted
+  Indices Peaks;    ///< that seams may run over
 };
 }
 
@@ -309,35 +351,5 @@ std::vector<CutPlan> planCuts(const SearchedPiece& piece, const ScaleFactor& fac
   const SearchOptions& options, double longest, const Execution& execution)
 {
   return Planning(piece, factor, options, longest).run(execution);
-}
-
-std::vector<CutPlan> distinctPlans(
-  const SearchedPiece& piece, const std::vector<CutPlan>& plans, Index most)
-{
-  std::vector<CutPlan> chosen;
-  const double apart = plansApart * piece.size();
-  const auto alike = [&](const CutPlan& a, const CutPlan& b) {
-    const auto near = [&](const Point3& p, const Point3& q) { return (p - q).norm() < apart; };
-    const Point3 a1 = piece.baseOf(a);
-    const Point3 a2 = piece.endOf(a);
-    const Point3 b1 = piece.baseOf(b);
-    const Point3 b2 = piece.endOf(b);
-    const bool turned = (a.type == CurveType::Seam || a.start) && near(a1, b2) && near(a2, b1);
-    return a.type == b.type && a.start.has_value() == b.start.has_value() &&
-      ((near(a1, b1) && near(a2, b2)) || turned);
-  };
-  for (const CutPlan& plan : plans)
-  {
-    if (static_cast<Index>(chosen.size()) >= most)
-    {
-      break;
-    }
-    if (std::none_of(
-          chosen.begin(), chosen.end(), [&](const CutPlan& other) { return alike(plan, other); }))
-    {
-      chosen.push_back(plan);
-    }
-  }
-  return chosen;
 }
 }

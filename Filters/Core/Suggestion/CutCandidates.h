@@ -8,13 +8,9 @@ namespace flattening
 {
 /// Plans for one cut, or a pair of mirror images: darts from places along the boundary to places
 /// spread over the inside, darts inside between two places of much curvature, seams between places
-/// of the boundary, in the order of forecast gain per price. Left out are darts that would overlap.
+/// of the boundary, the shortest way or nearly straight over a place that is far from flat, in the
+/// order of forecast gain per price. Left out are darts that would overlap.
 /// \param longest length of a plan's cuts, in all
 std::vector<CutPlan> planCuts(const SearchedPiece& piece, const ScaleFactor& factor,
   const SearchOptions& options, double longest, const Execution& execution);
-
-/// The first of the plans that differ: of those that lie close to each other the one that comes
-/// first.
-std::vector<CutPlan> distinctPlans(
-  const SearchedPiece& piece, const std::vector<CutPlan>& plans, Index most);
 }

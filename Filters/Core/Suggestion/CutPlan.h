@@ -27,6 +27,7 @@ struct CutPlan
   BoundaryPlace end;           ///< of a seam
   Point3 tip = Point3::Zero(); ///< of a dart
   std::optional<Point3> start; ///< of a dart inside, as at a waist: its other tip; it has no base
+  std::optional<Point3> via;   ///< of a seam: where it runs over a peak; straight before and behind
   /// What its line would change, by ScaleFactor.
   double predictedGain = 0.0;
   double opening = 0.0;

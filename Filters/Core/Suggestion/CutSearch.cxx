@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutSearch.h"
 
-#include "Suggestion/CutCandidates.h"
+#include "Suggestion/DistinctPlans.h"
 
 #include <algorithm>
 
@@ -12,6 +12,10 @@ namespace
 /// In sqrt(area / pi): how far a cut's ends are moved at first, and at last.
 constexpr double firstStep = 0.12;
 constexpr double lastStep = 0.025;
+/// A cut whose ends are so near to those of another, in the same unit, was tried with that.
+constexpr double samePlace = 5e-3;
+/// A seam that cuts off less than this share of the area is no seam.
+constexpr double leastPiece = 0.03;
 /// Moves are taken that raise the score by more than this share.
 constexpr double leastProgress = 0.005;
 constexpr Index mostMoves = 12;
@@ -47,8 +51,10 @@ std::vector<TriedCut> CutSearch::tryAll(const std::vector<CutPlan>& plans, doubl
     TriedCut cut{ plans[k], std::move(outcomes[k]), 0.0, 0.0 };
     const double length = cut.outcome.cutLength();
     const double least = this->Options.leastLength * this->Piece.size();
+    const bool seam = plans[k].type == CurveType::Seam;
     if (cuts[k].empty() || !cut.outcome.soundAfter(this->Before) || length > longest ||
-      length < least * static_cast<double>(cut.outcome.lengths.size()))
+      length < least * static_cast<double>(cut.outcome.lengths.size()) ||
+      (seam && cut.outcome.leastPiece < leastPiece))
     {
       continue;
     }
@@ -84,14 +90,19 @@ TriedCut CutSearch::polished(
   TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const
 {
   double step = firstStep * this->Piece.size();
+  std::vector<CutPlan> before{ cut.plan };
   for (Index move = 0; move < mostMoves && step >= lastStep * this->Piece.size(); ++move)
   {
     if (budget.spent() || execution.cancelled())
     {
       break;
     }
-    std::vector<TriedCut> tried =
-      this->tryAll(this->neighbours(cut.plan, step), longest, budget, execution);
+    std::vector<CutPlan> plans = this->neighbours(cut.plan, step);
+    plans.erase(std::remove_if(plans.begin(), plans.end(),
+                  [&](const CutPlan& plan) { return this->isAmong(before, plan); }),
+      plans.end());
+    before.insert(before.end(), plans.begin(), plans.end());
+    std::vector<TriedCut> tried = this->tryAll(plans, longest, budget, execution);
     if (!tried.empty() && tried.front().score > (1.0 + leastProgress) * cut.score)
     {
       cut = std::move(tried.front());
@@ -102,6 +113,18 @@ TriedCut CutSearch::polished(
     }
   }
   return cut;
+}
+
+bool CutSearch::isAmong(const std::vector<CutPlan>& plans, const CutPlan& plan) const
+{
+  const auto near = [&](const Point3& a, const Point3& b) {
+    return (a - b).norm() < samePlace * this->Piece.size();
+  };
+  return std::any_of(plans.begin(), plans.end(), [&](const CutPlan& other) {
+    return near(this->Piece.baseOf(plan), this->Piece.baseOf(other)) &&
+      near(this->Piece.endOf(plan), this->Piece.endOf(other)) &&
+      (!plan.via || near(*plan.via, *other.via));
+  });
 }
 
 std::vector<CutPlan> CutSearch::neighbours(const CutPlan& plan, double step) const
@@ -129,6 +152,19 @@ std::vector<CutPlan> CutSearch::neighbours(const CutPlan& plan, double step) con
       addMoved(0.0, by);
       addMoved(by, by);
       addMoved(by, -by);
+    }
+  }
+  if (plan.via)
+  {
+    const Point3 ahead = (this->Piece.endOf(plan) - this->Piece.baseOf(plan)).normalized();
+    const Point3 aside = this->Piece.normalNear(*plan.via).cross(ahead);
+    for (double by : { step, -step })
+    {
+      CutPlan moved = plan;
+      const Point3 place = *plan.via + by * aside;
+      const bool inPlane = along || plan.role == MirrorRole::Across;
+      moved.via = this->Piece.onto(inPlane ? this->Piece.mirror()->projected(place) : place);
+      plans.push_back(moved);
     }
   }
   if (plan.type == CurveType::Dart)

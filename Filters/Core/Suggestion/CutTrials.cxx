@@ -215,6 +215,86 @@ TrialOutcome CutTrials::run(const std::vector<Polyline>& cuts, const Execution& 
   {
     return outcome;
   }
+  const FlatteningResult flat = this->flattened(surface, execution);
+  return flat.status.refused() ? outcome : this->measured(surface, flat);
+}
+
+TrialOutcome CutTrials::startUncut(const Execution& execution)
+{
+  this->Start.clear();
+  const ImprintedSurface surface = this->imprinted({});
+  TrialOutcome outcome;
+  outcome.work = this->Mesh.triangleCount();
+  if (!surface.status.ok())
+  {
+    return outcome;
+  }
+  const FlatteningResult flat = this->flattened(surface, execution);
+  if (flat.status.refused())
+  {
+    return outcome;
+  }
+  outcome = this->measured(surface, flat);
+  const bool deep = std::any_of(flat.pieces.begin(), flat.pieces.end(),
+    [](const PieceReport& piece) { return piece.area.deep(); });
+  const bool whole = surface.mesh.triangles() == this->Mesh.triangles() && flat.leftOut.empty();
+  for (Index t = 0; t < this->Mesh.triangleCount() && whole && !deep && outcome.flipped == 0; ++t)
+  {
+    const auto& [a, b, c] = flat.cut->mesh.triangle(t);
+    this->Start.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
+  }
+  return outcome;
+}
+
+FlatteningResult CutTrials::flattened(
+  const ImprintedSurface& surface, const Execution& execution) const
+{
+  FlatteningOptions options = this->Flattening;
+  options.start = this->startOf(surface);
+  Execution silent = execution; // how far a trial is says nothing of how far the search is
+  silent.progress = nullptr;
+  return flattenSurface(surface.mesh, surface.curves, options, silent);
+}
+
+/// By triangle of the surface with cuts, its corners in the triangle that it is a part of.
+std::vector<FlatCorners> CutTrials::startOf(const ImprintedSurface& surface) const
+{
+  std::vector<FlatCorners> start;
+  if (this->Start.empty())
+  {
+    return start;
+  }
+  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+  {
+    const Index before = surface.originalTriangle[t];
+    const Triangle& whole = this->Mesh.triangle(before);
+    FlatCorners corners;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      const VertexSource& source = surface.vertexSource[surface.mesh.triangle(t)[k]];
+      corners[k] = Point2::Zero();
+      for (std::size_t i = 0; i < whole.size(); ++i)
+      {
+        const auto place = std::find(whole.begin(), whole.end(), source.vertices[i]);
+        if (place != whole.end())
+        {
+          corners[k] += source.weights[i] * this->Start[before][place - whole.begin()];
+        }
+        else if (source.weights[i] != 0.0)
+        {
+          return {};
+        }
+      }
+    }
+    start.push_back(corners);
+  }
+  return start;
+}
+
+TrialOutcome CutTrials::measured(
+  const ImprintedSurface& surface, const FlatteningResult& flat) const
+{
+  TrialOutcome outcome;
   outcome.paths = pathsOf(surface, this->Curves.size());
   for (const Points3& path : outcome.paths)
   {
@@ -224,14 +304,6 @@ TrialOutcome CutTrials::run(const std::vector<Polyline>& cuts, const Execution& 
       length += (path[k] - path[k - 1]).norm();
     }
     outcome.lengths.push_back(length);
-  }
-  Execution silent = execution; // how far a trial is says nothing of how far the search is
-  silent.progress = nullptr;
-  const FlatteningResult flat =
-    flattenSurface(surface.mesh, surface.curves, this->Flattening, silent);
-  if (flat.status.refused())
-  {
-    return outcome;
   }
   outcome.valid = true;
   outcome.severity = severity(flat.status.code);
@@ -288,6 +360,7 @@ void CutTrials::measure(
     outcome.overlaps += flat.pieces[p].overlaps.count;
   }
   outcome.areaError /= total;
+  outcome.leastPiece = *std::min_element(areas.begin(), areas.end()) / total;
   if (this->Goal == SearchGoal::Strain)
   {
     outcome.pieceGoals = peakStrains(flat, counted);

@@ -26,6 +26,8 @@ struct TrialOutcome
   std::vector<double> pieceStrains;
   std::vector<double> pieceGoals;
 
+  double leastPiece = 1.0; ///< area of the smallest piece over that of all
+
   double cutLength() const;
   int severity = 0; ///< of its status
   /// Steps of its iterations times the triangles that they were made on.
@@ -50,6 +52,8 @@ public:
     RegionWeights weights = {});
 
   TrialOutcome run(const std::vector<Polyline>& cuts, const Execution& execution) const;
+  /// The surface without any cut. From then on trials start from where that has put it.
+  TrialOutcome startUncut(const Execution& execution);
   /// By cut, the points where it crosses the edges of the surface; none where it cannot be made.
   std::vector<Points3> paths(const std::vector<Polyline>& cuts) const;
   /// Several, in parallel; an empty set of cuts is not tried. Their work counts what was tried in
@@ -59,6 +63,9 @@ public:
   const std::vector<Polyline>& curves() const { return this->Curves; }
 
 private:
+  FlatteningResult flattened(const ImprintedSurface& surface, const Execution& execution) const;
+  TrialOutcome measured(const ImprintedSurface& surface, const FlatteningResult& flat) const;
+  std::vector<FlatCorners> startOf(const ImprintedSurface& surface) const;
   ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
   std::vector<double> countedAreas(
     const ImprintedSurface& surface, const FlatteningResult& flat) const;
@@ -70,6 +77,7 @@ private:
   ImprintOptions Imprint;
   FlatteningOptions Flattening;
   SearchGoal Goal;
-  RegionWeights Weights; ///< of Mesh
+  RegionWeights Weights;          ///< of Mesh
+  std::vector<FlatCorners> Start; ///< by triangle of Mesh; empty: trials start anew
 };
 }

@@ -11,6 +11,13 @@ namespace
 {
 /// Of the version on which cuts are tried.
 constexpr Index coarseTriangles = 500;
+
+/// What cuts do to each other's rank is clear before a trial has come to its minimum.
+FlatteningOptions roughly(FlatteningOptions options)
+{
+  options.isometric.rough = true;
+  return options;
+}
 }
 
 PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
@@ -21,7 +28,7 @@ PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
   , Mirror(mirror)
   , Options(options)
   , Coarse(coarsened(piece, coarseTriangles))
-  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint, flattening, options.goal,
+  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint, roughly(flattening), options.goal,
       this->Coarse.weights)
 {
 }
@@ -66,9 +73,9 @@ bool PieceSearch::ok(const Execution& execution)
 }
 
 std::vector<TriedCut> PieceSearch::run(
-  double longest, TrialBudget& budget, const Execution& execution) const
+  double longest, TrialBudget& budget, const Execution& execution)
 {
-  TrialOutcome before = this->Trials.run({}, execution);
+  TrialOutcome before = this->Trials.startUncut(execution);
   budget.pay(before);
   if (!before.valid)
   {
@@ -118,6 +125,12 @@ std::vector<Polyline> PieceSearch::lines(const CutPlan& plan)
     {
       const bool along = plan.role == MirrorRole::Along && piece.mirror();
       here.start = piece.onto(along ? piece.mirror()->projected(*plan.start) : *plan.start);
+    }
+    if (plan.via)
+    {
+      const bool inPlane =
+        (plan.role == MirrorRole::Along || plan.role == MirrorRole::Across) && piece.mirror();
+      here.via = piece.onto(inPlane ? piece.mirror()->projected(*plan.via) : *plan.via);
     }
     if (plan.role != MirrorRole::Alone && !piece.mirror())
     {

@@ -35,7 +35,7 @@ public:
   /// False where nothing can be planned on the piece.
   bool ok(const Execution& execution);
   /// The best cuts first, no longer than `longest`.
-  std::vector<TriedCut> run(double longest, TrialBudget& budget, const Execution& execution) const;
+  std::vector<TriedCut> run(double longest, TrialBudget& budget, const Execution& execution);
   /// The lines of a plan on the piece itself. Empty where there is no way.
   std::vector<Polyline> lines(const CutPlan& plan);
   bool mirrorIsExact() { return this->fine().mirrorIsExact(); }

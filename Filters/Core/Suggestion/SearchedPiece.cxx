@@ -119,8 +119,20 @@ SurfacePoint SearchedPiece::surfacePoint(const Point3& point) const
     this->Mesh, SnapDistance(this->Mesh, snapFraction), this->Locator.closest(point));
 }
 
-Points3 SearchedPiece::straightLine(const SurfacePoint& from, const SurfacePoint& to) const
+Points3 SearchedPiece::straightLine(
+  const SurfacePoint& from, const std::optional<SurfacePoint>& via, const SurfacePoint& to) const
 {
+  if (via)
+  {
+    Points3 points = this->straightLine(from, {}, *via);
+    const Points3 rest = this->straightLine(*via, {}, to);
+    if (points.empty() || rest.empty())
+    {
+      return {};
+    }
+    points.insert(points.end(), rest.begin() + 1, rest.end());
+    return points;
+  }
   const StraightPath straight = straightPath(this->Graph, from, to);
   Points3 points;
   for (const SurfacePoint& point : straight.path.points)
@@ -134,10 +146,12 @@ std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
 {
   const bool dart = plan.type == CurveType::Dart;
   const BoundaryPlace end = plan.role == MirrorRole::Across ? this->mirrored(plan.base) : plan.end;
+  const std::optional<SurfacePoint> nowhere;
+  const std::optional<SurfacePoint> via = plan.via ? this->surfacePoint(*plan.via) : nowhere;
   Polyline line;
   line.type = plan.type;
   line.points = this->straightLine(
-    plan.start ? this->surfacePoint(*plan.start) : this->Ruler.surfacePoint(plan.base),
+    plan.start ? this->surfacePoint(*plan.start) : this->Ruler.surfacePoint(plan.base), via,
     dart ? this->surfacePoint(plan.tip) : this->Ruler.surfacePoint(end));
   if (line.points.size() < 2)
   {
@@ -160,6 +174,7 @@ std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
     line.points =
       this->straightLine(plan.start ? this->surfacePoint(this->Mirror->mirrored(*plan.start))
                                     : this->Ruler.surfacePoint(this->mirrored(plan.base)),
+        plan.via ? this->surfacePoint(this->Mirror->mirrored(*plan.via)) : nowhere,
         dart ? this->surfacePoint(this->Mirror->mirrored(plan.tip))
              : this->Ruler.surfacePoint(this->mirrored(plan.end)));
   }

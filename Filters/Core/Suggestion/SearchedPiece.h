@@ -57,7 +57,8 @@ public:
 
 private:
   void findMirrorVertices();
-  Points3 straightLine(const SurfacePoint& from, const SurfacePoint& to) const;
+  Points3 straightLine(
+    const SurfacePoint& from, const std::optional<SurfacePoint>& via, const SurfacePoint& to) const;
   SurfacePoint surfacePoint(const Point3& point) const;
 
   TriangleMesh Mesh;
