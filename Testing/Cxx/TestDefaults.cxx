@@ -26,13 +26,14 @@ int number(Enumeration value)
 void optionsOfWireWarping(Checks& check)
 {
   vtkNew<vtkWireWarpingFilter> filter;
-  const auto [scheme, angles, interior, isometric, conformal, cloth, closeCuts, dartLegs, eases,
-    skipClosed, releaseKeys, tryReleases, arrange, spacing, lengthTolerance] = FlatteningOptions();
+  const auto [scheme, start, angles, interior, isometric, conformal, cloth, closeCuts, dartLegs,
+    eases, skipClosed, releaseKeys, tryReleases, arrange, spacing, lengthTolerance] =
+    FlatteningOptions();
   check.equal(filter->GetScheme(), number(scheme), "Scheme");
   check.equal(std::string(filter->GetMaterial()).empty(), !cloth, "Material");
   check.equal(filter->GetScheme(), number(vtkWireWarpingFilter::ISOMETRIC), "the product's scheme");
   check.equal(filter->GetCloseCuts(), closeCuts, "CloseCuts");
-  check.equal(eases.empty(), true, "eases");
+  check.equal(eases.empty() && start.empty(), true, "eases and start");
   check.equal(filter->GetDartLegs(), number(dartLegs), "DartLegs");
   check.equal(filter->GetSkipClosed(), skipClosed, "SkipClosed");
   check.equal(filter->GetReleaseKeys(), releaseKeys, "ReleaseKeys");
