@@ -30,6 +30,11 @@ std::string shortNumber(double value)
   std::snprintf(text, sizeof(text), "%.4g", value);
   return text;
 }
+
+std::string lengthIn(const std::string& unit, double length)
+{
+  return shortNumber(length) + (unit.empty() ? "" : " ") + unit;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -53,6 +58,7 @@ void vtkFeatureCurveWidget::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "StrokeTolerance: " << this->StrokeTolerance << "\n";
   os << indent << "HandleKeys: " << this->HandleKeys << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Hint: " << this->Hint << "\n";
 }
 
@@ -191,6 +197,17 @@ void vtkFeatureCurveWidget::SetHint(const std::string& hint)
 }
 
 //------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::SetLengthUnit(const std::string& unit)
+{
+  if (unit != this->LengthUnit)
+  {
+    this->LengthUnit = unit;
+    this->Modified();
+    this->UpdateHint(Aim());
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
 {
   if (!this->Editor)
@@ -204,7 +221,7 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
   {
     words = this->Editor->GetCurveName(curve) + ": " +
       typeNames[static_cast<std::size_t>(std::clamp(this->Editor->GetCurveType(curve), 0, 3))] +
-      ", length " + shortNumber(this->Editor->GetCurveLength(curve)) + ", " +
+      ", length " + lengthIn(this->LengthUnit, this->Editor->GetCurveLength(curve)) + ", " +
       std::to_string(count) + (count == 1 ? " node. " : " nodes. ");
   }
   std::string label;
@@ -217,7 +234,7 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
       this->Editor->GetNode(curve, count - 1, last);
       const double length =
         this->Editor->PreviewSegment(last, aim.point.data(), this->Kind, this->Actors.preview());
-      label = length < 0.0 ? "no way there" : shortNumber(length) + " " + label;
+      label = length < 0.0 ? "no way there" : lengthIn(this->LengthUnit, length) + " " + label;
     }
     words += count == 0 ? "Click where the curve starts."
                         : "Click to go on; Return or the right button ends the curve.";
@@ -227,7 +244,8 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
     if (aim.onSurface)
     {
       const double distance = this->Editor->GetDistance(curve, aim.point.data());
-      label = std::isfinite(distance) ? shortNumber(std::abs(distance)) + " away" : "no way there";
+      label = std::isfinite(distance) ? lengthIn(this->LengthUnit, std::abs(distance)) + " away"
+                                      : "no way there";
     }
     words += "Click where the offset is to run; Return leaves it.";
   }
@@ -246,7 +264,7 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
       if (segment >= 0 && segment < segments)
       {
         label += (label.empty() ? "" : " | ") +
-          shortNumber(this->Editor->GetSegmentLength(curve, segment));
+          lengthIn(this->LengthUnit, this->Editor->GetSegmentLength(curve, segment));
       }
     }
   }

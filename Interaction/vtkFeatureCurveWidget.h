@@ -148,6 +148,15 @@ public:
 
   ///@{
   /**
+   * The unit of the surface's lengths, which stands behind each length that is shown. Default: "",
+   * none is shown.
+   */
+  void SetLengthUnit(const std::string& unit);
+  const char* GetLengthUnit() const { return this->LengthUnit.c_str(); }
+  ///@}
+
+  ///@{
+  /**
    * The chosen curve and node, -1 where there is none, and whether a curve is being drawn.
    */
   int GetChosenCurve() const { return this->Chosen.curve; }
@@ -242,6 +251,7 @@ private:
   double StrokeTolerance = 3.0;
   vtkNew<vtkPoints> Stroke;
   double StrokePixel = 0.0; ///< length of a pixel where the stroke began
+  std::string LengthUnit;
   std::string Hint;
 };
 

@@ -133,7 +133,7 @@ void CurvePanel::apply(bool done)
 void CurvePanel::setUnit(const QString& unit)
 {
   this->Unit = unit;
-  this->showChosen();
+  this->show(this->Chosen);
 }
 
 //------------------------------------------------------------------------------
@@ -153,9 +153,10 @@ void CurvePanel::show(int chosen)
       this->List->addItem("");
     }
     const int type = this->Curves->GetCurveType(curve);
-    const QString words = QString("%1: %2")
+    const QString words = QString("%1: %2 %3")
                             .arg(QString::fromStdString(this->Curves->GetCurveName(curve)))
-                            .arg(this->Curves->GetCurveLength(curve), 0, 'g', 4);
+                            .arg(this->Curves->GetCurveLength(curve), 0, 'g', 4)
+                            .arg(this->Unit);
     QListWidgetItem* const item = this->List->item(curve);
     // What is as it was is not painted again, at each step of a drag.
     if (item->text() != words || item->data(Qt::UserRole) != type)

@@ -129,7 +129,7 @@ void EditorWindow::makeProposalMenu(QVBoxLayout* side)
 {
   QMenu* const menu = this->menuBar()->addMenu("&Proposals");
   this->SurfaceActions.push_back(
-    this->addAction(menu, "Propose cuts", "F6", &EditorWindow::propose));
+    this->addAction(menu, "Propose cuts", "F6", &EditorWindow::askProposals));
   this->Proposed = new ProposalBox(menu);
   side->insertWidget(1, this->Proposed);
   this->connectProposals();

@@ -14,10 +14,38 @@ namespace
 {
 const char* const searching = "Looking for cuts and flattening with them";
 constexpr int dialogWidth = 420;
+const char* const everywhere = "everywhere alike";
 }
 
 //------------------------------------------------------------------------------
-void EditorWindow::propose()
+void EditorWindow::askProposals()
+{
+  const std::vector<std::string> arrays =
+    this->Surface ? weightArrays(this->Surface) : std::vector<std::string>();
+  if (arrays.empty())
+  {
+    this->propose();
+    return;
+  }
+  QStringList choices{ everywhere };
+  for (const std::string& name : arrays)
+  {
+    choices.append(QString::fromStdString(name));
+  }
+  bool given = false;
+  const QString choice = QInputDialog::getItem(this, "Propose cuts",
+    "Where distortion matters: everywhere alike, or as an array of the surface says,\n"
+    "which has a weight for each triangle, 0 where it does not matter",
+    choices, 0, false, &given);
+  if (given)
+  {
+    const int row = choices.indexOf(choice);
+    this->propose(row > 0 ? arrays[static_cast<std::size_t>(row - 1)] : std::string());
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::propose(const std::string& weights)
 {
   if (!this->Surface)
   {
@@ -34,11 +62,12 @@ void EditorWindow::propose()
   dialog.show();
   vtkNew<vtkPolyData> curves;
   this->Curves->GetCurves(curves);
-  Proposals proposals = editor::propose(this->Surface, curves, [&dialog](const std::string& phase) {
-    dialog.setLabelText(QString("%1\n%2").arg(searching).arg(QString::fromStdString(phase)));
-    QApplication::processEvents();
-    return !dialog.wasCanceled();
-  });
+  Proposals proposals =
+    editor::propose(this->Surface, curves, weights, [&dialog](const std::string& phase) {
+      dialog.setLabelText(QString("%1\n%2").arg(searching).arg(QString::fromStdString(phase)));
+      QApplication::processEvents();
+      return !dialog.wasCanceled();
+    });
   dialog.hide();
   const std::string words = proposals.stopped ? "the search was stopped"
     : proposals.cuts.empty() && proposals.message.empty()
@@ -95,8 +124,9 @@ void EditorWindow::askOffset()
   bool given = false;
   const double length = this->Curves->GetCurveLength(this->Hand->GetChosenCurve());
   const double distance = QInputDialog::getDouble(this, "Offset",
-    "Distance over the surface, in its unit; negative: on the other side", 0.05 * length, -1e9, 1e9,
-    4, &given);
+    QString("Distance over the surface, in %1; negative: on the other side")
+      .arg(this->Unit->currentText()),
+    0.05 * length, -1e9, 1e9, 4, &given);
   if (given)
   {
     this->addOffset(distance);

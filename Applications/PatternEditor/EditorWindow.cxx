@@ -103,6 +103,7 @@ EditorWindow::EditorWindow()
   this->makeBar();
   this->resize(1500, 900);
   this->setWindowTitle("PatternEditor");
+  this->showSize();
   this->followChoice(); // there is no surface yet, and little that can be done
   this->Hint->setText("Open a surface: File > Open surface, Ctrl+O.");
 }
@@ -286,6 +287,8 @@ void EditorWindow::showResult()
 void EditorWindow::showSize()
 {
   this->Panel->setUnit(this->Unit->currentText());
+  this->Proposed->setUnit(this->Unit->currentText());
+  this->Hand->SetLengthUnit(this->Unit->currentText().toStdString());
   if (this->Surface)
   {
     const double* const bounds = this->Surface->GetBounds();

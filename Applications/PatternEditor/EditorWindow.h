@@ -48,7 +48,7 @@ public:
   ///@{
   /// Looks for cuts, with a dialog that shows how far it is and can stop it; what is found waits in
   /// proposals(). Adds the curve at a distance from the chosen one.
-  void propose();
+  void propose(const std::string& weights = {});
   bool addOffset(double distance);
   ///@}
 
@@ -98,6 +98,7 @@ private:
   void askPattern();
   void askPicture();
   void askSaveSurface();
+  void askProposals();
   void askOffset();
   void resetViews();
   bool mayForgetCurves();

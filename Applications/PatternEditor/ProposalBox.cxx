@@ -61,6 +61,13 @@ void ProposalBox::set(Proposals proposals)
 }
 
 //------------------------------------------------------------------------------
+void ProposalBox::setUnit(const QString& unit)
+{
+  this->Unit = unit;
+  this->showChosen();
+}
+
+//------------------------------------------------------------------------------
 void ProposalBox::next()
 {
   this->Chosen = (this->Chosen + 1) % std::max<std::size_t>(this->Waiting.cuts.size(), 1);
@@ -124,12 +131,13 @@ void ProposalBox::showChosen()
   if (!cuts.empty())
   {
     const Proposal& cut = cuts[this->Chosen];
-    this->Words->setText(QString("%1 of %2: %3 (%4), length %5.\nStrain %6 % becomes %7 %.")
+    this->Words->setText(QString("%1 of %2: %3 (%4), length %5 %6.\nStrain %7 % becomes %8 %.")
                            .arg(this->Chosen + 1)
                            .arg(cuts.size())
                            .arg(QString::fromStdString(cut.name))
                            .arg(typeNames[std::clamp(cut.type, 0, 3)])
                            .arg(cut.length, 0, 'g', 4)
+                           .arg(this->Unit)
                            .arg(percent * cut.strainBefore, 0, 'f', 1)
                            .arg(percent * cut.strainAfter, 0, 'f', 1));
   }

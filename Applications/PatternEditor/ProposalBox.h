@@ -18,6 +18,8 @@ public:
   explicit ProposalBox(QMenu* menu);
 
   void set(Proposals proposals);
+  /// Of all lengths.
+  void setUnit(const QString& unit);
   const std::vector<Proposal>& cuts() const { return this->Waiting.cuts; }
   std::size_t chosen() const { return this->Chosen; }
 
@@ -42,6 +44,7 @@ private:
 
   Proposals Waiting;
   std::size_t Chosen = 0;
+  QString Unit;
   QLabel* Words;
   std::vector<QAction*> Actions;
 };

@@ -6,6 +6,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkFeatureCurveSuggestion.h>
 #include <vtkIdList.h>
@@ -59,8 +60,8 @@ Proposal proposalOf(vtkPolyData* curves, vtkIdType cell)
 }
 
 //------------------------------------------------------------------------------
-Proposals propose(
-  vtkPolyData* surface, vtkPolyData* curves, const std::function<bool(const std::string&)>& goOn)
+Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& weights,
+  const std::function<bool(const std::string&)>& goOn)
 {
   vtkNew<vtkFeatureCurveSuggestion> filter;
   vtkNew<vtkCallbackCommand> silence;
@@ -74,6 +75,7 @@ Proposals propose(
   filter->AddObserver(vtkCommand::ProgressEvent, progress);
   filter->SetSchemeToIsometric();
   filter->ReleaseTrialsOff();
+  filter->SetWeightArray(weights.c_str());
   filter->SetInputData(surface);
   filter->SetCurvesData(curves);
   filter->Update();
@@ -91,6 +93,24 @@ Proposals propose(
     }
   }
   return proposals;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> weightArrays(vtkPolyData* surface)
+{
+  std::vector<std::string> names;
+  vtkCellData* const data = surface->GetCellData();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkDataArray* const array = data->GetArray(k);
+    // Its range leaves out numbers that are none, which the search refuses by their cells.
+    if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
+      array->GetRange()[0] >= 0.0 && array->GetRange()[1] > 0.0)
+    {
+      names.emplace_back(array->GetName());
+    }
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

@@ -32,10 +32,14 @@ struct Proposals
   bool stopped = false;
 };
 
-/// Looks for cuts of a surface with curves. \param goOn gets what is being done, and says whether
-/// to go on
-Proposals propose(
-  vtkPolyData* surface, vtkPolyData* curves, const std::function<bool(const std::string&)>& goOn);
+/// Looks for cuts of a surface with curves. \param weights the cell array that says how much
+/// distortion matters where; empty: everywhere alike \param goOn gets what is being done, and says
+/// whether to go on
+Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& weights,
+  const std::function<bool(const std::string&)>& goOn);
+
+/// The cell arrays of a surface that can be weights: a number a cell, none below 0.
+std::vector<std::string> weightArrays(vtkPolyData* surface);
 
 /// Adds a proposed cut to the curves, with few nodes; undone as one. False where it is refused.
 bool accept(const Proposal& proposal, vtkFeatureCurveEditor* curves);

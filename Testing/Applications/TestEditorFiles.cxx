@@ -2,6 +2,14 @@
 // Proposals, files and patterns of PatternEditor.
 #include "EditorSession.h"
 
+#include <vtkActor2DCollection.h>
+#include <vtkDoubleArray.h>
+#include <vtkTextActor.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <limits>
+#include <utility>
+
 using namespace session;
 
 TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
@@ -42,6 +50,47 @@ TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
   EXPECT_NEAR(
     this->measure("StrainP95"), proposed.back().strainAfter, 0.2 * proposed.back().strainAfter);
   this->picture("accepted");
+}
+
+// An array is offered where its numbers can be weights, and the one chosen is taken: of one with an
+// infinite number the search says at which triangle.
+TEST_F(PatternEditor, AnArrayOfTheSurfaceCanSayWhereDistortionMatters)
+{
+  figures::PolyData weighted = wirewarp::readSurface(FLATTENING_DATA "/quarter_sphere.vtp").surface;
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const auto& [name, number] :
+    { std::pair<const char*, double>{ "Seen", 1.0 }, { "Signed", -1.0 }, { "Infinite", infinite } })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfValues(weighted->GetNumberOfCells());
+    array->Fill(1.0);
+    array->SetValue(5, number);
+    weighted->GetCellData()->AddArray(array);
+  }
+  const std::string path = testing::TempDir() + "weighted.vtp";
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(weighted);
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  ASSERT_TRUE(this->window->openSurface(path)) << this->window->message().toStdString();
+  const auto ask = [&](const QString& name) {
+    QTimer::singleShot(300, [name] {
+      auto* const dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      EXPECT_EQ(dialog->comboBoxItems(), QStringList({ "everywhere alike", "Seen", "Infinite" }));
+      dialog->setTextValue(name);
+      dialog->accept();
+    });
+    QTest::keyClick(this->window.get(), Qt::Key_F6);
+    QApplication::setActiveWindow(this->window.get()); // the dialog was it
+  };
+  ask("Infinite");
+  EXPECT_TRUE(this->window->proposals()->cuts().empty());
+  EXPECT_TRUE(this->window->message().contains("weights of triangles 5"))
+    << this->window->message().toStdString();
+  ask("Seen"); // as where no array is chosen
+  EXPECT_GE(this->window->proposals()->cuts().size(), 2U) << this->window->message().toStdString();
 }
 
 TEST_F(PatternEditor, ASearchForProposalsCanBeStopped)
@@ -241,4 +290,29 @@ TEST_F(PatternEditor, ThePanelOffersWhatTheBarOffers)
   EXPECT_TRUE(panel->length().endsWith(" cm")) << panel->length().toStdString();
   this->window->unit()->setCurrentText("mm");
   EXPECT_TRUE(panel->length().endsWith(" mm"));
+  EXPECT_TRUE(panel->list()->item(0)->text().endsWith(" mm"));
+  EXPECT_TRUE(QString(this->window->hand()->GetHint()).contains(" mm, 2 nodes"))
+    << this->window->hand()->GetHint();
+}
+
+TEST_F(PatternEditor, WhatIsBeingDrawnIsAsLongAsTheMouseSaysInTheUnitChosen)
+{
+  this->window->unit()->setCurrentText("inch");
+  this->push(Hand::NEW_CURVE);
+  this->click(this->vertex(6));
+  this->moveTo(this->vertex(7));
+  std::string shown;
+  vtkRendererCollection* const views = this->window->spaceWidget()->renderWindow()->GetRenderers();
+  for (int view = 0; view < views->GetNumberOfItems(); ++view)
+  {
+    auto* const props = static_cast<vtkRenderer*>(views->GetItemAsObject(view))->GetActors2D();
+    for (int k = 0; k < props->GetNumberOfItems(); ++k)
+    {
+      if (auto* const text = vtkTextActor::SafeDownCast(props->GetItemAsObject(k)))
+      {
+        shown += text->GetInput() ? text->GetInput() : "";
+      }
+    }
+  }
+  EXPECT_NE(shown.find(" inch"), std::string::npos) << shown;
 }
