@@ -27,6 +27,9 @@ CLOTH_WIDTH = 360
 WINDOW_WIDTH = 900  # of a picture of the window
 EDITOR = os.environ.get("PATTERN_EDITOR_TEST",
                         os.path.join(os.path.dirname(COMMAND), "TestPatternEditor"))
+EDITOR_SESSIONS = ("TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport", "AStrokeIsACurveOfFewNodes",
+                   "AnOffsetRunsThroughTheClickedPlaceOrAtTheGivenDistance",
+                   "ANewUserGetsFromAMeshToAPdfByTheMenus")
 
 
 def read(path):
@@ -110,9 +113,10 @@ def draw_editor(folder, images):
         return
     session = os.path.join(folder, "session")
     os.makedirs(session, exist_ok=True)
-    subprocess.run([EDITOR, "--gtest_filter=*TheTutorialsCurvesDrawn*"], check=True,
+    tests = ":".join(f"*.{name}" for name in EDITOR_SESSIONS)
+    subprocess.run([EDITOR, f"--gtest_filter={tests}"], check=True,
                    env={**os.environ, "PATTERN_EDITOR_PICTURES": session})
-    for name in ("drawing", "drawn"):
+    for name in ("drawing", "drawn", "stroke", "offset", "proposed"):
         write(scaled(read(os.path.join(session, name + ".png")), WINDOW_WIDTH),
               f"{images}/editor_{name}.png")
 

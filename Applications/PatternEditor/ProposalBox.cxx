@@ -131,7 +131,7 @@ void ProposalBox::showChosen()
   if (!cuts.empty())
   {
     const Proposal& cut = cuts[this->Chosen];
-    this->Words->setText(QString("%1 of %2: %3 (%4), length %5 %6.\nStrain %7 % becomes %8 %.")
+    this->Words->setText(QString("%1 of %2: %3 (%4), length %5\u00A0%6.\nStrain %7 % becomes %8 %.")
                            .arg(this->Chosen + 1)
                            .arg(cuts.size())
                            .arg(QString::fromStdString(cut.name))
