@@ -143,8 +143,13 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
   for (std::size_t k = 0; k < count; ++k)
   {
     const double sign = turn[k] < 0.0 ? -1.0 : 1.0;
-    const double beside =
-      std::max({ roundTurn, sign * turn[(k + count - 1) % count], sign * turn[(k + 1) % count] });
+    double beside = roundTurn;
+    for (const std::size_t neighbour : { (k + count - 1) % count, (k + 1) % count })
+    {
+      // A corner at the other end of a long edge makes no round of this one.
+      const double same = sign * turn[neighbour];
+      beside = same > sharpTurn ? beside : std::max(beside, same);
+    }
     const double own = std::abs(turn[k]);
     chain.corner[k] = own > sharpTurn || (own > leastTurn && own > timesNeighbour * beside);
   }

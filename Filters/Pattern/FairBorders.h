@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FairPlan.h"
-#include "FairSpan.h"
+#include "FairFit.h"
 
 namespace flattening
 {
@@ -35,9 +34,9 @@ public:
   explicit FairBorders(const DrawingSource& all);
 
   const BorderChains& chains() const { return this->Chains; }
-  const std::vector<PlannedChain>& plan() const { return this->Plan; }
+  const std::vector<PlannedChain>& plan() const { return this->Fit.plan(); }
   /// Of each chain, along it.
-  const std::vector<std::vector<FairSpan>>& spans() const { return this->Spans; }
+  const std::vector<std::vector<FairSpan>>& spans() const { return this->Fit.spans(); }
   const std::vector<FairPieceReport>& reports() const { return this->Reports; }
   /// Where the points are now, millimetres; those within the pieces are where they were.
   const Points2& positions() const { return this->Positions; }
@@ -48,28 +47,13 @@ public:
     Index from, Index to, double fromFraction = 0.0, double toFraction = 1.0) const;
 
 private:
-  void solve();
-  bool solvePiece(std::size_t piece, double wave);
-  /// More spans where the tolerance is not kept, and the stretch as it was where they do not help.
-  /// \param last nothing is tried any more
-  bool refine(std::size_t piece, bool last);
-  bool refineStretch(std::size_t c, PlannedStretch& stretch, bool last);
-  /// Lets what was made straight bend again, if there is any.
-  bool loosen(std::size_t piece);
-  /// Lets all of the piece be as it was.
-  void leave(std::size_t piece);
-  double largestDeviation(std::size_t piece) const;
-  /// The same over the tolerances; infinite where nothing is to be smooth.
-  double largestShare(std::size_t piece) const;
   void place();
   void report();
   std::string nameOf(std::size_t chain, std::size_t point) const;
 
   const DrawingSource& All;
   BorderChains Chains;
-  std::vector<PlannedChain> Plan;
-  std::vector<std::vector<FairSpan>> Spans;   ///< of each chain
-  std::vector<std::vector<double>> Deviation; ///< of each interval of each chain
+  FairFit Fit;
   Points2 Positions;
   std::vector<FairPieceReport> Reports;
 };

@@ -16,6 +16,7 @@ namespace
 {
 constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
 constexpr int spansOfRing = 4;
+constexpr int edgesOfSpan = 3;      ///< to begin with
 constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
 
 class FairPlanner
@@ -153,6 +154,7 @@ private:
       const auto edges = std::count_if(chain.arc.begin(), chain.arc.end(),
         [&](double arc) { return arc > interval.start && arc < interval.end; });
       interval.most = static_cast<int>(edges) + 2;
+      interval.spans = std::max(1, static_cast<int>(edges) / edgesOfSpan);
       const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
       interval.tolerance = this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
       this->Plan[c].intervals.push_back(interval);
@@ -207,8 +209,9 @@ private:
       {
         for (PlannedInterval& interval : planned.intervals)
         {
-          interval.spans = std::max(
+          interval.least = std::max(
             1, spansOfRing / static_cast<int>(std::min<std::size_t>(4, planned.intervals.size())));
+          interval.spans = std::max(interval.spans, interval.least);
         }
       }
       else

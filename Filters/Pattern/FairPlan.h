@@ -14,6 +14,7 @@ struct PlannedInterval
   double end = 0.0;
   double length = 0.0;    ///< that its curve must have, the same on both sides of a seam
   int spans = 1;          ///< of its spline
+  int least = 1;          ///< fewer of them do not keep the tolerance
   int most = 1;           ///< that make sense: one an edge of the mesh, and one more
   double tolerance = 0.0; ///< of its points from its curve, millimetres; 0: it stays as it was
   std::array<std::size_t, 2> partner{ none, none }; ///< chain and interval that it is sewn to

@@ -302,3 +302,46 @@ TEST(FairBorders, OneCurveIsSmoothAndTheRestOfTheBorderStays)
     EXPECT_LE(distanceFrom(smooth, source.positions[static_cast<std::size_t>(v)]), 0.2 + 1e-5);
   }
 }
+
+TEST(FairBorders, ALongWavyCurveIsDrawnWithFewSplinesAndItsExactLength)
+{
+  // Three waves of a sine on the lower side, in 90 edges; a cubic a quarter of a wave draws a sine
+  // to 0.1 % of its height.
+  Points2 corners;
+  for (int k = 0; k <= 90; ++k)
+  {
+    corners.emplace_back(10.0 * k, 20.0 * std::sin(2.0 * pi * k / 30.0));
+  }
+  corners.emplace_back(900.0, 600.0);
+  corners.emplace_back(0.0, 600.0);
+  PatternSource source = polygon(corners);
+  source.positions[0] = Point2(450.0, 300.0);
+  const Smoothed smoothed(source, 1.0);
+  const FairPieceReport& report = smoothed.borders->reports()[0];
+  EXPECT_TRUE(report.left.empty());
+  EXPECT_EQ(report.segments, 3U);
+  EXPECT_GE(report.splines, 4U); // three waves turn six times
+  EXPECT_LE(report.splines, 12U);
+  EXPECT_LE(report.deviation, 1.0);
+  SourceWire wave = smoothed.source.wires[0];
+  wave.points.resize(91);
+  double length = 0.0;
+  for (std::size_t k = 0; k < 90; ++k)
+  {
+    length += (corners[k + 1] - corners[k]).norm();
+  }
+  EXPECT_NEAR(lengthOf(smoothed.borders->curveOf(wave)), length, 1e-8);
+}
+
+TEST(FairBorders, ACornerBesideASharperOneIsACorner)
+{
+  // A parallelogram that turns by 50 and by 130 degrees.
+  const double angle = 50.0 * pi / 180.0;
+  const Point2 slant(80.0 * std::cos(angle), 80.0 * std::sin(angle));
+  const Smoothed smoothed(polygon({ -slant - Point2(100.0, 0.0), Point2(100.0, 0.0) - slant,
+                            slant + Point2(100.0, 0.0), slant - Point2(100.0, 0.0) }),
+    1.0);
+  const FairPieceReport& report = smoothed.borders->reports()[0];
+  EXPECT_EQ(report.segments, 4U);
+  EXPECT_EQ(report.splines, 0U);
+}
