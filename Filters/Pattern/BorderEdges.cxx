@@ -13,21 +13,73 @@ namespace
 {
 constexpr double sameBreak = 1e-7; ///< of an interval
 
-/// Where within an interval its curve is divided, as shares of it.
-std::vector<double> breaksWithin(
-  const std::vector<FairSpan>& spans, const PlannedInterval& interval, bool fromEnd)
+/// The curve of an interval.
+class IntervalCurve
 {
-  std::vector<double> breaks;
-  for (const FairSpan& span : spans)
+public:
+  IntervalCurve(const std::vector<FairSpan>& spans, const PlannedInterval& interval)
+    : End(interval.end)
   {
-    const double share = (span.to - interval.start) / (interval.end - interval.start);
-    if (share > sameBreak && share < 1.0 - sameBreak)
+    const double least = sameBreak * (interval.end - interval.start);
+    for (const FairSpan& span : spans)
     {
-      breaks.push_back(fromEnd ? 1.0 - share : share);
+      if (span.to > interval.start + least && span.from < interval.end - least)
+      {
+        this->Parts.push_back(
+          partOf(span, std::max(span.from, interval.start), std::min(span.to, interval.end)));
+      }
+    }
+    for (const FairSpan& part : this->Parts)
+    {
+      this->Length += part.length();
     }
   }
-  return breaks;
-}
+
+  /// Where it is divided, as shares of its length. \param fromEnd the shares are those from its end
+  std::vector<double> breaks(bool fromEnd) const
+  {
+    std::vector<double> breaks;
+    double length = 0.0;
+    for (std::size_t k = 0; k + 1 < this->Parts.size(); ++k)
+    {
+      length += this->Parts[k].length();
+      breaks.push_back(fromEnd ? 1.0 - length / this->Length : length / this->Length);
+    }
+    return breaks;
+  }
+
+  /// The place along the chain at a share of the length.
+  double placeAt(double share) const
+  {
+    double left = share * this->Length;
+    for (const FairSpan& part : this->Parts)
+    {
+      const double length = part.length();
+      if (std::abs(left - length) < sameBreak * this->Length)
+      {
+        return &part == &this->Parts.back() ? this->End : part.to;
+      }
+      if (left < length)
+      {
+        double low = part.from;
+        double high = part.to;
+        for (int step = 0; step < 50; ++step)
+        {
+          const double middle = (low + high) / 2.0;
+          (partOf(part, part.from, middle).length() < left ? low : high) = middle;
+        }
+        return low;
+      }
+      left -= length;
+    }
+    return this->End;
+  }
+
+private:
+  double End = 0.0;
+  double Length = 0.0;
+  std::vector<FairSpan> Parts;
+};
 
 class EdgeDivision
 {
@@ -68,11 +120,13 @@ private:
   void addInterval(std::size_t piece, std::size_t c, std::size_t k)
   {
     const PlannedInterval& interval = this->Fair.plan()[c].intervals[k];
-    std::vector<double> breaks = breaksWithin(this->Fair.spans()[c], interval, false);
+    const IntervalCurve curve(this->Fair.spans()[c], interval);
+    std::vector<double> breaks = curve.breaks(false);
     if (interval.partner[0] != PlannedInterval::none)
     {
-      const std::vector<double> others = breaksWithin(this->Fair.spans()[interval.partner[0]],
-        this->Fair.plan()[interval.partner[0]].intervals[interval.partner[1]], interval.reversed);
+      const std::vector<double> others = IntervalCurve(this->Fair.spans()[interval.partner[0]],
+        this->Fair.plan()[interval.partner[0]].intervals[interval.partner[1]])
+                                           .breaks(interval.reversed);
       breaks.insert(breaks.end(), others.begin(), others.end());
     }
     breaks.push_back(1.0);
@@ -81,21 +135,21 @@ private:
     Run run{ piece, border.size(), 0 };
     const std::string name = this->nameAt(c, (interval.start + interval.end) / 2.0);
     double last = 0.0;
+    double start = interval.start;
     for (const double share : breaks)
     {
       if (share - last < sameBreak)
       {
         continue;
       }
-      const double length = interval.end - interval.start;
-      const double start = interval.start + last * length;
-      const double end = share == 1.0 ? interval.end : interval.start + share * length;
+      const double end = curve.placeAt(share);
       const FairSpan& span = spanAt(this->Fair.spans()[c], (start + end) / 2.0);
       BorderEdge edge;
       edge.curve = partOf(span, start, end);
       edge.name = name;
       border.push_back(edge);
       last = share;
+      start = end;
       ++run.count;
     }
     this->Runs[{ c, k }] = run;

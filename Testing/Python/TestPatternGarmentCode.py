@@ -98,7 +98,7 @@ class GarmentCode(pattern.PatternTest):
 
     def test_smooth_borders_are_cubic_edges_of_the_seams_lengths(self):
         self.make("tshirt", "--garmentcode", "--fair", "1.0")
-        document = self.check(0.01)
+        document = self.check(1e-6)
         edges = [edge for panel in document["pattern"]["panels"].values() for edge in panel["edges"]]
         self.assertTrue(any("curvature" in edge for edge in edges))
         self.make("tshirt", "--garmentcode")
