@@ -247,7 +247,7 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_option("--curve-dart-tip", request.curveDartTips,
-      "--dart-tip of one dart, in place of the common one; repeat it for the next")
+      "Another --dart-tip for one dart; repeat it for the next")
     ->allow_extra_args(false)
     ->check(nameAndMillimetres())
     ->group(group);
@@ -265,8 +265,7 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_option("--curve-fair", request.curveFairs,
-      "--fair along one curve, or along 'boundary', in place of the common one; repeat it for the "
-      "next")
+      "Another --fair along one curve, or along 'boundary'; repeat it for the next")
     ->allow_extra_args(false)
     ->check(nameAndMillimetres())
     ->group(group);

@@ -22,7 +22,8 @@ OTHER_DEFAULTS = {"BesideSurface": (1.0,), "Distributed": (1.0,), "FollowPipelin
 FABRIC = {"SetFabricWidth", "SetFabricNap", "SetFabricGap"}
 OF_FORMATS = {"pdf": {"SetPaper", "SetPageOverlap", "SetMaximumPages", "SetWalkTable", *FABRIC},
               "svg": {"SetLaserColors", *FABRIC}, "plt": FABRIC}
-BY_NAME = {"SetPieceName", "SetPieceQuantity", "SetCurveAllowance", "SetUnitByName"}
+BY_NAME = {"SetPieceName", "SetPieceQuantity", "SetCurveAllowance", "SetCurveDartTip",
+           "SetCurveFairTolerance", "SetUnitByName"}
 
 
 def own_set_methods(cls):
