@@ -36,7 +36,9 @@
  * (double; mean change of area), `StrainBefore` and `StrainAfter` (double; the largest
  * `StrainP95`), `MirrorOf` (int; the rank of the cut that it is the mirror image of, or -1). Point
  * array, where a curve has one: `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double;
- * without and with all cuts), `MirrorPlane` (double; normal and offset, where there is one),
+ * without and with all cuts), `MirrorPlane` (double; normal and offset, where there is one) or
+ * `MirrorAxis` (double; the points of the boundary between which the axis runs across which the
+ * surface is its own mirror image by its lengths and angles alone, where no plane mirrors it),
  * `Trials` (int; how many flattenings were made), `Work` (double; what they took, see MaximumWork),
  * and for lines that were tried and not proposed `LeftOutCurveName`, `LeftOutCurveType`,
  * `LeftOutLength`, `LeftOutGain`, `LeftOutAreaErrorBefore`, `LeftOutAreaErrorAfter`,
@@ -145,8 +147,9 @@ public:
 
   ///@{
   /**
-   * Look for a plane that mirrors the surface onto itself, and propose cuts that it mirrors as
-   * well. Default: on.
+   * Look for a plane that mirrors the surface onto itself, or, where bending has hidden it, for a
+   * mirror by lengths and angles on the surface, and propose cuts that are mirrored as well.
+   * Default: on.
    */
   vtkSetMacro(Symmetric, bool);
   vtkGetMacro(Symmetric, bool);

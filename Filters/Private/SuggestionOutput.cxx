@@ -140,9 +140,15 @@ void writeSuggestions(
   addRows<vtkDoubleArray>(field, "Strain", 2,
     [&](std::size_t k) { return k == 0 ? suggestions.strainBefore : suggestions.strainAfter; });
   writeLeftOut(suggestions.leftOut, field);
-  if (suggestions.mirror)
+  if (suggestions.mirror && suggestions.mirror->intrinsic())
   {
-    const MirrorPlane& plane = *suggestions.mirror;
+    const std::array<Point3, 2>& axis = suggestions.mirror->intrinsic()->axis();
+    addRows<vtkDoubleArray>(field, "MirrorAxis", 6,
+      [&](std::size_t k) { return axis[k / 3][static_cast<Eigen::Index>(k % 3)]; });
+  }
+  if (suggestions.mirror && suggestions.mirror->plane())
+  {
+    const MirrorPlane& plane = *suggestions.mirror->plane();
     addRows<vtkDoubleArray>(field, "MirrorPlane", 4, [&](std::size_t k) {
       return k < 3 ? plane.normal[static_cast<Eigen::Index>(k)] : plane.offset;
     });

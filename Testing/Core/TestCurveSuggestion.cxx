@@ -3,6 +3,7 @@
 
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
+#include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
 #include "SuggestionTesting.h"
 #include "TestThreads.h"
@@ -132,6 +133,27 @@ TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
   EXPECT_NEAR(largestStrain(result), suggestions.strainAfter, 1e-9);
 }
 
+TEST(CurveSuggestion, ItsDartsAreNoLongerThanTheBoundAsks)
+{
+  const TriangleMesh mesh = dome(0.45);
+  const SuggestionOptions options = optionsOf(0.035, 10);
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  ASSERT_TRUE(suggestions.boundMet);
+  Index darts = 0;
+  for (std::size_t k = 0; k < suggestions.curves.size(); ++k)
+  {
+    const SuggestedCurve& cut = suggestions.curves[k];
+    if (cut.curve.type == CurveType::Dart && cut.mirrorOf == none)
+    {
+      ++darts;
+      CurveSuggestions shorter;
+      shorter.curves = withShare(suggestions.curves, k, 0.95);
+      EXPECT_GT(largestStrain(flattened(mesh, {}, shorter)), 0.035) << cut.curve.name;
+    }
+  }
+  EXPECT_GT(darts, 0);
+}
+
 TEST(CurveSuggestion, MirrorsItsCutsOnAMirroredSurface)
 {
   const TriangleMesh mesh = twoBumps();
@@ -139,7 +161,7 @@ TEST(CurveSuggestion, MirrorsItsCutsOnAMirroredSurface)
   options.search.cuts = SuggestedCuts::Darts;
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
   ASSERT_TRUE(suggestions.mirror.has_value());
-  EXPECT_NEAR(std::abs(suggestions.mirror->normal.x()), 1.0, 1e-9);
+  EXPECT_NEAR(std::abs(suggestions.mirror->plane()->normal.x()), 1.0, 1e-9);
   ASSERT_EQ(suggestions.curves.size(), 2u);
   const SuggestedCurve& cut = suggestions.curves[0];
   const SuggestedCurve& image = suggestions.curves[1];

@@ -6,12 +6,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
+SearchedPiece plainPiece(const TriangleMesh& mesh)
+{
+  return { mesh, std::vector<char>(mesh.vertexCount(), 0), {}, {}, std::nullopt };
+}
+
 double highest(const Polyline& line)
 {
   double top = -1.0;
@@ -28,7 +34,7 @@ TEST(CutCandidates, HaveSeamsOverTheTopOfADeepCap)
   // Between two places of its boundary, a circle of 30 degrees about the lower pole, the shortest
   // way stays near that circle; only a seam over a place of the inside divides it.
   const TriangleMesh mesh = sphereCap(150.0 * pi / 180.0, 12, 0).mesh;
-  const SearchedPiece piece(mesh, std::vector<char>(mesh.vertexCount(), 0), {}, {}, std::nullopt);
+  const SearchedPiece piece = plainPiece(mesh);
   const ScaleFactor factor(mesh, {}, {});
   ASSERT_TRUE(factor.ok());
   SearchOptions options;
@@ -51,4 +57,27 @@ TEST(CutCandidates, HaveSeamsOverTheTopOfADeepCap)
   }
   EXPECT_LT(shortest, 0.0);
   EXPECT_GT(over, 0.9);
+}
+
+TEST(CutCandidates, DartsAcrossTheirEdgeAreCheapest)
+{
+  const TriangleMesh mesh =
+    patch(12, 12, [](double i, double j) { return Point3(i, j, 0.0); }).mesh;
+  const SearchedPiece piece = plainPiece(mesh);
+  const SearchOptions options;
+  const Index base = 6; // in the middle of the side where j = 0
+  const Point3 side = (mesh.point(12) - mesh.point(0)).normalized();
+  const Point3 across = (mesh.point(12 * 13) - mesh.point(0)).normalized();
+  const auto priceAt = [&](double degrees) {
+    const double angle = degrees * pi / 180.0;
+    CutPlan plan;
+    plan.base = piece.ruler().placeOf(base);
+    plan.tip =
+      mesh.point(base) + 0.3 * piece.size() * (std::cos(angle) * side + std::sin(angle) * across);
+    return piece.price(plan, 0.3 * piece.size(), options);
+  };
+  EXPECT_NEAR(priceAt(90.0), (options.fixedPrice + 0.3) * piece.size(), 1e-12);
+  EXPECT_NEAR(priceAt(45.0), std::sqrt(2.0) * priceAt(90.0), 1e-9);
+  EXPECT_NEAR(priceAt(135.0), priceAt(45.0), 1e-9);
+  EXPECT_NEAR(priceAt(10.0), 2.0 * priceAt(90.0), 1e-9);
 }

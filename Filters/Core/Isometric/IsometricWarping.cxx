@@ -13,9 +13,7 @@ namespace flattening
 {
 namespace
 {
-/// In the model's unit of length; correctWireLengths() takes out what is left of the lengths'
-/// errors.
-constexpr double lengthTolerance = 1e-10;
+/// In the model's unit of length.
 constexpr double stillMove = 1e-10;
 constexpr double stillLengthTolerance = 1e-8;
 /// Far from the minimum the exact Hessian is seldom convex; it pays once no vertex moves by
@@ -62,7 +60,7 @@ NewtonKktOptions newtonOptions(const IsometricOptions& options)
 {
   NewtonKktOptions newton;
   newton.maximumIterations = options.maximumIterations;
-  newton.constraintTolerance = options.rough ? settleConstraint : lengthTolerance;
+  newton.constraintTolerance = options.rough ? settleConstraint : options.lengthTolerance;
   newton.optimalityTolerance = options.tolerance;
   newton.promiseTolerance = options.rough ? settlePromise : options.tolerance * options.tolerance;
   newton.stillMove = stillMove;

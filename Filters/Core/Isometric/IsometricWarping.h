@@ -23,8 +23,8 @@ struct IsometricOptions
 {
   DistortionEnergy energy;
   std::optional<ClothSheet> cloth; ///< then the energy above does not count
-  /// The solution is only where another run starts, or compared with others: it ends once little is
-  /// left to gain, before the forces in the wires say how stiff each is.
+  /// The solution is only where another run starts: it ends once little is left to gain, before the
+  /// forces in the wires say how stiff each is.
   bool rough = false;
   /// Weight of the wires' bending against the sheet's energy, 0 to 100. Lengths alone would let
   /// wires buckle between their nodes; the larger it is, the nearer are the wires' angles to those
@@ -32,11 +32,13 @@ struct IsometricOptions
   /// every mesh of a surface (WireStiffness).
   double angleWeight = 5.0;
   int maximumIterations = 100;
-  /// Stop when lengths hold to 1e-10 of the root of the mean triangle area and the gradient of the
-  /// Lagrangian, relative to the root of the energy, is below the tolerance, or the energy that a
-  /// further step promises, relative to the energy, below its square; or when a whole Newton step
-  /// moved no vertex by more than 1e-10 of that and left lengths to 1e-8 of it.
+  /// Stop when lengths hold to `lengthTolerance` of the root of the mean triangle area (what is
+  /// left is taken out at the end) and the gradient of the Lagrangian, relative to the root of the
+  /// energy, is below the tolerance, or the energy that a further step promises, relative to the
+  /// energy, below its square; or when a whole Newton step moved no vertex by more than 1e-10 of
+  /// that and left lengths to 1e-8 of it.
   double tolerance = 1e-9;
+  double lengthTolerance = 1e-10;
 };
 
 struct IsometricIteration

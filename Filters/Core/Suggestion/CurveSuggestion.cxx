@@ -65,7 +65,7 @@ public:
     }
     if (this->Options.search.symmetric)
     {
-      this->Result.mirror = findMirrorPlane(this->Mesh);
+      this->findMirror();
       if (this->Result.mirror && !mirrorsWeights(this->Mesh, this->Weights, *this->Result.mirror))
       {
         this->Result.mirror.reset();
@@ -90,13 +90,27 @@ private:
     return refused;
   }
 
+  void findMirror()
+  {
+    if (const std::optional<MirrorPlane> plane = findMirrorPlane(this->Mesh))
+    {
+      this->Result.mirror = SurfaceMirror(*plane);
+    }
+    else if (auto intrinsic = IntrinsicMirror::find(this->Mesh, this->Run))
+    {
+      this->Result.mirror = SurfaceMirror(std::move(intrinsic));
+    }
+  }
+
   /// Cuts without which a piece cannot be laid flat at all.
   std::vector<SuggestedCurve> openingCutsOf(const ImprintedSurface& surface) const
   {
     std::vector<SuggestedCurve> cuts;
     for (const Piece& piece : extractPieces(cutSurface(surface.mesh, surface.curves)))
     {
-      for (Polyline& line : openingCuts(piece.mesh, this->Result.mirror))
+      const bool plane = this->Result.mirror && this->Result.mirror->plane();
+      for (Polyline& line :
+        openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt))
       {
         SuggestedCurve cut;
         for (std::size_t k = 1; k < line.points.size(); ++k)
@@ -113,7 +127,10 @@ private:
   /// The ways to search: the first alone where few cuts may be made.
   std::vector<Way> ways() const
   {
-    const bool mirrored = this->Result.mirror.has_value();
+    // A mirror that holds only nearly is no reason to keep a single cut to its axis.
+    const bool alone = this->Options.search.maximumCuts == 1 && this->Result.mirror &&
+      this->Result.mirror->intrinsic() && this->Result.mirror->error > exactMirror;
+    const bool mirrored = this->Result.mirror.has_value() && !alone;
     std::vector<Way> all{ { SearchGoal::Energy, mirrored, 1.0 } };
     if (this->Options.search.maximumCuts <= singleSearch)
     {

@@ -6,6 +6,7 @@
 #include "Suggestion/RegionWeights.h"
 #include "Suggestion/SearchOptions.h"
 #include "Suggestion/SuggestedCurve.h"
+#include "Suggestion/SurfaceMirror.h"
 
 #include <optional>
 
@@ -28,7 +29,7 @@ struct CurveSuggestions
   std::vector<SuggestedCurve> curves;
   /// Lines that were tried and cost too much.
   std::vector<SuggestedCurve> leftOut;
-  std::optional<MirrorPlane> mirror;
+  std::optional<SurfaceMirror> mirror;
   double strainBefore = 0.0; ///< largest p95 strain of a piece
   double strainAfter = 0.0;
   double rigidEnergyBefore = 0.0;

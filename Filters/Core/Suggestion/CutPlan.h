@@ -2,14 +2,13 @@
 #pragma once
 
 #include "Suggestion/BoundaryRuler.h"
-#include "Suggestion/MirrorPlane.h"
 #include "Surface/FeatureCurve.h"
 
 #include <optional>
 
 namespace flattening
 {
-/// How a plan stands to the mirror plane.
+/// How a plan stands to the mirror plane, or the axis of an intrinsic mirror.
 enum class MirrorRole
 {
   Alone, ///< there is no plane, or it is not kept

@@ -20,6 +20,8 @@ constexpr double dividedStrain = 0.1;
 /// A cut is moved elsewhere where that lowers the energy by more than this share; so often at most.
 constexpr double leastProgress = 0.01;
 constexpr int mostRefits = 3;
+/// What a cut is worth that begins or ends on the leg of a dart: nobody likes to sew over one.
+constexpr double worthOfLegs = 0.5;
 /// A price besides which the length matters little.
 constexpr double gainAlone = 5.0;
 /// A search is given up after so many cuts, where the bound would take so many times the most cuts.
@@ -27,6 +29,16 @@ constexpr Index cutsToTellBy = 3;
 constexpr double farTooMany = 4.0;
 /// So many of the cuts found are tried on the surface itself.
 constexpr std::size_t mostAttempts = 4;
+
+double lengthOf(const Points3& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    length += (line[k] - line[k - 1]).norm();
+  }
+  return length;
+}
 
 class SetSearch
 {
@@ -259,6 +271,10 @@ private:
     marks.worth.assign(surface.mesh.vertexCount(), 1.0);
     for (const FeatureCurve& curve : surface.curves)
     {
+      for (std::size_t k = 1; k < curve.vertices.size() && curve.type == CurveType::Dart; ++k)
+      {
+        marks.worth[curve.vertices[k]] = worthOfLegs;
+      }
       for (const SearchOptions::Preference& preference : this->Search.preferences)
       {
         for (Index v : curve.name == preference.curve ? curve.vertices : Indices{})
@@ -281,13 +297,26 @@ private:
   }
 
   /// Of some more cuts.
-  std::vector<Points3> pathsOf(const std::vector<Polyline>& lines) const
+  std::vector<Points3> pathsOf(const std::vector<Polyline>& lines, const CutPlan& plan) const
   {
     std::vector<Polyline> all = this->chosen();
     const auto count = static_cast<std::ptrdiff_t>(all.size());
     all.insert(all.end(), lines.begin(), lines.end());
-    const std::vector<Points3> paths = this->Whole.paths(all);
-    return paths.empty() ? paths : std::vector<Points3>(paths.begin() + count, paths.end());
+    std::vector<Points3> paths = this->Whole.paths(all);
+    if (!paths.empty())
+    {
+      paths.erase(paths.begin(), paths.begin() + count);
+    }
+    if (paths.size() == 2 && plan.type == CurveType::Dart)
+    {
+      // Where the mirror is not exact, sewing is easier by a dart that stops short than by a pair
+      // that differs.
+      const double first = lengthOf(paths[0]);
+      const double second = lengthOf(paths[1]);
+      Points3& longer = paths[first > second ? 0 : 1];
+      longer = shortened(longer, std::min(first, second));
+    }
+    return paths;
   }
 
   bool accept(const TriedCut& best, PieceSearch& piece)
@@ -299,7 +328,7 @@ private:
     }
     std::vector<SuggestedCurve> cuts = this->Result.cuts;
     const std::size_t first = cuts.size();
-    const std::vector<Points3> paths = this->pathsOf(lines);
+    const std::vector<Points3> paths = this->pathsOf(lines, best.plan);
     for (std::size_t k = 0; k < paths.size(); ++k)
     {
       SuggestedCurve cut;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Suggestion/MirrorPlane.h"
 #include "Suggestion/PieceSearch.h"
 #include "Suggestion/SuggestedCurve.h"
 
@@ -17,8 +16,8 @@ struct SearchSubject
   const ImprintOptions& imprint;
   const FlatteningOptions& flattening;
   const SearchOptions& search; ///< maximumWork: of this search, infinite where there is no limit
-  std::optional<MirrorPlane> mirror; ///< to which cuts keep
-  const RegionWeights& weights;      ///< relative ones
+  std::optional<SurfaceMirror> mirror; ///< to which cuts keep
+  const RegionWeights& weights;        ///< relative ones
 };
 
 /// Cuts and what the surface is with them.

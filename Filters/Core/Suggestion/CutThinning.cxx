@@ -2,27 +2,36 @@
 #include "Suggestion/CutThinning.h"
 
 #include <algorithm>
+#include <array>
 
 namespace flattening
 {
 namespace
 {
+/// What is tried to be left of a cut, first by much, and once none of that holds by less.
+constexpr std::array<std::array<double, 3>, 3> keptShares{ { { 0.0, 1.0 / 3.0, 2.0 / 3.0 },
+  { 0.8, 0.9, 0.95 }, { 0.97, 0.98, 0.99 } } };
+
 /// Cuts a line back to a share of its length, from its end.
 void trim(SuggestedCurve& cut, double share)
 {
-  Points3 kept{ cut.curve.points.front() };
-  double left = share * cut.length;
-  for (std::size_t k = 1; k < cut.curve.points.size() && left > 0.0; ++k)
-  {
-    const Point3 step = cut.curve.points[k] - kept.back();
-    const double length = step.norm();
-    kept.push_back(
-      length > left ? Point3(kept.back() + left / length * step) : cut.curve.points[k]);
-    left -= length;
-  }
-  cut.curve.points = std::move(kept);
   cut.length *= share;
+  cut.curve.points = shortened(cut.curve.points, cut.length);
 }
+}
+
+Points3 shortened(const Points3& line, double length)
+{
+  Points3 kept{ line.front() };
+  double left = length;
+  for (std::size_t k = 1; k < line.size() && left > 0.0; ++k)
+  {
+    const Point3 step = line[k] - kept.back();
+    const double edge = step.norm();
+    kept.push_back(edge > left ? Point3(kept.back() + left / edge * step) : line[k]);
+    left -= edge;
+  }
+  return kept;
 }
 
 std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts)
@@ -64,16 +73,15 @@ std::vector<SuggestedCurve> withShare(
 void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>& cuts,
   TrialOutcome& now, TrialBudget& budget, const Execution& execution)
 {
-  bool thinned = now.valid;
-  while (thinned && !cuts.empty() && !budget.spent() && !execution.cancelled())
+  std::size_t level = now.valid ? 0 : keptShares.size();
+  while (level < keptShares.size() && !cuts.empty() && !budget.spent() && !execution.cancelled())
   {
-    thinned = false;
     std::vector<std::vector<SuggestedCurve>> fewer;
     std::vector<std::vector<Polyline>> lines;
     for (std::size_t k = 0; k < cuts.size(); ++k)
     {
       const bool dart = cuts[k].curve.type == CurveType::Dart;
-      for (double share : { 0.0, 1.0 / 3.0, 2.0 / 3.0 })
+      for (double share : keptShares[level])
       {
         if (cuts[k].mirrorOf == none && (share == 0.0 || dart))
         {
@@ -98,7 +106,10 @@ void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>
     {
       cuts = std::move(fewer[best]);
       now = outcomes[best];
-      thinned = true;
+    }
+    else
+    {
+      ++level;
     }
   }
 }

@@ -70,7 +70,7 @@ bool MirrorRoles::take(const Point3& from, const Point3& to, CutPlan& plan) cons
 
 void MirrorRoles::bringIntoPlane(CutPlan& plan) const
 {
-  const MirrorPlane& plane = *this->Piece.mirror();
+  const SurfaceMirror& plane = *this->Piece.mirror();
   plan.base = this->inPlane(plan.base);
   if (plan.type == CurveType::Seam)
   {
@@ -86,7 +86,7 @@ void MirrorRoles::bringIntoPlane(CutPlan& plan) const
 BoundaryPlace MirrorRoles::inPlane(BoundaryPlace place) const
 {
   const BoundaryRuler& ruler = this->Piece.ruler();
-  const MirrorPlane& plane = *this->Piece.mirror();
+  const SurfaceMirror& plane = *this->Piece.mirror();
   double low = -2.0 * this->Margin;
   double high = 2.0 * this->Margin;
   const auto at = [&](double by) { return plane.side(ruler.point(ruler.moved(place, by))); };

@@ -3,6 +3,7 @@
 
 #include "Suggestion/CutCandidates.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace flattening
@@ -12,16 +13,20 @@ namespace
 /// Of the version on which cuts are tried.
 constexpr Index coarseTriangles = 500;
 
-/// What cuts do to each other's rank is clear before a trial has come to its minimum.
+/// Energies to compare trials by are known to five digits long before the last iterations.
+constexpr double tolerance = 1e-3;
+constexpr double lengthTolerance = 1e-4;
+
 FlatteningOptions roughly(FlatteningOptions options)
 {
-  options.isometric.rough = true;
+  options.isometric.tolerance = std::max(options.isometric.tolerance, tolerance);
+  options.isometric.lengthTolerance = lengthTolerance;
   return options;
 }
 }
 
 PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
-  const std::optional<MirrorPlane>& mirror, const ImprintOptions& imprint,
+  const std::optional<SurfaceMirror>& mirror, const ImprintOptions& imprint,
   const FlatteningOptions& flattening, const SearchOptions& options)
   : Subject(piece)
   , Marks(marks)

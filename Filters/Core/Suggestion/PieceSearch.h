@@ -29,7 +29,7 @@ class PieceSearch
 public:
   /// All must outlive it.
   PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
-    const std::optional<MirrorPlane>& mirror, const ImprintOptions& imprint,
+    const std::optional<SurfaceMirror>& mirror, const ImprintOptions& imprint,
     const FlatteningOptions& flattening, const SearchOptions& options);
 
   /// False where nothing can be planned on the piece.
@@ -46,7 +46,7 @@ private:
 
   const PieceSurface& Subject;
   const VertexMarks& Marks;
-  const std::optional<MirrorPlane>& Mirror;
+  const std::optional<SurfaceMirror>& Mirror;
   const SearchOptions& Options;
   PieceSurface Coarse;
   CutTrials Trials;

@@ -86,7 +86,7 @@ RegionWeights relativeWeights(const TriangleMesh& mesh, const RegionWeights& wei
 }
 
 bool mirrorsWeights(
-  const TriangleMesh& mesh, const RegionWeights& weights, const MirrorPlane& plane)
+  const TriangleMesh& mesh, const RegionWeights& weights, const SurfaceMirror& mirror)
 {
   if (weights.empty())
   {
@@ -97,7 +97,7 @@ bool mirrorsWeights(
   double area = 0.0;
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    const Index image = locator.closest(plane.mirrored(middleOf(mesh, t))).triangle;
+    const Index image = locator.closest(mirror.mirrored(middleOf(mesh, t))).triangle;
     change += mesh.area(t) * std::abs(weights[t] - weights[image]);
     area += mesh.area(t);
   }

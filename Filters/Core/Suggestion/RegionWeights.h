@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/SurfaceMirror.h"
 #include "Surface/TriangleMesh.h"
 
 #include <vector>
@@ -23,7 +23,7 @@ RegionWeights relativeWeights(const TriangleMesh& mesh, const RegionWeights& wei
 /// Whether the plane mirrors the weights onto themselves as well, but for the triangles along their
 /// borders. \param weights relative ones
 bool mirrorsWeights(
-  const TriangleMesh& mesh, const RegionWeights& weights, const MirrorPlane& plane);
+  const TriangleMesh& mesh, const RegionWeights& weights, const SurfaceMirror& mirror);
 
 /// By vertex, the mean over the triangles around it by area; empty where the weights are.
 std::vector<double> vertexWeights(const TriangleMesh& mesh, const RegionWeights& weights);

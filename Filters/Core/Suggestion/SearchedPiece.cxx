@@ -20,6 +20,11 @@ constexpr double ownImage = 1e-2;
 /// How far darts inside stay from the boundary, in sqrt(area / pi).
 constexpr double clearOfBoundary = 0.3;
 
+/// From where on both sides the direction of the boundary is seen, in sqrt(area / pi).
+constexpr double edgeSeenFrom = 0.05;
+/// More slanted darts cost no more.
+constexpr double leastSine = 0.5;
+
 double areaOf(const TriangleMesh& mesh)
 {
   double area = 0.0;
@@ -32,7 +37,7 @@ double areaOf(const TriangleMesh& mesh)
 }
 
 SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
-  std::vector<double> weight, const std::optional<MirrorPlane>& mirror)
+  std::vector<double> weight, const std::optional<SurfaceMirror>& mirror)
   : Mesh(std::move(mesh))
   , Barred(std::move(barred))
   , Worth(std::move(worth))
@@ -70,7 +75,9 @@ void SearchedPiece::findMirrorVertices()
       0.5 * (this->Mesh.point(this->Mesh.from(h)) + this->Mesh.point(this->Mesh.to(h)));
     worst = std::max(worst, this->Locator.closest(this->Mirror->mirrored(middle)).distance);
   }
-  this->Mirror->error = worst / this->Size;
+  // Images by an intrinsic mirror lie on the surface whatever it is worth.
+  const IntrinsicMirror* const intrinsic = this->Mirror->intrinsic();
+  this->Mirror->error = std::max(worst / this->Size, intrinsic ? intrinsic->error() : 0.0);
   if (sum > ownImage * this->Size * this->Mesh.vertexCount())
   {
     this->Mirror.reset();
@@ -182,6 +189,19 @@ std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
   return line.points.size() < 2 ? std::vector<Polyline>{} : lines;
 }
 
+/// 1 for a dart across its edge, more where it runs along that: legs that meet it at unequal angles
+/// are sewn badly.
+double SearchedPiece::slant(const CutPlan& plan) const
+{
+  const double step = edgeSeenFrom * this->Size;
+  const Point3 edge = this->Ruler.point(this->Ruler.moved(plan.base, step)) -
+    this->Ruler.point(this->Ruler.moved(plan.base, -step));
+  const Point3 ahead = plan.tip - this->Ruler.point(plan.base);
+  const double most = edge.norm() * ahead.norm();
+  const double across = edge.cross(ahead).norm();
+  return across > leastSine * most ? most / across : 1.0 / leastSine;
+}
+
 double SearchedPiece::price(const CutPlan& plan, double length, const SearchOptions& options) const
 {
   const double fixed =
@@ -191,6 +211,7 @@ double SearchedPiece::price(const CutPlan& plan, double length, const SearchOpti
   {
     worth = std::sqrt(worth * this->worth(plan.end));
   }
-  return (fixed + length) / worth;
+  return (fixed + length) *
+    (plan.type == CurveType::Dart && !plan.start ? this->slant(plan) : 1.0) / worth;
 }
 }

@@ -6,6 +6,7 @@
 #include "Quality/ScaleFactor.h"
 #include "Suggestion/CutPlan.h"
 #include "Suggestion/SearchOptions.h"
+#include "Suggestion/SurfaceMirror.h"
 
 #include <optional>
 
@@ -20,7 +21,7 @@ public:
   /// may
   /// \param weight per vertex, how much distortion matters there; empty: everywhere alike
   SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
-    std::vector<double> weight, const std::optional<MirrorPlane>& mirror);
+    std::vector<double> weight, const std::optional<SurfaceMirror>& mirror);
   SearchedPiece(const SearchedPiece&) = delete;
   SearchedPiece& operator=(const SearchedPiece&) = delete;
 
@@ -33,7 +34,7 @@ public:
   /// R = sqrt(area / pi)
   double size() const { return this->Size; }
   /// The plane, where it mirrors this piece onto itself.
-  const std::optional<MirrorPlane>& mirror() const { return this->Mirror; }
+  const std::optional<SurfaceMirror>& mirror() const { return this->Mirror; }
   /// Mirror images lie on the piece but for rounding.
   bool mirrorIsExact() const;
   Index mirrored(Index vertex) const { return this->MirrorVertex[vertex]; }
@@ -57,6 +58,7 @@ public:
 
 private:
   void findMirrorVertices();
+  double slant(const CutPlan& plan) const;
   Points3 straightLine(
     const SurfacePoint& from, const std::optional<SurfacePoint>& via, const SurfacePoint& to) const;
   SurfacePoint surfacePoint(const Point3& point) const;
@@ -70,7 +72,7 @@ private:
   BoundaryRuler Ruler;
   SurfaceLocator Locator;
   PathGraph Graph;
-  std::optional<MirrorPlane> Mirror;
+  std::optional<SurfaceMirror> Mirror;
   Indices MirrorVertex;
 };
 }

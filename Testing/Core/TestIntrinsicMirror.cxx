@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces that are their own mirror image as cloth, not in space: folded along a line beside a
+// plane of symmetry, which changes no length and no angle on them.
+#include "Suggestion/IntrinsicMirror.h"
+
+#include "Suggestion/MirrorPlane.h"
+#include "SuggestionTesting.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr double foldAt = 0.8;
+
+/// A bump that ends in the flat sheet around it.
+double bump(double x, double y, double height)
+{
+  const double square = (x * x + y * y) / 0.16;
+  return square < 1.0 ? height * (1.0 - square) * (1.0 - square) : 0.0;
+}
+
+/// Turns what lies at x > foldAt about the line there: an isometry, since the sheet is flat there.
+Point3 folded(const Point3& p, double angle)
+{
+  const double out = std::max(0.0, p.x() - foldAt);
+  return { p.x() - out * (1.0 - std::cos(angle)), p.y(), p.z() + out * std::sin(angle) };
+}
+
+Point3 unfolded(const Point3& p, double angle)
+{
+  return p.x() > foldAt ? Point3(foldAt + (p.x() - foldAt) / std::cos(angle), p.y(), 0.0) : p;
+}
+
+/// A sheet of 2 by 1.4 with a bump on each side of x = 0, folded at one of its sides.
+TriangleMesh foldedBumps(double angle, double other = 0.25)
+{
+  return patch(20, 14, [&](double i, double j) {
+    const double x = i / 10.0 - 1.0;
+    const double y = j / 10.0;
+    const double height = bump(std::abs(x) - 0.4, y - 0.9, x > 0.0 ? 0.25 : other);
+    return folded({ x, y, height }, angle);
+  }).mesh;
+}
+
+/// The same surface by triangles of which none has another one as its image.
+TriangleMesh unevenBumps(double angle)
+{
+  return patch(40, 28, [&](double i, double j) {
+    const double u = i / 20.0 - 1.0;
+    const double x = u + 0.03 * (1.0 - u * u) * (u - foldAt);
+    const double y = j / 20.0;
+    return folded({ x, y, bump(std::abs(x) - 0.4, y - 0.9, 0.25) }, angle);
+  }).mesh;
+}
+
+double lengthOf(const Polyline& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.points.size(); ++k)
+  {
+    length += (line.points[k] - line.points[k - 1]).norm();
+  }
+  return length;
+}
+}
+
+TEST(IntrinsicMirror, IsFoundWhereBendingHasHiddenIt)
+{
+  constexpr double angle = 1.0;
+  const TriangleMesh mesh = foldedBumps(angle);
+  ASSERT_FALSE(findMirrorPlane(mesh).has_value());
+  const std::shared_ptr<const IntrinsicMirror> mirror = IntrinsicMirror::find(mesh, {});
+  ASSERT_NE(mirror, nullptr);
+  EXPECT_LT(mirror->error(), 1e-9);
+  const TriangleMesh flat = foldedBumps(0.0);
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Point3& p = flat.point(v);
+    const Point3 image = folded({ -p.x(), p.y(), p.z() }, angle);
+    EXPECT_LT((mirror->mirrored(mesh.point(v)) - image).norm(), 1e-9) << v;
+    EXPECT_NEAR(mirror->side(mesh.point(v)) + mirror->side(image), 0.0, 1e-9) << v;
+    EXPECT_NEAR(mirror->projected(mesh.point(v)).x(), 0.0, 1e-9) << v;
+  }
+  for (const Point3& end : mirror->axis())
+  {
+    EXPECT_NEAR(end.x(), 0.0, 1e-9);
+    EXPECT_LT(std::min(std::abs(end.y()), std::abs(end.y() - 1.4)), 1e-9);
+  }
+}
+
+TEST(IntrinsicMirror, IsNotFoundWhereOneSideIsHigher)
+{
+  EXPECT_EQ(IntrinsicMirror::find(foldedBumps(1.0, 0.1), {}), nullptr);
+}
+
+TEST(IntrinsicMirror, CutsComeInPairsOfTheSameLength)
+{
+  constexpr double angle = 1.0;
+  SuggestionOptions options = optionsOf(0.0, 2);
+  options.search.cuts = SuggestedCuts::Darts;
+  const CurveSuggestions suggestions = suggestCurves(foldedBumps(angle), {}, options);
+  ASSERT_TRUE(suggestions.mirror.has_value());
+  EXPECT_FALSE(suggestions.mirror->plane().has_value());
+  ASSERT_EQ(suggestions.curves.size(), 2U);
+  const Polyline& cut = suggestions.curves[0].curve;
+  const Polyline& image = suggestions.curves[1].curve;
+  EXPECT_EQ(suggestions.curves[1].mirrorOf, 0);
+  ASSERT_EQ(cut.points.size(), image.points.size());
+  EXPECT_NEAR(lengthOf(cut), lengthOf(image), 1e-12);
+  for (std::size_t k = 0; k < cut.points.size(); ++k)
+  {
+    const Point3 p = unfolded(cut.points[k], angle);
+    const Point3 q = unfolded(image.points[k], angle);
+    EXPECT_LT((Point3(-p.x(), p.y(), p.z()) - q).norm(), 1e-9) << k;
+  }
+}
+
+TEST(IntrinsicMirror, PairsAreOfTheSameLengthWhereTrianglesAreNotMirrored)
+{
+  SuggestionOptions options = optionsOf(0.0, 2);
+  options.search.cuts = SuggestedCuts::Darts;
+  const CurveSuggestions suggestions = suggestCurves(unevenBumps(1.0), {}, options);
+  ASSERT_TRUE(suggestions.mirror.has_value());
+  ASSERT_NE(suggestions.mirror->intrinsic(), nullptr);
+  EXPECT_GT(suggestions.mirror->error, 1e-6);
+  ASSERT_EQ(suggestions.curves.size(), 2U);
+  EXPECT_EQ(suggestions.curves[1].mirrorOf, 0);
+  const double length = lengthOf(suggestions.curves[0].curve);
+  EXPECT_GT(length, 0.1);
+  EXPECT_NEAR(lengthOf(suggestions.curves[1].curve), length, 1e-12);
+}
