@@ -132,8 +132,9 @@ private:
   {
     if (this->FirstCount == 0)
     {
-      thinCuts(
-        this->Whole, this->Search.bound, this->Result.cuts, this->now(), this->Budget, this->Run);
+      thinCuts(this->Whole, this->Search.bound,
+        this->Search.leastLength * std::sqrt(this->Area / pi), this->Result.cuts, this->now(),
+        this->Budget, this->Run);
     }
   }
 

@@ -70,8 +70,9 @@ std::vector<SuggestedCurve> withShare(
   return result;
 }
 
-void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>& cuts,
-  TrialOutcome& now, TrialBudget& budget, const Execution& execution)
+void thinCuts(const CutTrials& trials, double bound, double least,
+  std::vector<SuggestedCurve>& cuts, TrialOutcome& now, TrialBudget& budget,
+  const Execution& execution)
 {
   std::size_t level = now.valid ? 0 : keptShares.size();
   while (level < keptShares.size() && !cuts.empty() && !budget.spent() && !execution.cancelled())
@@ -83,7 +84,7 @@ void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>
       const bool dart = cuts[k].curve.type == CurveType::Dart;
       for (double share : keptShares[level])
       {
-        if (cuts[k].mirrorOf == none && (share == 0.0 || dart))
+        if (cuts[k].mirrorOf == none && (share == 0.0 || (dart && share * cuts[k].length >= least)))
         {
           fewer.push_back(withShare(cuts, k, share));
           lines.push_back(linesOf(fewer.back()));

@@ -10,9 +10,10 @@ namespace flattening
 /// Takes back what the bound does not need of some cuts: whole cuts, and thirds, tenths and less of
 /// darts from the tip on, mirror images together, as long as the strain stays within the bound;
 /// what saves most first.
-/// \param now the outcome of the cuts, in and out
-void thinCuts(const CutTrials& trials, double bound, std::vector<SuggestedCurve>& cuts,
-  TrialOutcome& now, TrialBudget& budget, const Execution& execution);
+/// \param least length of a dart that is left \param now the outcome of the cuts, in and out
+void thinCuts(const CutTrials& trials, double bound, double least,
+  std::vector<SuggestedCurve>& cuts, TrialOutcome& now, TrialBudget& budget,
+  const Execution& execution);
 
 /// The first part of a line, of this length.
 Points3 shortened(const Points3& line, double length);
