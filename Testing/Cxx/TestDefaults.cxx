@@ -57,9 +57,10 @@ void optionsOfWireWarping(Checks& check)
   check.equal(filter->GetRigidEnergyTolerance(), energyTolerance, "RigidEnergyTolerance");
   check.equal(filter->GetRigidMaximumIterations(), mostRigid, "RigidMaximumIterations");
 
-  const auto [energy, sheet, rough, angleWeight, mostIsometric, tolerance] = isometric;
+  const auto [energy, sheet, rough, angleWeight, mostIsometric, tolerance, length] = isometric;
   const auto [kind, bias] = energy;
   check.that(!sheet && !rough, "no cloth of its own");
+  check.that(length <= lengthTolerance, "lengths are solved for as finely as they are promised");
   check.equal(filter->GetDistortionEnergy(), number(kind), "DistortionEnergy");
   check.equal(filter->GetAreaBias(), bias, "AreaBias");
   check.equal(filter->GetAngleWeight(), angleWeight, "AngleWeight");
