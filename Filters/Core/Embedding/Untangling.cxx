@@ -16,9 +16,6 @@ namespace
 constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shape term
 constexpr int mostIterations = 200;
 constexpr int fewestIterations = 20;
-/// A patch whose wires leave it no way to lie flat lowers epsilon for ever. On 24 garment pieces
-/// and their refinements none that was untangled had so many iterations without a fold less.
-constexpr int patience = 40;
 /// Iterations times triangles, so that time is bounded on every mesh.
 constexpr double mostTriangles = 4e6;
 /// From so many interior vertices on a factorization by blocks pays.
@@ -81,7 +78,7 @@ public:
   bool tangled() const { return this->flips(this->X) > 0; }
 
   /// True where the run was not cancelled.
-  bool run(const Execution& execution)
+  bool run(const Execution& execution, int patience)
   {
     this->Run = execution;
     this->declareBlocks();
@@ -264,8 +261,8 @@ private:
 };
 }
 
-UntanglingResult untangleInterior(
-  const Piece& piece, const WireNetwork& network, const Execution& execution, Points2& positions)
+UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network,
+  const Execution& execution, Points2& positions, int patience)
 {
   UntanglingResult result;
   if (countFlipped(piece.mesh, positions) == 0)
@@ -280,7 +277,7 @@ UntanglingResult untangleInterior(
       continue;
     }
     result.patches.push_back(interior.patch);
-    if (!patch.run(execution))
+    if (!patch.run(execution, patience))
     {
       result.status = { StatusCode::Cancelled, "cancelled while untangling", {} };
       return result;

@@ -21,7 +21,9 @@ struct UntanglingResult
 /// code", ACM Transactions on Graphics 40(4), 2021), by projected Newton steps. A patch whose
 /// planar loop crosses itself, or a triangle between wires only, cannot be helped; what is best is
 /// kept.
-/// \param positions per piece vertex, in and out.
-UntanglingResult untangleInterior(
-  const Piece& piece, const WireNetwork& network, const Execution& execution, Points2& positions);
+/// \param positions per piece vertex, in and out. \param patience iterations in a row that may leave
+/// no fold less before a patch is given up: where wires leave it no way to lie flat, epsilon falls
+/// for ever.
+UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network,
+  const Execution& execution, Points2& positions, int patience = 200);
 }
