@@ -21,8 +21,8 @@ constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vt
 constexpr const char* curvesName = "curves.vtp";
 constexpr const char* flattenableName = "flattenable.vtp";
 constexpr const char* sewnName = "sewn.vtp";
-constexpr std::array<const char*, 6> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
-  "pattern.plt", "pattern.json", "walk.csv" };
+constexpr std::array<const char*, 8> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
+  "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt" };
 constexpr const char* reportName = "report.json";
 
 InputFiles inputFiles(const Options& options)

@@ -113,10 +113,14 @@ class Refusals(pattern.PatternTest):
         self.assertEqual(before, after)
 
     def test_a_pattern_of_an_earlier_run_does_not_survive_a_new_flattening(self):
-        self.run_command(*self.arguments("--svg", "--dxf", "--unit", "cm"))
+        self.run_command(*self.arguments("--unit", "cm"))
+        flattened = set(os.listdir(self.path("out")))
+        every = ("--svg", "--dxf", "--plt", "--garmentcode", "--walk", "--fabric-width", "3000")
+        self.run_command(*self.arguments(*every, "--unit", "cm"))
+        self.assertEqual(set(os.listdir(self.path("out"))) - flattened, {
+            "pattern.svg", "pattern.dxf", "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt"})
         self.run_command(*self.arguments("--pdf", "--unit", "cm"))
-        patterns = [name for name in os.listdir(self.path("out")) if name.startswith("pattern")]
-        self.assertEqual(patterns, ["pattern.pdf"])
+        self.assertEqual(set(os.listdir(self.path("out"))) - flattened, {"pattern.pdf"})
 
     def test_names_of_any_characters_survive_in_every_format(self):
         for name in NAMES:
