@@ -239,9 +239,8 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_option("--dart-tip", request.dartTip,
-      "How far tips of folded darts are drawn back, their legs with them; with --dart-legs "
-      "straight "
-      "or mirrored the legs stay mirror images")
+      "How far tips of folded darts are drawn back, their legs with them (--walk has them as they "
+      "are on the surface); with --dart-legs straight or mirrored the legs stay mirror images")
     ->check(number(0.0, large, "[0, 1e6]"))
     ->capture_default_str()
     ->group(group);

@@ -197,8 +197,8 @@ class Flattening(ComparedByValue):
             cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
             folds: names of curves along which pieces are cut on the fold: inside, where a half is drawn of a
                 piece that must be symmetric about it, or on the border of a piece that is a half.
-            dart_tip: how far tips of folded darts are drawn back, their legs with them, in [0, 1e6] and at most
-                half of a dart's depth.
+            dart_tip: how far tips of folded darts are drawn back, their legs with them (a walk has them as they are
+                on the surface), in [0, 1e6] and at most half of a dart's depth.
             curve_dart_tips: by the name of a dart, another such distance.
             cut_pairs: of two pieces that are mirror images draw the first alone, to be cut in pairs of
                 which one is turned over.
