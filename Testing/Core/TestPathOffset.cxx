@@ -358,6 +358,54 @@ TEST(PathOffset, RefusesWhatHasNone)
     StatusCode::InvalidCurve);
 }
 
+/// No way over a surface is shorter than the straight one through space.
+TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFarOrIsRefusedWithThePlace)
+{
+  const Points3 corners{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0 },
+    { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 1.0 }, { 1.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0 } };
+  const TriangleMesh mesh(corners,
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 },
+      { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } });
+  const PathGraph graph(mesh);
+  std::mt19937 random(11);
+  int drawn = 0;
+  int refused = 0;
+  for (int k = 0; k < 150; ++k)
+  {
+    const SurfacePath path = through(
+      graph, std::vector<SurfacePoint>{ randomPoint(mesh, random), randomPoint(mesh, random) });
+    if (!(lengthOf(path) > 0.0))
+    {
+      continue;
+    }
+    const double reach = 0.02 + 0.28 * (k % 15) / 14.0;
+    const PathOffset offset = offsetPath(graph, path, k % 2 == 0 ? reach : -reach);
+    if (offset.status.code == StatusCode::InvalidCurve)
+    {
+      EXPECT_NE(offset.status.message.find("it would lie"), std::string::npos) << k;
+      EXPECT_TRUE(offset.parts.empty());
+      ++refused;
+      continue;
+    }
+    for (const SurfacePath& part : offset.parts)
+    {
+      for (const SurfacePoint& point : part.points)
+      {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+        {
+          nearest = std::min(nearest, footOnLeg(path, i, point.position).gap);
+        }
+        EXPECT_LE(nearest, 1.06 * reach) << k;
+        ++drawn;
+      }
+    }
+  }
+  EXPECT_GT(drawn, 500);
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 30);
+}
+
 TEST(PathDistance, IsThatOfTheUnrolledSurface)
 {
   const Surface surface = cone(40, 20);

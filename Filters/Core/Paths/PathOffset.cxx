@@ -2,6 +2,7 @@
 #include "Paths/PathOffset.h"
 
 #include "Base/Memory.h"
+#include "Paths/OffsetCheck.h"
 #include "Paths/OffsetRays.h"
 #include "Paths/OffsetTrimming.h"
 #include "Paths/PathPoints.h"
@@ -305,6 +306,17 @@ PathOffset offsetPath(const PathGraph& graph, const SurfacePath& path, double di
         "there is no point of the surface at distance " + shortNumber(distance) +
           " on that side of the curve",
         {}, { { Remedy::Give, "a shorter distance, or one of the other sign" } } };
+    }
+    else if (const std::optional<OffsetFault> fault = farthestFault(source, offset.parts, reach))
+    {
+      const Point3& p = fault->position;
+      offset.parts.clear();
+      offset.status = { StatusCode::InvalidCurve,
+        "the offset cannot be drawn: at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) + ", " +
+          shortNumber(p.z()) + ") it would lie " + shortNumber(fault->distance) +
+          " from the curve in place of " + shortNumber(reach) +
+          ", since the triangles there are large beside the distance",
+        {}, { { Remedy::Give, "a longer distance, or a surface with smaller triangles there" } } };
     }
     return offset;
   });

@@ -26,7 +26,8 @@ struct PathOffset
 /// the distance inside. Elsewhere exact at its points, a quarter of an edge apart.
 /// \param distance positive to the left, negative to the right of who walks on the outside
 ///
-/// Errors: EmptySurface; InvalidCurve (the path is not on the surface, or has no length);
+/// Errors: EmptySurface; InvalidCurve (the path is not on the surface, or has no length; or triangles
+/// are so large beside the distance that the offset would be more than 5 % too far away in space);
 /// InvalidOption (the distance is zero or not finite); CurveLeavesSurface (no point at this
 /// distance); OutOfMemory.
 PathOffset offsetPath(const PathGraph& graph, const SurfacePath& path, double distance);
