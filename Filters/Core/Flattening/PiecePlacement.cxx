@@ -91,7 +91,10 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
   if (context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
     !placed.status.refused())
   {
-    const UntanglingResult untangled = context.options.scheme == Scheme::Isometric
+    // An energy with a barrier wants a start without a fold, whatever that takes.
+    const bool onlyStart = context.options.scheme == Scheme::Isometric &&
+      context.options.isometric.energy.kind == DistortionEnergyKind::AsRigidAsPossible;
+    const UntanglingResult untangled = onlyStart
       ? untangleInterior(
           context.piece, context.network, context.execution, placed.positions, patienceForStart)
       : untangleInterior(context.piece, context.network, context.execution, placed.positions);
