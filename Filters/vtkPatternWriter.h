@@ -312,8 +312,8 @@ public:
    * before the fullest place. The legs go with the tip by an affine map that leaves the mouth where
    * it is: straight legs stay straight and mirrored ones (DartLegs of vtkWireWarpingFilter) stay
    * mirror images of equal lengths; these and not those of the surface are what `data-length` says,
-   * while a walk of the seams has those of the surface. More than half of a dart's depth is an error
-   * when writing. Default: 0. Range: from 0.
+   * while a walk of the seams has those of the surface. More than half of a dart's depth is an
+   * error when writing. Default: 0. Range: from 0.
    */
   vtkSetClampMacro(DartTip, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DartTip, double);
