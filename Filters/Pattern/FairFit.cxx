@@ -167,18 +167,20 @@ void FairFit::coarsen()
     edges += chain.edges();
   }
   std::size_t left = work / edges + 1;
-  while (left-- > 0 && this->tryFewer(this->reducible()))
+  for (bool kept = true; kept && left > 0; --left)
   {
+    kept = this->tryFewer(this->reducible());
   }
   // From here on one interval after the other: each trial takes spans away or finds the least.
   for (std::vector<Place> places = this->reducible(); !places.empty() && left > 0;
        places = this->reducible())
   {
-    for (const Place& place : places)
+    for (std::size_t k = 0; k < places.size() && left > 0; ++k)
     {
-      if (left-- > 0 && this->at(place).spans > this->at(place).least)
+      if (this->at(places[k]).spans > this->at(places[k]).least)
       {
-        this->tryFewer({ place });
+        this->tryFewer({ places[k] });
+        --left;
       }
     }
   }

@@ -12,7 +12,7 @@ import numpy as np
 import surfaceflattening as sf
 
 import pattern_files as pattern
-from TestPatternGarmentCode import bezier, length_of, rotation
+from TestPatternGarmentCode import bezier, rotation
 
 # A skirt of two panels with every kind of edge: the front runs counter-clockwise, the back clockwise, as
 # files of GarmentCode have both. Waists are arcs of a circle, hems quadratic, sides cubic, and the back has
@@ -75,7 +75,7 @@ def edge_length(panel, edge):
         (x, y), = shape["params"]
         edge = {**edge, "curvature": {"type": "cubic", "params": [
             [2 / 3 * x, 2 / 3 * y], [1 / 3 + 2 / 3 * x, 2 / 3 * y]]}}
-    return length_of(bezier(panel, edge))
+    return pattern.bezier_length(bezier(panel, edge))
 
 
 class Reading(pattern.PatternTest):

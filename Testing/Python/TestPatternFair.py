@@ -31,18 +31,6 @@ def curves_of(element):
     return curves
 
 
-def length_of(control):
-    places, weights = np.polynomial.legendre.leggauss(12)
-    total = 0.0
-    for part in range(8):
-        u = ((part + 0.5 + places / 2) / 8)[:, None]
-        v = 1 - u
-        slope = 3 * (v**2 * (control[1] - control[0]) + 2 * u * v * (control[2] - control[1])
-                     + u**2 * (control[3] - control[2]))
-        total += float(weights @ np.linalg.norm(slope, axis=1)) / 16
-    return total
-
-
 class Fair(pattern.PatternTest):
     def paths(self):
         root = pattern.svg_root(self.path("out", "pattern.svg"))
@@ -62,7 +50,7 @@ class Fair(pattern.PatternTest):
                 _, paths = self.paths()
                 self.assertEqual(len(paths), len(wires))
                 wanted = sorted(sum(wire.edges) for wire in wires)
-                found = sorted(sum(map(length_of, curves_of(element))) for _, element in paths)
+                found = sorted(sum(map(pattern.bezier_length, curves_of(element))) for _, element in paths)
                 for a, b in zip(found, wanted):
                     self.assertLess(abs(a - b), 1e-6)
                 self.assertTrue(any("C" in element.get("d") for _, element in paths))
@@ -76,7 +64,7 @@ class Fair(pattern.PatternTest):
             for _, element in paths:
                 if element.get("data-curve") != name:
                     continue
-                ends = np.cumsum([length_of(curve) for curve in curves_of(element)])
+                ends = np.cumsum([pattern.bezier_length(curve) for curve in curves_of(element)])
                 self.assertLess(min(abs(ends - arc)), 1e-6, (name, arc))
                 checked += 1
         self.assertGreater(checked, 20)

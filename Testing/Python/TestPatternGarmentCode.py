@@ -28,19 +28,6 @@ def points_of(control, count=400):
     return v**3 * control[0] + 3 * u * v**2 * control[1] + 3 * u**2 * v * control[2] + u**3 * control[3]
 
 
-def length_of(control):
-    """By Gauss's rule on 8 parts."""
-    places, weights = np.polynomial.legendre.leggauss(12)
-    total = 0.0
-    for part in range(8):
-        u = ((part + 0.5 + places / 2) / 8)[:, None]
-        v = 1 - u
-        slope = 3 * (v**2 * (control[1] - control[0]) + 2 * u * v * (control[2] - control[1])
-                     + u**2 * (control[3] - control[2]))
-        total += float(weights @ np.linalg.norm(slope, axis=1)) / 16
-    return total
-
-
 def rotation(degrees):
     x, y, z = np.radians(degrees)
     about_x = np.array([[1, 0, 0], [0, math.cos(x), -math.sin(x)], [0, math.sin(x), math.cos(x)]])
@@ -75,7 +62,7 @@ class GarmentCode(pattern.PatternTest):
         stitched = set()
         for sides in document["pattern"]["stitches"]:
             edges = [panels[side["panel"]]["edges"][side["edge"]] for side in sides]
-            lengths = [length_of(bezier(panels[side["panel"]], edge)) for side, edge in zip(sides, edges)]
+            lengths = [pattern.bezier_length(bezier(panels[side["panel"]], edge)) for side, edge in zip(sides, edges)]
             self.assertLess(abs(lengths[0] - lengths[1]), tolerance * lengths[0])
             self.assertEqual(edges[0]["label"], edges[1]["label"])
             total = totals.setdefault(edges[0]["label"], [0.0, 0.0])

@@ -11,6 +11,7 @@ from collections import namedtuple
 from xml.etree import ElementTree
 
 import ezdxf
+import numpy as np
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 EXECUTABLE = os.environ["WIREWARP"]
@@ -60,6 +61,19 @@ class PatternTest(unittest.TestCase):
         )
         self.assertIn(run.returncode, (0, 4), run.stderr)
         return run
+
+
+def bezier_length(control):
+    """Length of a cubic Bezier curve, by Gauss's rule on 8 parts."""
+    places, weights = np.polynomial.legendre.leggauss(12)
+    total = 0.0
+    for part in range(8):
+        u = ((part + 0.5 + places / 2) / 8)[:, None]
+        v = 1 - u
+        slope = 3 * (v**2 * (control[1] - control[0]) + 2 * u * v * (control[2] - control[1])
+                     + u**2 * (control[3] - control[2]))
+        total += float(weights @ np.linalg.norm(slope, axis=1)) / 16
+    return total
 
 
 def read_polydata(path):
