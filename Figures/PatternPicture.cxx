@@ -27,7 +27,7 @@ namespace
 constexpr int strip = 150;
 constexpr int margin = 16;
 constexpr int line = 18;
-constexpr int textSize = 14;
+constexpr int legendSize = 14;
 constexpr int barHeight = 60;
 constexpr std::size_t messageWidth = 72; // characters
 
@@ -230,20 +230,21 @@ int PatternPicture::addText(const std::string& text, int x, int y, int size, con
 //------------------------------------------------------------------------------
 void PatternPicture::drawTexts(const PatternScene& scene)
 {
-  this->addText(scene.title, margin, margin, textSize + 4, black, TextStyle::Bold, true);
+  this->addText(scene.title, margin, margin, legendSize + 4, black, TextStyle::Bold, true);
   constexpr std::size_t rows = (strip - 2 * margin) / line - 2;
   const int top = strip - margin - line;
   int right = 0;
   int y = top;
   for (const std::string& row : errorTable(scene.piece, rows))
   {
-    right = std::max(right, this->addText(row, margin, y, textSize, black, TextStyle::FixedPitch));
+    right =
+      std::max(right, this->addText(row, margin, y, legendSize, black, TextStyle::FixedPitch));
     y -= line;
   }
   y = top;
   for (const std::string& words : wrapped(scene.message, messageWidth))
   {
-    this->addText(words, right + 3 * margin, y, textSize, scene.warning ? keyColor : grey);
+    this->addText(words, right + 3 * margin, y, legendSize, scene.warning ? keyColor : grey);
     y -= line;
   }
 }
@@ -267,11 +268,11 @@ void PatternPicture::drawLegend(const PatternScene& scene)
   {
     if (entry.shown)
     {
-      x +=
-        this->addText("\xE2\x80\x94 ", x, margin / 2, textSize + 4, entry.color, TextStyle::Bold) +
+      x += this->addText(
+             "\xE2\x80\x94 ", x, margin / 2, legendSize + 4, entry.color, TextStyle::Bold) +
         4;
       x +=
-        this->addText(entry.name, x, margin / 2, textSize, entry.color, TextStyle::Bold) + margin;
+        this->addText(entry.name, x, margin / 2, legendSize, entry.color, TextStyle::Bold) + margin;
     }
   }
 }
@@ -282,12 +283,13 @@ void PatternPicture::drawScale(const ColorMap& map)
   const double width = this->Window->GetSize()[0];
   const double height = this->Window->GetSize()[1];
   const double length = std::min(420.0, 0.35 * width);
-  const auto bar = makeScaleBar(map.colors, map.labels, textSize);
+  const auto bar = makeScaleBar(map.colors, map.labels, legendSize);
   const double left = width - length - 3 * margin;
   bar->SetPosition(left / width, margin / height);
   bar->SetPosition2(length / width, barHeight / height);
   this->Overlay->AddViewProp(bar);
-  this->addText(map.title, static_cast<int>(left), margin + barHeight - line / 3, textSize, black);
+  this->addText(
+    map.title, static_cast<int>(left), margin + barHeight - line / 3, legendSize, black);
 }
 
 //------------------------------------------------------------------------------

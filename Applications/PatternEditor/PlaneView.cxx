@@ -22,7 +22,7 @@ namespace editor
 {
 namespace
 {
-constexpr double margin = 1.12;
+constexpr double pieceMargin = 1.12;
 constexpr float wireWidth = 3.0F; // pixels
 
 /// Kinds of wires, those drawn over others last.
@@ -187,6 +187,6 @@ void PlaneView::resetCamera(vtkPolyData* flat)
   camera->SetPosition(center[0], center[1], width + height);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetParallelScale(
-    0.5 * margin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
+    0.5 * pieceMargin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
 }
 }

@@ -20,7 +20,7 @@ namespace
 {
 constexpr std::array<unsigned char, 4> strongGhost{ 255, 90, 0, 255 };
 constexpr std::array<unsigned char, 4> paleGhost{ 255, 150, 60, 130 };
-constexpr double margin = 1.08;
+constexpr double surfaceMargin = 1.08;
 }
 
 //------------------------------------------------------------------------------
@@ -143,6 +143,6 @@ void SpaceView::resetCamera()
     width = std::max(width, std::abs(vtkMath::Dot(way, right)));
   }
   camera->SetParallelScale(
-    margin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
+    surfaceMargin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
 }
 }

@@ -6,6 +6,7 @@
 #include "InputError.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
+#include "Seconds.h"
 #include "Table.h"
 #include "TextFile.h"
 #include "WorkerProcesses.h"
@@ -33,11 +34,6 @@ using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* batchName = "batch.json";
-
-double secondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The next name off the front of a line; empty at its end or at a comment.
 std::string takeName(std::string_view& rest, const std::string& path, std::size_t line)

@@ -7,6 +7,7 @@
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "Seconds.h"
 #include "SurfaceMending.h"
 #include "Units.h"
 #include "VtkMessages.h"
@@ -22,11 +23,6 @@ namespace wirewarp
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// What --unit says goes before what the file says.
 void setUnit(const Options& options, const SurfaceContents& contents, Flattening& result)

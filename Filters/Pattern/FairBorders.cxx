@@ -12,7 +12,6 @@ namespace pattern
 {
 namespace
 {
-constexpr double inexact = 1e-6; ///< of a stretch: bent by less it is a segment already
 
 /// The parts of a chain between two places, as they are met from the first to the second.
 void addParts(

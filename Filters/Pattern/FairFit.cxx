@@ -17,8 +17,7 @@ constexpr int rounds = 12;
 constexpr std::size_t work = 100000; ///< trials of fewer spans, times edges of the mesh
 constexpr int smoothings = 6;
 constexpr double widerWave = 1.6;
-constexpr double sparing = 0.5;  ///< of the tolerance, what may be spent on smoothness alone
-constexpr double inexact = 1e-6; ///< of a stretch: bent by less it is a segment already
+constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
 
 int more(const PlannedInterval& interval)
 {

@@ -30,6 +30,8 @@ enum class StretchForm
   Raw,      ///< as it was, edge by edge
 };
 
+constexpr double inexact = 1e-6; ///< of a stretch: bent by less it is a segment already
+
 /// A part of a chain between two corners.
 struct PlannedStretch
 {

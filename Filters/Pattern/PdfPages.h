@@ -26,6 +26,8 @@ struct PageOptions
 
 const char* paperName(PaperSize paper);
 
+/// The unit of PDF, of which cairo's surfaces are made.
+constexpr double pointsPerMillimetre = 72.0 / 25.4;
 /// Left free on every side of a page, because printers cannot print there; millimetres.
 constexpr double pageMargin = 10.0;
 

@@ -19,7 +19,6 @@ namespace pattern
 {
 namespace
 {
-constexpr double pointsPerMillimetre = 72.0 / 25.4;
 constexpr double mapHeight = 45.0;
 constexpr std::array<double, 3> black{ 0.0, 0.0, 0.0 };
 constexpr std::array<double, 3> grey{ 0.6, 0.6, 0.6 };

@@ -15,7 +15,6 @@ namespace pattern
 {
 namespace
 {
-constexpr double pointsPerMillimetre = 72.0 / 25.4;
 constexpr std::array<double, 2> paper{ 210.0, 297.0 };
 constexpr double margin = 15.0;
 constexpr double letters = 3.0;

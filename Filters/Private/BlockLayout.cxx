@@ -52,21 +52,21 @@ std::vector<Leaf> leavesOf(vtkDataObject* object)
 }
 
 /// Number of the block, process, width, height.
-using Row = std::array<double, 4>;
+using BlockRow = std::array<double, 4>;
 
 /// The rows of all processes in the order of the blocks.
-std::vector<Row> gatherRows(std::vector<Row> rows, vtkMultiProcessController* processes)
+std::vector<BlockRow> gatherRows(std::vector<BlockRow> rows, vtkMultiProcessController* processes)
 {
   if (processes)
   {
-    const vtkIdType length = static_cast<vtkIdType>(rows.size()) * std::tuple_size<Row>::value;
+    const vtkIdType length = static_cast<vtkIdType>(rows.size()) * std::tuple_size<BlockRow>::value;
     const auto count = static_cast<std::size_t>(processes->GetNumberOfProcesses());
     std::vector<vtkIdType> lengths(count);
     processes->AllGather(&length, lengths.data(), 1);
     std::vector<vtkIdType> offsets(count, 0);
     std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
     const auto all = static_cast<std::size_t>(offsets.back() + lengths.back());
-    std::vector<Row> gathered(all / std::tuple_size<Row>::value);
+    std::vector<BlockRow> gathered(all / std::tuple_size<BlockRow>::value);
     processes->AllGatherV(rows.empty() ? nullptr : rows.front().data(),
       gathered.empty() ? nullptr : gathered.front().data(), length, lengths.data(), offsets.data());
     rows = std::move(gathered);
@@ -118,7 +118,7 @@ void layBeside(vtkDataObject* surfaces, vtkDataObject* flat, double spacing,
   const vtkBoundingBox space = boundsOf(leavesOf(surfaces), processes);
   const double process = processes ? processes->GetLocalProcessId() : 0;
   const std::vector<Leaf> leaves = leavesOf(flat);
-  std::vector<Row> rows;
+  std::vector<BlockRow> rows;
   for (const Leaf& leaf : leaves)
   {
     const vtkBoundingBox box(leaf.data->GetBounds());
@@ -131,7 +131,7 @@ void layBeside(vtkDataObject* surfaces, vtkDataObject* flat, double spacing,
   }
 
   std::vector<Point2> sizes;
-  for (const Row& row : rows)
+  for (const BlockRow& row : rows)
   {
     sizes.emplace_back(row[2], row[3]);
   }

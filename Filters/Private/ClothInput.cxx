@@ -20,8 +20,6 @@ namespace bridge
 {
 namespace
 {
-constexpr double degree = pi / 180.0;
-
 /// The whole text as a number.
 bool parseNumber(const std::string& text, double& value)
 {

@@ -19,8 +19,6 @@ namespace bridge
 {
 namespace
 {
-constexpr double degree = pi / 180.0;
-
 /// The largest strain of a triangle and its direction: warp, weft, or the bias between them, in
 /// which a shear of g draws by about g / 2.
 struct Dominant

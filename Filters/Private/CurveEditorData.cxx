@@ -55,13 +55,13 @@ private:
   vtkNew<vtkCellArray> Lines;
 };
 
-struct Row
+struct CurveRow
 {
   const EditedCurve* curve;
   vtkIdType imageOf; ///< -1: the curve itself
 };
 
-void writeTraits(const std::vector<Row>& rows, vtkPolyData* data)
+void writeTraits(const std::vector<CurveRow>& rows, vtkPolyData* data)
 {
   vtkCellData* const cells = data->GetCellData();
   const auto traits = [&rows](
@@ -78,7 +78,7 @@ void writeTraits(const std::vector<Row>& rows, vtkPolyData* data)
     cells, imageOf, rows.size(), [&](std::size_t k) { return rows[k].imageOf; });
 }
 
-void writeNodes(const CurveSet& set, const std::vector<Row>& rows, vtkPolyData* data)
+void writeNodes(const CurveSet& set, const std::vector<CurveRow>& rows, vtkPolyData* data)
 {
   vtkNew<vtkDoubleArray> places;
   places->SetName(controlPoints);
@@ -270,7 +270,7 @@ EditedCurve curveOf(const Polyline& line, const EditedCurve* nodes, const Drawin
 void writeCurveSet(const CurveSet& set, vtkPolyData* data)
 {
   LineWriter lines;
-  std::vector<Row> rows;
+  std::vector<CurveRow> rows;
   for (const auto& curve : set.curves)
   {
     const Points3 points = pointsAlong(curve->segments);

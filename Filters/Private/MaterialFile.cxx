@@ -19,7 +19,6 @@ namespace bridge
 {
 namespace
 {
-constexpr double degree = pi / 180.0;
 const char* const example = "an object such as {\"warp\": 2000, \"weft\": 1800, \"shear\": 25}";
 
 Status refusal(const std::string& path, const std::string& defect, const std::string& give)

@@ -21,8 +21,6 @@ namespace bridge
 {
 namespace
 {
-constexpr double degree = pi / 180.0;
-
 /// Points of the input moved to where the vertices lie.
 vtkSmartPointer<vtkPoints> movedPoints(
   vtkPolyData* design, const Indices& originalPoint, const Points3& points)

@@ -148,7 +148,7 @@ void writeSuggestions(
   }
   if (suggestions.mirror && suggestions.mirror->plane())
   {
-    const MirrorPlane& plane = *suggestions.mirror->plane();
+    const SymmetryPlane& plane = *suggestions.mirror->plane();
     addRows<vtkDoubleArray>(field, "MirrorPlane", 4, [&](std::size_t k) {
       return k < 3 ? plane.normal[static_cast<Eigen::Index>(k)] : plane.offset;
     });

@@ -3,7 +3,7 @@
 // plane of symmetry, which changes no length and no angle on them.
 #include "Suggestion/IntrinsicMirror.h"
 
-#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/SymmetryPlane.h"
 #include "SuggestionTesting.h"
 
 #include <Eigen/Geometry>
@@ -74,7 +74,7 @@ TEST(IntrinsicMirror, IsFoundWhereBendingHasHiddenIt)
 {
   constexpr double angle = 1.0;
   const TriangleMesh mesh = foldedBumps(angle);
-  ASSERT_FALSE(findMirrorPlane(mesh).has_value());
+  ASSERT_FALSE(findSymmetryPlane(mesh).has_value());
   const std::shared_ptr<const IntrinsicMirror> mirror = IntrinsicMirror::find(mesh, {});
   ASSERT_NE(mirror, nullptr);
   EXPECT_LT(mirror->error(), 1e-9);

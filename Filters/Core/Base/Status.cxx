@@ -138,4 +138,9 @@ std::string shortNumber(double value)
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
+
+std::string percent(double fraction)
+{
+  return shortNumber(100.0 * fraction) + " %";
+}
 }

@@ -81,4 +81,6 @@ std::string listIds(const Indices& ids, std::size_t most = 5);
 std::string listIds(const std::vector<std::int64_t>& ids, std::size_t most = 5);
 /// A number for a message, with four digits.
 std::string shortNumber(double value);
+/// Such as "2.5 %" of 0.025.
+std::string percent(double fraction);
 }

@@ -22,4 +22,5 @@ using Triangles = std::vector<Triangle>;
 
 inline constexpr Index none = -1;
 inline constexpr double pi = 3.141592653589793238462643383279502884;
+inline constexpr double degree = pi / 180.0; ///< in radians
 }

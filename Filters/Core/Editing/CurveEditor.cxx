@@ -36,12 +36,6 @@ Status checkTraits(const CurveTraits& traits)
   }
   return {};
 }
-
-template <typename Value>
-typename std::vector<Value>::iterator at(std::vector<Value>& values, std::size_t k)
-{
-  return values.begin() + static_cast<std::ptrdiff_t>(k);
-}
 }
 
 CurveEditor::CurveEditor(std::shared_ptr<const DrawingSurface> surface)

@@ -9,17 +9,6 @@ namespace flattening
 {
 namespace
 {
-bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
-{
-  return a.position == b.position;
-}
-
-template <typename Value>
-typename std::vector<Value>::iterator at(std::vector<Value>& values, std::size_t k)
-{
-  return values.begin() + static_cast<std::ptrdiff_t>(k);
-}
-
 /// The curve run through the other way round.
 EditedCurve reversed(EditedCurve curve)
 {
@@ -40,7 +29,7 @@ bool canBeClosed(const EditedCurve& curve)
 
 EditedCurve withClosed(EditedCurve curve, bool closed)
 {
-  if (closed && samePlace(curve.nodes.front(), curve.nodes.back()))
+  if (closed && curve.nodes.front().position == curve.nodes.back().position)
   {
     curve.nodes.pop_back();
   }
@@ -115,7 +104,7 @@ EditedCurve joined(EditedCurve first, EditedCurve second)
   const auto nearest = std::min_element(gaps.begin(), gaps.end()) - gaps.begin();
   first = nearest < 2 ? first : reversed(std::move(first));
   second = nearest % 2 == 0 ? second : reversed(std::move(second));
-  if (samePlace(first.nodes.back(), second.nodes.front()))
+  if (first.nodes.back().position == second.nodes.front().position)
   {
     second.nodes.erase(second.nodes.begin());
   }

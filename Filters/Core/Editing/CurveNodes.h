@@ -3,12 +3,20 @@
 
 #include "Editing/EditedCurve.h"
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace flattening
 {
 /// What edits make of a curve's nodes and of the kinds of its segments. The segments themselves are
 /// left to be drawn.
+
+template <typename Value>
+typename std::vector<Value>::iterator at(std::vector<Value>& values, std::size_t k)
+{
+  return values.begin() + static_cast<std::ptrdiff_t>(k);
+}
 
 /// Three nodes make a loop, and two by a plane section round the surface.
 bool canBeClosed(const EditedCurve& curve);

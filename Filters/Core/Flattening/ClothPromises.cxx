@@ -41,11 +41,6 @@ Status missingGrain(
   return status;
 }
 
-std::string percent(double share)
-{
-  return shortNumber(100.0 * share) + " %";
-}
-
 /// By how much one measure is beyond its limits, over the limit.
 struct Excess
 {

@@ -47,11 +47,6 @@ Status invalid(const std::string& message, const std::string& give)
   return { StatusCode::InvalidOption, message, {}, { { Remedy::Give, give } } };
 }
 
-std::string percent(double fraction)
-{
-  return shortNumber(100.0 * fraction) + " %";
-}
-
 Status checkEase(const CurveEase& ease, const FeatureCurve& curve)
 {
   const std::string what = "the ease of \"" + ease.curve + "\"";

@@ -23,19 +23,14 @@ Eigen::Matrix2d angleHessian(const Eigen::Vector2d& d)
   h << a, b, b, -a;
   return h;
 }
-
-Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
-{
-  return x.segment<2>(2 * v);
-}
 }
 
 IsometricModel::NodeGeometry IsometricModel::nodeGeometry(
   const Node& node, const Eigen::VectorXd& x, bool second) const
 {
   // theta = pi + phi_in - phi_out (Eq. 3)
-  const Eigen::Vector2d in = pointOf(x, node.at) - pointOf(x, node.before);
-  const Eigen::Vector2d out = pointOf(x, node.after) - pointOf(x, node.at);
+  const Eigen::Vector2d in = planePoint(x, node.at) - planePoint(x, node.before);
+  const Eigen::Vector2d out = planePoint(x, node.after) - planePoint(x, node.at);
   const Eigen::Vector2d gIn = angleGradient(in);
   const Eigen::Vector2d gOut = angleGradient(out);
   NodeGeometry geometry;
@@ -77,7 +72,7 @@ void IsometricModel::addAngles(const Eigen::VectorXd& x, bool exact, Eigen::Vect
 Eigen::Vector2d IsometricModel::takeLengthRow(Index k, const Eigen::VectorXd& x)
 {
   const WireEdge& edge = this->Problem.network->edges[this->LengthEdges[k]];
-  Eigen::Vector2d d = pointOf(x, edge.to) - pointOf(x, edge.from);
+  Eigen::Vector2d d = planePoint(x, edge.to) - planePoint(x, edge.from);
   const Eigen::Vector2d along = d.normalized();
   this->LengthRows[k] << -along.transpose(), along.transpose(), -this->Length[k];
   return d;

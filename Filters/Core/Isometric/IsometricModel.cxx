@@ -24,11 +24,6 @@ double rootOfMeanArea(const TriangleMesh& mesh)
   }
   return std::sqrt(sum / mesh.triangleCount());
 }
-
-Eigen::Vector2d pointOf(const Eigen::VectorXd& x, Index v)
-{
-  return x.segment<2>(2 * v);
-}
 }
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
@@ -192,7 +187,7 @@ Points2 IsometricModel::positions(const Eigen::VectorXd& x) const
   Points2 result(this->CoordinateCount / 2);
   for (std::size_t v = 0; v < result.size(); ++v)
   {
-    result[v] = this->Unit * pointOf(x, static_cast<Index>(v));
+    result[v] = this->Unit * planePoint(x, static_cast<Index>(v));
   }
   return result;
 }
@@ -206,8 +201,8 @@ std::vector<double> IsometricModel::stretches(const Eigen::VectorXd& x) const
 /// target.
 double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) const
 {
-  const Eigen::Vector2d in = pointOf(x, node.at) - pointOf(x, node.before);
-  const Eigen::Vector2d out = pointOf(x, node.after) - pointOf(x, node.at);
+  const Eigen::Vector2d in = planePoint(x, node.at) - planePoint(x, node.before);
+  const Eigen::Vector2d out = planePoint(x, node.after) - planePoint(x, node.at);
   const double turn = std::atan2(cross(in, out), in.dot(out));
   const double angle = pi - turn;
   return angle + 2.0 * pi * std::round((node.target - angle) / (2.0 * pi));
@@ -268,7 +263,7 @@ Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
     const WireEdge& edge = net.edges[this->LengthEdges[k]];
     const Index group = this->Problem.stretchGroup[this->LengthEdges[k]];
     const double stretch = group == none ? 1.0 : 1.0 + x[this->CoordinateCount + group];
-    c[k] = (pointOf(x, edge.to) - pointOf(x, edge.from)).norm() - stretch * this->Length[k];
+    c[k] = (planePoint(x, edge.to) - planePoint(x, edge.from)).norm() - stretch * this->Length[k];
   }
   for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
   {
@@ -280,7 +275,7 @@ Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
     double sum = 0.0;
     for (const GrainHold::Weight& part : this->Hold.weights)
     {
-      sum += part.weight.dot(pointOf(x, part.vertex));
+      sum += part.weight.dot(planePoint(x, part.vertex));
     }
     c[this->holdRow()] = sum;
   }
@@ -329,7 +324,7 @@ void IsometricModel::stiffen(Index bounded, double stiffness)
 void IsometricModel::fixMotion(const Eigen::VectorXd& x)
 {
   const Index near = this->FixedVertices[0];
-  const Eigen::Vector2d d = pointOf(x, this->FixedVertices[1]) - pointOf(x, near);
+  const Eigen::Vector2d d = planePoint(x, this->FixedVertices[1]) - planePoint(x, near);
   const Eigen::Vector2d across = Eigen::Vector2d(-d.y(), d.x()).normalized();
   this->Diagonal.add(this->Assembler, 2 * near, 1.0);
   this->Diagonal.add(this->Assembler, 2 * near + 1, 1.0);

@@ -10,6 +10,12 @@
 
 namespace flattening
 {
+/// Where a vertex lies, of the isometric scheme's unknowns.
+inline Eigen::Vector2d planePoint(const Eigen::VectorXd& x, Index v)
+{
+  return x.segment<2>(2 * v);
+}
+
 /// The isometric scheme's problem for one piece, in units of the root of the mean triangle area.
 ///
 /// Unknowns: x and y of every vertex, then the stretch h of each elastic curve. Minimized is

@@ -15,7 +15,7 @@ namespace
 /// Planes through two points that are tried, and how often the best is halved between its
 /// neighbours.
 constexpr int planes = 36;
-constexpr int halvings = 40;
+constexpr int planeHalvings = 40;
 constexpr double goldenRatio = 0.6180339887498949;
 
 /// How much longer a leg gets by a point.
@@ -160,7 +160,7 @@ PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& po
     }
     double low = best - pi / planes;
     double high = best + pi / planes;
-    for (int k = 0; k < halvings; ++k)
+    for (int k = 0; k < planeHalvings; ++k)
     {
       const double a = high - goldenRatio * (high - low);
       const double b = low + goldenRatio * (high - low);

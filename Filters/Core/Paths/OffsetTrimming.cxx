@@ -24,7 +24,7 @@ constexpr double beyondShortcut = 4.0;
 constexpr double knot = 0.1;
 /// Ends of arcs nearer to each other, as a fraction of the distance, are one.
 constexpr double sameEnd = 1e-9;
-constexpr int halvings = 50;
+constexpr int trimHalvings = 50;
 
 /// Where an offset is cut, and on which sides of that it is nearer to the source.
 struct Cut
@@ -241,7 +241,7 @@ private:
       return pointBetween(
         this->Graph.mesh(), path.triangles[leg], path.points[leg], path.points[leg + 1], s);
     };
-    for (int k = 0; k < halvings; ++k)
+    for (int k = 0; k < trimHalvings; ++k)
     {
       const double s = 0.5 * (far + near);
       (this->isNearer(at(s), rounding) ? near : far) = s;

@@ -15,7 +15,7 @@ namespace flattening
 {
 namespace
 {
-constexpr int mostRounds = 40;
+constexpr int mostFittingRounds = 40;
 
 Status checkFit(const TriangleMesh& mesh, const SurfacePath& path, double tolerance)
 {
@@ -162,7 +162,7 @@ FittedPath fitSpline(
       return fit;
     }
     std::vector<std::size_t> places = firstNodes(path);
-    for (int round = 0; round < mostRounds; ++round)
+    for (int round = 0; round < mostFittingRounds; ++round)
     {
       fit = {};
       takeNodes(path, places, fit);

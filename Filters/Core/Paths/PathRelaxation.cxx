@@ -9,7 +9,7 @@ namespace
 {
 /// The path is relaxed in 2, 4 and 8 parts, as long as each has so many points.
 constexpr std::size_t fewestPoints = 8;
-constexpr int mostRounds = 6;
+constexpr int mostRelaxations = 6;
 /// Rounds that gain less are not worth their time.
 constexpr double leastGain = 1e-6;
 
@@ -51,7 +51,7 @@ SurfacePath relaxed(const TriangleMesh& mesh, const SnapDistance& snap, SurfaceP
   {
     int idle = 0;
     const double before = length;
-    for (int round = 0; round < mostRounds && idle < 2; ++round)
+    for (int round = 0; round < mostRelaxations && idle < 2; ++round)
     {
       if (path.points.size() < parts * fewestPoints)
       {

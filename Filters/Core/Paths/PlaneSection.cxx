@@ -11,15 +11,15 @@ namespace flattening
 namespace
 {
 /// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
-constexpr double atVertex = 1e-13;
+constexpr double atSectionVertex = 1e-13;
 
 /// Where a section crosses an edge, by the heights of its ends above the plane.
 SurfacePoint crossingOf(const TriangleMesh& mesh, Index edge, double from, double to)
 {
   const double s = from / (from - to);
-  return s < atVertex    ? vertexPoint(mesh, mesh.from(edge))
-    : s > 1.0 - atVertex ? vertexPoint(mesh, mesh.to(edge))
-                         : edgePoint(mesh, edge, s);
+  return s < atSectionVertex    ? vertexPoint(mesh, mesh.from(edge))
+    : s > 1.0 - atSectionVertex ? vertexPoint(mesh, mesh.to(edge))
+                                : edgePoint(mesh, edge, s);
 }
 
 /// Follows a section from triangle to triangle. Vertices in the plane count as in front of it, so

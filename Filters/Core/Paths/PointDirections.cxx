@@ -8,11 +8,6 @@
 
 namespace flattening
 {
-namespace
-{
-constexpr double slack = 1e-9; // radians by which rounding may miss the boundary
-}
-
 PointDirections::PointDirections(const TriangleMesh& mesh, const SurfacePoint& point)
   : Apex(point.position)
 {
@@ -78,7 +73,7 @@ SurfaceDirection PointDirections::at(double angle) const
   {
     angle -= all * std::floor(angle / all);
   }
-  else if (!(angle > -slack && angle < all + slack))
+  else if (!(angle > -Slack && angle < all + Slack))
   {
     return {};
   }

@@ -17,6 +17,9 @@ struct SurfaceDirection
 class PointDirections
 {
 public:
+  /// Radians by which rounding may miss the boundary.
+  static constexpr double Slack = 1e-9;
+
   /// \pre The point lies on the mesh.
   PointDirections(const TriangleMesh& mesh, const SurfacePoint& point);
 

@@ -13,8 +13,8 @@ namespace flattening
 {
 namespace
 {
-constexpr int mostRounds = 1000;
-constexpr int halvings = 100;
+constexpr int mostMovesOfBase = 1000;
+constexpr int baseHalvings = 100;
 /// A base so near to an end of its edge, as a fraction, is there.
 constexpr double atEnd = 1e-9;
 /// A band that is so much shorter than it was is drawn together to a point.
@@ -37,7 +37,7 @@ public:
     do
     {
       this->tighten();
-    } while (!this->vanished() && this->moveBase() && ++rounds < mostRounds);
+    } while (!this->vanished() && this->moveBase() && ++rounds < mostMovesOfBase);
     result.path = this->Loop;
     result.length = lengthOf(result.path);
     if (this->vanished())
@@ -45,7 +45,7 @@ public:
       result.status = { StatusCode::CurveTooShort,
         "a loop can be drawn together to a point of the surface", {}, { Remedy::RedrawCurve } };
     }
-    else if (rounds == mostRounds || !this->Bent.empty())
+    else if (rounds == mostMovesOfBase || !this->Bent.empty())
     {
       result.status = { StatusCode::NotConverged,
         "a loop is not straight at points " + listIds(this->Bent),
@@ -143,7 +143,8 @@ private:
         .normalized();
     double low = 0.0;
     double high = 1.0;
-    for (int k = 0; k < halvings && high - low > 1e-16 && low < 1.0 - atEnd && high > atEnd; ++k)
+    for (int k = 0; k < baseHalvings && high - low > 1e-16 && low < 1.0 - atEnd && high > atEnd;
+         ++k)
     {
       const double middle = 0.5 * (low + high);
       const SurfacePath loop = this->heldAt(middle);

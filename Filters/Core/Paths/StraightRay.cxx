@@ -14,8 +14,7 @@ namespace
 {
 /// How near a ray passes a vertex, as an angle, to be taken to meet it; and how small a weight of a
 /// triangle's corner is taken for none.
-constexpr double atVertex = 1e-12;
-constexpr double slack = 1e-9; // radians, as of PointDirections
+constexpr double atRayVertex = 1e-12;
 
 /// A triangle laid into the plane, from a half-edge along the first axis.
 class FlatTriangle
@@ -73,7 +72,7 @@ public:
     }
     for (double& weight : weights)
     {
-      weight = weight < atVertex * sum ? 0.0 : weight / sum;
+      weight = weight < atRayVertex * sum ? 0.0 : weight / sum;
     }
     return pointOf(*this->Mesh, this->Base / 3, weights);
   }
@@ -139,7 +138,7 @@ Exit exitOf(const FlatTriangle& flat, const Point2& place, const Point2& directi
     const double fraction = after > before ? std::clamp(-before / (after - before), 0.0, 1.0) : 0.0;
     const std::size_t near = fraction < 0.5 ? k : (k + 1) % 3;
     const Point2 way = flat.corner(near) - place;
-    const bool meets = std::abs(cross(direction, way)) <= atVertex * way.norm();
+    const bool meets = std::abs(cross(direction, way)) <= atRayVertex * way.norm();
     exit.side = k;
     exit.corner = meets ? near : 3;
     exit.place = meets ? flat.corner(near) : from + fraction * side;
@@ -158,7 +157,8 @@ SurfaceDirection behindVertex(
   {
     return around.at(back + 0.5 * around.total());
   }
-  return back + pi < around.total() + slack ? around.at(back + pi) : around.at(back - pi);
+  return back + pi < around.total() + PointDirections::Slack ? around.at(back + pi)
+                                                             : around.at(back - pi);
 }
 }
 
@@ -184,7 +184,7 @@ StraightRay straightRay(const TriangleMesh& mesh, const SurfacePoint& start,
     {
       return ray;
     }
-    if (exit.distance >= left * (1.0 - atVertex))
+    if (exit.distance >= left * (1.0 - atRayVertex))
     {
       ray.end = flat.point(place + left * heading);
       ray.arrived = true;

@@ -40,10 +40,13 @@ public:
   void analyzePattern(const SparseMatrix& matrix)
   {
     this->Factorization::analyzePattern(matrix);
-    std::int64_t count = this->cols();
+    // Where columns start is counted in int and may have wrapped; how long each is has not.
+    const int* starts = this->m_matrix.outerIndexPtr();
+    std::int64_t count = 0;
     for (Eigen::Index column = 0; column < this->cols(); ++column)
     {
-      count += this->m_nonZerosPerCol[column];
+      count +=
+        static_cast<std::uint32_t>(starts[column + 1]) - static_cast<std::uint32_t>(starts[column]);
     }
     this->Bytes = static_cast<std::size_t>(count) * (sizeof(double) + sizeof(int));
     if (count > std::numeric_limits<int>::max())

@@ -9,6 +9,14 @@
 
 namespace flattening
 {
+/// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
+constexpr double sufficientDecrease = 1e-4;
+
+inline double largest(const Eigen::VectorXd& v)
+{
+  return v.size() ? v.cwiseAbs().maxCoeff() : 0.0;
+}
+
 /// Objective plus the sum of penalty_i |c_i|, which a step of sequential quadratic programming
 /// lowers: exact where each penalty is above its constraint's multiplier.
 class MeritFunction

@@ -11,8 +11,6 @@ namespace flattening
 {
 namespace
 {
-/// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
-constexpr double sufficientDecrease = 1e-4;
 /// A step that has to be shorter than 2^-40 of Newton's is lost in rounding.
 constexpr int mostHalvings = 40;
 /// Corrections of one trial step, and what each has to leave of the constraints' violation at most.
@@ -28,11 +26,6 @@ constexpr int mostSaddles = 5;
 /// it has to bring at least.
 constexpr double shortestEscape = 0.05;
 constexpr double escapeFall = 1e-7;
-
-double largest(const Eigen::VectorXd& v)
-{
-  return v.size() ? v.cwiseAbs().maxCoeff() : 0.0;
-}
 
 class Iteration
 {

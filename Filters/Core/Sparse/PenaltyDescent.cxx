@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/PenaltyDescent.h"
 
+#include "Sparse/MeritFunction.h"
 #include "Sparse/NewtonKktStep.h"
 
 #include <algorithm>
@@ -22,16 +23,9 @@ constexpr double roughly = 1e-2;
 constexpr double nearly = 1e-5;
 constexpr int mostStepsRoughly = 12;
 constexpr int mostStepsNearly = 40;
-constexpr int mostSaddles = 1; ///< left, with each weight
-/// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
-constexpr double sufficientDecrease = 1e-4;
-constexpr int mostHalvings = 30;
-constexpr double shortestEscape = 1e-4;
-
-double largest(const Eigen::VectorXd& v)
-{
-  return v.size() ? v.cwiseAbs().maxCoeff() : 0.0;
-}
+constexpr int mostPenaltySaddles = 1; ///< left, with each weight
+constexpr int mostPenaltyHalvings = 30;
+constexpr double shortestPenaltyEscape = 1e-4;
 
 class Descent
 {
@@ -100,7 +94,7 @@ private:
     this->Newton.soften(this->Penalty);
     const double enough = this->Settled ? nearly : roughly;
     int steps = std::min(this->StepsLeft, this->Settled ? mostStepsNearly : mostStepsRoughly);
-    int saddles = mostSaddles;
+    int saddles = mostPenaltySaddles;
     bool further = true;
     for (; further && steps > 0 && this->mayGoOn() && !this->Newton.cancelled();
          --steps, --this->StepsLeft)
@@ -127,7 +121,7 @@ private:
       this->Constraints.dot(this->Newton.multipliers() - this->Penalty * this->Constraints);
     const double before = this->merit(this->X, this->Constraints);
     double scale = 1.0;
-    for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
+    for (int halving = 0; halving < mostPenaltyHalvings; ++halving, scale *= 0.5)
     {
       if (this->moveTo(this->Newton.clipped(this->X + scale * step),
             before + sufficientDecrease * scale * slope))
@@ -148,7 +142,7 @@ private:
     {
       return false;
     }
-    for (double length = 1.0; length > shortestEscape; length *= 0.5)
+    for (double length = 1.0; length > shortestPenaltyEscape; length *= 0.5)
     {
       for (const double signedLength : { length, -length })
       {

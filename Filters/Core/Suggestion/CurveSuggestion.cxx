@@ -92,7 +92,7 @@ private:
 
   void findMirror()
   {
-    if (const std::optional<MirrorPlane> plane = findMirrorPlane(this->Mesh))
+    if (const std::optional<SymmetryPlane> plane = findSymmetryPlane(this->Mesh))
     {
       this->Result.mirror = SurfaceMirror(*plane);
     }

@@ -17,7 +17,7 @@ constexpr double samePlace = 5e-3;
 /// A seam that cuts off less than this share of the area is no seam.
 constexpr double leastPiece = 0.03;
 /// Moves are taken that raise the score by more than this share.
-constexpr double leastProgress = 0.005;
+constexpr double leastRise = 0.005;
 constexpr Index mostMoves = 12;
 /// So many of the best are polished.
 constexpr std::size_t polishedCuts = 2;
@@ -103,7 +103,7 @@ TriedCut CutSearch::polished(
       plans.end());
     before.insert(before.end(), plans.begin(), plans.end());
     std::vector<TriedCut> tried = this->tryAll(plans, longest, budget, execution);
-    if (!tried.empty() && tried.front().score > (1.0 + leastProgress) * cut.score)
+    if (!tried.empty() && tried.front().score > (1.0 + leastRise) * cut.score)
     {
       cut = std::move(tried.front());
     }

@@ -3,8 +3,8 @@
 
 #include "Paths/PlaneSection.h"
 #include "Quality/ScaleFactor.h"
-#include "Suggestion/MirrorPlane.h"
 #include "Suggestion/SurfaceMoments.h"
+#include "Suggestion/SymmetryPlane.h"
 
 #include <algorithm>
 #include <array>
@@ -115,13 +115,13 @@ public:
     const SurfaceMoments whole = momentsOf(cut.mesh);
     this->Center = whole.center;
     this->Axis = longestAxis(
-      whole, symmetric && this->Pieces.size() != 1 ? findMirrorPlane(cut.mesh) : std::nullopt);
+      whole, symmetric && this->Pieces.size() != 1 ? findSymmetryPlane(cut.mesh) : std::nullopt);
     for (const Piece& piece : this->Pieces)
     {
       this->Frames.push_back(frameOf(piece, curves, symmetric));
       if (this->Pieces.size() == 1 && this->Frames[0].mirrored)
       {
-        this->Axis = longestAxis(whole, MirrorPlane{ this->Frames[0].upright.normal, 0.0, 0.0 });
+        this->Axis = longestAxis(whole, SymmetryPlane{ this->Frames[0].upright.normal, 0.0, 0.0 });
       }
     }
   }
@@ -135,7 +135,8 @@ public:
   }
 
 private:
-  static Point3 longestAxis(const SurfaceMoments& moments, const std::optional<MirrorPlane>& mirror)
+  static Point3 longestAxis(
+    const SurfaceMoments& moments, const std::optional<SymmetryPlane>& mirror)
   {
     Point3 longest = moments.axes.col(2);
     if (mirror && std::abs(longest.dot(mirror->normal)) > 0.5)
@@ -158,8 +159,8 @@ private:
     frame.size = std::sqrt(moments.area / pi);
     frame.hasKey = std::any_of(piece.curveOfHalfedge.begin(), piece.curveOfHalfedge.end(),
       [&](Index curve) { return curve != none && curves[curve].type == CurveType::Key; });
-    const std::optional<MirrorPlane> mirror =
-      symmetric ? findMirrorPlane(piece.mesh) : std::nullopt;
+    const std::optional<SymmetryPlane> mirror =
+      symmetric ? findSymmetryPlane(piece.mesh) : std::nullopt;
     frame.mirrored = mirror.has_value();
     if (mirror)
     {

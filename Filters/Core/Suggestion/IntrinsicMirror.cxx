@@ -15,7 +15,7 @@ namespace
 /// No triangle counts for more.
 constexpr double mostStrain = 1.0;
 /// Axes are compared by about so many triangles.
-constexpr Index samples = 150;
+constexpr Index triangleSamples = 150;
 
 Points3 inSpace(const Points2& flat)
 {
@@ -75,7 +75,7 @@ std::shared_ptr<const IntrinsicMirror> IntrinsicMirror::find(
   for (double turn : turns)
   {
     std::shared_ptr<IntrinsicMirror> mirror(new IntrinsicMirror(mesh, flat, turn));
-    mirror->Error = mirror->meanStrain(std::max<Index>(1, mesh.triangleCount() / samples));
+    mirror->Error = mirror->meanStrain(std::max<Index>(1, mesh.triangleCount() / triangleSamples));
     if (!best || mirror->Error < best->Error)
     {
       best = std::move(mirror);

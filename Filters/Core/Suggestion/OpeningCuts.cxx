@@ -63,7 +63,7 @@ Polyline seamAlong(const SurfacePath& path)
 }
 
 /// The closed curves of the surface's section with a plane.
-std::vector<Polyline> sectionLoops(const TriangleMesh& mesh, const MirrorPlane& plane)
+std::vector<Polyline> sectionLoops(const TriangleMesh& mesh, const SymmetryPlane& plane)
 {
   std::vector<Polyline> loops;
   for (const PlaneSection& section : planeSections(mesh, plane.offset * plane.normal, plane.normal))
@@ -249,7 +249,7 @@ std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
 }
 
 std::vector<Polyline> openingCuts(
-  const TriangleMesh& mesh, const std::optional<MirrorPlane>& mirror)
+  const TriangleMesh& mesh, const std::optional<SymmetryPlane>& mirror)
 {
   const auto loops = static_cast<Index>(mesh.boundaryLoops().size());
   const Index handles = (2 - loops - eulerCharacteristic(mesh)) / 2;

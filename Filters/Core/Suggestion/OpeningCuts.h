@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/SymmetryPlane.h"
 #include "Surface/FeatureCurve.h"
 #include "Surface/TriangleMesh.h"
 
@@ -17,5 +17,5 @@ namespace flattening
 /// generators of topologically embedded graphs", SODA 2003; J. Erickson, K. Whittlesey, "Greedy
 /// optimal homotopy and homology generators", SODA 2005).
 std::vector<Polyline> openingCuts(
-  const TriangleMesh& mesh, const std::optional<MirrorPlane>& mirror = {});
+  const TriangleMesh& mesh, const std::optional<SymmetryPlane>& mirror = {});
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Suggestion/IntrinsicMirror.h"
-#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/SymmetryPlane.h"
 
 namespace flattening
 {
@@ -11,7 +11,7 @@ namespace flattening
 class SurfaceMirror
 {
 public:
-  explicit SurfaceMirror(const MirrorPlane& plane)
+  explicit SurfaceMirror(const SymmetryPlane& plane)
     : error(plane.error)
     , Plane(plane)
   {
@@ -23,7 +23,7 @@ public:
   }
 
   /// Nothing where the mirror is an intrinsic one.
-  const std::optional<MirrorPlane>& plane() const { return this->Plane; }
+  const std::optional<SymmetryPlane>& plane() const { return this->Plane; }
   /// Null where it is a plane.
   const IntrinsicMirror* intrinsic() const { return this->Intrinsic.get(); }
 
@@ -46,7 +46,7 @@ public:
   double error;
 
 private:
-  std::optional<MirrorPlane> Plane;
+  std::optional<SymmetryPlane> Plane;
   std::shared_ptr<const IntrinsicMirror> Intrinsic;
 };
 }

@@ -8,7 +8,7 @@
 namespace flattening
 {
 /// A plane that mirrors a surface onto itself.
-struct MirrorPlane
+struct SymmetryPlane
 {
   Point3 normal = Point3::UnitX(); ///< of unit length
   double offset = 0.0;             ///< points p of the plane: normal . p = offset
@@ -24,12 +24,12 @@ struct MirrorPlane
 };
 
 /// The plane through the centre of area across the axis along which the surface extends least.
-MirrorPlane flattestPlane(const TriangleMesh& mesh);
+SymmetryPlane flattestPlane(const TriangleMesh& mesh);
 
 /// Finds the plane through the centre of area across one of the principal axes, or across x, y or
 /// z, that mirrors the surface onto itself best, brings mirrored vertices and surface as near to
 /// each other as it can (closest points, point to plane: Y. Chen, G. Medioni, "Object modelling by
 /// registration of multiple range images", Image and Vision Computing 10(3), 1992), and takes it
 /// where the mean distance is below `tolerance` times sqrt(area / pi).
-std::optional<MirrorPlane> findMirrorPlane(const TriangleMesh& mesh, double tolerance = 3e-3);
+std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance = 3e-3);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/SymmetryPlane.h"
 
 #include "Imprint/SurfaceLocator.h"
 #include "Suggestion/SurfaceMoments.h"
@@ -15,7 +15,7 @@ namespace
 {
 constexpr int mostRefinements = 10;
 /// About so many vertices are mirrored.
-constexpr Index samples = 500;
+constexpr Index vertexSamples = 500;
 /// Mirrored vertices that are this near, in sqrt(area / pi), need no refinement.
 constexpr double exactly = 1e-12;
 /// A plane that is so many times the tolerance off after so many refinements will not do.
@@ -31,7 +31,7 @@ public:
     , Shape(momentsOf(mesh))
     , Size(std::sqrt(this->Shape.area / pi))
   {
-    const Index step = std::max<Index>(1, mesh.vertexCount() / samples);
+    const Index step = std::max<Index>(1, mesh.vertexCount() / vertexSamples);
     for (Index v = 0; v < mesh.vertexCount(); v += step)
     {
       if (mesh.outgoing(v) != none)
@@ -41,17 +41,17 @@ public:
     }
   }
 
-  std::optional<MirrorPlane> run(double tolerance)
+  std::optional<SymmetryPlane> run(double tolerance)
   {
     std::vector<Point3> normals{ Point3::UnitX(), Point3::UnitY(), Point3::UnitZ() };
     for (int k = 0; k < 3; ++k)
     {
       normals.emplace_back(this->Shape.axes.col(k));
     }
-    std::optional<MirrorPlane> best;
+    std::optional<SymmetryPlane> best;
     for (const Point3& normal : normals)
     {
-      const MirrorPlane plane = this->refined(normal, tolerance);
+      const SymmetryPlane plane = this->refined(normal, tolerance);
       if (plane.error < tolerance && (!best || plane.error < best->error))
       {
         best = plane;
@@ -61,11 +61,11 @@ public:
   }
 
 private:
-  MirrorPlane refined(const Point3& normal, double tolerance) const
+  SymmetryPlane refined(const Point3& normal, double tolerance) const
   {
     std::vector<ClosestPoint> closest;
-    MirrorPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 }, closest);
-    MirrorPlane plane = best;
+    SymmetryPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 }, closest);
+    SymmetryPlane plane = best;
     for (int step = 0; step < mostRefinements && best.error > exactly; ++step)
     {
       if (step == fewRefinements && best.error > hopeless * tolerance)
@@ -82,7 +82,7 @@ private:
   }
 
   /// \param closest becomes by sample what is nearest to its image
-  MirrorPlane measured(MirrorPlane plane, std::vector<ClosestPoint>& closest) const
+  SymmetryPlane measured(SymmetryPlane plane, std::vector<ClosestPoint>& closest) const
   {
     plane.error = 0.0;
     closest.clear();
@@ -97,7 +97,7 @@ private:
 
   /// Gauss-Newton on the distances of mirrored points from the triangles' planes, over a turn of
   /// the normal about two axes across it and a shift.
-  MirrorPlane step(const MirrorPlane& plane, const std::vector<ClosestPoint>& closest) const
+  SymmetryPlane step(const SymmetryPlane& plane, const std::vector<ClosestPoint>& closest) const
   {
     const Point3 first = plane.normal.unitOrthogonal();
     const Point3 second = plane.normal.cross(first);
@@ -122,7 +122,7 @@ private:
     }
     matrix.diagonal().array() += 1e-12 * matrix.trace();
     const Eigen::Vector3d move = matrix.ldlt().solve(right);
-    MirrorPlane result;
+    SymmetryPlane result;
     result.normal = (plane.normal + move[0] * first + move[1] * second).normalized();
     // The turn is about the centre.
     result.offset = plane.offset - plane.normal.dot(this->Shape.center) +
@@ -138,14 +138,14 @@ private:
 };
 }
 
-MirrorPlane flattestPlane(const TriangleMesh& mesh)
+SymmetryPlane flattestPlane(const TriangleMesh& mesh)
 {
   const SurfaceMoments moments = momentsOf(mesh);
   const Point3 normal = moments.axes.col(0);
   return { normal, normal.dot(moments.center), 0.0 };
 }
 
-std::optional<MirrorPlane> findMirrorPlane(const TriangleMesh& mesh, double tolerance)
+std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance)
 {
   return Fitting(mesh).run(tolerance);
 }

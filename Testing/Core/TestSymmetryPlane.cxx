@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/MirrorPlane.h"
+#include "Suggestion/SymmetryPlane.h"
 
 #include "TestMeshes.h"
 
@@ -35,22 +35,22 @@ Eigen::Isometry3d somewhere()
 }
 }
 
-TEST(MirrorPlane, IsFoundHoweverTheSurfaceIsTurned)
+TEST(SymmetryPlane, IsFoundHoweverTheSurfaceIsTurned)
 {
   const Eigen::Isometry3d place = somewhere();
-  const std::optional<MirrorPlane> plane = findMirrorPlane(turnedBumps(place, 0.3));
+  const std::optional<SymmetryPlane> plane = findSymmetryPlane(turnedBumps(place, 0.3));
   ASSERT_TRUE(plane.has_value());
   EXPECT_NEAR(std::abs(plane->normal.dot(place.linear().col(0))), 1.0, 1e-12);
   EXPECT_NEAR(plane->side(place.translation()), 0.0, 1e-9);
   EXPECT_LT(plane->error, 1e-9);
 }
 
-TEST(MirrorPlane, IsNotFoundWhereOneSideIsHigher)
+TEST(SymmetryPlane, IsNotFoundWhereOneSideIsHigher)
 {
-  EXPECT_FALSE(findMirrorPlane(turnedBumps(somewhere(), 0.1)).has_value());
+  EXPECT_FALSE(findSymmetryPlane(turnedBumps(somewhere(), 0.1)).has_value());
 }
 
-TEST(MirrorPlane, IsRefinedFromThePrincipalAxes)
+TEST(SymmetryPlane, IsRefinedFromThePrincipalAxes)
 {
   // A piece cut away on one side turns the principal axes, and the surface stays its own image but
   // for the edge of the hole: within the tolerance given.
@@ -58,7 +58,7 @@ TEST(MirrorPlane, IsRefinedFromThePrincipalAxes)
   const TriangleMesh whole = turnedBumps(place, 0.3);
   Triangles left(whole.triangles().begin() + 12, whole.triangles().end());
   const TriangleMesh mesh(whole.points(), std::move(left));
-  const std::optional<MirrorPlane> plane = findMirrorPlane(mesh, 0.02);
+  const std::optional<SymmetryPlane> plane = findSymmetryPlane(mesh, 0.02);
   ASSERT_TRUE(plane.has_value());
   EXPECT_GT(std::abs(plane->normal.dot(place.linear().col(0))), std::cos(0.02));
 }
