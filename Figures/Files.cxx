@@ -44,13 +44,18 @@ void writePolyData(const std::string& path, vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-void writePattern(const std::string& path, const FlatPiece& piece, const std::string& unit,
-  const std::string& name, const std::function<std::string(const vtkPatternWriter*)>& words)
+void writePattern(const std::string& path, const FlatPiece& piece, const std::string& unit)
 {
   vtkNew<vtkPatternWriter> writer;
   silence(writer);
   writer->SetUnitByName(unit);
-  writer->SetPatternName(name);
+  writePattern(path, piece, writer);
+}
+
+//------------------------------------------------------------------------------
+void writePattern(const std::string& path, const FlatPiece& piece, vtkPatternWriter* writer,
+  const std::function<std::string(const vtkPatternWriter*)>& words)
+{
   writer->SetInputData(0, piece.flat);
   writer->SetInputData(1, piece.wires);
   writer->SetInputData(2, piece.cut);

@@ -18,11 +18,12 @@ void silence(vtkObject* object);
 /// std::runtime_error.
 void writePolyData(const std::string& path, vtkPolyData* data);
 
-/// Writes a pattern as .svg, .pdf or .dxf, by the extension. Throws std::runtime_error.
+/// Writes a pattern as .svg, .pdf, .dxf, .plt or .json, by the extension. Throws
+/// std::runtime_error.
 /// \param unit of the piece's coordinates, "mm"
-/// \param name a title; empty: the file's
+void writePattern(const std::string& path, const FlatPiece& piece, const std::string& unit);
+/// \param writer has the options, and is given the piece and the path
 /// \param words how to say what the writer refuses; empty: as it does itself
-void writePattern(const std::string& path, const FlatPiece& piece, const std::string& unit,
-  const std::string& name = {},
+void writePattern(const std::string& path, const FlatPiece& piece, vtkPatternWriter* writer,
   const std::function<std::string(const vtkPatternWriter*)>& words = {});
 }

@@ -2,6 +2,7 @@
 #include "vtkSurfaceCurve.h"
 
 #include "CurveEditorData.h"
+#include "Base/Finite.h"
 #include "CurvedSurface.h"
 #include "Editing/CurveDrawing.h"
 #include "Editing/DerivedCurves.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace flattening;
 
@@ -64,17 +64,16 @@ std::vector<Points3> readControlPoints(vtkPolyData* data)
   return curves;
 }
 
-bool isFinite(const Points3& points)
+bool allFinite(const Points3& points)
 {
-  return std::all_of(points.begin(), points.end(), [](const Point3& point) {
-    return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
-  });
+  return std::all_of(
+    points.begin(), points.end(), [](const Point3& point) { return isFinite(point); });
 }
 
 /// Nodes of a curve at its control points, each once where several in a row mean the same point.
 Status placeNodes(const DrawingSurface& surface, const Points3& points, EditedCurve& curve)
 {
-  if (!isFinite(points))
+  if (!allFinite(points))
   {
     return { StatusCode::NonFinitePoint, "a control point has a coordinate that is not finite", {},
       { Remedy::MendPoints } };
@@ -261,7 +260,7 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
   {
     const Point3 normal(this->MirrorNormal);
     set.mirror = MirrorPlane{ Point3(this->MirrorOrigin), normal.stableNormalized() };
-    if (!(normal.stableNorm() > 0.0) || !isFinite({ normal, set.mirror->origin }))
+    if (!(normal.stableNorm() > 0.0) || !allFinite({ normal, set.mirror->origin }))
     {
       status = { StatusCode::InvalidOption, "the mirror plane has no normal", {},
         { { Remedy::Give, "a MirrorNormal that is not zero" } } };

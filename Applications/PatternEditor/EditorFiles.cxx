@@ -105,9 +105,11 @@ bool EditorWindow::savePattern(const std::string& path)
     {
       throw std::runtime_error("there is no flat piece yet to make a pattern of");
     }
-    figures::writePattern(path, this->Live->result(), this->Unit->currentText().toStdString(),
-      this->Name, [](const vtkPatternWriter* writer) { return messageOf(writer); });
-    this->tell("saved " + path, false);
+    this->Pattern->SetUnitByName(this->Unit->currentText().toStdString());
+    this->Pattern->SetPatternName(this->Name);
+    figures::writePattern(path, this->Live->result(), this->Pattern,
+      [](const vtkPatternWriter* writer) { return messageOf(writer); });
+    this->tell(savedWords(path, this->Pattern), false);
   });
 }
 

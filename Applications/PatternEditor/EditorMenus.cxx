@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The menus and the bar of EditorWindow.
 #include "EditorWindow.h"
+#include "PatternDialog.h"
 
 #include <QActionGroup>
 #include <QFileDialog>
@@ -82,6 +83,7 @@ void EditorWindow::makeFileMenu()
   menu->addSeparator();
   QAction* const pattern =
     this->addAction(menu, "Export pattern...", "Ctrl+E", &EditorWindow::askPattern);
+  this->addAction(menu, "Pattern options...", "Ctrl+Shift+E", &EditorWindow::askPatternOptions);
   this->SurfaceActions = { open, save, surface, pattern };
   this->BarActions = { save, pattern };
   this->addAction(menu, "Save picture...", "Ctrl+P", &EditorWindow::askPicture);
@@ -253,14 +255,20 @@ void EditorWindow::askSaveSurface()
 //------------------------------------------------------------------------------
 void EditorWindow::askPattern()
 {
-  const std::string file =
-    chosenFile(QFileDialog::getSaveFileName(this, "Export pattern",
-                 QString::fromStdString(this->Name + ".pdf"), "Patterns (*.pdf *.svg *.dxf)"),
-      ".pdf");
+  const std::string file = chosenFile(
+    QFileDialog::getSaveFileName(this, "Export pattern",
+      QString::fromStdString(this->Name + ".pdf"), "Patterns (*.pdf *.svg *.dxf *.plt *.json)"),
+    ".pdf");
   if (!file.empty())
   {
     this->savePattern(file);
   }
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::askPatternOptions()
+{
+  PatternDialog(this->Pattern, this).exec();
 }
 
 //------------------------------------------------------------------------------

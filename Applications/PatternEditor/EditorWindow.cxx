@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EditorWindow.h"
 
+#include "Files.h"
 #include "PatternPicture.h"
 
 #include <vtkFeatureCurveEditor.h>
@@ -54,6 +55,7 @@ EditorWindow::EditorWindow()
   , Readout(new QLabel)
   , Rest(new QTimer(this))
 {
+  figures::silence(this->Pattern);
   auto* const views = new QSplitter(Qt::Horizontal);
   auto* const side = new QWidget;
   auto* const sideLayout = new QVBoxLayout(side);

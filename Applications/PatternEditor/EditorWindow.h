@@ -13,6 +13,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkFeatureCurveEditor.h>
+#include <vtkPatternWriter.h>
 
 #include <QAction>
 #include <QLabel>
@@ -40,6 +41,7 @@ public:
   bool openSurface(const std::string& path);
   bool openCurves(const std::string& path);
   bool saveCurves(const std::string& path);
+  /// As pattern() says.
   bool savePattern(const std::string& path);
   bool savePicture(const std::string& path);
   bool saveSurface(const std::string& path);
@@ -70,6 +72,8 @@ public:
   const PlaneView& planeView() const { return this->PlaneScene; }
   QString message() const { return this->Message->text(); }
   QComboBox* unit() { return this->Unit; }
+  /// The options of patterns; unit and name are the window's.
+  vtkPatternWriter* pattern() { return this->Pattern; }
   QString size() const { return this->Size->text(); }
   /// The action of vtkFeatureCurveWidget::Actions.
   QAction* action(int id) { return this->HandActions[static_cast<std::size_t>(id)]; }
@@ -96,6 +100,7 @@ private:
   void askCurves();
   void askSave();
   void askPattern();
+  void askPatternOptions();
   void askPicture();
   void askSaveSurface();
   void askProposals();
@@ -127,6 +132,7 @@ private:
   vtkNew<vtkRenderer> Plane;
   SpaceView SpaceScene;
   PlaneView PlaneScene;
+  vtkNew<vtkPatternWriter> Pattern;
   std::unique_ptr<LiveFlattening> Live;
   figures::PolyData Surface;
   figures::Coloring Coloring = figures::Coloring::Homogeneity;

@@ -38,9 +38,9 @@ constexpr wirewarp::RemedyPhrases phrases{
   { "GiveGrainAngle", "give degrees or \"free\" as grain" },
   { "TakeSofterCloth", "choose a cloth that gives more" },
   { "CheckUnit", "check the unit" },
-  { "WidenNotches", "" },
-  { "PrintOnPages", "export it as SVG or DXF" },
-  { "TakeLargerPaper", "" },
+  { "WidenNotches", "set notches farther apart in the pattern options" },
+  { "PrintOnPages", "choose pages in the pattern options" },
+  { "TakeLargerPaper", "choose a larger paper in the pattern options" },
   { "WriteOtherFormat", "export it as SVG or DXF" },
   { "NameAnotherFile", "choose another name or folder" },
 };
@@ -65,5 +65,20 @@ std::string messageOf(const vtkPatternWriter* writer)
   // What the pipeline refuses has no parts.
   return defect.empty() ? writer->GetErrorMessage()
                         : wirewarp::describe(defect, wirewarp::remediesOf(writer), phrases);
+}
+
+//------------------------------------------------------------------------------
+std::string savedWords(const std::string& path, const vtkPatternWriter* writer)
+{
+  std::string words = "saved " + path;
+  for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
+  {
+    words += "; " + std::string(writer->GetWarning(k));
+  }
+  for (int k = 0; k < writer->GetNumberOfNotes(); ++k)
+  {
+    words += "; " + std::string(writer->GetNote(k));
+  }
+  return words;
 }
 }

@@ -15,4 +15,6 @@ std::string remedyWords(const std::string& name);
 /// What the last run says, in these words: the defect, and the ways out that the window has.
 std::string messageOf(const vtkFlatteningAlgorithm* filter);
 std::string messageOf(const vtkPatternWriter* writer);
+/// That a pattern is written, and what the writer has to say of it.
+std::string savedWords(const std::string& path, const vtkPatternWriter* writer);
 }

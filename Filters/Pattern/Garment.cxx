@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Garment.h"
 
+#include "Base/Finite.h"
 #include "PatternText.h"
 
 #include <algorithm>
@@ -183,7 +184,7 @@ Status checkPanel(const GarmentPanel& panel)
   {
     return invalid("the panel " + panel.name + " has fewer than two edges");
   }
-  if (!panel.translation.allFinite() || !panel.rotation.allFinite())
+  if (!isFinite(panel.translation) || !isFinite(panel.rotation))
   {
     return invalid("the panel " + panel.name + " is placed at numbers that are not finite");
   }

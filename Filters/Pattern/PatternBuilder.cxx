@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternBuilder.h"
 
+#include "Base/Finite.h"
 #include "Base/Planar.h"
 #include "BorderMarks.h"
 #include "ClosedCuts.h"
@@ -32,7 +33,7 @@ Status checkSource(const PatternSource& source, std::size_t& pieces)
   }
   for (std::size_t v = 0; v < source.positions.size(); ++v)
   {
-    if (!source.positions[v].allFinite())
+    if (!isFinite(source.positions[v]))
     {
       return { StatusCode::InvalidPattern,
         "point " + std::to_string(v) + " of the flat surface is not finite", {},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveEditorData.h"
 
+#include "Base/Finite.h"
 #include "CurveInput.h"
 #include "FieldArrays.h"
 
@@ -163,10 +164,10 @@ ControlPoints readNodes(vtkPolyData* data, const DrawingSurface& surface)
     const Point3 place(
       places->GetComponent(k, 0), places->GetComponent(k, 1), places->GetComponent(k, 2));
     const double kind = kinds->GetComponent(k, 0);
-    if (!place.allFinite() || !(kind >= 0.0 && kind <= 3.0 && kind == std::floor(kind)))
+    if (!isFinite(place) || !(kind >= 0.0 && kind <= 3.0 && kind == std::floor(kind)))
     {
       result.status = refusal("control point " + std::to_string(k) +
-          (place.allFinite() ? " has an unknown kind" : " is not finite"),
+          (isFinite(place) ? " has an unknown kind" : " is not finite"),
         "finite points, and 0 (geodesic), 1 (section), 2 (edges) or 3 (spline)");
       return result;
     }
@@ -226,7 +227,7 @@ void readHints(const DrawingSurface& surface, const Points3& points, EditedCurve
 Status checkLine(const Polyline& line)
 {
   const bool finite = std::all_of(
-    line.points.begin(), line.points.end(), [](const Point3& point) { return point.allFinite(); });
+    line.points.begin(), line.points.end(), [](const Point3& point) { return isFinite(point); });
   if (!finite || line.points.size() < 2)
   {
     return refusal("the curve \"" + line.name +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Finite.h"
 #include "Editing/CurveEditor.h"
 
 #include <algorithm>
@@ -36,9 +37,10 @@ inline Point3 pointOf(const double point[3])
   return { point[0], point[1], point[2] };
 }
 
+using flattening::isFinite;
 inline bool isFinite(const double point[3])
 {
-  return pointOf(point).allFinite();
+  return flattening::isFinite(pointOf(point));
 }
 
 template <typename Value>

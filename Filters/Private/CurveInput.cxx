@@ -2,6 +2,7 @@
 #include "CurveInput.h"
 
 #include "AttributeArrays.h"
+#include "Base/Finite.h"
 #include "CellVisit.h"
 #include "SegmentChains.h"
 #include "SurfaceInput.h"
@@ -294,7 +295,7 @@ private:
     for (const Index p : polyline.pointIds)
     {
       const Point2 point(planar->GetComponent(p, 0), planar->GetComponent(p, 1));
-      if (point.allFinite())
+      if (isFinite(point))
       {
         polyline.planarShape.push_back(point);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternInput.h"
 
+#include "Base/Finite.h"
 #include "PanelArrays.h"
 
 #include "vtkCellArray.h"
@@ -229,7 +230,7 @@ Status readCutSurface(vtkPolyData* cut, PatternSource& source)
   for (vtkIdType v = 0; v < cut->GetNumberOfPoints(); ++v)
   {
     source.inSpace.emplace_back(cut->GetPoint(v));
-    if (!source.inSpace.back().allFinite())
+    if (!isFinite(source.inSpace.back()))
     {
       return invalid("point " + std::to_string(v) + " of the cut surface is not finite");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QualityInput.h"
 
+#include "Base/Finite.h"
 #include "Base/Planar.h"
 #include "CellVisit.h"
 
@@ -51,7 +52,7 @@ Status readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface&
       position = { coordinates->GetComponent(p, 0), coordinates->GetComponent(p, 1), 0.0 };
     }
     result.positions.emplace_back(position[0], position[1]);
-    if (!result.positions.back().allFinite())
+    if (!isFinite(result.positions.back()))
     {
       bad.push_back(p);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceInput.h"
 
+#include "Base/Finite.h"
 #include "CellVisit.h"
 #include "StatusInInput.h"
 
@@ -44,7 +45,7 @@ bool isSound(const SurfaceTriangles& result, vtkCellArray* cells)
   const vtkIdType pointCount = static_cast<vtkIdType>(result.points.size());
   forEachCell(cells, [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
     sound = sound && std::all_of(ids, ids + count, [&](vtkIdType id) {
-      return id >= 0 && id < pointCount && result.points[id].allFinite();
+      return id >= 0 && id < pointCount && isFinite(result.points[id]);
     });
   });
   return sound;

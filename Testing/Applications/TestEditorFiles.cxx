@@ -4,10 +4,19 @@
 
 #include <vtkActor2DCollection.h>
 #include <vtkDoubleArray.h>
+#include <vtkPatternWriter.h>
 #include <vtkTextActor.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QSpinBox>
+
+#include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 
 using namespace session;
@@ -124,6 +133,64 @@ TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
     EXPECT_GT(file.tellg(), 2000) << extension;
     std::remove(path.c_str());
   }
+}
+
+TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
+{
+  this->drawTutorial();
+  const std::string path = testing::TempDir() + "editor_options.svg";
+  const auto exported = [&] {
+    EXPECT_TRUE(this->window->savePattern(path)) << this->window->message().toStdString();
+    std::ifstream file(path);
+    const std::string text{ std::istreambuf_iterator<char>(file), {} };
+    std::remove(path.c_str());
+    return text;
+  };
+  const std::string plain = exported();
+  EXPECT_EQ(plain.find("class=\"sew-line\""), std::string::npos);
+  const auto answer = [&](bool yes) {
+    QTimer::singleShot(300, [yes] {
+      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      dialog->findChild<QDoubleSpinBox*>("Allowance")->setValue(12.5);
+      dialog->findChild<QDoubleSpinBox*>("FairTolerance")->setValue(0.5);
+      dialog->findChild<QCheckBox*>("NotchCorners")->setChecked(true);
+      dialog->findChild<QLineEdit*>("PatternSize")->setText("XL");
+      dialog->findChild<QSpinBox*>("Quantity")->setValue(3);
+      dialog->findChild<QComboBox*>("Paper")->setCurrentText("A0");
+      yes ? dialog->accept() : dialog->reject();
+    });
+    QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QApplication::setActiveWindow(this->window.get()); // the dialog was it
+  };
+  answer(false);
+  EXPECT_EQ(exported(), plain);
+  answer(true);
+  vtkPatternWriter* const pattern = this->window->pattern();
+  EXPECT_EQ(pattern->GetAllowance(), 12.5);
+  EXPECT_EQ(pattern->GetQuantity(), 3);
+  EXPECT_EQ(pattern->GetPaper(), static_cast<int>(vtkPatternWriter::A0));
+  EXPECT_TRUE(pattern->GetNotchCorners());
+  const std::string asked = exported();
+  EXPECT_NE(asked.find("class=\"sew-line\""), std::string::npos);
+  EXPECT_NE(asked.find("XL"), std::string::npos);
+  EXPECT_TRUE(this->window->message().contains(" of ")) // how many curves in place of edges
+    << this->window->message().toStdString();
+
+  // The fields show what is set.
+  QTimer::singleShot(300, [] {
+    auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->findChild<QDoubleSpinBox*>("Allowance")->value(), 12.5);
+    EXPECT_EQ(dialog->findChild<QComboBox*>("Paper")->currentText(), "A0");
+    dialog->findChild<QDoubleSpinBox*>("NotchSpacing")->setValue(0.01);
+    dialog->accept();
+  });
+  QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  QApplication::setActiveWindow(this->window.get());
+  EXPECT_FALSE(this->window->savePattern(path));
+  EXPECT_TRUE(this->window->message().contains("pattern options"))
+    << this->window->message().toStdString();
 }
 
 TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)

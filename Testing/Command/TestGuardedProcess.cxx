@@ -100,7 +100,8 @@ TEST(GuardedProcess, MemoryBeyondTheLimitIsNotToBeHad)
 {
   const auto take = [](std::size_t size) {
     return [size]() {
-      char* const block = new (std::nothrow) char[size];
+      // Not by a new-expression, which a compiler may leave out.
+      void* const block = ::operator new(size, std::nothrow);
       return std::string(block ? "taken" : "refused");
     };
   };

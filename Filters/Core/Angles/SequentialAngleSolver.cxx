@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/SequentialAngleSolver.h"
 
+#include "Base/Finite.h"
 #include "Sparse/LinearSolver.h"
 
 #include <Eigen/SVD>
@@ -165,7 +166,7 @@ AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& opt
       return solution;
     }
     const Step change = step(H, gradient, residual);
-    if (change.angles.size() == 0 || !change.angles.allFinite() || !change.multipliers.allFinite())
+    if (change.angles.size() == 0 || !isFinite(change.angles) || !isFinite(change.multipliers))
     {
       break;
     }

@@ -10,19 +10,19 @@ namespace flattening
 namespace
 {
 /// The rotation of a collapsed triangle is undefined; below this |q| it is taken as it comes.
-constexpr double smallest = 1e-12;
+constexpr double smallestLength = 1e-12;
 
 /// The direction of a vector of known length; any where it has none.
 Eigen::Vector2d unitAlong(const Eigen::Vector2d& vector, double length)
 {
-  return length > smallest ? Eigen::Vector2d(vector / length) : Eigen::Vector2d::UnitX();
+  return length > smallestLength ? Eigen::Vector2d(vector / length) : Eigen::Vector2d::UnitX();
 }
 
 DistortionEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, bool convex)
 {
   const Eigen::Vector2d q = parts.head<2>();
   const Eigen::Vector2d p = parts.tail<2>();
-  const double length = std::max(q.norm(), smallest);
+  const double length = std::max(q.norm(), smallestLength);
   const Eigen::Vector2d along = unitAlong(q, length);
   const Eigen::Vector2d across(-along.y(), along.x());
   const double stiffArea = 1.0 + bias;

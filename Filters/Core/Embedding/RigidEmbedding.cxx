@@ -6,6 +6,13 @@
 
 namespace flattening
 {
+/// The linear map of a triangle, w -> alpha w + beta conj(w).
+struct PlanarMap
+{
+  Complex alpha;
+  Complex beta;
+};
+
 namespace
 {
 /// An energy below this fraction of the area is zero up to rounding.
@@ -33,13 +40,6 @@ double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   return a.cwiseProduct(b).sum();
 }
-
-/// The linear map of a triangle, w -> alpha w + beta conj(w).
-struct PlanarMap
-{
-  Complex alpha;
-  Complex beta;
-};
 
 /// The map that takes a triangle to these places of its corners.
 PlanarMap mapOf(const Triangle& c, const TriangleFrame& frame, const Eigen::MatrixXd& places)

@@ -136,13 +136,13 @@ private:
 
   void moveSides(const std::array<Index, 4>& before, const std::array<Index, 4>& after)
   {
-    struct Side
+    struct Moved
     {
       Index from;
       Index twin;
       double length;
     };
-    std::array<Side, 4> sides{};
+    std::array<Moved, 4> sides{};
     for (int k = 0; k < 4; ++k)
     {
       sides[k] = { this->from(before[k]), this->Twin[before[k]], this->Length[before[k]] };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reshaping/ReshapedSurface.h"
 
+#include "Base/Finite.h"
 #include "Quality/AreaQuantile.h"
 #include "Sewing/ClothRest.h"
 #include "Sewing/SewnTopology.h"
@@ -85,7 +86,7 @@ bool ReshapedSurface::sew(
     const Points3 points = model.positions(end.x);
     for (std::size_t v = 0; v < points.size(); ++v)
     {
-      if (!shape.cloth.held[v] && points[v].allFinite())
+      if (!shape.cloth.held[v] && isFinite(points[v]))
       {
         sewn[original[v]] = this->settled(original[v], points[v], forces);
       }

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/LinearSolver.h"
 
-#include "Base/Memory.h"
+#include "Base/Finite.h"
 #include "Sparse/LeadingElimination.h"
 #include "Sparse/MultifrontalFactorization.h"
+#include "Sparse/SimplicialFactorization.h"
 #include "Sparse/SuperLUFactorization.h"
-
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 namespace flattening
 {
@@ -29,44 +26,6 @@ SparseMatrix withDiagonal(const SparseMatrix& matrix)
 }
 }
 
-namespace
-{
-/// A factorization of Eigen that knows how much memory its factor takes. Eigen counts the entries
-/// of a factor in int, and writes beyond its arrays where they are more.
-template <typename Factorization>
-class Simplicial : public Factorization
-{
-public:
-  void analyzePattern(const SparseMatrix& matrix)
-  {
-    this->Factorization::analyzePattern(matrix);
-    // Where columns start is counted in int and may have wrapped; how long each is has not.
-    const int* starts = this->m_matrix.outerIndexPtr();
-    std::int64_t count = 0;
-    for (Eigen::Index column = 0; column < this->cols(); ++column)
-    {
-      count +=
-        static_cast<std::uint32_t>(starts[column + 1]) - static_cast<std::uint32_t>(starts[column]);
-    }
-    this->Bytes = static_cast<std::size_t>(count) * (sizeof(double) + sizeof(int));
-    if (count > std::numeric_limits<int>::max())
-    {
-      refuseMemory(this->Bytes);
-    }
-  }
-  void demandMemory(const Execution& execution) const
-  {
-    if (this->Bytes > execution.factorMemory)
-    {
-      refuseMemory(this->Bytes);
-    }
-  }
-
-private:
-  std::size_t Bytes = 0;
-};
-}
-
 /// What the methods have in common.
 struct LinearSolver::Backend
 {
@@ -81,7 +40,7 @@ struct LinearSolver::Backend
 
 struct LinearSolver::CholeskyBackend : LinearSolver::Backend
 {
-  Simplicial<Eigen::SimplicialLLT<SparseMatrix>> solver;
+  SimplicialFactorization<Eigen::SimplicialLLT<SparseMatrix>> solver;
 
   void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
   bool factorize(const SparseMatrix& matrix, const Execution& execution) override
@@ -142,7 +101,9 @@ struct LinearSolver::LeadingBackend : LinearSolver::Backend
   static constexpr Index fewColumns = 128;
 
   Index leading = 0;
-  Simplicial<Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>> solver;
+  SimplicialFactorization<
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>>
+    solver;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> placeOfColumn; ///< empty: identity
 
   void analyze(const SparseMatrix& matrix) override
@@ -285,7 +246,7 @@ Eigen::MatrixXd LinearSolver::solve(
     return rightHandSide;
   }
   Eigen::MatrixXd solution = this->Solver->solve(rightHandSide, execution);
-  return solution.allFinite() ? solution : Eigen::MatrixXd();
+  return isFinite(solution) ? solution : Eigen::MatrixXd();
 }
 
 Eigen::MatrixXd LinearSolver::solveRefined(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/NewtonKktStep.h"
 
+#include "Base/Finite.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -313,7 +315,7 @@ bool NewtonKktStep::solveHeld()
 
 bool NewtonKktStep::takeSolution(const Eigen::VectorXd& solution)
 {
-  if (solution.size() != this->Unknowns + this->Constraints || !solution.allFinite())
+  if (solution.size() != this->Unknowns + this->Constraints || !isFinite(solution))
   {
     return false;
   }
@@ -382,7 +384,7 @@ Eigen::VectorXd NewtonKktStep::corrected(const Eigen::VectorXd& x) const
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(this->Unknowns + this->Constraints);
   rhs.tail(this->Constraints) = -this->Model.constraints(x);
   const Eigen::VectorXd correction = this->solveKkt(rhs);
-  return correction.size() == rhs.size() && correction.allFinite()
+  return correction.size() == rhs.size() && isFinite(correction)
     ? this->clipped(x + correction.head(this->Unknowns))
     : x;
 }

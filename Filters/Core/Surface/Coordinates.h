@@ -16,7 +16,7 @@ inline bool isUsable(double x)
   return std::isfinite(x) && std::abs(x) <= largestCoordinate;
 }
 
-/// Raises no floating-point exception, unlike Eigen's allFinite() and a comparison with a NaN.
+/// Raises no floating-point exception, unlike a comparison with a NaN.
 inline bool isUsable(const Point3& p)
 {
   return isUsable(p.x()) && isUsable(p.y()) && isUsable(p.z());

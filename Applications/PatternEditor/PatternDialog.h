@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDialog>
+#include <QFormLayout>
+
+#include <functional>
+#include <vector>
+
+class vtkPatternWriter;
+
+namespace editor
+{
+/// What patterns show, as the properties of a writer say: allowance, notches, darts, folds, smooth
+/// outlines, paper. The writer takes the fields when they are accepted. Fields have the names of
+/// the properties, so that a program can find them.
+class PatternDialog : public QDialog
+{
+public:
+  PatternDialog(vtkPatternWriter* writer, QWidget* parent);
+
+  void accept() override;
+
+private:
+  void addLength(const char* property, const char* words, const char* tip, double value,
+    double most, std::function<void(double)> take);
+  void addChoice(const char* property, const char* words, const char* tip, bool value,
+    std::function<void(bool)> take);
+  void addText(const char* property, const char* words, const char* tip, const std::string& value,
+    std::function<void(const std::string&)> take);
+  void addPaper();
+  void addRow(const char* property, const char* words, const char* tip, QWidget* field);
+
+  vtkPatternWriter* Writer;
+  QFormLayout* Form;
+  std::vector<std::function<void()>> Take; ///< one a field
+};
+}
