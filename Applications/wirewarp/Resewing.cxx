@@ -14,7 +14,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace wirewarp
 {
@@ -126,5 +128,33 @@ void sewAgain(const ResewingRequest& request, const std::string& body, const std
   {
     result.notes.push_back(field.text("RunWarnings", row));
   }
+}
+//------------------------------------------------------------------------------
+std::string resewingTable(const ResewingRequest& request, const Flattening& result)
+{
+  if (!result.sewn)
+  {
+    return "";
+  }
+  const FieldRows field(result.sewn);
+  const vtkIdType shapes = field.count("DistanceMean");
+  std::ostringstream text;
+  text << std::setprecision(2) << '\n';
+  for (vtkIdType row = 0; row < shapes; ++row)
+  {
+    const auto percent = [&](const char* array) { return 100.0 * field.number(array, row); };
+    const bool product = request.test == "product";
+    text << (product ? "product" : "piece");
+    if (!product || shapes > 1)
+    {
+      text << ' ' << row + 1;
+    }
+    text << " sewn again: " << field.number("DistanceMean", row) << ' ' << result.unit
+         << " from the surface in the mean (" << percent("RelativeDistanceMean")
+         << " % of its size), " << field.number("DistanceP95", row) << " on 95 %, "
+         << field.number("DistanceMax", row) << " at most; strained by " << percent("StrainP95")
+         << " % on 95 %, " << percent("CompressedArea") << " % of it compressed\n";
+  }
+  return text.str();
 }
 }

@@ -35,4 +35,8 @@ void addResewingOptions(CLI::App& app, ResewingRequest& request);
 /// \param body file of it; empty: none. \param material of which the cloth is; empty: none
 void sewAgain(const ResewingRequest& request, const std::string& body, const std::string& material,
   bool quiet, Flattening& result);
+
+/// A line a piece, or a line of all that is sewn together: how far it is from the surface; empty
+/// where nothing was sewn.
+std::string resewingTable(const ResewingRequest& request, const Flattening& result);
 }

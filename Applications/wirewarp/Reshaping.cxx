@@ -109,8 +109,9 @@ std::string reshapingTable(const Flattening& result)
     return "";
   }
   std::ostringstream text;
-  text << std::setprecision(3) << "\nsurface moved by " << field.number("ShiftMean", 0)
-       << " in the mean, " << field.number("ShiftMax", 0) << " at most: strain_p95 "
+  text << std::setprecision(3) << "\nsurface moved by " << field.number("ShiftMean", 0) << ' '
+       << result.unit << " in the mean (" << 100.0 * field.number("RelativeShiftMean", 0)
+       << " % of its size), " << field.number("ShiftMax", 0) << " at most: strain_p95 "
        << field.number("Strain", 0) << " -> " << field.number("Strain", 1) << '\n';
   return text.str();
 }

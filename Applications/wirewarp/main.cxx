@@ -42,7 +42,8 @@ void say(const Options& options, const FilesOfFlattening& written)
   std::cout << pieceTable(written.result) << verdicts(written.result);
   std::cout << curveDistance(written.result) << fallbacks(written.result)
             << releaseAdvice(written.result) << suggestionTable(written.result)
-            << reshapingTable(written.result) << keyPriceTable(written.result);
+            << reshapingTable(written.result) << resewingTable(options.resewing, written.result)
+            << keyPriceTable(written.result);
   if (options.listCurves)
   {
     std::cout << '\n' << curveTable(written.result);
@@ -52,10 +53,12 @@ void say(const Options& options, const FilesOfFlattening& written)
   {
     std::cout << name << ", ";
   }
-  if (written.result.curves)
+  if (written.result.curves || written.result.flattenable)
   {
     std::cout << "curves.vtp, ";
   }
+  std::cout << (written.result.flattenable ? "flattenable.vtp, " : "")
+            << (written.result.sewn ? "sewn.vtp, " : "");
   std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to "
             << plainText(written.folder) << '\n';
   if (options.picture.any())

@@ -82,7 +82,9 @@ Status findCurves(const std::set<std::string>& names, const CurvedSurface& sourc
     }
     if (curves.size() == before)
     {
-      return noCurveNamed(name, source);
+      Status missing = noCurveNamed(name, source);
+      missing.waysOut = { { Remedy::Give, "the name of a curve" } };
+      return missing;
     }
   }
   return {};

@@ -186,16 +186,18 @@ void describeShapes(const std::vector<SewnReport>& shapes, std::vector<std::stri
   for (std::size_t s = 0; s < shapes.size(); ++s)
   {
     const SewnReport& shape = shapes[s];
+    const std::string cloth =
+      shapes.size() == 1 ? "the cloth" : "the cloth of ShapeId " + std::to_string(s);
     if (shape.severalShapes)
     {
-      warnings.push_back("shape " + std::to_string(s) +
+      warnings.push_back(cloth +
         " buckles and has several shapes at rest: from a second start it lies " +
         shortNumber(shape.secondDistance) + " from the design in the mean, not " +
         shortNumber(shape.measures.distanceMean));
     }
     if (shape.bodyDepth > 0.0)
     {
-      warnings.push_back("shape " + std::to_string(s) + " lies " + shortNumber(shape.bodyDepth) +
+      warnings.push_back(cloth + " lies " + shortNumber(shape.bodyDepth) +
         " deep in the body; see that the body's normals point outwards and the design is not "
         "inside");
     }

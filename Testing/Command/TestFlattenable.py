@@ -41,12 +41,20 @@ class Flattenable(command.CommandTest):
         self.assertIsNone(self.flatten("hill.obj")["flattenable"])
         self.assertFalse({"flattenable.vtp", "curves.vtp"} & set(os.listdir(self.path("out"))))
 
+    def test_it_says_how_far_the_surface_moved_and_what_was_written(self):
+        said = self.run_command("hill.obj", "--flattenable", "0.02", "--unit", "mm", "--output", "out").stdout
+        moved = self.report("out")["flattenable"]
+        self.assertIn(f"surface moved by {moved['shift_mean']:.3g} mm in the mean "
+                      f"({100 * moved['shift_mean_relative']:.3g} % of its size)", said)
+        self.assertIn("curves.vtp, flattenable.vtp, flat.vtp", said)
+
     def test_kept_curves_are_named(self):
         report = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "middle")
         self.assertEqual(report["flattenable"]["keep"], ["middle"])
         run = self.run_command("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "centre", "--output", "out")
         self.assertEqual(run.returncode, 3)
-        self.assertIn('no curve is named "centre"', run.stderr)
+        self.assertIn('no curve is named "centre"; the curves are middle', run.stderr)
+        self.assertNotIn("--tolerance", run.stderr)
         self.assertNotIn("flattenable.vtp", os.listdir(self.path("out")))
 
     def test_a_bound_that_is_not_met_is_told(self):

@@ -57,6 +57,18 @@ class Resewing(command.CommandTest):
         self.assertEqual((row["test"], row["pieces"]), ("product", 2))
         self.assertLess(row["distance_max_relative"], 0.005)
 
+    def test_it_says_how_far_the_cloth_is_and_what_was_written(self):
+        run = self.run_command("tube.obj", "seams.txt", "--resew", "panel", "--unit", "m", "--output", "out")
+        rows = self.report("out")["resewn"]
+        said = [line for line in run.stdout.splitlines() if "sewn again" in line]
+        self.assertEqual(len(said), 2)
+        for number, (line, row) in enumerate(zip(said, rows), 1):
+            self.assertIn(f"piece {number} sewn again: {row['distance_mean']:.2g} m from the surface", line)
+        self.assertIn("sewn.vtp, flat.vtp", run.stdout)
+        self.assertNotIn("sewn", self.run_command("tube.obj", "seams.txt", "--output", "out").stdout)
+        product = self.run_command("tube.obj", "seams.txt", "--resew", "product", "--output", "out").stdout
+        self.assertIn("product sewn again: ", product)
+
     def test_it_is_sewn_of_the_material_that_it_is_cut_from_and_hangs_by_its_weight(self):
         self.write("hill.obj", command.obj(
             [(i, j, 0.03 * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
