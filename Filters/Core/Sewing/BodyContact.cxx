@@ -155,17 +155,8 @@ double BodyContact::energy(const Eigen::VectorXd& x, const Execution& execution)
   return sum;
 }
 
-void BodyContact::declare(SymmetricAssembler& assembler)
-{
-  for (const Touch& touch : this->Touches)
-  {
-    this->Blocks.emplace_back(
-      assembler, std::array<Index, 3>{ touch.first, touch.first + 1, touch.first + 2 });
-  }
-}
-
-void BodyContact::add(const Eigen::VectorXd& x, SymmetricAssembler& assembler,
-  Eigen::VectorXd& gradient, const Execution& execution)
+void BodyContact::add(const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient,
+  const Execution& execution) const
 {
   if (this->Force == ContactForce::None || !this->Body)
   {
@@ -181,9 +172,9 @@ void BodyContact::add(const Eigen::VectorXd& x, SymmetricAssembler& assembler,
     }
     const double weight = this->Stiffness * this->Touches[k].area;
     const Point3& out = places[k].outwards;
-    this->Blocks[k].scatter(Point3(weight * push.slope * out), gradient);
-    this->Blocks[k].add(
-      assembler, [&](int a, int b) { return weight * push.bend * out[a] * out[b]; });
+    const Index first = this->Touches[k].first;
+    gradient.segment<3>(first) += weight * push.slope * out;
+    matrix.addOwn(first, weight * push.bend * out * out.transpose());
   }
 }
 

@@ -58,10 +58,9 @@ public:
     this->Stiffness = stiffness;
   }
   double energy(const Eigen::VectorXd& x, const Execution& execution) const;
-  void declare(SymmetricAssembler& assembler);
   /// Adds gradient and the convex part of the Hessian at x.
-  void add(const Eigen::VectorXd& x, SymmetricAssembler& assembler, Eigen::VectorXd& gradient,
-    const Execution& execution);
+  void add(const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient,
+    const Execution& execution) const;
   /// The least distance of a free vertex from the body; infinite without one.
   double leastDistance(const Eigen::VectorXd& x, const Execution& execution) const;
 
@@ -79,6 +78,5 @@ private:
   ContactForce Force = ContactForce::None;
   double Stiffness = 0.0;
   std::vector<Touch> Touches;
-  std::vector<SymmetricBlock<3>> Blocks;
 };
 }

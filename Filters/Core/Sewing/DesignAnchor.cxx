@@ -57,30 +57,19 @@ double DesignAnchor::energy(const Eigen::VectorXd& x) const
   return sum;
 }
 
-void DesignAnchor::declare(SymmetricAssembler& assembler)
+void DesignAnchor::add(
+  const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const
 {
   for (const Spring& spring : this->Springs)
   {
-    this->Blocks.emplace_back(
-      assembler, std::array<Index, 3>{ spring.first, spring.first + 1, spring.first + 2 });
-  }
-}
-
-void DesignAnchor::add(
-  const Eigen::VectorXd& x, SymmetricAssembler& assembler, Eigen::VectorXd& gradient)
-{
-  for (std::size_t k = 0; k < this->Springs.size(); ++k)
-  {
-    const Spring& spring = this->Springs[k];
     const Point3 moved = x.segment<3>(spring.first) - spring.design;
     const double in = inwards(spring, moved);
     const Point3& out = spring.outwards;
-    this->Blocks[k].scatter(
-      Point3(2.0 * spring.stiffness * moved + 2.0 * spring.againstInwards * in * out), gradient);
+    gradient.segment<3>(spring.first) +=
+      2.0 * spring.stiffness * moved + 2.0 * spring.againstInwards * in * out;
     const double across = in < 0.0 ? 2.0 * spring.againstInwards : 0.0;
-    this->Blocks[k].add(assembler, [&](int a, int b) {
-      return (a == b ? 2.0 * spring.stiffness : 0.0) + across * out[a] * out[b];
-    });
+    matrix.addOwn(spring.first,
+      2.0 * spring.stiffness * Eigen::Matrix3d::Identity() + across * out * out.transpose());
   }
 }
 }

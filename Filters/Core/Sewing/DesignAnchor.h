@@ -18,9 +18,8 @@ public:
     double outsideBias, const Points3& outwards);
 
   double energy(const Eigen::VectorXd& x) const;
-  void declare(SymmetricAssembler& assembler);
   /// Adds gradient and Hessian at x.
-  void add(const Eigen::VectorXd& x, SymmetricAssembler& assembler, Eigen::VectorXd& gradient);
+  void add(const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const;
 
 private:
   struct Spring
@@ -35,6 +34,5 @@ private:
   static double inwards(const Spring& spring, const Point3& moved);
 
   std::vector<Spring> Springs;
-  std::vector<SymmetricBlock<3>> Blocks;
 };
 }

@@ -48,49 +48,31 @@ double InnerPressure::energy(const Eigen::VectorXd& x) const
   return this->Pressure == 0.0 ? 0.0 : this->Offset - this->Pressure * this->volume(x);
 }
 
-void InnerPressure::declare(SymmetricAssembler& assembler)
+void InnerPressure::add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
+  Eigen::VectorXd& gradient) const
 {
+  if (this->Pressure == 0.0)
+  {
+    return;
+  }
   for (const Triangle& c : this->Sheet.triangles())
   {
-    if (this->Pressure == 0.0)
-    {
-      return;
-    }
-    std::array<Index, 9> unknowns{};
-    for (int k = 0; k < 9; ++k)
-    {
-      const Index first = this->Unknowns.first[c[k / 3]];
-      unknowns[k] = first == none ? none : first + k % 3;
-    }
-    this->Blocks.emplace_back(assembler, unknowns);
-  }
-}
-
-void InnerPressure::add(const Eigen::VectorXd& x, Curvature curvature,
-  SymmetricAssembler& assembler, Eigen::VectorXd& gradient)
-{
-  for (std::size_t t = 0; t < this->Blocks.size(); ++t)
-  {
-    const Triangle& c = this->Sheet.triangles()[t];
     std::array<Point3, 3> p;
     for (int k = 0; k < 3; ++k)
     {
       p[k] = this->Unknowns.at(c[k], x);
     }
-    Eigen::Matrix<double, 9, 1> slope;
-    Eigen::Matrix<double, 9, 9> bend = Eigen::Matrix<double, 9, 9>::Zero();
     for (int k = 0; k < 3; ++k)
     {
       const int n = (k + 1) % 3;
-      slope.segment<3>(3 * k) = -this->Pressure / 6.0 * p[n].cross(p[(k + 2) % 3]);
-      // det = p_k . (p_n x p_m): by p_k and p_n it is -[p_m] as a cross matrix.
-      bend.block<3, 3>(3 * k, 3 * n) = this->Pressure / 6.0 * crossMatrix(p[(k + 2) % 3]);
-      bend.block<3, 3>(3 * n, 3 * k) = bend.block<3, 3>(3 * k, 3 * n).transpose();
-    }
-    this->Blocks[t].scatter(slope, gradient);
-    if (curvature == Curvature::Exact)
-    {
-      this->Blocks[t].add(assembler, bend);
+      const int m = (k + 2) % 3;
+      this->Unknowns.scatter(c[k], -this->Pressure / 6.0 * p[n].cross(p[m]), gradient);
+      if (curvature == Curvature::Exact)
+      {
+        // det = p_k . (p_n x p_m): by p_k and p_n it is -[p_m] as a cross matrix.
+        matrix.addPair(this->Unknowns.first[c[k]], this->Unknowns.first[c[n]],
+          this->Pressure / 6.0 * crossMatrix(p[m]));
+      }
     }
   }
 }

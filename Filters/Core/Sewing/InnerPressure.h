@@ -14,10 +14,10 @@ public:
   InnerPressure(const SpaceUnknowns& unknowns, const SewnMembrane& sheet, double pressure);
 
   double energy(const Eigen::VectorXd& x) const;
-  void declare(SymmetricAssembler& assembler);
   /// Adds the gradient and, where it is the exact one, the Hessian at x: no part of it is convex.
-  void add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
-    Eigen::VectorXd& gradient);
+  /// \param matrix coupled as the sheet's own.
+  void add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
+    Eigen::VectorXd& gradient) const;
 
 private:
   double volume(const Eigen::VectorXd& x) const;
@@ -26,6 +26,5 @@ private:
   const SewnMembrane& Sheet;
   double Pressure;
   double Offset = 0.0; ///< so that the energy is not below zero
-  std::vector<SymmetricBlock<9>> Blocks;
 };
 }

@@ -115,27 +115,15 @@ SewingModel::SewingModel(const SewnCloth& cloth, const ClothProperties& properti
   , Weight(Unknowns, Membrane, isotropicModulus * Unit * properties.weight)
   , Body(bodyOf(properties.body, Center, Unit))
   , Contact(Unknowns, Membrane, Body.get(), properties.gap / Unit)
-  , Assembler(Count)
+  , Hessian(Count)
 {
   if (!(properties.anchor > 0.0))
   {
     this->chooseGauge();
   }
-  this->Membrane.declare(this->Assembler);
-  this->Bending.declare(this->Assembler);
-  this->Anchor.declare(this->Assembler);
-  this->Pressure.declare(this->Assembler);
-  this->Contact.declare(this->Assembler);
-  this->Diagonal = DiagonalBlock(this->Assembler, 0, this->Count);
-  if (this->Gauge[0] != none)
-  {
-    for (std::size_t k = 0; k < this->Gauge.size(); ++k)
-    {
-      const Index first = this->Unknowns.first[this->Gauge[k]];
-      this->GaugeBlocks[k] = SymmetricBlock<3>(this->Assembler, { first, first + 1, first + 2 });
-    }
-  }
-  this->Assembler.finish();
+  this->Membrane.declare(this->Hessian);
+  this->Bending.declare(this->Hessian);
+  this->Hessian.finish();
 }
 
 /// The vertex farthest from the centre, the one farthest from it, and the one farthest from their
@@ -211,13 +199,13 @@ NewtonKktModel::Linearization SewingModel::linearize(const Eigen::VectorXd& x,
 {
   Linearization result;
   result.gradient = Eigen::VectorXd::Zero(this->Count);
-  this->Assembler.clear();
-  this->Membrane.add(x, curvature, this->Assembler, result.gradient, execution);
-  this->Bending.add(x, this->Assembler, result.gradient);
-  this->Anchor.add(x, this->Assembler, result.gradient);
-  this->Pressure.add(x, curvature, this->Assembler, result.gradient);
+  this->Hessian.clear();
+  this->Membrane.add(x, curvature, this->Hessian, result.gradient, execution);
+  this->Bending.add(x, this->Hessian, result.gradient);
+  this->Anchor.add(x, this->Hessian, result.gradient);
+  this->Pressure.add(x, curvature, this->Hessian, result.gradient);
   this->Weight.add(result.gradient);
-  this->Contact.add(x, this->Assembler, result.gradient, execution);
+  this->Contact.add(x, this->Hessian, result.gradient, execution);
   if (this->Gauge[0] != none)
   {
     this->holdMotion(x);
@@ -241,17 +229,13 @@ void SewingModel::holdMotion(const Eigen::VectorXd& x)
     across * across.transpose() };
   for (std::size_t k = 0; k < 3; ++k)
   {
-    this->GaugeBlocks[k].add(
-      this->Assembler, [&](int a, int b) { return gaugeStiffness * held[k](a, b); });
+    this->Hessian.addOwn(this->Unknowns.first[this->Gauge[k]], gaugeStiffness * held[k]);
   }
 }
 
 void SewingModel::shift(double tau)
 {
-  for (Index k = 0; k < this->Count; ++k)
-  {
-    this->Diagonal.add(this->Assembler, k, tau);
-  }
+  this->Hessian.shift(tau);
 }
 
 Dissection SewingModel::eliminationOrder() const

@@ -103,7 +103,7 @@ public:
   bool hasConvexPart() const override { return true; }
   void shift(double tau) override;
   void stiffen(Index /*bounded*/, double /*stiffness*/) override {}
-  const SparseMatrix& kkt() const override { return this->Assembler.matrix(); }
+  const SparseMatrix& kkt() const override { return this->Hessian.matrix(); }
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& /*multipliers*/) const override
   {
     return Eigen::VectorXd::Zero(this->Count);
@@ -126,8 +126,6 @@ private:
   std::unique_ptr<ContactBody> Body;
   BodyContact Contact;
   std::array<Index, 3> Gauge{ none, none, none };
-  SymmetricAssembler Assembler;
-  DiagonalBlock Diagonal;
-  std::array<SymmetricBlock<3>, 3> GaugeBlocks;
+  SpaceMatrix Hessian;
 };
 }

@@ -10,6 +10,9 @@ namespace flattening
 {
 namespace
 {
+/// Triangles whose derivatives are held at a time.
+constexpr Index derivedAtOnce = 4096;
+
 /// The nearest positive semidefinite matrix to a symmetric one.
 template <int N>
 Eigen::Matrix<double, N, N> withoutNegativeEigenvalues(const Eigen::Matrix<double, N, N>& matrix)
@@ -112,34 +115,28 @@ double SewnMembrane::energy(const Eigen::VectorXd& x, const Execution& execution
   return sum;
 }
 
-void SewnMembrane::declare(SymmetricAssembler& assembler)
+void SewnMembrane::declare(SpaceMatrix& matrix) const
 {
-  this->Blocks.reserve(this->Cells.size());
   for (const Triangle& c : this->Cells)
   {
-    std::array<Index, 9> unknowns{};
-    for (int k = 0; k < 9; ++k)
+    for (int k = 0; k < 3; ++k)
     {
-      const Index first = this->Unknowns.first[c[k / 3]];
-      unknowns[k] = first == none ? none : first + k % 3;
+      matrix.couple(this->Unknowns.first[c[k]], this->Unknowns.first[c[(k + 1) % 3]]);
     }
-    this->Blocks.emplace_back(assembler, unknowns);
   }
-  this->Values.resize(this->Cells.size());
-  this->Gradients.resize(this->Cells.size());
 }
 
 /// With hat gradients g_k, dC11 = 2 J1 . dx_k g_k1, dC22 = 2 J2 . dx_k g_k2 and dC12 = J1 . dx_k
 /// g_k2 + J2 . dx_k g_k1, where J1 and J2 are the columns of J.
-void SewnMembrane::derive(Index t, const Eigen::VectorXd& x, bool convex)
+SewnMembrane::Derivatives SewnMembrane::derive(Index t, const Eigen::VectorXd& x, bool convex) const
 {
-  std::array<double, 45>& entries = this->Values[t];
+  Derivatives result;
   const double area = this->Frames[t].area;
   if (!(area > 0.0))
   {
-    entries.fill(0.0);
-    this->Gradients[t].setZero();
-    return;
+    result.gradient.setZero();
+    result.hessian.fill(Eigen::Matrix3d::Zero());
+    return result;
   }
   const Eigen::Matrix<double, 3, 2> map = this->mapOf(t, x);
   MetricDensity density = this->Density.evaluate(metricOf(map));
@@ -156,7 +153,7 @@ void SewnMembrane::derive(Index t, const Eigen::VectorXd& x, bool convex)
     metricDerivative.block<1, 3>(2, 3 * k) =
       hat[k].y() * map.col(0).transpose() + hat[k].x() * map.col(1).transpose();
   }
-  this->Gradients[t] = area * (metricDerivative.transpose() * density.gradient);
+  result.gradient = area * (metricDerivative.transpose() * density.gradient);
   if (convex)
   {
     stress = withoutNegativeEigenvalues(stress);
@@ -166,32 +163,55 @@ void SewnMembrane::derive(Index t, const Eigen::VectorXd& x, bool convex)
     }
   }
   const Eigen::Matrix<double, 3, 9> half = area * (density.hessian * metricDerivative);
-  int next = 0;
-  for (int a = 0; a < 9; ++a)
+  std::size_t next = 0;
+  for (int a = 0; a < 3; ++a)
   {
     for (int b = 0; b <= a; ++b)
     {
-      const double geometric = a % 3 == b % 3 ? hat[a / 3].dot(stress * hat[b / 3]) : 0.0;
-      entries[next++] = metricDerivative.col(a).dot(half.col(b)) + area * geometric;
+      Eigen::Matrix3d& block = result.hessian[next++];
+      block = metricDerivative.block<3, 3>(0, 3 * a).transpose() * half.block<3, 3>(0, 3 * b);
+      block.diagonal().array() += area * hat[a].dot(stress * hat[b]);
+    }
+  }
+  return result;
+}
+
+void SewnMembrane::add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
+  Eigen::VectorXd& gradient, const Execution& execution) const
+{
+  const bool convex = curvature == Curvature::Convex;
+  const auto count = static_cast<Index>(this->Cells.size());
+  std::vector<Derivatives> derived(std::min(count, derivedAtOnce));
+  for (Index begin = 0; begin < count; begin += derivedAtOnce)
+  {
+    const Index size = std::min(derivedAtOnce, count - begin);
+    execution.parallelFor(size, [&](Index first, Index last) {
+      for (Index k = first; k < last; ++k)
+      {
+        derived[k] = this->derive(begin + k, x, convex);
+      }
+    });
+    for (Index k = 0; k < size; ++k)
+    {
+      this->addOne(begin + k, derived[k], matrix, gradient);
     }
   }
 }
 
-void SewnMembrane::add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
-  Eigen::VectorXd& gradient, const Execution& execution)
+void SewnMembrane::addOne(
+  Index t, const Derivatives& derived, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const
 {
-  const bool convex = curvature == Curvature::Convex;
-  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      this->derive(t, x, convex);
-    }
-  });
-  for (std::size_t t = 0; t < this->Cells.size(); ++t)
+  const Triangle& c = this->Cells[t];
+  std::size_t next = 0;
+  for (int a = 0; a < 3; ++a)
   {
-    const std::array<double, 45>& lower = this->Values[t];
-    this->Blocks[t].add(assembler, [&](int a, int b) { return lower[a * (a + 1) / 2 + b]; });
-    this->Blocks[t].scatter(this->Gradients[t], gradient);
+    const Index first = this->Unknowns.first[c[a]];
+    this->Unknowns.scatter(c[a], derived.gradient.segment<3>(3 * a), gradient);
+    for (int b = 0; b < a; ++b)
+    {
+      matrix.addPair(first, this->Unknowns.first[c[b]], derived.hessian[next++]);
+    }
+    matrix.addOwn(first, derived.hessian[next++]);
   }
 }
 }

@@ -3,8 +3,8 @@
 
 #include "Base/Execution.h"
 #include "Sewing/SheetDensity.h"
+#include "Sewing/SpaceMatrix.h"
 #include "Sparse/NewtonKktModel.h"
-#include "Sparse/SparseBlocks.h"
 #include "Surface/TriangleFrame.h"
 
 namespace flattening
@@ -19,6 +19,14 @@ struct SpaceUnknowns
   {
     return this->first[vertex] == none ? this->points[vertex]
                                        : Point3(x.segment<3>(this->first[vertex]));
+  }
+  /// Adds a vertex's part of a vector of the unknowns, unless it is held.
+  void scatter(Index vertex, const Point3& part, Eigen::VectorXd& whole) const
+  {
+    if (this->first[vertex] != none)
+    {
+      whole.segment<3>(this->first[vertex]) += part;
+    }
   }
 };
 
@@ -37,24 +45,29 @@ public:
   std::vector<double> vertexAreas() const;
 
   double energy(const Eigen::VectorXd& x, const Execution& execution) const;
-  void declare(SymmetricAssembler& assembler);
+  void declare(SpaceMatrix& matrix) const;
   /// Adds gradient and Hessian at x. Convex: without the part of the stresses that compress, which
   /// is where a sheet buckles.
-  void add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
-    Eigen::VectorXd& gradient, const Execution& execution);
+  void add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
+    Eigen::VectorXd& gradient, const Execution& execution) const;
 
 private:
   Eigen::Matrix<double, 3, 2> mapOf(Index t, const Eigen::VectorXd& x) const;
-  void derive(Index t, const Eigen::VectorXd& x, bool convex);
+  /// Of the energy of one triangle.
+  struct Derivatives
+  {
+    Eigen::Matrix<double, 9, 1> gradient;
+    /// Of corners (0, 0), (1, 0), (1, 1), (2, 0), (2, 1) and (2, 2).
+    std::array<Eigen::Matrix3d, 6> hessian;
+  };
+  Derivatives derive(Index t, const Eigen::VectorXd& x, bool convex) const;
+  void addOne(
+    Index t, const Derivatives& derived, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const;
 
   const SpaceUnknowns& Unknowns;
   Triangles Cells;
   std::vector<TriangleFrame> Frames;
   SheetDensity Density;
-  std::vector<SymmetricBlock<9>> Blocks;
-  /// Lower triangles, row by row: threads compute them, one adds them.
-  std::vector<std::array<double, 45>> Values;
-  std::vector<Eigen::Matrix<double, 9, 1>> Gradients;
 };
 
 /// A triangle at rest in the plane, with the gradients of its frame along the axes of the plane,

@@ -30,6 +30,7 @@ SheetBending::SheetBending(
   const SpaceUnknowns& unknowns, const SewnMembrane& sheet, const Indices& twins, double stiffness)
   : Unknowns(unknowns)
 {
+  this->Hinges.reserve(twins.size() / 2);
   for (Index h = 0; h < static_cast<Index>(twins.size()); ++h)
   {
     const Index twin = twins[h];
@@ -83,38 +84,37 @@ double SheetBending::energy(const Eigen::VectorXd& x) const
   return sum;
 }
 
-void SheetBending::declare(SymmetricAssembler& assembler)
+void SheetBending::declare(SpaceMatrix& matrix) const
 {
-  this->Blocks.reserve(this->Hinges.size());
   for (const Hinge& hinge : this->Hinges)
   {
-    this->Blocks.emplace_back();
-    for (int axis = 0; axis < 3; ++axis)
+    for (int a = 0; a < 4; ++a)
     {
-      std::array<Index, 4> unknowns{};
-      for (int k = 0; k < 4; ++k)
+      for (int b = 0; b < a; ++b)
       {
-        const Index first = this->Unknowns.first[hinge.vertices[k]];
-        unknowns[k] = first == none ? none : first + axis;
+        matrix.coupleAxes(
+          this->Unknowns.first[hinge.vertices[a]], this->Unknowns.first[hinge.vertices[b]]);
       }
-      this->Blocks.back()[axis] = SymmetricBlock<4>(assembler, unknowns);
     }
   }
 }
 
 void SheetBending::add(
-  const Eigen::VectorXd& x, SymmetricAssembler& assembler, Eigen::VectorXd& gradient)
+  const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const
 {
-  for (std::size_t e = 0; e < this->Hinges.size(); ++e)
+  for (const Hinge& hinge : this->Hinges)
   {
-    const Hinge& hinge = this->Hinges[e];
     const Point3 force = hinge.stiffness * this->bend(hinge, x);
-    for (int axis = 0; axis < 3; ++axis)
+    for (int a = 0; a < 4; ++a)
     {
-      const SymmetricBlock<4>& block = this->Blocks[e][axis];
-      block.add(assembler,
-        [&](int a, int b) { return hinge.stiffness * hinge.weights[a] * hinge.weights[b]; });
-      block.scatter(Eigen::Vector4d(force[axis] * hinge.weights), gradient);
+      const Index first = this->Unknowns.first[hinge.vertices[a]];
+      const double weight = hinge.stiffness * hinge.weights[a];
+      this->Unknowns.scatter(hinge.vertices[a], hinge.weights[a] * force, gradient);
+      for (int b = 0; b < a; ++b)
+      {
+        matrix.addPair(first, this->Unknowns.first[hinge.vertices[b]], weight * hinge.weights[b]);
+      }
+      matrix.addOwn(first, weight * hinge.weights[a] * Eigen::Matrix3d::Identity());
     }
   }
 }

@@ -23,9 +23,9 @@ public:
     double stiffness);
 
   double energy(const Eigen::VectorXd& x) const;
-  void declare(SymmetricAssembler& assembler);
+  void declare(SpaceMatrix& matrix) const;
   /// Adds gradient and Hessian at x.
-  void add(const Eigen::VectorXd& x, SymmetricAssembler& assembler, Eigen::VectorXd& gradient);
+  void add(const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const;
   /// Vertices that it couples, for an order of elimination.
   void addCliques(Triangles& cliques) const;
 
@@ -40,6 +40,5 @@ private:
 
   const SpaceUnknowns& Unknowns;
   std::vector<Hinge> Hinges;
-  std::vector<std::array<SymmetricBlock<4>, 3>> Blocks; ///< of x, of y, of z
 };
 }

@@ -11,9 +11,9 @@ namespace flattening
 {
 namespace
 {
-constexpr std::size_t taskCount = 16;
+constexpr std::size_t taskCount = 64; ///< a subtree has no more than its share of the work
 constexpr Index worthThreads = 10000; ///< unknowns: fewer are solved for in less than threads take
-constexpr std::size_t roundSize = 4;  ///< tasks between two questions whether to go on
+constexpr std::size_t roundSize = 8;  ///< tasks between two looks at the top
 
 double work(const SupernodalStructure::Supernode& node)
 {
@@ -56,7 +56,7 @@ void MultifrontalFactorization::chooseTasks()
   };
   this->Top.clear();
   std::make_heap(roots.begin(), roots.end(), lighter);
-  while (!roots.empty() && subtree[roots.front()] > total / (4.0 * taskCount) &&
+  while (!roots.empty() && subtree[roots.front()] > total / taskCount &&
     !nodes[roots.front()].children.empty())
   {
     std::pop_heap(roots.begin(), roots.end(), lighter);
@@ -70,15 +70,20 @@ void MultifrontalFactorization::chooseTasks()
     }
   }
   std::sort(this->Top.begin(), this->Top.end());
-  // The heaviest subtrees first, each to the task that has least.
-  std::sort(roots.begin(), roots.end(), [&](Index a, Index b) { return lighter(b, a); });
+  // Subtrees one after the other go to one task, so that what they leave is soon taken by the top.
+  std::sort(roots.begin(), roots.end());
+  const auto add = [&subtree](double sum, Index root) { return sum + subtree[root]; };
+  const double share = std::accumulate(roots.begin(), roots.end(), 0.0, add) / double(taskCount);
   Indices taskOf(nodes.size(), none);
-  std::vector<double> load(taskCount, 0.0);
+  this->FirstRoots.assign(taskCount, static_cast<Index>(nodes.size()));
+  double sum = 0.0;
   for (Index root : roots)
   {
-    const auto least = std::min_element(load.begin(), load.end());
-    *least += subtree[root];
-    taskOf[root] = static_cast<Index>(least - load.begin());
+    const double middle = share > 0.0 ? (sum + 0.5 * subtree[root]) / share : 0.0;
+    const std::size_t task = std::min(static_cast<std::size_t>(middle), taskCount - 1);
+    taskOf[root] = static_cast<Index>(task);
+    this->FirstRoots[task] = std::min(this->FirstRoots[task], root);
+    sum += subtree[root];
   }
   for (auto s = static_cast<Index>(nodes.size()); s-- > 0;)
   {
@@ -130,7 +135,17 @@ bool MultifrontalFactorization::factorize(
       }
     }
   }
+  const bool sound = next == places.size() && this->eliminateAll(execution);
+  this->Updates.clear();
+  return sound;
+}
+
+/// Some subtrees at a time, and what of the top has all its children by then: fewer updates wait
+/// than if the top came last.
+bool MultifrontalFactorization::eliminateAll(const Execution& execution)
+{
   std::vector<char> sound(this->Tasks.size(), 1);
+  auto top = this->Top.begin();
   for (std::size_t done = 0; done < this->Tasks.size(); done += roundSize)
   {
     if (execution.cancelled())
@@ -146,15 +161,21 @@ bool MultifrontalFactorization::factorize(
         }
       }
     });
+    bool all = std::all_of(sound.begin(), sound.end(), [](char good) { return good != 0; });
+    const auto later = this->FirstRoots.begin() + static_cast<std::ptrdiff_t>(done + roundSize);
+    const Index next = later == this->FirstRoots.end()
+      ? static_cast<Index>(this->Structure.supernodes().size())
+      : *std::min_element(later, this->FirstRoots.end());
+    for (; all && top != this->Top.end() && *top < next; ++top)
+    {
+      all = !execution.cancelled() && this->eliminate(*top, execution);
+    }
+    if (!all)
+    {
+      return false;
+    }
   }
-  bool all = next == places.size() &&
-    std::all_of(sound.begin(), sound.end(), [](char good) { return good != 0; });
-  for (std::size_t k = 0; all && k < this->Top.size(); ++k)
-  {
-    all = !execution.cancelled() && this->eliminate(this->Top[k], execution);
-  }
-  this->Updates.clear();
-  return all;
+  return true;
 }
 
 DenseFront MultifrontalFactorization::front(const Supernode& node)

@@ -30,6 +30,7 @@ private:
   using Supernode = SupernodalStructure::Supernode;
 
   void chooseTasks();
+  bool eliminateAll(const Execution& execution);
   bool eliminate(Index s, const Execution& execution);
   void addChild(const Supernode& node, Index child, std::vector<double>& update);
   void substitute(Eigen::MatrixXd& x, const Execution& execution) const;
@@ -41,6 +42,7 @@ private:
 
   SupernodalStructure Structure;
   std::vector<Indices> Tasks; ///< supernodes of subtrees that are independent of each other
+  Indices FirstRoots;         ///< of each task the root of its first subtree
   Indices Top;                ///< the others
   std::vector<double> Blocks; ///< L below the diagonal; column by column for each supernode
   std::vector<std::vector<double>>
