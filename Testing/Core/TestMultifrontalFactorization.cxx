@@ -116,3 +116,31 @@ TEST(MultifrontalFactorization, StopsWhenItIsCancelled)
   execution.cancel = [] { return true; };
   EXPECT_FALSE(factorization.factorize(system.matrix, execution));
 }
+
+TEST(SteppedTriangle, HasAPlaceForEachEntryOfTheLowerTriangleAndFewAbove)
+{
+  for (const Index rows : { 0, 1, 63, 64, 65, 200, 640 })
+  {
+    SteppedTriangle triangle(rows);
+    std::vector<char> taken(triangle.size(), 0);
+    for (Index column = 0; column < rows; ++column)
+    {
+      for (Index below = 0; below < rows - column; ++below)
+      {
+        const auto place =
+          static_cast<std::size_t>(triangle.diagonal(column) + below - triangle.diagonal(0));
+        ASSERT_LT(place, taken.size());
+        EXPECT_EQ(taken[place], 0);
+        EXPECT_EQ(triangle.diagonal(column)[below], 0.0);
+        taken[place] = 1;
+      }
+      if (column + 1 < rows && (column + 1) % SteppedTriangle::stepWidth != 0)
+      {
+        EXPECT_EQ(
+          triangle.diagonal(column + 1) - triangle.diagonal(column), triangle.stride(column) + 1);
+      }
+    }
+    const auto unused = static_cast<std::size_t>(std::count(taken.begin(), taken.end(), char(0)));
+    EXPECT_LE(unused, std::size_t(rows) * SteppedTriangle::stepWidth / 2);
+  }
+}

@@ -112,23 +112,16 @@ bool eliminateBlock(const DenseFront& front, Index begin, Index end, double* piv
   return true;
 }
 
-/// A product of which the lower triangle alone is needed, tile by tile.
-void subtractTiles(const DenseProduct& product, const Execution& execution)
+/// Calls subtract(tile) for the tiles of a lower triangle.
+template <typename Subtract>
+void forEachTile(Index tiles, const Execution& execution, const Subtract& subtract)
 {
-  const Index tiles = (product.columns + tileWidth - 1) / tileWidth;
-  const auto subtract = [&](Index tile) {
-    DenseProduct part = product;
-    const Index begin = tile * tileWidth;
-    part.to += begin * product.stride + begin;
-    part.rows -= begin;
-    part.columns = std::min(tileWidth, product.columns - begin);
-    part.left.values += begin;
-    part.right.values += begin;
-    subtractProduct(part);
-  };
   if (tiles < 2)
   {
-    subtractProduct(product);
+    if (tiles == 1)
+    {
+      subtract(0);
+    }
     return;
   }
   // The first tiles are the longest: pair each with one from the end.
@@ -141,6 +134,45 @@ void subtractTiles(const DenseProduct& product, const Execution& execution)
         subtract(tiles - 1 - pair);
       }
     }
+  });
+}
+
+/// The columns of a product of which the lower triangle alone is needed, from one on.
+DenseProduct tileOf(const DenseProduct& product, Index begin, Index width)
+{
+  DenseProduct part = product;
+  part.rows -= begin;
+  part.columns = std::min(width, product.columns - begin);
+  part.left.values += begin;
+  part.right.values += begin;
+  return part;
+}
+
+/// A product of which the lower triangle alone is needed, tile by tile.
+void subtractTiles(const DenseProduct& product, const Execution& execution)
+{
+  const Index tiles = (product.columns + tileWidth - 1) / tileWidth;
+  forEachTile(tiles, execution, [&](Index tile) {
+    const std::size_t begin = std::size_t(tile) * tileWidth;
+    DenseProduct part = tileOf(product, tile * tileWidth, tileWidth);
+    part.to += begin * product.stride + begin;
+    subtractProduct(part);
+  });
+}
+
+/// What the columns of a front do to the rows below.
+void subtractUpdate(const DenseFront& front, const double* pivots, SteppedTriangle& update,
+  const Execution& execution)
+{
+  constexpr Index width = SteppedTriangle::stepWidth;
+  const DenseColumns below{ front.column(0) + front.columns, std::size_t(front.size) };
+  const DenseProduct product{ nullptr, 0, front.rows(), front.rows(), below, below, pivots,
+    front.columns, true };
+  forEachTile((front.rows() + width - 1) / width, execution, [&](Index tile) {
+    DenseProduct part = tileOf(product, tile * width, width);
+    part.to = update.diagonal(tile * width);
+    part.stride = update.stride(tile * width);
+    subtractProduct(part);
   });
 }
 
@@ -164,7 +196,7 @@ double dot(const double* a, const double* b, Index count)
 }
 }
 
-bool eliminateFront(const DenseFront& front, double* update, const Execution& execution)
+bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Execution& execution)
 {
   std::vector<double> pivots(front.columns);
   for (Index begin = 0; begin < front.columns; begin += blockWidth)
@@ -180,14 +212,7 @@ bool eliminateFront(const DenseFront& front, double* update, const Execution& ex
         trailing(front, end, front.columns - end, begin, end - begin, pivots.data()), execution);
     }
   }
-  const std::size_t rows = front.rows();
-  if (rows > 0)
-  {
-    const DenseColumns below{ front.column(0) + front.columns, std::size_t(front.size) };
-    subtractTiles({ update, rows, front.rows(), front.rows(), below, below, pivots.data(),
-                    front.columns, true },
-      execution);
-  }
+  subtractUpdate(front, pivots.data(), update, execution);
   return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Sparse/SteppedTriangle.h"
 
 #include <Eigen/Core>
 
@@ -22,9 +23,8 @@ using DenseFront = FrontColumns<double>;
 using ConstDenseFront = FrontColumns<const double>;
 
 /// L D L^T of the columns of a front in place, D on the diagonal, and what they do to the rows
-/// below: their lower triangle is subtracted from `update`, rows x rows. False where a pivot is
-/// zero or not finite.
-bool eliminateFront(const DenseFront& front, double* update, const Execution& execution);
+/// below, which is subtracted from `update`. False where a pivot is zero or not finite.
+bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Execution& execution);
 
 /// Right-hand sides that are solved together, so that L is read once; each as long as the front.
 using FrontVectors = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;

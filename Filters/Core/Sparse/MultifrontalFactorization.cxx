@@ -118,7 +118,7 @@ bool MultifrontalFactorization::factorize(
   {
     refuseMemory(bytes);
   }
-  this->Updates.assign(this->Structure.supernodes().size(), {});
+  this->Updates.assign(this->Structure.supernodes().size(), SteppedTriangle());
   const std::vector<std::size_t>& places = this->Structure.entryPlaces();
   std::size_t next = 0;
   for (Index column = 0; column < matrix.outerSize(); ++column)
@@ -190,7 +190,7 @@ ConstDenseFront MultifrontalFactorization::front(const Supernode& node) const
 
 /// Adds what a child left of its rows to the front of its parent.
 void MultifrontalFactorization::addChild(
-  const Supernode& node, Index child, std::vector<double>& update)
+  const Supernode& node, Index child, SteppedTriangle& update)
 {
   const Supernode& below = this->Structure.supernodes()[child];
   const DenseFront own = this->front(node);
@@ -199,28 +199,27 @@ void MultifrontalFactorization::addChild(
   for (Index b = 0; b < size; ++b)
   {
     // The update has the rows below the columns alone.
-    double* const to = place[b] < own.columns
-      ? own.column(place[b])
-      : update.data() + std::size_t(place[b] - own.columns) * std::size_t(own.rows()) - own.columns;
-    const double* const values = this->Updates[child].data() + std::size_t(b) * std::size_t(size);
+    double* const to = place[b] < own.columns ? own.column(place[b]) + place[b]
+                                              : update.diagonal(place[b] - own.columns);
+    const double* const values = this->Updates[child].diagonal(b);
     for (Index a = b; a < size; ++a)
     {
-      to[place[a]] += values[a];
+      to[place[a] - place[b]] += values[a - b];
     }
   }
-  this->Updates[child] = std::vector<double>(); // = {} would keep its memory
+  this->Updates[child] = SteppedTriangle();
 }
 
 bool MultifrontalFactorization::eliminate(Index s, const Execution& execution)
 {
   const Supernode& node = this->Structure.supernodes()[s];
-  std::vector<double> update(std::size_t(node.rowCount()) * std::size_t(node.rowCount()), 0.0);
+  SteppedTriangle update(node.rowCount());
   for (Index child : node.children)
   {
     this->addChild(node, child, update);
   }
   const DenseFront own = this->front(node);
-  const bool sound = eliminateFront(own, update.data(), execution);
+  const bool sound = eliminateFront(own, update, execution);
   for (Index k = 0; k < own.columns; ++k)
   {
     this->Diagonal[node.first + k] = own.column(k)[k];

@@ -32,7 +32,7 @@ private:
   void chooseTasks();
   bool eliminateAll(const Execution& execution);
   bool eliminate(Index s, const Execution& execution);
-  void addChild(const Supernode& node, Index child, std::vector<double>& update);
+  void addChild(const Supernode& node, Index child, SteppedTriangle& update);
   void substitute(Eigen::MatrixXd& x, const Execution& execution) const;
   void substituteForward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed,
     Eigen::MatrixXd& work) const;
@@ -45,8 +45,7 @@ private:
   Indices FirstRoots;         ///< of each task the root of its first subtree
   Indices Top;                ///< the others
   std::vector<double> Blocks; ///< L below the diagonal; column by column for each supernode
-  std::vector<std::vector<double>>
-    Updates; ///< of supernodes whose parent has not taken them yet, rows x rows
+  std::vector<SteppedTriangle> Updates; ///< of supernodes whose parent has not taken them yet
   Eigen::VectorXd Diagonal;
 };
 }
