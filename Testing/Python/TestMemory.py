@@ -6,6 +6,7 @@ import os
 import resource
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -74,6 +75,17 @@ class Memory(unittest.TestCase):
 
     def test_every_limit_between_none_and_enough_is_raised(self):
         self.raised_up_to_enough(2 << 20, lambda: sf.flatten(self.points, self.triangles))
+
+    def test_a_triangle_is_sewn_in_six_and_a_half_kilobytes(self):
+        flattening = sf.flatten(self.points, self.triangles)
+
+        def sew():
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", sf.FlatteningWarning)  # one iteration takes what all take
+                sf.resew(flattening, max_iterations=1, second_start=False)
+
+        sew()  # what the first run alone takes, such as code that is loaded
+        self.assertEqual(run_with(6500 * len(self.triangles), sew, True), ENOUGH)
 
     def test_the_pattern_of_a_result_as_well(self):
         result = sf.flatten(self.points, self.triangles, scheme="global")
