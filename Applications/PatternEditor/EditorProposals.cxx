@@ -69,11 +69,16 @@ void EditorWindow::propose(const std::string& weights)
       return !dialog.wasCanceled();
     });
   dialog.hide();
-  const std::string words = proposals.stopped ? "the search was stopped"
+  std::string words = proposals.stopped ? "the search was stopped"
     : proposals.cuts.empty() && proposals.message.empty()
     ? "the surface lies flat as it is: there is nothing to propose"
     : proposals.message;
   const bool bad = proposals.cuts.empty() && !proposals.stopped && !proposals.message.empty();
+  if (!proposals.cuts.empty() && !proposals.mirror.empty())
+  {
+    words += (words.empty() ? "" : "; ") + std::string("the surface is mirrored across ") +
+      proposals.mirror;
+  }
   this->Proposed->set(std::move(proposals));
   this->tell(words, bad);
 }

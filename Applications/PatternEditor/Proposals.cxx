@@ -9,6 +9,7 @@
 #include <vtkDataArray.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkFeatureCurveSuggestion.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkStringArray.h>
 
@@ -92,6 +93,10 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
       proposals.cuts.push_back(proposalOf(found, cell));
     }
   }
+  vtkFieldData* const field = found->GetFieldData();
+  proposals.mirror = field->HasArray("MirrorPlane") ? "a plane"
+    : field->HasArray("MirrorAxis")                 ? "an axis of the cloth, though not in space"
+                                                    : "";
   return proposals;
 }
 

@@ -30,6 +30,7 @@ struct Proposals
   std::vector<Proposal> cuts;
   std::string message; ///< what was refused or is left; empty where the bound is met
   bool stopped = false;
+  std::string mirror; ///< what the surface is mirrored across, in words; empty: nothing
 };
 
 /// Looks for cuts of a surface with curves. \param weights the cell array that says how much

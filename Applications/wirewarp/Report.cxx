@@ -5,7 +5,7 @@
 #include "FlagWords.h"
 #include "KeyPriceTable.h"
 #include "SeamReport.h"
-#include "SuggestedCuts.h"
+#include "SuggestionReport.h"
 #include "Units.h"
 
 #include <nlohmann/json.hpp>
@@ -219,29 +219,6 @@ Json leftOutReports(const FieldRows& field)
   return pieces;
 }
 
-Json suggestionReport(const SuggestedCut& cut)
-{
-  return { { "type", curveTypeName(cut.type) }, { "name", cut.name }, { "length", cut.length },
-    { "gain", cut.gain }, { "E_area_before", cut.areaErrorBefore },
-    { "E_area_after", cut.areaErrorAfter }, { "strain_p95_before", cut.strainBefore },
-    { "strain_p95_after", cut.strainAfter } };
-}
-
-/// The proposed cuts or lines, in the order of choice.
-Json suggestionReports(const Flattening& result)
-{
-  Json suggestions = Json::array();
-  for (const SuggestedCut& cut : suggestedCuts(result))
-  {
-    Json row = suggestionReport(cut);
-    row["gain_predicted"] = cut.predictedGain;
-    row["opening"] = cut.opening;
-    row["mirror_of"] = cut.mirrorOf;
-    suggestions.push_back(std::move(row));
-  }
-  return suggestions;
-}
-
 /// How the surface was moved, and its pieces before; null without --flattenable.
 Json flattenableReport(const Options& options, const Flattening& result)
 {
@@ -263,18 +240,6 @@ Json flattenableReport(const Options& options, const Flattening& result)
     { "shift_max_relative", field.number("RelativeShiftMax", 0) },
     { "trials", field.count("TrialStrain") },
     { "pieces_before", pieceReports(FieldRows(result.flatBefore), FieldRows(result.wires)) } };
-}
-
-Json leftOutLineReports(const Flattening& result)
-{
-  Json lines = Json::array();
-  for (const LeftOutLine& line : leftOutLines(result))
-  {
-    Json row = suggestionReport(line);
-    row["sound"] = line.sound;
-    lines.push_back(std::move(row));
-  }
-  return lines;
 }
 
 Json keyPriceReports(const Flattening& result)
@@ -381,7 +346,7 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "seams", seamReports(result) }, { "suggestions", suggestionReports(result) },
     { "flattenable", flattenableReport(options, result) },
     { "suggestions_left_out", leftOutLineReports(result) },
-    { "key_prices", keyPriceReports(result) },
+    { "suggestions_mirror", mirrorReport(result) }, { "key_prices", keyPriceReports(result) },
     { "resewn", resewnReports(options, FieldRows(result.sewn)) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },

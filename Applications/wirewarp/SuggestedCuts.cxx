@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SuggestedCuts.h"
 
+#include "FieldRows.h"
 #include "PlainText.h"
 #include "Report.h"
 
@@ -90,6 +91,30 @@ void writeHead(const char* what, std::ostream& text)
        << '\n';
 }
 
+/// What the proposals keep to; empty where that is nothing.
+std::string mirrorLine(const Flattening& result)
+{
+  const FieldRows field(result.curves);
+  const auto triple = [&field](const char* array, vtkIdType first) {
+    std::ostringstream words;
+    words << std::setprecision(4) << '(' << field.number(array, first) << ", "
+          << field.number(array, first + 1) << ", " << field.number(array, first + 2) << ')';
+    return words.str();
+  };
+  std::ostringstream line;
+  if (field.count("MirrorPlane") > 0)
+  {
+    line << "mirrored across the plane with normal " << triple("MirrorPlane", 0) << " and offset "
+         << std::setprecision(4) << field.number("MirrorPlane", 3) << '\n';
+  }
+  else if (field.count("MirrorAxis") > 0)
+  {
+    line << "mirrored, by lengths and angles, across the axis from " << triple("MirrorAxis", 0)
+         << " to " << triple("MirrorAxis", 3) << '\n';
+  }
+  return line.str();
+}
+
 void writeRow(const SuggestedCut& cut, std::ostream& text)
 {
   text << std::left << std::setw(14) << plainText(cut.name) << std::right << std::setprecision(4)
@@ -120,6 +145,10 @@ std::string suggestionTable(const Flattening& result)
   {
     writeRow(cut, text);
     text << '\n';
+  }
+  if (!cuts.empty())
+  {
+    text << mirrorLine(result);
   }
   const std::vector<LeftOutLine> lines = leftOutLines(result);
   if (!lines.empty())

@@ -33,6 +33,8 @@ TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
   QApplication::setActiveWindow(this->window.get()); // the dialog was it
   ASSERT_GE(box->cuts().size(), 2U) << this->window->message().toStdString();
   EXPECT_TRUE(box->isVisible());
+  EXPECT_TRUE(this->window->message().contains("mirrored across a plane"))
+    << this->window->message().toStdString();
   const std::vector<editor::Proposal> proposed = box->cuts();
   EXPECT_EQ(curves->GetNumberOfCurves(), 0); // so far they are but shown
   this->picture("proposals");
@@ -41,7 +43,7 @@ TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
   EXPECT_EQ(box->chosen(), 1U);
   QTest::keyClick(this->window.get(), Qt::Key_F9); // rejects the second
   EXPECT_EQ(box->cuts().size(), proposed.size() - 1);
-  box->set({ proposed, {}, false });
+  box->set({ proposed, {}, false, {} });
   QTest::keyClick(this->window.get(), Qt::Key_F8);
   ASSERT_EQ(curves->GetNumberOfCurves(), 1);
   EXPECT_EQ(curves->GetCurveName(0), proposed[0].name);
@@ -50,7 +52,7 @@ TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
   QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(curves->GetNumberOfCurves(), 0);
 
-  box->set({ proposed, {}, false });
+  box->set({ proposed, {}, false, {} });
   QTest::keyClick(this->window.get(), Qt::Key_F8, Qt::ShiftModifier);
   EXPECT_EQ(curves->GetNumberOfCurves(), static_cast<int>(proposed.size()));
   EXPECT_FALSE(box->isVisible());

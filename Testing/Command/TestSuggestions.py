@@ -70,6 +70,35 @@ class Suggestions(command.CommandTest):
         self.assertIn("nothing is proposed", run.stdout)
         self.assertEqual(self.report("out")["suggestions"], [])
 
+    def test_what_mirrors_the_surface_is_named(self):
+        bumps = [(x, y, 0.2 * math.exp(-9 * (abs(x) - 0.5) ** 2 - 6 * (y - 0.3) ** 2)) for x, y, _ in self.points]
+        self.write("bumps.obj", command.obj(bumps, self.triangles))
+        out = [max(0.0, x - 5 / 7) for x, _, _ in bumps]  # beyond two columns from the edge, made flat
+        hills = [max(0.0, 1 - ((abs(x) - 0.35) ** 2 + (y - 0.3) ** 2) / 0.12) ** 2 for x, y, _ in bumps]
+        self.write("bent.obj", command.obj([(x + o * (math.cos(1.0) - 1), y, 0.2 * hill + o * math.sin(1.0))
+                                            for (x, y, _), o, hill in zip(bumps, out, hills)], self.triangles))
+
+        def mirror(surface, *options):
+            run = self.run_command(surface, "--suggest", "darts", "--bound", "0", "--max-cuts", "2", *options,
+                                   "--output", "out")
+            self.assertIn(run.returncode, (0, 4), run.stderr)
+            return self.report("out")["suggestions_mirror"], run.stdout
+
+        plane, table = mirror("bumps.obj")
+        self.assertEqual(plane["type"], "plane")
+        for number, expected in zip([*map(abs, plane["normal"]), plane["offset"]], (1, 0, 0, 0)):
+            self.assertAlmostEqual(number, expected, 9)
+        self.assertIn("mirrored across the plane with normal (", table)
+        axis, table = mirror("bent.obj")
+        self.assertEqual(axis["type"], "axis")
+        for end, y in zip(sorted(axis["ends"], key=lambda end: end[1]), (-1, 1)):
+            for number, expected in zip(end, (0, y, 0)):
+                self.assertAlmostEqual(number, expected, 9)
+        self.assertIn("mirrored, by lengths and angles, across the axis from (", table)
+        none, table = mirror("bumps.obj", "--symmetric", "off")
+        self.assertIsNone(none)
+        self.assertNotIn("mirrored", table)
+
     def test_weights_say_where_distortion_matters(self):
         middles = [sum(self.points[v][0] for v in t) / 3 for t in self.triangles]
         self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [float(x > 0) for x in middles]))

@@ -56,6 +56,29 @@ class Suggestions(unittest.TestCase):
         np.testing.assert_allclose(
             cuts[1].curve.points, cuts[0].curve.points * (-1, 1, 1), rtol=0, atol=1e-9)
 
+    def test_what_mirrors_the_surface_is_named(self):
+        points, triangles = dome(20, 14)
+        x, y = points[:, 0], points[:, 1]
+        inside = np.clip(1 - ((abs(x) - 0.4) ** 2 + (y - 0.3) ** 2) / 0.16, 0, None)
+        sheet = np.column_stack([x, y, 0.25 * inside ** 2])
+        out = np.clip(x - 0.8, 0, None)  # flat there, so that a fold changes no length
+        folded = sheet + np.column_stack([out * (np.cos(1.0) - 1), 0 * x, out * np.sin(1.0)])
+
+        def mirror(surface, **options):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", sf.FlatteningWarning)
+                return sf.suggest(surface, triangles, cuts="darts", bound=0, max_cuts=2, **options).mirror
+
+        plane = mirror(sheet)
+        self.assertIsInstance(plane, sf.MirrorPlane)
+        np.testing.assert_allclose(abs(plane.normal), (1, 0, 0), rtol=0, atol=1e-9)
+        self.assertAlmostEqual(plane.offset, 0, 9)
+        axis = mirror(folded)
+        self.assertIsInstance(axis, sf.MirrorAxis)
+        np.testing.assert_allclose(
+            axis.ends[np.argsort(axis.ends[:, 1])], [(0, -1, 0), (0, 1, 0)], rtol=0, atol=1e-9)
+        self.assertIsNone(mirror(sheet, symmetric=False))
+
     def test_weights_say_where_distortion_matters(self):
         points, triangles = dome(10, 10)
         triangles = np.array(triangles)

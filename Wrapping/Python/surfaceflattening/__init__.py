@@ -48,7 +48,7 @@ from ._materials import materials
 from ._reshaping import Flattenable, make_flattenable, make_flattenable_polydata
 from ._resewing import Resewn, ResewnShape, resew
 from ._result import Flattening, Wire
-from ._suggestion import LeftOutLine, SuggestedCut, Suggestion, suggest, suggest_polydata
+from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion, suggest, suggest_polydata
 from ._types import (
     ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape,
     Options, Paper, Part, PieceReport, Report, Scheme, Solver, Unit, WireType)
@@ -75,6 +75,8 @@ __all__ += [
     "KeyShape",
     "KeyTrial",
     "LeftOutLine",
+    "MirrorAxis",
+    "MirrorPlane",
     "Options",
     "Panel",
     "PanelEdge",

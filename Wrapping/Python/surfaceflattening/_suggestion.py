@@ -5,7 +5,8 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Union
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -61,6 +62,25 @@ class LeftOutLine(NamedTuple):
     sound: bool
 
 
+class MirrorPlane(NamedTuple):
+    """The plane across which a surface is its own mirror image: where normal . x = offset."""
+
+    #: Of length 1, shape (3,).
+    normal: NDArray[np.float64]
+    #: Unit of length.
+    offset: float
+
+
+class MirrorAxis(NamedTuple):
+    """The line on a surface across which it is its own mirror image by lengths and angles alone.
+
+    Such a surface is bent to one side, and its cloth is its own image all the same.
+    """
+
+    #: The points of the boundary between which it runs, shape (2, 3).
+    ends: NDArray[np.float64]
+
+
 class Suggestion(NamedTuple):
     """Proposed cuts or lines, and the surface flattened with them."""
 
@@ -71,6 +91,8 @@ class Suggestion(NamedTuple):
     flattening: Flattening
     #: Lines that were tried and cost too much, or break what holds without them; without their points.
     left_out: List[LeftOutLine]
+    #: What the proposals are mirrored across; None where the surface has no mirror, or it is not kept.
+    mirror: Union[MirrorPlane, MirrorAxis, None]
 
 
 def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
@@ -103,7 +125,10 @@ def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
     left_out = [
         LeftOutLine(name, CURVE_TYPES[kind], length, gain, area, area_after, strain, strain_after, bool(sound))
         for name, kind, length, gain, area, area_after, strain, strain_after, sound in zip(*columns)]
-    return Suggestion(cuts, bool(met and met[0]), flattening, left_out)
+    plane, axis = values_of(field, "MirrorPlane"), values_of(field, "MirrorAxis")
+    mirror = (MirrorPlane(np.array(plane[:3]), plane[3]) if plane
+              else MirrorAxis(np.reshape(axis, (2, 3))) if axis else None)
+    return Suggestion(cuts, bool(met and met[0]), flattening, left_out, mirror)
 
 
 def suggest(
