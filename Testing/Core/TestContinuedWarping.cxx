@@ -66,6 +66,23 @@ TEST(ContinuedWarping, ComesToTheMinimumThatTheWiresAnglesLeadTo)
   }
 }
 
+TEST(ContinuedWarping, KeepsLengthsWhereItEndsBeforeWiresAreSettled)
+{
+  const TriangleMesh mesh = dome();
+  FlatteningOptions options;
+  options.start = cornersOf(flattenSurface(mesh, {}, {}, {}));
+  const FlatteningResult settled = flattenSurface(mesh, { dart() }, options, {});
+  options.isometric.rough = true;
+  const FlatteningResult rough = flattenSurface(mesh, { dart() }, options, {});
+  EXPECT_LT(rough.pieces[0].isometricHistory.size(), settled.pieces[0].isometricHistory.size());
+  const double energy = settled.pieces[0].quality.rigidEnergy;
+  EXPECT_NEAR(rough.pieces[0].quality.rigidEnergy, energy, 0.3 * energy);
+  for (const Wire& wire : rough.wires)
+  {
+    EXPECT_LT(wire.maximumEdgeError, 1e-9);
+  }
+}
+
 TEST(ContinuedWarping, IsNotForPiecesWhoseKeysHoldMoreThanLengths)
 {
   const TriangleMesh mesh = dome();

@@ -23,8 +23,8 @@ struct IsometricOptions
 {
   DistortionEnergy energy;
   std::optional<ClothSheet> cloth; ///< then the energy above does not count
-  /// The solution is only where another run starts: it ends once little is left to gain, before the
-  /// forces in the wires say how stiff each is.
+  /// The solution is only where another run starts, or compared with others: it ends once little is
+  /// left to gain, before the forces in the wires say how stiff each is.
   bool rough = false;
   /// Weight of the wires' bending against the sheet's energy, 0 to 100. Lengths alone would let
   /// wires buckle between their nodes; the larger it is, the nearer are the wires' angles to those

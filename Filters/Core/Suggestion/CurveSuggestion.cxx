@@ -36,6 +36,7 @@ struct Way
   SearchGoal goal = SearchGoal::Energy;
   bool mirrored = true;
   double fixedPrice = 1.0; ///< times that of the options
+  bool unsettled = false;  ///< see SearchOptions
 };
 
 class Suggesting
@@ -138,6 +139,8 @@ private:
     }
     if (this->Options.search.bound > 0.0)
     {
+      all.push_back({ SearchGoal::Energy, mirrored, 1.0, true });
+      all.push_back({ SearchGoal::Strain, mirrored, 1.0, true });
       all.push_back({ SearchGoal::Strain, mirrored, 1.0 });
     }
     all.push_back({ SearchGoal::Energy, mirrored, 2.5 });
@@ -164,6 +167,7 @@ private:
       SearchOptions options = this->Options.search;
       options.goal = all[k].goal;
       options.fixedPrice *= all[k].fixedPrice;
+      options.unsettled = all[k].unsettled;
       const double share =
         std::max(1.0 / static_cast<double>(all.size() - k), k == 0 ? firstShare : 0.0);
       options.maximumWork = share * (this->mostWork() - this->Result.work);

@@ -17,8 +17,9 @@ constexpr Index coarseTriangles = 500;
 constexpr double tolerance = 1e-3;
 constexpr double lengthTolerance = 1e-4;
 
-FlatteningOptions roughly(FlatteningOptions options)
+FlatteningOptions roughly(FlatteningOptions options, bool unsettled)
 {
+  options.isometric.rough = unsettled;
   options.isometric.tolerance = std::max(options.isometric.tolerance, tolerance);
   options.isometric.lengthTolerance = lengthTolerance;
   return options;
@@ -33,8 +34,8 @@ PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
   , Mirror(mirror)
   , Options(options)
   , Coarse(coarsened(piece, coarseTriangles))
-  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint, roughly(flattening), options.goal,
-      this->Coarse.weights)
+  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint,
+      roughly(flattening, options.unsettled), options.goal, this->Coarse.weights)
 {
 }
 

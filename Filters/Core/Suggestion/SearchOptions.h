@@ -50,6 +50,9 @@ struct SearchOptions
   /// What each cut costs beside its length.
   double fixedPrice = 0.2;
   double leastLength = 0.12;
+  /// Choose by flattenings that end before the forces in the wires say how stiff each is: quicker
+  /// ones, by which now better cuts are found and now worse ones.
+  bool unsettled = false;
   /// Real flattenings to choose each cut from, after the forecast has ranked them.
   Index trials = 24;
   /// Of all real flattenings, in millions of steps of an iteration on one triangle, and on surfaces
