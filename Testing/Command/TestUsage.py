@@ -141,7 +141,7 @@ class Usage(command.CommandTest):
         self.assertRegex(run.stdout, r"^wirewarp \d+\.\d+\.\d+ \(VTK \d+\.\d+")
 
     def test_help_lists_every_option_once(self):
-        names = re.findall(r"^ +(?:-\w,)?(--[\w-]+)", self.run_command("--help").stdout, re.M)
+        names = re.findall(r"^ {1,12}(?:-\w, *)?(--[\w-]+)", self.run_command("--help").stdout, re.M)
         self.assertEqual(len(names), len(set(names)))
         self.assertGreater(len(names), 15)
 
