@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathFacts.h"
+#include "Paths/CourseStraightening.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Renumbered.h"
@@ -291,6 +292,39 @@ TEST(StraightPath, NearItselfIsItself)
     EXPECT_NEAR(again.length, path.length, 1e-12 * path.length);
     EXPECT_EQ(again.path.points.size(), path.path.points.size());
   }
+}
+
+TEST(CourseStraightening, EndsWhereItsTurnsAreUsedUpAndSaysWhereTheCourseIsSharp)
+{
+  const Surface surface = cushion(25, 25, 0.6);
+  const TriangleMesh& mesh = surface.mesh;
+  const PathGraph graph(mesh);
+  const SurfacePoint from = vertexPoint(mesh, 30);
+  const SurfacePoint to = vertexPoint(mesh, mesh.vertexCount() - 90);
+  const PathCourse byEdges = PathSearch(graph, from, to, PathWays::Edges).courseTo(to);
+  double length = lengthOf(pathAlong(mesh, byEdges));
+  std::size_t bentBefore = mesh.vertexCount();
+  for (const std::size_t turns : { 0, 2, 5, 1000000 })
+  {
+    PathCourse course = byEdges;
+    const Indices bent = straighten(mesh, course, turns);
+    const SurfacePath path = pathAlong(mesh, course);
+    EXPECT_TRUE(liesOn(mesh, path));
+    EXPECT_LE(lengthOf(path), length * (1.0 + 1e-12));
+    length = lengthOf(path);
+    Indices sharp;
+    for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
+    {
+      if (sharperAngle(mesh, path, i) < pi - exactly)
+      {
+        sharp.push_back(path.points[i].id);
+      }
+    }
+    EXPECT_EQ(bent, sharp) << turns;
+    EXPECT_LT(bent.size(), bentBefore) << turns;
+    bentBefore = bent.size();
+  }
+  EXPECT_EQ(bentBefore, 0U);
 }
 
 TEST(PathSearch, GoesNoFartherThanItsLimit)

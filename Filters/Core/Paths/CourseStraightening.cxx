@@ -13,7 +13,11 @@ namespace flattening
 namespace
 {
 /// How often a path may be led round one vertex without getting shorter by more than rounding.
-constexpr int mostTurns = 8;
+constexpr int mostIdleTurns = 8;
+/// A path is led round a vertex at most so often in all, and so often a vertex of the mesh. One
+/// that sweeps over the whole surface once is led round each vertex once.
+constexpr std::size_t fewestTurns = 1000;
+constexpr std::size_t turnsPerVertex = 10;
 /// What rounding may make of the length of two legs; who is shorter than that is shorter.
 constexpr double leastGain = 1.0 - 1e-14;
 /// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
@@ -24,9 +28,10 @@ constexpr double atVertex = 1e-13;
 class Straightening
 {
 public:
-  Straightening(const TriangleMesh& mesh, PathCourse& course)
+  Straightening(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns)
     : Mesh(mesh)
     , Course(course)
+    , Left(mostTurns)
     , Fresh(course.knots.size(), 1)
   {
   }
@@ -54,13 +59,14 @@ private:
     {
       return false;
     }
-    const auto turns = this->Turns.find(c.knots[k].id);
-    if (turns != this->Turns.end() && turns->second > mostTurns)
+    const auto turns = this->Idle.find(c.knots[k].id);
+    if (this->Left == 0 || (turns != this->Idle.end() && turns->second > mostIdleTurns))
     {
       this->Bent.push_back(c.knots[k].id);
       return false;
     }
     this->Sides.push_back(std::move(side));
+    --this->Left;
     return true;
   }
 
@@ -157,17 +163,18 @@ private:
     }
     for (std::size_t k = first + 1; k < last && !(length > 0.0); ++k)
     {
-      ++this->Turns[c.knots[k].id];
+      ++this->Idle[c.knots[k].id];
     }
     return tight;
   }
 
   const TriangleMesh& Mesh;
   PathCourse& Course;
-  std::vector<char> Fresh;     ///< knots whose legs have changed since they were looked at
-  std::vector<KnotSide> Sides; ///< of a run of sharp knots
-  std::unordered_map<Index, int> Turns;
-  Indices Bent; ///< sharp knots that are left, because no turn round them makes the path shorter
+  std::size_t Left;                    ///< turns
+  std::vector<char> Fresh;             ///< knots whose legs have changed since they were looked at
+  std::vector<KnotSide> Sides;         ///< of a run of sharp knots
+  std::unordered_map<Index, int> Idle; ///< turns that did not make the path shorter
+  Indices Bent;                        ///< sharp knots that are left
 };
 
 /// The half-edge of an edge that lies in the triangle.
@@ -198,7 +205,13 @@ void appendKnot(
 
 Indices straighten(const TriangleMesh& mesh, PathCourse& course)
 {
-  return Straightening(mesh, course).run();
+  const auto vertices = static_cast<std::size_t>(mesh.vertexCount());
+  return straighten(mesh, course, fewestTurns + turnsPerVertex * vertices);
+}
+
+Indices straighten(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns)
+{
+  return Straightening(mesh, course, mostTurns).run();
 }
 
 PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path)

@@ -14,9 +14,11 @@ inline constexpr double straightAngle = 5e-10;
 /// one side, it is led round this side and the strip there shortened (N. Sharp and K. Crane, "You
 /// can find geodesic paths in triangle meshes by just flipping edges", 2020, without the flips). It
 /// only gets shorter. Sides where the surface ends are left.
-/// \return the vertices where rounding left a smaller angle than straightAngle allows; none as a
-/// rule.
+/// \return the vertices where rounding left a smaller angle than straightAngle allows, and where
+/// the turns were used up, ten for each vertex of the mesh and a thousand more; none as a rule.
 Indices straighten(const TriangleMesh& mesh, PathCourse& course);
+/// As above. \param mostTurns how often the course is led round a vertex
+Indices straighten(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns);
 
 /// A course along points of which each two neighbours lie in the triangle between them.
 PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path);
