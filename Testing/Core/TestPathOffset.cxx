@@ -2,10 +2,9 @@
 #include "Paths/PathOffset.h"
 
 #include "OffsetFacts.h"
-#include "Paths/NearbyLegs.h"
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
-#include "Paths/StraightRay.h"
+#include "StraightRay.h"
 
 #include <gtest/gtest.h>
 
@@ -42,10 +41,14 @@ void expectExact(const Surface& surface, unsigned seed)
     for (const SurfacePath& part : offset.parts)
     {
       ASSERT_TRUE(liesOn(mesh, part));
-      for (const Point2& place : unrolled(surface, part))
+      for (const SurfacePoint& point : part.points)
       {
-        const Foot foot = footOn(line, place);
-        EXPECT_GE(foot.distance, reach * (1.0 - exactly)) << k;
+        const Foot foot = footOn(line, testmeshes::unrolled(mesh, surface.unrolled, point));
+        // The straight line of the plane may leave the surface.
+        const double nearest = foot.distance < reach * (1.0 - exactly)
+          ? distanceFrom(graph, path, point).way.length
+          : foot.distance;
+        EXPECT_GE(nearest, reach * (1.0 - exactly)) << k;
         EXPECT_LE(foot.distance, reach * (foot.within ? 1.0 + exactly : tangent)) << k;
         EXPECT_TRUE(!foot.within || foot.left == (distance > 0.0)) << k;
         ++points;
@@ -135,47 +138,6 @@ TEST(PathOffset, OfCurvesThatCrossThemselvesManyTimesIsNowhereNearerNorFurther)
   }
 }
 
-TEST(NearbyLegs, HaveTheFeetOfAllLegs)
-{
-  for (const double unit : { 1e-6, 1.0, 1e6 })
-  {
-    const Surface surface = patch(40, 30, [=](double i, double j) {
-      return Point3(unit * Point3(i, j, 3.0 * std::sin(0.3 * i) * std::cos(0.2 * j)));
-    });
-    const PathGraph graph(surface.mesh);
-    std::mt19937 random(6);
-    std::vector<SurfacePoint> nodes;
-    for (int n = 0; n < 40; ++n)
-    {
-      nodes.push_back(randomPoint(surface.mesh, random));
-    }
-    const SurfacePath path = through(graph, nodes);
-    std::size_t found = 0;
-    for (const double bound : { 0.01 * unit, unit, 8.0 * unit, 1000.0 * unit })
-    {
-      const NearbyLegs legs(path, bound);
-      for (int k = 0; k < 100; ++k)
-      {
-        const Point3 point = randomPoint(surface.mesh, random).position;
-        for (const double reach : { 0.5 * bound, bound })
-        {
-          const std::vector<PathFoot> some = legs.feet(point, reach);
-          const std::vector<PathFoot> all = pathFeet(path, point, reach);
-          ASSERT_EQ(some.size(), all.size());
-          for (std::size_t i = 0; i < all.size(); ++i)
-          {
-            EXPECT_EQ(some[i].leg, all[i].leg);
-            EXPECT_EQ(some[i].along, all[i].along);
-            EXPECT_EQ(some[i].gap, all[i].gap);
-          }
-          found += all.size();
-        }
-      }
-    }
-    EXPECT_GT(found, 3000u);
-  }
-}
-
 TEST(PathOffset, OfALineFromSideToSideIsTheParallelLine)
 {
   const Surface surface = square(10, 10.0);
@@ -227,8 +189,10 @@ TEST(PathOffset, OfASquareIsASquareInsideAndRoundOutside)
   const PathOffset outside = offsetPath(graph, loop, -0.8);
   ASSERT_EQ(outside.parts.size(), 1U);
   EXPECT_TRUE(samePlace(outside.parts[0].points.front(), outside.parts[0].points.back()));
-  const double arcs = 4 * 18 * 2.0 * 0.8 * std::tan(pi / 72.0);
-  EXPECT_NEAR(lengthOf(outside.parts[0]), 16.0 + arcs, 1e-9);
+  // Arcs by tangents that turn by 5 degrees at most.
+  const double arcs = 2.0 * pi * 0.8;
+  EXPECT_GT(lengthOf(outside.parts[0]), 16.0 + arcs);
+  EXPECT_LT(lengthOf(outside.parts[0]), 16.0 + arcs * std::tan(pi / 72.0) / (pi / 72.0));
 }
 
 TEST(PathOffset, RoundACylinderIsTheNextRound)
@@ -359,7 +323,7 @@ TEST(PathOffset, RefusesWhatHasNone)
 }
 
 /// No way over a surface is shorter than the straight one through space.
-TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFarOrIsRefusedWithThePlace)
+TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFar)
 {
   const Points3 corners{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0 },
     { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 1.0 }, { 1.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0 } };
@@ -369,7 +333,6 @@ TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFarOrIsRefusedWithThePlace)
   const PathGraph graph(mesh);
   std::mt19937 random(11);
   int drawn = 0;
-  int refused = 0;
   for (int k = 0; k < 150; ++k)
   {
     const SurfacePath path = through(
@@ -380,13 +343,8 @@ TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFarOrIsRefusedWithThePlace)
     }
     const double reach = 0.02 + 0.28 * (k % 15) / 14.0;
     const PathOffset offset = offsetPath(graph, path, k % 2 == 0 ? reach : -reach);
-    if (offset.status.code == StatusCode::InvalidCurve)
-    {
-      EXPECT_NE(offset.status.message.find("it would lie"), std::string::npos) << k;
-      EXPECT_TRUE(offset.parts.empty());
-      ++refused;
-      continue;
-    }
+    EXPECT_TRUE(offset.status.ok() || offset.status.code == StatusCode::CurveLeavesSurface)
+      << k << ": " << offset.status.message;
     for (const SurfacePath& part : offset.parts)
     {
       for (const SurfacePoint& point : part.points)
@@ -396,14 +354,12 @@ TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFarOrIsRefusedWithThePlace)
         {
           nearest = std::min(nearest, footOnLeg(path, i, point.position).gap);
         }
-        EXPECT_LE(nearest, 1.06 * reach) << k;
+        EXPECT_LE(nearest, tangent * reach) << k;
         ++drawn;
       }
     }
   }
   EXPECT_GT(drawn, 500);
-  EXPECT_GT(refused, 0);
-  EXPECT_LT(refused, 30);
 }
 
 TEST(PathDistance, IsThatOfTheUnrolledSurface)

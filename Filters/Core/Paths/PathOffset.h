@@ -16,19 +16,19 @@ struct PathOffset
   Status status;
 };
 
-/// The points that straight lines reach which leave a path at right angles on its left, and at its
-/// corners in all directions between, in arcs of 5 degrees at most; joined by straight paths. Where
-/// those points are nearer to another part of the path, as inside of a corner, they are left out;
-/// all others stay, however often the path crosses itself.
-/// A path that ends on the boundary is followed round its end until the boundary is met again.
+/// The points on the left of a path whose shortest way to it is as long as the distance, and leaves
+/// it on that side: from where it leaves the path at right angles, or from corners in all
+/// directions between. What is nearer to another part of the path, as inside of a corner, is left
+/// out; all else stays, however often the path crosses itself. A path that ends on the boundary is
+/// followed round its end until the boundary is met again.
 ///
-/// Exact where the surface can be unrolled, but for arcs, whose chords are up to a thousandth of
-/// the distance inside. Elsewhere exact at its points, a quarter of an edge apart.
+/// Exact on the triangulated surface, but for arcs, for which tangents stand that turn by 4 degrees
+/// at most: they meet up to six ten-thousandths of the arc's radius farther away.
 /// \param distance positive to the left, negative to the right of who walks on the outside
 ///
-/// Errors: EmptySurface; InvalidCurve (the path is not on the surface, or has no length; or triangles
-/// are so large beside the distance that the offset would be more than 5 % too far away in space);
-/// InvalidOption (the distance is zero or not finite); CurveLeavesSurface (no point at this
-/// distance); OutOfMemory.
+/// Errors: EmptySurface; InvalidCurve (the path is not on the surface, or has no length; or a point
+/// came out more than 5 % too far away in space); InvalidOption (the distance is zero or not
+/// finite); CurveLeavesSurface (no point at this distance); NotConverged (the distance goes too
+/// many ways round the surface); OutOfMemory.
 PathOffset offsetPath(const PathGraph& graph, const SurfacePath& path, double distance);
 }

@@ -5,9 +5,6 @@
 
 namespace flattening
 {
-namespace
-{
-/// Weights of a triangle's corners at a point of it.
 std::array<double, 3> weightsIn(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point)
 {
   if (point.carrier == Carrier::Face)
@@ -29,7 +26,6 @@ std::array<double, 3> weightsIn(const TriangleMesh& mesh, Index triangle, const 
     }
   }
   return weights;
-}
 }
 
 bool liesOn(const TriangleMesh& mesh, const SurfacePoint& point)

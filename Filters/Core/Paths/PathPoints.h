@@ -10,6 +10,10 @@ bool liesOn(const TriangleMesh& mesh, const SurfacePoint& point);
 /// Whether each two neighbours lie in the triangle between them, and all ids are of the mesh.
 bool liesOn(const TriangleMesh& mesh, const SurfacePath& path);
 
+/// Weights of a triangle's corners at a point of it.
+std::array<double, 3> weightsIn(
+  const TriangleMesh& mesh, Index triangle, const SurfacePoint& point);
+
 /// Whether two points have the same carrier and weights.
 bool samePlace(const SurfacePoint& a, const SurfacePoint& b);
 

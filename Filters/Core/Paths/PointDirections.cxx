@@ -81,6 +81,32 @@ SurfaceDirection PointDirections::at(double angle) const
     [angle](const Sector& sector) { return sector.begin + sector.size >= angle; });
   const Sector& sector = after == this->Sectors.end() ? this->Sectors.back() : *after;
   const double within = std::clamp(angle - sector.begin, 0.0, sector.size);
-  return { sector.triangle, std::cos(within) * sector.first + std::sin(within) * sector.across };
+  return { sector.triangle, sector.at(within) };
+}
+
+std::vector<DirectionRange> PointDirections::between(double first, double last) const
+{
+  const double all = this->total();
+  const double turns = this->Boundary ? 0.0 : all * std::floor(first / all);
+  std::vector<DirectionRange> ranges;
+  for (double round = turns; round < last && (round == turns || !this->Boundary); round += all)
+  {
+    for (const Sector& sector : this->Sectors)
+    {
+      const double begin = std::max(first - round - sector.begin, 0.0);
+      const double end = std::min(last - round - sector.begin, sector.size);
+      if (end > begin)
+      {
+        ranges.push_back(
+          { sector.triangle, sector.at(begin), sector.at(end), round + sector.begin + begin });
+      }
+    }
+  }
+  return ranges;
+}
+
+Point3 PointDirections::Sector::at(double angle) const
+{
+  return std::cos(angle) * this->first + std::sin(angle) * this->across;
 }
 }

@@ -12,6 +12,15 @@ struct SurfaceDirection
   Point3 vector = Point3::Zero(); ///< in the triangle's plane, of length 1
 };
 
+/// Directions at a point between two, in one triangle, anti-clockwise.
+struct DirectionRange
+{
+  Index triangle = none;
+  Point3 first = Point3::Zero(); ///< of length 1
+  Point3 last = Point3::Zero();
+  double begin = 0.0; ///< angle of the first
+};
+
 /// The directions at a point of a surface by their angles, as the triangles around the point lie
 /// when they are unfolded one after the other, anti-clockwise.
 class PointDirections
@@ -31,6 +40,8 @@ public:
   double angleTo(Index triangle, const Point3& target) const;
   /// \param angle elsewhere than at the boundary any
   SurfaceDirection at(double angle) const;
+  /// All directions from one angle to a greater one, triangle by triangle.
+  std::vector<DirectionRange> between(double first, double last) const;
 
 private:
   struct Sector
@@ -40,6 +51,8 @@ private:
     Point3 across = Point3::Zero(); ///< a quarter turn on from there
     double begin = 0.0;
     double size = 0.0;
+
+    Point3 at(double angle) const;
   };
   /// The triangle of a half-edge, from its direction on.
   void add(const TriangleMesh& mesh, Index h, double size);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Paths/OffsetTrimming.h"
-
 #include "OffsetFacts.h"
 #include "Paths/PathOffset.h"
 
@@ -159,7 +157,7 @@ std::size_t expectTheParallelSet(const Surface& sheet, const SurfacePath& path, 
 }
 }
 
-TEST(OffsetTrimming, OfWildCurvesLeavesTheWholeParallelSet)
+TEST(OffsetLines, OfWildCurvesAreTheWholeParallelSet)
 {
   std::mt19937 random(11);
   std::size_t places = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Paths/StraightRay.h"
+#include "StraightRay.h"
 
 #include "Base/Planar.h"
 #include "Paths/PathPoints.h"
