@@ -66,43 +66,42 @@ PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, doubl
 void PathSearch::run(const SurfacePoint* target, double reach, PathWays ways)
 {
   const TriangleMesh& mesh = this->Graph.mesh();
-  this->Distance.assign(mesh.vertexCount(), std::numeric_limits<double>::infinity());
-  this->Reached.assign(mesh.vertexCount(), nullptr);
-  this->Before.assign(mesh.vertexCount(), none);
+  this->Found.assign(mesh.vertexCount(), State());
   const Indices goals = target ? cornersAround(mesh, *target) : Indices();
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto push = [&](Index v) {
     const double ahead = target ? apart(mesh, v, *target) : 0.0;
-    queue.push({ this->Distance[v] + ahead, v });
+    queue.push({ this->Found[v].distance + ahead, v });
   };
   for (const Index v : cornersAround(mesh, this->Source))
   {
-    this->Distance[v] = apart(mesh, v, this->Source);
+    this->Found[v].distance = apart(mesh, v, this->Source);
     push(v);
   }
-  std::vector<char> settled(mesh.vertexCount(), 0);
   double best = reach;
   while (!queue.empty() && queue.top().bound <= best)
   {
     const Index v = queue.top().vertex;
     queue.pop();
-    if (settled[v])
+    State& here = this->Found[v];
+    if (here.settled)
     {
       continue;
     }
-    settled[v] = 1;
+    here.settled = true;
     if (std::find(goals.begin(), goals.end(), v) != goals.end())
     {
-      best = std::min(best, this->Distance[v] + apart(mesh, v, *target));
+      best = std::min(best, here.distance + apart(mesh, v, *target));
     }
     for (const PathGraph::Way& way : this->Graph.from(v))
     {
-      const double distance = this->Distance[v] + way.length;
-      if (distance < this->Distance[way.vertex] && (ways == PathWays::All || way.crossed == none))
+      const double distance = here.distance + way.length;
+      State& there = this->Found[way.vertex];
+      if (distance < there.distance && (ways == PathWays::All || way.crossed == none))
       {
-        this->Distance[way.vertex] = distance;
-        this->Reached[way.vertex] = &way;
-        this->Before[way.vertex] = v;
+        there.distance = distance;
+        there.way = &way;
+        there.before = v;
         push(way.vertex);
       }
     }
@@ -116,7 +115,7 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target) const
   double best = std::numeric_limits<double>::infinity();
   for (const Index v : cornersAround(mesh, target))
   {
-    const double length = this->Distance[v] + apart(mesh, v, target);
+    const double length = this->Found[v].distance + apart(mesh, v, target);
     if (length < best)
     {
       best = length;
@@ -128,7 +127,7 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target) const
     return {};
   }
   Indices chain;
-  for (Index v = last; v != none; v = this->Before[v])
+  for (Index v = last; v != none; v = this->Found[v].before)
   {
     chain.push_back(v);
   }
@@ -145,7 +144,7 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target) const
   };
   for (const Index v : chain)
   {
-    const PathGraph::Way* way = this->Reached[v];
+    const PathGraph::Way* way = this->Found[v].way;
     if (way || this->Source.carrier != Carrier::Vertex)
     {
       append(

@@ -30,18 +30,23 @@ public:
   const PathGraph& graph() const { return this->Graph; }
   const SurfacePoint& source() const { return this->Source; }
   /// Length of the shortest way to a vertex; infinite where none was found.
-  double distance(Index vertex) const { return this->Distance[vertex]; }
+  double distance(Index vertex) const { return this->Found[vertex].distance; }
   /// The shortest way to a target as a course; no knots where none was found.
   PathCourse courseTo(const SurfacePoint& target) const;
 
 private:
+  /// What is known of a vertex, in one place of memory: most of a search is waiting for it.
+  struct State
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    const PathGraph::Way* way = nullptr; ///< that reaches it; null from the source itself
+    Index before = none;                 ///< whence
+    bool settled = false;
+  };
   void run(const SurfacePoint* target, double reach, PathWays ways);
 
   const PathGraph& Graph;
   SurfacePoint Source;
-  std::vector<double> Distance;
-  /// The way that reaches each vertex, and whence; none from the source itself.
-  std::vector<const PathGraph::Way*> Reached;
-  Indices Before;
+  std::vector<State> Found; ///< by vertex
 };
 }
