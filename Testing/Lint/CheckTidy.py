@@ -47,7 +47,7 @@ def with_headers(name):
 def key(name, command):
     digest = hashlib.sha256()
     digest.update(VERSION.encode())
-    digest.update(" ".join(options_of(command)).encode())
+    digest.update(command.encode())
     for part in [".clang-tidy", *with_headers(name)]:
         digest.update(read(part).encode())
     return digest.hexdigest()
@@ -64,13 +64,6 @@ def options_of(command):
     words = words[next(k for k, word in enumerate(words) if word.startswith("-")):]
     named = [k for k, word in enumerate(words) if word in ("-o", "-c")]
     return tuple(word for k, word in enumerate(words) if k not in named and k - 1 not in named)
-
-
-def members_of(path):
-    """The files that a unity source of CMake's includes, or the file itself."""
-    if path.parent.name != "Unity":
-        return [path]
-    return [pathlib.Path(name) for name in re.findall(r'#include "(.+)"', path.read_text(encoding="utf-8"))]
 
 
 def names_declared(text):
@@ -117,7 +110,7 @@ def joined(members):
 
 def check_alone(name):
     stamp = CACHE / key(name, commands[name])  # of what is looked at, should it change meanwhile
-    passed, output = run_tidy(str(ROOT / name), "--", *options_of(commands[name]))
+    passed, output = run_tidy("-p", str(BUILD), str(ROOT / name))
     if passed:
         stamp.touch()
     return name, passed, output
@@ -145,9 +138,8 @@ tracked = set(cxx_files(*FOLDERS))
 commands = {}
 for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
     path = pathlib.Path(entry["directory"], entry["file"]).resolve()
-    for source in members_of(path):
-        if ROOT in source.parents and str(source.relative_to(ROOT)) in tracked:
-            commands[str(source.relative_to(ROOT))] = entry["command"]
+    if ROOT in path.parents and str(path.relative_to(ROOT)) in tracked:
+        commands[str(path.relative_to(ROOT))] = entry["command"]
 if not commands:
     sys.exit("No source found in compile_commands.json: the check would be empty.")
 
