@@ -242,3 +242,53 @@ TEST(StraightLoop, ThatCanSlipOffIsRefused)
   loop.triangles.pop_back();
   EXPECT_EQ(straightLoop(graph, loop).status.code, StatusCode::InvalidCurve);
 }
+
+TEST(StraightLoop, IsTheSameWithoutTheWaysThatItGoesThereAndBack)
+{
+  const Index sides = 14;
+  const Index rings = 20;
+  const TriangleMesh mesh = tube(
+    sides, rings, [](double h) { return 1.0 + (h - 0.45) * (h - 0.45); }, 0.03);
+  const PathGraph graph(mesh);
+  std::mt19937 random(3);
+  const auto any = [&random](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+  };
+  double plain = 0.0;
+  for (int k = 0; k < 200; ++k)
+  {
+    // A ring of edges, from whose vertices ways along edges go off and come back; none at first.
+    const Index ring = 3 + k % (rings - 6);
+    Indices walk;
+    for (Index i = 0; i <= sides; ++i)
+    {
+      Indices there{ ring * sides + i % sides };
+      for (std::size_t left = k == 0 || i == sides ? 0 : any(6); left > 0; --left)
+      {
+        Indices around;
+        for (const Index h : VertexFan(mesh, there.back()))
+        {
+          around.push_back(mesh.to(h));
+        }
+        there.push_back(around[any(around.size())]);
+      }
+      walk.insert(walk.end(), there.begin(), there.end());
+      walk.insert(walk.end(), there.rbegin() + 1, there.rend());
+    }
+    SurfacePath loop;
+    for (std::size_t i = 0; i < walk.size(); ++i)
+    {
+      loop.points.push_back(vertexPoint(mesh, walk[i]));
+      if (i > 0)
+      {
+        const Index h = mesh.find(walk[i - 1], walk[i]);
+        loop.triangles.push_back((h != none ? h : mesh.find(walk[i], walk[i - 1])) / 3);
+      }
+    }
+    const StraightPath tight = straightLoop(graph, loop);
+    ASSERT_TRUE(tight.status.ok()) << k << ": " << tight.status.message;
+    plain = k == 0 ? tight.length : plain;
+    EXPECT_NEAR(tight.length, plain, 1e-9 * plain) << k;
+    EXPECT_LE(worstBendOfLoop(mesh, tight.path), 1e-9) << k;
+  }
+}

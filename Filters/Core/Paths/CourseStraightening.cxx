@@ -70,6 +70,14 @@ private:
     return true;
   }
 
+  /// Whether the path goes back from knot k along the edge by which it came.
+  bool turnsBack(std::size_t k) const
+  {
+    const PathCourse& c = this->Course;
+    return k > 0 && k + 1 < c.knots.size() && c.legs[k - 1].crossed.empty() &&
+      c.legs[k].crossed.empty() && samePlace(c.knots[k - 1], c.knots[k + 1]);
+  }
+
   bool pass()
   {
     this->Bent.clear();
@@ -81,8 +89,11 @@ private:
     {
       this->Sides.clear();
       std::size_t next = k + 1;
-      while (this->isSharp(next))
+      // Where the path turns back along an edge it is on no side of it, and has a run of its own.
+      bool back = false;
+      while (!back && !(next > k + 1 && this->turnsBack(next)) && this->isSharp(next))
       {
+        back = this->turnsBack(next);
         ++next;
       }
       if (next == k + 1)
