@@ -3,6 +3,7 @@
 
 #include "PatternStrokes.h"
 #include "PatternText.h"
+#include "PdfPages.h"
 #include "VisualOrder.h"
 
 #include <cairo-pdf.h>
