@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceCurve.h"
 
-#include "CurveEditorData.h"
 #include "Base/Finite.h"
+#include "CurveEditorData.h"
 #include "CurvedSurface.h"
 #include "Editing/CurveDrawing.h"
 #include "Editing/DerivedCurves.h"
