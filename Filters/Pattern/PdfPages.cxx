@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PdfPages.h"
 
-#include "PatternStrokes.h"
+#include "PageMarks.h"
 #include "PatternText.h"
+#include "PieceShifts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace flattening
 {
@@ -31,73 +33,13 @@ Point2 paperExtent(PaperSize paper)
   }
 }
 
-/// Tiles which a segment enters, by clipping it to the tile's rectangle.
-bool enters(const Point2& from, const Point2& to, const Point2& low, const Point2& high)
-{
-  double first = 0.0;
-  double last = 1.0;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double way = to[axis] - from[axis];
-    if (way == 0.0)
-    {
-      if (from[axis] < low[axis] || from[axis] > high[axis])
-      {
-        return false;
-      }
-      continue;
-    }
-    const double a = (low[axis] - from[axis]) / way;
-    const double b = (high[axis] - from[axis]) / way;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  return first <= last;
-}
-
-/// Marks the tiles that show a part of a segment.
-void mark(
-  const PagePlan& plan, const Point2& from, const Point2& to, std::vector<unsigned char>& used)
-{
-  const auto tileOf = [&plan](double at, int axis, int most, double back) {
-    return std::clamp(static_cast<int>(std::floor((at - back) / plan.step[axis])), 0, most - 1);
-  };
-  const Point2 low = from.cwiseMin(to);
-  const Point2 high = from.cwiseMax(to);
-  for (int row = tileOf(low.y(), 1, plan.rows, plan.overlap);
-       row <= tileOf(high.y(), 1, plan.rows, 0.0); ++row)
-  {
-    for (int column = tileOf(low.x(), 0, plan.columns, plan.overlap);
-         column <= tileOf(high.x(), 0, plan.columns, 0.0); ++column)
-    {
-      const Point2 corner(column * plan.step.x(), row * plan.step.y());
-      if (enters(from, to, corner, corner + plan.printable))
-      {
-        used[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
-          static_cast<std::size_t>(column)] = 1;
-      }
-    }
-  }
-}
-
 void findPages(const Pattern& pattern, PagePlan& plan)
 {
-  std::vector<unsigned char> used(
-    static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
-  const Point2 legend = legendExtent(plan.hasMap);
-  mark(plan, plan.origin, plan.origin + Point2(legend.x(), 0.0), used);
-  mark(plan, plan.origin, plan.origin + Point2(0.0, legend.y()), used);
+  PageMarks used = pagesOfLegend(plan);
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
   {
-    for (const Stroke& stroke : strokesOf(pattern.pieces[p]))
-    {
-      const std::size_t count = stroke.points.size();
-      for (std::size_t k = 0; k + (stroke.closed ? 0 : 1) < count; ++k)
-      {
-        mark(plan, plan.layout.place(pattern, p, stroke.points[k]),
-          plan.layout.place(pattern, p, stroke.points[(k + 1) % count]), used);
-      }
-    }
+    const PageMarks own = pagesOf(pattern, plan, p);
+    std::transform(used.begin(), used.end(), own.begin(), used.begin(), std::bit_or<>());
   }
   plan.pages.clear();
   for (int row = 0; row < plan.rows; ++row)
@@ -191,7 +133,8 @@ const char* paperName(PaperSize paper)
 
 Point2 legendExtent(bool withMap)
 {
-  return { 185.0, withMap ? 105.0 : 50.0 };
+  // On A4 no wider than what the next page does not show as well.
+  return { 169.5, withMap ? 105.0 : 50.0 };
 }
 
 std::string tileName(const Tile& tile)
@@ -268,6 +211,11 @@ Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& p
         }
       }
     }
+  }
+  if (found && plan.pages.size() > 1)
+  {
+    saveByShifts(pattern, plan);
+    findPages(pattern, plan);
   }
   if (!found)
   {

@@ -232,10 +232,10 @@ private:
     cairo_stroke(this->Context);
     this->text("100 mm x 50 mm", { 50.0, 21.0 }, 4.0, Anchor::Middle);
     this->text("Print at 100 % and measure this rectangle.", { 50.0, 29.0 }, 4.0, Anchor::Middle);
-    const double room = legendExtent(false).x() - 105.0;
+    const double room = legendExtent(false).x() - 103.0;
     double y = 4.0;
     const auto write = [&](const std::string& content, double height) {
-      this->text(fitText(content, height, room), { 105.0, y }, height, Anchor::Start);
+      this->text(fitText(content, height, room), { 103.0, y }, height, Anchor::Start);
       y += 1.5 * height;
     };
     write(this->Drawn.name, 6.0);
