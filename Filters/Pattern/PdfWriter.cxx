@@ -233,21 +233,22 @@ private:
     this->text("100 mm x 50 mm", { 50.0, 21.0 }, 4.0, Anchor::Middle);
     this->text("Print at 100 % and measure this rectangle.", { 50.0, 29.0 }, 4.0, Anchor::Middle);
     const double room = legendExtent(false).x() - 103.0;
+    const double small = 2.8;
     double y = 4.0;
     const auto write = [&](const std::string& content, double height) {
       this->text(fitText(content, height, room), { 103.0, y }, height, Anchor::Start);
       y += 1.5 * height;
     };
     write(this->Drawn.name, 6.0);
-    write("Scale 1:1. Unit of the surface: " + std::string(unitName(this->Drawn.unit)), 3.2);
+    write("Scale 1:1. Unit of the surface: " + std::string(unitName(this->Drawn.unit)), small);
     if (this->Plan.pages.size() > 1)
     {
       write(std::to_string(this->Plan.pages.size()) + " pages " + paperName(this->Paper) +
-          ": join them at the crosses.",
-        3.2);
+          ": join at the crosses.",
+        small);
     }
     // As many pieces as there is room for above the lower edge of the rectangle.
-    const std::size_t lines = static_cast<std::size_t>(std::max(1.0, (50.0 - y) / 4.8));
+    const std::size_t lines = static_cast<std::size_t>(std::max(1.0, (50.0 - y) / (1.5 * small)));
     const std::size_t pieces = this->Drawn.pieces.size();
     const std::size_t shown = pieces <= lines ? pieces : lines - 1;
     for (std::size_t p = 0; p < shown; ++p)
@@ -256,11 +257,11 @@ private:
       write(std::to_string(piece.number) + ": " + piece.name +
           (piece.size.empty() ? "" : ", size " + piece.size) + ", cut " +
           std::to_string(piece.quantity),
-        3.2);
+        small);
     }
     if (shown < pieces)
     {
-      write("and " + std::to_string(pieces - shown) + " more pieces", 3.2);
+      write("and " + std::to_string(pieces - shown) + " more pieces", small);
     }
     if (this->Plan.hasMap)
     {
