@@ -73,8 +73,9 @@ void triangulate(
   triangulation->Update();
   vtkPolyData* triangles = triangulation->GetOutput();
   auto* origin = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray("cell"));
-  forEachCell(triangles->GetPolys(), [&](vtkIdType k, vtkIdType, const vtkIdType* ids) {
-    if (choice.reads(origin->GetValue(k)))
+  forEachCell(triangles->GetPolys(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
+    // VTK 9.6 hands on a polygon of two points.
+    if (count == 3 && choice.reads(origin->GetValue(k)))
     {
       appendTriangle(result, origin->GetValue(k), ids[0], ids[1], ids[2]);
     }
