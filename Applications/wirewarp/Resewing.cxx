@@ -129,6 +129,7 @@ void sewAgain(const ResewingRequest& request, const std::string& body, const std
     result.notes.push_back(field.text("RunWarnings", row));
   }
 }
+
 //------------------------------------------------------------------------------
 std::string resewingTable(const ResewingRequest& request, const Flattening& result)
 {

@@ -14,7 +14,6 @@ namespace
 {
 constexpr int places = 9; ///< that are tried along each side of a page
 constexpr int sweeps = 2;
-constexpr double apart = 15.0; ///< least distance of pieces, as layOut() has it
 
 class Shifts
 {
@@ -80,7 +79,7 @@ private:
   {
     const Box box = this->boxOf(piece);
     const Box around(
-      box.min() - Point2::Constant(apart - 1e-9), box.max() + Point2::Constant(apart - 1e-9));
+      box.min() - Point2::Constant(pieceGap - 1e-9), box.max() + Point2::Constant(pieceGap - 1e-9));
     if (!this->Sheet.contains(box) ||
       around.intersects(
         Box(this->Plan.origin, this->Plan.origin + legendExtent(this->Plan.hasMap))))

@@ -5,6 +5,7 @@ import os
 import shutil
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import command
@@ -62,6 +63,8 @@ class Picture(CommandTest):
                 environment["DISPLAY"] = display
             run = self.run_command(SURFACE, "-o", "out", "--picture", "a.png", env=environment)
             if run.returncode == 0:  # VTK 9.4 and later draw by EGL or OSMesa then
+                version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
+                self.assertGreaterEqual(version, (9, 4))
                 self.assertGreater(os.path.getsize(self.path("a.png")), 1000)
                 shutil.rmtree(self.path("out"))
                 os.remove(self.path("a.png"))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PdfPages.h"
 
+#include "Rectangles.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,15 +20,7 @@ Pattern patternOf(const Points2& extents)
   Pattern pattern;
   for (const Point2& extent : extents)
   {
-    PatternPiece piece;
-    piece.name = "rectangle";
-    piece.extent = extent;
-    PatternLine line;
-    line.kind = LineKind::CutLine;
-    line.closed = true;
-    line.points = { { 0.0, 0.0 }, { extent.x(), 0.0 }, extent, { 0.0, extent.y() } };
-    piece.lines.push_back(line);
-    pattern.pieces.push_back(piece);
+    pattern.pieces.push_back(rectangle(extent));
   }
   return pattern;
 }

@@ -2,6 +2,7 @@
 #include "PieceShifts.h"
 
 #include "PageMarks.h"
+#include "Rectangles.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +15,6 @@ namespace
 {
 using namespace flattening;
 using namespace flattening::pattern;
-
-PatternPiece rectangle(const Point2& extent)
-{
-  PatternPiece piece;
-  piece.extent = extent;
-  PatternLine line;
-  line.kind = LineKind::CutLine;
-  line.closed = true;
-  line.points = { { 0.0, 0.0 }, { extent.x(), 0.0 }, extent, { 0.0, extent.y() } };
-  piece.lines.push_back(line);
-  return piece;
-}
 
 /// A sheet of upright A4 pages.
 PagePlan sheetOf(int rows, int columns)
