@@ -4,9 +4,6 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
-# The plugin's build tree compiles two thirds of its sources as build/ does: they are compiled once.
-compile_cache=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_DEPEND=1
 
 fail()
 {
@@ -97,7 +94,7 @@ build_targets()
     -DPython3_EXECUTABLE=/usr/bin/python3 \
     -DSURFACEFLATTENING_WARNINGS_AS_ERRORS="${WARNINGS_AS_ERRORS:-OFF}" \
     -DSURFACEFLATTENING_LINT="${lint:-OFF}" \
-    "${compile_cache[@]}" \
+    -DSURFACEFLATTENING_PRECOMPILE_HEADERS=ON \
     --log-level=WARNING
   cmake --build "$build" --target "$@"
 }

@@ -11,59 +11,25 @@ or is none because two files name something of their own alike, each is looked a
 
 import concurrent.futures
 import hashlib
-import json
 import os
 import pathlib
 import re
-import shlex
 import subprocess
 import sys
 
-from Sources import ROOT, cxx_files, read
+from CompileCommands import Passed, commands_of, options_of
+from Sources import ROOT, read
 
 CLANG_TIDY, BUILD = sys.argv[1], pathlib.Path(sys.argv[2])
 FOLDERS = ("Filters/", "Interaction/", "Applications/", "Examples/")
-CACHE = BUILD / "tidy"
 TOGETHER = 8  # files in one source
 
-headers = {pathlib.PurePath(name).name: name for name in cxx_files(*FOLDERS) if name.endswith(".h")}
 
-
-def with_headers(name):
-    """The file and all our headers that it includes, directly or not."""
-    found, waiting = set(), [name]
-    while waiting:
-        current = waiting.pop()
-        if current in found:
-            continue
-        found.add(current)
-        for include in re.findall(r'^\s*#\s*include\s*"([^"]+)"', read(current), re.MULTILINE):
-            header = headers.get(pathlib.PurePath(include).name)
-            if header:
-                waiting.append(header)
-    return sorted(found)
-
-
-def key(name, command):
-    digest = hashlib.sha256()
-    digest.update(VERSION.encode())
-    digest.update(command.encode())
-    for part in [".clang-tidy", *with_headers(name)]:
-        digest.update(read(part).encode())
-    return digest.hexdigest()
-
-
-def run_tidy(*arguments):
-    result = subprocess.run([CLANG_TIDY, "--quiet", *arguments], capture_output=True, text=True, check=False)
+def run_tidy(source, options):
+    result = subprocess.run(
+        [CLANG_TIDY, "--quiet", f"--config-file={ROOT / '.clang-tidy'}", str(source), "--", *options],
+        capture_output=True, text=True, check=False)
     return result.returncode == 0, result.stdout + ("" if result.stdout else result.stderr)
-
-
-def options_of(command):
-    """A compile command without the compiler, its launcher, and the names of the file and its object."""
-    words = shlex.split(command)
-    words = words[next(k for k, word in enumerate(words) if word.startswith("-")):]
-    named = [k for k, word in enumerate(words) if word in ("-o", "-c")]
-    return tuple(word for k, word in enumerate(words) if k not in named and k - 1 not in named)
 
 
 def names_declared(text):
@@ -109,8 +75,8 @@ def joined(members):
 
 
 def check_alone(name):
-    stamp = CACHE / key(name, commands[name])  # of what is looked at, should it change meanwhile
-    passed, output = run_tidy("-p", str(BUILD), str(ROOT / name))
+    stamp = known.stamp(name, commands[name])  # of what is looked at, should it change meanwhile
+    passed, output = run_tidy(ROOT / name, options_of(commands[name]))
     if passed:
         stamp.touch()
     return name, passed, output
@@ -119,11 +85,11 @@ def check_alone(name):
 def check(batch):
     options, members = batch
     if len(members) > 1:
-        stamps = [CACHE / key(name, commands[name]) for name in members]
-        source = CACHE / (hashlib.sha256(" ".join(members).encode()).hexdigest()[:16] + ".cxx")
+        stamps = [known.stamp(name, commands[name]) for name in members]
+        source = known.folder / (hashlib.sha256(" ".join(members).encode()).hexdigest()[:16] + ".cxx")
         source.write_text(joined(members), encoding="utf-8")
         folders = sorted({f"-iquote{(ROOT / name).parent}" for name in members})
-        passed, _ = run_tidy(f"--config-file={ROOT / '.clang-tidy'}", str(source), "--", *options, *folders)
+        passed, _ = run_tidy(source, [*options, *folders])
         source.unlink()
         if passed:
             for stamp in stamps:
@@ -133,17 +99,12 @@ def check(batch):
 
 
 VERSION = subprocess.run([CLANG_TIDY, "--version"], capture_output=True, text=True, check=True).stdout
-CACHE.mkdir(exist_ok=True)
-tracked = set(cxx_files(*FOLDERS))
-commands = {}
-for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
-    path = pathlib.Path(entry["directory"], entry["file"]).resolve()
-    if ROOT in path.parents and str(path.relative_to(ROOT)) in tracked:
-        commands[str(path.relative_to(ROOT))] = entry["command"]
+known = Passed(BUILD / "tidy", VERSION + read(".clang-tidy"), FOLDERS)
+commands = commands_of(BUILD, *FOLDERS)
 if not commands:
     sys.exit("No source found in compile_commands.json: the check would be empty.")
 
-waiting = [name for name, command in commands.items() if not (CACHE / key(name, command)).exists()]
+waiting = [name for name, command in commands.items() if not known.stamp(name, command).exists()]
 failed = []
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     for found in pool.map(check, batches(waiting)):

@@ -29,7 +29,7 @@ FINDINGS = {"D.cxx": "performance-unnecessary-value-param", "E.cxx": "clang-anal
 
 def run(root, names):
     commands = [{"directory": str(root), "file": f"Filters/{name}",
-                 "command": f"/usr/bin/c++ -std=c++17 -o {name}.o -c {root}/Filters/{name}"} for name in names]
+                 "command": f"/usr/bin/c++ -std=c++17 -Winvalid-pch -include {root}/build/cmake_pch.hxx -o {name}.o -c {root}/Filters/{name}"} for name in names]
     (root / "build" / "compile_commands.json").write_text(json.dumps(commands), encoding="utf-8")
     result = subprocess.run(
         [sys.executable, str(root / "Testing" / "Lint" / "CheckTidy.py"), sys.argv[1], str(root / "build")],
@@ -42,7 +42,7 @@ with tempfile.TemporaryDirectory() as folder:
     tree = pathlib.Path(folder)
     for part in ("Filters", "Testing/Lint", "build"):
         (tree / part).mkdir(parents=True)
-    for part in ("CheckTidy.py", "Sources.py"):
+    for part in ("CheckTidy.py", "CompileCommands.py", "Sources.py"):
         shutil.copy(HERE / part, tree / "Testing" / "Lint" / part)
     shutil.copy(HERE.parents[1] / ".clang-tidy", tree / ".clang-tidy")
     for file_name, text in FILES.items():

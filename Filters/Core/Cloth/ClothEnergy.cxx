@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cloth/ClothEnergy.h"
 
+#include "Base/ConvexPart.h"
 #include "Cloth/ThreadEnergy.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -64,17 +63,6 @@ const Eigen::Matrix4d& partsToRows()
 {
   static const Eigen::Matrix4d matrix = makePartsToRows();
   return matrix;
-}
-
-Eigen::Matrix4d withoutNegativeEigenvalues(const Eigen::Matrix4d& matrix)
-{
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(matrix);
-  if (solver.eigenvalues()[0] >= 0.0)
-  {
-    return matrix;
-  }
-  const Eigen::Vector4d kept = solver.eigenvalues().cwiseMax(0.0);
-  return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
 }
 }
 

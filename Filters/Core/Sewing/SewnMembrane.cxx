@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SewnMembrane.h"
 
-#include <Eigen/Eigenvalues>
+#include "Base/ConvexPart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,6 @@ namespace
 {
 /// Triangles whose derivatives are held at a time.
 constexpr Index derivedAtOnce = 4096;
-
-/// The nearest positive semidefinite matrix to a symmetric one.
-template <int N>
-Eigen::Matrix<double, N, N> withoutNegativeEigenvalues(const Eigen::Matrix<double, N, N>& matrix)
-{
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> solver(matrix);
-  const Eigen::Matrix<double, N, 1> values = solver.eigenvalues().cwiseMax(0.0);
-  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
-}
 
 /// Gradient of a corner's hat function in the plane of the rest.
 Eigen::Vector2d hatGradient(const TriangleFrame& rest, int k)
