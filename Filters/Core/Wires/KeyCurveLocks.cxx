@@ -198,8 +198,11 @@ NodeLocks lockKeyCurves(const WireNetwork& network, const Piece& piece, const Cu
     {
       continue;
     }
-    const Indices nodes(network.vertexNodes.begin() + network.vertexNodeBegin[host],
-      network.vertexNodes.begin() + network.vertexNodeBegin[host + 1]);
+    Indices nodes;
+    for (Index k = network.vertexNodeBegin[host]; k < network.vertexNodeBegin[host + 1]; ++k)
+    {
+      nodes.push_back(network.vertexNodes[k]);
+    }
     if (network.interior[host])
     {
       double sum = 0.0;
