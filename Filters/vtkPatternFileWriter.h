@@ -59,16 +59,19 @@ public:
     DXF = 3,
     WALK = 4,
     HPGL = 5,
-    GARMENT_CODE = 6
+    GARMENT_CODE = 6,
+    NEST = 7,
+    GRADE_LIST = 8,
+    RULE_TABLE = 9
   };
 
   ///@{
   /**
    * What to write; AUTOMATIC: what the extension of FileName says (.svg, .pdf, .dxf, .plt for
-   * HPGL, .json for GarmentCode, .csv for the walk, in either case); any other extension is an
-   * error. Default: AUTOMATIC.
+   * HPGL, .json for GarmentCode, .csv for the walk, .rul for the rule table, in either case); any
+   * other extension is an error. Default: AUTOMATIC.
    */
-  vtkSetClampMacro(FileFormat, int, AUTOMATIC, GARMENT_CODE);
+  vtkSetClampMacro(FileFormat, int, AUTOMATIC, RULE_TABLE);
   vtkGetMacro(FileFormat, int);
   void SetFileFormatToAutomatic() { this->SetFileFormat(AUTOMATIC); }
   void SetFileFormatToSVG() { this->SetFileFormat(SVG); }
@@ -77,6 +80,9 @@ public:
   void SetFileFormatToWalk() { this->SetFileFormat(WALK); }
   void SetFileFormatToHPGL() { this->SetFileFormat(HPGL); }
   void SetFileFormatToGarmentCode() { this->SetFileFormat(GARMENT_CODE); }
+  void SetFileFormatToNest() { this->SetFileFormat(NEST); }
+  void SetFileFormatToGradeList() { this->SetFileFormat(GRADE_LIST); }
+  void SetFileFormatToRuleTable() { this->SetFileFormat(RULE_TABLE); }
   const char* GetFileFormatAsString() const;
   ///@}
 

@@ -3,6 +3,7 @@
 
 #include "Base/Memory.h"
 #include "FileAside.h"
+#include "GradingData.h"
 #include "PatternFile.h"
 #include "PatternInput.h"
 #include "RemedyWords.h"
@@ -77,7 +78,7 @@ unsigned long errorCodeOf(StatusCode code)
 //------------------------------------------------------------------------------
 vtkPatternWriter::vtkPatternWriter()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +136,19 @@ Status vtkPatternWriter::WritePattern(int format)
   pattern::PatternSource source;
   Status status =
     flattening::bridge::readPattern(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
+  pattern::FileOptions options = this->MakeOptions(format);
+  pattern::Grading grading;
+  if (status.ok() && this->GetNumberOfInputConnections(3) > 0)
+  {
+    status = flattening::bridge::readGrading(vtkPolyData::SafeDownCast(this->GetInput(3)), grading);
+    options.grading = &grading;
+  }
   pattern::Pattern drawing;
   setTime(drawing);
   std::string content;
   if (status.ok())
   {
-    status = pattern::makePatternFile(source, this->MakeOptions(format), drawing, content);
+    status = pattern::makePatternFile(source, options, drawing, content);
   }
   if (status.ok())
   {

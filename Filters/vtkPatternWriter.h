@@ -10,6 +10,7 @@
  * | 0 | the flat pieces, triangles counter-clockwise, z ignored | cell array `PieceId` (absent: one piece); field data `SeamPairs` (absent: no notches, no darts to fold), `SeamClosed` (absent: no cut was closed) |
  * | 1, optional | the flat wires over the points of port 0 | cell arrays `CurveType`, `CurveId`, `CurveName`, `PieceId`, `Connector`; absent: outlines only |
  * | 2, optional | the cut surface in space, point for point like port 0 | lengths on the surface, for notches and for `data-length`; absent: the flat lengths |
+ * | 3, optional | sizes of the pattern, the output of vtkPatternGrading with port 0 as the base | the nest, the list of rules and the rule table; the numbers of rules in DXF |
  *
  * Each piece is drawn with its cut line, its sew lines, its feature curves, darts with legs and
  * fold line and a drill hole near the tip, notches, a grainline along its first straight key curve,
@@ -41,9 +42,16 @@
  * - **Walk**: a table of comma-separated values, a row for each interval of a seam or dart between two
  *   notches: `curve`, `type` (seam, dart), `piece_a`, `piece_b`, `interval` (from 1), `from_mm`,
  * `to_mm` (along the curve, on the surface), `length_a_mm`, `length_b_mm` (of the two sides,
- * measured on the flat pieces), `difference_mm`, `ease_percent` (of side a over side b),
+ * measured on what is drawn), `difference_mm`, `ease_percent` (of side a over side b),
  * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
  * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point).
+ *
+ * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines of all
+ *   sizes on each other, a layer a size; comma-separated values with a row for each point that has
+ * a rule (`piece` from 1, `point`, `name`, and `dx`, `dy` of each size in mm across the grain and
+ * along it); and the rule table of ASTM D6673 (.rul), whose rules 1, 2, ... go along the axes of
+ * the DXF, where the texts "# 1", "# 2", ... stand at their points on the sew lines (layer 2). Cut
+ * lines of other sizes are to be drawn anew, by their allowance.
  *
  * The cut line is the union of the piece with the strips of its seam allowance (Clipper), with
  * mitred corners of limited length. A folded dart's mouth gets a roof, so that the folded cloth
@@ -76,7 +84,7 @@
  *
  * @warning With points of single precision lengths are those of the rounded points.
  *
- * @sa vtkPatternFileWriter, vtkWireWarpingFilter
+ * @sa vtkPatternFileWriter, vtkPatternGrading, vtkWireWarpingFilter
  */
 #ifndef vtkPatternWriter_h
 #define vtkPatternWriter_h
@@ -311,8 +319,8 @@ public:
    * How far the tips of folded darts are drawn back, in millimetres, so that the sewn dart ends
    * before the fullest place. The legs go with the tip by an affine map that leaves the mouth where
    * it is: straight legs stay straight and mirrored ones (DartLegs of vtkWireWarpingFilter) stay
-   * mirror images of equal lengths; these and not those of the surface are what `data-length` says,
-   * while a walk of the seams has those of the surface. More than half of a dart's depth is an
+   * mirror images of equal lengths; these and not those of the surface are what `data-length` and a
+   * walk of the seams say. More than half of a dart's depth is an
    * error when writing. Default: 0. Range: from 0.
    */
   vtkSetClampMacro(DartTip, double, 0.0, VTK_DOUBLE_MAX);

@@ -172,6 +172,7 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
   static_assert(static_cast<int>(pattern::Unit::Inch) == INCH, "");
   static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
   static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
+  static_assert(static_cast<int>(pattern::FileFormat::RuleTable) == RULE_TABLE, "");
   static_assert(static_cast<int>(pattern::PaperSize::A0) == A0, "");
   static_assert(static_cast<int>(pattern::PaperSize::Sheet) == SHEET, "");
   pattern::FileOptions options;

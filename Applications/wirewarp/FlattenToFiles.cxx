@@ -3,6 +3,7 @@
 
 #include "OutputFiles.h"
 #include "Report.h"
+#include "Sizes.h"
 
 #include <array>
 #include <chrono>
@@ -21,8 +22,9 @@ constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vt
 constexpr const char* curvesName = "curves.vtp";
 constexpr const char* flattenableName = "flattenable.vtp";
 constexpr const char* sewnName = "sewn.vtp";
-constexpr std::array<const char*, 8> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
-  "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt" };
+constexpr std::array<const char*, 11> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
+  "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt", "nest.svg", "rules.csv",
+  "pattern.rul" };
 constexpr const char* reportName = "report.json";
 
 InputFiles inputFiles(const Options& options)
@@ -36,6 +38,13 @@ InputFiles inputFiles(const Options& options)
   if (!options.body.empty())
   {
     inputs.add(options.body);
+  }
+  for (const SizeSurface& size : options.sizes.all(options.pattern.size))
+  {
+    if (!size.surface.empty())
+    {
+      inputs.add(size.surface);
+    }
   }
   return inputs;
 }
@@ -142,6 +151,10 @@ FilesOfFlattening flattenToFiles(const Options& options)
     files->claim();
   }
   written.result = flattenOne(options);
+  if (options.sizes.any() && !written.result.refused())
+  {
+    gradeSizes(options, written.result);
+  }
   if (written.result.refused())
   {
     if (files)

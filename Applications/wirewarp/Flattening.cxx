@@ -4,6 +4,7 @@
 #include "CurveDistance.h"
 #include "FilterOptions.h"
 #include "InputError.h"
+#include "MovedCurves.h"
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
@@ -46,18 +47,38 @@ vtkSmartPointer<vtkPolyData> mended(
   return mend.surface;
 }
 
-/// Returns the file of each connection of curves.
-std::vector<std::string> readInput(
-  const Options& options, vtkWireWarpingFilter* filter, Flattening& result)
+SurfaceContents readMended(const std::string& path, const Options& options, Flattening& result)
 {
-  SurfaceContents contents = readSurface(options.surface);
+  SurfaceContents contents = readSurface(path);
   setUnit(options, contents, result);
   contents.surface = mended(options, contents, result);
+  return contents;
+}
+
+/// Returns the file of each connection of curves.
+/// \param base as flattenOne() has it
+std::vector<std::string> readInput(
+  const Options& options, const std::string& base, vtkWireWarpingFilter* filter, Flattening& result)
+{
+  SurfaceContents contents = readMended(options.surface, options, result);
+  vtkSmartPointer<vtkPolyData> owner = contents.surface; // of the curves
+  if (!base.empty())
+  {
+    Flattening ignored;
+    const SurfaceContents model = readMended(base, options, ignored);
+    checkConnectivity(model.surface, base, contents.surface, options.surface);
+    owner = model.surface;
+    contents.curves = model.curves;
+  }
   filter->SetInputData(contents.surface);
   std::vector<std::string> files;
   std::vector<vtkPolyData*> read; // which the filter's connections keep
-  const auto connect = [&](const std::string& path, vtkPolyData* curves) {
+  const auto connect = [&](const std::string& path, vtkSmartPointer<vtkPolyData> curves) {
     vtkNew<vtkTrivialProducer> producer;
+    if (owner != contents.surface)
+    {
+      curves = movedCurves(curves, owner, contents.surface);
+    }
     producer->SetOutput(curves);
     filter->AddCurvesConnection(producer->GetOutputPort());
     files.push_back(path);
@@ -69,7 +90,7 @@ std::vector<std::string> readInput(
   }
   for (const std::string& path : options.curves)
   {
-    connect(path, readCurves(path, contents.surface));
+    connect(path, readCurves(path, owner));
   }
   result.curveDistance = largestDistance(contents.surface, read);
   for (const EaseRequest& ease : options.eases)
@@ -147,7 +168,7 @@ Flattening outOfMemory(const std::string& surface)
 }
 
 //------------------------------------------------------------------------------
-Flattening flattenOne(const Options& options)
+Flattening flattenOne(const Options& options, const std::string& base)
 {
   Flattening result;
   const Clock::time_point start = Clock::now();
@@ -157,7 +178,7 @@ Flattening flattenOne(const Options& options)
     filter->CachingOff(); // it runs once
     setOptions(options, filter);
     giveBody(options.body, filter);
-    const std::vector<std::string> curveFiles = readInput(options, filter, result);
+    const std::vector<std::string> curveFiles = readInput(options, base, filter, result);
     result.secondsRead = secondsSince(start);
     run(filter, options.quiet, result);
     const int curves = filter->GetStatusConnection();

@@ -41,6 +41,9 @@ struct Flattening
   /// With --resew: output 0 of vtkSewnShape.
   vtkSmartPointer<vtkPolyData> sewn;
 
+  /// With --grade: the output of vtkPatternGrading.
+  vtkSmartPointer<vtkPolyData> grading;
+
   std::string unit = "cm"; ///< of the surface, as in Units.h
   bool unitStated = false; ///< by --unit or by the file; else it is taken for granted
 
@@ -61,5 +64,6 @@ Flattening outOfMemory(const std::string& surface);
 
 /// Reads one surface with its curves and flattens it. Bad input ends in the result, not in an
 /// exception.
-Flattening flattenOne(const Options& options);
+/// \param base the surface of the same connectivity that the curves are of; empty: the one itself
+Flattening flattenOne(const Options& options, const std::string& base = {});
 }

@@ -56,6 +56,8 @@ std::vector<Scope> scopesOf(const Options& options)
       "for --material where it is " + options.picture.coloring },
     { { "--body" }, options.resewing.any() || options.reshaping.any(),
       "for --resew or --flattenable" },
+    { { "--grade" }, options.suggest.empty() && !options.reshaping.any() && !options.priceKeys,
+      "for curves that are given, not for --suggest, --price-keys or --flattenable" },
     { { "--spacing" }, options.arrange,
       "for pieces that are laid side by side, not for --no-arrange" },
   };

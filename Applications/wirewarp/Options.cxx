@@ -262,6 +262,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   addLimits(app, options);
   addOutput(app, options);
   addPatternOptions(app, options.pattern);
+  addSizeOptions(app, options.sizes);
   addPictureOptions(app, options.picture);
   app
     .add_option("--batch", options.batch,
@@ -270,7 +271,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
       "became of them and what took how long")
     ->type_name("LIST")
     ->excludes(surface, app.get_option("--pins"), app.get_option("--list-curves"),
-      app.get_option("--picture"))
+      app.get_option("--picture"), app.get_option("--grade"))
     ->group("Input");
 
   exitCode = Done;
@@ -301,6 +302,12 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
     else if (options.surface.empty())
     {
       throw CLI::ValidationError("SURFACE", "the file has no name");
+    }
+    const std::string fault =
+      options.sizes.any() ? options.sizes.fault(options.pattern.size) : std::string();
+    if (!fault.empty())
+    {
+      throw CLI::ValidationError(fault);
     }
     if (options.pins[0] >= 0 && options.pins[0] == options.pins[1])
     {

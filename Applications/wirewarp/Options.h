@@ -5,6 +5,7 @@
 #include "Picture.h"
 #include "Resewing.h"
 #include "Reshaping.h"
+#include "SizeOptions.h"
 
 #include <array>
 #include <map>
@@ -94,6 +95,7 @@ struct Options
   ReshapingRequest reshaping;
   ResewingRequest resewing;
   PatternRequest pattern;
+  SizeRequest sizes;
   PictureRequest picture;
 
   std::string output; ///< empty: outputFolder() makes one of the input's name

@@ -239,8 +239,8 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_option("--dart-tip", request.dartTip,
-      "How far tips of folded darts are drawn back, their legs with them (--walk has them as they "
-      "are on the surface); with --dart-legs straight or mirrored the legs stay mirror images")
+      "How far tips of folded darts are drawn back, their legs with them, which are shorter "
+      "then; with --dart-legs straight or mirrored the legs stay mirror images")
     ->check(number(0.0, large, "[0, 1e6]"))
     ->capture_default_str()
     ->group(group);
@@ -320,6 +320,10 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   writer->SetInputData(0, result.flat);
   writer->SetInputData(1, result.wires);
   writer->SetInputData(2, result.cut);
+  if (result.grading)
+  {
+    writer->SetInputData(3, result.grading);
+  }
   const auto add = [&](bool wanted, const std::string& name, int format) {
     if (!wanted)
     {
@@ -347,6 +351,9 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   add(request.plt, "pattern.plt", vtkPatternWriter::HPGL);
   add(request.garmentCode, "pattern.json", vtkPatternWriter::GARMENT_CODE);
   add(request.walk, "walk.csv", vtkPatternWriter::WALK);
+  add(result.grading, "nest.svg", vtkPatternWriter::NEST);
+  add(result.grading, "rules.csv", vtkPatternWriter::GRADE_LIST);
+  add(result.grading && request.dxf, "pattern.rul", vtkPatternWriter::RULE_TABLE);
   writer->SetFabricWidth(request.fabricWidth);
   add(request.fabricWidth > 0.0, "lay.svg", vtkPatternWriter::SVG);
   add(request.fabricWidth > 0.0 && request.plt, "lay.plt", vtkPatternWriter::HPGL);

@@ -63,8 +63,8 @@ struct PatternRequest
 
 void addPatternOptions(CLI::App& app, PatternRequest& request);
 
-/// Adds pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg and
-/// lay.plt to the files.
+/// Adds pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg,
+/// lay.plt, nest.svg, rules.csv and pattern.rul to the files.
 /// Throws InputError where one cannot be drawn.
 /// \return their names
 std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,

@@ -71,6 +71,10 @@ PatternSource withoutClosedCuts(const PatternSource& source)
       v = joined[v];
     }
   }
+  for (Index& v : whole.gradePoints)
+  {
+    v = joined[v];
+  }
   whole.sewn.clear();
   for (SewnEdges pair : source.sewn)
   {

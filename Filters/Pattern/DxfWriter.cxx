@@ -20,6 +20,7 @@ constexpr double turnAngle = 0.3;
 constexpr std::size_t longestText = 250;
 constexpr std::size_t longestName = 31; // R12's limit
 constexpr double drillRadius = 1.5;
+constexpr double gradeTextHeight = 3.0;
 
 DxfLayer layerOf(LineKind kind)
 {
@@ -228,6 +229,11 @@ private:
       this->Records.begin("CIRCLE", DxfLayer::DrillHoles);
       this->Records.addPoint(hole);
       this->Records.addLength(40, drillRadius);
+    }
+    for (const GradePoint& point : piece.gradePoints)
+    {
+      this->addText(
+        DxfLayer::TurnPoints, point.place, gradeTextHeight, 0.0, "# " + std::to_string(point.rule));
     }
     this->addLine(DxfLayer::GrainLine, piece.grain.from, piece.grain.to);
     this->addPieceTexts(piece);

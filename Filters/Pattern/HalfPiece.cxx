@@ -281,6 +281,10 @@ void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
   piece.notches.erase(std::remove_if(piece.notches.begin(), piece.notches.end(),
                         [&isLeft](const Notch& notch) { return isLeft(notch.foot); }),
     piece.notches.end());
+  piece.gradePoints.erase(
+    std::remove_if(piece.gradePoints.begin(), piece.gradePoints.end(),
+      [&axis](const GradePoint& point) { return rightOf(axis, point.place) < -mirrorTolerance; }),
+    piece.gradePoints.end());
   piece.drillHoles.erase(
     std::remove_if(piece.drillHoles.begin(), piece.drillHoles.end(),
       [&axis](const Point2& p) { return rightOf(axis, p) < -mirrorTolerance; }),

@@ -51,6 +51,13 @@ struct Notch
   std::string name;       ///< of the feature curve
 };
 
+/// A point that another size has elsewhere.
+struct GradePoint
+{
+  Point2 place = Point2::Zero();
+  int rule = 0; ///< from 1
+};
+
 struct Grainline
 {
   Point2 from = Point2::Zero();
@@ -86,6 +93,7 @@ struct PatternPiece
   std::vector<PatternLine> lines;
   std::vector<Notch> notches;
   Points2 drillHoles;
+  std::vector<GradePoint> gradePoints;
   Grainline grain;
   std::vector<std::string> notes;    ///< what was done that who cuts may want to know
   std::vector<std::string> warnings; ///< what is drawn otherwise than may be expected

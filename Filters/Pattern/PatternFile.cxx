@@ -3,6 +3,7 @@
 
 #include "DxfWriter.h"
 #include "GarmentCode.h"
+#include "GradeFiles.h"
 #include "HpglWriter.h"
 #include "PatternBuilder.h"
 #include "PdfWriter.h"
@@ -24,7 +25,40 @@ struct Extension
 };
 constexpr Extension extensions[] = { { ".svg", FileFormat::Svg }, { ".pdf", FileFormat::Pdf },
   { ".dxf", FileFormat::Dxf }, { ".csv", FileFormat::Walk }, { ".plt", FileFormat::Hpgl },
-  { ".json", FileFormat::GarmentCode } };
+  { ".json", FileFormat::GarmentCode }, { ".rul", FileFormat::RuleTable } };
+
+Status makeGradeFile(const FileOptions& options, const Pattern& drawing, std::string& content)
+{
+  if (!options.grading)
+  {
+    return { StatusCode::InvalidOption,
+      std::string("there are no sizes to write as ") + formatName(options.format), {},
+      { { Remedy::Give, "the sizes" } } };
+  }
+  const Grading& grading = *options.grading;
+  content = options.format == FileFormat::Nest ? makeNest(grading, options.pattern.name)
+    : options.format == FileFormat::GradeList  ? makeRuleList(grading)
+                                               : makeRuleTable(grading, options.pattern.name,
+                                                   options.pattern.unit, drawing.date, drawing.time);
+  return {};
+}
+
+/// The points with rules among those of the base size.
+Status addGradePoints(const Grading& grading, PatternSource& source)
+{
+  if (grading.positions[grading.base].size() != source.positions.size())
+  {
+    return { StatusCode::InvalidPattern,
+      "the sizes have " + std::to_string(grading.positions[grading.base].size()) +
+        " points and the flat surface " + std::to_string(source.positions.size()),
+      {}, { Remedy::GiveFlatPieces } };
+  }
+  for (const GradeRule& rule : grading.rules)
+  {
+    source.gradePoints.push_back(rule.point);
+  }
+  return {};
+}
 }
 
 const char* formatName(FileFormat format)
@@ -43,6 +77,12 @@ const char* formatName(FileFormat format)
       return "HPGL";
     case FileFormat::GarmentCode:
       return "GarmentCode";
+    case FileFormat::Nest:
+      return "Nest";
+    case FileFormat::GradeList:
+      return "GradeList";
+    case FileFormat::RuleTable:
+      return "RuleTable";
     default:
       return "Automatic";
   }
@@ -77,6 +117,18 @@ std::string knownExtensions()
 Status makePatternFile(
   const PatternSource& source, const FileOptions& options, Pattern& drawing, std::string& content)
 {
+  if (options.format >= FileFormat::Nest)
+  {
+    return makeGradeFile(options, drawing, content);
+  }
+  if (options.grading && source.gradePoints.empty())
+  {
+    PatternSource graded = source;
+    FileOptions base = options;
+    base.grading = nullptr;
+    Status status = addGradePoints(*options.grading, graded);
+    return status.ok() ? makePatternFile(graded, base, drawing, content) : status;
+  }
   const bool onFabric = options.fabric.width != 0.0 &&
     (options.format == FileFormat::Svg || options.format == FileFormat::Pdf ||
       options.format == FileFormat::Hpgl);

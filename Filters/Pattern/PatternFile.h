@@ -6,6 +6,7 @@
 #include "Pattern.h"
 #include "PatternSource.h"
 #include "PdfPages.h"
+#include "SizeGrading.h"
 
 namespace flattening
 {
@@ -21,6 +22,9 @@ enum class FileFormat
   Walk,
   Hpgl,
   GarmentCode,
+  Nest,      ///< SVG of all sizes
+  GradeList, ///< comma-separated values
+  RuleTable, ///< after ASTM D6673
 };
 
 /// "SVG", "Walk", ...
@@ -40,6 +44,8 @@ struct FileOptions
   FabricOptions fabric;      ///< of SVG, PDF and HPGL: lay the pieces on cloth
   bool walkTable = false;    ///< of PDF: on pages after the pattern
   bool laserColours = false; ///< of SVG
+  const Grading* grading =
+    nullptr; ///< of a pattern of several sizes, of which the source is the base
 };
 
 /// Draws a flattening and makes the file's bytes.

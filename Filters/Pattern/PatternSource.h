@@ -80,6 +80,7 @@ struct PatternSource
   Indices pieceOfTriangle;
   std::vector<SourceWire> wires;
   std::vector<SewnEdges> sewn;
+  Indices gradePoints;  ///< with the rules 1, 2, ... of a grading, or none
   SourcePanels panels;  ///< without edges where there were none
   bool onCloth = false; ///< the pieces lie on their cloth, its warp along y
 };

@@ -184,6 +184,20 @@ std::string formatNumber(double value, int digits)
   return text == "-0" ? "0" : text;
 }
 
+std::string csvField(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  return quoted + "\"";
+}
+
 double textWidth(const std::string& text, double height)
 {
   std::size_t characters = 0;

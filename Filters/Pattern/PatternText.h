@@ -25,6 +25,9 @@ std::string dxfSymbol(const std::string& text, std::size_t most);
 /// decimal separator is a point in every locale.
 std::string formatNumber(double value, int digits);
 
+/// A field of comma-separated values, in quotes where its characters ask for them.
+std::string csvField(const std::string& text);
+
 /// How wide a text is to be taken in a sans-serif face of the given height.
 double textWidth(const std::string& text, double height);
 }

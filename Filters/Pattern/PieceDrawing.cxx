@@ -55,6 +55,7 @@ public:
       return status;
     }
     this->drawNotches();
+    this->addGradePoints();
     for (const BorderMark& mark : marks)
     {
       if (mark.piece == this->Piece)
@@ -294,6 +295,36 @@ private:
     }
   }
 
+  void addGradePoints()
+  {
+    const Indices& graded = this->All.source.gradePoints;
+    for (const Indices& loop : this->Loops)
+    {
+      for (std::size_t k = 0; k < graded.size(); ++k)
+      {
+        if (std::find(loop.begin(), loop.end(), graded[k]) != loop.end())
+        {
+          this->Drawing.gradePoints.push_back(
+            { this->placeOf(graded[k]), static_cast<int>(k) + 1 });
+        }
+      }
+    }
+  }
+
+  /// Where a point of a loop is drawn.
+  Point2 placeOf(Index point)
+  {
+    for (std::size_t d = 0; d < this->Cloth.darts().size(); ++d)
+    {
+      const Dart& dart = this->Cloth.darts()[d];
+      if (dart.tip == point || dart.otherTip == point)
+      {
+        return this->Cloth.placement(d).at(this->All.at(point));
+      }
+    }
+    return this->All.at(point);
+  }
+
   bool isOnLoop(Index from, Index to)
   {
     if (this->Edges.empty())
@@ -343,6 +374,10 @@ private:
     for (Point2& p : piece.drillHoles)
     {
       p -= box.low;
+    }
+    for (GradePoint& point : piece.gradePoints)
+    {
+      point.place -= box.low;
     }
     for (PatternText& text : piece.texts)
     {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamWalk.h"
 
+#include "Base/Planar.h"
 #include "ClosedCuts.h"
+#include "ClothOutline.h"
 #include "FairBorders.h"
 #include "Notches.h"
 #include "Outline.h"
@@ -23,18 +25,105 @@ constexpr double degreesPerRadian = 57.295779513082320877;
 constexpr double withinEdge = 360.0; ///< both sides are straight there
 using Side = std::array<Index, 2>;   // an edge in the direction of its curve
 
+/// Borders as they are drawn: smooth, and with the tips of darts drawn back.
+class DrawnBorders
+{
+public:
+  /// \param all with its loops; it stays the caller's
+  explicit DrawnBorders(const DrawingSource& all)
+    : All(all)
+  {
+    for (const std::vector<Indices>& loops : all.loops)
+    {
+      this->Cloths.emplace_back(all, loops);
+    }
+  }
+
+  /// The length of a part of an edge of a piece, between two fractions of it.
+  double length(std::size_t piece, const Side& side, double from, double to) const
+  {
+    const DartPlacement* const dart = this->Cloths[piece].placementAlong(side[0], side[1]);
+    if (!this->All.fair)
+    {
+      const Point2 way =
+        this->placed(dart, this->All.at(side[1])) - this->placed(dart, this->All.at(side[0]));
+      return (to - from) * way.norm();
+    }
+    double length = 0.0;
+    for (FairSpan part : this->All.fair->alongEdge(side[0], side[1], from, to))
+    {
+      for (Point2& p : part.control)
+      {
+        p = this->placed(dart, p);
+      }
+      length += part.length();
+    }
+    return length;
+  }
+
+  /// By how much the cloth's angle at each point of the borders is larger than that of the flat
+  /// triangles there, radians.
+  std::vector<double> widening() const
+  {
+    std::vector<double> wider(this->All.source.positions.size(), 0.0);
+    for (std::size_t p = 0; p < this->Cloths.size(); ++p)
+    {
+      for (const Indices& loop : this->All.loops[p])
+      {
+        for (std::size_t k = 0; k < loop.size(); ++k)
+        {
+          // The cloth lies on the left, between the way on and the way back.
+          const Side edge{ loop[k], loop[(k + 1) % loop.size()] };
+          wider[edge[0]] -= this->turn(p, edge);
+          wider[edge[1]] += this->turn(p, { edge[1], edge[0] });
+        }
+      }
+    }
+    return wider;
+  }
+
+private:
+  static Point2 placed(const DartPlacement* dart, const Point2& p)
+  {
+    return dart ? dart->at(p) : p;
+  }
+
+  /// From an edge of the mesh to what is drawn along it, at its first point.
+  double turn(std::size_t piece, const Side& side) const
+  {
+    const PatternSource& source = this->All.source;
+    const DartPlacement* const dart = this->Cloths[piece].placementAlong(side[0], side[1]);
+    Points2 drawn{ this->All.at(side[0]), this->All.at(side[1]) };
+    if (this->All.fair)
+    {
+      const std::vector<FairSpan> parts = this->All.fair->alongEdge(side[0], side[1]);
+      if (!parts.empty())
+      {
+        drawn = { parts.front().control[0], parts.front().control[1] };
+      }
+    }
+    const Point2 before = source.positions[side[1]] - source.positions[side[0]];
+    const Point2 after = this->placed(dart, drawn[1]) - this->placed(dart, drawn[0]);
+    return std::atan2(cross(before, after), before.dot(after));
+  }
+
+  const DrawingSource& All;
+  std::vector<ClothOutline> Cloths; ///< by piece
+};
+
 class SeamWalker
 {
 public:
-  SeamWalker(const PatternSource& source, double scale, const FairBorders* fair,
-    std::vector<WalkInterval>& walk)
-    : Source(source)
-    , Fair(fair)
-    , Partners(sewnPartners(source))
-    , Scale(scale)
-    , Angle(source.positions.size(), 0.0)
+  /// The source and what is drawn of it stay the caller's.
+  SeamWalker(const DrawingSource& all, std::vector<WalkInterval>& walk)
+    : Source(all.source)
+    , Partners(sewnPartners(all.source))
+    , Scale(all.scale())
+    , Drawn(all)
+    , Angle(Drawn.widening())
     , Walk(walk)
   {
+    const PatternSource& source = all.source;
     for (std::size_t t = 0; t < source.triangles.size(); ++t)
     {
       const Triangle& corners = source.triangles[t];
@@ -44,7 +133,7 @@ public:
         const Index next = corners[(k + 1) % 3];
         const Point2 a = source.positions[next] - source.positions[v];
         const Point2 b = source.positions[corners[(k + 2) % 3]] - source.positions[v];
-        this->Angle[v] += std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+        this->Angle[v] += std::abs(std::atan2(cross(a, b), a.dot(b)));
         this->PieceOfEdge[edgeKey(v, next)] = static_cast<std::size_t>(source.pieceOfTriangle[t]);
       }
     }
@@ -136,19 +225,10 @@ private:
 
   void add(const std::array<Side, 2>& sides, double from, double to)
   {
+    WalkInterval& interval = this->Walk.back();
     for (std::size_t s = 0; s < 2; ++s)
     {
-      double& length = this->Walk.back().length[s];
-      if (this->Fair)
-      {
-        for (const FairSpan& part : this->Fair->alongEdge(sides[s][0], sides[s][1], from, to))
-        {
-          length += part.length();
-        }
-        continue;
-      }
-      const Point2 edge = this->Source.positions[sides[s][1]] - this->Source.positions[sides[s][0]];
-      length += (to - from) * this->Scale * edge.norm();
+      interval.length[s] += this->Drawn.length(interval.piece[s], sides[s], from, to);
     }
   }
 
@@ -159,29 +239,15 @@ private:
   }
 
   const PatternSource& Source;
-  const FairBorders* const Fair; ///< null: edges are straight
   const SewnPartners Partners;
   const double Scale;
+  const DrawnBorders Drawn;
   std::vector<double> Angle; ///< of the cloth around each point
   std::unordered_map<std::uint64_t, std::size_t> PieceOfEdge;
   std::unordered_set<std::uint64_t> Done;
   std::vector<WalkInterval>& Walk;
 };
 
-/// A field of a table, in quotes where its characters ask for them.
-std::string field(const std::string& text)
-{
-  if (text.find_first_of(",\"\n") == std::string::npos)
-  {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  }
-  return quoted + "\"";
-}
 }
 
 Status walkSeams(
@@ -189,26 +255,27 @@ Status walkSeams(
 {
   walk.clear();
   const PatternSource whole = withoutClosedCuts(source);
-  const double scale = millimetresPer(options.unit);
   DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
+  Status status = findBorders(all);
+  if (!status.ok())
+  {
+    return status;
+  }
   std::optional<FairBorders> fair;
   if (options.isFair())
   {
-    Status status = findBorders(all);
-    if (!status.ok())
-    {
-      return status;
-    }
     fair.emplace(all);
+    all.fair = &*fair;
+    all.moved = &fair->positions();
   }
-  SeamWalker walker(whole, scale, fair ? &*fair : nullptr, walk);
+  SeamWalker walker(all, walk);
   for (const SourceWire& wire : whole.wires)
   {
     if (wire.type != WireType::Seam && wire.type != WireType::Dart)
     {
       continue;
     }
-    Status status = walker.walk(wire, options);
+    status = walker.walk(wire, options);
     if (!status.ok())
     {
       return status;
@@ -223,8 +290,8 @@ std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& 
                       "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg\n";
   for (const WalkInterval& row : walk)
   {
-    table += field(cleanText(row.curve)) + (row.type == WireType::Dart ? ",dart," : ",seam,") +
-      field(pattern.names[row.piece[0]]) + "," + field(pattern.names[row.piece[1]]) + "," +
+    table += csvField(cleanText(row.curve)) + (row.type == WireType::Dart ? ",dart," : ",seam,") +
+      csvField(pattern.names[row.piece[0]]) + "," + csvField(pattern.names[row.piece[1]]) + "," +
       std::to_string(row.number);
     for (const double length :
       { row.from, row.to, row.length[0], row.length[1], row.length[0] - row.length[1] })

@@ -19,7 +19,7 @@ struct WalkInterval
   int number = 1;                     ///< along the curve, from 1
   double from = 0.0;                  ///< along the curve, on the surface
   double to = 0.0;
-  std::array<double, 2> length{}; ///< of the two sides, measured on the flat pieces
+  std::array<double, 2> length{}; ///< of the two sides, measured on what is drawn
   /// Sums of the angles that the cloth of both sides has at the start and at the end of the
   /// interval: 180 where what is sewn together runs on smoothly over the seam. At the tip of a dart
   /// both sides are one point, whose angle counts once.

@@ -71,6 +71,37 @@ TEST(SeamWalk, LegsOfADartAreWalkedFromMouthToTip)
   EXPECT_NEAR(walk[0].angleSum[1], 360.0 - opening, 1e-9); // at the tip, one point
 }
 
+TEST(SeamWalk, LegsWithTheirTipDrawnBackAreWalkedAsTheyAreDrawn)
+{
+  for (const double spacing : { 0.0, 50.0 })
+  {
+    PatternOptions options = withSpacing(spacing);
+    options.dartTip = 30.0;
+    std::vector<WalkInterval> walk;
+    ASSERT_TRUE(walkSeams(dartedSquare(), options, walk).ok());
+    const double leg = std::hypot(20.0, 90.0); // the tip stands 90 mm from the mouth then
+    std::array<double, 2> length{};
+    for (const WalkInterval& interval : walk)
+    {
+      // Along the leg, an affine map keeps the shares that intervals have of it.
+      const double share = (interval.to - interval.from) / (10.0 * std::hypot(2.0, 12.0));
+      for (std::size_t s = 0; s < 2; ++s)
+      {
+        EXPECT_NEAR(interval.length[s], share * leg, 1e-12);
+        length[s] += interval.length[s];
+      }
+    }
+    EXPECT_NEAR(length[0], leg, 1e-12);
+    EXPECT_NEAR(length[1], leg, 1e-12);
+    const double opening = 2.0 * degrees * std::atan2(20.0, 90.0);
+    EXPECT_NEAR(walk.front().angleSum[0], 180.0 + opening, 1e-9);
+    EXPECT_NEAR(walk.back().angleSum[1], 360.0 - opening, 1e-9);
+    options.darts = DartStyle::CutOut; // nothing is drawn back
+    ASSERT_TRUE(walkSeams(dartedSquare(), options, walk).ok());
+    EXPECT_NEAR(walk.back().angleSum[1], 360.0 - 2.0 * degrees * std::atan2(2.0, 12.0), 1e-9);
+  }
+}
+
 TEST(SeamWalk, IntervalsEndAtTheNotches)
 {
   const auto walk = walkOf(dartedSquare(), 50.0);

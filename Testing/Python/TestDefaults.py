@@ -124,6 +124,8 @@ def same(text, value, filter_):
         return text == ", ".join(map(str, value))
     if isinstance(value, bool):
         return text == ("on" if value else "off")
+    if isinstance(value, str):
+        return text == (value or "empty")
     if re.fullmatch(r"[A-Z_]+", text):
         return getattr(filter_, text) == value
     return float(text) == value

@@ -3,12 +3,16 @@
 
 import csv
 import os
+import re
 import tempfile
 import unittest
 from xml.etree import ElementTree
 
+import ezdxf
 import numpy as np
 import surfaceflattening as sf
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 SVG = "{http://www.w3.org/2000/svg}"
 COLUMNS, ROWS = 6, 10
@@ -98,6 +102,76 @@ class Grading(unittest.TestCase):
             wanted = 10 * sum(wire.flat_length for wire in self.sizes[size].wires if wire.type != "connector")
             self.assertAlmostEqual(total, wanted, delta=1e-5)
         self.assertEqual(sorted(os.listdir(self.folder)), ["nest.svg", "rules.csv"])
+
+    def test_the_rule_table_counts_the_points_of_the_dxf(self):
+        grading = sf.grade(self.sizes, unit="cm")
+        grading.write_rule_table(self.path("plate.rul"), "plate")
+        self.sizes["M"].write_pattern(self.path("plate.dxf"), unit="cm", size="M", sizes=grading)
+        with open(self.path("plate.rul"), encoding="ascii") as file:
+            table = file.read()
+        self.assertIn("SIZE LIST: S M L\nSAMPLE SIZE: M\n", table)
+        rules = re.findall(r"RULE: DELTA (\d+)\n(.*)\n(.*)\n(.*)\n", table)
+        self.assertEqual([int(rule[0]) for rule in rules], list(range(1, len(grading.rules) + 1)))
+        for (_, *lines), rule in zip(rules, grading.rules):
+            for line, delta in zip(lines, rule.deltas):
+                # Along the axes of the drawing, of the same length.
+                self.assertAlmostEqual(np.hypot(*map(float, line.split(","))), np.hypot(*delta), delta=2e-6)
+        block = next(b for b in ezdxf.readfile(self.path("plate.dxf")).blocks if b.name[0] not in "*$")
+        numbers = [text.dxf.text for text in block.query("TEXT") if text.dxf.layer == "2"]
+        self.assertEqual(sorted(numbers), sorted(f"# {rule[0]}" for rule in rules))
+        with self.assertRaisesRegex(ValueError, "points"):
+            flat_plate(3.0, 4.0).write_pattern(self.path("none.dxf"), unit="cm", sizes=sf.grade(self.coarse()))
+        self.assertFalse(os.path.exists(self.path("none.dxf")))
+
+    def test_sizes_with_broken_arrays_are_refused(self):
+        grading = sf.grade(self.sizes, unit="cm")
+
+        def break_points(nest):
+            nest.SetPoints(vtkPoints())
+
+        def break_lines(nest):
+            nest.GetCellData().RemoveArray("SizeId")
+
+        def break_field(name):
+            return lambda nest: nest.GetFieldData().RemoveArray(name)
+
+        def shorten(name):
+            return lambda nest: nest.GetFieldData().GetAbstractArray(name).SetNumberOfTuples(0)
+
+        for harm in (break_points, break_lines, break_field("BaseSize"), break_field("GrainDirection"),
+                     break_field("RuleDelta"), shorten("RulePoint"), shorten("SizeName"), shorten("RuleDelta")):
+            nest = vtkPolyData()
+            nest.DeepCopy(grading.nest)
+            harm(nest)
+            writer = sf.vtkPatternWriter()
+            writer.AddObserver("ErrorEvent", lambda *_: None)
+            writer.SetInputData(0, self.sizes["M"].to_polydata())
+            writer.SetInputData(3, nest)
+            writer.SetFileName(self.path("none.rul"))
+            self.assertEqual((writer.Write(), writer.GetStatusName()), (0, "InvalidPattern"))
+        writer = sf.vtkPatternWriter()
+        writer.AddObserver("ErrorEvent", lambda *_: None)
+        writer.SetInputData(0, self.sizes["M"].to_polydata())
+        writer.SetFileName(self.path("none.rul"))
+        self.assertEqual((writer.Write(), writer.GetStatusName()), (0, "InvalidOption"))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def coarse(self):
+        corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.0]])
+        return {name: sf.flatten(factor * corners, np.array([[0, 1, 2]])) for name, factor in (("1", 1.0), ("2", 2.0))}
+
+    def test_sizes_without_a_grain_are_turned_as_they_fit(self):
+        corners = np.array([[0, 0], [40, 0], [40, 10], [0, 30.0]])
+        triangles = np.array([[0, 1, 2], [0, 2, 3]])
+        turn = np.radians(50.0)
+        turned = corners @ np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+        sizes = {name: sf.flatten(np.column_stack([points, np.zeros(4)]), triangles, arrange=False)
+                 for name, points in (("M", corners), ("L", 1.1 * turned))}
+        grading = sf.grade(sizes, base="M", unit="mm")
+        self.assertEqual(len(grading.rules), 4)
+        for rule in grading.rules:
+            place = grading.positions["M"][rule.point]
+            self.assertLess(np.abs(np.array(rule.deltas[1]) - 0.1 * place).max(), 1e-6)
 
     def test_sizes_that_are_no_sizes_of_one_pattern_are_refused_by_name(self):
         other = sf.flatten(*plate(30.0, 50.0)[:2])

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Patterns measured again by programs that did not write them: an XML parser, ezdxf, poppler."""
 
+import csv
 import math
 import re
 import unittest
@@ -187,6 +188,23 @@ class Lengths(pattern.PatternTest):
         block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
         holes = [point for point in block.query("POINT") if point.dxf.layer == "13"]
         self.assertEqual(len(holes), 2)
+
+    def test_the_walk_has_the_legs_of_darts_as_they_are_drawn(self):
+        for fair in ("0", "0.5"):
+            self.make("shirt_front", "--svg", "--walk", "--dart-tip", "13", "--fair", fair)
+            root = pattern.svg_root(self.path("out", "pattern.svg"))
+            drawn = {}
+            for group in root.iter():
+                for element in group if group.get("class") == "dart-leg" else ():
+                    drawn.setdefault(element.get("data-curve"), []).append(float(element.get("data-length")))
+            self.assertEqual(len(drawn), 2)
+            with open(self.path("out", "walk.csv"), encoding="utf-8", newline="") as file:
+                rows = list(csv.DictReader(file))
+            for name, lengths in drawn.items():
+                for side in "ab":
+                    walked = sum(float(row[f"length_{side}_mm"]) for row in rows if row["curve"] == name)
+                    self.assertLess(min(abs(walked - length) for length in lengths), 1e-5)
+                    self.assertLess(walked, max(float(row["to_mm"]) for row in rows if row["curve"] == name) - 1.0)
 
     def test_a_folded_dart_reaches_the_cut_line_of_its_neighbour(self):
         """Folds the drawn pattern along a leg and its fold line, as the one who sews does."""

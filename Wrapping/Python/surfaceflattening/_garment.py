@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._options import index_of
-from ._pattern import _text, write_parts
+from ._pattern import text_of, write_parts
 from ._report import values_of
 from ._result import Wire, _rows, _wires
 from ._types import Part
@@ -155,7 +155,7 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         MemoryError: there is not enough memory.
     """
     reader = vtkGarmentCodeReader()
-    reader.SetFileName(_text("path", os.fspath(path)))
+    reader.SetFileName(text_of("path", os.fspath(path)))
     reader.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
     reader.Update()
     if reader.GetStatusName() != "Ok":

@@ -60,7 +60,7 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     writer.SetLaserColors(flag(options["laser_colors"], "laser_colors"))
     writer.SetFabricNap(flag(options["nap"], "nap"))
     for option, set_text in (("name", writer.SetPatternName), ("size", writer.SetPatternSize)):
-        set_text(_text(option, options[option]))
+        set_text(text_of(option, options[option]))
     if isinstance(options["piece_names"], str):
         raise TypeError(f"piece_names = {options['piece_names']!r} must be a list of names")
     for piece, quantity in enumerate(options["piece_quantities"]):
@@ -70,7 +70,7 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
         except TypeError as error:
             raise TypeError(f"{what} = {quantity!r}: {error}") from None
     for piece, name in enumerate(options["piece_names"]):
-        writer.SetPieceName(piece, _text(f"piece_names[{piece}]", name))
+        writer.SetPieceName(piece, text_of(f"piece_names[{piece}]", name))
     for curve, allowance in (options["curve_allowances"] or {}).items():
         writer.SetCurveAllowance(curve, _in_range(f"allowance of {curve!r}", allowance, 0.0, 1e6))
     for curve, distances in (options["curve_notches"] or {}).items():
@@ -79,18 +79,19 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     if isinstance(options["double_notches"], str):
         raise TypeError(f"double_notches = {options['double_notches']!r} must be a list of names")
     for curve in options["double_notches"]:
-        writer.AddDoubleNotches(_text("double_notches", curve))
+        writer.AddDoubleNotches(text_of("double_notches", curve))
     if isinstance(options["folds"], str):
         raise TypeError(f"folds = {options['folds']!r} must be a list of names")
     for curve in options["folds"]:
-        writer.AddFold(_text("folds", curve))
+        writer.AddFold(text_of("folds", curve))
     for curve, distance in (options["curve_dart_tips"] or {}).items():
         writer.SetCurveDartTip(curve, _in_range(f"dart tip of {curve!r}", distance, 0.0, 1e6))
     for curve, tolerance in (options["curve_fairs"] or {}).items():
         writer.SetCurveFairTolerance(curve, _in_range(f"fair of {curve!r}", tolerance, 0.0, 100.0))
 
 
-def _text(what: str, value: Any) -> str:
+def text_of(what: str, value: Any) -> str:
+    """A string that VTK can hold, or an error that names what it is."""
     if not isinstance(value, str):
         raise TypeError(f"{what} = {value!r} must be a string")
     try:
@@ -117,9 +118,11 @@ def write_parts(
     """The same for flat pieces, wires and cut surface as vtkPolyData."""
     writer = vtkPatternWriter()
     _set_options(writer, options)
-    writer.SetFileName(_text("path", path))
+    writer.SetFileName(text_of("path", path))
     for port, part in enumerate(parts):
         writer.SetInputData(port, part)
+    if options["sizes"] is not None:
+        writer.SetInputData(3, options["sizes"].nest)
     for event in ("ErrorEvent", "WarningEvent"):
         writer.AddObserver(event, lambda *_: None)  # instead of lines on stderr
     if not writer.Write():
@@ -130,3 +133,17 @@ def write_parts(
     if options["unit"] is None:
         warnings.warn("the unit of the surface is taken as cm; state it with unit=\"mm\", \"cm\", \"m\" "
                       "or \"inch\"", FlatteningWarning, stacklevel=stacklevel)
+
+
+def write_sizes(flat: Any, nest: Any, path: str, format_: str, name: str, unit: Unit) -> None:
+    """Writes a file of the output of vtkPatternGrading, whose base has these flat pieces."""
+    writer = vtkPatternWriter()
+    writer.SetFileName(text_of("path", path))
+    getattr(writer, "SetFileFormatTo" + format_)()
+    writer.SetPatternName(text_of("name", name))
+    writer.SetUnit(1 + index_of(unit, get_args(Unit), "unit"))
+    writer.SetInputData(0, flat)
+    writer.SetInputData(3, nest)
+    writer.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
+    if not writer.Write():
+        raise _refusal(writer)

@@ -21,6 +21,8 @@ from ._types import Coloring, Paper, Part, Report, Unit, WireType
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ._grading import Grading
+
 
 @dataclass(frozen=True, eq=False)
 class Wire(ComparedByValue):
@@ -166,6 +168,7 @@ class Flattening(ComparedByValue):
         page_overlap: float = 10.0,
         max_pages: int = 200,
         walk_table: bool = False,
+        sizes: Optional[Grading] = None,
     ) -> None:
         """Writes a pattern to cut, true to scale: SVG, PDF, DXF (R12 after ASTM D6673 / AAMA) or HPGL;
         panels and stitches of GarmentCode (.json); or the
@@ -197,8 +200,8 @@ class Flattening(ComparedByValue):
             cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
             folds: names of curves along which pieces are cut on the fold: inside, where a half is drawn of a
                 piece that must be symmetric about it, or on the border of a piece that is a half.
-            dart_tip: how far tips of folded darts are drawn back, their legs with them (a walk has them as they are
-                on the surface), in [0, 1e6] and at most half of a dart's depth.
+            dart_tip: how far tips of folded darts are drawn back, their legs with them, which are shorter then,
+                in [0, 1e6] and at most half of a dart's depth.
             curve_dart_tips: by the name of a dart, another such distance.
             cut_pairs: of two pieces that are mirror images draw the first alone, to be cut in pairs of
                 which one is turned over.
@@ -214,6 +217,8 @@ class Flattening(ComparedByValue):
             page_overlap: how far its pages overlap, in [0, 50].
             max_pages: a PDF of more pages is refused, since the unit is likely wrong; 1 to 100,000.
             walk_table: add the walk of the seams to a PDF, on pages of its own.
+            sizes: the sizes of which this is the base; a DXF has the numbers of their rules at its points then, as
+                :meth:`Grading.write_rule_table` counts them. None: no numbers.
 
         Raises:
             ValueError: another file's extension, a word or a number out of range, a curve that is not

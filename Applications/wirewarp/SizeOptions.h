@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+/// A size of the pattern; that of SURFACE itself names no surface.
+struct SizeSurface
+{
+  std::string name;
+  std::string surface;
+};
+
+/// The sizes to grade a pattern by, beside SURFACE, whose size the pattern's options name.
+struct SizeRequest
+{
+  std::vector<std::string> texts; ///< NAME=SURFACE, or NAME
+  std::string alignment;          ///< a curve; empty: the first key curve of each piece
+
+  bool any() const { return !this->texts.empty(); }
+  /// All sizes in their order, that of SURFACE among them.
+  /// \param base its name
+  std::vector<SizeSurface> all(const std::string& base) const;
+  /// What is wrong with the sizes; empty where nothing is.
+  std::string fault(const std::string& base) const;
+};
+
+void addSizeOptions(CLI::App& app, SizeRequest& request);
+}

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sizes of one pattern: their rules are those of plates whose sizes are known, and of surfaces scaled by a factor."""
+import csv
+import math
+import os
+import re
+from xml.etree import ElementTree
+
+import command
+import ezdxf
+
+SVG = "{http://www.w3.org/2000/svg}"
+COLUMNS, ROWS = 6, 10
+FACTORS = {"36": 0.95, "38": 1.0, "40": 1.04}
+
+
+def at(i, j):
+    return j * (COLUMNS + 1) + i
+
+
+def plate(width, height, bulge=0.0, factor=1.0, turn=0.3):
+    """A plate that lies askew in space, by a bulge out of its plane."""
+    points, triangles = [], []
+    for j in range(ROWS + 1):
+        for i in range(COLUMNS + 1):
+            x, y = i * width / COLUMNS, j * height / ROWS
+            z = bulge * math.sin(math.pi * i / COLUMNS) * math.sin(math.pi * j / ROWS)
+            points.append(tuple(factor * v for v in (
+                x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z)))
+    for j in range(ROWS):
+        for i in range(COLUMNS):
+            a, b = at(i, j), at(i, j + 1)
+            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
+    return points, triangles
+
+
+class Grading(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        for name, width, height in (("small", 28, 48), ("medium", 30, 50), ("large", 33, 52)):
+            self.write(name + ".obj", command.obj(*plate(width, height)))
+        for name, factor in FACTORS.items():
+            self.write(name + ".obj", command.obj(*plate(30, 50, 4.0, factor)))
+        self.write("curves.txt", "straight centre " + " ".join(str(at(COLUMNS // 2, j)) for j in range(ROWS + 1))
+                   + f"\nedge hem {at(0, 0)} {at(COLUMNS, 0)}\n")
+
+    def rules(self, folder="out"):
+        with open(self.path(folder + "/rules.csv"), encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def grade_scaled(self, *more):
+        return self.flatten("38.obj", "curves.txt", "--size", "38", "--grade", "36=36.obj", "--grade", "38",
+                            "--grade", "40=40.obj", "--unit", "cm", *more)
+
+    def layers(self):
+        root = ElementTree.parse(self.path("out/nest.svg")).getroot()
+        layers = {}
+        for group in root.findall(SVG + "g"):
+            layers[group.get("data-size")] = [
+                (path.get("data-curve"), [tuple(map(float, pair.split(","))) for pair in path.get("d")[1:].split(" L")])
+                for path in group.findall(SVG + "path")]
+        return layers
+
+    def test_corners_of_plates_go_with_their_width_and_height(self):
+        self.flatten("medium.obj", "curves.txt", "--size", "M", "--grade", "S=small.obj", "--grade", "L=large.obj",
+                     "--unit", "cm")
+        rows = self.rules()
+        self.assertEqual(list(rows[0]), ["piece", "point", "name"] + [f"d{axis} {size} mm" for size in "MSL"
+                                                                      for axis in "xy"])
+        corners = {at(0, 0): (-150, 0), at(COLUMNS, 0): (150, 0), at(0, ROWS): (-150, 500), at(COLUMNS, ROWS): (150, 500)}
+        found = {int(row["point"]): row for row in rows}
+        self.assertLessEqual(set(corners), set(found))
+        self.assertIn("hem", found[at(0, 0)]["name"])
+        turned = 1 if float(found[at(0, 0)]["dx L mm"]) < 0 else -1  # the grain may point either way
+        for point, (x, y) in corners.items():
+            for size, width, height in (("S", 28, 48), ("M", 30, 50), ("L", 33, 52)):
+                self.assertAlmostEqual(float(found[point][f"dx {size} mm"]), turned * x * (width / 30 - 1), delta=1e-4)
+                self.assertAlmostEqual(abs(float(found[point][f"dy {size} mm"])), abs(y * (height / 50 - 1)), delta=1e-4)
+
+    def test_larger_surfaces_give_their_factor_and_the_base_nothing(self):
+        report = self.grade_scaled("--dxf")
+        layers = self.layers()
+        self.assertEqual(list(layers), list(FACTORS))
+        base = dict(layers["38"])
+        lengths = {curve["name"]: curve["length_2d"] for curve in report["curves"]}
+        for size, factor in FACTORS.items():
+            self.assertEqual([name for name, _ in layers[size]], ["centre", "hem", "boundary"])
+            for name, line in layers[size]:
+                length = sum(math.dist(a, b) for a, b in zip(line, line[1:]))
+                whole = sum(math.dist(a, b) for a, b in zip(base[name], base[name][1:]))
+                self.assertAlmostEqual(length, factor * whole, delta=1e-6)
+                if name in lengths:
+                    self.assertAlmostEqual(length, 10 * factor * lengths[name], delta=1e-6)
+        rows = self.rules()
+        origin = base["centre"][0]
+        border = {int(row["point"]): row for row in rows}
+        # Around the origin, at which sizes are laid on each other, a rule is the scaling of its point's place.
+        hem = base["hem"]
+        for point, (x, y) in ((at(0, 0), hem[0]), (at(COLUMNS, 0), hem[-1])):
+            for size, factor in FACTORS.items():
+                self.assertAlmostEqual(float(border[point][f"dx {size} mm"]), (factor - 1) * (x - origin[0]), delta=1e-4)
+                self.assertAlmostEqual(float(border[point][f"dy {size} mm"]), (factor - 1) * (origin[1] - y), delta=1e-4)
+        for row in rows:
+            self.assertEqual((float(row["dx 38 mm"]), float(row["dy 38 mm"])), (0.0, 0.0))
+
+    def test_the_rule_table_moves_the_points_of_the_dxf(self):
+        for unit, word in (("cm", "METRIC"), ("inch", "ENGLISH")):
+            self.flatten("38.obj", "curves.txt", "--size", "38", "--grade", "36=36.obj", "--grade", "38",
+                         "--grade", "40=40.obj", "--unit", unit, "--dxf", "--no-arrange")
+            with open(self.path("out/pattern.rul"), encoding="ascii") as file:
+                head, *rules = re.split(r"RULE: DELTA ", file.read())
+            fields = dict(line.split(": ", 1) for line in head.splitlines() if ": " in line)
+            self.assertEqual(head.splitlines()[0], "ASTM/D13Proposal 1 Version: D 6673-04")
+            self.assertEqual((fields["UNITS"], fields["NUMBER OF SIZES"], fields["SIZE LIST"], fields["SAMPLE SIZE"]),
+                             (word, "3", "36 38 40", "38"))
+            self.assertEqual(rules[-1].splitlines()[-1], "END")
+            deltas = {}
+            for rule in rules:
+                number, *lines = rule.replace("END", "").split("\n")
+                deltas[int(number)] = [tuple(map(float, line.split(","))) for line in lines if line.strip()]
+            self.assertEqual(len(deltas), len(self.rules()))
+            drawing = ezdxf.readfile(self.path("out/pattern.dxf"))
+            block = next(b for b in drawing.blocks if b.name[0] not in "*$")
+            places = {int(text.dxf.text[2:]): (text.dxf.insert.x, text.dxf.insert.y) for text in block.query("TEXT")
+                      if text.dxf.text.startswith("# ") and text.dxf.layer == "2"}
+            self.assertEqual(set(places), set(deltas))
+            marks = [tuple(point.dxf.location)[:2] for point in block.query("POINT") if point.dxf.layer in "23"]
+            for place in places.values():
+                self.assertLess(min(math.dist(place, mark) for mark in marks), 1e-6)
+            # Moved by their rules, the points are the base's scaled: all distances by the factor.
+            for column, factor in enumerate(FACTORS.values()):
+                moved = {n: tuple(p + d for p, d in zip(places[n], deltas[n][column])) for n in places}
+                for a in places:
+                    for b in places:
+                        self.assertAlmostEqual(math.dist(moved[a], moved[b]), factor * math.dist(places[a], places[b]),
+                                               delta=1e-5)
+
+    def test_curves_by_coordinates_are_moved_with_the_surface(self):
+        points, _ = plate(30, 50, 4.0)
+        self.write("centre.csv", "name,x,y,z\n" + "".join(
+            "key centre,%r,%r,%r\n" % points[at(COLUMNS // 2, j)] for j in range(ROWS + 1)))
+        self.flatten("38.obj", "centre.csv", "--size", "38", "--grade", "40=40.obj", "--unit", "cm")
+        layers = self.layers()
+        self.assertEqual(list(layers), ["38", "40"])
+        for (name, small), (other, large) in zip(*layers.values()):
+            self.assertEqual(name, other)
+            lengths = [sum(math.dist(a, b) for a, b in zip(line, line[1:])) for line in (small, large)]
+            self.assertAlmostEqual(lengths[1], 1.04 * lengths[0], delta=1e-5)
+
+    def test_sizes_that_are_none_are_refused_and_leave_nothing(self):
+        self.write("other.obj", command.obj(*command.sheet()))
+        points, triangles = plate(30, 50)
+        self.write("turned.obj", command.obj(points, [(b, c, a) for a, b, c in triangles]))
+        for arguments, code, words in (
+            (["--grade", "L=large.obj"], 2, ["--size"]),
+            (["--size", "M", "--grade", "L=large.obj", "--grade", "L=small.obj"], 2, ["'L'", "twice"]),
+            (["--size", "M", "--grade", "M=large.obj"], 2, ["'M'", "twice"]),
+            (["--size", "M", "--grade", "L"], 2, ["'L'", "NAME=SURFACE"]),
+            (["--size", "M", "--grade", "M"], 2, ["no size beside"]),
+            (["--size", "M", "--grade", "L=large.obj", "--suggest", "darts"], 2, ["--grade", "--suggest"]),
+            (["--size", "M", "--grade-at", "hem"], 2, ["--grade"]),
+            (["--size", "M", "--grade", "L=none.obj"], 3, ["'L'", "none.obj"]),
+            (["--size", "M", "--grade", "L=other.obj"], 3, ["'L'", "other.obj", "connectivity", "77 vertices"]),
+            (["--size", "M", "--grade", "L=turned.obj"], 3, ["'L'", "turned.obj", "corners"]),
+            (["--size", "M", "--grade", "L=large.obj", "--grade-at", "waist"], 3, ["'waist'", "centre"]),
+        ):
+            with self.subTest(arguments=arguments):
+                run = self.run_command("medium.obj", "curves.txt", "--unit", "cm", "--output", "none", *arguments)
+                self.assertEqual(run.returncode, code, run.stderr)
+                for word in words:
+                    self.assertIn(word, run.stderr)
+                folder = self.path("none")
+                self.assertLessEqual(set(os.listdir(folder) if os.path.isdir(folder) else []), {"report.json"})
+
+    def test_a_run_without_sizes_takes_those_of_an_earlier_one_away(self):
+        self.grade_scaled("--dxf")
+        self.assertLessEqual({"nest.svg", "rules.csv", "pattern.rul"}, set(os.listdir(self.path("out"))))
+        self.flatten("38.obj", "curves.txt")
+        self.assertFalse({"nest.svg", "rules.csv", "pattern.rul"} & set(os.listdir(self.path("out"))))
+
+
+command.main()
