@@ -12,6 +12,8 @@ namespace pattern
 {
 namespace
 {
+constexpr double mostRise = 0.003; ///< of strain
+constexpr double leastShare = 0.1;
 
 /// The parts of a chain between two places, as they are met from the first to the second.
 void addParts(
@@ -41,11 +43,33 @@ void addParts(
 FairBorders::FairBorders(const DrawingSource& all)
   : All(all)
   , Chains(all)
-  , Fit(all, this->Chains)
-  , Reports(all.loops.size())
 {
-  this->place();
-  this->report();
+  std::vector<double> shares(all.loops.size(), 1.0);
+  do
+  {
+    this->Fit.emplace(all, this->Chains, shares);
+    this->place();
+    this->report();
+    for (std::size_t p = 0; p < shares.size(); ++p)
+    {
+      this->Reports[p].share = shares[p];
+    }
+  } while (this->lower(shares));
+}
+
+bool FairBorders::lower(std::vector<double>& shares) const
+{
+  bool lowered = false;
+  for (std::size_t p = 0; p < shares.size(); ++p)
+  {
+    const FairPieceReport& report = this->Reports[p];
+    if (shares[p] > 0.0 && report.strain - report.strainBefore > mostRise)
+    {
+      shares[p] = shares[p] > leastShare ? shares[p] / 2.0 : 0.0;
+      lowered = true;
+    }
+  }
+  return lowered;
 }
 
 std::string FairBorders::nameOf(std::size_t c, std::size_t point) const
@@ -58,6 +82,7 @@ std::string FairBorders::nameOf(std::size_t c, std::size_t point) const
 
 void FairBorders::place()
 {
+  this->Positions.clear();
   for (std::size_t v = 0; v < this->All.source.positions.size(); ++v)
   {
     this->Positions.push_back(this->All.at(static_cast<Index>(v)));
@@ -75,6 +100,7 @@ void FairBorders::place()
 
 void FairBorders::report()
 {
+  this->Reports.assign(this->All.loops.size(), {});
   for (std::size_t c = 0; c < this->plan().size(); ++c)
   {
     const BorderChain& chain = this->Chains.chains()[c];
@@ -101,7 +127,7 @@ void FairBorders::report()
   {
     before.emplace_back(this->All.scale() * p);
   }
-  for (const LeftStretch& left : this->Fit.left())
+  for (const LeftStretch& left : this->Fit->left())
   {
     FairPieceReport& report = this->Reports[this->Chains.chains()[left.chain].piece];
     report.wantedOfWorst = left.needed > report.worstLeft ? left.tolerance : report.wantedOfWorst;
@@ -111,8 +137,8 @@ void FairBorders::report()
   for (std::size_t p = 0; p < this->Reports.size(); ++p)
   {
     FairPieceReport& report = this->Reports[p];
-    report.solved = this->Fit.solved(p);
-    report.deviation = this->Fit.largestDeviation(p);
+    report.solved = this->Fit->solved(p);
+    report.deviation = this->Fit->largestDeviation(p);
     report.strainBefore = strainQuantile(this->All, p, before);
     report.strain = strainQuantile(this->All, p, followBorders(this->All, p, this->Positions));
     std::sort(report.left.begin(), report.left.end());

@@ -3,6 +3,8 @@
 
 #include "FairFit.h"
 
+#include <optional>
+
 namespace flattening
 {
 namespace pattern
@@ -17,6 +19,7 @@ struct FairPieceReport
   double deviation = 0.0;       ///< of the mesh's points from what is drawn, millimetres
   double strainBefore = 0.0;    ///< of 95 % of the area, strainQuantile()
   double strain = 0.0;          ///< the same with borders as they are drawn, followBorders()
+  double share = 1.0;           ///< of the tolerances that was used, so that it rises little
   bool solved = true;           ///< false: nothing was drawn otherwise
   double worstLeft = 0.0;     ///< what the worst of the stretches that were left would have needed
   double wantedOfWorst = 0.0; ///< its tolerance
@@ -25,7 +28,8 @@ struct FairPieceReport
 
 /// The borders and feature curves of all pieces as smooth curves: between corners fair splines, or
 /// straight lines where they are nearly so, each interval with its exact length, both sides of a
-/// seam alike. What cannot be drawn within the tolerance stays as it was, edge by edge.
+/// seam alike. What cannot be drawn within the tolerance stays as it was, edge by edge. A piece of
+/// which 95 % of the area would be strained by over 0.3 % more is drawn nearer to its flat points.
 class FairBorders
 {
 public:
@@ -34,9 +38,9 @@ public:
   explicit FairBorders(const DrawingSource& all);
 
   const BorderChains& chains() const { return this->Chains; }
-  const std::vector<PlannedChain>& plan() const { return this->Fit.plan(); }
+  const std::vector<PlannedChain>& plan() const { return this->Fit->plan(); }
   /// Of each chain, along it.
-  const std::vector<std::vector<FairSpan>>& spans() const { return this->Fit.spans(); }
+  const std::vector<std::vector<FairSpan>>& spans() const { return this->Fit->spans(); }
   const std::vector<FairPieceReport>& reports() const { return this->Reports; }
   /// Where the points are now, millimetres; those within the pieces are where they were.
   const Points2& positions() const { return this->Positions; }
@@ -49,11 +53,13 @@ public:
 private:
   void place();
   void report();
+  /// Takes from the shares of pieces that are strained by too much. \return whether there are any
+  bool lower(std::vector<double>& shares) const;
   std::string nameOf(std::size_t chain, std::size_t point) const;
 
   const DrawingSource& All;
   BorderChains Chains;
-  FairFit Fit;
+  std::optional<FairFit> Fit;
   Points2 Positions;
   std::vector<FairPieceReport> Reports;
 };

@@ -30,10 +30,11 @@ int fewer(const PlannedInterval& interval)
 }
 }
 
-FairFit::FairFit(const DrawingSource& all, const BorderChains& chains)
+FairFit::FairFit(
+  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
   : All(all)
   , Chains(chains)
-  , Plan(planFairBorders(all, chains))
+  , Plan(planFairBorders(all, chains, shares))
   , Spans(this->Plan.size())
   , Deviation(this->Plan.size())
   , Solved(all.loops.size(), true)

@@ -24,7 +24,8 @@ class FairFit
 {
 public:
   /// Source and chains stay the caller's.
-  FairFit(const DrawingSource& all, const BorderChains& chains);
+  /// \param shares which part of its tolerances each piece may use
+  FairFit(const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
 
   const std::vector<PlannedChain>& plan() const { return this->Plan; }
   /// Of each chain, along it.

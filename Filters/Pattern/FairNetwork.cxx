@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -17,11 +18,13 @@ namespace pattern
 namespace
 {
 using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
+using Rows = Eigen::SparseMatrix<double>;
 
 constexpr int steps = 60;
 constexpr double exactLength = 1e-13; ///< of an interval, relative
 constexpr double goodLength = 1e-10;
+constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
+
 class FairSolver
 {
 public:
@@ -46,7 +49,7 @@ public:
         // All parts of a segment have their share of it.
         if (!stretch.straight || &interval == &stretch.intervals.back())
         {
-          this->Lengths.push_back({ s, start, interval.end, length });
+          this->addLength({ s, start, interval.end, length, {} });
           start = interval.end;
           length = 0.0;
         }
@@ -77,7 +80,25 @@ private:
     double from = 0.0;
     double to = 0.0;
     double length = 0.0;
+    std::vector<std::pair<Terms, double>> slopes; ///< at the places of its integral, with weights
   };
+
+  void addLength(Length wanted)
+  {
+    const StretchCurve& curve = this->Curves[wanted.curve];
+    double from = wanted.from;
+    for (const double at : curve.basis().breaks())
+    {
+      if (at > from && at <= wanted.to)
+      {
+        integrate(from, at, [&](double t, double weight) {
+          wanted.slopes.emplace_back(curve.at(t, Derivative::Slope), weight);
+        });
+        from = at;
+      }
+    }
+    this->Lengths.push_back(std::move(wanted));
+  }
 
   void addSquare(const Terms& terms, const Point2& target, double weight)
   {
@@ -173,54 +194,89 @@ private:
     Eigen::SparseMatrix<double> hessian(2 * this->Unknowns, 2 * this->Unknowns);
     hessian.setFromTriplets(this->Entries.begin(), this->Entries.end());
     this->Factor.compute(hessian);
+    this->Hessian = hessian;
+    this->Softness = softness / hessian.diagonal().mean();
     return this->Factor.info() == Eigen::Success;
   }
 
+  /// The step to the minimum of the objective under the constraints, as they are linearized.
+  /// \param pull of the objective; zero: the shortest step to the constraints
+  Vector stepOf(const Rows& rows, const Vector& pull, const Vector& missing)
+  {
+    const Eigen::Index unknowns = this->Hessian.rows();
+    const Eigen::Index size = unknowns + rows.rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&entries](const Rows& block, Eigen::Index row) {
+      for (Eigen::Index column = 0; column < block.outerSize(); ++column)
+      {
+        for (Rows::InnerIterator entry(block, column); entry; ++entry)
+        {
+          entries.emplace_back(row + entry.row(), entry.col(), entry.value());
+        }
+      }
+    };
+    add(this->Hessian, 0);
+    add(rows, unknowns);
+    for (Eigen::Index k = unknowns; k < size; ++k)
+    {
+      entries.emplace_back(k, k, -this->Softness);
+    }
+    Rows system(size, size);
+    system.setFromTriplets(entries.begin(), entries.end());
+    if (this->System.rows() != size)
+    {
+      this->System.analyzePattern(system);
+    }
+    this->System.factorize(system);
+    if (this->System.info() != Eigen::Success)
+    {
+      return Vector::Constant(unknowns, std::numeric_limits<double>::quiet_NaN());
+    }
+    Vector right(size);
+    right << pull, missing;
+    return this->System.solve(right).head(unknowns);
+  }
+
   /// Rows of the constraints and what is missing to them.
-  void constraints(Matrix& rows, Vector& missing) const
+  void constraints(Rows& rows, Vector& missing) const
   {
     const auto linear = static_cast<Eigen::Index>(this->LinearRows.size());
     const auto lengths = static_cast<Eigen::Index>(this->Lengths.size());
-    rows = Matrix::Zero(2 * linear + lengths, 2 * this->Unknowns);
-    missing = Vector::Zero(rows.rows());
+    std::vector<Eigen::Triplet<double>> entries;
+    missing = Vector::Zero(2 * linear + lengths);
     for (Eigen::Index r = 0; r < linear; ++r)
     {
       const Terms& terms = this->LinearRows[static_cast<std::size_t>(r)];
       for (const Term& term : terms)
       {
-        rows(2 * r, 2 * term.unknown) += term.factor;
-        rows(2 * r + 1, 2 * term.unknown + 1) += term.factor;
+        entries.emplace_back(2 * r, 2 * term.unknown, term.factor);
+        entries.emplace_back(2 * r + 1, 2 * term.unknown + 1, term.factor);
       }
       missing.segment<2>(2 * r) = -sum(terms, this->X);
     }
     for (Eigen::Index r = 0; r < lengths; ++r)
     {
       const Length& wanted = this->Lengths[static_cast<std::size_t>(r)];
-      const StretchCurve& curve = this->Curves[wanted.curve];
       double length = 0.0;
-      const auto add = [&](double t, double weight) {
-        const Terms terms = curve.at(t, Derivative::Slope);
+      for (const auto& [terms, weight] : wanted.slopes)
+      {
         const Point2 slope = sum(terms, this->X);
         const double speed = slope.norm();
         length += weight * speed;
         const Point2 unit = speed > 0.0 ? Point2(slope / speed) : Point2(Point2::Zero());
         for (const Term& term : terms)
         {
-          rows.block<1, 2>(2 * linear + r, 2 * term.unknown) +=
-            weight * term.factor * unit.transpose();
-        }
-      };
-      double from = wanted.from;
-      for (const double at : curve.basis().breaks())
-      {
-        if (at > from && at <= wanted.to)
-        {
-          integrate(from, at, add);
-          from = at;
+          for (Eigen::Index d = 0; d < 2; ++d)
+          {
+            entries.emplace_back(
+              2 * linear + r, 2 * term.unknown + d, weight * term.factor * unit[d]);
+          }
         }
       }
       missing[2 * linear + r] = wanted.length - length;
     }
+    rows.resize(missing.size(), 2 * this->Unknowns);
+    rows.setFromTriplets(entries.begin(), entries.end());
   }
 
   double largestMissing(const Vector& missing) const
@@ -247,7 +303,7 @@ private:
     double last = 1.0;
     for (int step = 0; step < steps; ++step)
     {
-      Matrix rows;
+      Rows rows;
       Vector missing;
       this->constraints(rows, missing);
       last = this->largestMissing(missing);
@@ -261,11 +317,13 @@ private:
       }
       // The first steps look for the minimum, the last ones for the lengths alone.
       const bool towardsMinimum = step < steps / 3;
-      const Matrix spread = this->Factor.solve(rows.transpose());
-      const Vector back = towardsMinimum ? Vector(free - this->X) : Vector(0.0 * this->X);
-      const Vector force =
-        (rows * spread).completeOrthogonalDecomposition().solve(missing - rows * back);
-      Vector change = back + spread * force;
+      const Vector pull =
+        towardsMinimum ? Vector(this->Hessian * (free - this->X)) : Vector(0.0 * this->X);
+      Vector change = this->stepOf(rows, pull, missing);
+      if (!change.allFinite())
+      {
+        return false;
+      }
       const double most = change.lpNorm<Eigen::Infinity>();
       const double limit = 0.05 * this->Longest;
       if (most > limit)
@@ -288,7 +346,10 @@ private:
   std::vector<Terms> LinearRows;
   std::vector<Eigen::Triplet<double>> Entries;
   Vector Right;
+  Rows Hessian;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Factor;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> System; ///< with the constraints
+  double Softness = 0.0;
   Vector X;
   double Longest = 0.0;
 };

@@ -26,6 +26,15 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
       formatNumber(100.0 * report.strain, 2) + " % (" +
       formatNumber(100.0 * report.strainBefore, 2) + " % before)";
   }
+  if (report.share == 0.0)
+  {
+    note += ": drawn as the mesh has them, since smooth ones would strain it by over 0.3 % more";
+  }
+  else if (report.share < 1.0)
+  {
+    note += "; kept within " + formatNumber(100.0 * report.share, 1) +
+      " % of the tolerance, since more would strain it by over 0.3 % more";
+  }
   if (report.straightened > 0)
   {
     note += "; " + std::to_string(report.straightened) + " nearly straight stretches made straight";

@@ -22,9 +22,11 @@ constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
 class FairPlanner
 {
 public:
-  FairPlanner(const DrawingSource& all, const BorderChains& chains)
+  FairPlanner(
+    const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
     : All(all)
     , Chains(chains)
+    , Shares(shares)
   {
   }
 
@@ -156,7 +158,8 @@ private:
       interval.most = static_cast<int>(edges) + 2;
       interval.spans = std::max(1, static_cast<int>(edges) / edgesOfSpan);
       const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
-      interval.tolerance = this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
+      interval.tolerance = this->Shares[chain.piece] *
+        this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
       this->Plan[c].intervals.push_back(interval);
     }
   }
@@ -295,14 +298,16 @@ private:
 
   const DrawingSource& All;
   const BorderChains& Chains;
+  const std::vector<double>& Shares;
   std::vector<std::vector<bool>> Firm; ///< points of the chains
   std::vector<PlannedChain> Plan;
 };
 }
 
-std::vector<PlannedChain> planFairBorders(const DrawingSource& all, const BorderChains& chains)
+std::vector<PlannedChain> planFairBorders(
+  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
 {
-  return FairPlanner(all, chains).plan();
+  return FairPlanner(all, chains, shares).plan();
 }
 
 void agreeOnSpans(std::vector<PlannedChain>& plan)

@@ -51,7 +51,9 @@ struct PlannedChain
 };
 
 /// Into which stretches and intervals the chains fall.
-std::vector<PlannedChain> planFairBorders(const DrawingSource& all, const BorderChains& chains);
+/// \param shares which part of its tolerances each piece may use
+std::vector<PlannedChain> planFairBorders(
+  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
 
 /// Gives both sides of each interval as many spans as the one of them that needs more.
 void agreeOnSpans(std::vector<PlannedChain>& plan);

@@ -345,3 +345,24 @@ TEST(FairBorders, ACornerBesideASharperOneIsACorner)
   EXPECT_EQ(report.segments, 4U);
   EXPECT_EQ(report.splines, 0U);
 }
+
+TEST(FairBorders, APieceIsDrawnNearerToItsPointsWhereItWouldBeStrained)
+{
+  // A ring as long as a polygon of ten corners lies within it by a sixtieth of its radius.
+  PatternSource source = disc(10, 50.0);
+  EXPECT_GT(Smoothed(source, 2.0).borders->reports()[0].deviation, 0.5);
+  for (const Point2& p : source.positions)
+  {
+    source.inSpace.emplace_back(p.x(), p.y(), 0.0);
+  }
+  const Smoothed smoothed(source, 2.0);
+  const FairPieceReport& report = smoothed.borders->reports()[0];
+  EXPECT_LT(report.share, 1.0);
+  EXPECT_LE(report.strain, 0.003);
+  for (std::size_t v = 1; v < source.positions.size(); ++v)
+  {
+    EXPECT_NEAR(smoothed.borders->positions()[v].norm(), 50.0, 0.003 * 50.0 + 1e-3);
+  }
+  EXPECT_NEAR(lengthOf(smoothed.borders->curveOf(source.wires[0])),
+    10 * 2.0 * 50.0 * std::sin(pi / 10), 1e-9);
+}
