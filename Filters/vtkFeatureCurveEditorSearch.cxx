@@ -80,8 +80,8 @@ double vtkFeatureCurveEditor::PreviewSegment(
     return -1.0;
   }
   const DrawingSurface& surface = this->Drawn->editor.surface();
-  const DrawnSegment drawn = drawSegment(
-    surface, kindOf(kind), surface.pointNear(pointOf(from)), surface.pointNear(pointOf(to)));
+  const DrawnSegment drawn = this->Drawn->preview.draw(
+    kindOf(kind), surface.pointNear(pointOf(from)), surface.pointNear(pointOf(to)));
   if (drawn.status.refused())
   {
     return -1.0;

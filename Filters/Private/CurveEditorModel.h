@@ -3,6 +3,7 @@
 
 #include "Base/Finite.h"
 #include "Editing/CurveEditor.h"
+#include "Editing/SegmentPreview.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,7 +18,7 @@ class CurveEditorModel
 {
 public:
   explicit CurveEditorModel(TriangleMesh mesh)
-    : editor(std::make_shared<const DrawingSurface>(std::move(mesh)))
+    : CurveEditorModel(std::make_shared<const DrawingSurface>(std::move(mesh), PathLandmarks::Made))
   {
   }
 
@@ -30,6 +31,14 @@ public:
   }
 
   CurveEditor editor;
+  SegmentPreview preview;
+
+private:
+  explicit CurveEditorModel(const std::shared_ptr<const DrawingSurface>& surface)
+    : editor(surface)
+    , preview(surface)
+  {
+  }
 };
 
 inline Point3 pointOf(const double point[3])

@@ -4,134 +4,197 @@
 #include "Paths/StripUnfolding.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
+#include <limits>
 
 namespace flattening
 {
 namespace
 {
-struct Entry
-{
-  double bound = 0.0; ///< of the whole way
-  Index vertex = none;
-  bool operator>(const Entry& other) const
-  {
-    return this->bound != other.bound ? this->bound > other.bound : this->vertex > other.vertex;
-  }
-};
+/// By how much the distance through the air may seem to be longer than a way of ever so many parts,
+/// each rounded: a hundred thousandth of a mean edge where there are a million.
+constexpr WayLength roundingOfWays = WayLength(1) << 20U;
 
-/// Corners of the triangles around a point, each once; a vertex is its own only corner.
-Indices cornersAround(const TriangleMesh& mesh, const SurfacePoint& point)
+/// Corners of the triangles around a point as nodes, each once; a vertex is its own only corner.
+Indices nodesAround(const PathGraph& graph, const SurfacePoint& point)
 {
   if (point.carrier == Carrier::Vertex)
   {
-    return { point.id };
+    return { graph.node(point.id) };
   }
-  Indices corners;
-  for (const Index t : trianglesAround(mesh, point))
+  Indices nodes;
+  for (const Index t : trianglesAround(graph.mesh(), point))
   {
-    for (const Index v : mesh.triangle(t))
+    for (const Index v : graph.mesh().triangle(t))
     {
-      if (std::find(corners.begin(), corners.end(), v) == corners.end())
+      const Index node = graph.node(v);
+      if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
       {
-        corners.push_back(v);
+        nodes.push_back(node);
       }
     }
   }
-  return corners;
+  return nodes;
 }
 
-double apart(const TriangleMesh& mesh, Index vertex, const SurfacePoint& point)
+WayLength apart(const PathGraph& graph, Index node, const SurfacePoint& point)
 {
-  return (mesh.point(vertex) - point.position).norm();
+  return graph.rounded((graph.position(node) - point.position).norm());
 }
 }
 
-PathSearch::PathSearch(
-  const PathGraph& graph, const SurfacePoint& source, const SurfacePoint& target, PathWays ways)
+PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, PathWays ways)
   : Graph(graph)
   , Source(source)
+  , Taken(ways)
+  , Pages(graph.nodeCount() / std::tuple_size<Page>::value + 1)
 {
-  this->run(&target, std::numeric_limits<double>::infinity(), ways);
-}
-
-PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, double reach)
-  : Graph(graph)
-  , Source(source)
-{
-  this->run(nullptr, reach, PathWays::All);
-}
-
-void PathSearch::run(const SurfacePoint* target, double reach, PathWays ways)
-{
-  const TriangleMesh& mesh = this->Graph.mesh();
-  this->Found.assign(mesh.vertexCount(), State());
-  const Indices goals = target ? cornersAround(mesh, *target) : Indices();
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto push = [&](Index v) {
-    const double ahead = target ? apart(mesh, v, *target) : 0.0;
-    queue.push({ this->Found[v].distance + ahead, v });
-  };
-  for (const Index v : cornersAround(mesh, this->Source))
+  for (const Index node : nodesAround(graph, source))
   {
-    this->Found[v].distance = apart(mesh, v, this->Source);
-    push(v);
+    this->state(node).distance = apart(graph, node, source);
+    this->Open.push_back({ 0, node });
   }
-  double best = reach;
-  while (!queue.empty() && queue.top().bound <= best)
+}
+
+/// No way from a node to the target is shorter.
+WayLength PathSearch::ahead(Index node, const Point3& target) const
+{
+  WayLength least = this->Graph.straight(node, target);
+  if (this->ToTarget)
   {
-    const Index v = queue.top().vertex;
-    queue.pop();
-    State& here = this->Found[v];
-    if (here.settled)
+    const LandmarkDistances& here = *this->Graph.landmarks(node);
+    for (std::size_t k = 0; k < landmarkCount; ++k)
+    {
+      const WayLength there = (*this->ToTarget)[k];
+      least = std::max(least, here[k] > there ? here[k] - there : there - here[k]);
+    }
+  }
+  return least;
+}
+
+void PathSearch::aimAt(const SurfacePoint& target, const Indices& goals)
+{
+  this->ToTarget.reset();
+  for (const Index node : goals)
+  {
+    if (const LandmarkDistances* const distances = this->Graph.landmarks(node))
+    {
+      const WayLength last = apart(this->Graph, node, target);
+      LandmarkDistances least = this->ToTarget.value_or(*distances);
+      for (std::size_t k = 0; k < landmarkCount; ++k)
+      {
+        const WayLength length = (*distances)[k] + last;
+        least[k] = this->ToTarget ? std::min(least[k], length) : length;
+      }
+      this->ToTarget = least;
+    }
+  }
+  std::vector<Entry> open;
+  for (const Entry& entry : this->Open)
+  {
+    const State& here = this->state(entry.node);
+    if (!here.settled)
+    {
+      open.push_back({ here.distance + this->ahead(entry.node, target.position), entry.node });
+    }
+  }
+  this->Open = std::move(open);
+  std::make_heap(this->Open.begin(), this->Open.end());
+}
+
+void PathSearch::lookFrom(Index node, const Point3& target)
+{
+  const WayLength distance = this->state(node).distance;
+  for (const PathGraph::Way& way : this->Graph.from(node))
+  {
+    if (this->Taken == PathWays::Edges && way.crossed != none)
     {
       continue;
     }
-    here.settled = true;
-    if (std::find(goals.begin(), goals.end(), v) != goals.end())
+    State& there = this->state(way.node);
+    const WayLength length = distance + way.length;
+    if (length < there.distance)
     {
-      best = std::min(best, here.distance + apart(mesh, v, *target));
+      there = { length, node, false };
+      this->Open.push_back({ length + this->ahead(way.node, target), way.node });
+      std::push_heap(this->Open.begin(), this->Open.end());
     }
-    for (const PathGraph::Way& way : this->Graph.from(v))
+    else if (length == there.distance && there.before != none &&
+      this->Graph.vertex(node) < this->Graph.vertex(there.before))
     {
-      const double distance = here.distance + way.length;
-      State& there = this->Found[way.vertex];
-      if (distance < there.distance && (ways == PathWays::All || way.crossed == none))
-      {
-        there.distance = distance;
-        there.way = &way;
-        there.before = v;
-        push(way.vertex);
-      }
+      there.before = node;
     }
   }
 }
 
-PathCourse PathSearch::courseTo(const SurfacePoint& target) const
+Index PathSearch::lastNode(const SurfacePoint& target)
 {
-  const TriangleMesh& mesh = this->Graph.mesh();
+  const Indices goals = nodesAround(this->Graph, target);
+  this->aimAt(target, goals);
   Index last = none;
-  double best = std::numeric_limits<double>::infinity();
-  for (const Index v : cornersAround(mesh, target))
-  {
-    const double length = this->Found[v].distance + apart(mesh, v, target);
-    if (length < best)
+  WayLength best = std::numeric_limits<WayLength>::max();
+  const auto offer = [&](Index node) {
+    const State& here = this->state(node);
+    const WayLength length = here.distance + apart(this->Graph, node, target);
+    if (here.settled &&
+      (length < best || (length == best && this->Graph.vertex(node) < this->Graph.vertex(last))))
     {
       best = length;
-      last = v;
+      last = node;
+    }
+  };
+  std::for_each(goals.begin(), goals.end(), offer);
+  while (!this->Open.empty() && (last == none || this->Open.front().bound <= best + roundingOfWays))
+  {
+    const Index node = this->Open.front().node;
+    std::pop_heap(this->Open.begin(), this->Open.end());
+    this->Open.pop_back();
+    State& here = this->state(node);
+    if (!here.settled)
+    {
+      here.settled = true;
+      this->lookFrom(node, target.position);
+      if (std::find(goals.begin(), goals.end(), node) != goals.end())
+      {
+        offer(node);
+      }
     }
   }
+  return last;
+}
+
+Indices PathSearch::chainTo(Index node)
+{
+  Indices chain;
+  for (Index n = node; n != none; n = this->state(n).before)
+  {
+    chain.push_back(n);
+  }
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+Index PathSearch::crossedBetween(Index from, Index to) const
+{
+  const PathGraph::Way* best = nullptr;
+  for (const PathGraph::Way& way : this->Graph.from(from))
+  {
+    if (way.node == to && (this->Taken == PathWays::All || way.crossed == none) &&
+      (!best || way.length < best->length))
+    {
+      best = &way;
+    }
+  }
+  return best->crossed;
+}
+
+PathCourse PathSearch::courseTo(const SurfacePoint& target)
+{
+  const TriangleMesh& mesh = this->Graph.mesh();
+  const Index last = this->lastNode(target);
   if (last == none)
   {
     return {};
   }
-  Indices chain;
-  for (Index v = last; v != none; v = this->Found[v].before)
-  {
-    chain.push_back(v);
-  }
-  std::reverse(chain.begin(), chain.end());
   PathCourse course;
   course.knots.push_back(this->Source);
   const auto append = [&](const SurfacePoint& knot, const Indices& crossed) {
@@ -142,14 +205,16 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target) const
       course.knots.push_back(tight.knots[i + 1]);
     }
   };
-  for (const Index v : chain)
+  Index before = none;
+  for (const Index node : this->chainTo(last))
   {
-    const PathGraph::Way* way = this->Found[v].way;
-    if (way || this->Source.carrier != Carrier::Vertex)
+    if (before != none || this->Source.carrier != Carrier::Vertex)
     {
-      append(
-        vertexPoint(mesh, v), way && way->crossed != none ? Indices{ way->crossed } : Indices());
+      const Index crossed = before != none ? this->crossedBetween(before, node) : none;
+      append(vertexPoint(mesh, this->Graph.vertex(node)),
+        crossed != none ? Indices{ crossed } : Indices());
     }
+    before = node;
   }
   if (target.carrier != Carrier::Vertex || course.legs.empty())
   {

@@ -13,6 +13,9 @@ namespace flattening
 {
 namespace
 {
+/// Of two ways that are equally long but for rounding, that of the search is taken in every unit.
+constexpr double surelyShorter = 1.0 - 1e-10;
+
 Status checkEnds(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
   if (mesh.triangleCount() == 0)
@@ -70,7 +73,7 @@ StraightPath notJoined()
 }
 
 /// From the way of the search, or from the plane section between the ends where that is shorter.
-StraightPath fromSearch(const PathSearch& search, const SurfacePoint& to)
+StraightPath fromSearch(PathSearch& search, const SurfacePoint& to)
 {
   const TriangleMesh& mesh = search.graph().mesh();
   const SnapDistance& snap = search.graph().noSnap();
@@ -81,37 +84,57 @@ StraightPath fromSearch(const PathSearch& search, const SurfacePoint& to)
   }
   SurfacePath start = pathAlong(mesh, way);
   SurfacePath section = traceSegment(mesh, snap, search.source(), to);
-  if (section.arrived && lengthOf(section) < lengthOf(start))
+  if (section.arrived && lengthOf(section) < surelyShorter * lengthOf(start))
   {
     start = std::move(section);
   }
   return drawnTight(mesh, courseAlong(mesh, relaxed(mesh, snap, std::move(start))));
 }
+
+StraightPath byEdges(PathSearch& search, const SurfacePoint& to)
+{
+  const PathCourse way = search.courseTo(to);
+  if (way.knots.empty())
+  {
+    return notJoined();
+  }
+  StraightPath result;
+  result.path = pathAlong(search.graph().mesh(), way);
+  result.length = lengthOf(result.path);
+  return result;
+}
+
+/// What a search gives, but for ends that are none or in one triangle, and memory that runs out.
+template <typename Search>
+StraightPath withEndsChecked(
+  const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to, const Search& search)
+{
+  return withinMemory([&] {
+    StraightPath result;
+    result.status = checkEnds(mesh, from, to);
+    return result.status.ok() && !withinTriangle(mesh, from, to, result) ? search() : result;
+  });
+}
 }
 
 StraightPath straightPath(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
 {
-  return withinMemory([&] {
-    StraightPath result;
-    result.status = checkEnds(graph.mesh(), from, to);
-    if (!result.status.ok() || withinTriangle(graph.mesh(), from, to, result))
-    {
-      return result;
-    }
-    return fromSearch(PathSearch(graph, from, to), to);
+  return withEndsChecked(graph.mesh(), from, to, [&] {
+    PathSearch search(graph, from);
+    return fromSearch(search, to);
   });
+}
+
+StraightPath straightPath(PathSearch& search, const SurfacePoint& to)
+{
+  return withEndsChecked(
+    search.graph().mesh(), search.source(), to, [&] { return fromSearch(search, to); });
 }
 
 StraightPath localStraightPath(
   const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
 {
-  return withinMemory([&] {
-    StraightPath result;
-    result.status = checkEnds(graph.mesh(), from, to);
-    if (!result.status.ok() || withinTriangle(graph.mesh(), from, to, result))
-    {
-      return result;
-    }
+  return withEndsChecked(graph.mesh(), from, to, [&] {
     const SurfacePath section = traceSegment(graph.mesh(), graph.noSnap(), from, to);
     return section.arrived ? drawnTight(graph.mesh(), courseAlong(graph.mesh(), section))
                            : straightPath(graph, from, to);
@@ -153,21 +176,15 @@ StraightPath straightPathNear(
 
 StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
 {
-  return withinMemory([&] {
-    StraightPath result;
-    result.status = checkEnds(graph.mesh(), from, to);
-    if (!result.status.ok() || withinTriangle(graph.mesh(), from, to, result))
-    {
-      return result;
-    }
-    const PathCourse way = PathSearch(graph, from, to, PathWays::Edges).courseTo(to);
-    if (way.knots.empty())
-    {
-      return notJoined();
-    }
-    result.path = pathAlong(graph.mesh(), way);
-    result.length = lengthOf(result.path);
-    return result;
+  return withEndsChecked(graph.mesh(), from, to, [&] {
+    PathSearch search(graph, from, PathWays::Edges);
+    return byEdges(search, to);
   });
+}
+
+StraightPath pathByEdges(PathSearch& search, const SurfacePoint& to)
+{
+  return withEndsChecked(
+    search.graph().mesh(), search.source(), to, [&] { return byEdges(search, to); });
 }
 }

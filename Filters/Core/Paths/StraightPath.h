@@ -28,6 +28,9 @@ struct StraightPath
 /// CurveLeavesSurface (the points lie on different components); NotConverged (there is a path, but
 /// rounding left a sharper angle at vertices; ids: points); OutOfMemory.
 StraightPath straightPath(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
+/// As above, from the source of a search, whichever targets it has had before. \pre The source lies
+/// on the surface, and the search takes all ways.
+StraightPath straightPath(PathSearch& search, const SurfacePoint& to);
 
 /// The straight path that lies near the plane section between two points that are close to each
 /// other; without a search, in a time that does not depend on the size of the surface.
@@ -43,4 +46,6 @@ StraightPath straightPathNear(const PathGraph& graph, const SurfacePath& hint,
 
 /// The shortest way by edges, and in the triangles of both ends; not drawn tight. Errors: as above.
 StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
+/// As above, from the source of a search by edges.
+StraightPath pathByEdges(PathSearch& search, const SurfacePoint& to);
 }
