@@ -140,3 +140,81 @@ TEST(SurfaceSpline, IsTheSameInEveryUnit)
     surfaceSpline(PathGraph(large), SurfaceLocator(large), { points[0] }, false).status.code,
     StatusCode::CurveTooShort);
 }
+
+TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNear)
+{
+  // A spline leaves a prism in the plane that halves the angle of an edge.
+  const auto prism = [](Index sides, Index rows) {
+    Points3 points;
+    Triangles triangles;
+    for (Index j = 0; j <= rows; ++j)
+    {
+      for (Index i = 0; i < sides; ++i)
+      {
+        const double turn = 2.0 * pi * i / sides;
+        points.emplace_back(std::cos(turn), std::sin(turn), 0.7 * j);
+      }
+    }
+    for (Index j = 0; j < rows; ++j)
+    {
+      for (Index i = 0; i < sides; ++i)
+      {
+        const Index next = (i + 1) % sides;
+        triangles.push_back({ j * sides + i, j * sides + next, (j + 1) * sides + next });
+        triangles.push_back({ j * sides + i, (j + 1) * sides + next, (j + 1) * sides + i });
+      }
+    }
+    for (const Index end : { 0, rows * sides })
+    {
+      for (Index i = 1; i + 1 < sides; ++i)
+      {
+        triangles.push_back({ end, end + (end == 0 ? i + 1 : i), end + (end == 0 ? i : i + 1) });
+      }
+    }
+    return TriangleMesh(std::move(points), std::move(triangles));
+  };
+  int left = 0;
+  for (unsigned seed = 0; seed < 400; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto sides = 3 + static_cast<Index>(random() % 6);
+    const auto rows = 1 + static_cast<Index>(random() % 4);
+    const TriangleMesh shape = prism(sides, rows);
+    const Eigen::AngleAxisd turn(1.0 + seed, Point3(1.0, std::sin(seed), 0.5).normalized());
+    Indices corners{ static_cast<Index>(random() % shape.vertexCount()) };
+    while (corners.size() < 4)
+    {
+      const auto corner = static_cast<Index>(random() % shape.vertexCount());
+      if (corner != corners.back())
+      {
+        corners.push_back(corner);
+      }
+    }
+    std::vector<double> lengths;
+    for (const double unit : { 1.0, 1e-3, 1e-2, 1e3 })
+    {
+      Points3 moved;
+      for (const Point3& point : shape.points())
+      {
+        moved.push_back(unit * (turn * point));
+      }
+      const TriangleMesh mesh(moved, shape.triangles());
+      std::vector<SurfacePoint> points;
+      for (const Index corner : corners)
+      {
+        points.push_back(vertexPoint(mesh, corner));
+      }
+      const SurfaceSpline spline =
+        surfaceSpline(PathGraph(mesh), SurfaceLocator(mesh), points, false);
+      ASSERT_TRUE(spline.status.ok()) << spline.status.message;
+      lengths.push_back(spline.length / unit);
+    }
+    for (const double length : lengths)
+    {
+      EXPECT_NEAR(length, lengths.front(), 1e-9 * length);
+    }
+    left += lengths.front() > 4.0 ? 1 : 0;
+  }
+  EXPECT_GT(left, 100);
+}

@@ -10,6 +10,9 @@ namespace flattening
 namespace
 {
 constexpr Index leafSize = 4;
+/// Distances that differ by less than this fraction of them are equal: which of two faces is the
+/// closer one to a point over the edge between them is not left to rounding.
+constexpr double equalDistances = 1e-10;
 
 std::array<double, 3> along(int from, int to, double fraction)
 {
@@ -129,14 +132,16 @@ ClosestPoint SurfaceLocator::closest(const Point3& point) const
   {
     return best;
   }
-  double bestSquared = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  double asClose = least;
+  std::vector<ClosestPoint> found;
   std::vector<std::pair<double, Index>> stack;
   stack.emplace_back(this->Nodes[0].box.squaredExteriorDistance(point), 0);
   while (!stack.empty())
   {
     const auto [bound, id] = stack.back();
     stack.pop_back();
-    if (bound > bestSquared)
+    if (bound > asClose * asClose)
     {
       continue;
     }
@@ -161,15 +166,26 @@ ClosestPoint SurfaceLocator::closest(const Point3& point) const
       const Point3& d = this->Mesh.point(c[2]);
       const std::array<double, 3> w = closestWeights(a, b, d, point);
       const Point3 position = w[0] * a + w[1] * b + w[2] * d;
-      const double squared = (position - point).squaredNorm();
-      if (squared < bestSquared || (squared == bestSquared && t < best.triangle))
+      const double distance = (position - point).norm();
+      if (distance <= asClose)
       {
-        bestSquared = squared;
-        best = { t, w, position, 0.0 };
+        found.push_back({ t, w, position, distance });
+      }
+      if (distance < least)
+      {
+        least = distance;
+        asClose = (1.0 + equalDistances) * least;
       }
     }
   }
-  best.distance = (best.position - point).norm();
+  for (const ClosestPoint& candidate : found)
+  {
+    if (candidate.distance <= asClose &&
+      (best.triangle == none || candidate.triangle < best.triangle))
+    {
+      best = candidate;
+    }
+  }
   return best;
 }
 }

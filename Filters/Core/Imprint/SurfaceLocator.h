@@ -22,7 +22,7 @@ public:
   /// The mesh must outlive the locator.
   explicit SurfaceLocator(const TriangleMesh& mesh);
 
-  /// The smallest triangle id among equally close ones.
+  /// The smallest triangle id among those that are equally close but for rounding.
   ClosestPoint closest(const Point3& point) const;
 
 private:

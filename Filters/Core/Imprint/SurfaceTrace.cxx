@@ -10,6 +10,13 @@ namespace flattening
 {
 namespace
 {
+/// A vertex that is no farther from the plane of a section lies in it: on which side it seems to
+/// lie is rounding. A fraction of the way to the section's end.
+constexpr double inPlane = 1e-12;
+
+/// Of two ways out whose directions differ by less the first is taken, as cosines.
+constexpr double equalProgress = 1e-10;
+
 /// Walks along one plane section after the other, each from the last vertex met to the end.
 ///
 /// Seen along the walk, vertices left of the plane have negative, those right of it positive
@@ -44,7 +51,12 @@ private:
   };
 
   double height(Index v) const { return this->Plane.dot(this->Mesh.point(v) - this->Anchor); }
-  bool rightOf(Index v) const { return this->height(v) >= 0.0; }
+  bool rightOf(Index v) const { return this->height(v) >= -this->Rounding; }
+  /// Whether the section goes through a vertex.
+  bool isMet(Index v) const
+  {
+    return std::abs(this->height(v)) <= std::max(this->Snap.ofVertex(v), this->Rounding);
+  }
   bool crossesForward(Index h) const
   {
     return this->rightOf(this->Mesh.from(h)) && !this->rightOf(this->Mesh.to(h));
@@ -61,7 +73,7 @@ private:
   {
     const double from = this->height(this->Mesh.from(h));
     const double to = this->height(this->Mesh.to(h));
-    return from / (from - to);
+    return std::clamp(from / (from - to), 0.0, 1.0);
   }
 
   void push(const SurfacePoint& point, Index triangle)
@@ -89,8 +101,7 @@ private:
     {
       const Point3& point = this->Mesh.point(v);
       const double distance = (point - cross).norm();
-      if (std::abs(this->height(v)) <= this->Snap.ofVertex(v) && distance < least &&
-        (point - last).dot(cross - last) > 0.0)
+      if (this->isMet(v) && distance < least && (point - last).dot(cross - last) > 0.0)
       {
         near = v;
         least = distance;
@@ -116,6 +127,7 @@ private:
     }
     this->Plane = plane / size;
     this->Anchor = here.position;
+    this->Rounding = inPlane * (this->End.position - here.position).norm();
 
     Index triangle = none;
     Exit exit = this->leave(here, triangle);
@@ -189,7 +201,7 @@ private:
       for (Index h = 3 * t; h < 3 * t + 3; ++h)
       {
         if (this->crossesForward(h) && !this->carries(h, here) &&
-          progress(this->crossing(h)) > most)
+          progress(this->crossing(h)) > most + equalProgress)
         {
           most = progress(this->crossing(h));
           best.halfedge = h;
@@ -208,7 +220,7 @@ private:
       for (Index v : this->Mesh.triangle(t))
       {
         const Point3& point = this->Mesh.point(v);
-        if (std::abs(this->height(v)) <= this->Snap.ofVertex(v) && progress(point) > most)
+        if (this->isMet(v) && progress(point) > most)
         {
           most = progress(point);
           best.vertex = v;
@@ -239,6 +251,7 @@ private:
   Point3 Normal;
   Point3 Plane = Point3::Zero();
   Point3 Anchor = Point3::Zero();
+  double Rounding = 0.0;
   std::unordered_set<Index> Visited;
   SurfacePath Path;
 };

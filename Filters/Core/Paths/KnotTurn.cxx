@@ -9,6 +9,9 @@ namespace flattening
 {
 namespace
 {
+/// Of two sides that are equally sharp but for rounding the right one is taken.
+constexpr double equalAngles = 1e-10;
+
 double angleBetween(const Point3& a, const Point3& b)
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -117,7 +120,7 @@ KnotSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before, const
   const VertexDirection out = leavingDirection(mesh, knot, leaving, after);
   KnotSide right = sectorBetween(mesh, in, out);
   KnotSide left = sectorBetween(mesh, out, in);
-  if (right.angle <= left.angle)
+  if (right.angle <= left.angle + equalAngles)
   {
     return right;
   }

@@ -5,6 +5,13 @@
 
 namespace flattening
 {
+namespace
+{
+/// A corner of less weight counts for nothing: whether a point lies on an edge is not left to
+/// rounding.
+constexpr double leastWeight = 1e-12;
+}
+
 std::array<double, 3> weightsIn(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point)
 {
   if (point.carrier == Carrier::Face)
@@ -75,7 +82,7 @@ SurfacePoint pointOf(const TriangleMesh& mesh, Index triangle, const std::array<
   for (Index k = 0; k < 3; ++k)
   {
     position += weights[k] * mesh.point(mesh.triangle(triangle)[k]);
-    if (weights[k] > 0.0)
+    if (weights[k] > leastWeight)
     {
       corners.push_back(k);
     }
