@@ -106,6 +106,12 @@ DerivedCurves strokeCurve(const DrawingSurface& surface, const std::vector<Surfa
 {
   return withinMemory([&] {
     DerivedCurves derived;
+    if (!(tolerance > 0.0))
+    {
+      derived.status = { StatusCode::InvalidOption,
+        "the tolerance of a stroke is " + shortNumber(tolerance) + ", which is not above 0" };
+      return derived;
+    }
     SurfacePath path;
     for (const SurfacePoint& point : stroke)
     {

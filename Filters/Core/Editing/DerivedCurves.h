@@ -26,7 +26,8 @@ DerivedCurves tightCurve(const DrawingSurface& surface, const EditedCurve& curve
 /// A curve within a distance, the tolerance, of the straight paths from point to point of a stroke;
 /// closed where the stroke ends within three times the tolerance of where it starts.
 /// \param kind Spline: smooth, else straight from node to node
-/// Errors: CurveTooShort (the stroke is not longer than the tolerance); those of fitSpline().
+/// Errors: InvalidOption (the tolerance is not above 0); CurveTooShort (the stroke is not
+/// longer than the tolerance); those of fitSpline().
 DerivedCurves strokeCurve(const DrawingSurface& surface, const std::vector<SurfacePoint>& stroke,
   double tolerance, SegmentKind kind = SegmentKind::Spline);
 }
