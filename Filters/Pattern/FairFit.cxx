@@ -78,7 +78,7 @@ FairFit::FairFit(
     if (!this->solvePiece(p))
     {
       this->leave(p);
-      this->solvePiece(p);
+      this->drawEdges(p);
     }
   }
   this->coarsen();
@@ -316,6 +316,27 @@ void FairFit::leave(std::size_t piece)
     for (PlannedStretch& stretch : this->Plan[c].stretches)
     {
       stretch.form = this->isOf(c, piece) ? StretchForm::Raw : stretch.form;
+    }
+  }
+}
+
+void FairFit::drawEdges(std::size_t piece)
+{
+  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    if (chain.piece != piece)
+    {
+      continue;
+    }
+    this->Spans[c].clear();
+    this->Deviation[c].assign(this->Plan[c].intervals.size(), 0.0);
+    for (std::size_t k = 0; k < chain.edges(); ++k)
+    {
+      const Point2 from = this->All.at(chain.point(k));
+      const Point2 way = this->All.at(chain.point(k + 1)) - from;
+      this->Spans[c].push_back({ chain.arc[k], chain.arc[k + 1],
+        { from, from + way / 3.0, from + 2.0 * way / 3.0, from + way } });
     }
   }
 }

@@ -63,6 +63,8 @@ private:
   bool loosen(std::size_t piece);
   /// Lets all of the piece be as it was.
   void leave(std::size_t piece);
+  /// Draws all of the piece as it was.
+  void drawEdges(std::size_t piece);
   /// Largest deviation over its tolerance; infinite where nothing is to be smooth.
   double largestShare(std::size_t piece) const;
 

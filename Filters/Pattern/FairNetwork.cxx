@@ -18,11 +18,13 @@ namespace pattern
 namespace
 {
 using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 using Rows = Eigen::SparseMatrix<double>;
 
 constexpr int steps = 60;
 constexpr double exactLength = 1e-13; ///< of an interval, relative
 constexpr double goodLength = 1e-10;
+constexpr double goodStep = 1e-3;  ///< what it may leave of what is missing
 constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
 
 class FairSolver
@@ -46,6 +48,15 @@ public:
       for (const FairInterval& interval : stretch.intervals)
       {
         length += interval.length;
+        const double whole = interval.end - start;
+        const double first = start;
+        for (int k = 1; !stretch.straight && interval.even && k < interval.spans; ++k)
+        {
+          const double at = first + k * whole / interval.spans;
+          this->addLength({ s, start, at, interval.length / interval.spans, {} });
+          start = at;
+          length -= interval.length / interval.spans;
+        }
         // All parts of a segment have their share of it.
         if (!stretch.straight || &interval == &stretch.intervals.back())
         {
@@ -228,13 +239,27 @@ private:
       this->System.analyzePattern(system);
     }
     this->System.factorize(system);
-    if (this->System.info() != Eigen::Success)
+    if (this->System.info() == Eigen::Success)
     {
-      return Vector::Constant(unknowns, std::numeric_limits<double>::quiet_NaN());
+      Vector right(size);
+      right << pull, missing;
+      Vector change = this->System.solve(right).head(unknowns);
+      const double error = (rows * change - missing).lpNorm<Eigen::Infinity>();
+      if (error <= goodStep * missing.lpNorm<Eigen::Infinity>() + exactLength * this->Longest)
+      {
+        return change;
+      }
     }
-    Vector right(size);
-    right << pull, missing;
-    return this->System.solve(right).head(unknowns);
+    return this->leastStepOf(rows, pull, missing);
+  }
+
+  /// The same where rows depend on each other so much that softness does not tell them apart.
+  Vector leastStepOf(const Rows& rows, const Vector& pull, const Vector& missing) const
+  {
+    const Vector free = this->Factor.solve(pull);
+    const Matrix spread = this->Factor.solve(Matrix(rows.transpose()));
+    return free +
+      spread * (rows * spread).completeOrthogonalDecomposition().solve(missing - rows * free);
   }
 
   /// Rows of the constraints and what is missing to them.
@@ -282,12 +307,15 @@ private:
   double largestMissing(const Vector& missing) const
   {
     double most = 0.0;
+    // What lies below the last digits of coordinates cannot be made better.
+    const double rounding =
+      16.0 * std::numeric_limits<double>::epsilon() * this->X.lpNorm<Eigen::Infinity>();
     const auto linear = static_cast<Eigen::Index>(2 * this->LinearRows.size());
     for (Eigen::Index r = 0; r < missing.size(); ++r)
     {
       const double length =
         r < linear ? this->Longest : this->Lengths[static_cast<std::size_t>(r - linear)].length;
-      most = std::max(most, std::abs(missing[r]) / length);
+      most = std::max(most, (std::abs(missing[r]) - rounding) / length);
     }
     return most;
   }
@@ -307,7 +335,7 @@ private:
       Vector missing;
       this->constraints(rows, missing);
       last = this->largestMissing(missing);
-      if (!std::isfinite(last))
+      if (!missing.allFinite())
       {
         return false;
       }

@@ -15,6 +15,7 @@ struct FairInterval
   double end = 0.0;    ///< along the stretch
   double length = 0.0; ///< that it must have
   int spans = 1;       ///< of its spline
+  bool even = false;   ///< each of them has the same part of the length, as on what is sewn to it
 };
 
 /// A node that a stretch runs through.

@@ -67,7 +67,8 @@ void PieceNetwork::add(std::size_t c, const PlannedStretch& planned)
   for (std::size_t k = planned.firstInterval; k < planned.endInterval; ++k)
   {
     const PlannedInterval& interval = this->Plan[c].intervals[k];
-    stretch.intervals.push_back({ interval.end - origin.start, interval.length, interval.spans });
+    stretch.intervals.push_back({ interval.end - origin.start, interval.length, interval.spans,
+      interval.partner[0] != PlannedInterval::none });
     origin.intervals.push_back(k);
   }
   this->Network.stretches.push_back(std::move(stretch));
@@ -93,7 +94,7 @@ void PieceNetwork::addEdges(std::size_t c, const PlannedStretch& planned)
       const double end = std::min(interval.end, chain.arc[k + 1]);
       if (end > start)
       {
-        stretch.intervals.push_back({ end - origin.start, end - start, 1 });
+        stretch.intervals.push_back({ end - origin.start, end - start, 1, false });
         origin.intervals.push_back(i);
       }
     }

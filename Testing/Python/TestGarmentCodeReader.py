@@ -100,6 +100,13 @@ class Reading(pattern.PatternTest):
                 garment = sf.read_garmentcode(self.path("out", "pattern.json"))
                 self.assertEqual(self.again(garment), self.content("pattern.json"))
 
+    def test_smooth_panels_are_drawn_smooth_again(self):
+        self.make("tshirt", "--garmentcode", "--fair", "0.2")
+        garment = sf.read_garmentcode(self.path("out", "pattern.json"))
+        for tolerance in (0.2, 1.0):
+            garment.write_pattern(self.path("again.svg"), fair=tolerance)
+            self.assertGreater(os.path.getsize(self.path("again.svg")), 10_000)
+
     def test_seams_and_darts_that_were_written_are_read_with_their_names_and_lengths(self):
         for piece in ("tshirt", "shirt_front"):
             self.make(piece, "--garmentcode")

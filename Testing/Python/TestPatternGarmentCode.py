@@ -88,6 +88,10 @@ class GarmentCode(pattern.PatternTest):
         document = self.check(1e-6)
         edges = [edge for panel in document["pattern"]["panels"].values() for edge in panel["edges"]]
         self.assertTrue(any("curvature" in edge for edge in edges))
+        # Both sides of a seam are divided at the same lengths, without slivers in between.
+        for panel in document["pattern"]["panels"].values():
+            for edge in panel["edges"]:
+                self.assertGreater(pattern.bezier_length(bezier(panel, edge)), 0.5)
         self.make("tshirt", "--garmentcode")
         raw = sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values())
         self.assertLess(2 * len(edges), raw)
