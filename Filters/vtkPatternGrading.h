@@ -29,15 +29,14 @@
  * output is without points then.
  *
  * @code
+ * vtkNew<vtkWireWarpingFilter> medium; // each size has a filter of its own
+ * medium->SetInputData(surface);
+ * medium->SetCurvesData(curves);
+ * medium->Update();
  * vtkNew<vtkPatternGrading> grading;
- * for (vtkPolyData* size : { small, large })
- * {
- *   vtkNew<vtkWireWarpingFilter> flattening;
- *   flattening->SetInputData(size);
- *   flattening->Update();
- *   grading->AddSize(size == small ? "S" : "L", flattening->GetOutput(0),
- * flattening->GetOutput(1));
- * }
+ * grading->AddSize("M", medium->GetOutput(0), medium->GetOutput(1));
+ * // ... and the others
+ * grading->SetBaseSize("M");
  * grading->Update();
  * std::cout << grading->GetOutput()->GetNumberOfLines() << " lines\n";
  * @endcode
@@ -64,7 +63,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Adds a size: its name, its flat pieces and its flat wires, as connections of ports 0 and 1.
+   * Adds a size: its name, its flat pieces and its flat wires, which are not copied, as connections
+   * of ports 0 and 1.
    */
   void AddSize(const std::string& name, vtkPolyData* flat, vtkPolyData* wires);
 
