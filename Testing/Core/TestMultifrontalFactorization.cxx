@@ -81,15 +81,61 @@ TEST(MultifrontalFactorization, IsTheSameToTheLastBitForAnyNumberOfThreads)
 {
   const KktSystem system = kktSystem(60);
   const Eigen::MatrixXd rhs = Eigen::MatrixXd::Ones(system.matrix.rows(), 1);
+  for (const FactorPrecision precision : { FactorPrecision::Double, FactorPrecision::Single })
+  {
+    MultifrontalFactorization factorization(precision);
+    factorization.analyze(system.matrix, system.order);
+    ASSERT_TRUE(factorization.factorize(system.matrix, {}));
+    const Eigen::MatrixXd alone = factorization.solve(rhs);
+    for (Index count : { 2, 3, 8 })
+    {
+      ASSERT_TRUE(factorization.factorize(system.matrix, withThreads(count)));
+      EXPECT_EQ((factorization.solve(rhs) - alone).cwiseAbs().maxCoeff(), 0.0) << count;
+    }
+  }
+}
+
+TEST(MultifrontalFactorization, KeptInSinglePrecisionTakesHalfTheMemoryAndRefinesToTheSameSolution)
+{
+  const KktSystem system = kktSystem(60);
+  const std::size_t count = SupernodalStructure(system.matrix, system.order).blocksSize();
+  Execution enoughForSingle;
+  enoughForSingle.factorMemory = count * sizeof(float);
   MultifrontalFactorization factorization;
   factorization.analyze(system.matrix, system.order);
-  ASSERT_TRUE(factorization.factorize(system.matrix, {}));
-  const Eigen::MatrixXd alone = factorization.solve(rhs);
-  for (Index count : { 2, 3, 8 })
+  EXPECT_THROW(factorization.factorize(system.matrix, enoughForSingle), std::bad_alloc);
+  factorization.setPrecision(FactorPrecision::Single);
+  ASSERT_TRUE(factorization.factorize(system.matrix, enoughForSingle));
+
+  const Eigen::VectorXd rhs = Eigen::VectorXd::Ones(system.matrix.rows());
+  const auto left = [&](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(rhs - system.matrix.selfadjointView<Eigen::Lower>() * x);
+  };
+  Eigen::VectorXd x = factorization.solve(rhs);
+  const double first = left(x).cwiseAbs().maxCoeff();
+  EXPECT_LT(first, 1e-4);
+  EXPECT_GT(first, 1e-9) << "not kept in single precision";
+  for (int refinement = 0; refinement < 3; ++refinement)
   {
-    ASSERT_TRUE(factorization.factorize(system.matrix, withThreads(count)));
-    EXPECT_EQ((factorization.solve(rhs) - alone).cwiseAbs().maxCoeff(), 0.0) << count;
+    x += factorization.solve(left(x));
   }
+  EXPECT_LT(left(x).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(MultifrontalFactorization, IsNoneInSinglePrecisionWhereItsNumbersAreTooLarge)
+{
+  Eigen::SparseMatrix<double> matrix(2, 2);
+  matrix.insert(0, 0) = 1e-35;
+  matrix.insert(1, 0) = 1.0;
+  matrix.insert(1, 1) = 1.0;
+  Dissection order;
+  order.order = { 0, 1 };
+  order.end = { 2 };
+  MultifrontalFactorization factorization(FactorPrecision::Single);
+  factorization.analyze(matrix, order);
+  EXPECT_FALSE(factorization.factorize(matrix, {}));
+  factorization.setPrecision(FactorPrecision::Double);
+  EXPECT_TRUE(factorization.factorize(matrix, {}));
 }
 
 TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)

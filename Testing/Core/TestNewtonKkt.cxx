@@ -141,6 +141,33 @@ NewtonKktState solved(
 }
 }
 
+TEST(NewtonKkt, KeepsTheFactorInDoublePrecisionWhereSingleIsNotEnough)
+{
+  // Along the line y = 2 x it is (1e-9 / 2 + 2 + 1.2) x^2 + 2 x. The first pivot is so small that
+  // it swamps what the second column says of itself.
+  DenseModel model;
+  model.f = [](const Eigen::VectorXd& x) {
+    return 0.5e-9 * x[0] * x[0] + x[0] * x[1] + 0.3 * x[1] * x[1] + x[1];
+  };
+  model.gradient = [](const Eigen::VectorXd& x) {
+    return Eigen::Vector2d(1e-9 * x[0] + x[1], x[0] + 0.6 * x[1] + 1.0);
+  };
+  model.hessian = [](const Eigen::VectorXd&) {
+    return Eigen::MatrixXd(Eigen::Matrix2d{ { 1e-9, 1.0 }, { 1.0, 0.6 } });
+  };
+  model.c = [](const Eigen::VectorXd& x) { return x[1] - 2.0 * x[0]; };
+  model.cGradient = [](const Eigen::VectorXd&) { return Eigen::Vector2d(-2.0, 1.0); };
+  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+  Dissection order;
+  order.order = { 0, 1, 2 };
+  order.end = { 3 };
+  const NewtonKktState end = minimize(
+    model, { Eigen::Vector2d(3.0, 1.0), {} }, LinearSolver(order, FactorPrecision::Single), {}, {});
+  EXPECT_TRUE(end.converged());
+  EXPECT_NEAR(end.x[0], -2.0 / (1e-9 + 6.4), 1e-9);
+  EXPECT_LE(model.matrices, 3);
+}
+
 TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)
 {
   DenseModel model = nearestTo(Eigen::Vector2d(0.0, 0.0));

@@ -94,7 +94,7 @@ IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
       { record.objective, record.violation, record.optimality, record.largestMove, record.exact });
     solution.iterations = record.iteration;
   };
-  LinearSolver solver(model.eliminationOrder(start.x));
+  LinearSolver solver(model.eliminationOrder(start.x), FactorPrecision::Single);
   const NewtonKktState end =
     minimize(model, std::move(start), std::move(solver), newton, execution);
   if (end.cancelled())

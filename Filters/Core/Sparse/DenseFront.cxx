@@ -175,25 +175,6 @@ void subtractUpdate(const DenseFront& front, const double* pivots, SteppedTriang
     subtractProduct(part);
   });
 }
-
-double dot(const double* a, const double* b, Index count)
-{
-  // Four sums, so that one does not wait for the other.
-  std::array<double, 4> sum{};
-  Index i = 0;
-  for (; i + 4 <= count; i += 4)
-  {
-    for (Index k = 0; k < 4; ++k)
-    {
-      sum[k] += a[i + k] * b[i + k];
-    }
-  }
-  for (; i < count; ++i)
-  {
-    sum[0] += a[i] * b[i];
-  }
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
 }
 
 bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Execution& execution)
@@ -214,46 +195,5 @@ bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Exec
   }
   subtractUpdate(front, pivots.data(), update, execution);
   return true;
-}
-
-void substituteForward(const ConstDenseFront& front, FrontVectors w)
-{
-  for (Index begin = 0; begin < front.columns; begin += panelWidth)
-  {
-    const Index width = std::min(panelWidth, front.columns - begin);
-    const Index end = begin + width;
-    std::array<const double*, panelWidth> below{};
-    for (Index k = 0; k < width; ++k)
-    {
-      below[k] = front.column(begin + k) + end;
-    }
-    for (Index c = 0; c < w.cols(); ++c)
-    {
-      double* const x = w.col(c).data();
-      std::array<double, panelWidth> known{};
-      for (Index k = 0; k < width; ++k)
-      {
-        known[k] = x[begin + k];
-        for (Index i = begin + k + 1; i < end; ++i)
-        {
-          x[i] -= front.column(begin + k)[i] * known[k];
-        }
-      }
-      subtractColumns(x + end, below, known, width, front.size - end);
-    }
-  }
-}
-
-void substituteBackward(const ConstDenseFront& front, FrontVectors w)
-{
-  for (Index j = front.columns; j-- > 0;)
-  {
-    const double* const below = front.column(j) + j + 1;
-    for (Index c = 0; c < w.cols(); ++c)
-    {
-      double* const x = w.col(c).data();
-      x[j] -= dot(below, x + j + 1, front.size - j - 1);
-    }
-  }
 }
 }

@@ -20,17 +20,8 @@ struct FrontColumns
   Value* column(Index k) const { return this->values + std::size_t(k) * std::size_t(this->size); }
 };
 using DenseFront = FrontColumns<double>;
-using ConstDenseFront = FrontColumns<const double>;
 
 /// L D L^T of the columns of a front in place, D on the diagonal, and what they do to the rows
 /// below, which is subtracted from `update`. False where a pivot is zero or not finite.
 bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Execution& execution);
-
-/// Right-hand sides that are solved together, so that L is read once; each as long as the front.
-using FrontVectors = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-
-/// Solves L x = w in the columns of a front and takes them out of the rows below.
-void substituteForward(const ConstDenseFront& front, FrontVectors w);
-/// Solves L^T x = w in the columns of a front, the rows below being known.
-void substituteBackward(const ConstDenseFront& front, FrontVectors w);
 }

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/DenseProduct.h"
 
+#include "Sparse/VectorNumbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
-
-#if defined(__GNUC__)
-#define FLATTENING_INLINE inline __attribute__((always_inline))
-#else
-#define FLATTENING_INLINE inline
-#endif
-#if defined(__GNUC__) && defined(__x86_64__)
-#define FLATTENING_X86 1
-#endif
 
 namespace flattening
 {
@@ -27,15 +20,6 @@ constexpr Index blockColumns = 64;
 constexpr Index blockDepth = 96;
 /// Fewer columns do not pay for copying the left factor into strips.
 constexpr Index packedFrom = 24;
-
-#if defined(__GNUC__)
-/// As many numbers as one instruction takes.
-using TwoNumbers = double __attribute__((vector_size(16)));
-using FourNumbers = double __attribute__((vector_size(32)));
-using EightNumbers = double __attribute__((vector_size(64)));
-#else
-using TwoNumbers = std::array<double, 2>;
-#endif
 
 /// to -= sum over p of left[p][rows] right[p][columns], for the rows of so many vectors.
 template <typename Vector, int Wide>
@@ -110,23 +94,10 @@ __attribute__((target("avx512f"))) void tileOfEight(const double* left, std::siz
 {
   subtractTile<EightNumbers, 1>(left, leftStride, right, depth, to, stride);
 }
+#else
+constexpr Tile tileOfFour = tileOfTwo;
+constexpr Tile tileOfEight = tileOfTwo;
 #endif
-
-Tile widestTile()
-{
-#if FLATTENING_X86
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f"))
-  {
-    return tileOfEight;
-  }
-  if (__builtin_cpu_supports("avx2"))
-  {
-    return tileOfFour;
-  }
-#endif
-  return tileOfTwo;
-}
 
 /// A tile that is cut off by the matrix's edge.
 void subtractPartOfTile(Tile tile, const double* left, std::size_t leftStride, const double* right,
@@ -233,7 +204,7 @@ private:
 
 void subtractProduct(const DenseProduct& product)
 {
-  static const Tile tile = widestTile();
+  static const auto tile = forWidest<Tile>(tileOfTwo, tileOfFour, tileOfEight);
   BlockProduct block(tile);
   for (Index first = 0; first < product.depth; first += blockDepth)
   {

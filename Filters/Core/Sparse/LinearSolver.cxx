@@ -36,6 +36,8 @@ struct LinearSolver::Backend
     const Eigen::MatrixXd& rightHandSide, const Execution& execution) const = 0;
   /// Entries of D, or nothing.
   virtual Eigen::VectorXd diagonal() const { return {}; }
+  virtual FactorPrecision precision() const { return FactorPrecision::Double; }
+  virtual void keepDouble() {}
 };
 
 struct LinearSolver::CholeskyBackend : LinearSolver::Backend
@@ -93,6 +95,8 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
     return this->solver.solve(rightHandSide, execution);
   }
   Eigen::VectorXd diagonal() const override { return this->solver.diagonal(); }
+  FactorPrecision precision() const override { return this->solver.precision(); }
+  void keepDouble() override { this->solver.setPrecision(FactorPrecision::Double); }
 };
 
 struct LinearSolver::LeadingBackend : LinearSolver::Backend
@@ -182,10 +186,11 @@ LinearSolver::LinearSolver(LinearMethod method)
   }
 }
 
-LinearSolver::LinearSolver(Dissection order)
+LinearSolver::LinearSolver(Dissection order, FactorPrecision precision)
   : Symmetric(true)
 {
   auto backend = std::make_unique<MultifrontalBackend>();
+  backend->solver.setPrecision(precision);
   backend->dissection = std::move(order);
   this->Solver = std::move(backend);
 }
@@ -201,6 +206,20 @@ LinearSolver::LinearSolver(LeadingColumns leading)
 LinearSolver::~LinearSolver() = default;
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+
+FactorPrecision LinearSolver::precision() const
+{
+  return this->Solver->precision();
+}
+
+void LinearSolver::keepDouble()
+{
+  if (this->precision() != FactorPrecision::Double)
+  {
+    this->Factorized = false;
+    this->Solver->keepDouble();
+  }
+}
 
 bool LinearSolver::analyze(const SparseMatrix& matrix)
 {

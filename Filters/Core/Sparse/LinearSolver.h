@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Sparse/FactorBlocks.h"
 #include "Sparse/NestedDissection.h"
 
 #include <Eigen/SparseCore>
@@ -38,7 +39,7 @@ public:
   explicit LinearSolver(LinearMethod method);
   /// L D L^T without pivoting by dense blocks on several threads, for large symmetric systems that
   /// are quasi-definite or definite. \param order of elimination of all columns of the matrix.
-  explicit LinearSolver(Dissection order);
+  explicit LinearSolver(Dissection order, FactorPrecision precision = FactorPrecision::Double);
   /// The same column by column, for small systems.
   explicit LinearSolver(LeadingColumns leading);
   ~LinearSolver();
@@ -51,6 +52,10 @@ public:
   /// finite, or for Cholesky not positive definite, or the run is cancelled.
   bool factorize(const SparseMatrix& matrix, const Execution& execution = {});
   bool ok() const { return this->Factorized; }
+  /// How factors are kept.
+  FactorPrecision precision() const;
+  /// Keeps the next factors in double precision.
+  void keepDouble();
 
   /// Solves for every column of the right-hand side. Empty (no rows) where there is no
   /// factorization or the result is not finite.

@@ -2,6 +2,7 @@
 #include "Sparse/MultifrontalFactorization.h"
 
 #include "Base/Memory.h"
+#include "Sparse/DenseSubstitution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,13 @@ double work(const SupernodalStructure::Supernode& node)
 void MultifrontalFactorization::analyze(
   const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection)
 {
+  if (!matrix.isCompressed())
+  {
+    Eigen::SparseMatrix<double> compressed = matrix;
+    compressed.makeCompressed();
+    this->analyze(compressed, dissection);
+    return;
+  }
   this->Structure = SupernodalStructure(matrix, dissection);
   this->Diagonal.resize(this->Structure.size());
   this->chooseTasks();
@@ -105,46 +113,41 @@ void MultifrontalFactorization::chooseTasks()
 bool MultifrontalFactorization::factorize(
   const Eigen::SparseMatrix<double>& matrix, const Execution& execution)
 {
-  const std::size_t bytes = this->Structure.blocksSize() * sizeof(double);
+  if (!matrix.isCompressed())
+  {
+    Eigen::SparseMatrix<double> compressed = matrix;
+    compressed.makeCompressed();
+    return this->factorize(compressed, execution);
+  }
+  if (matrix.nonZeros() != this->Structure.storedCount())
+  {
+    return false;
+  }
+  const std::size_t bytes = this->Blocks.bytes(this->Structure.blocksSize());
   if (bytes > execution.factorMemory)
   {
     refuseMemory(bytes);
   }
   try
   {
-    this->Blocks.assign(this->Structure.blocksSize(), 0.0);
+    this->Blocks.allocate(this->Structure.blocksSize());
   }
   catch (const std::bad_alloc&)
   {
     refuseMemory(bytes);
   }
   this->Updates.assign(this->Structure.supernodes().size(), SteppedTriangle());
-  const std::vector<std::size_t>& places = this->Structure.entryPlaces();
-  std::size_t next = 0;
-  for (Index column = 0; column < matrix.outerSize(); ++column)
-  {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (entry.row() >= column)
-      {
-        if (next == places.size())
-        {
-          return false;
-        }
-        this->Blocks[places[next++]] += entry.value();
-      }
-    }
-  }
-  const bool sound = next == places.size() && this->eliminateAll(execution);
+  const bool sound = this->eliminateAll(matrix.valuePtr(), execution);
   this->Updates.clear();
   return sound;
 }
 
 /// Some subtrees at a time, and what of the top has all its children by then: fewer updates wait
 /// than if the top came last.
-bool MultifrontalFactorization::eliminateAll(const Execution& execution)
+bool MultifrontalFactorization::eliminateAll(const double* values, const Execution& execution)
 {
   std::vector<char> sound(this->Tasks.size(), 1);
+  std::vector<double> topWork;
   auto top = this->Top.begin();
   for (std::size_t done = 0; done < this->Tasks.size(); done += roundSize)
   {
@@ -153,11 +156,12 @@ bool MultifrontalFactorization::eliminateAll(const Execution& execution)
       return false;
     }
     execution.parallelFor(roundSize, [&](Index first, Index last) {
+      std::vector<double> work;
       for (std::size_t task = done + first; task < done + last; ++task)
       {
         for (Index s : this->Tasks[task])
         {
-          sound[task] = sound[task] && this->eliminate(s, {}) ? 1 : 0;
+          sound[task] = sound[task] && this->eliminate(s, values, work, {}) ? 1 : 0;
         }
       }
     });
@@ -168,7 +172,7 @@ bool MultifrontalFactorization::eliminateAll(const Execution& execution)
       : *std::min_element(later, this->FirstRoots.end());
     for (; all && top != this->Top.end() && *top < next; ++top)
     {
-      all = !execution.cancelled() && this->eliminate(*top, execution);
+      all = !execution.cancelled() && this->eliminate(*top, values, topWork, execution);
     }
     if (!all)
     {
@@ -178,29 +182,18 @@ bool MultifrontalFactorization::eliminateAll(const Execution& execution)
   return true;
 }
 
-DenseFront MultifrontalFactorization::front(const Supernode& node)
-{
-  return { this->Blocks.data() + node.block, node.frontSize(), node.columnCount() };
-}
-
-ConstDenseFront MultifrontalFactorization::front(const Supernode& node) const
-{
-  return { this->Blocks.data() + node.block, node.frontSize(), node.columnCount() };
-}
-
 /// Adds what a child left of its rows to the front of its parent.
 void MultifrontalFactorization::addChild(
-  const Supernode& node, Index child, SteppedTriangle& update)
+  const DenseFront& front, Index child, SteppedTriangle& update)
 {
   const Supernode& below = this->Structure.supernodes()[child];
-  const DenseFront own = this->front(node);
   const Index size = below.rowCount();
   const Index* const place = this->Structure.placesInParent(below);
   for (Index b = 0; b < size; ++b)
   {
     // The update has the rows below the columns alone.
-    double* const to = place[b] < own.columns ? own.column(place[b]) + place[b]
-                                              : update.diagonal(place[b] - own.columns);
+    double* const to = place[b] < front.columns ? front.column(place[b]) + place[b]
+                                                : update.diagonal(place[b] - front.columns);
     const double* const values = this->Updates[child].diagonal(b);
     for (Index a = b; a < size; ++a)
     {
@@ -210,32 +203,42 @@ void MultifrontalFactorization::addChild(
   this->Updates[child] = SteppedTriangle();
 }
 
-bool MultifrontalFactorization::eliminate(Index s, const Execution& execution)
+/// \param work for the front, from one supernode to the next.
+bool MultifrontalFactorization::eliminate(
+  Index s, const double* values, std::vector<double>& work, const Execution& execution)
 {
   const Supernode& node = this->Structure.supernodes()[s];
+  const std::size_t size = node.blockSize();
+  work.resize(std::max(size, work.size()));
+  std::fill_n(work.begin(), size, 0.0);
+  const DenseFront front{ work.data(), node.frontSize(), node.columnCount() };
+  for (Index k = node.entriesBegin; k < node.entriesEnd; ++k)
+  {
+    const SupernodalStructure::Entry& entry = this->Structure.entries()[k];
+    front.values[entry.place] += values[entry.stored];
+  }
   SteppedTriangle update(node.rowCount());
   for (Index child : node.children)
   {
-    this->addChild(node, child, update);
+    this->addChild(front, child, update);
   }
-  const DenseFront own = this->front(node);
-  const bool sound = eliminateFront(own, update, execution);
-  for (Index k = 0; k < own.columns; ++k)
+  const bool sound = eliminateFront(front, update, execution);
+  for (Index k = 0; k < front.columns; ++k)
   {
-    this->Diagonal[node.first + k] = own.column(k)[k];
+    this->Diagonal[node.first + k] = front.column(k)[k];
   }
   this->Updates[s] = std::move(update);
-  return sound;
+  return sound && this->Blocks.store(front.values, size, node.block);
 }
 
 /// L x = x within one supernode; what is left for the rows below is passed on to its parent.
 void MultifrontalFactorization::substituteForward(
   const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed, Eigen::MatrixXd& work) const
 {
-  const ConstDenseFront front = this->front(node);
-  FrontVectors w(work.data(), front.size, work.cols(), Eigen::OuterStride<>(work.rows()));
-  w.topRows(front.columns) = x.middleRows(node.first, front.columns);
-  w.bottomRows(front.rows()).setZero();
+  const Index columns = node.columnCount();
+  FrontVectors w(work.data(), node.frontSize(), work.cols(), Eigen::OuterStride<>(work.rows()));
+  w.topRows(columns) = x.middleRows(node.first, columns);
+  w.bottomRows(node.rowCount()).setZero();
   for (Index child : node.children)
   {
     const Supernode& below = this->Structure.supernodes()[child];
@@ -248,27 +251,29 @@ void MultifrontalFactorization::substituteForward(
       }
     }
   }
-  flattening::substituteForward(front, w);
-  x.middleRows(node.first, front.columns) = w.topRows(front.columns);
-  passed.middleRows(node.rowsBegin, front.rows()) = w.bottomRows(front.rows());
+  this->Blocks.visit(node.block, node.frontSize(), columns,
+    [&w](const auto& front) { flattening::substituteForward(front, w); });
+  x.middleRows(node.first, columns) = w.topRows(columns);
+  passed.middleRows(node.rowsBegin, node.rowCount()) = w.bottomRows(node.rowCount());
 }
 
 void MultifrontalFactorization::substituteBackward(
   const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const
 {
-  const ConstDenseFront front = this->front(node);
+  const Index columns = node.columnCount();
   const Index* const rows = this->Structure.rows(node);
-  FrontVectors w(work.data(), front.size, work.cols(), Eigen::OuterStride<>(work.rows()));
-  w.topRows(front.columns) = x.middleRows(node.first, front.columns);
+  FrontVectors w(work.data(), node.frontSize(), work.cols(), Eigen::OuterStride<>(work.rows()));
+  w.topRows(columns) = x.middleRows(node.first, columns);
   for (Index c = 0; c < x.cols(); ++c)
   {
-    for (Index k = 0; k < front.rows(); ++k)
+    for (Index k = 0; k < node.rowCount(); ++k)
     {
-      w(front.columns + k, c) = x(rows[k], c);
+      w(columns + k, c) = x(rows[k], c);
     }
   }
-  flattening::substituteBackward(front, w);
-  x.middleRows(node.first, front.columns) = w.topRows(front.columns);
+  this->Blocks.visit(node.block, node.frontSize(), columns,
+    [&w](const auto& front) { flattening::substituteBackward(front, w); });
+  x.middleRows(node.first, columns) = w.topRows(columns);
 }
 
 void MultifrontalFactorization::substitute(Eigen::MatrixXd& x, const Execution& execution) const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sparse/DenseFront.h"
+#include "Sparse/FactorBlocks.h"
 #include "Sparse/SupernodalStructure.h"
 
 namespace flattening
@@ -15,6 +15,13 @@ namespace flattening
 class MultifrontalFactorization
 {
 public:
+  explicit MultifrontalFactorization(FactorPrecision precision = FactorPrecision::Double)
+    : Blocks(precision)
+  {
+  }
+  FactorPrecision precision() const { return this->Blocks.precision(); }
+  /// Keeps the next factors in this way. There is none until then.
+  void setPrecision(FactorPrecision precision) { this->Blocks = FactorBlocks(precision); }
   /// Finds the structure for the pattern of a symmetric matrix; the lower triangle is read.
   /// \param dissection of its columns.
   void analyze(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection);
@@ -30,21 +37,20 @@ private:
   using Supernode = SupernodalStructure::Supernode;
 
   void chooseTasks();
-  bool eliminateAll(const Execution& execution);
-  bool eliminate(Index s, const Execution& execution);
-  void addChild(const Supernode& node, Index child, SteppedTriangle& update);
+  bool eliminateAll(const double* values, const Execution& execution);
+  bool eliminate(
+    Index s, const double* values, std::vector<double>& work, const Execution& execution);
+  void addChild(const DenseFront& front, Index child, SteppedTriangle& update);
   void substitute(Eigen::MatrixXd& x, const Execution& execution) const;
   void substituteForward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed,
     Eigen::MatrixXd& work) const;
   void substituteBackward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const;
-  DenseFront front(const Supernode& node);
-  ConstDenseFront front(const Supernode& node) const;
 
   SupernodalStructure Structure;
   std::vector<Indices> Tasks; ///< supernodes of subtrees that are independent of each other
   Indices FirstRoots;         ///< of each task the root of its first subtree
   Indices Top;                ///< the others
-  std::vector<double> Blocks; ///< L below the diagonal; column by column for each supernode
+  FactorBlocks Blocks;        ///< L below the diagonal; column by column for each supernode
   std::vector<SteppedTriangle> Updates; ///< of supernodes whose parent has not taken them yet
   Eigen::VectorXd Diagonal;
 };

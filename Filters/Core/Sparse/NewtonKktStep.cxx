@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -17,6 +18,12 @@ constexpr double regularization = 1e-8;
 /// that follow.
 constexpr int refinements = 2;
 constexpr int refinementsFarAway = 1;
+/// A solution by a factor that is kept in single precision which leaves more of the right-hand side
+/// than this would need many refinements.
+constexpr double singleIsEnough = 0.1;
+/// The same of solutions that are not refined where the factor is that of another point: what that
+/// leaves is larger.
+constexpr double singleLeadsOn = 2e-3;
 /// Shifts tau of the Hessian: the smallest that matters beside entries about 1, growth by what
 /// costs few factorizations and overshoots little, and a largest beside which the Hessian is
 /// nothing.
@@ -156,8 +163,13 @@ bool NewtonKktStep::drawnInwards() const
 bool NewtonKktStep::factorizes()
 {
   ++this->Factorizations;
-  return !this->cancelled() && this->Solver.factorize(this->Model.kkt(), this->Run) &&
-    this->Solver.positive() == this->Unknowns;
+  bool factored = !this->cancelled() && this->Solver.factorize(this->Model.kkt(), this->Run);
+  if (!factored && this->Solver.precision() == FactorPrecision::Single && !this->cancelled())
+  {
+    this->Solver.keepDouble(); // which holds larger numbers
+    factored = this->Solver.factorize(this->Model.kkt(), this->Run);
+  }
+  return factored && this->Solver.positive() == this->Unknowns;
 }
 
 /// Adds a growing multiple of the identity to the Hessian, so many times and so much at most.
@@ -276,7 +288,14 @@ bool NewtonKktStep::solveFollowing()
   Eigen::VectorXd rhs(this->Unknowns + this->Constraints);
   rhs.head(this->Unknowns) = -this->lagrangianGradient(this->OldMultipliers);
   rhs.tail(this->Constraints) = -this->Point.constraints;
-  if (!this->takeSolution(this->Solver.solve(rhs, this->Run)))
+  Eigen::VectorXd solution = this->Solver.solve(rhs, this->Run);
+  if (this->LeftByFactor > singleLeadsOn && solution.size() == rhs.size())
+  {
+    const Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * solution;
+    const Eigen::VectorXd change = this->Solver.solve(r, this->Run);
+    solution += change.size() == rhs.size() ? change : Eigen::VectorXd::Zero(rhs.size());
+  }
+  if (!this->takeSolution(solution))
   {
     return false;
   }
@@ -304,8 +323,19 @@ bool NewtonKktStep::solveHeld()
       rhs[this->unknownOf(k)] = holdingStiffness * this->HeldStep[static_cast<Eigen::Index>(k)];
     }
   }
+  Eigen::VectorXd solution = this->solveKkt(rhs, &this->LeftByFactor);
+  if (this->Solver.precision() == FactorPrecision::Single &&
+    !(this->LeftByFactor <= singleIsEnough))
+  {
+    this->Solver.keepDouble();
+    if (!this->factorizes())
+    {
+      return false;
+    }
+    solution = this->solveKkt(rhs, &this->LeftByFactor);
+  }
   // The multiplier part of the solution is the new multiplier itself.
-  if (!this->takeSolution(this->solveKkt(rhs)))
+  if (!this->takeSolution(solution))
   {
     return false;
   }
@@ -342,16 +372,26 @@ bool NewtonKktStep::holdLeaving()
   return leaving;
 }
 
-/// Refined towards the system without the -delta block.
-Eigen::VectorXd NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs) const
+/// Refined towards the system without the -delta block. \param left what the first solution left of
+/// the right-hand side, as a fraction, where it is refined; wanted if not null.
+Eigen::VectorXd NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs, double* left) const
 {
   Eigen::VectorXd x = this->Solver.solve(rhs, this->Run);
+  if (left)
+  {
+    *left = x.size() == rhs.size() ? 0.0 : std::numeric_limits<double>::infinity();
+  }
   const int wanted = this->FarAway ? refinementsFarAway : refinements;
   const int most = this->Softness > 0.0 ? 0 : wanted;
   for (int refinement = 0; refinement < most && x.size() == rhs.size(); ++refinement)
   {
     Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * x;
     r.tail(this->Constraints) -= regularization * x.tail(this->Constraints);
+    if (left && refinement == 0)
+    {
+      *left = r.cwiseAbs().maxCoeff() /
+        std::max(rhs.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+    }
     const Eigen::MatrixXd change = this->Solver.solve(r, this->Run);
     if (change.rows() != x.size())
     {

@@ -81,7 +81,7 @@ private:
   bool solveHeld();
   bool solveFollowing();
   bool takeSolution(const Eigen::VectorXd& solution);
-  Eigen::VectorXd solveKkt(const Eigen::VectorXd& rhs) const;
+  Eigen::VectorXd solveKkt(const Eigen::VectorXd& rhs, double* left = nullptr) const;
 
   NewtonKktModel& Model;
   LinearSolver Solver;
@@ -103,6 +103,8 @@ private:
   double Damping = 0.0;    ///< least shift of the next
   Eigen::VectorXd Step;
   Eigen::VectorXd Multipliers;
+  /// What the last factor leaves of a right-hand side without refinement, as a fraction.
+  double LeftByFactor = 0.0;
   int Factorizations = 0;
   bool Saddles = false;
   bool Indefinite = false;

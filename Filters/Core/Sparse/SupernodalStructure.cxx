@@ -14,17 +14,19 @@ namespace
 {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Calls body(row, column) for each stored entry of the lower triangle in the order of storage.
+/// Calls body(row, column, stored) for each entry of the lower triangle in the order of storage.
 template <typename Body>
 void visitEntries(const SparseMatrix& matrix, Body&& body)
 {
   for (Index column = 0; column < matrix.outerSize(); ++column)
   {
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+    for (Index stored = matrix.outerIndexPtr()[column]; stored < matrix.outerIndexPtr()[column + 1];
+         ++stored)
     {
-      if (entry.row() >= column)
+      const Index row = matrix.innerIndexPtr()[stored];
+      if (row >= column)
       {
-        body(static_cast<Index>(entry.row()), column);
+        body(row, column, stored);
       }
     }
   }
@@ -65,18 +67,17 @@ SupernodalStructure::ColumnEntries SupernodalStructure::entriesByColumn(
 {
   ColumnEntries entries;
   entries.begin.assign(this->Order.size() + 1, 0);
-  visitEntries(matrix, [&](Index row, Index column) {
+  visitEntries(matrix, [&](Index row, Index column, Index) {
     ++entries.begin[std::min(this->Place[row], this->Place[column]) + 1];
   });
   std::partial_sum(entries.begin.begin(), entries.begin.end(), entries.begin.begin());
   entries.row.resize(entries.begin.back());
   entries.stored.resize(entries.begin.back());
   Indices next(entries.begin.begin(), entries.begin.end() - 1);
-  Index stored = 0;
-  visitEntries(matrix, [&](Index row, Index column) {
+  visitEntries(matrix, [&](Index row, Index column, Index stored) {
     const auto [first, last] = std::minmax(this->Place[row], this->Place[column]);
     entries.row[next[first]] = last;
-    entries.stored[next[first]++] = stored++;
+    entries.stored[next[first]++] = stored;
   });
   return entries;
 }
@@ -84,7 +85,8 @@ SupernodalStructure::ColumnEntries SupernodalStructure::entriesByColumn(
 void SupernodalStructure::findRows(const SparseMatrix& matrix)
 {
   const ColumnEntries entries = this->entriesByColumn(matrix);
-  this->EntryPlaces.resize(entries.row.size());
+  this->Entries.resize(entries.row.size());
+  this->StoredCount = matrix.nonZeros();
   Indices seen(this->Order.size(), none);
   Indices place(this->Order.size(), none); // in the front of the supernode at hand
   for (Index s = 0; s < static_cast<Index>(this->Nodes.size()); ++s)
@@ -114,8 +116,11 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
     node.rowsEnd = static_cast<Index>(this->Rows.size());
     std::sort(this->Rows.begin() + node.rowsBegin, this->Rows.end());
     node.block = this->BlocksSize;
-    const auto size = static_cast<std::size_t>(node.frontSize());
-    this->BlocksSize += size * static_cast<std::size_t>(node.columnCount());
+    this->BlocksSize += node.blockSize();
+    if (node.blockSize() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    {
+      refuseMemory(this->BlocksSize * sizeof(double));
+    }
     this->LargestFront = std::max(this->LargestFront, node.frontSize());
     if (node.rowCount() > 0)
     {
@@ -136,13 +141,14 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
         this->Places[k] = place[this->Rows[k]];
       }
     }
+    node.entriesBegin = entries.begin[node.first];
+    node.entriesEnd = entries.begin[node.end];
     for (Index column = node.first; column < node.end; ++column)
     {
-      const std::size_t begin = node.block + static_cast<std::size_t>(column - node.first) * size;
+      const Index begin = (column - node.first) * node.frontSize();
       for (Index k = entries.begin[column]; k < entries.begin[column + 1]; ++k)
       {
-        this->EntryPlaces[entries.stored[k]] =
-          begin + static_cast<std::size_t>(place[entries.row[k]]);
+        this->Entries[k] = { entries.stored[k], begin + place[entries.row[k]] };
       }
     }
   }

@@ -24,6 +24,8 @@ public:
     Index end = 0;
     Index rowsBegin = 0; ///< into rows(): those below the diagonal block, ascending
     Index rowsEnd = 0;
+    Index entriesBegin = 0; ///< into entries()
+    Index entriesEnd = 0;
     Index parent = none;
     std::size_t block = 0; ///< where its (columns + rows) x columns block begins
     Indices children;
@@ -31,10 +33,20 @@ public:
     Index columnCount() const { return this->end - this->first; }
     Index rowCount() const { return this->rowsEnd - this->rowsBegin; }
     Index frontSize() const { return this->columnCount() + this->rowCount(); }
+    std::size_t blockSize() const
+    {
+      return std::size_t(this->frontSize()) * std::size_t(this->columnCount());
+    }
+  };
+  /// A stored entry of the matrix, and where it goes in the block of its supernode.
+  struct Entry
+  {
+    Index stored; ///< into the matrix's values
+    Index place;
   };
 
   SupernodalStructure() = default;
-  /// \param matrix symmetric; only the pattern of its lower triangle counts. \param dissection of its
+  /// \param matrix symmetric and compressed; only the pattern of its lower triangle counts. \param dissection of its
   /// columns, each of them once.
   SupernodalStructure(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection);
 
@@ -52,8 +64,10 @@ public:
   /// Of all supernodes together.
   Index rowsSize() const { return static_cast<Index>(this->Rows.size()); }
   Index largestFront() const { return this->LargestFront; }
-  /// Where each stored entry of the lower triangle, in the order of storage, goes in the blocks.
-  const std::vector<std::size_t>& entryPlaces() const { return this->EntryPlaces; }
+  /// Those of all supernodes.
+  const std::vector<Entry>& entries() const { return this->Entries; }
+  /// How many the matrix has, those above the diagonal included.
+  Eigen::Index storedCount() const { return this->StoredCount; }
   std::size_t blocksSize() const { return this->BlocksSize; }
 
 private:
@@ -61,7 +75,7 @@ private:
   {
     Indices begin;
     Indices row;
-    Indices stored; ///< number in the order of storage
+    Indices stored; ///< into the matrix's values
   };
 
   void addSupernode(Index first, Index end);
@@ -74,7 +88,8 @@ private:
   Indices NodeOfColumn;
   Indices Rows;
   Indices Places;
-  std::vector<std::size_t> EntryPlaces;
+  std::vector<Entry> Entries;
+  Eigen::Index StoredCount = 0;
   std::size_t BlocksSize = 0;
   Index LargestFront = 0;
 };

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sparse/DenseSubstitution.h"
+
+#include "Sparse/VectorNumbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace flattening
+{
+namespace
+{
+/// Columns that are taken together, so that what they meet is loaded once for all.
+constexpr Index panelWidth = 4;
+/// Sums of a dot product, of every eighth row each: the same for every width of instructions.
+constexpr Index lanes = 8;
+
+/// Columns, each from its first row below the panel.
+template <typename Value>
+using Panel = std::array<const Value*, panelWidth>;
+using PanelNumbers = std::array<double, panelWidth>;
+
+#if defined(__GNUC__)
+/// As many rows of to -= columns times c, from one on, as whole vectors cover. \return the next row
+template <typename Vector, typename Value>
+FLATTENING_INLINE Index subtractRows(
+  double* to, const Panel<Value>& column, const PanelNumbers& c, Index from, Index count)
+{
+  constexpr Index width = sizeof(Vector) / sizeof(double);
+  Index i = from;
+  for (; i + width <= count; i += width)
+  {
+    Vector value;
+    Vector rows[panelWidth]; // NOLINT(modernize-avoid-c-arrays): stays in registers
+    load(to + i, value);
+    for (Index k = 0; k < panelWidth; ++k)
+    {
+      load(column[k] + i, rows[k]);
+    }
+    value -= (rows[0] * c[0] + rows[1] * c[1]) + (rows[2] * c[2] + rows[3] * c[3]);
+    std::memcpy(to + i, &value, sizeof(Vector));
+  }
+  return i;
+}
+
+/// Adds the products of eight rows to the sums of some columns.
+template <typename Vector, Index Columns, typename Value>
+FLATTENING_INLINE void addProducts(const Value* const* column, const double* x, Index row,
+  Vector (
+    &sum)[Columns][lanes * sizeof(double) / sizeof(Vector)]) // NOLINT(modernize-avoid-c-arrays)
+{
+  constexpr Index width = sizeof(Vector) / sizeof(double);
+  for (Index part = 0; part < lanes / width; ++part)
+  {
+    Vector factor;
+    load(x + part * width, factor);
+    for (Index k = 0; k < Columns; ++k)
+    {
+      Vector rows;
+      load(column[k] + row + part * width, rows);
+      sum[k][part] += rows * factor;
+    }
+  }
+}
+
+/// The dot products of some columns with x. The columns have at least eight rows, some above those
+/// that count.
+template <typename Vector, Index Columns, typename Value>
+FLATTENING_INLINE void multiply(
+  const Value* const* column, const double* x, Index count, double* products)
+{
+  constexpr Index parts = lanes * sizeof(double) / sizeof(Vector);
+  Vector sum[Columns][parts] = {}; // NOLINT(modernize-avoid-c-arrays): stays in registers
+  Index i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    addProducts<Vector, Columns>(column, x + i, i, sum);
+  }
+  if (i < count)
+  {
+    // The last eight rows, those that have been counted by 0.
+    std::array<double, lanes> rest{};
+    std::copy(x + i, x + count, rest.end() - (count - i));
+    addProducts<Vector, Columns>(column, rest.data(), count - lanes, sum);
+  }
+  for (Index k = 0; k < Columns; ++k)
+  {
+    std::array<double, lanes> s{};
+    std::memcpy(s.data(), &sum[k], sizeof(s));
+    products[k] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+  }
+}
+#endif
+
+template <typename Value>
+void subtractOneByOne(
+  double* to, const Panel<Value>& column, const PanelNumbers& c, Index from, Index count)
+{
+  for (Index i = from; i < count; ++i)
+  {
+    to[i] -=
+      (column[0][i] * c[0] + column[1][i] * c[1]) + (column[2][i] * c[2] + column[3][i] * c[3]);
+  }
+}
+
+template <typename Value>
+void multiplyOneByOne(
+  const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
+{
+  products.fill(0.0);
+  for (Index i = 0; i < count; ++i)
+  {
+    for (Index k = 0; k < panelWidth; ++k)
+    {
+      products[k] += column[k][i] * x[i];
+    }
+  }
+}
+
+template <typename Value>
+using Subtract = void (*)(
+  double* to, const Panel<Value>& column, const PanelNumbers& c, Index count);
+template <typename Value>
+using Multiply = void (*)(
+  const Panel<Value>& column, const double* x, Index count, PanelNumbers& products);
+
+template <typename Value>
+void subtractByTwo(double* to, const Panel<Value>& column, const PanelNumbers& c, Index count)
+{
+#if defined(__GNUC__)
+  subtractOneByOne(to, column, c, subtractRows<TwoNumbers>(to, column, c, 0, count), count);
+#else
+  subtractOneByOne(to, column, c, 0, count);
+#endif
+}
+
+template <typename Value>
+void multiplyByTwo(const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
+{
+#if defined(__GNUC__)
+  multiply<TwoNumbers, 2>(column.data(), x, count, products.data());
+  multiply<TwoNumbers, 2>(column.data() + 2, x, count, products.data() + 2);
+#else
+  multiplyOneByOne(column, x, count, products);
+#endif
+}
+
+#if FLATTENING_X86
+template <typename Value>
+__attribute__((target("avx2"))) void subtractByFour(
+  double* to, const Panel<Value>& column, const PanelNumbers& c, Index count)
+{
+  const Index next = subtractRows<FourNumbers>(to, column, c, 0, count);
+  subtractOneByOne(to, column, c, subtractRows<TwoNumbers>(to, column, c, next, count), count);
+}
+
+template <typename Value>
+__attribute__((target("avx2"))) void multiplyByFour(
+  const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
+{
+  multiply<FourNumbers, panelWidth>(column.data(), x, count, products.data());
+}
+
+template <typename Value>
+__attribute__((target("avx512f"))) void subtractByEight(
+  double* to, const Panel<Value>& column, const PanelNumbers& c, Index count)
+{
+  Index next = subtractRows<EightNumbers>(to, column, c, 0, count);
+  next = subtractRows<FourNumbers>(to, column, c, next, count);
+  subtractOneByOne(to, column, c, subtractRows<TwoNumbers>(to, column, c, next, count), count);
+}
+
+template <typename Value>
+__attribute__((target("avx512f"))) void multiplyByEight(
+  const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
+{
+  multiply<EightNumbers, panelWidth>(column.data(), x, count, products.data());
+}
+#endif
+
+template <typename Value>
+Subtract<Value> widestSubtract()
+{
+#if FLATTENING_X86
+  return forWidest<Subtract<Value>>(
+    subtractByTwo<Value>, subtractByFour<Value>, subtractByEight<Value>);
+#else
+  return subtractByTwo<Value>;
+#endif
+}
+
+template <typename Value>
+Multiply<Value> widestMultiply()
+{
+#if FLATTENING_X86
+  return forWidest<Multiply<Value>>(
+    multiplyByTwo<Value>, multiplyByFour<Value>, multiplyByEight<Value>);
+#else
+  return multiplyByTwo<Value>;
+#endif
+}
+
+/// Below the panel that ends at a row; where it is not as wide, its last column stands for those
+/// that lack.
+template <typename Value>
+Panel<Value> below(const FrontColumns<const Value>& front, Index begin, Index end)
+{
+  Panel<Value> panel{};
+  for (Index k = 0; k < panelWidth; ++k)
+  {
+    panel[k] = front.column(std::min(begin + k, end - 1)) + end;
+  }
+  return panel;
+}
+
+template <typename Value>
+void forward(const FrontColumns<const Value>& front, FrontVectors& w)
+{
+  static const Subtract<Value> subtract = widestSubtract<Value>();
+  for (Index begin = 0; begin < front.columns; begin += panelWidth)
+  {
+    const Index end = std::min(begin + panelWidth, front.columns);
+    const Panel<Value> panel = below(front, begin, end);
+    for (Index c = 0; c < w.cols(); ++c)
+    {
+      double* const x = w.col(c).data();
+      PanelNumbers known{};
+      for (Index k = begin; k < end; ++k)
+      {
+        known[k - begin] = x[k];
+        for (Index i = k + 1; i < end; ++i)
+        {
+          x[i] -= front.column(k)[i] * x[k];
+        }
+      }
+      subtract(x + end, panel, known, front.size - end);
+    }
+  }
+}
+
+template <typename Value>
+void backward(const FrontColumns<const Value>& front, FrontVectors& w)
+{
+  static const Multiply<Value> widest = widestMultiply<Value>();
+  const Multiply<Value> multiply = front.size < lanes ? multiplyOneByOne<Value> : widest;
+  for (Index end = front.columns; end > 0;)
+  {
+    const Index begin = (end - 1) / panelWidth * panelWidth;
+    const Panel<Value> panel = below(front, begin, end);
+    for (Index c = 0; c < w.cols(); ++c)
+    {
+      double* const x = w.col(c).data();
+      PanelNumbers products{};
+      multiply(panel, x + end, front.size - end, products);
+      for (Index k = end; k-- > begin;)
+      {
+        x[k] -= products[k - begin];
+        for (Index i = k + 1; i < end; ++i)
+        {
+          x[k] -= front.column(k)[i] * x[i];
+        }
+      }
+    }
+    end = begin;
+  }
+}
+}
+
+void substituteForward(const FrontColumns<const double>& front, FrontVectors w)
+{
+  forward(front, w);
+}
+
+void substituteForward(const FrontColumns<const float>& front, FrontVectors w)
+{
+  forward(front, w);
+}
+
+void substituteBackward(const FrontColumns<const double>& front, FrontVectors w)
+{
+  backward(front, w);
+}
+
+void substituteBackward(const FrontColumns<const float>& front, FrontVectors w)
+{
+  backward(front, w);
+}
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Sparse/DenseFront.h"
+
+namespace flattening
+{
+/// Right-hand sides that are solved together, so that L is read once; each as long as the front.
+using FrontVectors = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+/// Solves L x = w in the columns of a front and takes them out of the rows below.
+void substituteForward(const FrontColumns<const double>& front, FrontVectors w);
+void substituteForward(const FrontColumns<const float>& front, FrontVectors w);
+/// Solves L^T x = w in the columns of a front, the rows below being known. What stands above the
+/// diagonal must be finite.
+void substituteBackward(const FrontColumns<const double>& front, FrontVectors w);
+void substituteBackward(const FrontColumns<const float>& front, FrontVectors w);
+}
