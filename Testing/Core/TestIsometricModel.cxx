@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 using namespace flattening;
@@ -157,4 +158,23 @@ TEST(IsometricModel, AnIsometricLayoutHasNoEnergyAndMeetsAllConstraints)
   const Eigen::VectorXd x = model.unknowns(positions, {});
   EXPECT_LT(model.objective(x, {}), 1e-20);
   EXPECT_LT(model.constraints(x).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(IsometricModel, KnowsWhatTheRoundingOfPositionsLeavesOfTheGradient)
+{
+  const Example example;
+  IsometricModel model(example.wired.piece, example.problem, {}, 5.0);
+  // Far from the origin rounding is large; a stiff wire feels it most.
+  Eigen::VectorXd x = example.point(model);
+  x.head(model.coordinateCount()).array() += 1e6;
+  const Eigen::VectorXd gradient = model.differentiate(x, {})->gradient;
+  Eigen::VectorXd rounded = x;
+  for (Index k = 0; k < model.coordinateCount(); ++k)
+  {
+    rounded[k] = std::nextafter(x[k], k % 3 == 0 ? 0.0 : 2e6);
+  }
+  const double moved =
+    (model.differentiate(rounded, {})->gradient - gradient).cwiseAbs().maxCoeff();
+  EXPECT_LT(moved, 10.0 * model.gradientRounding(x));
+  EXPECT_GT(moved, 0.1 * model.gradientRounding(x));
 }

@@ -308,6 +308,21 @@ double IsometricModel::gradientScale(double objective) const
   return std::max(std::sqrt(objective), floor);
 }
 
+/// Wires are stiffer against the rounding of positions than the sheet is, the more so the finer the
+/// mesh. Each coordinate is off by half a unit of its last place, six make an angle, and three
+/// angles the gradient at a vertex.
+double IsometricModel::gradientRounding(const Eigen::VectorXd& x) const
+{
+  double stiffest = 0.0;
+  for (const Node& node : this->Nodes)
+  {
+    const double squared = this->nodeGeometry(node, x, false).gradient.squaredNorm();
+    stiffest = std::max(stiffest, 2.0 * node.stiffness * squared);
+  }
+  const double farthest = x.size() ? x.cwiseAbs().maxCoeff() : 0.0;
+  return 2.0 * std::numeric_limits<double>::epsilon() * farthest * stiffest;
+}
+
 void IsometricModel::shift(double tau)
 {
   for (Index k = 0; k < this->CoordinateCount; ++k)

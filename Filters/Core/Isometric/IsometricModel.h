@@ -66,6 +66,7 @@ public:
   std::vector<double> stiffness() const;
   double constraintRounding(const Eigen::VectorXd& x, double merit) const override;
   double gradientScale(double objective) const override;
+  double gradientRounding(const Eigen::VectorXd& x) const override;
 
   /// Convex: sheet energy projected, angles by Gauss-Newton, constraints where they are convex. The
   /// rigid motions, of which neither energy nor constraints know, are taken out: one vertex is

@@ -134,11 +134,14 @@ private:
     return this->lookAround();
   }
 
-  /// How far the point is from one that meets the conditions of a minimum.
+  /// How far the point is from one that meets the conditions of a minimum, rounding left out.
   double residual() const
   {
+    const double gradient = std::max(0.0,
+      this->Newton.optimality(this->State.multipliers) -
+        this->Model.gradientRounding(this->State.x));
     return largest(this->Newton.constraints()) +
-      this->Newton.optimality(this->State.multipliers) / this->Model.gradientScale(this->Objective);
+      gradient / this->Model.gradientScale(this->Objective);
   }
 
   bool roughlyThere(Found found, int iteration) const
@@ -211,7 +214,8 @@ private:
   bool optimal(double optimality) const
   {
     return optimality <
-      this->Options.optimalityTolerance * this->Model.gradientScale(this->Objective);
+      this->Options.optimalityTolerance * this->Model.gradientScale(this->Objective) ||
+      optimality < this->Model.gradientRounding(this->State.x);
   }
 
   /// Tests the point with the multipliers that the last step left, which spares solving, then with

@@ -35,6 +35,9 @@ public:
   virtual double constraintRounding(const Eigen::VectorXd& x, double merit) const = 0;
   /// What an entry of the gradient of the Lagrangian is small against, at this objective.
   virtual double gradientScale(double) const { return 1.0; }
+  /// What the rounding of the unknowns leaves of an entry of that gradient: none is asked to be
+  /// smaller.
+  virtual double gradientRounding(const Eigen::VectorXd&) const { return 0.0; }
   /// Told once, near a minimum, the multipliers there: the model may take on the objective that it
   /// is to end with. \return whether it is another one
   virtual bool settle(const Eigen::VectorXd&) { return false; }
