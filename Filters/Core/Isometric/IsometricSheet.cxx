@@ -1,8 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricSheet.h"
 
+#include <algorithm>
+
 namespace flattening
 {
+namespace
+{
+/// Triangles whose derivatives threads compute before one thread adds them: few enough for the
+/// cache, many enough for threads.
+constexpr Index together = 8192;
+
+/// Calls compute(t), which gives a Result, on threads for each number below `count`, and
+/// add(t, result) on one in their order.
+template <typename Result, typename Compute, typename Add>
+void computeAndAdd(Index count, const Execution& execution, const Compute& compute, const Add& add)
+{
+  std::vector<Result> results(std::min(count, together));
+  for (Index first = 0; first < count; first += together)
+  {
+    const Index here = std::min(together, count - first);
+    execution.parallelFor(here, [&](Index begin, Index end) {
+      for (Index k = begin; k < end; ++k)
+      {
+        results[k] = compute(first + k);
+      }
+    });
+    for (Index k = 0; k < here; ++k)
+    {
+      add(first + k, results[k]);
+    }
+  }
+}
+}
+
 IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy)
   : Cells(mesh.triangles())
   , Energy(energy)
@@ -52,54 +83,52 @@ void IsometricSheet::declare(SymmetricAssembler& assembler)
       std::array<Index, 6>{
         2 * c[0], 2 * c[0] + 1, 2 * c[1], 2 * c[1] + 1, 2 * c[2], 2 * c[2] + 1 });
   }
-  this->Values.resize(this->Cells.size());
-  this->Gradients.resize(this->Cells.size());
+}
+
+IsometricSheet::Derivatives IsometricSheet::derivatives(
+  Index t, const Eigen::VectorXd& x, bool convex) const
+{
+  const DistortionEnergyValue value = this->Energy.evaluate(this->mapParts(t, x), convex);
+  const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
+  Derivatives result;
+  result.gradient = this->Frames[t].area * (derivative.transpose() * value.gradient);
+  const Eigen::Matrix<double, 4, 6> half = this->Frames[t].area * (value.hessian * derivative);
+  int next = 0;
+  for (int a = 0; a < 6; ++a)
+  {
+    for (int b = 0; b <= a; ++b)
+    {
+      result.hessian[next++] = derivative.col(a).dot(half.col(b));
+    }
+  }
+  return result;
 }
 
 void IsometricSheet::add(const Eigen::VectorXd& x, Curvature curvature,
-  SymmetricAssembler& assembler, Eigen::VectorXd& gradient, const Execution& execution)
+  SymmetricAssembler& assembler, Eigen::VectorXd& gradient, const Execution& execution) const
 {
   const bool convex = curvature == Curvature::Convex;
-  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      const DistortionEnergyValue value = this->Energy.evaluate(this->mapParts(t, x), convex);
-      const Eigen::Matrix<double, 4, 6> derivative = mapPartsDerivative(this->Frames[t]);
-      this->Gradients[t] = this->Frames[t].area * (derivative.transpose() * value.gradient);
-      const Eigen::Matrix<double, 4, 6> half = this->Frames[t].area * (value.hessian * derivative);
-      std::array<double, 21>& entries = this->Values[t];
-      int next = 0;
-      for (int a = 0; a < 6; ++a)
-      {
-        for (int b = 0; b <= a; ++b)
-        {
-          entries[next++] = derivative.col(a).dot(half.col(b));
-        }
-      }
-    }
-  });
-  for (std::size_t t = 0; t < this->Cells.size(); ++t)
-  {
-    const std::array<double, 21>& lower = this->Values[t];
-    this->Blocks[t].add(assembler, [&](int a, int b) { return lower[a * (a + 1) / 2 + b]; });
-    this->Blocks[t].scatter(this->Gradients[t], gradient);
-  }
+  computeAndAdd<Derivatives>(
+    static_cast<Index>(this->Cells.size()), execution,
+    [&](Index t) { return this->derivatives(t, x, convex); },
+    [&](Index t, const Derivatives& of) {
+      this->Blocks[t].add(
+        assembler, [&of](int a, int b) { return of.hessian[a * (a + 1) / 2 + b]; });
+      this->Blocks[t].scatter(of.gradient, gradient);
+    });
 }
 
 void IsometricSheet::addGradient(
-  const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution)
+  const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution) const
 {
-  execution.parallelFor(static_cast<Index>(this->Cells.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      this->Gradients[t] = this->Frames[t].area *
+  using Gradient = Eigen::Matrix<double, 6, 1>;
+  computeAndAdd<Gradient>(
+    static_cast<Index>(this->Cells.size()), execution,
+    [&](Index t) {
+      return Gradient(this->Frames[t].area *
         (mapPartsDerivative(this->Frames[t]).transpose() *
-          this->Energy.gradient(this->mapParts(t, x)));
-    }
-  });
-  for (std::size_t t = 0; t < this->Cells.size(); ++t)
-  {
-    this->Blocks[t].scatter(this->Gradients[t], gradient);
-  }
+          this->Energy.gradient(this->mapParts(t, x))));
+    },
+    [&](Index t, const Gradient& of) { this->Blocks[t].scatter(of, gradient); });
 }
 }

@@ -30,19 +30,24 @@ public:
   void declare(SymmetricAssembler& assembler);
   /// Adds gradient and Hessian at x.
   void add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
-    Eigen::VectorXd& gradient, const Execution& execution);
+    Eigen::VectorXd& gradient, const Execution& execution) const;
   /// Adds the gradient alone.
-  void addGradient(const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution);
+  void addGradient(
+    const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution) const;
 
 private:
+  struct Derivatives
+  {
+    std::array<double, 21> hessian; ///< its lower triangle, row by row
+    Eigen::Matrix<double, 6, 1> gradient;
+  };
+
   Eigen::Vector4d mapParts(Index t, const Eigen::VectorXd& x) const;
+  Derivatives derivatives(Index t, const Eigen::VectorXd& x, bool convex) const;
 
   Triangles Cells;
   SheetEnergy Energy;
   std::vector<TriangleFrame> Frames; ///< in units
   std::vector<SymmetricBlock<6>> Blocks;
-  /// Lower triangles, row by row: threads compute them, one adds them.
-  std::vector<std::array<double, 21>> Values;
-  std::vector<Eigen::Matrix<double, 6, 1>> Gradients;
 };
 }
