@@ -16,6 +16,8 @@ namespace
 /// Where a start can be untangled at all it is by then: of 77 runs on real pieces and refinements
 /// of them none was that had so many iterations without a fold less.
 constexpr int patienceForStart = 40;
+/// The isometric scheme moves all of it anyway.
+constexpr double energyToleranceOfStart = 1e-3;
 
 /// The isometric scheme with an energy that does not fold more than its start does.
 IsometricSolution warpWithoutFolding(
@@ -84,8 +86,13 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
   context.execution.report(0.1, "Placing the interior");
   placed.positions =
     layOutWires(context.network, wires.angles.theta, wires.angles.length).positions;
-  noteStatus(embedInterior(context.piece, context.network, context.options.interior,
-               context.execution, placed.positions, context.interiors)
+  InteriorOptions interior = context.options.interior;
+  if (context.options.scheme == Scheme::Isometric)
+  {
+    interior.energyTolerance = std::max(interior.energyTolerance, energyToleranceOfStart);
+  }
+  noteStatus(embedInterior(context.piece, context.network, interior, context.execution,
+               placed.positions, context.interiors)
                .status,
     placed.status);
   if (context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
