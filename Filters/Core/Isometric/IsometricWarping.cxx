@@ -44,6 +44,8 @@ constexpr int settleBy = 30;
 constexpr double triangleFactorizations = 4e6;
 constexpr int fewestFactorizations = 40;
 constexpr int mostFactorizations = 180;
+/// From so many coordinates on the memory of a factor is what limits solving with it.
+constexpr Index singleFrom = 10000;
 /// The way from afar is long; what is left after it is short.
 constexpr double descentShare = 2.0;
 
@@ -94,7 +96,8 @@ IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
       { record.objective, record.violation, record.optimality, record.largestMove, record.exact });
     solution.iterations = record.iteration;
   };
-  LinearSolver solver(model.eliminationOrder(start.x), FactorPrecision::Single);
+  LinearSolver solver(model.eliminationOrder(start.x),
+    model.coordinateCount() < singleFrom ? FactorPrecision::Double : FactorPrecision::Single);
   const NewtonKktState end =
     minimize(model, std::move(start), std::move(solver), newton, execution);
   if (end.cancelled())

@@ -34,11 +34,20 @@ void FactorBlocks::allocate(std::size_t count)
   this->Count = count;
 }
 
-bool FactorBlocks::store(const double* values, std::size_t count, std::size_t place)
+double* FactorBlocks::workspace(std::size_t count, std::size_t place, std::vector<double>& buffer)
 {
   if (this->Precision == FactorPrecision::Double)
   {
-    std::copy(values, values + count, this->Doubles.get() + place);
+    return this->Doubles.get() + place;
+  }
+  buffer.resize(std::max(count, buffer.size()));
+  return buffer.data();
+}
+
+bool FactorBlocks::keep(const double* values, std::size_t count, std::size_t place)
+{
+  if (this->Precision == FactorPrecision::Double)
+  {
     return true;
   }
   // Loops that are compiled to vectors.

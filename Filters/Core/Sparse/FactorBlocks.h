@@ -4,6 +4,7 @@
 #include "Sparse/DenseFront.h"
 
 #include <memory>
+#include <vector>
 
 namespace flattening
 {
@@ -31,8 +32,11 @@ public:
   }
   /// Makes room for so many numbers, whose values are left open.
   void allocate(std::size_t count);
-  /// Copies so many numbers to a place. False where one is too large for what is kept.
-  bool store(const double* values, std::size_t count, std::size_t place);
+  /// Where so many numbers that are for a place are to be computed: there, or, where they are kept
+  /// otherwise, in the buffer.
+  double* workspace(std::size_t count, std::size_t place, std::vector<double>& buffer);
+  /// Keeps what was computed there. False where a number is too large for what is kept.
+  bool keep(const double* values, std::size_t count, std::size_t place);
   /// Calls visit(front) with the front at a place.
   template <typename Visit>
   void visit(std::size_t place, Index size, Index columns, const Visit& visit) const

@@ -203,15 +203,15 @@ void MultifrontalFactorization::addChild(
   this->Updates[child] = SteppedTriangle();
 }
 
-/// \param work for the front, from one supernode to the next.
+/// \param work a buffer, from one supernode to the next.
 bool MultifrontalFactorization::eliminate(
   Index s, const double* values, std::vector<double>& work, const Execution& execution)
 {
   const Supernode& node = this->Structure.supernodes()[s];
   const std::size_t size = node.blockSize();
-  work.resize(std::max(size, work.size()));
-  std::fill_n(work.begin(), size, 0.0);
-  const DenseFront front{ work.data(), node.frontSize(), node.columnCount() };
+  const DenseFront front{ this->Blocks.workspace(size, node.block, work), node.frontSize(),
+    node.columnCount() };
+  std::fill_n(front.values, size, 0.0);
   for (Index k = node.entriesBegin; k < node.entriesEnd; ++k)
   {
     const SupernodalStructure::Entry& entry = this->Structure.entries()[k];
@@ -228,7 +228,7 @@ bool MultifrontalFactorization::eliminate(
     this->Diagonal[node.first + k] = front.column(k)[k];
   }
   this->Updates[s] = std::move(update);
-  return sound && this->Blocks.store(front.values, size, node.block);
+  return sound && this->Blocks.keep(front.values, size, node.block);
 }
 
 /// L x = x within one supernode; what is left for the rows below is passed on to its parent.
