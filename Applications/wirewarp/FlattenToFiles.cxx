@@ -83,14 +83,6 @@ std::vector<std::string> writeResult(const Options& options, Flattening& result,
   result.secondsTotal += result.secondsWrite;
   files.add(reportName, makeReport(options, result));
   discardPatterns(files);
-  if (!curves)
-  {
-    files.discard(curvesName); // the proposals of an earlier run
-  }
-  if (!result.flattenable)
-  {
-    files.discard(flattenableName);
-  }
   if (!result.sewn)
   {
     files.discard(sewnName);
@@ -99,7 +91,8 @@ std::vector<std::string> writeResult(const Options& options, Flattening& result,
   return patterns;
 }
 
-/// Says so in report.json, and leaves no earlier result beside it.
+/// Says so in report.json, and leaves no earlier result beside it but what a user may have edited
+/// since: curves and a moved surface.
 void writeRefusal(const Options& options, const Flattening& result, OutputFiles& files)
 {
   files.add(reportName, makeReport(options, result));
@@ -107,8 +100,6 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
   {
     files.discard(name);
   }
-  files.discard(curvesName);
-  files.discard(flattenableName);
   files.discard(sewnName);
   discardPatterns(files);
   files.publish();
@@ -128,8 +119,14 @@ void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
     inputs.refuseToReplace(folder / name, "--output");
   }
   inputs.refuseToReplace(folder / reportName, "--output");
-  inputs.refuseToReplace(folder / curvesName, "--output");
-  inputs.refuseToReplace(folder / flattenableName, "--output");
+  if (!options.suggest.empty() || options.reshaping.any())
+  {
+    inputs.refuseToReplace(folder / curvesName, "--output");
+  }
+  if (options.reshaping.any())
+  {
+    inputs.refuseToReplace(folder / flattenableName, "--output");
+  }
   inputs.refuseToReplace(folder / sewnName, "--output");
   if (options.picture.any())
   {

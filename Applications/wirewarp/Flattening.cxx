@@ -5,11 +5,13 @@
 #include "FilterOptions.h"
 #include "InputError.h"
 #include "MovedCurves.h"
+#include "NumberNames.h"
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 #include "Seconds.h"
 #include "SurfaceMending.h"
+#include "TextFile.h"
 #include "Units.h"
 #include "VtkMessages.h"
 
@@ -74,6 +76,11 @@ std::vector<std::string> readInput(
   std::vector<std::string> files;
   std::vector<vtkPolyData*> read; // which the filter's connections keep
   const auto connect = [&](const std::string& path, vtkSmartPointer<vtkPolyData> curves) {
+    const std::string note = notesOfNumberNames(owner, curves);
+    if (!note.empty())
+    {
+      result.notes.push_back(inQuotes(path) + ": " + note);
+    }
     vtkNew<vtkTrivialProducer> producer;
     if (owner != contents.surface)
     {

@@ -40,7 +40,7 @@ std::vector<Scope> scopesOf(const Options& options)
         "--isometric-iterations" },
       isometric, "for --scheme isometric, not for --scheme " + options.scheme },
     { { "--energy", "--area-bias" }, options.material.empty() || options.material == "isotropic",
-      "for a sheet without --material, or --material isotropic" },
+      "for a sheet without --material, not for --material " + options.material },
     { { "--area-bias" }, options.energy == "rigid",
       "for --energy rigid, not for --energy dirichlet" },
     { { "--pins" }, conformal, "for --scheme lscm, not for --scheme " + options.scheme },
@@ -50,6 +50,13 @@ std::vector<Scope> scopesOf(const Options& options)
       conformal ? wires : "for --interior relaxation, not for --interior " + options.interior },
     { { "--rigid-tolerance", "--rigid-iterations" }, !conformal && options.interior == "arap",
       conformal ? wires : "for --interior arap, not for --interior " + options.interior },
+    { { "--color-by" }, options.picture.any(), "for --picture FILE" },
+    { { "--allowance", "--curve-allowance", "--mitre-limit", "--notch-spacing", "--curve-notch",
+        "--double-notches", "--notch-corners", "--notch-curve-ends", "--cut-darts-out",
+        "--cut-on-fold", "--fold", "--dart-tip", "--curve-dart-tip", "--cut-pairs", "--fair",
+        "--curve-fair", "--piece-quantity", "--piece-name", "--laser-colors" },
+      options.pattern.any(), "for patterns: --svg, --pdf, --dxf, --plt, --garmentcode or --walk" },
+    { { "--paper", "--page-overlap", "--max-pages" }, options.pattern.pdf, "for --pdf" },
     { { "--color-by" }, options.picture.coloring != "distance" || options.resewing.any(),
       "for --resew where it is distance" },
     { { "--color-by" }, !ofThreads(options.picture.coloring) || !options.material.empty(),
@@ -73,7 +80,9 @@ std::string idleOption(const Options& options, const IsGiven& isGiven)
     {
       if (!scope.holds && isGiven(option))
       {
-        return std::string(option) + " is " + scope.condition + "; leave one of them out";
+        const bool clash = scope.condition.find(", not for ") != std::string::npos;
+        return std::string(option) + " is " + scope.condition +
+          (clash ? "; leave one of them out" : "; give that as well, or leave it out");
       }
     }
   }

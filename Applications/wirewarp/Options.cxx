@@ -55,7 +55,8 @@ surface in space, point for point like flat.vtp), report.json (all measures), an
 pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg,
 lay.plt; with --suggest also
 curves.vtp (all curves), with --flattenable flattenable.vtp (the moved surface) and curves.vtp (the curves on
-it), with --resew sewn.vtp (the cloth at rest, point for point like flat.vtp). Earlier ones are replaced. With --batch they are written to DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
+it), with --resew sewn.vtp (the cloth at rest, point for point like flat.vtp). Earlier ones are replaced,
+and removed where a run writes none of a kind; curves.vtp and flattenable.vtp stay. With --batch they are written to DIR/<name of SURFACE> for each surface, and the exit code is that of the worst.
 
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result, or files or the table cannot be written;
 4 flattened, but a promise is broken (not converged, a length error above --max-length-error, a flipped

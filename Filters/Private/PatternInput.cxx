@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 
@@ -28,6 +29,9 @@ using pattern::PatternSource;
 using pattern::SewnEdges;
 using pattern::SourceWire;
 using pattern::WireType;
+
+/// How far points of flat pieces may differ in z, as a share of their width.
+constexpr double flatness = 1e-6;
 
 Status invalid(const std::string& message)
 {
@@ -58,6 +62,21 @@ Index indexOf(double value)
   return fits ? static_cast<Index>(value) : none;
 }
 
+/// A surface that was not flattened would be drawn as it is seen from above, not as it is cut.
+Status checkFlatness(vtkPolyData* flat)
+{
+  double box[6];
+  flat->GetBounds(box);
+  const double height = box[5] - box[4];
+  const double size = std::max(box[1] - box[0], box[3] - box[2]);
+  if (flat->GetNumberOfPoints() > 0 && !(height <= flatness * size))
+  {
+    return invalid("the surface is not flat: it is " + std::to_string(height) + " high in z and " +
+      std::to_string(size) + " wide");
+  }
+  return {};
+}
+
 Status readSurface(vtkPolyData* flat, PatternSource& source)
 {
   const vtkIdType points = flat->GetNumberOfPoints();
@@ -65,13 +84,18 @@ Status readSurface(vtkPolyData* flat, PatternSource& source)
   {
     return invalid("the flat surface has more points than 2^31 - 1");
   }
+  Status status = checkFlatness(flat);
+  if (!status.ok())
+  {
+    return status;
+  }
   for (vtkIdType v = 0; v < points; ++v)
   {
     const double* p = flat->GetPoint(v);
     source.positions.emplace_back(p[0], p[1]);
   }
   vtkDataArray* pieces = flat->GetCellData()->GetArray("PieceId");
-  Status status = checkRows({ pieces }, flat->GetNumberOfCells(), "the flat surface");
+  status = checkRows({ pieces }, flat->GetNumberOfCells(), "the flat surface");
   if (!status.ok())
   {
     return status;

@@ -42,6 +42,12 @@ class Curves(command.CommandTest):
         meridian = [0] + [5 * j - 2 for j in range(1, 8)] + [36]
         self.write("two.txt", text + "accessory meridian " + " ".join(map(str, meridian)) + "\n")
 
+    def test_a_number_where_the_name_should_be_is_told(self):
+        self.write("forgotten.txt", "accessory " + " ".join(map(str, command.quarter_sphere()[2])) + "\n")
+        run = self.run_command("lune.obj", "forgotten.txt", "--output", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("which is not one of its vertices; if it should be, put a name before it", run.stderr)
+
     def test_an_elastic_curve_stays_in_its_band_and_the_others_stay_exact(self):
         rigid = self.flatten("lune.obj", "two.txt")
         report = self.flatten("lune.obj", "two.txt", "--tolerance", "meridian=0.02")

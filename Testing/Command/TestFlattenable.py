@@ -2,6 +2,7 @@
 """--flattenable moves the surface until its flat pieces are strained by no more than a bound."""
 
 import os
+import pathlib
 
 import command
 
@@ -17,6 +18,9 @@ class Flattenable(command.CommandTest):
         super().setUp()
         self.write("hill.obj", command.obj(*hill()))
         self.write("curves.txt", "accessory middle 21 22 23 24 25 26 27\n")
+
+    def bytes_of(self, name):
+        return pathlib.Path(self.path(name)).read_bytes()
 
     def test_the_bound_is_met_and_both_reports_are_there(self):
         report = self.flatten("hill.obj", "--flattenable", "0.02")
@@ -35,11 +39,24 @@ class Flattenable(command.CommandTest):
 
     def test_what_it_writes_lies_flat_by_itself_and_goes_with_the_next_run(self):
         strain = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.03")["pieces"][0]["strain_p95"]
-        again = self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "again")
+        again = self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "out")
         self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertAlmostEqual(self.report("again")["pieces"][0]["strain_p95"], strain, 9)
+        self.assertAlmostEqual(self.report("out")["pieces"][0]["strain_p95"], strain, 9)
         self.assertIsNone(self.flatten("hill.obj")["flattenable"])
-        self.assertFalse({"flattenable.vtp", "curves.vtp"} & set(os.listdir(self.path("out"))))
+
+    def test_what_may_have_been_edited_is_replaced_by_what_writes_it_alone(self):
+        self.flatten("hill.obj", "curves.txt", "--flattenable", "0.03")
+        kept = {name: self.bytes_of(f"out/{name}") for name in ("flattenable.vtp", "curves.vtp")}
+        self.flatten("hill.obj")
+        self.write("typo.txt", "dert middle 1 2 3\n")
+        run = self.run_command("hill.obj", "typo.txt", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
+        for name, before in kept.items():
+            self.assertEqual(self.bytes_of(f"out/{name}"), before)
+        run = self.run_command(self.path("out/flattenable.vtp"), "--flattenable", "0.02", "--output", "out")
+        self.assertIn("is an input, which the result would replace", run.stderr)
+        self.assertEqual(self.bytes_of("out/flattenable.vtp"), kept["flattenable.vtp"])
 
     def test_it_says_how_far_the_surface_moved_and_what_was_written(self):
         said = self.run_command("hill.obj", "--flattenable", "0.02", "--unit", "mm", "--output", "out").stdout
@@ -51,11 +68,11 @@ class Flattenable(command.CommandTest):
     def test_kept_curves_are_named(self):
         report = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "middle")
         self.assertEqual(report["flattenable"]["keep"], ["middle"])
-        run = self.run_command("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "centre", "--output", "out")
+        run = self.run_command("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "centre", "--output", "refused")
         self.assertEqual(run.returncode, 3)
         self.assertIn('no curve is named "centre"; the curves are middle', run.stderr)
         self.assertNotIn("--tolerance", run.stderr)
-        self.assertNotIn("flattenable.vtp", os.listdir(self.path("out")))
+        self.assertNotIn("flattenable.vtp", os.listdir(self.path("refused")))
 
     def test_a_bound_that_is_not_met_is_told(self):
         lines = "".join(f"accessory row{j} " + " ".join(str(7 * j + i) for i in range(7)) + "\n" for j in range(1, 6))

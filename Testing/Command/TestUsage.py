@@ -107,6 +107,17 @@ class Usage(command.CommandTest):
                 message = self.assert_usage_error("a.obj", *words)
                 self.assertRegex(message, option + " is for .*; leave one of them out")
 
+    def test_options_of_what_is_not_asked_for_are_bad_usage(self):
+        for words, wanted in (
+            (("--color-by", "area"), "--picture FILE"),
+            (("--allowance", "5"), "patterns: --svg, --pdf"),
+            (("--svg", "--paper", "a3"), "--pdf"),
+            (("--picture", "a.png", "--color-by", "distance"), "--resew where it is distance"),
+        ):
+            with self.subTest(words):
+                message = self.assert_usage_error("a.obj", *words)
+                self.assertRegex(message, f" is for {wanted}.*; give that as well, or leave it out")
+
     def test_the_papers_method_excludes_another_one(self):
         for words in (("--scheme", "progressive"), ("--interior", "arap")):
             self.assertIn("--paper-method", self.assert_usage_error("a.obj", "--paper-method", *words))

@@ -107,6 +107,9 @@ int TestPatternWriterRefusals(int argc, char* argv[])
 
   refusals.refuse(
     "NothingToDraw", makePolyData({}, {}), plainly, { "no triangles", "flattening says" });
+  const auto dome = makePolyData(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.2 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
+  refusals.refuse("InvalidPattern", dome, plainly, { "the surface is not flat", "high in z" });
   const auto turned = makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 2, 1 } });
   refusals.refuse("NothingToDraw", turned, plainly, { "piece 1 of 1", "turned over" });
   vtkNew<vtkIdTypeArray> pieces;

@@ -74,6 +74,10 @@ class Packages(unittest.TestCase):
                       r"/usr/lib/.*cmake/SurfaceFlattening/SurfaceFlatteningConfig\.cmake\n",
                       r"libvtkFiltersFlattening\.so -> "):
             self.assertRegex(listing, place)
+        # A header of Python's name, or of VTK's, would be found in the place of theirs.
+        ours = re.compile(r"/usr/include/(SurfaceFlattening/.*)?$", re.MULTILINE)
+        headers = [line for line in listing.splitlines() if "/usr/include/" in line]
+        self.assertEqual([line for line in headers if not ours.search(line)], [])
 
     @unittest.skipUnless(EDITOR, "there is no Qt")
     def test_the_window_is_in_the_menu_and_starts(self):
