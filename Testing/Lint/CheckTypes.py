@@ -23,6 +23,15 @@ WRONG = (
     ('sf.flatten(points, triangles, scheme="fast")', "scheme"),
     ('sf.flatten(points, triangles, max_iterations="many")', "max_iterations"),
     ("sf.flatten(points, triangles, colour=1)", "colour"),
+    ('sf.flatten_polydata(sf.make_surface(points, triangles), schem="x")', "schem"),
+    ('sf.suggest(points, triangles, cuts="dart")', "cuts"),
+    ('sf.suggest(points, triangles, schem="x")', "schem"),
+    ('sf.suggest_polydata(sf.make_surface(points, triangles), cuts="dart")', "cuts"),
+    ('sf.suggest_polydata(sf.make_surface(points, triangles), bounds=0.1)', "bounds"),
+    ('sf.make_flattenable(points, triangles, schem="x")', "schem"),
+    ('sf.make_flattenable_polydata(sf.make_surface(points, triangles), kept=["hem"])', "kept"),
+    ('sf.price_keys(points, triangles, [[0, 1]], solver="newtons")', "solver"),
+    ('sf.resew(result, "panels")', "resew"),
     ('sf.Curve([0, 1], type="hem")', "type"),
     ('result.report["peices"]', "peices"),
     ('result.report["pieces"][0]["E_lenght"]', "E_lenght"),
@@ -39,6 +48,9 @@ WRONG = (
 RIGHT = """
 options: sf.Options = {"scheme": "global", "close_cuts": True}
 result = sf.flatten(points, triangles, [sf.Curve([0, 1], "key")], **options)
+suggestion: sf.Suggestion = sf.suggest(points, triangles, cuts="darts", bound=0.1, **options)
+moved: sf.Flattenable = sf.make_flattenable(points, triangles, keep=["hem"], **options)
+prices: sf.KeyPrices = sf.price_keys(points, triangles, [[0, 1]], **options)
 length: float = result.report["curves"][0]["length_2d"]
 wire: sf.Wire = result.wires[0]
 kind: sf.WireType = wire.type

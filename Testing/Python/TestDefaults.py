@@ -186,10 +186,12 @@ class Defaults(unittest.TestCase):
             self.assertIn(name[3:] if name.startswith("no_") else name, parameters)
 
     def test_type_checkers_are_told_the_same_options_and_defaults(self):
-        stub = os.path.join(os.path.dirname(sf.__file__), "_flatten.pyi")
+        stub = os.path.join(os.path.dirname(sf.__file__), "_calls.pyi")
         with open(stub, encoding="utf-8") as file:
             functions = [node for node in ast.parse(file.read()).body if isinstance(node, ast.FunctionDef)]
-        self.assertEqual([node.name for node in functions], ["flatten", "flatten_polydata"])
+        self.assertEqual([node.name for node in functions], [
+            "flatten", "flatten_polydata", "suggest", "suggest_polydata", "make_flattenable",
+            "make_flattenable_polydata", "price_keys"])
         words = {name: words for name, (_, words) in PARAMETERS.items() if words}
         for node in functions:
             told = {argument.arg: ast.literal_eval(default)
@@ -197,7 +199,7 @@ class Defaults(unittest.TestCase):
             parameters = inspect.signature(getattr(sf, node.name)).parameters.values()
             self.assertEqual(told, {parameter.name: parameter.default for parameter in parameters
                                     if parameter.kind is parameter.KEYWORD_ONLY})
-            self.assertEqual(set(told), set(sf.Options.__annotations__))
+            self.assertLessEqual(set(sf.Options.__annotations__), set(told))
             hints = typing.get_type_hints(sf.Options)
             for name, allowed in words.items():
                 self.assertEqual(set(typing.get_args(hints[name])), set(allowed))

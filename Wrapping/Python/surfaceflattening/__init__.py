@@ -38,20 +38,21 @@ except ImportError as _error:
         f"start that Python, on Debian /usr/bin/python3 with the package python3-vtk9; this is "
         f"{_sys.executable} {_sys.version.split()[0]}. In a build folder the target surfaceflattening-python "
         "makes them") from _error
+from ._calls import (
+    flatten, flatten_polydata, make_flattenable, make_flattenable_polydata, price_keys, suggest, suggest_polydata)
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
-from ._flatten import flatten, flatten_polydata
 from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
 from ._grading import GradeRule, Grading, grade
-from ._keys import KeyPrice, KeyPrices, KeyTrial, price_keys
+from ._keys import KeyPrice, KeyPrices, KeyTrial
 from ._materials import materials
-from ._reshaping import Flattenable, make_flattenable, make_flattenable_polydata
+from ._reshaping import Flattenable
 from ._resewing import Resewn, ResewnShape, resew
 from ._result import Flattening, Wire
-from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion, suggest, suggest_polydata
+from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
-    ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, Energy, Interior, KeyShape,
-    Options, Paper, Part, PieceReport, Report, Scheme, Solver, Unit, WireType)
+    ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy, Interior,
+    KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SewingTest, Solver, Unit, WireType)
 
 __all__ = [name for name in dir() if name.startswith("vtk") and name != "vtkFiltersFlattening"]
 __all__ += [
@@ -61,6 +62,8 @@ __all__ += [
     "Curve",
     "CurveReport",
     "CurveType",
+    "CutChoice",
+    "DartLegs",
     "Energy",
     "Flattenable",
     "Flattening",
@@ -87,6 +90,7 @@ __all__ += [
     "Resewn",
     "ResewnShape",
     "Scheme",
+    "SewingTest",
     "Solver",
     "Stitch",
     "SuggestedCut",

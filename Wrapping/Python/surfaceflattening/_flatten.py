@@ -62,7 +62,8 @@ def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[s
     if curves is not None:
         filter_.SetCurvesData(curves)
     _update(filter_, options.get("progress"))
-    return make_result(*(filter_.GetOutput(port) for port in range(3)), type(surface))
+    return make_result(
+        filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
 
 
 @with_options

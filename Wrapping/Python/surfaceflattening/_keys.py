@@ -12,8 +12,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningWarning
-from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
-from ._options import make_filter
+from ._flatten import _update
+from ._options import make_filter, with_options
 from ._report import values_of
 from ._result import make_result
 from .vtkFiltersFlattening import vtkKeyCurvePrices
@@ -66,6 +66,7 @@ class KeyPrices(NamedTuple):
         return "\n".join(lines)
 
 
+@with_options
 def price_keys(
     points: ArrayLike,
     triangles: ArrayLike,

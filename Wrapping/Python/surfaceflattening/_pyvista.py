@@ -7,9 +7,9 @@ from typing import Any, Optional
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._flatten import flatten_polydata
+from ._calls import flatten_polydata, suggest_polydata
 from ._result import Flattening
-from ._suggestion import Suggestion, suggest_polydata
+from ._suggestion import Suggestion
 
 
 class FlatteningAccessor:

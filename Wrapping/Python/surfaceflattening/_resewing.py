@@ -5,21 +5,22 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import math
 import os
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
+from ._flatten import _update
 from ._options import flag, index_of, material_text, set_property
 from ._report import values_of
 from ._result import Flattening
+from ._types import SewingTest
 from .vtkFiltersFlattening import vtkSewnShape
 
 # The words of the command wirewarp, in the order of the filter's enumeration.
-SEWING_TESTS = ("panel", "product")
+SEWING_TESTS: Tuple[SewingTest, ...] = get_args(SewingTest)
 
 
 class ResewnShape(NamedTuple):
@@ -104,7 +105,7 @@ class Resewn(NamedTuple):
 
 def resew(
     flattening: Flattening,
-    test: str = "panel",
+    test: SewingTest = "panel",
     *,
     thickness: float = 0.001,
     area_bias: float = 0.0,

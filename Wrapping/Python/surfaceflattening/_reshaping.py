@@ -11,8 +11,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, make_curves, make_surface
-from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
-from ._options import flag, make_filter, set_property
+from ._flatten import _update
+from ._options import flag, make_filter, set_property, with_options
 from ._report import values_of
 from ._result import Flattening, make_result
 from .vtkFiltersFlattening import vtkMakeFlattenable
@@ -50,6 +50,7 @@ class Flattenable(NamedTuple):
     flattening: Flattening
 
 
+@with_options
 def make_flattenable(
     points: ArrayLike,
     triangles: ArrayLike,
@@ -86,12 +87,24 @@ def make_flattenable(
         keep_boundary=keep_boundary, outside_bias=outside_bias, thickness=thickness, body=body, **options)
 
 
+@with_options
 def make_flattenable_polydata(
-    surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
+    surface: vtkPolyData,
+    curves: Optional[vtkPolyData] = None,
+    *,
+    bound: float = 0.02,
+    keep: Sequence[str] = (),
+    keep_boundary: bool = True,
+    outside_bias: float = 0.0,
+    thickness: float = 0.001,
+    body: Optional[vtkPolyData] = None,
+    **options: Any,
 ) -> Flattenable:
     """:func:`make_flattenable` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for
     one."""
-    return _make_flattenable(surface, curves, **options)
+    return _make_flattenable(
+        surface, curves, bound=bound, keep=keep, keep_boundary=keep_boundary, outside_bias=outside_bias,
+        thickness=thickness, body=body, **options)
 
 
 def _curves_of(data: vtkPolyData) -> List[Curve]:
@@ -115,12 +128,12 @@ def _make_flattenable(
     surface: vtkPolyData,
     curves: Optional[vtkPolyData],
     *,
-    bound: float = 0.02,
-    keep: Sequence[str] = (),
-    keep_boundary: bool = True,
-    outside_bias: float = 0.0,
-    thickness: float = 0.001,
-    body: Optional[vtkPolyData] = None,
+    bound: float,
+    keep: Sequence[str],
+    keep_boundary: bool,
+    outside_bias: float,
+    thickness: float,
+    body: Optional[vtkPolyData],
     **options: Any,
 ) -> Flattenable:
     for data, what in ((surface, "surface"), (curves, "curves"), (body, "body")):

@@ -3,7 +3,7 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,14 +11,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, Curve, add_weights, make_curves, make_surface
-from ._flatten import _update  # type: ignore[attr-defined]  # not in the stub
-from ._options import flag, index_of, make_filter, set_property
+from ._flatten import _update
+from ._options import flag, index_of, make_filter, set_property, with_options
 from ._report import values_of
 from ._result import Flattening, make_result
+from ._types import CutChoice
 from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
 
 # The words of the command wirewarp, in the order of the filter's enumeration.
-SUGGESTED_CUTS = ("darts", "seams", "all", "lines")
+SUGGESTED_CUTS: Tuple[CutChoice, ...] = get_args(CutChoice)
 
 
 class SuggestedCut(NamedTuple):
@@ -131,12 +132,13 @@ def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
     return Suggestion(cuts, bool(met and met[0]), flattening, left_out, mirror)
 
 
+@with_options
 def suggest(
     points: ArrayLike,
     triangles: ArrayLike,
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
-    cuts: str = "all",
+    cuts: CutChoice = "all",
     bound: float = 0.02,
     max_cuts: int = 8,
     max_cut_length: float = 0.0,
@@ -183,21 +185,12 @@ def suggest(
         prefer=prefer, weights="" if weights is None else add_weights(surface, weights), **options)
 
 
+@with_options
 def suggest_polydata(
-    surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
-) -> Suggestion:
-    """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one.
-
-    weights: the name of a cell array. Default: empty, everywhere alike.
-    """
-    return _suggest(surface, curves, **options)
-
-
-def _suggest(
     surface: vtkPolyData,
-    curves: Optional[vtkPolyData],
+    curves: Optional[vtkPolyData] = None,
     *,
-    cuts: str = "all",
+    cuts: CutChoice = "all",
     bound: float = 0.02,
     max_cuts: int = 8,
     max_cut_length: float = 0.0,
@@ -205,6 +198,29 @@ def _suggest(
     symmetric: bool = True,
     prefer: Optional[Mapping[str, float]] = None,
     weights: str = "",
+    **options: Any,
+) -> Suggestion:
+    """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one.
+
+    weights: the name of a cell array. Default: empty, everywhere alike.
+    """
+    return _suggest(
+        surface, curves, cuts=cuts, bound=bound, max_cuts=max_cuts, max_cut_length=max_cut_length,
+        max_work=max_work, symmetric=symmetric, prefer=prefer, weights=weights, **options)
+
+
+def _suggest(
+    surface: vtkPolyData,
+    curves: Optional[vtkPolyData],
+    *,
+    cuts: CutChoice,
+    bound: float,
+    max_cuts: int,
+    max_cut_length: float,
+    max_work: float,
+    symmetric: bool,
+    prefer: Optional[Mapping[str, float]],
+    weights: str,
     **options: Any,
 ) -> Suggestion:
     for data, what in ((surface, "surface"), (curves, "curves")):
