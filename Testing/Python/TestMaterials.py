@@ -100,8 +100,8 @@ class Materials(unittest.TestCase):
         self.assertEqual(unknown.report["status"], "InvalidMaterial")
         self.assertIsNone(unknown.report["pieces"][0]["cloth"])
         np.testing.assert_array_equal(unknown.positions, flatten(points, triangles).positions)
-        with self.assertRaisesRegex(ValueError, "a material"):
-            sf.flatten(points, triangles, grain=3)
+        with self.assertRaisesRegex(ValueError, r"grain = 30 is for a material .*, or leave grain out$"):
+            sf.flatten(points, triangles, grain=30)
         with self.assertRaisesRegex(TypeError, "name or the path"):
             sf.flatten(points, triangles, material=3)
 

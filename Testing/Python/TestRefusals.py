@@ -145,6 +145,7 @@ class Arguments(unittest.TestCase):
         for words, options in (
             (["solver", "lscm"], {"scheme": "lscm", "solver": "sequential"}),
             (["interior", "lscm"], {"scheme": "lscm", "interior": "laplacian"}),
+            (["relaxation_factor", "give", "interior"], {"relaxation_factor": 1.2}),
             (["max_length_error"], {"scheme": "lscm", "max_length_error": 1.0}),
             (["energy", "isometric", "global"], {"scheme": "global", "energy": "dirichlet"}),
             (["angle_weight"], {"paper_method": True, "angle_weight": 1.0}),
@@ -155,7 +156,8 @@ class Arguments(unittest.TestCase):
             (["scheme", "paper_method"], {"paper_method": True, "scheme": "progressive"}),
             (["interior", "paper_method"], {"paper_method": True, "interior": "relaxation"}),
         ):
-            self.wrong(words, points, triangles, **options)
+            way = f"or leave {words[0]} out" if len(options) == 1 else "leave one of them out"
+            self.wrong([*words, way], points, triangles, **options)
 
     def test_words(self):
         points, triangles = grid()

@@ -135,35 +135,45 @@ def _given(options: Mapping[str, Any]) -> Set[str]:
             if name not in silent or value != DEFAULTS[name]}
 
 
-def _refuse_idle(options: Mapping[str, Any], given: Set[str]) -> None:
-    """An option that the method has no use for means something else than it does; as the command."""
+def _refuse_idle(
+    options: Mapping[str, Any], given: Set[str], written: Mapping[str, Any]
+) -> None:
+    """An option that the method has no use for means something else than it does; as the command.
+
+    `written` are options as the caller wrote them, which messages repeat.
+    """
     scheme, interior, energy = options["scheme"], options["interior"], options["energy"]
     isometric, conformal = scheme == "isometric", scheme == "lscm"
     wires = "schemes that keep lengths, not for 'lscm'"
-    scopes: List[Tuple[Sequence[str], bool, str]] = [
+    method = ("scheme", "paper_method")
+    filling = (*method, "interior")
+    # Options, on which others it depends that they mean something, whether they do, and for what they are.
+    scopes: List[Tuple[Sequence[str], Sequence[str], bool, str]] = [
         (("solver", "interior", "tolerance", "ease", "dart_legs", "max_iterations", "closure_tolerance",
-          "optimality_tolerance", "max_length_error"), not conformal, wires),
-        (("release_trials",), isometric or scheme == "global",
+          "optimality_tolerance", "max_length_error"), method, not conformal, wires),
+        (("release_trials",), method, isometric or scheme == "global",
          f"schemes 'isometric' and 'global', not for {scheme!r}"),
         (("energy", "area_bias", "angle_weight", "isometric_tolerance", "isometric_iterations"),
-         isometric, f"scheme='isometric', not for {scheme!r}"),
-        (("energy", "area_bias"), options["material"] in ("", None, "isotropic"),
+         method, isometric, f"scheme='isometric', not for {scheme!r}"),
+        (("energy", "area_bias"), ("material",), options["material"] in ("", None, "isotropic"),
          "a sheet without a material, or material='isotropic'"),
-        (("area_bias",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
-        (("pins",), conformal, f"scheme='lscm', not for {scheme!r}"),
+        (("area_bias",), ("energy",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
+        (("pins",), method, conformal, f"scheme='lscm', not for {scheme!r}"),
         (("relaxation_factor", "relaxation_movement", "relaxation_min_iterations",
-          "relaxation_max_iterations"), not conformal and interior == "relaxation",
+          "relaxation_max_iterations"), filling, not conformal and interior == "relaxation",
          wires if conformal else f"interior='relaxation', not for {interior!r}"),
-        (("rigid_tolerance", "rigid_iterations"), not conformal and interior == "arap",
+        (("rigid_tolerance", "rigid_iterations"), filling, not conformal and interior == "arap",
          wires if conformal else f"interior='arap', not for {interior!r}"),
-        (("spacing",), bool(options["arrange"]), "arrange=True"),
-        (("grain",), bool(options["material"]), "a material"),
+        (("spacing",), ("arrange",), bool(options["arrange"]), "arrange=True"),
+        (("grain",), (), bool(options["material"]), "a material (material=...; materials() names them)"),
     ]
-    for names, holds, condition in scopes:
+    for names, others, holds, condition in scopes:
         for name in names:
             if not holds and name in given:
+                way = ("leave one of them out" if given.intersection(others)
+                       else f"give that as well, or leave {name} out")
                 raise ValueError(
-                    f"{name} = {options[name]!r} is for {condition}; leave one of them out")
+                    f"{name} = {written.get(name, options[name])!r} is for {condition}; {way}")
 
 
 def _set_tolerances(filter_: Any, tolerances: Optional[Mapping[str, float]]) -> None:
@@ -231,6 +241,7 @@ def make_filter(
 ) -> Any:
     """A filter with these options, or an exception that names the wrong one."""
     _refuse_unknown(options, function)
+    written = options
     options = {**options, **_texts(options)}
     if isinstance(options.get("pins"), Iterable):
         options = {**options, "pins": tuple(options["pins"])}
@@ -247,7 +258,7 @@ def make_filter(
     for name, option in PROPERTIES.items():
         if option.words:
             index_of(values[name], option.words, name)
-    _refuse_idle(values, given)
+    _refuse_idle(values, given, written)
     filter_ = filter_class()
     filter_.CachingOff()  # it runs once
     for name, option in PROPERTIES.items():
