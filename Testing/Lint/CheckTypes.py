@@ -51,6 +51,7 @@ result = sf.flatten(points, triangles, [sf.Curve([0, 1], "key")], **options)
 suggestion: sf.Suggestion = sf.suggest(points, triangles, cuts="darts", bound=0.1, **options)
 moved: sf.Flattenable = sf.make_flattenable(points, triangles, keep=["hem"], **options)
 prices: sf.KeyPrices = sf.price_keys(points, triangles, [[0, 1]], **options)
+again = sf.flatten_polydata(sf.make_surface(points, triangles), [cut.curve for cut in suggestion.cuts])
 length: float = result.report["curves"][0]["length_2d"]
 wire: sf.Wire = result.wires[0]
 kind: sf.WireType = wire.type

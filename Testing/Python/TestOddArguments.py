@@ -255,12 +255,14 @@ class DataSets(OddCase):
         self.surface = sf.make_surface(self.points, self.triangles)
 
     def test_what_is_no_polydata_is_refused(self):
-        for wrong in (None, "file.vtp", 7, vtkUnstructuredGrid(), vtkMultiBlockDataSet(), self.points):
-            self.wrong(["surface", "vtkPolyData"], lambda wrong=wrong: sf.flatten_polydata(wrong),
-                       TypeError)
-            if wrong is not None:
-                self.wrong(["curves", "vtkPolyData"], lambda wrong=wrong: sf.flatten_polydata(
-                    self.surface, wrong), TypeError)
+        for call in (sf.flatten_polydata, sf.suggest_polydata, sf.make_flattenable_polydata):
+            for wrong in (None, "file.vtp", 7, vtkUnstructuredGrid(), vtkMultiBlockDataSet(), self.points,
+                          sf.Curve([0, 1])):
+                self.wrong(["surface", "vtkPolyData"], lambda wrong=wrong: call(wrong), TypeError)
+                if wrong is not None:
+                    self.wrong(["curves", "vtkPolyData", "list of curves"],
+                               lambda wrong=wrong: call(self.surface, wrong), TypeError)
+            self.wrong(["brackets"], lambda: call(self.surface, range(2)), TypeError)
 
     def test_arrays_of_every_kind_come_along(self):
         count = len(self.points)

@@ -46,6 +46,24 @@ class Suggestions(unittest.TestCase):
             self.assertAlmostEqual(steps.sum(), cut.length, 9)
             self.assertGreater(cut.gain, 0)
 
+    def test_flatten_polydata_takes_what_is_proposed_for_a_mesh(self):
+        points, triangles = dome()
+        mesh = sf.make_surface(points, triangles)
+        suggestion = sf.suggest_polydata(mesh, bound=0.05)
+        curves = [cut.curve for cut in suggestion.cuts]
+        self.assertTrue(curves)
+        again = sf.flatten_polydata(mesh, curves)
+        self.assertTrue(again == sf.flatten(points, triangles, curves))
+        np.testing.assert_allclose(
+            [piece["strain_p95"] for piece in again.report["pieces"]],
+            [piece["strain_p95"] for piece in suggestion.flattening.report["pieces"]], rtol=1e-9)
+        waist = sf.Curve(np.arange(15) + 7 * 15, name="waist")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            for kept in (sf.suggest_polydata(mesh, [waist], max_cuts=1),
+                         sf.make_flattenable_polydata(mesh, [waist], keep=["waist"], bound=0.1)):
+                self.assertEqual(kept.flattening.report["curves"][0]["name"], "waist")
+
     def test_mirror_images_are_named_and_exact(self):
         points, triangles = bumps()
         with warnings.catch_warnings():

@@ -9,9 +9,9 @@ from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Uni
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
 from ._equality import ComparedByValue
 from ._options import index_of
@@ -337,3 +337,22 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
     if any(not np.isnan(shape).all() for shape in shapes):
         result.GetPointData().AddArray(named("PlanarShape", to_vtk(np.concatenate(shapes))))
     return result
+
+
+def demand_polydata(data: Any, what: str, hint: str = "") -> None:
+    """TypeError where the pipeline would print an error and give no result."""
+    if not isinstance(data, vtkPolyData):
+        raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData{hint}")
+
+
+def curves_on(
+    surface: vtkPolyData, curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]]
+) -> Optional[vtkPolyData]:
+    """Feature curves of a mesh, as they are or made from a list, whose ids are those of its points."""
+    if curves is None or isinstance(curves, vtkPolyData):
+        return curves
+    if isinstance(curves, (str, bytes, vtkDataObject)) or not isinstance(curves, Sequence):
+        demand_polydata(curves, "curves", " or a list of curves")
+    points = surface.GetPoints()
+    return make_curves(
+        curves, np.empty((0, 3)) if points is None else vtk_to_numpy(points.GetData()))

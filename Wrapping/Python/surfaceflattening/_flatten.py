@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import Curve, make_curves, make_surface
+from ._curves import Curve, curves_on, demand_polydata, make_curves, make_surface
 from ._errors import FlatteningError, FlatteningWarning
 from ._options import make_filter, with_options
 from ._remedies import make_message
@@ -180,13 +180,16 @@ def flatten(
 
 @with_options
 def flatten_polydata(
-    surface: vtkPolyData, curves: Optional[vtkPolyData] = None, **options: Any
+    surface: vtkPolyData,
+    curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
+    **options: Any,
 ) -> Flattening:
     """:func:`flatten` for a vtkPolyData, or a mesh of a class that derives from it, as PyVista's do.
 
     Args:
         surface: polygons and triangle strips; its own line cells are feature curves as well.
-        curves: further feature curves, polylines with the cell arrays that
+        curves: further feature curves: a list as for :func:`flatten`, whose ids are those of the points
+            of `surface`; or a vtkPolyData of polylines with the cell arrays that
             vtkFeatureCurveAlgorithm documents (CurveType, CurveName, ...).
         options: those of :func:`flatten`.
 
@@ -194,9 +197,5 @@ def flatten_polydata(
     and cell arrays of the result, and the result's to_polydata() gives meshes of the class of
     `surface`.
     """
-    for data, what in ((surface, "surface"), (curves, "curves")):
-        # The pipeline would print an error and give no result.
-        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
-            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData, such as a "
-                            "pyvista.PolyData; flatten() takes arrays")
-    return _run(surface, curves, options, "flatten_polydata")
+    demand_polydata(surface, "surface", ", such as a pyvista.PolyData; flatten() takes arrays")
+    return _run(surface, curves_on(surface, curves), options, "flatten_polydata")

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, make_curves, make_surface
+from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curves_on, demand_polydata, make_curves, make_surface
 from ._flatten import _update
 from ._options import flag, make_filter, set_property, with_options
 from ._report import values_of
@@ -90,7 +90,7 @@ def make_flattenable(
 @with_options
 def make_flattenable_polydata(
     surface: vtkPolyData,
-    curves: Optional[vtkPolyData] = None,
+    curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
     *,
     bound: float = 0.02,
     keep: Sequence[str] = (),
@@ -102,8 +102,9 @@ def make_flattenable_polydata(
 ) -> Flattenable:
     """:func:`make_flattenable` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for
     one."""
+    demand_polydata(surface, "surface", "; make_flattenable() takes arrays")
     return _make_flattenable(
-        surface, curves, bound=bound, keep=keep, keep_boundary=keep_boundary, outside_bias=outside_bias,
+        surface, curves_on(surface, curves), bound=bound, keep=keep, keep_boundary=keep_boundary, outside_bias=outside_bias,
         thickness=thickness, body=body, **options)
 
 
@@ -136,10 +137,8 @@ def _make_flattenable(
     body: Optional[vtkPolyData],
     **options: Any,
 ) -> Flattenable:
-    for data, what in ((surface, "surface"), (curves, "curves"), (body, "body")):
-        # The pipeline would print an error and give no result.
-        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
-            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
+    if body is not None:
+        demand_polydata(body, "body")
     if isinstance(keep, str):
         raise TypeError(f"keep is {keep!r}; it must be a sequence of names")
     filter_ = make_filter(options, "make_flattenable", vtkMakeFlattenable)

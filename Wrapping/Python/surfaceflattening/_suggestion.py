@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, Curve, add_weights, make_curves, make_surface
+from ._curves import CURVE_TYPES, Curve, add_weights, curves_on, demand_polydata, make_curves, make_surface
 from ._flatten import _update
 from ._options import flag, index_of, make_filter, set_property, with_options
 from ._report import values_of
@@ -188,7 +188,7 @@ def suggest(
 @with_options
 def suggest_polydata(
     surface: vtkPolyData,
-    curves: Optional[vtkPolyData] = None,
+    curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
     *,
     cuts: CutChoice = "all",
     bound: float = 0.02,
@@ -202,10 +202,12 @@ def suggest_polydata(
 ) -> Suggestion:
     """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one.
 
+    curves: as for :func:`flatten_polydata`, which takes those that are proposed as such a list.
     weights: the name of a cell array. Default: empty, everywhere alike.
     """
+    demand_polydata(surface, "surface", "; suggest() takes arrays")
     return _suggest(
-        surface, curves, cuts=cuts, bound=bound, max_cuts=max_cuts, max_cut_length=max_cut_length,
+        surface, curves_on(surface, curves), cuts=cuts, bound=bound, max_cuts=max_cuts, max_cut_length=max_cut_length,
         max_work=max_work, symmetric=symmetric, prefer=prefer, weights=weights, **options)
 
 
@@ -223,10 +225,6 @@ def _suggest(
     weights: str,
     **options: Any,
 ) -> Suggestion:
-    for data, what in ((surface, "surface"), (curves, "curves")):
-        # The pipeline would print an error and give no result.
-        if not isinstance(data, vtkPolyData) and (data is not None or what == "surface"):
-            raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData")
     filter_ = make_filter(options, "suggest", vtkFeatureCurveSuggestion)
     set_property(filter_, "cuts", "SuggestedCuts", index_of(cuts, SUGGESTED_CUTS, "cuts"))
     set_property(filter_, "bound", "Bound", bound)
