@@ -13,7 +13,9 @@ import tempfile
 import textwrap
 import typing
 import unittest
+import warnings
 
+import numpy as np
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import surfaceflattening as sf
@@ -75,11 +77,16 @@ class Readme(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
             try:
-                for call in calls:
-                    eval(call, names)  # pylint: disable=eval-used
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error", sf.FlatteningWarning)
+                    for call in calls:
+                        eval(call, names)  # pylint: disable=eval-used
                 self.assertEqual(os.listdir(), ["sheet.pdf"])
             finally:
                 os.chdir(here)
+        allowance = inspect.signature(sf.Flattening.write_pattern).parameters["allowance"].default
+        millimetres = {"mm": 1, "cm": 10, "m": 1000}[re.search(r'unit="(\w+)"', calls[0]).group(1)]
+        self.assertGreater(np.ptp(names["result"].positions, axis=0).min() * millimetres, 10 * allowance)
         for name in re.findall(r"`help\((sf[.\w]*)\)`", self.readme()):
             self.assertTrue(eval(name, names).__doc__, name)  # pylint: disable=eval-used
 
