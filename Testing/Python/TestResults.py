@@ -12,7 +12,6 @@ import sys
 import tempfile
 import unittest
 import warnings
-from html.parser import HTMLParser
 from xml.etree import ElementTree
 
 import numpy as np
@@ -21,6 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import surfaceflattening as sf
+from page import Page
 from surfaces import grid, points_of, polylines_of, quarter_sphere, read, triangles_of
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -82,30 +82,6 @@ class Equality(unittest.TestCase):
         self.assertTrue(pickle.loads(pickle.dumps(result)) == result)
         curve = sf.Curve(np.array([1, 2]), "key", "hem")
         self.assertTrue(pickle.loads(pickle.dumps(curve)) == curve)
-
-
-class Page(HTMLParser):
-    """Tags that are open or do not fit, and what the cells of tables hold."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.open, self.cells = [], []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attrs):
-        self.open.append(tag)
-        if tag in ("td", "th"):
-            self.cells.append("")
-
-    def handle_startendtag(self, tag, attrs):
-        pass
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        if self.open and self.open[-1] in ("td", "th"):
-            self.cells[-1] += data
 
 
 class Shown(unittest.TestCase):

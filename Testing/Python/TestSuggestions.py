@@ -8,6 +8,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import surfaceflattening as sf
+from page import Page
 from surfaces import grid
 
 
@@ -63,6 +64,31 @@ class Suggestions(unittest.TestCase):
             for kept in (sf.suggest_polydata(mesh, [waist], max_cuts=1),
                          sf.make_flattenable_polydata(mesh, [waist], keep=["waist"], bound=0.1)):
                 self.assertEqual(kept.flattening.report["curves"][0]["name"], "waist")
+
+    def test_it_is_printed_in_a_line_and_shown_as_a_table(self):
+        points, triangles = dome()
+        suggestion = sf.suggest(points, triangles, bound=0.05)
+        self.assertRegex(repr(suggestion), r"^<Suggestion: \d+ curves? \(.*\), bound met; <Flattening: .*>>$")
+        self.assertLess(len(repr(suggestion)), 250)
+        for cut in suggestion.cuts:
+            self.assertEqual(repr(cut.curve), f"<Curve {cut.curve.name!r}: {cut.curve.type}, "
+                                              f"{len(cut.curve.points)} points>")
+            self.assertLess(len(repr(cut)), 450)
+        page = Page(suggestion._repr_html_())
+        self.assertEqual(page.open, [])
+        self.assertEqual(page.rows[0][:3], ["name", "type", "length"])
+        for row, cut in zip(page.rows[1:], suggestion.cuts):
+            self.assertEqual(row[:2], [cut.curve.name, cut.curve.type])
+            self.assertAlmostEqual(float(row[2]), cut.length, delta=1e-5 * cut.length)
+            self.assertIn(f"{cut.strain_after:.4f}", row)
+        self.assertIn(suggestion.flattening._repr_html_(), suggestion._repr_html_())
+        flat = sf.suggest(*grid(3, 3))
+        self.assertIn("Nothing is proposed", flat._repr_html_())
+        self.assertRegex(repr(flat), "^<Suggestion: 0 curves, bound met; ")
+        self.assertEqual(repr(sf.Curve([0, 1], "key", key_shape="straight", length_tolerance=0.1)),
+                         "<Curve: key, straight, length_tolerance 0.1, 2 points>")
+        for odd in (None, 3, np.array(3), [[0, 1], [2]]):
+            self.assertTrue(repr(sf.Curve(odd, odd, key_shape=odd, length_tolerance=odd, planar_shape=odd)))
 
     def test_mirror_images_are_named_and_exact(self):
         points, triangles = bumps()

@@ -5,7 +5,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, get_args
+from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -49,6 +49,19 @@ class Curve(ComparedByValue):
     key_shape: KeyShape = "surface"
     length_tolerance: float = 0.0
     planar_shape: Optional[ArrayLike] = None
+
+    def __repr__(self) -> str:
+        """In a line; values may be of any kind until they are taken."""
+        words, points = [str(self.type)], cast(Any, self.points)
+        if str(self.key_shape) != "surface":
+            words.append(str(self.key_shape))
+        if self.planar_shape is not None:
+            words.append("planar shape")
+        if str(self.length_tolerance) not in ("0", "0.0"):
+            words.append(f"length_tolerance {self.length_tolerance!r}")
+        if hasattr(points, "__len__") and getattr(points, "shape", None) != ():
+            words.append(f"{len(points)} points")
+        return f"<Curve{f' {self.name!r}' if self.name else ''}: {', '.join(words)}>"
 
 
 def _demand_memory(values: NDArray[Any]) -> None:

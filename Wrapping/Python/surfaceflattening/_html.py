@@ -2,7 +2,7 @@
 """Results as notebooks show them: the flat pieces as SVG, and a table of their measures."""
 
 from html import escape
-from typing import TYPE_CHECKING, Any, List, Tuple
+from typing import TYPE_CHECKING, Any, List, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from ._colors import IDEAL, PLAIN, WIRE_COLORS, homogeneity_colors
 
 if TYPE_CHECKING:
     from ._result import Flattening
+    from ._suggestion import Suggestion
 
 _WIDTH, _HEIGHT = 640.0, 400.0
 # Beyond, a notebook would carry megabytes: the pieces are drawn in one colour.
@@ -20,6 +21,11 @@ _COLUMNS: Tuple[Tuple[str, str, str], ...] = (
     ("status", "status", ""), ("triangles", "triangles", "d"),
     ("E_len_max", "largest length error", ".1e"), ("E_ang", "E_ang", ".4f"), ("E_h", "E_h", ".3f"),
     ("E_area", "E_area", ".4f"), ("strain_p95", "strain, 95 % below", ".4f"))
+# Of what is proposed.
+_CUT_COLUMNS: Tuple[Tuple[str, str, str], ...] = (
+    ("length", "length", ".6g"), ("opening", "opening", ".4g"), ("gain", "gain", ".3g"),
+    ("strain_before", "strain before", ".4f"), ("strain_after", "after", ".4f"),
+    ("E_area_before", "E_area before", ".4f"), ("E_area_after", "after", ".4f"))
 
 
 def _on_screen(positions: NDArray[np.float64]) -> Tuple[NDArray[np.float64], float, float]:
@@ -80,14 +86,18 @@ def _svg(result: "Flattening") -> str:
     return "".join([*lines, *_numbers(result, placed), "</svg>"])
 
 
+def _rows(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    head = "".join(f"<th>{title}</th>" for title in titles)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
 def _table(result: "Flattening") -> str:
-    head = "<th>piece</th>" + "".join(f"<th>{title}</th>" for _, title, _ in _COLUMNS)
     pieces: Any = result.report["pieces"]
-    rows = "".join(
-        f"<tr><td>{piece['piece'] + 1}</td>"
-        + "".join(f"<td>{escape(format(piece[key], form))}</td>" for key, _, form in _COLUMNS)
-        + "</tr>" for piece in pieces)
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+    return _rows(["piece", *(title for _, title, _ in _COLUMNS)], [
+        [str(piece["piece"] + 1), *(format(piece[key], form) for key, _, form in _COLUMNS)]
+        for piece in pieces])
 
 
 def to_html(result: "Flattening") -> str:
@@ -100,3 +110,13 @@ def to_html(result: "Flattening") -> str:
     message = result.report["message"]
     said = f"<p><b>{escape(result.report['status'])}</b>: {escape(message)}</p>" if message else ""
     return f"<div>{_svg(result)}<p>{legend}</p>{said}{_table(result)}</div>"
+
+
+def suggestion_to_html(suggestion: "Suggestion") -> str:
+    """A table of what is proposed, and the flat pieces."""
+    met = "The bound is met." if suggestion.bound_met else "The bound is not met."
+    table = _rows(["name", "type", *(title for _, title, _ in _CUT_COLUMNS)], [
+        [cut.curve.name, cut.curve.type,
+         *(format(getattr(cut, key), form) for key, _, form in _CUT_COLUMNS)]
+        for cut in suggestion.cuts]) if suggestion.cuts else "<p>Nothing is proposed.</p>"
+    return f"<div>{table}<p>{met}</p>{to_html(suggestion.flattening)}</div>"

@@ -83,7 +83,8 @@ class MirrorAxis(NamedTuple):
 
 
 class Suggestion(NamedTuple):
-    """Proposed cuts or lines, and the surface flattened with them."""
+    """Proposed cuts or lines, and the surface flattened with them. A notebook shows the flat pieces with a
+    table of what is proposed."""
 
     cuts: List[SuggestedCut]
     #: Whether the strain of every piece is within the bound.
@@ -94,6 +95,19 @@ class Suggestion(NamedTuple):
     left_out: List[LeftOutLine]
     #: What the proposals are mirrored across; None where the surface has no mirror, or it is not kept.
     mirror: Union[MirrorPlane, MirrorAxis, None]
+
+    def __repr__(self) -> str:
+        count = len(self.cuts)
+        names = ", ".join(cut.curve.name for cut in self.cuts[:3]) + (", ..." if count > 3 else "")
+        words = [f"{count} curve{'' if count == 1 else 's'}" + (f" ({names})" if count else ""),
+                 "bound met" if self.bound_met else "bound not met"]
+        if self.left_out:
+            words.append(f"{len(self.left_out)} left out")
+        return f"<Suggestion: {', '.join(words)}; {self.flattening!r}>"
+
+    def _repr_html_(self) -> str:
+        from ._html import suggestion_to_html
+        return suggestion_to_html(self)
 
 
 def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
