@@ -168,6 +168,18 @@ class Arguments(unittest.TestCase):
         self.wrong(["key_shape", "straight"], points, triangles,
                    [sf.Curve([0, 1], key_shape="round")])
 
+    def test_words_of_the_commands_text_files(self):
+        points, triangles = grid()
+        for word in ("straight", "Straight"):
+            self.wrong([f"type of curve 0 ('mid') is '{word}'", 'type="key", key_shape="straight"'], points,
+                       triangles, [sf.Curve([0, 1], type=word, name="mid")])
+        self.wrong(["'edge'", 'type="accessory"', "border"], points, triangles, [sf.Curve([0, 1], type="edge")])
+        small = sf.make_curves([sf.Curve([0, 1], type="key", key_shape="straight")], points).GetCellData()
+        large = sf.make_curves([sf.Curve([0, 1], type="Key", key_shape="STRAIGHT")], points).GetCellData()
+        for name in ("CurveType", "KeyShape"):
+            self.assertEqual(small.GetArray(name).GetValue(0), 1)
+            self.assertEqual(large.GetArray(name).GetValue(0), 1)
+
     def test_ranges(self):
         points, triangles = grid()
         for option, value in (("spacing", -0.1), ("imprint_tolerance", 2.0), ("max_iterations", 0),

@@ -20,6 +20,11 @@ from ._types import CurveType, KeyShape
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
 CURVE_TYPES: Tuple[CurveType, ...] = get_args(CurveType)
 KEY_SHAPES: Tuple[KeyShape, ...] = get_args(KeyShape)
+# Types in text files of the command alone, and what they are here.
+_WORDS_OF_FILES = {
+    "straight": 'it is type="key", key_shape="straight"',
+    "edge": 'it is type="accessory" with the ids of all points along the border',
+}
 # The largest whole number below which float64 holds all of them.
 _EXACT = 2**53
 
@@ -33,7 +38,7 @@ class Curve(ComparedByValue):
             (integers, shape (k,)), or positions on the surface in its unit of length (shape
             (k, 3), also of integers); they need not be vertices. k is at least 2.
         type: "accessory", length kept, shape free (default); "key", length and shape kept; "dart",
-            cut open; "seam", cut through.
+            cut open; "seam", cut through. Capitals count as small letters.
         name: its name in messages and in the report. Default: "curve N", N its place in the list.
         key_shape: of a key curve: "surface", the shape that its angles on the surface give
             (default), or "straight".
@@ -247,6 +252,19 @@ def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDAr
     return positions
 
 
+def _small(word: Any) -> Any:
+    """A word without capitals, as the command takes it from its text files."""
+    return word.lower() if isinstance(word, str) else word
+
+
+def _type_of(curve: Curve, what: str) -> int:
+    kind = _small(curve.type)
+    if isinstance(kind, str) and kind in _WORDS_OF_FILES:
+        raise ValueError(f"the type of {what} is {curve.type!r}, a word of the command's text files; here "
+                         f"{_WORDS_OF_FILES[kind]}")
+    return index_of(kind, CURVE_TYPES, f"the type of {what}")
+
+
 def _tolerance_of(curve: Curve, what: str) -> float:
     try:
         return float(curve.length_tolerance)
@@ -317,8 +335,8 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         what = f"curve {place}" + (f" ({curve.name!r})" if curve.name else "")
         positions.append(_positions_of(curve, what, surface))
         names.append(name)
-        types.append(index_of(curve.type, CURVE_TYPES, f"the type of {what}"))
-        key_shapes.append(index_of(curve.key_shape, KEY_SHAPES, f"the key_shape of {what}"))
+        types.append(_type_of(curve, what))
+        key_shapes.append(index_of(_small(curve.key_shape), KEY_SHAPES, f"the key_shape of {what}"))
         tolerances.append(_tolerance_of(curve, what))
         shape = np.full((len(positions[-1]), 2), np.nan)
         if curve.planar_shape is not None:
