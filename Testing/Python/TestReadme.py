@@ -5,6 +5,7 @@ import contextlib
 import inspect
 import io
 import os
+import pydoc
 import re
 import shutil
 import subprocess
@@ -93,6 +94,19 @@ class Readme(unittest.TestCase):
     def readme(self):
         with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
             return file.read()
+
+    def test_help_of_the_package_names_the_calls_first_and_can_be_read(self):
+        text = pydoc.plain(pydoc.render_doc(sf))
+        self.assertLess(text.count("\n"), 5000)
+        self.assertNotIn("class vtk", text)
+        names = re.findall(r"help\(surfaceflattening\.(\w+)\)", text)
+        self.assertEqual(names[0], "flatten")
+        self.assertLess(text.index(f"help(surfaceflattening.{names[-1]})"), text.index("PACKAGE CONTENTS"))
+        for name in names:
+            self.assertTrue(getattr(sf, name).__doc__, name)
+        self.assertIn("vtkWireWarpingFilter", names)
+        for name in sf.__all__:
+            self.assertTrue(hasattr(sf, name), name)
 
     def test_hints_are_short_in_help_and_can_be_evaluated(self):
         self.assertLess(len(str(inspect.signature(sf.flatten))), 1000)

@@ -14,7 +14,9 @@ Two ways to use it:
   lies flat with little strain. :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
-Neither needs a screen. help(Report) and help(PieceReport) say what the measures are.
+Neither needs a screen. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
+help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
+help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
 
 Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the
 results of a single one. It saves no time: VTK's Python holds the interpreter's lock while a filter
@@ -54,8 +56,8 @@ from ._types import (
     ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy, Interior,
     KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SewingTest, Solver, Unit, WireType)
 
-__all__ = [name for name in dir() if name.startswith("vtk") and name != "vtkFiltersFlattening"]
-__all__ += [
+# Without the filters, of whose methods help() would print 31,000 lines.
+__all__ = [
     "ClothReport",
     "CoincidentPoints",
     "Coloring",
