@@ -50,6 +50,13 @@ struct Execution
   /// the others hear what it was told. Reports nothing and runs loops on the thread that it is
   /// given to.
   Execution insideLoop() const;
+  /// The same with loops on the thread that it is given to.
+  Execution onOneThread() const
+  {
+    Execution inner = *this;
+    inner.parallel = nullptr;
+    return inner;
+  }
   /// What a body throws comes out on the calling thread.
   void parallelFor(Index count, const std::function<void(Index, Index)>& body) const;
 };

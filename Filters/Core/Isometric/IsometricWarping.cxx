@@ -46,6 +46,8 @@ constexpr int fewestFactorizations = 40;
 constexpr int mostFactorizations = 180;
 /// From so many coordinates on the memory of a factor is what limits solving with it.
 constexpr Index singleFrom = 10000;
+/// Below so many coordinates of a plain sheet threads take longer to start than they save.
+constexpr Index threadsFrom = 4000;
 /// The way from afar is long; what is left after it is short.
 constexpr double descentShare = 2.0;
 
@@ -98,8 +100,9 @@ IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
   };
   LinearSolver solver(model.eliminationOrder(start.x),
     model.coordinateCount() < singleFrom ? FactorPrecision::Double : FactorPrecision::Single);
-  const NewtonKktState end =
-    minimize(model, std::move(start), std::move(solver), newton, execution);
+  const bool alone = !options.cloth && model.coordinateCount() < threadsFrom;
+  const NewtonKktState end = minimize(model, std::move(start), std::move(solver), newton,
+    alone ? execution.onOneThread() : execution);
   if (end.cancelled())
   {
     solution = {};
