@@ -91,8 +91,8 @@ vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
 {
   this->Keep({});
   this->StatusCode = NOT_RUN;
-  this->StatusMessage = this->StatusDefect =
-    "the filter has not run; update it, and see that its input can be read";
+  this->StatusDefect = "the filter has not run";
+  this->StatusMessage = this->StatusDefect + "; update it, and see that its input can be read";
   this->AllOwners =
     std::make_unique<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>>();
   this->Owners = std::make_unique<flattening::bridge::SurfaceOwners>();

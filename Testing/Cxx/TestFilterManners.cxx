@@ -34,8 +34,10 @@ void statusBeforeARunIsNotRun(Checks& check)
     check.equal(algorithm->GetStatusCode(), static_cast<int>(vtkFlatteningAlgorithm::NOT_RUN),
       "status where the input cannot be read");
     check.that(algorithm->IsRefused(), "no result where the input cannot be read");
-    check.that(
-      algorithm->GetStatusMessage()[0] != '\0', "a message where the input cannot be read");
+    const std::string defect = algorithm->GetStatusDefect();
+    check.equal(defect, std::string("the filter has not run"), "the defect alone");
+    check.equal(std::string(algorithm->GetStatusMessage()).rfind(defect + "; ", 0),
+      std::size_t{ 0 }, "a message of the defect and the way out where the input cannot be read");
   }
   vtkObject::GlobalWarningDisplayOn();
 }

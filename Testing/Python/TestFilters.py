@@ -39,6 +39,12 @@ class Filters(unittest.TestCase):
         for name in ("flatten", "flatten_polydata", "Curve", "Flattening", "FlatteningError"):
             self.assertTrue(getattr(sf, name).__doc__, name)
 
+    def test_the_defect_alone_is_the_message_without_its_way_out(self):
+        fresh = sf.vtkWireWarpingFilter()
+        self.assertEqual(fresh.GetStatusName(), "NotRun")
+        self.assertEqual(fresh.GetStatusMessage(),
+                         fresh.GetStatusDefect() + "; update it, and see that its input can be read")
+
     def test_enumerations_are_python_values(self):
         filter_ = sf.vtkWireWarpingFilter()
         filter_.SetScheme(filter_.ISOMETRIC)
