@@ -62,7 +62,9 @@ def show_figure():
             display.ColorArrayName = ["POINTS", ""]
             display.AmbientColor = display.DiffuseColor = [0.86, 0.86, 0.83]
             display = pv.Show(curves, view)
-            display.Position = [0.0, 0.0, 0.3]  # in front of the surface's edges
+            # In front of the surface's edges; ParaView 5.13 has another name for it.
+            moved = "Translation" if "Translation" in display.ListProperties() else "Position"
+            setattr(display, moved, [0.0, 0.0, 0.3])
             color_wires(display, "CurveType")
         else:
             flat = pv.WireWarping(
