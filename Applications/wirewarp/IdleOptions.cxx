@@ -10,12 +10,16 @@ namespace wirewarp
 {
 namespace
 {
+constexpr const char* leaveOneOut = "; leave one of them out";
+constexpr const char* giveThat = "; give that as well, or leave it out";
+
 /// Options that mean something where a condition holds.
 struct Scope
 {
   std::vector<const char*> options;
   bool holds;
   std::string condition;
+  const char* wayOut = leaveOneOut;
 };
 
 bool ofThreads(const std::string& coloring)
@@ -50,19 +54,20 @@ std::vector<Scope> scopesOf(const Options& options)
       conformal ? wires : "for --interior relaxation, not for --interior " + options.interior },
     { { "--rigid-tolerance", "--rigid-iterations" }, !conformal && options.interior == "arap",
       conformal ? wires : "for --interior arap, not for --interior " + options.interior },
-    { { "--color-by" }, options.picture.any(), "for --picture FILE" },
+    { { "--color-by" }, options.picture.any(), "for --picture FILE", giveThat },
     { { "--allowance", "--curve-allowance", "--mitre-limit", "--notch-spacing", "--curve-notch",
         "--double-notches", "--notch-corners", "--notch-curve-ends", "--cut-darts-out",
         "--cut-on-fold", "--fold", "--dart-tip", "--curve-dart-tip", "--cut-pairs", "--fair",
         "--curve-fair", "--piece-quantity", "--piece-name", "--laser-colors" },
-      options.pattern.any(), "for patterns: --svg, --pdf, --dxf, --plt, --garmentcode or --walk" },
-    { { "--paper", "--page-overlap", "--max-pages" }, options.pattern.pdf, "for --pdf" },
+      options.pattern.any(), "for patterns: --svg, --pdf, --dxf, --plt, --garmentcode or --walk",
+      giveThat },
+    { { "--paper", "--page-overlap", "--max-pages" }, options.pattern.pdf, "for --pdf", giveThat },
     { { "--color-by" }, options.picture.coloring != "distance" || options.resewing.any(),
-      "for --resew where it is distance" },
+      "for --resew where it is distance", giveThat },
     { { "--color-by" }, !ofThreads(options.picture.coloring) || !options.material.empty(),
-      "for --material where it is " + options.picture.coloring },
+      "for --material where it is " + options.picture.coloring, giveThat },
     { { "--body" }, options.resewing.any() || options.reshaping.any(),
-      "for --resew or --flattenable" },
+      "for --resew or --flattenable", giveThat },
     { { "--grade" }, options.suggest.empty() && !options.reshaping.any() && !options.priceKeys,
       "for curves that are given, not for --suggest, --price-keys or --flattenable" },
     { { "--spacing" }, options.arrange,
@@ -80,9 +85,7 @@ std::string idleOption(const Options& options, const IsGiven& isGiven)
     {
       if (!scope.holds && isGiven(option))
       {
-        const bool clash = scope.condition.find(", not for ") != std::string::npos;
-        return std::string(option) + " is " + scope.condition +
-          (clash ? "; leave one of them out" : "; give that as well, or leave it out");
+        return std::string(option) + " is " + scope.condition + scope.wayOut;
       }
     }
   }

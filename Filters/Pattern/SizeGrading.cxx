@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SizeGrading.h"
 
-#include "Base/Finite.h"
 #include "Base/Planar.h"
 #include "Outline.h"
+#include "SizeChecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,116 +18,6 @@ namespace pattern
 namespace
 {
 constexpr double cornerAngle = pi / 6.0; ///< a sharper turn of the boundary has a rule
-
-Status invalid(const std::string& message)
-{
-  return { StatusCode::InvalidOption, message };
-}
-
-std::string quoted(const std::string& name)
-{
-  return "'" + name + "'";
-}
-
-std::string listed(const std::set<std::string>& names)
-{
-  std::string list;
-  for (const std::string& name : names)
-  {
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
-}
-
-Status checkNames(const std::vector<PatternSize>& sizes)
-{
-  if (sizes.size() < 2)
-  {
-    return invalid("there are " + std::to_string(sizes.size()) + " sizes; grading needs two");
-  }
-  std::set<std::string> names;
-  for (const PatternSize& size : sizes)
-  {
-    if (size.name.empty())
-    {
-      return invalid("a size has no name");
-    }
-    if (!names.insert(size.name).second)
-    {
-      return invalid("two sizes are named " + quoted(size.name));
-    }
-  }
-  return {};
-}
-
-Status broken(const PatternSize& size, const std::string& what)
-{
-  return { StatusCode::InvalidPattern, "size " + quoted(size.name) + ": " + what, {},
-    { Remedy::GiveFlatPieces } };
-}
-
-/// \param base whose pieces and wires the others are to have, too
-Status checkSound(const PatternSize& size, const PatternSize& base)
-{
-  const PatternSource& source = size.source;
-  const auto finite = [](const Point2& p) { return isFinite(p); };
-  if (!std::all_of(source.positions.begin(), source.positions.end(), finite))
-  {
-    return broken(size, "a point of the flat surface is not finite");
-  }
-  if (&size != &base)
-  {
-    return {};
-  }
-  const auto count = static_cast<Index>(source.triangles.size());
-  Index pieces = 0;
-  for (const Index piece : source.pieceOfTriangle)
-  {
-    if (piece < 0 || piece >= count)
-    {
-      return broken(size, "a PieceId is " + std::to_string(piece));
-    }
-    pieces = std::max(pieces, piece + 1);
-  }
-  for (const SourceWire& wire : source.wires)
-  {
-    if (wire.points.size() < 2 || wire.piece < 0 || wire.piece >= pieces)
-    {
-      return broken(size, "the wire " + quoted(wire.name) + " is of no piece or has no length");
-    }
-  }
-  return {};
-}
-
-/// Whether a size differs from the base in where its points are alone.
-Status checkAlike(const PatternSize& size, const PatternSize& base)
-{
-  const PatternSource& mine = size.source;
-  const PatternSource& model = base.source;
-  if (mine.triangles != model.triangles || mine.positions.size() != model.positions.size() ||
-    mine.pieceOfTriangle != model.pieceOfTriangle)
-  {
-    return invalid("size " + quoted(size.name) + " has another mesh than " + quoted(base.name) +
-      ": sizes must be surfaces of one connectivity, with the same curves along their edges");
-  }
-  for (std::size_t w = 0; w < std::min(mine.wires.size(), model.wires.size()); ++w)
-  {
-    const SourceWire& wire = mine.wires[w];
-    const SourceWire& other = model.wires[w];
-    if (wire.name != other.name || wire.type != other.type || wire.piece != other.piece ||
-      wire.points != other.points)
-    {
-      return invalid("the curve " + quoted(wire.name) + " of size " + quoted(size.name) +
-        " runs elsewhere than in " + quoted(base.name) + ", on piece " +
-        std::to_string(wire.piece + 1));
-    }
-  }
-  if (mine.wires.size() != model.wires.size())
-  {
-    return invalid("size " + quoted(size.name) + " has other curves than " + quoted(base.name));
-  }
-  return {};
-}
 
 /// Where pieces of one size are laid on those of the others.
 struct Frame
@@ -349,58 +239,13 @@ private:
   std::unordered_set<Index> OnBorder;
   std::size_t Pieces = 0;
 };
-
-/// \param base its place among the sizes
-Status check(
-  const std::vector<PatternSize>& sizes, const GradingOptions& options, std::size_t& base)
-{
-  Status status = checkNames(sizes);
-  if (!status.ok())
-  {
-    return status;
-  }
-  base = (sizes.size() - 1) / 2;
-  std::string names;
-  for (std::size_t s = 0; s < sizes.size(); ++s)
-  {
-    names += (s > 0 ? ", " : "") + sizes[s].name;
-    base = sizes[s].name == options.base ? s : base;
-  }
-  if (!options.base.empty() && sizes[base].name != options.base)
-  {
-    return invalid("there is no size " + quoted(options.base) + "; there are " + names);
-  }
-  for (const PatternSize& size : sizes)
-  {
-    status = checkAlike(size, sizes[base]);
-    if (status.ok())
-    {
-      status = checkSound(size, sizes[base]);
-    }
-    if (!status.ok())
-    {
-      return status;
-    }
-  }
-  std::set<std::string> curves;
-  for (const SourceWire& wire : sizes[base].source.wires)
-  {
-    curves.insert(wire.name);
-  }
-  if (!options.alignment.empty() && curves.count(options.alignment) == 0)
-  {
-    return invalid(
-      "no curve is named " + quoted(options.alignment) + "; the curves are " + listed(curves));
-  }
-  return {};
-}
 }
 
 Status gradeSizes(
   const std::vector<PatternSize>& sizes, const GradingOptions& options, Grading& grading)
 {
   grading = Grading();
-  Status status = check(sizes, options, grading.base);
+  Status status = checkSizes(sizes, options, grading.base);
   if (!status.ok())
   {
     return status;

@@ -1,39 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricSheet.h"
 
-#include <algorithm>
+#include "Base/ComputeAndAdd.h"
 
 namespace flattening
 {
-namespace
-{
-/// Triangles whose derivatives threads compute before one thread adds them: few enough for the
-/// cache, many enough for threads.
-constexpr Index together = 8192;
-
-/// Calls compute(t), which gives a Result, on threads for each number below `count`, and
-/// add(t, result) on one in their order.
-template <typename Result, typename Compute, typename Add>
-void computeAndAdd(Index count, const Execution& execution, const Compute& compute, const Add& add)
-{
-  std::vector<Result> results(std::min(count, together));
-  for (Index first = 0; first < count; first += together)
-  {
-    const Index here = std::min(together, count - first);
-    execution.parallelFor(here, [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        results[k] = compute(first + k);
-      }
-    });
-    for (Index k = 0; k < here; ++k)
-    {
-      add(first + k, results[k]);
-    }
-  }
-}
-}
-
 IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy)
   : Cells(mesh.triangles())
   , Energy(energy)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SewnMembrane.h"
 
+#include "Base/ComputeAndAdd.h"
 #include "Base/ConvexPart.h"
 
 #include <algorithm>
@@ -10,9 +11,6 @@ namespace flattening
 {
 namespace
 {
-/// Triangles whose derivatives are held at a time.
-constexpr Index derivedAtOnce = 4096;
-
 /// Gradient of a corner's hat function in the plane of the rest.
 Eigen::Vector2d hatGradient(const TriangleFrame& rest, int k)
 {
@@ -171,22 +169,10 @@ void SewnMembrane::add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatri
   Eigen::VectorXd& gradient, const Execution& execution) const
 {
   const bool convex = curvature == Curvature::Convex;
-  const auto count = static_cast<Index>(this->Cells.size());
-  std::vector<Derivatives> derived(std::min(count, derivedAtOnce));
-  for (Index begin = 0; begin < count; begin += derivedAtOnce)
-  {
-    const Index size = std::min(derivedAtOnce, count - begin);
-    execution.parallelFor(size, [&](Index first, Index last) {
-      for (Index k = first; k < last; ++k)
-      {
-        derived[k] = this->derive(begin + k, x, convex);
-      }
-    });
-    for (Index k = 0; k < size; ++k)
-    {
-      this->addOne(begin + k, derived[k], matrix, gradient);
-    }
-  }
+  computeAndAdd<Derivatives>(
+    static_cast<Index>(this->Cells.size()), execution,
+    [&](Index t) { return this->derive(t, x, convex); },
+    [&](Index t, const Derivatives& derived) { this->addOne(t, derived, matrix, gradient); });
 }
 
 void SewnMembrane::addOne(
