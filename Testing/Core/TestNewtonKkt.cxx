@@ -168,6 +168,56 @@ TEST(NewtonKkt, KeepsTheFactorInDoublePrecisionWhereSingleIsNotEnough)
   EXPECT_LE(model.matrices, 3);
 }
 
+TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIsLarge)
+{
+  // Least of x H x / 2 + (s a + b) x with a x = 0, which s does not move: H x + b + m a = 0 gives
+  // x, and s is taken from the multiplier. H reaches from 1 to 1e5 along the waves of a cosine
+  // transform.
+  constexpr Index n = 12;
+  constexpr double s = 1e6;
+  Eigen::MatrixXd waves(n, n);
+  for (Index i = 0; i < n; ++i)
+  {
+    for (Index j = 0; j < n; ++j)
+    {
+      waves(i, j) = std::sqrt((j == 0 ? 1.0 : 2.0) / n) * std::cos(std::acos(-1.0) * (i + 0.5) * j / n);
+    }
+  }
+  const Eigen::VectorXd bent =
+    pow(10.0, Eigen::ArrayXd::LinSpaced(n, 0.0, 5.0)).matrix(); // curvatures
+  const Eigen::MatrixXd h = waves * bent.asDiagonal() * waves.transpose();
+  const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(n, 0.3, 1.7);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1.0, 2.0);
+  const Eigen::VectorXd pull = s * a + b;
+  DenseModel model;
+  model.unknowns = n;
+  model.f = [&](const Eigen::VectorXd& x) { return 1.0 + 0.5 * x.dot(h * x) + pull.dot(x); };
+  model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(h * x + pull); };
+  model.hessian = [&](const Eigen::VectorXd&) { return h; };
+  model.c = [&](const Eigen::VectorXd& x) { return a.dot(x); };
+  model.cGradient = [&](const Eigen::VectorXd&) { return a; };
+  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(n, n); };
+  Dissection order;
+  order.end = { n + 1 };
+  for (Index k = 0; k <= n; ++k)
+  {
+    order.order.push_back(k);
+  }
+  NewtonKktOptions options;
+  options.stillMove = 0.0;
+
+  const NewtonKktState end = minimize(model, { Eigen::VectorXd::Zero(n), {} },
+    LinearSolver(order, FactorPrecision::Single), options, {});
+
+  EXPECT_TRUE(end.converged());
+  EXPECT_LE(model.matrices, 6);
+  const Eigen::VectorXd bySpectrum =
+    waves * bent.cwiseInverse().asDiagonal() * waves.transpose() * b;
+  const Eigen::VectorXd along = waves * bent.cwiseInverse().asDiagonal() * waves.transpose() * a;
+  const Eigen::VectorXd expected = a.dot(bySpectrum) / a.dot(along) * along - bySpectrum;
+  EXPECT_LT((end.x - expected).norm(), 1e-7 * expected.norm());
+}
+
 TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)
 {
   DenseModel model = nearestTo(Eigen::Vector2d(0.0, 0.0));

@@ -313,8 +313,12 @@ bool NewtonKktStep::solveFollowing()
 
 bool NewtonKktStep::solveHeld()
 {
+  // A factor in single precision leaves a fraction of the right-hand side, so that has to vanish at
+  // a minimum: then the change of the multipliers is asked for.
+  const bool changes = this->Solver.precision() == FactorPrecision::Single;
   Eigen::VectorXd rhs(this->Unknowns + this->Constraints);
-  rhs.head(this->Unknowns) = -this->Point.gradient;
+  rhs.head(this->Unknowns) =
+    changes ? -this->lagrangianGradient(this->OldMultipliers) : -this->Point.gradient;
   rhs.tail(this->Constraints) = -this->Point.constraints;
   for (std::size_t k = 0; k < this->Held.size(); ++k)
   {
@@ -323,21 +327,26 @@ bool NewtonKktStep::solveHeld()
       rhs[this->unknownOf(k)] = holdingStiffness * this->HeldStep[static_cast<Eigen::Index>(k)];
     }
   }
-  Eigen::VectorXd solution = this->solveKkt(rhs, &this->LeftByFactor);
+  KktSolution solution = this->solveKkt(rhs);
   if (this->Solver.precision() == FactorPrecision::Single &&
-    !(this->LeftByFactor <= singleIsEnough))
+    !(solution.leftByFactor <= singleIsEnough))
   {
     this->Solver.keepDouble();
     if (!this->factorizes())
     {
       return false;
     }
-    solution = this->solveKkt(rhs, &this->LeftByFactor);
+    solution = this->solveKkt(rhs);
   }
-  // The multiplier part of the solution is the new multiplier itself.
-  if (!this->takeSolution(solution))
+  this->LeftByFactor = solution.leftByFactor;
+  // The multiplier part of the solution is the new multiplier itself, or its change.
+  if (!this->takeSolution(solution.x))
   {
     return false;
+  }
+  if (changes)
+  {
+    this->Multipliers += this->OldMultipliers;
   }
   this->Factored = this->Shift == 0.0;
   return true;
@@ -372,14 +381,14 @@ bool NewtonKktStep::holdLeaving()
   return leaving;
 }
 
-/// Refined towards the system without the -delta block. \param left what the first solution left of
-/// the right-hand side, as a fraction, where it is refined; wanted if not null.
-Eigen::VectorXd NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs, double* left) const
+/// Refined towards the system without the -delta block.
+NewtonKktStep::KktSolution NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs) const
 {
-  Eigen::VectorXd x = this->Solver.solve(rhs, this->Run);
-  if (left)
+  KktSolution solution{ this->Solver.solve(rhs, this->Run), 0.0 };
+  Eigen::VectorXd& x = solution.x;
+  if (x.size() != rhs.size())
   {
-    *left = x.size() == rhs.size() ? 0.0 : std::numeric_limits<double>::infinity();
+    solution.leftByFactor = std::numeric_limits<double>::infinity();
   }
   const int wanted = this->FarAway ? refinementsFarAway : refinements;
   const int most = this->Softness > 0.0 ? 0 : wanted;
@@ -387,9 +396,9 @@ Eigen::VectorXd NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs, double* left
   {
     Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * x;
     r.tail(this->Constraints) -= regularization * x.tail(this->Constraints);
-    if (left && refinement == 0)
+    if (refinement == 0)
     {
-      *left = r.cwiseAbs().maxCoeff() /
+      solution.leftByFactor = r.cwiseAbs().maxCoeff() /
         std::max(rhs.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
     }
     const Eigen::MatrixXd change = this->Solver.solve(r, this->Run);
@@ -399,7 +408,7 @@ Eigen::VectorXd NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs, double* left
     }
     x += change;
   }
-  return x;
+  return solution;
 }
 
 bool NewtonKktStep::shortenCorrections()
@@ -423,7 +432,7 @@ Eigen::VectorXd NewtonKktStep::corrected(const Eigen::VectorXd& x) const
 {
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(this->Unknowns + this->Constraints);
   rhs.tail(this->Constraints) = -this->Model.constraints(x);
-  const Eigen::VectorXd correction = this->solveKkt(rhs);
+  const Eigen::VectorXd correction = this->solveKkt(rhs).x;
   return correction.size() == rhs.size() && isFinite(correction)
     ? this->clipped(x + correction.head(this->Unknowns))
     : x;

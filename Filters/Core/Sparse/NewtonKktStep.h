@@ -81,7 +81,12 @@ private:
   bool solveHeld();
   bool solveFollowing();
   bool takeSolution(const Eigen::VectorXd& solution);
-  Eigen::VectorXd solveKkt(const Eigen::VectorXd& rhs, double* left = nullptr) const;
+  struct KktSolution
+  {
+    Eigen::VectorXd x;         ///< empty where the factor gives none
+    double leftByFactor = 0.0; ///< of the right-hand side by the first solution, where it is refined
+  };
+  KktSolution solveKkt(const Eigen::VectorXd& rhs) const;
 
   NewtonKktModel& Model;
   LinearSolver Solver;
