@@ -5,6 +5,7 @@
 #include "IdleOptions.h"
 #include "Materials.h"
 #include "MethodOptions.h"
+#include "NearestOption.h"
 #include "NumberOptions.h"
 #include "PlainText.h"
 #include "SuggestionOptions.h"
@@ -322,7 +323,8 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   }
   catch (const CLI::ParseError& error)
   {
-    std::cerr << "wirewarp: error: " << plainText(error.what()) << "\nTry 'wirewarp --help'.\n";
+    std::cerr << "wirewarp: error: " << plainText(error.what())
+              << plainText(nearestOption(app, app.remaining())) << "\nTry 'wirewarp --help'.\n";
     exitCode = BadUsage;
     return std::nullopt;
   }

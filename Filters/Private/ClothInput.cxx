@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace flattening
 {
@@ -30,11 +31,13 @@ bool parseNumber(const std::string& text, double& value)
 
 ClothMaterial readMaterial(const std::string& material)
 {
-  if (const auto preset = findPreset(material))
+  const std::optional<ClothMaterial> preset = findPreset(material);
+  const bool file = isMaterialFile(material);
+  if (preset && (preset->name == material || !file))
   {
     return *preset;
   }
-  if (isMaterialFile(material))
+  if (file)
   {
     return readMaterialFile(material);
   }

@@ -164,6 +164,20 @@ class Materials(command.CommandTest):
             self.assertLess(report["pieces"][0]["E_len_max"], 1e-9, text)
         self.assertEqual(seen, {"InvalidMaterial", "BeyondLimits"})
 
+    def test_a_material_may_be_written_with_capitals_unless_a_file_is_called_so(self):
+        points, triangles, _ = command.quarter_sphere()
+        self.write("a.obj", command.obj(points, triangles))
+        sewn = []
+        for name in ("denim", "Denim", "DENIM"):
+            run = self.run_command("a.obj", "--unit", "cm", "--material", name, "--output", name)
+            self.assertIn(run.returncode, (0, 4), run.stderr)
+            sewn.append(self.report(name)["pieces"][0]["cloth"])
+        self.assertIsNotNone(sewn[0])
+        self.assertEqual(sewn[1:], sewn[:1] * 2)
+        self.write("Denim", "no material")
+        run = self.run_command("a.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
+        self.assertEqual(self.report("file")["status"], "InvalidMaterial", run.stderr)
+
     def test_the_list_has_every_material_with_its_source(self):
         run = self.run_command("--list-materials")
         self.assertEqual((run.returncode, run.stderr), (0, ""))

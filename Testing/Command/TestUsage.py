@@ -31,6 +31,13 @@ class Usage(command.CommandTest):
     def test_unknown_option_is_named(self):
         self.assertIn("--sheme", self.assert_usage_error("a.obj", "--sheme", "global"))
 
+    def test_an_option_that_is_nearly_written_is_proposed_and_no_other(self):
+        for written, meant in (("--sheme", "--scheme"), ("--materail=denim", "--material"),
+                               ("--no-relaese-trials", "--no-release-trials"), ("--fairness", None)):
+            with self.subTest(written):
+                said = self.assert_usage_error("a.obj", written)
+                self.assertEqual(said.partition("; is ")[2], f"{meant} meant?" if meant else "")
+
     def test_unknown_words_of_an_option_are_named(self):
         for option in ("--scheme", "--solver", "--interior"):
             with self.subTest(option):

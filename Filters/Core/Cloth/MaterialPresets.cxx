@@ -4,6 +4,7 @@
 #include "Base/Planar.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace flattening
 {
@@ -99,8 +100,13 @@ const std::vector<ClothMaterial>& materialPresets()
 std::optional<ClothMaterial> findPreset(const std::string& name)
 {
   const std::vector<ClothMaterial>& presets = materialPresets();
-  const auto found = std::find_if(presets.begin(), presets.end(),
-    [&name](const ClothMaterial& preset) { return preset.name == name; });
+  const auto found =
+    std::find_if(presets.begin(), presets.end(), [&name](const ClothMaterial& preset) {
+      return std::equal(preset.name.begin(), preset.name.end(), name.begin(), name.end(),
+        [](char wanted, char given) {
+          return std::tolower(static_cast<unsigned char>(given)) == wanted;
+        });
+    });
   return found == presets.end() ? std::nullopt : std::optional<ClothMaterial>(*found);
 }
 

@@ -13,7 +13,7 @@ namespace flattening
 /// flat shape, by less.
 const std::vector<ClothMaterial>& materialPresets();
 
-/// No value where none has the name.
+/// No value where none has the name; capitals count as small letters.
 std::optional<ClothMaterial> findPreset(const std::string& name);
 
 /// The names, for messages: "isotropic, plain, ...".
