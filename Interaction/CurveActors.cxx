@@ -20,7 +20,8 @@ namespace
 {
 using Color = std::array<unsigned char, 3>;
 
-// Accessory, key, dart, seam: as in the figures.
+constexpr std::array<const char*, 4> typeNames{ "accessory", "key", "dart", "seam" };
+// Of these types, as in the figures.
 constexpr std::array<Color, 4> typeColors{ { { 0, 153, 26 }, { 217, 0, 0 }, { 0, 51, 230 },
   { 153, 0, 191 } } };
 constexpr Color chosenColor{ 255, 150, 0 };
@@ -83,6 +84,12 @@ private:
   vtkNew<vtkCellArray> Cells;
   vtkNew<vtkUnsignedCharArray> Colors;
 };
+}
+
+//------------------------------------------------------------------------------
+const char* nameOfType(int type)
+{
+  return typeNames[static_cast<std::size_t>(std::clamp(type, 0, 3))];
 }
 
 //------------------------------------------------------------------------------

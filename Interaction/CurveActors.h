@@ -27,6 +27,9 @@ struct CurveChoice
   }
 };
 
+/// "accessory", "key", "dart" or "seam".
+const char* nameOfType(int type);
+
 /// Red, green and blue of a type of curves, from 0 to 255: as in the figures.
 std::array<unsigned char, 3> colorOfType(int type);
 

@@ -22,7 +22,6 @@ namespace
 /// By SnapTargets.
 constexpr std::array<const char*, 7> targetNames{ "", "boundary", "corner", "vertex", "curve",
   "dart tip", "mirror plane" };
-constexpr std::array<const char*, 4> typeNames{ "accessory", "key", "dart", "seam" };
 
 std::string shortNumber(double value)
 {
@@ -220,8 +219,8 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
   if (count > 0)
   {
     words = this->Editor->GetCurveName(curve) + ": " +
-      typeNames[static_cast<std::size_t>(std::clamp(this->Editor->GetCurveType(curve), 0, 3))] +
-      ", length " + lengthIn(this->LengthUnit, this->Editor->GetCurveLength(curve)) + ", " +
+      interaction::nameOfType(this->Editor->GetCurveType(curve)) + ", length " +
+      lengthIn(this->LengthUnit, this->Editor->GetCurveLength(curve)) + ", " +
       std::to_string(count) + (count == 1 ? " node. " : " nodes. ");
   }
   std::string label;

@@ -17,7 +17,6 @@ namespace editor
 {
 namespace
 {
-constexpr const char* typeNames[] = { "accessory", "key", "dart", "seam" };
 constexpr double percent = 100.0;
 constexpr int swatchSize = 12; // pixels
 
@@ -43,7 +42,7 @@ QLabel* makeLegend()
   {
     words += QString("<span style='color:%1'>&#9632;</span>&nbsp;%2 ")
                .arg(colorOf(type).name())
-               .arg(typeNames[type]);
+               .arg(interaction::nameOfType(type));
   }
   auto* const legend = new QLabel(words);
   legend->setObjectName("legend");
@@ -65,7 +64,7 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
 {
   for (int type = 0; type < 4; ++type)
   {
-    this->Type->addItem(swatch(type), typeNames[type]);
+    this->Type->addItem(swatch(type), interaction::nameOfType(type));
   }
   this->Tolerance->setRange(0.0, 99.0);
   this->Tolerance->setDecimals(2);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProposalBox.h"
 
+#include "CurveActors.h"
+
 #include <QGridLayout>
 #include <QToolButton>
 
@@ -8,8 +10,7 @@ namespace editor
 {
 namespace
 {
-constexpr const char* typeNames[] = { "accessory", "key", "dart", "seam" };
-constexpr double percent = 100.0;
+constexpr double percentOfOne = 100.0;
 constexpr int wordLines = 4;
 }
 
@@ -135,11 +136,11 @@ void ProposalBox::showChosen()
                            .arg(this->Chosen + 1)
                            .arg(cuts.size())
                            .arg(QString::fromStdString(cut.name))
-                           .arg(typeNames[std::clamp(cut.type, 0, 3)])
+                           .arg(interaction::nameOfType(cut.type))
                            .arg(cut.length, 0, 'g', 4)
                            .arg(this->Unit)
-                           .arg(percent * cut.strainBefore, 0, 'f', 1)
-                           .arg(percent * cut.strainAfter, 0, 'f', 1));
+                           .arg(percentOfOne * cut.strainBefore, 0, 'f', 1)
+                           .arg(percentOfOne * cut.strainAfter, 0, 'f', 1));
   }
   if (this->onChange)
   {

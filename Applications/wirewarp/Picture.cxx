@@ -20,7 +20,7 @@ namespace wirewarp
 {
 namespace
 {
-constexpr int width = 1600;
+constexpr int pictureWidth = 1600;
 constexpr int height = 1000;
 constexpr int samples = 8;
 
@@ -127,7 +127,7 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   scene.warning = result.exitCode == PromiseBroken;
   scene.message = scene.warning ? result.message : "";
   const VtkMessages messages;
-  figures::PatternPicture picture(width, height, samples);
+  figures::PatternPicture picture(pictureWidth, height, samples);
   picture.window()->SetOffScreenRendering(1);
   picture.show(scene);
   files.add(std::filesystem::path(options.picture.path).filename().string(),

@@ -19,11 +19,6 @@ constexpr double sharpTurn = pi / 3.0;
 constexpr double leastTurn = pi / 6.0;
 constexpr double roundTurn = pi / 12.0;
 constexpr double timesNeighbour = 1.8;
-
-std::uint64_t undirected(Index a, Index b)
-{
-  return edgeKey(std::min(a, b), std::max(a, b));
-}
 }
 
 BorderChains::BorderChains(const DrawingSource& all)
@@ -40,7 +35,7 @@ BorderChains::BorderChains(const DrawingSource& all)
 
 bool BorderChains::find(Index from, Index to, ChainEdge& place) const
 {
-  const auto found = this->Edges.find(undirected(from, to));
+  const auto found = this->Edges.find(undirectedKey(from, to));
   if (found == this->Edges.end())
   {
     return false;
@@ -79,7 +74,7 @@ void BorderChains::addInnerCurves(const DrawingSource& all)
     {
       const Index from = wire.points[k];
       const Index to = wire.points[k + 1];
-      if (this->Edges.count(undirected(from, to)) > 0)
+      if (this->Edges.count(undirectedKey(from, to)) > 0)
       {
         end();
         continue;
@@ -118,7 +113,8 @@ void BorderChains::add(
     const Index from = chain.point(k);
     const Index to = chain.point(k + 1);
     chain.arc.push_back(chain.arc.back() + (all.at(to) - all.at(from)).norm());
-    this->Edges.emplace(undirected(from, to), std::array<std::size_t, 2>{ this->Chains.size(), k });
+    this->Edges.emplace(
+      undirectedKey(from, to), std::array<std::size_t, 2>{ this->Chains.size(), k });
   }
   for (const Index v : chain.points)
   {

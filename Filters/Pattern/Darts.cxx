@@ -12,11 +12,6 @@ namespace pattern
 {
 namespace
 {
-std::uint64_t undirected(Index a, Index b)
-{
-  return edgeKey(std::min(a, b), std::max(a, b));
-}
-
 /// One loop with its edges' wires.
 struct Loop
 {
@@ -136,7 +131,7 @@ WireOfEdge wiresOfEdges(const PatternSource& source)
       }
       for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
       {
-        wires.emplace(undirected(wire.points[k], wire.points[k + 1]), w);
+        wires.emplace(undirectedKey(wire.points[k], wire.points[k + 1]), w);
       }
     }
   }
@@ -145,7 +140,7 @@ WireOfEdge wiresOfEdges(const PatternSource& source)
 
 std::size_t wireOf(const PatternSource& source, const WireOfEdge& wires, Index from, Index to)
 {
-  const auto found = wires.find(undirected(from, to));
+  const auto found = wires.find(undirectedKey(from, to));
   return found == wires.end() ? source.wires.size() : found->second;
 }
 

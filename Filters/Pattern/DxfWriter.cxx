@@ -18,7 +18,7 @@ namespace
 /// A corner turns by more than this, in radians; a lesser turn belongs to a curve.
 constexpr double turnAngle = 0.3;
 constexpr std::size_t longestText = 250;
-constexpr std::size_t longestName = 31; // R12's limit
+constexpr std::size_t longestSymbol = 31; // R12's limit
 constexpr double drillRadius = 1.5;
 constexpr double gradeTextHeight = 3.0;
 
@@ -46,12 +46,12 @@ std::vector<std::string> blockNames(const Pattern& pattern)
   std::vector<std::string> names;
   for (const PatternPiece& piece : pattern.pieces)
   {
-    std::string name = dxfSymbol(piece.name, longestName);
+    std::string name = dxfSymbol(piece.name, longestSymbol);
     if (name.find_first_not_of('_') == std::string::npos ||
       std::find(names.begin(), names.end(), name) != names.end())
     {
       const std::string number = "_" + std::to_string(piece.number);
-      name = name.substr(0, longestName - number.size());
+      name = name.substr(0, longestSymbol - number.size());
       name += number;
     }
     names.push_back(name);

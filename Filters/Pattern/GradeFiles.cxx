@@ -14,15 +14,15 @@ namespace pattern
 {
 namespace
 {
-constexpr double margin = 10.0;
-constexpr double gap = 20.0;  ///< between pieces
-constexpr double head = 20.0; ///< for the names of the sizes
+constexpr double nestMargin = 10.0;
+constexpr double gapOfPieces = 20.0; ///< between pieces
+constexpr double headHeight = 20.0;  ///< for the names of the sizes
 constexpr double nameSpace = 25.0;
 constexpr std::array<const char*, 8> colours{ "#000000", "#c00000", "#0060c0", "#008040", "#a000a0",
   "#c07000", "#606060", "#00a0a0" };
 
 /// A number of the nest; a wire of a millimetre still keeps its length to 1e-8.
-std::string number(double value)
+std::string nestNumber(double value)
 {
   return formatNumber(value, 9);
 }
@@ -61,21 +61,21 @@ public:
         }
       }
     }
-    double x = margin;
+    double x = nestMargin;
     double height = 0.0;
     for (const auto& [piece, box] : boxes)
     {
-      this->Shifts[piece] = Point2(x - box.low.x(), margin + head + box.high.y());
-      x += box.extent().x() + gap;
+      this->Shifts[piece] = Point2(x - box.low.x(), nestMargin + headHeight + box.high.y());
+      x += box.extent().x() + gapOfPieces;
       height = std::max(height, box.extent().y());
     }
-    this->Extent = Point2(x - gap + margin, height + head + 2.0 * margin);
+    this->Extent = Point2(x - gapOfPieces + nestMargin, height + headHeight + 2.0 * nestMargin);
   }
 
   std::string make(const std::string& name) const
   {
-    const std::string width = number(this->Extent.x());
-    const std::string height = number(this->Extent.y());
+    const std::string width = nestNumber(this->Extent.x());
+    const std::string height = nestNumber(this->Extent.y());
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
                        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
@@ -97,8 +97,9 @@ private:
     const std::string colour = colours[s % colours.size()];
     std::string text = "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name +
       "\" data-size=\"" + name + "\" stroke=\"" + colour + "\">\n<text x=\"" +
-      number(margin + nameSpace * static_cast<double>(s)) + "\" y=\"" + number(margin + 5.0) +
-      "\" font-size=\"5\" stroke=\"none\" fill=\"" + colour + "\">" + name + "</text>\n";
+      nestNumber(nestMargin + nameSpace * static_cast<double>(s)) + "\" y=\"" +
+      nestNumber(nestMargin + 5.0) + "\" font-size=\"5\" stroke=\"none\" fill=\"" + colour + "\">" +
+      name + "</text>\n";
     for (const SourceWire& wire : this->All.wires)
     {
       text += "<path data-piece=\"" + std::to_string(wire.piece + 1) + "\" data-curve=\"" +
@@ -107,7 +108,8 @@ private:
       {
         const Point2& p = this->All.positions[s][wire.points[k]];
         const Point2& shift = this->Shifts.at(wire.piece);
-        text += (k == 0 ? "M" : " L") + number(shift.x() + p.x()) + "," + number(shift.y() - p.y());
+        text += (k == 0 ? "M" : " L") + nestNumber(shift.x() + p.x()) + "," +
+          nestNumber(shift.y() - p.y());
       }
       text += "\"/>\n";
     }

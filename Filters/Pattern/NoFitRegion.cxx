@@ -20,12 +20,12 @@ using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-constexpr double unitsPerMillimetre = 100.0;
+constexpr double stepsPerMillimetre = 100.0;
 constexpr double thinning = 0.4; // mm, of outlines, which are widened by as much
 
 cInt units(double millimetres)
 {
-  return static_cast<cInt>(std::llround(unitsPerMillimetre * millimetres));
+  return static_cast<cInt>(std::llround(stepsPerMillimetre * millimetres));
 }
 
 Path moved(const Path& path, const IntPoint& by)
@@ -113,10 +113,10 @@ std::size_t NoFitRegion::addShape(const Points2& polygon, double gap)
   {
     ClipperLib::ReversePath(path);
   }
-  ClipperLib::ClipperOffset offset(2.0, unitsPerMillimetre * thinning);
+  ClipperLib::ClipperOffset offset(2.0, stepsPerMillimetre * thinning);
   offset.AddPath(path, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
   Paths widened;
-  offset.Execute(widened, unitsPerMillimetre * (gap / 2.0 + thinning));
+  offset.Execute(widened, stepsPerMillimetre * (gap / 2.0 + thinning));
   const auto largest = std::max_element(widened.begin(), widened.end(),
     [](const Path& a, const Path& b) { return ClipperLib::Area(a) < ClipperLib::Area(b); });
   shape.outline = largest == widened.end() ? path : *largest;
@@ -159,7 +159,7 @@ Point2 NoFitRegion::lowest(const std::vector<Placed>& there, std::size_t shape, 
   }
   return Point2(static_cast<double>(std::clamp<cInt>(best.X, 0, high.X - 1)),
            static_cast<double>(std::max<cInt>(best.Y, 0))) /
-    unitsPerMillimetre;
+    stepsPerMillimetre;
 }
 }
 }

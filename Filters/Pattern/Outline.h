@@ -4,6 +4,7 @@
 #include "Base/Status.h"
 #include "PatternSource.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace flattening
@@ -15,6 +16,11 @@ inline std::uint64_t edgeKey(Index from, Index to)
 {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32) |
     static_cast<std::uint32_t>(to);
+}
+/// The same for both directions.
+inline std::uint64_t undirectedKey(Index a, Index b)
+{
+  return edgeKey(std::min(a, b), std::max(a, b));
 }
 
 /// Boundary loops of each piece as point ids, the cloth on the left; the outer loop first, that is

@@ -10,7 +10,7 @@ namespace pattern
 {
 namespace
 {
-Status invalid(const std::string& message)
+Status invalidOption(const std::string& message)
 {
   return { StatusCode::InvalidOption, message };
 }
@@ -39,7 +39,8 @@ Status checkName(const PatternSource& source, const std::string& what, const std
       names += ", " + wire.name;
     }
   }
-  return invalid(what + " names the curve " + wanted + ", which is not there; there are " + names);
+  return invalidOption(
+    what + " names the curve " + wanted + ", which is not there; there are " + names);
 }
 }
 
@@ -47,29 +48,29 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
 {
   if (!isLength(options.allowance))
   {
-    return invalid("the seam allowance must be a number of millimetres from 0");
+    return invalidOption("the seam allowance must be a number of millimetres from 0");
   }
   if (!std::isfinite(options.mitreLimit) || options.mitreLimit < 1.0)
   {
-    return invalid("the mitre limit must be a number from 1");
+    return invalidOption("the mitre limit must be a number from 1");
   }
   if (!isLength(options.notchSpacing) || !isLength(options.notchLength))
   {
-    return invalid("notch spacing and length must be numbers of millimetres from 0");
+    return invalidOption("notch spacing and length must be numbers of millimetres from 0");
   }
   if (!isLength(options.fairTolerance))
   {
-    return invalid("the tolerance of smooth borders must be a number of millimetres from 0");
+    return invalidOption("the tolerance of smooth borders must be a number of millimetres from 0");
   }
   if (options.quantity < 1)
   {
-    return invalid("the quantity must be a whole number from 1");
+    return invalidOption("the quantity must be a whole number from 1");
   }
   for (std::size_t p = 0; p < options.pieceQuantities.size(); ++p)
   {
     if (options.pieceQuantities[p] < 0)
     {
-      return invalid(
+      return invalidOption(
         "the quantity of piece " + std::to_string(p + 1) + " must be a whole number from 1");
     }
   }
@@ -77,7 +78,8 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   {
     if (!isLength(allowance))
     {
-      return invalid("the seam allowance of " + name + " must be a number of millimetres from 0");
+      return invalidOption(
+        "the seam allowance of " + name + " must be a number of millimetres from 0");
     }
     Status status = checkName(source, "a seam allowance", name);
     if (!status.ok())
@@ -89,7 +91,7 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   {
     if (!isLength(tolerance))
     {
-      return invalid(
+      return invalidOption(
         "the tolerance of the smooth " + name + " must be a number of millimetres from 0");
     }
     Status status = checkName(source, "a tolerance of smooth borders", name);
@@ -100,13 +102,14 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   }
   if (!isLength(options.dartTip))
   {
-    return invalid("how far tips of darts are drawn back must be a number of millimetres from 0");
+    return invalidOption(
+      "how far tips of darts are drawn back must be a number of millimetres from 0");
   }
   for (const auto& [name, back] : options.dartTipOfCurve)
   {
     if (!isLength(back))
     {
-      return invalid(
+      return invalidOption(
         "how far the tip of " + name + " is drawn back must be a number of millimetres from 0");
     }
     Status status = checkName(source, "a tip to be drawn back", name);
@@ -135,7 +138,7 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   {
     if (!std::all_of(distances.begin(), distances.end(), isLength))
     {
-      return invalid("the notches of " + name + " must be numbers of millimetres from 0");
+      return invalidOption("the notches of " + name + " must be numbers of millimetres from 0");
     }
     Status status = checkName(source, "a notch", name);
     if (!status.ok())

@@ -20,7 +20,7 @@ namespace pattern
 namespace
 {
 constexpr double mapHeight = 45.0;
-constexpr std::array<double, 3> black{ 0.0, 0.0, 0.0 };
+constexpr std::array<double, 3> blackInk{ 0.0, 0.0, 0.0 };
 constexpr std::array<double, 3> grey{ 0.6, 0.6, 0.6 };
 constexpr std::array<double, 3> cyan{ 0.0, 0.55, 0.75 };
 
@@ -193,7 +193,7 @@ private:
       }
       cairo_stroke(this->Context);
     }
-    this->pen(black, 0.25);
+    this->pen(blackInk, 0.25);
     for (const PatternText& text : this->Drawn.pieces[p].texts)
     {
       this->text(text.text, this->Plan.layout.place(this->Drawn, p, text.position), text.height,
@@ -227,7 +227,7 @@ private:
 
   void drawLegend()
   {
-    this->pen(black, 0.25);
+    this->pen(blackInk, 0.25);
     cairo_rectangle(this->Context, 0.0, 0.0, 100.0, 50.0);
     cairo_stroke(this->Context);
     this->text("100 mm x 50 mm", { 50.0, 21.0 }, 4.0, Anchor::Middle);
@@ -279,7 +279,7 @@ private:
     cairo_translate(this->Context, corner.x(), corner.y());
     cairo_scale(this->Context, scale, scale);
     const double pen = 0.15 / scale;
-    this->pen(black, pen);
+    this->pen(blackInk, pen);
     for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
     {
       for (const Stroke& stroke : this->Strokes[p])
@@ -349,7 +349,7 @@ private:
         }
       }
     }
-    this->colour(black);
+    this->colour(blackInk);
     const std::string name = tileName(tile);
     this->text(name, { 0.0, -4.0 }, 6.0, Anchor::Start);
     this->text("row " + name.substr(0, name.find_first_of("0123456789")) + ", column " +

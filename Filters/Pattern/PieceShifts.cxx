@@ -12,7 +12,7 @@ namespace pattern
 {
 namespace
 {
-constexpr int places = 9; ///< that are tried along each side of a page
+constexpr int placesOfSide = 9; ///< that are tried along each side of a page
 constexpr int sweeps = 2;
 
 class Shifts
@@ -103,10 +103,10 @@ private:
     Point2 best = corner;
     this->count(piece, -1);
     std::pair<int, int> least = this->cost(this->Marks[piece]);
-    const Point2 by = this->Plan.step / (places - 1);
-    for (int y = 0; y < (places - 1) * this->Plan.rows; ++y)
+    const Point2 by = this->Plan.step / (placesOfSide - 1);
+    for (int y = 0; y < (placesOfSide - 1) * this->Plan.rows; ++y)
     {
-      for (int x = 0; x < (places - 1) * this->Plan.columns; ++x)
+      for (int x = 0; x < (placesOfSide - 1) * this->Plan.columns; ++x)
       {
         // From where the first page's outer band ends.
         corner = this->Plan.origin + Point2(x * by.x(), y * by.y());

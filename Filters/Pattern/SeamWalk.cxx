@@ -191,10 +191,7 @@ public:
   }
 
 private:
-  static std::uint64_t edgeOf(const Side& side)
-  {
-    return edgeKey(std::min(side[0], side[1]), std::max(side[0], side[1]));
-  }
+  static std::uint64_t edgeOf(const Side& side) { return undirectedKey(side[0], side[1]); }
 
   std::size_t pieceOf(const Side& side) const
   {

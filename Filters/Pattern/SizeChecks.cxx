@@ -12,12 +12,12 @@ namespace pattern
 {
 namespace
 {
-Status invalid(const std::string& message)
+Status invalidSizes(const std::string& message)
 {
   return { StatusCode::InvalidOption, message };
 }
 
-std::string quoted(const std::string& name)
+std::string inQuotes(const std::string& name)
 {
   return "'" + name + "'";
 }
@@ -36,18 +36,18 @@ Status checkNames(const std::vector<PatternSize>& sizes)
 {
   if (sizes.size() < 2)
   {
-    return invalid("there are " + std::to_string(sizes.size()) + " sizes; grading needs two");
+    return invalidSizes("there are " + std::to_string(sizes.size()) + " sizes; grading needs two");
   }
   std::set<std::string> names;
   for (const PatternSize& size : sizes)
   {
     if (size.name.empty())
     {
-      return invalid("a size has no name");
+      return invalidSizes("a size has no name");
     }
     if (!names.insert(size.name).second)
     {
-      return invalid("two sizes are named " + quoted(size.name));
+      return invalidSizes("two sizes are named " + inQuotes(size.name));
     }
   }
   return {};
@@ -55,7 +55,7 @@ Status checkNames(const std::vector<PatternSize>& sizes)
 
 Status broken(const PatternSize& size, const std::string& what)
 {
-  return { StatusCode::InvalidPattern, "size " + quoted(size.name) + ": " + what, {},
+  return { StatusCode::InvalidPattern, "size " + inQuotes(size.name) + ": " + what, {},
     { Remedy::GiveFlatPieces } };
 }
 
@@ -86,7 +86,7 @@ Status checkSound(const PatternSize& size, const PatternSize& base)
   {
     if (wire.points.size() < 2 || wire.piece < 0 || wire.piece >= pieces)
     {
-      return broken(size, "the wire " + quoted(wire.name) + " is of no piece or has no length");
+      return broken(size, "the wire " + inQuotes(wire.name) + " is of no piece or has no length");
     }
   }
   return {};
@@ -100,7 +100,8 @@ Status checkAlike(const PatternSize& size, const PatternSize& base)
   if (mine.triangles != model.triangles || mine.positions.size() != model.positions.size() ||
     mine.pieceOfTriangle != model.pieceOfTriangle)
   {
-    return invalid("size " + quoted(size.name) + " has another mesh than " + quoted(base.name) +
+    return invalidSizes("size " + inQuotes(size.name) + " has another mesh than " +
+      inQuotes(base.name) +
       ": sizes must be surfaces of one connectivity, with the same curves along their edges");
   }
   for (std::size_t w = 0; w < std::min(mine.wires.size(), model.wires.size()); ++w)
@@ -110,14 +111,15 @@ Status checkAlike(const PatternSize& size, const PatternSize& base)
     if (wire.name != other.name || wire.type != other.type || wire.piece != other.piece ||
       wire.points != other.points)
     {
-      return invalid("the curve " + quoted(wire.name) + " of size " + quoted(size.name) +
-        " runs elsewhere than in " + quoted(base.name) + ", on piece " +
+      return invalidSizes("the curve " + inQuotes(wire.name) + " of size " + inQuotes(size.name) +
+        " runs elsewhere than in " + inQuotes(base.name) + ", on piece " +
         std::to_string(wire.piece + 1));
     }
   }
   if (mine.wires.size() != model.wires.size())
   {
-    return invalid("size " + quoted(size.name) + " has other curves than " + quoted(base.name));
+    return invalidSizes(
+      "size " + inQuotes(size.name) + " has other curves than " + inQuotes(base.name));
   }
   return {};
 }
@@ -140,7 +142,7 @@ Status checkSizes(
   }
   if (!options.base.empty() && sizes[base].name != options.base)
   {
-    return invalid("there is no size " + quoted(options.base) + "; there are " + names);
+    return invalidSizes("there is no size " + inQuotes(options.base) + "; there are " + names);
   }
   for (const PatternSize& size : sizes)
   {
@@ -161,8 +163,8 @@ Status checkSizes(
   }
   if (!options.alignment.empty() && curves.count(options.alignment) == 0)
   {
-    return invalid(
-      "no curve is named " + quoted(options.alignment) + "; the curves are " + listed(curves));
+    return invalidSizes(
+      "no curve is named " + inQuotes(options.alignment) + "; the curves are " + listed(curves));
   }
   return {};
 }

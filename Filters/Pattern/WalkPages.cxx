@@ -17,7 +17,7 @@ namespace pattern
 namespace
 {
 constexpr std::array<double, 2> paper{ 210.0, 297.0 };
-constexpr double margin = 15.0;
+constexpr double walkMargin = 15.0;
 constexpr double letters = 3.0;
 constexpr double lineFeed = 5.0;
 /// Where columns start; texts to the left of the fourth are cut to fit.
@@ -45,20 +45,20 @@ void drawWalkPages(const Pattern& pattern, cairo_surface_t* surface, cairo_t* co
 {
   cairo_pdf_surface_set_size(
     surface, pointsPerMillimetre * paper[0], pointsPerMillimetre * paper[1]);
-  const double top = margin + 14.0;
+  const double top = walkMargin + 14.0;
   for (std::size_t next = 1; next < pattern.walk.size();)
   {
     cairo_identity_matrix(context);
     cairo_scale(context, pointsPerMillimetre, pointsPerMillimetre);
     cairo_set_source_rgb(context, 0.0, 0.0, 0.0);
-    write(context, fitText("Walk of the seams: " + pattern.name, 5.0, paper[0] - 2.0 * margin),
-      margin, margin + 5.0, 5.0);
+    write(context, fitText("Walk of the seams: " + pattern.name, 5.0, paper[0] - 2.0 * walkMargin),
+      walkMargin, walkMargin + 5.0, 5.0);
     writeRow(context, pattern.walk.front(), top);
     cairo_set_line_width(context, 0.2);
-    cairo_move_to(context, margin, top + 1.5);
-    cairo_line_to(context, paper[0] - margin, top + 1.5);
+    cairo_move_to(context, walkMargin, top + 1.5);
+    cairo_line_to(context, paper[0] - walkMargin, top + 1.5);
     cairo_stroke(context);
-    for (double y = top + 1.5 * lineFeed; y < paper[1] - margin && next < pattern.walk.size();
+    for (double y = top + 1.5 * lineFeed; y < paper[1] - walkMargin && next < pattern.walk.size();
          y += lineFeed)
     {
       writeRow(context, pattern.walk[next++], y);

@@ -52,7 +52,7 @@ struct NumberedLeaf
 
 /// The leaves that are there, and how many surfaces there may be. A data set alone has the number
 /// 0.
-std::pair<std::vector<NumberedLeaf>, std::size_t> leavesOf(vtkDataObject* object)
+std::pair<std::vector<NumberedLeaf>, std::size_t> numberedLeaves(vtkDataObject* object)
 {
   std::vector<NumberedLeaf> leaves;
   auto* const tree = vtkDataObjectTree::SafeDownCast(object);
@@ -122,7 +122,7 @@ vtkMultiProcessController* processesOf(bool distributed)
 std::map<const vtkDataObject*, SurfaceOwners> ownersOf(
   vtkDataObject* surface, vtkMultiProcessController* processes)
 {
-  const auto [leaves, mine] = leavesOf(surface);
+  const auto [leaves, mine] = numberedLeaves(surface);
   // A block that another process has may not be there at all here.
   const auto last = static_cast<vtkIdType>(mine);
   vtkIdType count = last;

@@ -28,7 +28,7 @@ using pattern::GradeRule;
 using pattern::Grading;
 using pattern::SourceWire;
 
-Status invalid(const std::string& what)
+Status invalidSizes(const std::string& what)
 {
   return { StatusCode::InvalidPattern, "the sizes: " + what, {},
     { { Remedy::Give, "the output of vtkPatternGrading" } } };
@@ -88,7 +88,7 @@ Status readWires(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading&
     sizes->GetNumberOfTuples() != cells || ofPiece->GetNumberOfTuples() != cells ||
     data->GetNumberOfLines() != cells || !data->GetLines()->IsValid())
   {
-    return invalid("there are no lines with SizeId, PieceId and CurveName");
+    return invalidSizes("there are no lines with SizeId, PieceId and CurveName");
   }
   const auto lines = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
   for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
@@ -111,7 +111,7 @@ Status readWires(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading&
     if (wire.piece == none || count < 2 ||
       std::find(wire.points.begin(), wire.points.end(), none) != wire.points.end())
     {
-      return invalid("the line " + std::to_string(row) + " is of no piece or of no points");
+      return invalidSizes("the line " + std::to_string(row) + " is of no piece or of no points");
     }
     grading.wires.push_back(std::move(wire));
   }
@@ -129,7 +129,7 @@ Status readRules(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading&
   vtkDataArray* const deltas = numbers(data, "RuleDelta", rows, static_cast<int>(2 * sizes));
   if (rows > 0 && (!ofPiece || !ofPoint || !deltas))
   {
-    return invalid("RulePiece, RulePoint or RuleDelta is missing or has other rows");
+    return invalidSizes("RulePiece, RulePoint or RuleDelta is missing or has other rows");
   }
   for (vtkIdType row = 0; row < rows; ++row)
   {
@@ -139,7 +139,7 @@ Status readRules(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading&
     rule.point = indexBelow(ofPoint->GetComponent(row, 0), points);
     if (rule.piece == none || rule.point == none)
     {
-      return invalid("the rule " + std::to_string(row) + " is of no piece or of no point");
+      return invalidSizes("the rule " + std::to_string(row) + " is of no piece or of no point");
     }
     for (std::size_t s = 0; s < sizes; ++s)
     {
@@ -219,14 +219,14 @@ Status readGrading(vtkPolyData* data, Grading& grading)
   if (sizes < 1 || !base || !grains || grains->GetNumberOfTuples() != 1 ||
     data->GetNumberOfPoints() % sizes != 0 || data->GetNumberOfPoints() == 0)
   {
-    return invalid("SizeName, BaseSize or GrainDirection is missing or has other rows");
+    return invalidSizes("SizeName, BaseSize or GrainDirection is missing or has other rows");
   }
   const vtkIdType points = data->GetNumberOfPoints() / sizes;
   const vtkIdType pieces = grains->GetNumberOfComponents() / 2;
   const Index chosen = indexBelow(base->GetComponent(0, 0), sizes);
   if (chosen == none)
   {
-    return invalid("BaseSize is no size");
+    return invalidSizes("BaseSize is no size");
   }
   grading.base = static_cast<std::size_t>(chosen);
   for (vtkIdType s = 0; s < sizes; ++s)
@@ -238,7 +238,7 @@ Status readGrading(vtkPolyData* data, Grading& grading)
       const double* p = data->GetPoint(s * points + v);
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
       {
-        return invalid("a point is not finite");
+        return invalidSizes("a point is not finite");
       }
       laid.emplace_back(p[0], p[1]);
     }

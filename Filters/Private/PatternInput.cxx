@@ -33,7 +33,7 @@ using pattern::WireType;
 /// How far points of flat pieces may differ in z, as a share of their width.
 constexpr double flatness = 1e-6;
 
-Status invalid(const std::string& message)
+Status invalidPieces(const std::string& message)
 {
   return { StatusCode::InvalidPattern, message, {}, { Remedy::GiveFlatPieces } };
 }
@@ -46,7 +46,7 @@ Status checkRows(
   {
     if (array && (array->GetNumberOfTuples() < rows || array->GetNumberOfComponents() != 1))
     {
-      return invalid(std::string("the array ") + array->GetName() + " of " + owner + " has " +
+      return invalidPieces(std::string("the array ") + array->GetName() + " of " + owner + " has " +
         std::to_string(array->GetNumberOfTuples()) + " values of " +
         std::to_string(array->GetNumberOfComponents()) + " components for " + std::to_string(rows) +
         " rows");
@@ -71,8 +71,8 @@ Status checkFlatness(vtkPolyData* flat)
   const double size = std::max(box[1] - box[0], box[3] - box[2]);
   if (flat->GetNumberOfPoints() > 0 && !(height <= flatness * size))
   {
-    return invalid("the surface is not flat: it is " + std::to_string(height) + " high in z and " +
-      std::to_string(size) + " wide");
+    return invalidPieces("the surface is not flat: it is " + std::to_string(height) +
+      " high in z and " + std::to_string(size) + " wide");
   }
   return {};
 }
@@ -82,7 +82,7 @@ Status readSurface(vtkPolyData* flat, PatternSource& source)
   const vtkIdType points = flat->GetNumberOfPoints();
   if (points > std::numeric_limits<Index>::max())
   {
-    return invalid("the flat surface has more points than 2^31 - 1");
+    return invalidPieces("the flat surface has more points than 2^31 - 1");
   }
   Status status = checkFlatness(flat);
   if (!status.ok())
@@ -102,7 +102,7 @@ Status readSurface(vtkPolyData* flat, PatternSource& source)
   }
   if (!flat->GetPolys()->IsValid())
   {
-    return invalid("the cells of the flat surface do not fit the list of their corners");
+    return invalidPieces("the cells of the flat surface do not fit the list of their corners");
   }
   // Cell data starts with vertices and lines.
   const vtkIdType before = flat->GetNumberOfVerts() + flat->GetNumberOfLines();
@@ -115,14 +115,14 @@ Status readSurface(vtkPolyData* flat, PatternSource& source)
     const vtkIdType cell = before + cells->GetCurrentCellId();
     if (count != 3)
     {
-      return invalid("cell " + std::to_string(cell) + " of the flat surface is no triangle");
+      return invalidPieces("cell " + std::to_string(cell) + " of the flat surface is no triangle");
     }
     Triangle triangle{};
     for (std::size_t k = 0; k < 3; ++k)
     {
       if (ids[k] < 0 || ids[k] >= points)
       {
-        return invalid("cell " + std::to_string(cell) + " of the flat surface uses point " +
+        return invalidPieces("cell " + std::to_string(cell) + " of the flat surface uses point " +
           std::to_string(ids[k]) + ", which is not there");
       }
       triangle[k] = static_cast<Index>(ids[k]);
@@ -157,7 +157,7 @@ Status readWires(vtkPolyData* wires, PatternSource& source)
 {
   if (wires->GetNumberOfPoints() != static_cast<vtkIdType>(source.positions.size()))
   {
-    return invalid("the wires have " + std::to_string(wires->GetNumberOfPoints()) +
+    return invalidPieces("the wires have " + std::to_string(wires->GetNumberOfPoints()) +
       " points and the flat surface " + std::to_string(source.positions.size()) + "");
   }
   vtkCellData* data = wires->GetCellData();
@@ -174,7 +174,7 @@ Status readWires(vtkPolyData* wires, PatternSource& source)
   }
   if (!wires->GetLines()->IsValid())
   {
-    return invalid("the cells of the wires do not fit the list of their points");
+    return invalidPieces("the cells of the wires do not fit the list of their points");
   }
   auto lines = vtk::TakeSmartPointer(wires->GetLines()->NewIterator());
   for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
@@ -198,8 +198,8 @@ Status readWires(vtkPolyData* wires, PatternSource& source)
     {
       if (ids[k] < 0 || ids[k] >= wires->GetNumberOfPoints())
       {
-        return invalid("wire " + std::to_string(row) + " uses point " + std::to_string(ids[k]) +
-          ", which is not there");
+        return invalidPieces("wire " + std::to_string(row) + " uses point " +
+          std::to_string(ids[k]) + ", which is not there");
       }
       wire.points.push_back(static_cast<Index>(ids[k]));
     }
@@ -217,7 +217,7 @@ Status readSewnEdges(vtkPolyData* flat, PatternSource& source)
   }
   if (pairs->GetNumberOfComponents() < 4)
   {
-    return invalid("the array SeamPairs of the flat surface has fewer than 4 components");
+    return invalidPieces("the array SeamPairs of the flat surface has fewer than 4 components");
   }
   vtkDataArray* closed = flat->GetFieldData()->GetArray("SeamClosed");
   Status status = checkRows({ closed }, pairs->GetNumberOfTuples(), "the flat surface");
@@ -233,7 +233,7 @@ Status readSewnEdges(vtkPolyData* flat, PatternSource& source)
       const double id = pairs->GetComponent(row, k);
       if (!(id >= 0.0 && id < static_cast<double>(source.positions.size())))
       {
-        return invalid(
+        return invalidPieces(
           "row " + std::to_string(row) + " of SeamPairs uses a point that is not there");
       }
       ids[static_cast<std::size_t>(k)] = static_cast<Index>(id);
@@ -248,7 +248,7 @@ Status readCutSurface(vtkPolyData* cut, PatternSource& source)
 {
   if (cut->GetNumberOfPoints() != static_cast<vtkIdType>(source.positions.size()))
   {
-    return invalid("the cut surface has " + std::to_string(cut->GetNumberOfPoints()) +
+    return invalidPieces("the cut surface has " + std::to_string(cut->GetNumberOfPoints()) +
       " points and the flat surface " + std::to_string(source.positions.size()) + "");
   }
   for (vtkIdType v = 0; v < cut->GetNumberOfPoints(); ++v)
@@ -256,7 +256,7 @@ Status readCutSurface(vtkPolyData* cut, PatternSource& source)
     source.inSpace.emplace_back(cut->GetPoint(v));
     if (!isFinite(source.inSpace.back()))
     {
-      return invalid("point " + std::to_string(v) + " of the cut surface is not finite");
+      return invalidPieces("point " + std::to_string(v) + " of the cut surface is not finite");
     }
   }
   return {};

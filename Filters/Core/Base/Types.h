@@ -22,5 +22,7 @@ using Triangles = std::vector<Triangle>;
 
 inline constexpr Index none = -1;
 inline constexpr double pi = 3.141592653589793238462643383279502884;
+/// The larger part of a golden section.
+inline constexpr double goldenRatio = 0.618033988749894848204586834365638118;
 inline constexpr double degree = pi / 180.0; ///< in radians
 }

@@ -9,18 +9,13 @@ namespace flattening
 {
 namespace
 {
-bool opens(const FeatureCurve& curve)
-{
-  return curve.type == CurveType::Dart || curve.type == CurveType::Seam;
-}
-
 /// How many cuts run through each vertex.
 Indices countCuts(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
 {
   Indices cuts(mesh.vertexCount(), 0);
   for (const FeatureCurve& curve : curves)
   {
-    if (opens(curve))
+    if (curve.opens())
     {
       Indices own = curve.vertices;
       std::sort(own.begin(), own.end());
@@ -63,7 +58,7 @@ std::vector<ShortEnd> endsShortOfBoundary(
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     const Indices& chain = curves[c].vertices;
-    if (!opens(curves[c]) || curves[c].closed() || chain.size() < 2)
+    if (!curves[c].opens() || curves[c].closed() || chain.size() < 2)
     {
       continue;
     }

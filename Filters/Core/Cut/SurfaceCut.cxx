@@ -175,7 +175,7 @@ CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCu
   labels.curveOfHalfedge.assign(mesh.halfedgeCount(), none);
   for (const FeatureCurve& curve : curves)
   {
-    labels.opens.push_back(curve.type == CurveType::Dart || curve.type == CurveType::Seam);
+    labels.opens.push_back(curve.opens());
   }
   labels.status = followCurves(mesh, curves, labels.curveOfHalfedge);
   return labels;

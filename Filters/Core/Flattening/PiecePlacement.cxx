@@ -39,9 +39,9 @@ IsometricSolution warpWithoutFolding(
   if (worse(solution) && flippedBefore == 0)
   {
     // From a start without flips the energy with a barrier keeps it so.
-    IsometricOptions barrier = context.options.isometric;
-    barrier.energy.kind = DistortionEnergyKind::SymmetricDirichlet;
-    solution = warp(barrier);
+    IsometricOptions withBarrier = context.options.isometric;
+    withBarrier.energy.kind = DistortionEnergyKind::SymmetricDirichlet;
+    solution = warp(withBarrier);
   }
   if (worse(solution))
   {

@@ -16,7 +16,6 @@ namespace
 /// neighbours.
 constexpr int planes = 36;
 constexpr int planeHalvings = 40;
-constexpr double goldenRatio = 0.6180339887498949;
 
 /// How much longer a leg gets by a point.
 double detour(const SurfacePath& path, std::size_t leg, const Point3& point)

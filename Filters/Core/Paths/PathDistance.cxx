@@ -13,7 +13,6 @@ namespace flattening
 {
 namespace
 {
-constexpr double goldenRatio = 0.6180339887498949;
 constexpr int narrowings = 40;
 constexpr std::size_t mostFeet = 4;
 

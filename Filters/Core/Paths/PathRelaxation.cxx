@@ -11,7 +11,7 @@ namespace
 constexpr std::size_t fewestPoints = 8;
 constexpr int mostRelaxations = 6;
 /// Rounds that gain less are not worth their time.
-constexpr double leastGain = 1e-6;
+constexpr double leastShortening = 1e-6;
 
 /// Sections through points of the path at equal parts of its length, or half-way between these; not
 /// arrived where one of them does not.
@@ -59,7 +59,7 @@ SurfacePath relaxed(const TriangleMesh& mesh, const SnapDistance& snap, SurfaceP
       }
       SurfacePath joined = joinedBySections(mesh, snap, path, length, parts, round % 2 == 1);
       const double joinedLength = lengthOf(joined);
-      const bool gained = joined.arrived && joinedLength < (1.0 - leastGain) * length;
+      const bool gained = joined.arrived && joinedLength < (1.0 - leastShortening) * length;
       idle = gained ? 0 : idle + 1;
       if (gained)
       {

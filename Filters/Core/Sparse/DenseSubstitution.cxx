@@ -12,14 +12,14 @@ namespace flattening
 namespace
 {
 /// Columns that are taken together, so that what they meet is loaded once for all.
-constexpr Index panelWidth = 4;
+constexpr Index columnsOfPanel = 4;
 /// Sums of a dot product, of every eighth row each: the same for every width of instructions.
 constexpr Index lanes = 8;
 
 /// Columns, each from its first row below the panel.
 template <typename Value>
-using Panel = std::array<const Value*, panelWidth>;
-using PanelNumbers = std::array<double, panelWidth>;
+using Panel = std::array<const Value*, columnsOfPanel>;
+using PanelNumbers = std::array<double, columnsOfPanel>;
 
 #if defined(__GNUC__)
 /// As many rows of to -= columns times c, from one on, as whole vectors cover. \return the next row
@@ -32,9 +32,9 @@ FLATTENING_INLINE Index subtractRows(
   for (; i + width <= count; i += width)
   {
     Vector value;
-    Vector rows[panelWidth]; // NOLINT(modernize-avoid-c-arrays): stays in registers
+    Vector rows[columnsOfPanel]; // NOLINT(modernize-avoid-c-arrays): stays in registers
     load(to + i, value);
-    for (Index k = 0; k < panelWidth; ++k)
+    for (Index k = 0; k < columnsOfPanel; ++k)
     {
       load(column[k] + i, rows[k]);
     }
@@ -111,7 +111,7 @@ void multiplyOneByOne(
   products.fill(0.0);
   for (Index i = 0; i < count; ++i)
   {
-    for (Index k = 0; k < panelWidth; ++k)
+    for (Index k = 0; k < columnsOfPanel; ++k)
     {
       products[k] += column[k][i] * x[i];
     }
@@ -159,7 +159,7 @@ template <typename Value>
 __attribute__((target("avx2"))) void multiplyByFour(
   const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
 {
-  multiply<FourNumbers, panelWidth>(column.data(), x, count, products.data());
+  multiply<FourNumbers, columnsOfPanel>(column.data(), x, count, products.data());
 }
 
 template <typename Value>
@@ -175,7 +175,7 @@ template <typename Value>
 __attribute__((target("avx512f"))) void multiplyByEight(
   const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
 {
-  multiply<EightNumbers, panelWidth>(column.data(), x, count, products.data());
+  multiply<EightNumbers, columnsOfPanel>(column.data(), x, count, products.data());
 }
 #endif
 
@@ -207,7 +207,7 @@ template <typename Value>
 Panel<Value> below(const FrontColumns<const Value>& front, Index begin, Index end)
 {
   Panel<Value> panel{};
-  for (Index k = 0; k < panelWidth; ++k)
+  for (Index k = 0; k < columnsOfPanel; ++k)
   {
     panel[k] = front.column(std::min(begin + k, end - 1)) + end;
   }
@@ -218,9 +218,9 @@ template <typename Value>
 void forward(const FrontColumns<const Value>& front, FrontVectors& w)
 {
   static const Subtract<Value> subtract = widestSubtract<Value>();
-  for (Index begin = 0; begin < front.columns; begin += panelWidth)
+  for (Index begin = 0; begin < front.columns; begin += columnsOfPanel)
   {
-    const Index end = std::min(begin + panelWidth, front.columns);
+    const Index end = std::min(begin + columnsOfPanel, front.columns);
     const Panel<Value> panel = below(front, begin, end);
     for (Index c = 0; c < w.cols(); ++c)
     {
@@ -246,7 +246,7 @@ void backward(const FrontColumns<const Value>& front, FrontVectors& w)
   const Multiply<Value> multiply = front.size < lanes ? multiplyOneByOne<Value> : widest;
   for (Index end = front.columns; end > 0;)
   {
-    const Index begin = (end - 1) / panelWidth * panelWidth;
+    const Index begin = (end - 1) / columnsOfPanel * columnsOfPanel;
     const Panel<Value> panel = below(front, begin, end);
     for (Index c = 0; c < w.cols(); ++c)
     {

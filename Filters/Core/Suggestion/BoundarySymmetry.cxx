@@ -15,7 +15,7 @@ constexpr double smoothing = 0.015;
 constexpr double alike = 0.9;
 /// Axes that are considered, and how far they lie apart at least, as a share of all.
 constexpr std::size_t mostAxes = 8;
-constexpr Index apart = samples / 32;
+constexpr Index axesApart = samples / 32;
 constexpr int mostRefinements = 3;
 
 /// The boundary of length 1.
@@ -145,7 +145,7 @@ std::vector<double> boundaryAxes(const TriangleMesh& mesh)
   {
     const bool near = std::any_of(chosen.begin(), chosen.end(), [&](Index other) {
       const Index between = std::abs(sum - other);
-      return std::min(between, samples - between) < apart;
+      return std::min(between, samples - between) < axesApart;
     });
     if (near || chosen.size() >= mostAxes)
     {

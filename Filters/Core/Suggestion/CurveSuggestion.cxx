@@ -18,9 +18,6 @@ namespace flattening
 {
 namespace
 {
-/// Mirror images this near to the surface, in sqrt(area / pi), are exact: then cuts are mirrored
-/// whatever it costs.
-constexpr double exactMirror = 1e-9;
 /// How much better cuts must be that are not mirrored.
 constexpr double mirrorWorth = 1.2;
 /// Up to so many cuts are searched for once.
@@ -130,7 +127,7 @@ private:
   {
     // A mirror that holds only nearly is no reason to keep a single cut to its axis.
     const bool alone = this->Options.search.maximumCuts == 1 && this->Result.mirror &&
-      this->Result.mirror->intrinsic() && this->Result.mirror->error > exactMirror;
+      this->Result.mirror->intrinsic() && this->Result.mirror->error > SurfaceMirror::exact;
     const bool mirrored = this->Result.mirror.has_value() && !alone;
     std::vector<Way> all{ { SearchGoal::Energy, mirrored, 1.0 } };
     if (this->Options.search.maximumCuts <= singleSearch)
@@ -144,7 +141,7 @@ private:
       all.push_back({ SearchGoal::Strain, mirrored, 1.0 });
     }
     all.push_back({ SearchGoal::Energy, mirrored, 2.5 });
-    if (mirrored && this->Result.mirror->error > exactMirror)
+    if (mirrored && this->Result.mirror->error > SurfaceMirror::exact)
     {
       const std::size_t count = all.size();
       for (std::size_t k = 0; k < count; ++k)

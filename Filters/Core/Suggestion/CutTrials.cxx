@@ -18,11 +18,6 @@ constexpr double mostStrain = 2.0;
 /// How often a step of an iteration asks whether to go on, in the mean of many flattenings.
 constexpr double askedPerStep = 11.0;
 
-bool isCut(const FeatureCurve& curve)
-{
-  return curve.type == CurveType::Dart || curve.type == CurveType::Seam;
-}
-
 /// Whether one of the curves from `first` on meets a key curve anywhere but at the boundary.
 bool touchesKey(const ImprintedSurface& surface, std::size_t first)
 {
@@ -141,7 +136,7 @@ bool crossesItself(const ImprintedSurface& surface, std::size_t first)
   for (std::size_t c = 0; c < surface.curves.size(); ++c)
   {
     const FeatureCurve& curve = surface.curves[c];
-    for (std::size_t k = 1; k < curve.vertices.size() && isCut(curve); ++k)
+    for (std::size_t k = 1; k < curve.vertices.size() && curve.opens(); ++k)
     {
       Index h = surface.mesh.find(curve.vertices[k - 1], curve.vertices[k]);
       const Index back = surface.mesh.find(curve.vertices[k], curve.vertices[k - 1]);

@@ -13,7 +13,7 @@ namespace flattening
 namespace
 {
 /// No triangle counts for more.
-constexpr double mostStrain = 1.0;
+constexpr double mostScale = 1.0;
 /// Axes are compared by about so many triangles.
 constexpr Index triangleSamples = 150;
 
@@ -131,8 +131,8 @@ double IntrinsicMirror::strainOf(Index triangle) const
   const Eigen::Matrix2d ratio = before.inverse() * after;
   const double mean = 0.5 * ratio.trace();
   const double spread = std::sqrt(std::max(0.0, mean * mean - ratio.determinant()));
-  const double small = std::max(mean - spread, std::exp(-2.0 * mostStrain));
-  return std::min(mostStrain,
+  const double small = std::max(mean - spread, std::exp(-2.0 * mostScale));
+  return std::min(mostScale,
     0.5 * std::max(std::abs(std::log(small)), std::abs(std::log(std::max(mean + spread, small)))));
 }
 

@@ -14,13 +14,13 @@ namespace
 constexpr Index coarseTriangles = 500;
 
 /// Energies to compare trials by are known to five digits long before the last iterations.
-constexpr double tolerance = 1e-3;
+constexpr double enoughToCompare = 1e-3;
 constexpr double lengthTolerance = 1e-4;
 
 FlatteningOptions roughly(FlatteningOptions options, bool unsettled)
 {
   options.isometric.rough = unsettled;
-  options.isometric.tolerance = std::max(options.isometric.tolerance, tolerance);
+  options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
   options.isometric.lengthTolerance = lengthTolerance;
   return options;
 }

@@ -7,11 +7,6 @@ namespace flattening
 {
 namespace
 {
-bool isCut(const FeatureCurve& curve)
-{
-  return curve.type == CurveType::Dart || curve.type == CurveType::Seam;
-}
-
 /// Collects the stretches of curves on one piece.
 class StretchFinder
 {
@@ -59,14 +54,14 @@ private:
       const Index right = this->local(this->Surface.mesh.find(b, a));
       const Index h = forward ? left : right;
       const bool bounds = h != none && this->Subject.mesh.twin(h) == none;
-      if (h == none || (!forward && !bounds) || (isCut(curve) && bounds && curve.tolerance == 0.0))
+      if (h == none || (!forward && !bounds) || (curve.opens() && bounds && curve.tolerance == 0.0))
       {
         last = none;
         continue;
       }
       const Index from = forward ? this->Subject.mesh.from(h) : this->Subject.mesh.to(h);
       const Index to = forward ? this->Subject.mesh.to(h) : this->Subject.mesh.from(h);
-      const bool bank = isCut(curve) && bounds;
+      const bool bank = curve.opens() && bounds;
       const CurveType type = bank ? CurveType::Accessory : curve.type;
       if (last != from || this->Found.back().type != type)
       {

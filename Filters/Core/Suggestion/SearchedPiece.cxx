@@ -11,10 +11,8 @@ namespace flattening
 {
 namespace
 {
-/// Mirror images this near to the surface, in sqrt(area / pi), are taken as they are.
-constexpr double exactMirror = 1e-9;
 /// Ends of lines this near to a vertex, in mean edge lengths, move onto it.
-constexpr double snapFraction = 1e-3;
+constexpr double snapOfSize = 1e-3;
 /// Mean distance of mirrored vertices, in sqrt(area / pi), up to which a piece is its own image.
 constexpr double ownImage = 1e-2;
 /// How far darts inside stay from the boundary, in sqrt(area / pi).
@@ -69,7 +67,8 @@ void SearchedPiece::findMirrorVertices()
     worst = std::max(worst, closest.distance);
   }
   // Vertices may have their images among them, and triangles not.
-  for (Index h = 0; h < this->Mesh.halfedgeCount() && worst < exactMirror * this->Size; ++h)
+  for (Index h = 0; h < this->Mesh.halfedgeCount() && worst < SurfaceMirror::exact * this->Size;
+       ++h)
   {
     const Point3 middle =
       0.5 * (this->Mesh.point(this->Mesh.from(h)) + this->Mesh.point(this->Mesh.to(h)));
@@ -86,7 +85,7 @@ void SearchedPiece::findMirrorVertices()
 
 bool SearchedPiece::mirrorIsExact() const
 {
-  return this->Mirror && this->Mirror->error < exactMirror;
+  return this->Mirror && this->Mirror->error < SurfaceMirror::exact;
 }
 
 double SearchedPiece::worth(const BoundaryPlace& place) const
@@ -122,8 +121,7 @@ BoundaryPlace SearchedPiece::mirrored(const BoundaryPlace& place) const
 
 SurfacePoint SearchedPiece::surfacePoint(const Point3& point) const
 {
-  return snapToMesh(
-    this->Mesh, SnapDistance(this->Mesh, snapFraction), this->Locator.closest(point));
+  return snapToMesh(this->Mesh, SnapDistance(this->Mesh, snapOfSize), this->Locator.closest(point));
 }
 
 Points3 SearchedPiece::straightLine(

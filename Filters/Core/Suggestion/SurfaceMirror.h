@@ -22,6 +22,9 @@ public:
   {
   }
 
+  /// Mirror images this near to the surface, in sqrt(area / pi), are taken as they are.
+  static constexpr double exact = 1e-9;
+
   /// Nothing where the mirror is an intrinsic one.
   const std::optional<SymmetryPlane>& plane() const { return this->Plane; }
   /// Null where it is a plane.

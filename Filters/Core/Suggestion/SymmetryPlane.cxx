@@ -13,7 +13,7 @@ namespace flattening
 {
 namespace
 {
-constexpr int mostRefinements = 10;
+constexpr int mostPlaneRefinements = 10;
 /// About so many vertices are mirrored.
 constexpr Index vertexSamples = 500;
 /// Mirrored vertices that are this near, in sqrt(area / pi), need no refinement.
@@ -66,7 +66,7 @@ private:
     std::vector<ClosestPoint> closest;
     SymmetryPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 }, closest);
     SymmetryPlane plane = best;
-    for (int step = 0; step < mostRefinements && best.error > exactly; ++step)
+    for (int step = 0; step < mostPlaneRefinements && best.error > exactly; ++step)
     {
       if (step == fewRefinements && best.error > hopeless * tolerance)
       {

@@ -37,6 +37,8 @@ struct FeatureCurve
   /// As many points as vertices, where keyShape is Planar.
   Points2 planarShape;
 
+  /// Whether the surface is cut along it.
+  bool opens() const { return this->type == CurveType::Dart || this->type == CurveType::Seam; }
   bool closed() const
   {
     return this->vertices.size() > 2 && this->vertices.front() == this->vertices.back();
