@@ -28,14 +28,22 @@ def options_of(command):
     return tuple(word for k, word in enumerate(words) if k not in left_out and word not in ("-Winvalid-pch", "-MD"))
 
 
+def sources_of(path):
+    """A source, or those that CMake has put into one."""
+    if re.fullmatch(r"unity_\w+_cxx\.cxx", path.name):
+        included = re.findall(r'^#include "([^"]+)"', path.read_text(encoding="utf-8"), re.MULTILINE)
+        return [pathlib.Path(name).resolve() for name in included]
+    return [path]
+
+
 def commands_of(build, *folders):
     """The compile command of each source of the folders that the build compiles, by its name."""
     tracked = set(cxx_files(*folders))
     commands = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
-        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
-        if ROOT in path.parents and str(path.relative_to(ROOT)) in tracked:
-            commands[str(path.relative_to(ROOT))] = entry["command"]
+        for path in sources_of(pathlib.Path(entry["directory"], entry["file"]).resolve()):
+            if ROOT in path.parents and str(path.relative_to(ROOT)) in tracked:
+                commands[str(path.relative_to(ROOT))] = entry["command"]
     return commands
 
 
