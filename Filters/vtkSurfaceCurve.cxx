@@ -129,7 +129,7 @@ Status replaceCurve(const DrawingSurface& surface, const std::optional<MirrorPla
     if (!status.refused())
     {
       part.traits = drawn.traits;
-      status = drawNewCurve(surface, mirror, part);
+      status = drawCurve(surface, mirror, nullptr, part);
       curves.push_back(std::move(part));
     }
   }

@@ -7,6 +7,7 @@
 #include "Paths/SurfaceSpline.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace flattening
 {
@@ -51,15 +52,6 @@ const SurfacePath* keptSegment(const EditedCurve& before, const EditedCurve& cur
     }
   }
   return nullptr;
-}
-
-/// Where a segment ran before one of its nodes was moved.
-const SurfacePath* hintFor(const EditedCurve& before, const EditedCurve& curve, std::size_t s)
-{
-  return before.nodes.size() == curve.nodes.size() && before.closed == curve.closed &&
-      before.kinds[s] == curve.kinds[s]
-    ? &before.segments[s]
-    : nullptr;
 }
 
 /// What can only be drawn as a whole: a spline through all nodes, and a measuring tape of two or
@@ -161,14 +153,19 @@ DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const 
 Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
   const EditedCurve* before, EditedCurve& curve)
 {
-  curve.segments.clear();
+  const std::size_t count = segmentCount(curve.nodes.size(), curve.closed);
+  std::vector<SurfacePath> hints = std::exchange(curve.segments, {});
+  if (hints.size() != count)
+  {
+    hints.assign(count, SurfacePath());
+  }
   curve.image.clear();
   const WholeCurve whole = drawWhole(surface, curve, curve.nodes);
   if (whole.status.refused())
   {
     return whole.status;
   }
-  for (std::size_t s = 0; s < segmentCount(curve.nodes.size(), curve.closed); ++s)
+  for (std::size_t s = 0; s < count; ++s)
   {
     if (isOfWhole(whole, curve, s))
     {
@@ -181,7 +178,7 @@ Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>
       continue;
     }
     DrawnSegment drawn = drawSegment(surface, curve.kinds[s], curve.nodes[s],
-      curve.nodes[(s + 1) % curve.nodes.size()], before ? hintFor(*before, curve, s) : nullptr);
+      curve.nodes[(s + 1) % curve.nodes.size()], hints[s].points.empty() ? nullptr : &hints[s]);
     if (drawn.status.refused())
     {
       return drawn.status;
@@ -189,14 +186,5 @@ Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>
     curve.segments.push_back(std::move(drawn.path));
   }
   return curve.traits.mirrored && mirror ? drawImage(surface, *mirror, curve) : Status();
-}
-
-Status drawNewCurve(
-  const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror, EditedCurve& curve)
-{
-  EditedCurve before = curve;
-  const bool hints = before.segments.size() == before.kinds.size();
-  before.nodes.assign(curve.nodes.size(), SurfacePoint()); // none is as it was
-  return drawCurve(surface, mirror, hints ? &before : nullptr, curve);
 }
 }

@@ -20,13 +20,9 @@ struct DrawnSegment
 DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const SurfacePoint& from,
   const SurfacePoint& to, const SurfacePath* hint = nullptr);
 
-/// Draws the curve's segments, and its image where there is a plane. What is as in the curve before
+/// Draws the curve's segments, and its image where there is a plane. The segments that it holds,
+/// where they are as many as it has, are hints, but for empty ones. What is as in the curve before
 /// is taken over. \param before may be null. Errors: as above.
 Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
   const EditedCurve* before, EditedCurve& curve);
-
-/// Draws a curve that is new; what it holds of segments, where they are as many as it has, are
-/// hints. Errors: as above.
-Status drawNewCurve(
-  const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror, EditedCurve& curve);
 }

@@ -109,7 +109,7 @@ Status CurveEditor::addAll(std::vector<EditedCurve> curves)
       curve.closed = curve.closed && canBeClosed(curve);
       curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
       curve.traits.name = freeName(next, curve.traits.name);
-      own = drawNewCurve(*this->Surface, next.mirror, curve);
+      own = drawCurve(*this->Surface, next.mirror, nullptr, curve);
       if (own.refused())
       {
         return own;
@@ -220,6 +220,7 @@ Status CurveEditor::setKind(std::size_t c, std::size_t segment, SegmentKind kind
     }
     EditedCurve changed = this->curve(c);
     changed.kinds[segment] = kind;
+    changed.segments[segment] = {}; // is no hint to one of another kind
     return this->replace(c, std::move(changed));
   });
 }

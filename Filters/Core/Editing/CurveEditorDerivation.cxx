@@ -126,7 +126,7 @@ Status CurveEditor::tighten(std::size_t c)
       return tight.status;
     }
     EditedCurve changed = std::move(tight.curves.front());
-    status = drawNewCurve(*this->Surface, this->state().mirror, changed);
+    status = drawCurve(*this->Surface, this->state().mirror, nullptr, changed);
     if (!status.refused())
     {
       this->put(c, std::move(changed));

@@ -9,8 +9,8 @@
 
 namespace flattening
 {
-/// What edits make of a curve's nodes and of the kinds of its segments. The segments themselves are
-/// left to be drawn.
+/// What edits make of a curve's nodes and of the kinds of its segments. The segments are those that
+/// there were, cut and joined: hints to drawCurve(), and empty where there was none.
 
 template <typename Value>
 typename std::vector<Value>::iterator at(std::vector<Value>& values, std::size_t k)
