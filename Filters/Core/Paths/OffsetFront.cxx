@@ -119,7 +119,8 @@ void OffsetFront::startSectors(
   const SurfacePoint& point, double last, double first, double before, bool own)
 {
   const PointDirections around(this->Mesh, point);
-  const double count = std::ceil((last - first) / widestSector);
+  // A cap is three of the widest, and may not become four by rounding.
+  const double count = std::ceil((last - first) / widestSector - slack);
   for (double k = 0.0; k < count; k += 1.0)
   {
     const double step = (last - first) / count;

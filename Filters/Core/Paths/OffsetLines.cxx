@@ -28,6 +28,9 @@ constexpr double atSide = 1e-12; // of a triangle's height
 /// they meet beyond the triangle.
 constexpr double widestArc = 4.0 * pi / 180.0;
 constexpr int halvings = 6;
+/// Where rounding would decide how often: parts of an arc, and of a triangle's side.
+constexpr double equalArcs = 1e-9;
+constexpr double besideTriangle = 1e-9;
 /// Ends of lines nearer to each other, as a fraction of the distance, are one; and of the greatest
 /// coordinate, for those far from the origin.
 constexpr double sameEnd = 1e-7;
@@ -144,7 +147,7 @@ private:
     std::vector<Point2> places{ track.at(part.from) };
     if (track.isArc())
     {
-      double count = std::max(1.0, std::ceil((part.to - part.from) / widestArc));
+      double count = std::max(1.0, std::ceil((part.to - part.from) / widestArc - equalArcs));
       for (int k = 0; k < halvings && !this->tangentsMeetInside(track, part, count); ++k)
       {
         count *= 2.0;
@@ -174,7 +177,8 @@ private:
       for (Index side = 0; side < 3; ++side)
       {
         const Point2& corner = this->Flat.corner(side);
-        if (cross(this->Flat.corner(side + 1) - corner, place - corner) < 0.0)
+        const Point2 along = this->Flat.corner(side + 1) - corner;
+        if (cross(along, place - corner) < -besideTriangle * along.squaredNorm())
         {
           return false;
         }
