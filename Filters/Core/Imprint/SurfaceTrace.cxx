@@ -26,11 +26,12 @@ class SectionWalk
 {
 public:
   SectionWalk(const TriangleMesh& mesh, const SnapDistance& snap, const SurfacePoint& end,
-    const Point3& normal)
+    const Point3& normal, double longest)
     : Mesh(mesh)
     , Snap(snap)
     , End(end)
     , Normal(normal)
+    , Left(longest)
   {
   }
 
@@ -78,6 +79,7 @@ private:
 
   void push(const SurfacePoint& point, Index triangle)
   {
+    this->Left -= (point.position - this->Path.points.back().position).norm();
     this->Path.points.push_back(point);
     this->Path.triangles.push_back(triangle);
   }
@@ -85,7 +87,7 @@ private:
   bool finish(Index triangle)
   {
     this->push(this->End, triangle);
-    this->Path.arrived = true;
+    this->Path.arrived = this->Left >= 0.0;
     return false;
   }
 
@@ -154,9 +156,9 @@ private:
       const double s = this->fraction(h);
       this->push(edgePoint(this->Mesh, low, low == h ? s : 1.0 - s), triangle);
       const Index entry = this->Mesh.twin(h);
-      if (entry == none)
+      if (entry == none || this->Left < 0.0)
       {
-        this->Path.atBoundary = true;
+        this->Path.atBoundary = entry == none;
         return false;
       }
       triangle = entry / 3;
@@ -252,6 +254,7 @@ private:
   Point3 Plane = Point3::Zero();
   Point3 Anchor = Point3::Zero();
   double Rounding = 0.0;
+  double Left; ///< of the length that it may have
   std::unordered_set<Index> Visited;
   SurfacePath Path;
 };
@@ -268,7 +271,7 @@ double lengthOf(const SurfacePath& path)
 }
 
 SurfacePath traceSegment(const TriangleMesh& mesh, const SnapDistance& snap,
-  const SurfacePoint& start, const SurfacePoint& end)
+  const SurfacePoint& start, const SurfacePoint& end, double longest)
 {
   const Point3 atStart = normalAt(mesh, start);
   const Point3 atEnd = normalAt(mesh, end);
@@ -282,8 +285,9 @@ SurfacePath traceSegment(const TriangleMesh& mesh, const SnapDistance& snap,
     {
       continue;
     }
-    SurfacePath path = SectionWalk(mesh, snap, end, normal / size).run(start);
-    if (path.arrived)
+    SurfacePath path = SectionWalk(mesh, snap, end, normal / size, longest).run(start);
+    // Where one is too long, which of the others is not would depend on the direction.
+    if (path.arrived || lengthOf(path) > longest)
     {
       return path;
     }

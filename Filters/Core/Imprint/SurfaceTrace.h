@@ -3,6 +3,8 @@
 
 #include "Imprint/SurfacePoint.h"
 
+#include <limits>
+
 namespace flattening
 {
 /// A path over the surface, straight in each triangle.
@@ -22,7 +24,9 @@ double lengthOf(const SurfacePath& path);
 /// ends and the surface's normal there (the mean of both; where that fails, that at one end, or
 /// sideways). In one triangle it is the straight segment itself.
 ///
-/// A section that passes a vertex within the snap distance goes through the vertex.
+/// A section that passes a vertex within the snap distance goes through the vertex. One that gets
+/// longer than `longest` does not arrive.
 SurfacePath traceSegment(const TriangleMesh& mesh, const SnapDistance& snap,
-  const SurfacePoint& start, const SurfacePoint& end);
+  const SurfacePoint& start, const SurfacePoint& end,
+  double longest = std::numeric_limits<double>::infinity());
 }

@@ -6,6 +6,7 @@
 #include "Paths/StripUnfolding.h"
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 namespace flattening
@@ -36,13 +37,19 @@ public:
   {
   }
 
-  Indices run()
+  /// Whether it came to its end.
+  bool run(std::size_t mostUnfolded)
   {
     while (this->pass())
     {
+      if (this->Unfolded > mostUnfolded)
+      {
+        return false;
+      }
     }
-    return std::move(this->Bent);
+    return true;
   }
+  Indices bent() { return std::move(this->Bent); }
 
 private:
   /// Whether knot k has to be led round, and then its sharper side.
@@ -158,6 +165,7 @@ private:
     }
     const SurfacePoint& start = c.knots[first];
     const SurfacePoint& end = c.knots[last];
+    this->Unfolded += crossed.size();
     crossed = reducedStrip(this->Mesh, start, crossed, end);
     PathCourse tight;
     if (crossed.empty() && samePlace(start, end))
@@ -182,11 +190,17 @@ private:
   const TriangleMesh& Mesh;
   PathCourse& Course;
   std::size_t Left;                    ///< turns
+  std::size_t Unfolded = 0;            ///< half-edges
   std::vector<char> Fresh;             ///< knots whose legs have changed since they were looked at
   std::vector<KnotSide> Sides;         ///< of a run of sharp knots
   std::unordered_map<Index, int> Idle; ///< turns that did not make the path shorter
   Indices Bent;                        ///< sharp knots that are left
 };
+
+std::size_t enoughTurns(const TriangleMesh& mesh)
+{
+  return fewestTurns + turnsPerVertex * static_cast<std::size_t>(mesh.vertexCount());
+}
 
 /// The half-edge of an edge that lies in the triangle.
 Index halfedgeIn(const TriangleMesh& mesh, Index edge, Index triangle)
@@ -216,13 +230,23 @@ void appendKnot(
 
 Indices straighten(const TriangleMesh& mesh, PathCourse& course)
 {
-  const auto vertices = static_cast<std::size_t>(mesh.vertexCount());
-  return straighten(mesh, course, fewestTurns + turnsPerVertex * vertices);
+  return straighten(mesh, course, enoughTurns(mesh));
 }
 
 Indices straighten(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns)
 {
-  return Straightening(mesh, course, mostTurns).run();
+  Straightening straightening(mesh, course, mostTurns);
+  straightening.run(std::numeric_limits<std::size_t>::max());
+  return straightening.bent();
+}
+
+bool straightenAWhile(
+  const TriangleMesh& mesh, PathCourse& course, std::size_t mostUnfolded, Indices& bent)
+{
+  Straightening straightening(mesh, course, enoughTurns(mesh));
+  const bool ended = straightening.run(mostUnfolded);
+  bent = straightening.bent();
+  return ended;
 }
 
 PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path)

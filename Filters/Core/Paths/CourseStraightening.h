@@ -19,6 +19,10 @@ inline constexpr double straightAngle = 5e-10;
 Indices straighten(const TriangleMesh& mesh, PathCourse& course);
 /// As above. \param mostTurns how often the course is led round a vertex
 Indices straighten(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns);
+/// As the first, but only until it has unfolded so many half-edges, where it takes more.
+/// \return whether it came to its end
+bool straightenAWhile(
+  const TriangleMesh& mesh, PathCourse& course, std::size_t mostUnfolded, Indices& bent);
 
 /// A course along points of which each two neighbours lie in the triangle between them.
 PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path);

@@ -14,12 +14,13 @@ constexpr int mostRelaxations = 6;
 constexpr double leastShortening = 1e-6;
 
 /// Sections through points of the path at equal parts of its length, or half-way between these; not
-/// arrived where one of them does not.
+/// arrived where one of them does not, or they come to be longer than the path.
 SurfacePath joinedBySections(const TriangleMesh& mesh, const SnapDistance& snap,
   const SurfacePath& path, double length, std::size_t parts, bool between)
 {
   SurfacePath joined;
   joined.points.push_back(path.points.front());
+  double joinedLength = 0.0;
   double done = 0.0;
   double next = (between ? 0.5 : 1.0) / static_cast<double>(parts);
   for (std::size_t i = 1; i < path.points.size(); ++i)
@@ -29,7 +30,9 @@ SurfacePath joinedBySections(const TriangleMesh& mesh, const SnapDistance& snap,
     {
       continue;
     }
-    const SurfacePath section = traceSegment(mesh, snap, joined.points.back(), path.points[i]);
+    const SurfacePath section =
+      traceSegment(mesh, snap, joined.points.back(), path.points[i], length - joinedLength);
+    joinedLength += lengthOf(section);
     if (!section.arrived)
     {
       return {};

@@ -3,6 +3,7 @@
 
 #include "Base/Memory.h"
 #include "Paths/CourseStraightening.h"
+#include "Paths/PathDevelopment.h"
 #include "Paths/PathPoints.h"
 #include "Paths/PathRelaxation.h"
 
@@ -15,6 +16,13 @@ namespace
 {
 /// Of two ways that are equally long but for rounding, that of the search is taken in every unit.
 constexpr double surelyShorter = 1.0 - 1e-10;
+/// How many half-edges drawing a path tight may unfold, a millisecond's work, before its
+/// development is tried, and how many times more where that gained no more than this fraction of
+/// its length.
+constexpr std::size_t fewUnfolded = 20000;
+constexpr std::size_t lossOfPatience = 4;
+constexpr double leastGain = 1e-4;
+constexpr double manyKnots = 0.05; // for each edge crossed
 
 Status checkEnds(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
@@ -63,6 +71,40 @@ StraightPath drawnTight(const TriangleMesh& mesh, PathCourse course)
   return result;
 }
 
+/// Whether a course goes through so many vertices that they hold it, as on the inside of a bend.
+bool isHeld(const PathCourse& course)
+{
+  std::size_t crossed = 0;
+  for (const PathLeg& leg : course.legs)
+  {
+    crossed += leg.crossed.size();
+  }
+  return static_cast<double>(course.knots.size()) > manyKnots * static_cast<double>(crossed);
+}
+
+/// A course that is not far from tight. Drawing tight moves a path by a row of vertices at a time;
+/// one that has farther to go is moved by its development, where that helps.
+PathCourse drawnNearlyTight(
+  const TriangleMesh& mesh, const SnapDistance& snap, const SurfacePath& start)
+{
+  PathCourse course = courseAlong(mesh, start);
+  std::size_t patience = fewUnfolded;
+  Indices bent;
+  while (!straightenAWhile(mesh, course, patience, bent))
+  {
+    double gain = 0.0;
+    if (!isHeld(course))
+    {
+      const SurfacePath path = pathAlong(mesh, course);
+      const SurfacePath moved = developed(mesh, snap, path);
+      gain = 1.0 - lengthOf(moved) / lengthOf(path);
+      course = gain > 0.0 ? courseAlong(mesh, moved) : std::move(course);
+    }
+    patience *= gain > leastGain ? 1 : lossOfPatience;
+  }
+  return course;
+}
+
 StraightPath notJoined()
 {
   StraightPath result;
@@ -83,12 +125,13 @@ StraightPath fromSearch(PathSearch& search, const SurfacePoint& to)
     return notJoined();
   }
   SurfacePath start = pathAlong(mesh, way);
-  SurfacePath section = traceSegment(mesh, snap, search.source(), to);
-  if (section.arrived && lengthOf(section) < surelyShorter * lengthOf(start))
+  SurfacePath section =
+    traceSegment(mesh, snap, search.source(), to, surelyShorter * lengthOf(start));
+  if (section.arrived)
   {
     start = std::move(section);
   }
-  return drawnTight(mesh, courseAlong(mesh, relaxed(mesh, snap, std::move(start))));
+  return drawnTight(mesh, drawnNearlyTight(mesh, snap, relaxed(mesh, snap, std::move(start))));
 }
 
 StraightPath byEdges(PathSearch& search, const SurfacePoint& to)

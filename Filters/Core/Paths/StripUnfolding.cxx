@@ -43,6 +43,7 @@ public:
   {
     Index halfedge;
     Complex direction; ///< of the half-edge, of length 1
+    double length;     ///< of the half-edge
     Complex right;     ///< its start, as one who leaves by it sees it
     Complex left;
   };
@@ -53,7 +54,8 @@ public:
   {
     this->Portals.reserve(crossed.size());
     const Complex first = placeBeside(mesh, crossed[0], start.position);
-    this->Portals.push_back({ crossed[0], 1.0, -first, mesh.length(crossed[0]) - first });
+    const double length = mesh.length(crossed[0]);
+    this->Portals.push_back({ crossed[0], 1.0, length, -first, length - first });
     for (std::size_t i = 1; i < crossed.size(); ++i)
     {
       this->unfold(crossed[i]);
@@ -83,16 +85,20 @@ private:
   {
     const Portal before = this->Portals.back();
     const Index entry = this->Mesh.twin(before.halfedge);
-    const Index apex = this->Mesh.from(TriangleMesh::previous(entry));
-    const Complex local = placeBeside(this->Mesh, entry, this->Mesh.point(apex));
+    const Point3& apex = this->Mesh.point(this->Mesh.from(TriangleMesh::previous(entry)));
+    const Point3& from = this->Mesh.point(this->Mesh.from(entry));
+    const Point3& to = this->Mesh.point(this->Mesh.to(entry));
+    const Point3 edge = to - from;
+    const Point3 side = apex - from;
+    const Complex local(edge.dot(side) / before.length, edge.cross(side).norm() / before.length);
     const Complex along = -before.direction;
     const Complex place = before.left + along * local;
     const bool keepsRight = next == TriangleMesh::next(entry);
-    const Complex way = keepsRight ? local - this->Mesh.length(entry) : -local;
-    Complex direction = along * way;
+    const double length = (keepsRight ? Point3(apex - to) : side).norm();
+    Complex direction = along * (keepsRight ? local - before.length : -local);
     direction /= std::sqrt(std::norm(direction));
-    this->Portals.push_back(
-      { next, direction, keepsRight ? before.right : place, keepsRight ? place : before.left });
+    this->Portals.push_back({ next, direction, length, keepsRight ? before.right : place,
+      keepsRight ? place : before.left });
   }
 
   const TriangleMesh& Mesh;
