@@ -50,6 +50,7 @@ public:
       status = this->Cloth.placement(d).check(this->Cloth.darts()[d].name, this->Drawing.name);
       this->drawDart(d);
     }
+    this->noteMisses();
     if (!status.ok())
     {
       return status;
@@ -254,9 +255,18 @@ private:
     const double miss = foldMiss(legs);
     if (miss > worthSaying)
     {
-      this->Drawing.notes.push_back("piece " + this->Drawing.name + ": folded, the legs of " +
-        dart.name + " miss each other by up to " + formatNumber(miss, 1) +
-        " mm; legs that are straight or mirrored do not");
+      this->Misses += (this->Misses.empty() ? "the legs of " : ", of ") + dart.name +
+        (this->Misses.empty() ? " miss each other by up to " : " by ") + formatNumber(miss, 1) +
+        " mm";
+    }
+  }
+  /// Of all darts in one sentence, which would be read as often as there are darts.
+  void noteMisses()
+  {
+    if (!this->Misses.empty())
+    {
+      this->Drawing.notes.push_back("piece " + this->Drawing.name + ": folded, " + this->Misses +
+        "; legs that are straight or mirrored do not");
     }
   }
 
@@ -398,6 +408,7 @@ private:
   Segments Boundary;                       ///< of what is drawn
   Segments CutLine;
   NotchMarks Marks;
+  std::string Misses; ///< how far legs miss each other
 };
 }
 

@@ -129,6 +129,15 @@ class Curves(command.CommandTest):
             self.assertIn(word, said["key"][0])
         self.assertEqual(said["straight"], [])
 
+    def test_a_pattern_says_of_all_darts_in_one_sentence_how_far_their_legs_miss_each_other(self):
+        surface, curves = (os.path.join(command.DATA, name) for name in ("pants_back.vtp", "pants_back_curves.vtp"))
+        run = self.run_command(surface, curves, "--svg", "--unit", "cm", "--output", "out")
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        said = [row for row in run.stderr.splitlines() if "miss each other" in row]
+        self.assertEqual(len(said), 1, run.stderr)
+        for dart in ("waist_dart_inner", "waist_dart_outer"):
+            self.assertEqual(said[0].count(dart), 1, said)
+
     def test_types_may_have_capital_letters(self):
         self.write("capital.txt", open(self.path("arc.txt"), encoding="utf-8").read().replace("acc", "Acc"))
         self.assert_same_as_text(self.flatten("lune.obj", "capital.txt"), "accessory", "arc")
