@@ -104,7 +104,7 @@ public:
   bool SetSurface(vtkPolyData* surface);
 
   /**
-   * What the last command has to say; empty where it was carried out.
+   * What the last command has to say: why it was refused, or what is odd about what it did.
    */
   const char* GetMessage() const { return this->Message.c_str(); }
 
@@ -138,7 +138,8 @@ public:
 
   /**
    * Starts with other curves, those that GetCurves() gave or any polylines on the surface, and
-   * forgets the past.
+   * forgets the past. Curves that are not on the surface are laid onto it; GetMessage() then names
+   * the one that was farthest, where that is beyond the filters' default ImprintTolerance.
    */
   bool SetCurves(vtkPolyData* curves);
 

@@ -105,10 +105,14 @@ bool vtkFeatureCurveEditor::SetCurves(vtkPolyData* curves)
   {
     return this->Refuse("there are no curves");
   }
-  return this->Carry([curves](CurveEditor& editor) {
+  std::string note;
+  const bool done = this->Carry([&](CurveEditor& editor) {
     const bridge::CurveSetInput input = bridge::readCurveSet(curves, editor.surface());
+    note = input.note;
     return input.status.ok() ? editor.restart(input.curves, input.mirror) : input.status;
   });
+  this->Message = done && this->Message.empty() ? note : this->Message;
+  return done;
 }
 
 //------------------------------------------------------------------------------

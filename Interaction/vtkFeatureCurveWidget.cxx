@@ -178,11 +178,16 @@ void vtkFeatureCurveWidget::Render()
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveWidget::Finished(bool done)
 {
-  if (!done)
-  {
-    this->SetHint(this->Editor->GetMessage());
-  }
-  return done;
+  return done || this->Refuse(this->Editor->GetMessage());
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::Refuse(const std::string& words)
+{
+  this->SetHint(words);
+  std::string data = words;
+  this->InvokeEvent(vtkCommand::WarningEvent, data.data());
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -23,8 +23,9 @@
  * below and call Do(); with HandleKeys the keys work by themselves.
  *
  * Events: SelectionChangedEvent; StartInteractionEvent, InteractionEvent and EndInteractionEvent
- * around each drag; CursorChangedEvent when GetHint() changed. Changes of curves are those of the
- * editor.
+ * around each drag; CursorChangedEvent when GetHint() changed; WarningEvent, with the words as its
+ * data, when what the mouse or a key asked for was refused: GetHint() says so too, until the mouse
+ * moves. Changes of curves are those of the editor.
  *
  * @sa vtkFeatureCurveEditor
  */
@@ -226,7 +227,10 @@ private:
   bool SetKind(int kind);
   bool ToggleMirror();
   bool MakeGirth();
+  bool EndDrawing();
   bool Finished(bool done);
+  /// False.
+  bool Refuse(const std::string& words);
   void FollowEditor();
   void SetHint(const std::string& hint);
   void UpdateHint(const Aim& aim);

@@ -169,13 +169,7 @@ bool vtkFeatureCurveWidget::Do(int action)
       this->Choose(-1, -1);
       break;
     case FINISH:
-      this->State = Mode::Choosing;
-      if (this->Editor->GetNumberOfNodes(curve) == 1)
-      {
-        this->Editor->RemoveCurve(curve);
-        this->Choose(-1, -1);
-      }
-      this->Choose(this->Chosen.curve, -1);
+      done = this->EndDrawing();
       break;
     case REMOVE_NODE:
       done = this->StepBack();
@@ -238,6 +232,22 @@ bool vtkFeatureCurveWidget::Do(int action)
   }
   this->Render();
   return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::EndDrawing()
+{
+  const int curve = this->Chosen.curve;
+  this->State = Mode::Choosing;
+  if (this->Editor->GetNumberOfNodes(curve) != 1)
+  {
+    this->Choose(curve, -1);
+    return true;
+  }
+  const std::string name = this->Editor->GetCurveName(curve);
+  this->Editor->RemoveCurve(curve);
+  this->Choose(-1, -1);
+  return this->Refuse("'" + name + "' has one node and is not kept; a curve needs two");
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 #include "ReadSurface.h"
 #include "WindowWords.h"
 
+#include <QPainter>
+
 #include <filesystem>
 #include <stdexcept>
 
@@ -80,8 +82,10 @@ void EditorWindow::showCurves(vtkPolyData* lines)
   {
     throw std::runtime_error(this->Curves->GetMessage());
   }
+  const std::string odd = this->Curves->GetMessage();
   this->Saved = this->Curves->GetMTime();
   this->Hand->Choose(-1, -1);
+  this->tell(odd, !odd.empty());
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +121,16 @@ bool EditorWindow::savePattern(const std::string& path)
 bool EditorWindow::savePicture(const std::string& path)
 {
   return this->attempt([&] {
-    if (!this->grab().save(QString::fromStdString(path)))
+    QPixmap picture = this->grab();
+    QPainter painter(&picture);
+    // Windows of their own, which a picture of the other widgets does not have.
+    for (QVTKOpenGLStereoWidget* view : { this->SpaceWidget, this->PlaneWidget })
+    {
+      painter.drawImage(
+        QRect(view->mapTo(this, QPoint(0, 0)), view->size()), view->grabFramebuffer());
+    }
+    painter.end();
+    if (!picture.save(QString::fromStdString(path)))
     {
       throw std::runtime_error("cannot write " + path);
     }

@@ -114,10 +114,7 @@ void EditorWindow::makeHandActions()
     action->setCheckable(isSwitch(id));
     action->setIconText(action->text() + "  [" + key.toString() + "]");
     QObject::connect(action, &QAction::triggered, [this, id] {
-      if (!this->Hand->Do(id))
-      {
-        this->tell(this->Hand->GetHint(), true);
-      }
+      this->Hand->Do(id);
       this->followChoice();
     });
     this->HandActions[static_cast<std::size_t>(id)] = action;

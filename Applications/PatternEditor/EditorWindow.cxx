@@ -123,9 +123,9 @@ EditorWindow::~EditorWindow()
 }
 
 //------------------------------------------------------------------------------
-QVTKOpenGLNativeWidget* EditorWindow::addView(vtkRenderer* renderer)
+QVTKOpenGLStereoWidget* EditorWindow::addView(vtkRenderer* renderer)
 {
-  auto* const view = new QVTKOpenGLNativeWidget;
+  auto* const view = new QVTKOpenGLStereoWidget;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   view->setRenderWindow(window);
@@ -163,6 +163,7 @@ void EditorWindow::connectHand()
   this->Curves->AddObserver(vtkCommand::ModifiedEvent, this, &EditorWindow::followCurves);
   this->Hand->AddObserver(vtkCommand::SelectionChangedEvent, this, &EditorWindow::followChoice);
   this->Hand->AddObserver(vtkCommand::CursorChangedEvent, this, &EditorWindow::followChoice);
+  this->Hand->AddObserver(vtkCommand::WarningEvent, this, &EditorWindow::showRefusal);
   this->Panel->onChoose = [this](int curve) { this->Hand->Choose(curve, -1); };
   this->Panel->onRefusal = [this](const std::string& why) { this->tell(why, true); };
   this->Panel->onMirror = [this] { this->action(vtkFeatureCurveWidget::MIRROR)->trigger(); };
@@ -211,6 +212,12 @@ void EditorWindow::followChoice()
       action->setChecked(this->Hand->IsOn(id));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::showRefusal()
+{
+  this->tell(this->Hand->GetHint(), true);
 }
 
 //------------------------------------------------------------------------------
@@ -305,7 +312,12 @@ void EditorWindow::showSize()
 //------------------------------------------------------------------------------
 void EditorWindow::tell(const std::string& words, bool bad)
 {
-  this->Message->setStyleSheet(bad ? broken : "");
+  const QString style = bad ? broken : "";
+  if (style !=
+    this->Message->styleSheet()) // which is read and applied anew, at each step of a drag
+  {
+    this->Message->setStyleSheet(style);
+  }
   this->Message->setText(QString::fromStdString(words));
 }
 

@@ -11,7 +11,7 @@
 #include "vtkFeatureCurveWidget.h"
 #include "vtkStillRenderer.h"
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <QVTKOpenGLStereoWidget.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkPatternWriter.h>
 
@@ -60,8 +60,8 @@ public:
   /// Whether the flat pieces are still to follow the last change.
   bool isWaiting() const { return this->Rest->isActive() || this->Live->isBusy(); }
   vtkRenderer* space() { return this->Space; }
-  QVTKOpenGLNativeWidget* spaceWidget() { return this->SpaceWidget; }
-  QVTKOpenGLNativeWidget* planeWidget() { return this->PlaneWidget; }
+  QVTKOpenGLStereoWidget* spaceWidget() { return this->SpaceWidget; }
+  QVTKOpenGLStereoWidget* planeWidget() { return this->PlaneWidget; }
   vtkPolyData* surface() { return this->Surface; }
   CurvePanel* panel() { return this->Panel; }
   ProposalBox* proposals() { return this->Proposed; }
@@ -84,7 +84,7 @@ protected:
   void customEvent(QEvent* event) override;
 
 private:
-  QVTKOpenGLNativeWidget* addView(vtkRenderer* renderer);
+  QVTKOpenGLStereoWidget* addView(vtkRenderer* renderer);
   void makeBar();
   void makeHandActions();
   void makeFileMenu();
@@ -111,6 +111,7 @@ private:
 
   void followCurves();
   void followChoice();
+  void showRefusal();
   void askForPieces(Care care);
   void takePieces();
   /// Goes on with all but what the user does until the pieces have followed.
@@ -140,8 +141,8 @@ private:
   std::string Broken;     ///< the last words of the flattening
   vtkMTimeType Saved = 0; ///< of the curves when they were last on disk
 
-  QVTKOpenGLNativeWidget* SpaceWidget;
-  QVTKOpenGLNativeWidget* PlaneWidget;
+  QVTKOpenGLStereoWidget* SpaceWidget;
+  QVTKOpenGLStereoWidget* PlaneWidget;
   CurvePanel* Panel;
   ClothBox* Cloth;
   PointReadout Reader;

@@ -24,7 +24,7 @@ int main(int argc, char* argv[])
       return help ? 0 : 1;
     }
   }
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLStereoWidget::defaultFormat());
   const QApplication application(argc, argv);
   editor::EditorWindow window;
   window.show();

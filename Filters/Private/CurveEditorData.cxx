@@ -3,6 +3,7 @@
 
 #include "Base/Finite.h"
 #include "CurveInput.h"
+#include "FarthestCurve.h"
 #include "FieldArrays.h"
 
 #include "vtkCellArray.h"
@@ -340,6 +341,7 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
   const ControlPoints nodes = readNodes(data, surface);
   result.status = nodes.status;
   std::map<vtkIdType, std::size_t> curveOfCell;
+  FarthestCurve farthest(surface);
   for (std::size_t k = 0; k < input.polylines.size() && result.status.ok(); ++k)
   {
     const Polyline& line = input.polylines[k];
@@ -360,10 +362,12 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
     {
       break;
     }
+    farthest.offer(line);
     curveOfCell[cell] = result.curves.size();
     result.curves.push_back(
       curveOf(line, found == nodes.curves.end() ? nullptr : &found->second, surface));
   }
+  result.note = farthest.note();
   return result;
 }
 }

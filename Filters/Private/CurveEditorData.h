@@ -24,6 +24,7 @@ struct CurveSetInput
   std::vector<EditedCurve> curves;
   std::optional<MirrorPlane> mirror;
   Status status;
+  std::string note; ///< on the curve that lies farthest from the surface, where one is not on it
 };
 CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface);
 }

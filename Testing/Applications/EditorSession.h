@@ -6,6 +6,7 @@
 #include "EditorWindow.h"
 #include "ReadSurface.h"
 
+#include <QVTKOpenGLWindow.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCellArray.h>
@@ -136,28 +137,41 @@ protected:
   }
   /// Without the X server's pointer, whose moves arrive when the server finds time, in the middle
   /// of a drag as well.
+  void send(
+    QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons buttons)
+  {
+    QVTKOpenGLStereoWidget* const view = this->window->spaceWidget();
+    QMouseEvent event(type, place, view->mapToGlobal(place), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(view->embeddedOpenGLWindow(), &event);
+  }
   void moveTo(const QPoint& place, Qt::MouseButtons buttons = Qt::NoButton)
   {
-    QWidget* const view = this->window->spaceWidget();
-    QMouseEvent event(
-      QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton, buttons, Qt::NoModifier);
-    QApplication::sendEvent(view, &event);
+    this->send(QEvent::MouseMove, place, Qt::NoButton, buttons);
+  }
+  void press(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
+  {
+    this->send(QEvent::MouseButtonPress, place, button, button);
+  }
+  void release(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
+  {
+    this->send(QEvent::MouseButtonRelease, place, button, Qt::NoButton);
+    QApplication::processEvents();
   }
   void click(const QPoint& place, Qt::MouseButton button = Qt::LeftButton)
   {
     this->moveTo(place);
-    QTest::mouseClick(this->window->spaceWidget(), button, Qt::NoModifier, place);
+    this->press(place, button);
+    this->release(place, button);
   }
   void drag(const QPoint& from, const QPoint& to, int steps = 8)
   {
-    QWidget* const view = this->window->spaceWidget();
     this->moveTo(from);
-    QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
+    this->press(from);
     for (int k = 1; k <= steps; ++k)
     {
       this->moveTo(from + (to - from) * k / steps, Qt::LeftButton);
     }
-    QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, to);
+    this->release(to);
   }
   /// Clicks a vertex; one at the side is turned to the front first, as a user does.
   void clickSeen(vtkIdType id)

@@ -2,6 +2,7 @@
 // Cloth in the window: chosen in its box, read at the mouse.
 #include "EditorWindow.h"
 
+#include <QVTKOpenGLWindow.h>
 #include <vtkActor2DCollection.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -80,10 +81,10 @@ protected:
   }
   void moveTo(const QPoint& place)
   {
-    QWidget* const view = this->window.planeWidget();
+    QVTKOpenGLStereoWidget* const view = this->window.planeWidget();
     QMouseEvent event(QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton,
       Qt::NoButton, Qt::NoModifier);
-    QApplication::sendEvent(view, &event);
+    QApplication::sendEvent(view->embeddedOpenGLWindow(), &event);
   }
   /// A triangle large enough to be met by whole pixels.
   vtkIdType largestCell()

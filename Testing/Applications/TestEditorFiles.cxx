@@ -14,9 +14,11 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
+#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <regex>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -134,6 +136,22 @@ TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
       << this->window->message().toStdString();
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     EXPECT_GT(file.tellg(), 2000) << extension;
+    if (picture)
+    {
+      // Both views are in it, with all the colours of a surface.
+      const QImage image(QString::fromStdString(path));
+      for (QWidget* view :
+        std::initializer_list<QWidget*>{ this->window->spaceWidget(), this->window->planeWidget() })
+      {
+        std::set<QRgb> colors;
+        const QRect place(view->mapTo(this->window.get(), QPoint(0, 0)), view->size());
+        for (int x = place.left(); x < place.right(); ++x)
+        {
+          colors.insert(image.pixel(x, place.center().y()));
+        }
+        EXPECT_GT(colors.size(), 10U);
+      }
+    }
     std::remove(path.c_str());
   }
 }

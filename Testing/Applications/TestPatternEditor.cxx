@@ -213,6 +213,39 @@ TEST_F(PatternEditor, KeysDoWhatTheBarDoes)
   EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
 }
 
+TEST_F(PatternEditor, WhatTheMouseCouldNotDoIsSaidUntilSomethingIsDone)
+{
+  QTest::keyClick(this->window.get(), Qt::Key_N);
+  this->click(this->vertex(401));
+  this->click({ 5, 5 }, Qt::RightButton);
+  EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
+  this->waitForPieces();
+  this->moveTo(this->vertex(6));
+  EXPECT_TRUE(this->window->message().contains("one node"))
+    << this->window->message().toStdString();
+  QTest::keyClick(this->window.get(), Qt::Key_N);
+  this->click(this->vertex(401));
+  this->click(this->vertex(6));
+  EXPECT_EQ(this->window->message(), "");
+}
+
+TEST_F(PatternEditor, CurvesOfAnotherSurfaceAreSaidToBe)
+{
+  const std::string curves = FLATTENING_DATA "/shirt_front_curves.vtp";
+  ASSERT_TRUE(this->window->openCurves(curves)) << this->window->message().toStdString();
+  EXPECT_EQ(this->window->message(), "");
+  ASSERT_TRUE(this->window->openSurface(FLATTENING_DATA "/wetsuit_upper_front.vtp"));
+  if (this->window->openCurves(curves))
+  {
+    EXPECT_TRUE(this->window->message().contains("from the surface"))
+      << this->window->message().toStdString();
+  }
+  else
+  {
+    EXPECT_NE(this->window->message(), "");
+  }
+}
+
 TEST_F(PatternEditor, AnOffsetRunsThroughTheClickedPlaceOrAtTheGivenDistance)
 {
   vtkFeatureCurveEditor* const curves = this->window->curves();
@@ -256,9 +289,8 @@ TEST_F(PatternEditor, AStrokeIsACurveOfFewNodes)
   QTest::keyClick(this->window.get(), Qt::Key_F);
   const QPoint from = this->vertex(401);
   const QPoint to = this->vertex(12);
-  QWidget* const view = this->window->spaceWidget();
   this->moveTo(from);
-  QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
+  this->press(from);
   QPoint middle;
   for (int k = 1; k <= 60; ++k)
   {
@@ -271,7 +303,7 @@ TEST_F(PatternEditor, AStrokeIsACurveOfFewNodes)
       this->picture("stroking");
     }
   }
-  QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, to);
+  this->release(to);
   this->waitForPieces();
   this->picture("stroke");
   ASSERT_EQ(curves->GetNumberOfCurves(), 1) << this->window->message().toStdString();
@@ -294,7 +326,7 @@ int main(int argc, char* argv[])
   {
     return RUN_ALL_TESTS();
   }
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLStereoWidget::defaultFormat());
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -4,6 +4,7 @@
 #include "Pieces.h"
 #include "vtkFeatureCurveWidget.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -255,6 +256,23 @@ TEST_F(FeatureCurveWidget, ChosenCurvesGetTypesSplitJoinAndGo)
     this->press("z", true);
   }
   EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+}
+
+TEST_F(FeatureCurveWidget, ACurveOfOneNodeIsNotKeptAndThatIsSaid)
+{
+  std::string said;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&said);
+  listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
+    *static_cast<std::string*>(client) = static_cast<const char*>(words);
+  });
+  this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  this->draw({ this->vertex(401), this->vertex(6) });
+  EXPECT_EQ(said, "");
+  this->draw({ this->vertex(12) });
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
+  EXPECT_NE(said.find("one node"), std::string::npos) << said;
+  EXPECT_EQ(said, this->widget->GetHint());
 }
 
 TEST_F(FeatureCurveWidget, AMirroredCurveLiesOnBothHalvesOfTheShirt)

@@ -205,6 +205,19 @@ class Editor(unittest.TestCase):
         self.assertFalse(editor.AddStroke(circle, math.nan))
         self.assertEqual(editor.GetNumberOfCurves(), 3)
 
+    def test_curves_that_were_not_on_the_surface_are_laid_onto_it_and_named(self):
+        curves = curves_of(self.editor)
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(self.surface)
+        self.assertTrue(editor.SetCurves(curves))
+        self.assertEqual(editor.GetMessage(), "")
+        first = curves.GetCell(0).GetPointId(0)
+        point = curves.GetPoint(first)
+        curves.GetPoints().SetPoint(first, point[0], point[1], point[2] + 10.0)
+        self.assertTrue(editor.SetCurves(curves))
+        self.assertIn(self.editor.GetCurveName(0), editor.GetMessage())
+        self.assertIn("from the surface", editor.GetMessage())
+
     def test_damaged_control_points_are_refused(self):
         curves = curves_of(self.editor)
         curves.GetFieldData().GetArray("ControlPointKind").SetValue(0, 9)
