@@ -4,7 +4,8 @@
 #include "Base/Memory.h"
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
-#include "Suggestion/CutSetSearch.h"
+#include "Suggestion/CutAdjustment.h"
+#include "Suggestion/CutSetMerit.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/LineSuggestion.h"
 #include "Suggestion/OpeningCuts.h"
@@ -24,8 +25,25 @@ constexpr double mirrorWorth = 1.2;
 constexpr Index singleSearch = 2;
 /// The least share of the work that the first way to search may take.
 constexpr double firstShare = 0.5;
+/// The share of the work that searches may take, where their sets are then adjusted, and what of
+/// the rest each of these may take but the last.
+constexpr double searchShare = 0.6;
+constexpr double adjustingShare = 0.5;
+constexpr std::size_t mostAdjusted = 3;
+/// What searches are of the progress.
+constexpr double searchPart = 0.6;
 /// Larger surfaces may take more work in proportion.
 constexpr double smallSurface = 5000.0;
+
+double areaOf(const TriangleMesh& mesh)
+{
+  double area = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    area += mesh.area(t);
+  }
+  return area;
+}
 
 /// One way to search, beside the options.
 struct Way
@@ -34,6 +52,13 @@ struct Way
   bool mirrored = true;
   double fixedPrice = 1.0; ///< times that of the options
   bool unsettled = false;  ///< see SearchOptions
+};
+
+/// What one way has found.
+struct FoundSet
+{
+  CutSet set;
+  bool mirrored = true;
 };
 
 class Suggesting
@@ -47,11 +72,9 @@ public:
     , Run(execution)
     , Weights(relativeWeights(mesh, options.weights))
     , Whole(mesh, curves, options.imprint, options.flattening, SearchGoal::Energy, this->Weights)
+    , Area(areaOf(mesh))
+    , Merit(options.search, this->Area)
   {
-    for (Index t = 0; t < mesh.triangleCount(); ++t)
-    {
-      this->Area += mesh.area(t);
-    }
   }
 
   CurveSuggestions run()
@@ -111,10 +134,7 @@ private:
         openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt))
       {
         SuggestedCurve cut;
-        for (std::size_t k = 1; k < line.points.size(); ++k)
-        {
-          cut.length += (line.points[k] - line.points[k - 1]).norm();
-        }
+        cut.length = lengthOf(line.points);
         cut.curve = std::move(line);
         cuts.push_back(std::move(cut));
       }
@@ -140,6 +160,11 @@ private:
       all.push_back({ SearchGoal::Strain, mirrored, 1.0, true });
       all.push_back({ SearchGoal::Strain, mirrored, 1.0 });
     }
+    else
+    {
+      all.push_back({ SearchGoal::Area, mirrored, 2.5 });
+      all.push_back({ SearchGoal::Area, mirrored, 1.0 });
+    }
     all.push_back({ SearchGoal::Energy, mirrored, 2.5 });
     if (mirrored && this->Result.mirror->error > SurfaceMirror::exact)
     {
@@ -155,11 +180,28 @@ private:
 
   CutSet search(const std::vector<SuggestedCurve>& first)
   {
-    std::optional<CutSet> best;
-    double leastMerit = 0.0;
-    bool limited = false;
+    std::vector<FoundSet> found = this->searchAllWays(first);
+    if (this->adjusts())
+    {
+      this->adjust(found, first.size());
+    }
+    const auto best =
+      std::min_element(found.begin(), found.end(), [this](const FoundSet& a, const FoundSet& b) {
+        return this->Merit.merit(a.set, this->worthOf(a)) <
+          this->Merit.merit(b.set, this->worthOf(b));
+      });
+    const bool limited = std::any_of(found.begin(), found.end(),
+      [](const FoundSet& one) { return one.set.end == SearchEnd::WorkUsedUp; });
+    this->Result.end = limited ? SearchEnd::WorkUsedUp : best->set.end;
+    this->Result.cutsNeeded = best->set.cutsNeeded;
+    return std::move(best->set);
+  }
+
+  std::vector<FoundSet> searchAllWays(const std::vector<SuggestedCurve>& first)
+  {
+    std::vector<FoundSet> found;
     const std::vector<Way> all = this->ways();
-    for (std::size_t k = 0; k < all.size() && !this->Run.cancelled(); ++k)
+    for (std::size_t k = 0; k < all.size() && (k == 0 || !this->Run.cancelled()); ++k)
     {
       SearchOptions options = this->Options.search;
       options.goal = all[k].goal;
@@ -167,38 +209,63 @@ private:
       options.unsettled = all[k].unsettled;
       const double share =
         std::max(1.0 / static_cast<double>(all.size() - k), k == 0 ? firstShare : 0.0);
-      options.maximumWork = share * (this->mostWork() - this->Result.work);
-      const double part = 0.9 / static_cast<double>(all.size());
-      CutSet set =
-        searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                     options, all[k].mirrored ? this->Result.mirror : std::nullopt, this->Weights },
-          this->start(first, all[k].goal),
-          this->Run.part(part * static_cast<double>(k), part * static_cast<double>(k + 1)));
+      options.maximumWork = share * (this->searchWork() - this->Result.work);
+      const double part = searchPart / static_cast<double>(all.size());
+      found.push_back(
+        { searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+                       options, this->mirrorOf(all[k].mirrored), this->Weights },
+            this->start(first, all[k].goal),
+            this->Run.part(part * static_cast<double>(k), part * static_cast<double>(k + 1))),
+          all[k].mirrored });
+      const CutSet& set = found.back().set;
       this->Result.trials += set.trials;
       this->Result.work += set.work;
-      limited = limited || set.end == SearchEnd::WorkUsedUp;
-      const double merit =
-        this->merit(set) * (this->Result.mirror && !all[k].mirrored ? mirrorWorth : 1.0);
-      if (!best || merit < leastMerit)
-      {
-        best = std::move(set);
-        leastMerit = merit;
-      }
-      if (best->cuts.size() == first.size() && this->withinBound(best->outcome.strainP95))
-      {
-        break; // nothing is to be cut
-      }
-      if (best->end == SearchEnd::GivenUp || this->workUsedUp())
+      const bool nothingToCut =
+        set.cuts.size() == first.size() && this->Merit.withinBound(set.outcome.strainP95);
+      const bool givenUp = found.front().set.end == SearchEnd::GivenUp;
+      if (nothingToCut || givenUp || this->Result.work >= this->searchWork())
       {
         break; // nor will other ways get there
       }
     }
-    this->Result.end = limited ? SearchEnd::WorkUsedUp : best->end;
-    this->Result.cutsNeeded = best->cutsNeeded;
-    return std::move(*best);
+    return found;
   }
 
-  bool workUsedUp() const { return this->Result.work >= this->mostWork(); }
+  std::optional<SurfaceMirror> mirrorOf(bool mirrored) const
+  {
+    return mirrored ? this->Result.mirror : std::nullopt;
+  }
+
+  /// Whether cuts are moved about once they are found: not a few, which are wanted soon.
+  bool adjusts() const { return this->Options.search.maximumCuts > singleSearch; }
+
+  /// The sets that promise most.
+  void adjust(std::vector<FoundSet>& found, std::size_t firstCount)
+  {
+    std::stable_sort(found.begin(), found.end(), [this](const FoundSet& a, const FoundSet& b) {
+      return this->Merit.promise(a.set, this->worthOf(a)) <
+        this->Merit.promise(b.set, this->worthOf(b));
+    });
+    const std::size_t count = std::min(found.size(), mostAdjusted);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      if (found[k].set.end == SearchEnd::GivenUp)
+      {
+        continue;
+      }
+      const double share = k + 1 < count ? adjustingShare : 1.0;
+      TrialBudget budget(1e6 * share * (this->mostWork() - this->Result.work));
+      const double part = (1.0 - searchPart) / static_cast<double>(count);
+      const double begin = searchPart + part * static_cast<double>(k);
+      adjustCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+                   this->Options.search, this->mirrorOf(found[k].mirrored), this->Weights },
+        firstCount, found[k].set, budget, this->Run.part(begin, begin + part));
+      this->Result.trials += budget.trials();
+      this->Result.work += 1e-6 * budget.work();
+    }
+  }
+
+  double searchWork() const { return (this->adjusts() ? searchShare : 1.0) * this->mostWork(); }
 
   double mostWork() const
   {
@@ -221,36 +288,9 @@ private:
     return *set;
   }
 
-  bool withinBound(double strain) const
+  double worthOf(const FoundSet& found) const
   {
-    return this->Options.search.bound > 0.0 && strain <= this->Options.search.bound;
-  }
-
-  /// What is less is better: sets that meet the bound by their price, before those that do not by
-  /// their strain; without a bound by the energy.
-  double merit(const CutSet& set) const
-  {
-    constexpr double unmet = 1e6;
-    constexpr double useless = 1e12;
-    const SearchOptions& search = this->Options.search;
-    if (!set.outcome.valid)
-    {
-      return useless;
-    }
-    if (search.bound == 0.0)
-    {
-      return set.outcome.energy / this->Area;
-    }
-    if (!this->withinBound(set.outcome.strainP95))
-    {
-      return unmet * (1.0 + set.outcome.strainP95);
-    }
-    double price = 0.0;
-    for (const SuggestedCurve& cut : set.cuts)
-    {
-      price += search.fixedPrice + cut.length / std::sqrt(this->Area / pi);
-    }
-    return price;
+    return this->Result.mirror && !found.mirrored ? mirrorWorth : 1.0;
   }
 
   /// What each cut gives after those before it, now that some are shorter or gone.
@@ -299,7 +339,7 @@ private:
     }
     this->Result.strainAfter = before.strainP95;
     this->Result.rigidEnergyAfter = before.energy / this->Area;
-    this->Result.boundMet = this->withinBound(before.strainP95);
+    this->Result.boundMet = this->Merit.withinBound(before.strainP95);
     this->Result.worstPlace = before.worstPlace;
   }
 
@@ -324,7 +364,8 @@ private:
   const Execution& Run;
   RegionWeights Weights; ///< relative ones
   CutTrials Whole;
-  double Area = 0.0;
+  double Area;
+  CutSetMerit Merit;
   std::map<SearchGoal, std::optional<CutSet>> Start; ///< the cuts that are needed anyway
   CurveSuggestions Result;
 };

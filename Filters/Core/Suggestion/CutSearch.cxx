@@ -2,6 +2,7 @@
 #include "Suggestion/CutSearch.h"
 
 #include "Suggestion/DistinctPlans.h"
+#include "Suggestion/MovedPlans.h"
 
 #include <algorithm>
 
@@ -97,7 +98,7 @@ TriedCut CutSearch::polished(
     {
       break;
     }
-    std::vector<CutPlan> plans = this->neighbours(cut.plan, step);
+    std::vector<CutPlan> plans = movedPlans(this->Piece, cut.plan, step);
     plans.erase(std::remove_if(plans.begin(), plans.end(),
                   [&](const CutPlan& plan) { return this->isAmong(before, plan); }),
       plans.end());
@@ -125,77 +126,5 @@ bool CutSearch::isAmong(const std::vector<CutPlan>& plans, const CutPlan& plan) 
       near(this->Piece.endOf(plan), this->Piece.endOf(other)) &&
       (!plan.via || near(*plan.via, *other.via));
   });
-}
-
-std::vector<CutPlan> CutSearch::neighbours(const CutPlan& plan, double step) const
-{
-  std::vector<CutPlan> plans;
-  const BoundaryRuler& ruler = this->Piece.ruler();
-  const auto addMoved = [&](double base, double end) {
-    CutPlan moved = plan;
-    moved.base = ruler.moved(plan.base, base);
-    moved.end = plan.type == CurveType::Seam ? ruler.moved(plan.end, end) : plan.end;
-    if (this->Piece.worth(moved.base) > 0.0)
-    {
-      plans.push_back(moved);
-    }
-  };
-  const bool along = plan.role == MirrorRole::Along;
-  for (double by : { step, -step })
-  {
-    if (!along && !plan.start)
-    {
-      addMoved(by, 0.0);
-    }
-    if (plan.type == CurveType::Seam && plan.role != MirrorRole::Across && !along)
-    {
-      addMoved(0.0, by);
-      addMoved(by, by);
-      addMoved(by, -by);
-    }
-  }
-  if (plan.via)
-  {
-    const Point3 ahead = (this->Piece.endOf(plan) - this->Piece.baseOf(plan)).normalized();
-    const Point3 aside = this->Piece.normalNear(*plan.via).cross(ahead);
-    for (double by : { step, -step })
-    {
-      CutPlan moved = plan;
-      const Point3 place = *plan.via + by * aside;
-      const bool inPlane = along || plan.role == MirrorRole::Across;
-      moved.via = this->Piece.onto(inPlane ? this->Piece.mirror()->projected(place) : place);
-      plans.push_back(moved);
-    }
-  }
-  if (plan.type == CurveType::Dart)
-  {
-    const Point3 ahead = (plan.tip - this->Piece.baseOf(plan)).normalized();
-    const Point3 aside = this->Piece.normalNear(plan.tip).cross(ahead);
-    for (double by : { step, -step })
-    {
-      for (const Point3& direction : { ahead, aside })
-      {
-        const auto placed = [&](const Point3& point) {
-          return this->Piece.onto(along ? this->Piece.mirror()->projected(point) : point);
-        };
-        CutPlan moved = plan;
-        moved.tip = placed(plan.tip + by * direction);
-        if (!plan.start || this->Piece.takesInnerTip(moved.tip))
-        {
-          plans.push_back(moved);
-        }
-        if (plan.start)
-        {
-          moved = plan;
-          moved.start = placed(*plan.start + by * direction);
-          if (this->Piece.takesInnerTip(*moved.start))
-          {
-            plans.push_back(moved);
-          }
-        }
-      }
-    }
-  }
-  return plans;
 }
 }

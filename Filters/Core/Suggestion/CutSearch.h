@@ -39,7 +39,6 @@ private:
   TriedCut polished(
     TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const;
   bool isAmong(const std::vector<CutPlan>& plans, const CutPlan& plan) const;
-  std::vector<CutPlan> neighbours(const CutPlan& plan, double step) const;
 
   const SearchedPiece& Piece;
   const CutTrials& Trials;

@@ -3,6 +3,7 @@
 
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/SettledCuts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@ constexpr double dividedStrain = 0.1;
 /// A cut is moved elsewhere where that lowers the energy by more than this share; so often at most.
 constexpr double leastProgress = 0.01;
 constexpr int mostRefits = 3;
-/// What a cut is worth that begins or ends on the leg of a dart: nobody likes to sew over one.
-constexpr double worthOfLegs = 0.5;
 /// A price besides which the length matters little.
 constexpr double gainAlone = 5.0;
 /// A search is given up after so many cuts, where the bound would take so many times the most cuts.
@@ -30,14 +29,10 @@ constexpr double farTooMany = 4.0;
 /// So many of the cuts found are tried on the surface itself.
 constexpr std::size_t mostAttempts = 4;
 
-double lengthOf(const Points3& line)
+/// Of the strain, with which a goal goes.
+double powerOf(SearchGoal goal)
 {
-  double length = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k)
-  {
-    length += (line[k] - line[k - 1]).norm();
-  }
-  return length;
+  return goal == SearchGoal::Strain ? 4.0 : goal == SearchGoal::Energy ? 2.0 : 1.0;
 }
 
 class SetSearch
@@ -113,7 +108,7 @@ private:
     {
       return false;
     }
-    const double power = this->Search.goal == SearchGoal::Strain ? 4.0 : 2.0;
+    const double power = powerOf(this->Search.goal);
     const double done = std::log(this->First.goal / this->now().goal) / made;
     const double left = power * std::log(this->now().strainP95 / this->Search.bound);
     const double needed = done > 0.0 ? made + left / done : std::numeric_limits<double>::infinity();
@@ -214,7 +209,7 @@ private:
       imprintCurves(this->Subject.mesh, this->withChosen(), this->Subject.imprint);
     const CutSurface cut = cutSurface(surface.mesh, surface.curves);
     const std::vector<PieceSurface> pieces = pieceSurfaces(surface, cut, this->Subject.weights);
-    const VertexMarks marks = this->markVertices(surface);
+    const VertexMarks marks = markVertices(surface, this->Search);
     const bool known = this->now().pieceStrains.size() == pieces.size();
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -265,59 +260,10 @@ private:
     return false;
   }
 
-  VertexMarks markVertices(const ImprintedSurface& surface) const
-  {
-    VertexMarks marks;
-    marks.barred.assign(surface.mesh.vertexCount(), 0);
-    marks.worth.assign(surface.mesh.vertexCount(), 1.0);
-    for (const FeatureCurve& curve : surface.curves)
-    {
-      for (std::size_t k = 1; k < curve.vertices.size() && curve.type == CurveType::Dart; ++k)
-      {
-        marks.worth[curve.vertices[k]] = worthOfLegs;
-      }
-      for (const SearchOptions::Preference& preference : this->Search.preferences)
-      {
-        for (Index v : curve.name == preference.curve ? curve.vertices : Indices{})
-        {
-          marks.worth[v] = preference.weight;
-        }
-      }
-      for (Index v : curve.type == CurveType::Key ? curve.vertices : Indices{})
-      {
-        marks.barred[v] = 1;
-      }
-    }
-    return marks;
-  }
-
   bool worthIt(const TriedCut& cut) const
   {
     const double share = this->now().valid ? cut.score / this->now().goal : 1.0;
-    return this->Search.bound == 0.0 || share * std::sqrt(this->Area / pi) >= leastShare;
-  }
-
-  /// Of some more cuts.
-  std::vector<Points3> pathsOf(const std::vector<Polyline>& lines, const CutPlan& plan) const
-  {
-    std::vector<Polyline> all = this->chosen();
-    const auto count = static_cast<std::ptrdiff_t>(all.size());
-    all.insert(all.end(), lines.begin(), lines.end());
-    std::vector<Points3> paths = this->Whole.paths(all);
-    if (!paths.empty())
-    {
-      paths.erase(paths.begin(), paths.begin() + count);
-    }
-    if (paths.size() == 2 && plan.type == CurveType::Dart)
-    {
-      // Where the mirror is not exact, sewing is easier by a dart that stops short than by a pair
-      // that differs.
-      const double first = lengthOf(paths[0]);
-      const double second = lengthOf(paths[1]);
-      Points3& longer = paths[first > second ? 0 : 1];
-      longer = shortened(longer, std::min(first, second));
-    }
-    return paths;
+    return share * std::sqrt(this->Area / pi) >= leastShare;
   }
 
   bool accept(const TriedCut& best, PieceSearch& piece)
@@ -329,20 +275,13 @@ private:
     }
     std::vector<SuggestedCurve> cuts = this->Result.cuts;
     const std::size_t first = cuts.size();
-    const std::vector<Points3> paths = this->pathsOf(lines, best.plan);
-    for (std::size_t k = 0; k < paths.size(); ++k)
+    const std::vector<Polyline> settled =
+      settledCuts(this->Whole, this->chosen(), lines, piece.fine());
+    for (std::size_t k = 0; k < settled.size(); ++k)
     {
       SuggestedCurve cut;
-      cut.curve.type = best.plan.type;
-      cut.curve.points = paths[k];
-      if (k > 0 && piece.mirrorIsExact())
-      {
-        cut.curve.points = paths[0];
-        for (Point3& p : cut.curve.points)
-        {
-          p = this->Subject.mirror->mirrored(p);
-        }
-      }
+      cut.curve = settled[k];
+      cut.via = k == 0 ? best.plan.via : std::nullopt;
       cut.predictedGain = best.plan.predictedGain / this->Area;
       cut.opening = best.plan.opening;
       cut.mirrorOf = k > 0 ? static_cast<Index>(first) : none;
@@ -350,7 +289,7 @@ private:
     }
     TrialOutcome after = this->Whole.run(linesOf(cuts), this->Run);
     this->Budget.pay(after);
-    if (paths.empty() || !after.valid ||
+    if (settled.empty() || !after.valid ||
       (this->now().valid && (!after.soundAfter(this->now()) || after.goal >= this->now().goal)))
     {
       return false;

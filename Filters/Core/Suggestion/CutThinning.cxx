@@ -20,6 +20,16 @@ void trim(SuggestedCurve& cut, double share)
 }
 }
 
+double lengthOf(const Points3& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    length += (line[k] - line[k - 1]).norm();
+  }
+  return length;
+}
+
 Points3 shortened(const Points3& line, double length)
 {
   Points3 kept{ line.front() };

@@ -15,6 +15,8 @@ void thinCuts(const CutTrials& trials, double bound, double least,
   std::vector<SuggestedCurve>& cuts, TrialOutcome& now, TrialBudget& budget,
   const Execution& execution);
 
+double lengthOf(const Points3& line);
+
 /// The first part of a line, of this length.
 Points3 shortened(const Points3& line, double length);
 

@@ -4,6 +4,7 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Quality/StrainMeasures.h"
+#include "Suggestion/TrialGoals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,11 @@ namespace flattening
 {
 namespace
 {
-/// No triangle counts for more.
-constexpr double mostStrain = 2.0;
 /// How often a step of an iteration asks whether to go on, in the mean of many flattenings.
 constexpr double askedPerStep = 11.0;
+/// Of flattenings that are only compared.
+constexpr double tolerance = 1e-3;
+constexpr double lengthTolerance = 1e-4;
 
 /// Whether one of the curves from `first` on meets a key curve anywhere but at the boundary.
 bool touchesKey(const ImprintedSurface& surface, std::size_t first)
@@ -42,27 +44,6 @@ bool touchesKey(const ImprintedSurface& surface, std::size_t first)
   return false;
 }
 
-double strainOf(const TriangleQuality& quality)
-{
-  if (!(quality.smallStretch > 0.0))
-  {
-    return mostStrain;
-  }
-  return std::min(mostStrain,
-    std::max(std::abs(std::log(quality.smallStretch)), std::abs(std::log(quality.largeStretch))));
-}
-
-/// By piece, the integral of the strain's fourth power. \param counted area of each triangle
-std::vector<double> peakStrains(const FlatteningResult& flat, const std::vector<double>& counted)
-{
-  std::vector<double> peaks(flat.pieces.size(), 0.0);
-  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
-  {
-    peaks[flat.cut->pieceOfTriangle[t]] += counted[t] * std::pow(strainOf(flat.triangles[t]), 4.0);
-  }
-  return peaks;
-}
-
 /// By piece, where areas are other than on the surface.
 std::vector<StrainMeasures> strainMeasures(
   const FlatteningResult& flat, const std::vector<double>& counted)
@@ -82,24 +63,6 @@ std::vector<StrainMeasures> strainMeasures(
     measures.push_back(measureStrain(frames[p], qualities[p]));
   }
   return measures;
-}
-
-/// The middle of the triangle that is strained most of those that count.
-Point3 worstPlace(const FlatteningResult& flat, const std::vector<double>& counted)
-{
-  Index worst = 0;
-  double most = -1.0;
-  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
-  {
-    const double strain = strainOf(flat.triangles[t]);
-    if (strain > most && counted[t] > 0.0)
-    {
-      most = strain;
-      worst = t;
-    }
-  }
-  const auto& [a, b, c] = flat.cut->mesh.triangle(worst);
-  return (flat.cut->mesh.point(a) + flat.cut->mesh.point(b) + flat.cut->mesh.point(c)) / 3.0;
 }
 
 /// Every triangle counts once beside its piece's steps, which a conformal map has none of.
@@ -154,6 +117,14 @@ bool crossesItself(const ImprintedSurface& surface, std::size_t first)
   }
   return false;
 }
+}
+
+FlatteningOptions roughly(FlatteningOptions options, bool unsettled)
+{
+  options.isometric.rough = unsettled;
+  options.isometric.tolerance = std::max(options.isometric.tolerance, tolerance);
+  options.isometric.lengthTolerance = lengthTolerance;
+  return options;
 }
 
 double TrialOutcome::cutLength() const
@@ -359,6 +330,10 @@ void CutTrials::measure(
   if (this->Goal == SearchGoal::Strain)
   {
     outcome.pieceGoals = peakStrains(flat, counted);
+  }
+  else if (this->Goal == SearchGoal::Area)
+  {
+    outcome.pieceGoals = areaChanges(flat, counted);
   }
   outcome.goal = std::accumulate(outcome.pieceGoals.begin(), outcome.pieceGoals.end(), 0.0);
 }

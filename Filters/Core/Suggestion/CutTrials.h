@@ -42,6 +42,10 @@ struct TrialOutcome
   }
 };
 
+/// Options of flattenings that are only compared with each other: energies are known to five digits
+/// long before the last iterations. \param unsettled see SearchOptions
+FlatteningOptions roughly(FlatteningOptions options, bool unsettled);
+
 /// Flattens one surface with the curves that it has anyway and with cuts on trial.
 class CutTrials
 {

@@ -13,17 +13,61 @@ namespace
 /// Of the version on which cuts are tried.
 constexpr Index coarseTriangles = 500;
 
-/// Energies to compare trials by are known to five digits long before the last iterations.
-constexpr double enoughToCompare = 1e-3;
-constexpr double lengthTolerance = 1e-4;
-
-FlatteningOptions roughly(FlatteningOptions options, bool unsettled)
-{
-  options.isometric.rough = unsettled;
-  options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
-  options.isometric.lengthTolerance = lengthTolerance;
-  return options;
+/// What a cut is worth that begins or ends on the leg of a dart: nobody likes to sew over one.
+constexpr double worthOfLegs = 0.5;
 }
+
+VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& options)
+{
+  VertexMarks marks;
+  marks.barred.assign(surface.mesh.vertexCount(), 0);
+  marks.worth.assign(surface.mesh.vertexCount(), 1.0);
+  for (const FeatureCurve& curve : surface.curves)
+  {
+    for (std::size_t k = 1; k < curve.vertices.size() && curve.type == CurveType::Dart; ++k)
+    {
+      marks.worth[curve.vertices[k]] = worthOfLegs;
+    }
+    for (const SearchOptions::Preference& preference : options.preferences)
+    {
+      for (Index v : curve.name == preference.curve ? curve.vertices : Indices{})
+      {
+        marks.worth[v] = preference.weight;
+      }
+    }
+    for (Index v : curve.type == CurveType::Key ? curve.vertices : Indices{})
+    {
+      marks.barred[v] = 1;
+    }
+  }
+  return marks;
+}
+
+std::unique_ptr<SearchedPiece> searchedPiece(
+  const PieceSurface& piece, const VertexMarks& marks, const std::optional<SurfaceMirror>& mirror)
+{
+  const CutSurface cut = cutSurface(piece.mesh, piece.curves);
+  if (!cut.status.ok() || cut.pieceCount != 1)
+  {
+    return nullptr;
+  }
+  Piece opened = std::move(extractPieces(cut).front());
+  std::vector<char> barred;
+  std::vector<double> worth;
+  for (Index v : opened.vertices)
+  {
+    const Index marked = piece.vertices[cut.originalVertex[v]];
+    barred.push_back(marks.barred[marked]);
+    worth.push_back(marks.worth[marked]);
+  }
+  RegionWeights weights;
+  for (std::size_t t = 0; t < opened.triangles.size() && !piece.weights.empty(); ++t)
+  {
+    weights.push_back(piece.weights[opened.triangles[t]]);
+  }
+  std::vector<double> weight = vertexWeights(opened.mesh, weights);
+  return std::make_unique<SearchedPiece>(
+    std::move(opened.mesh), std::move(barred), std::move(worth), std::move(weight), mirror);
 }
 
 PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
@@ -39,35 +83,9 @@ PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
 {
 }
 
-std::unique_ptr<SearchedPiece> PieceSearch::searched(const PieceSurface& piece) const
-{
-  const CutSurface cut = cutSurface(piece.mesh, piece.curves);
-  if (!cut.status.ok() || cut.pieceCount != 1)
-  {
-    return nullptr;
-  }
-  Piece opened = std::move(extractPieces(cut).front());
-  std::vector<char> barred;
-  std::vector<double> worth;
-  for (Index v : opened.vertices)
-  {
-    const Index marked = piece.vertices[cut.originalVertex[v]];
-    barred.push_back(this->Marks.barred[marked]);
-    worth.push_back(this->Marks.worth[marked]);
-  }
-  RegionWeights weights;
-  for (std::size_t t = 0; t < opened.triangles.size() && !piece.weights.empty(); ++t)
-  {
-    weights.push_back(piece.weights[opened.triangles[t]]);
-  }
-  std::vector<double> weight = vertexWeights(opened.mesh, weights);
-  return std::make_unique<SearchedPiece>(
-    std::move(opened.mesh), std::move(barred), std::move(worth), std::move(weight), this->Mirror);
-}
-
 bool PieceSearch::ok(const Execution& execution)
 {
-  this->Searched = this->searched(this->Coarse);
+  this->Searched = searchedPiece(this->Coarse, this->Marks, this->Mirror);
   if (!this->Searched)
   {
     return false;
@@ -105,7 +123,7 @@ const SearchedPiece& PieceSearch::fine()
   }
   if (!this->Fine)
   {
-    this->Fine = this->searched(this->Subject);
+    this->Fine = searchedPiece(this->Subject, this->Marks, this->Mirror);
   }
   return *this->Fine;
 }

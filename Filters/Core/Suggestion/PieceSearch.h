@@ -15,6 +15,13 @@ struct VertexMarks
   std::vector<double> worth; ///< what the price of a cut that begins or ends there is divided by
 };
 
+VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& options);
+
+/// Null where it is not one piece once its darts are opened. \param marks of the surface that the
+/// piece is of
+std::unique_ptr<SearchedPiece> searchedPiece(
+  const PieceSurface& piece, const VertexMarks& marks, const std::optional<SurfaceMirror>& mirror);
+
 /// A cut as lines on the piece as fine as it is, and what it did to a coarse version.
 struct FoundCut
 {
@@ -38,12 +45,10 @@ public:
   std::vector<TriedCut> run(double longest, TrialBudget& budget, const Execution& execution);
   /// The lines of a plan on the piece itself. Empty where there is no way.
   std::vector<Polyline> lines(const CutPlan& plan);
-  bool mirrorIsExact() { return this->fine().mirrorIsExact(); }
-
-private:
-  std::unique_ptr<SearchedPiece> searched(const PieceSurface& piece) const;
+  /// The piece as fine as it is. \pre ok()
   const SearchedPiece& fine();
 
+private:
   const PieceSurface& Subject;
   const VertexMarks& Marks;
   const std::optional<SurfaceMirror>& Mirror;

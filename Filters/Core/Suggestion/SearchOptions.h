@@ -23,6 +23,7 @@ enum class SuggestedCuts
 enum class SearchGoal
 {
   Energy, ///< the rigid energy
+  Area,   ///< the mean change of area
   Strain  ///< the mean of the strain's fourth power, which tells of the largest
 };
 
@@ -32,7 +33,7 @@ struct SearchOptions
   SuggestedCuts cuts = SuggestedCuts::All;
   SearchGoal goal = SearchGoal::Energy;
   /// The strain, on 95 % of each piece's area, that is good enough; 0: go on until cuts or length
-  /// are used up.
+  /// are used up, or no cut is worth its price.
   double bound = 0.02;
   Index maximumCuts = 8;
   /// Of all proposed cuts together, in the surface's unit.

@@ -3,6 +3,8 @@
 
 #include "Surface/FeatureCurve.h"
 
+#include <optional>
+
 namespace flattening
 {
 /// A proposed cut or line.
@@ -19,7 +21,8 @@ struct SuggestedCurve
   double areaErrorAfter = 0.0;
   double strainBefore = 0.0; ///< largest p95 strain of a piece without it and those after it
   double strainAfter = 0.0;
-  bool sound = true;     ///< of a line that is left out: it breaks no promise, but costs too much
-  Index mirrorOf = none; ///< the proposal that it is the mirror image of
+  bool sound = true; ///< of a line that is left out: it breaks no promise, but costs too much
+  std::optional<Point3> via; ///< of a seam: where it runs over a peak; straight before and behind
+  Index mirrorOf = none;     ///< the proposal that it is the mirror image of
 };
 }

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/CutAdjustment.h"
+
+#include "Imprint/CurveImprint.h"
+#include "Suggestion/CutSetMerit.h"
+#include "Suggestion/CutThinning.h"
+#include "Suggestion/MovedPlans.h"
+#include "Suggestion/SettledCuts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+/// In sqrt(area / pi): how far ends are moved at first, and at last.
+constexpr double firstStep = 0.12;
+constexpr double lastStep = 0.015;
+/// Moves are taken that lower the merit, a logarithm, by more than this.
+constexpr double leastProgress = 0.002;
+/// What a share of strain above the bound weighs against one of the price; within it they weigh
+/// alike.
+constexpr double unmetWeight = 10.0;
+/// Ends this near to the boundary, in the same unit, lie on it; and to their image on the mirror.
+constexpr double samePlace = 1e-6;
+constexpr double nearlyImage = 1e-3;
+/// A seam that cuts off less than this share of the area is no seam.
+constexpr double leastPiece = 0.03;
+/// Of the most length, what is left for ends that move onto vertices.
+constexpr double lengthToSpare = 1e-4;
+
+std::vector<Polyline> withFirst(
+  std::vector<Polyline> curves, const std::vector<SuggestedCurve>& cuts, std::size_t count)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    curves.push_back(cuts[k].curve);
+  }
+  return curves;
+}
+
+class Adjusting
+{
+public:
+  Adjusting(const SearchSubject& subject, std::size_t firstCount, CutSet& set, TrialBudget& budget,
+    const Execution& execution)
+    : Subject(subject)
+    , Search(subject.search)
+    , Run(execution)
+    , Trials(subject.mesh, subject.curves, subject.imprint, subject.flattening, subject.search.goal,
+        subject.weights)
+    , Quick(subject.mesh, withFirst(subject.curves, set.cuts, firstCount), subject.imprint,
+        roughly(subject.flattening, false), subject.search.goal, subject.weights)
+    , Budget(budget)
+    , FirstCount(firstCount)
+    , Set(set)
+    , Longest(subject.search.maximumCutLength)
+  {
+    double area = 0.0;
+    for (Index t = 0; t < subject.mesh.triangleCount(); ++t)
+    {
+      area += subject.mesh.area(t);
+    }
+    this->Size = std::sqrt(area / pi);
+    if (subject.search.bound == 0.0 && !std::isfinite(this->Longest))
+    {
+      this->Longest = set.outcome.cutLength();
+    }
+  }
+
+  void run()
+  {
+    this->Budget.pay(this->Quick.startUncut(this->Run));
+    for (double step = firstStep; step >= lastStep && this->goesOn();)
+    {
+      bool better = false;
+      for (std::size_t k = this->FirstCount; k < this->Set.cuts.size() && this->goesOn(); ++k)
+      {
+        better = (this->Set.cuts[k].mirrorOf == none && this->move(k, step * this->Size)) || better;
+      }
+      step *= better ? 1.0 : 0.5;
+      this->Run.report(
+        std::log(firstStep / step) / std::log(2.0 * firstStep / lastStep), "Moving cuts");
+    }
+    if (this->FirstCount == 0 && this->met(this->Set.outcome))
+    {
+      thinCuts(this->Trials, this->Search.bound, this->Search.leastLength * this->Size,
+        this->Set.cuts, this->Set.outcome, this->Budget, this->Run);
+      this->takeLengths();
+    }
+    if (this->met(this->Set.outcome))
+    {
+      this->Set.end = SearchEnd::BoundMet;
+    }
+  }
+
+private:
+  bool goesOn() const { return !this->Budget.spent() && !this->Run.cancelled(); }
+
+  void takeLengths()
+  {
+    for (std::size_t k = 0; k < this->Set.cuts.size(); ++k)
+    {
+      this->Set.cuts[k].length = this->Set.outcome.lengths[k];
+    }
+  }
+
+  bool met(const TrialOutcome& outcome) const { return outcome.strainP95 <= this->Search.bound; }
+
+  /// A logarithm; what is less is better.
+  double merit(const TrialOutcome& outcome) const
+  {
+    if (this->Search.bound == 0.0)
+    {
+      return std::log(distortionOf(outcome));
+    }
+    const double price = outcome.cutLength() / this->Size +
+      this->Search.fixedPrice * static_cast<double>(outcome.lengths.size());
+    return std::log(price) +
+      (this->met(outcome) ? 1.0 : unmetWeight) * std::log(outcome.strainP95 / this->Search.bound);
+  }
+
+  bool better(const TrialOutcome& outcome) const
+  {
+    const TrialOutcome& now = this->Set.outcome;
+    const double least = this->Search.leastLength * this->Size;
+    const bool lengthy = std::all_of(outcome.lengths.begin() +
+        static_cast<std::ptrdiff_t>(std::min(this->FirstCount, outcome.lengths.size())),
+      outcome.lengths.end(), [&](double length) { return length >= least; });
+    return outcome.soundAfter(now) && lengthy &&
+      outcome.pieceStrains.size() == now.pieceStrains.size() &&
+      outcome.leastPiece >= std::min(leastPiece, now.leastPiece) &&
+      outcome.cutLength() <= this->Longest && (this->met(outcome) || !this->met(now)) &&
+      this->merit(outcome) < this->merit(now) - leastProgress;
+  }
+
+  /// Whether a cut or its image is one on which others begin or end.
+  bool carriesOthers(std::size_t k) const
+  {
+    const std::vector<SuggestedCurve>& cuts = this->Set.cuts;
+    const auto group = [&](std::size_t j) {
+      return cuts[j].mirrorOf == none ? j : static_cast<std::size_t>(cuts[j].mirrorOf);
+    };
+    const auto onCut = [&](const Point3& end, const Points3& line) {
+      return std::any_of(line.begin(), line.end(),
+        [&](const Point3& point) { return (point - end).norm() < samePlace * this->Size; });
+    };
+    for (std::size_t other = 0; other < cuts.size(); ++other)
+    {
+      for (std::size_t mine = 0; mine < cuts.size(); ++mine)
+      {
+        const Points3& line = cuts[mine].curve.points;
+        if (group(mine) == group(k) && group(other) != group(k) &&
+          (onCut(cuts[other].curve.points.front(), line) ||
+            onCut(cuts[other].curve.points.back(), line)))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool paired(std::size_t k) const
+  {
+    return k + 1 < this->Set.cuts.size() && this->Set.cuts[k + 1].mirrorOf == static_cast<Index>(k);
+  }
+
+  /// The set with others in the place of a cut and its image, all darts cut back where that is too
+  /// long. Empty where they are too short for that.
+  std::vector<SuggestedCurve> with(std::size_t k, const std::vector<Polyline>& lines) const
+  {
+    std::vector<SuggestedCurve> cuts = this->Set.cuts;
+    for (std::size_t j = 0; j < lines.size(); ++j)
+    {
+      cuts[k + j].curve.points = lines[j].points;
+      cuts[k + j].length = lengthOf(lines[j].points);
+    }
+    double all = 0.0;
+    double shortenable = 0.0;
+    for (std::size_t j = 0; j < cuts.size(); ++j)
+    {
+      all += cuts[j].length;
+      shortenable += this->Shortenable[j] ? cuts[j].length : 0.0;
+    }
+    const double excess = all - (1.0 - lengthToSpare) * this->Longest;
+    if (excess <= 0.0)
+    {
+      return cuts;
+    }
+    if (excess >= shortenable)
+    {
+      return {};
+    }
+    for (std::size_t j = 0; j < cuts.size(); ++j)
+    {
+      if (this->Shortenable[j])
+      {
+        cuts[j].length *= 1.0 - excess / shortenable;
+        cuts[j].curve.points = shortened(cuts[j].curve.points, cuts[j].length);
+      }
+    }
+    return cuts;
+  }
+
+  void findShortenable()
+  {
+    this->Shortenable.clear();
+    for (std::size_t k = 0; k < this->Set.cuts.size(); ++k)
+    {
+      const SuggestedCurve& cut = this->Set.cuts[k];
+      const std::size_t group = cut.mirrorOf == none ? k : cut.mirrorOf;
+      this->Shortenable.push_back(
+        k >= this->FirstCount && cut.curve.type == CurveType::Dart && !this->carriesOthers(group)
+          ? 1
+          : 0);
+    }
+  }
+
+  /// As a plan on a piece; nothing where it cannot be moved there.
+  std::optional<CutPlan> planOf(const SearchedPiece& piece, std::size_t k) const
+  {
+    const SuggestedCurve& cut = this->Set.cuts[k];
+    const Points3& line = cut.curve.points;
+    const BoundaryRuler& ruler = piece.ruler();
+    const auto onBoundary = [&](const BoundaryPlace& place, const Point3& end) {
+      return (ruler.point(place) - end).norm() < samePlace * this->Size;
+    };
+    CutPlan plan;
+    plan.type = cut.curve.type;
+    plan.via = cut.via;
+    plan.base = ruler.nearest(line.front(), line[1]);
+    plan.tip = line.back();
+    if (!onBoundary(plan.base, line.front()))
+    {
+      plan.start = line.front();
+    }
+    if (plan.type == CurveType::Seam)
+    {
+      plan.end = ruler.nearest(line.back(), line[line.size() - 2]);
+      if (plan.start || !onBoundary(plan.end, line.back()))
+      {
+        return {};
+      }
+    }
+    if (this->paired(k))
+    {
+      plan.role = MirrorRole::Pair;
+      return piece.mirror() ? std::optional<CutPlan>(plan) : std::nullopt;
+    }
+    if (piece.mirror())
+    {
+      const auto near = [&](const Point3& a, const Point3& b) {
+        return (a - b).norm() < nearlyImage * this->Size;
+      };
+      const auto onAxis = [&](const Point3& point) {
+        return near(piece.mirror()->projected(point), point);
+      };
+      if (onAxis(line.front()) && onAxis(line.back()))
+      {
+        plan.role = MirrorRole::Along;
+      }
+      else if (plan.type == CurveType::Seam &&
+        near(piece.mirror()->mirrored(line.front()), line.back()))
+      {
+        plan.role = MirrorRole::Across;
+      }
+    }
+    return plan;
+  }
+
+  bool move(std::size_t k, double step)
+  {
+    if (this->carriesOthers(k))
+    {
+      return false;
+    }
+    this->findShortenable();
+    const std::vector<Polyline> others = linesOf(withShare(this->Set.cuts, k, 0.0));
+    std::vector<Polyline> curves = this->Subject.curves;
+    curves.insert(curves.end(), others.begin(), others.end());
+    const ImprintedSurface surface =
+      imprintCurves(this->Subject.mesh, curves, this->Subject.imprint);
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    const std::vector<PieceSurface> pieces = pieceSurfaces(surface, cut, this->Subject.weights);
+    const VertexMarks marks = markVertices(surface, this->Search);
+    const Points3& line = this->Set.cuts[k].curve.points;
+    const Point3 middle = 0.5 * (line[(line.size() - 1) / 2] + line[(line.size() + 1) / 2]);
+    for (const PieceSurface& piece : pieces)
+    {
+      if (SurfaceLocator(piece.mesh).closest(middle).distance < samePlace * this->Size)
+      {
+        const std::unique_ptr<SearchedPiece> searched =
+          searchedPiece(piece, marks, this->Subject.mirror);
+        const std::optional<CutPlan> plan = searched ? this->planOf(*searched, k) : std::nullopt;
+        return plan && this->moveOn(*searched, *plan, step, k, others);
+      }
+    }
+    return false;
+  }
+
+  /// Moves on to the best of the plans beside one that is better.
+  bool moveOn(const SearchedPiece& piece, const CutPlan& now, double step, std::size_t k,
+    const std::vector<Polyline>& others)
+  {
+    std::vector<CutPlan> plans = movedPlans(piece, now, step);
+    const std::vector<CutPlan> slid = slidPlans(piece, now, step);
+    plans.insert(plans.end(), slid.begin(), slid.end());
+    std::vector<std::vector<Polyline>> lines(plans.size());
+    std::vector<std::vector<Polyline>> sets(plans.size());
+    this->Run.parallelFor(static_cast<Index>(plans.size()), [&](Index begin, Index end) {
+      for (Index p = begin; p < end; ++p)
+      {
+        lines[p] = piece.polylines(plans[p]);
+        if (lines[p].size() == (this->paired(k) ? 2U : 1U))
+        {
+          sets[p] = linesOf(this->with(k, lines[p]));
+          sets[p].erase(sets[p].begin(),
+            sets[p].begin() + std::min<std::ptrdiff_t>(this->FirstCount, sets[p].size()));
+        }
+      }
+    });
+    std::vector<TrialOutcome> outcomes = this->Quick.runAll(sets, this->Run);
+    this->Budget.pay(outcomes);
+    for (TrialOutcome& outcome : outcomes)
+    {
+      const std::vector<double>& all = this->Set.outcome.lengths;
+      outcome.lengths.insert(outcome.lengths.begin(), all.begin(),
+        all.begin() + static_cast<std::ptrdiff_t>(this->FirstCount));
+    }
+    std::size_t best = plans.size();
+    for (std::size_t p = 0; p < plans.size(); ++p)
+    {
+      if (!sets[p].empty() && this->better(outcomes[p]) &&
+        (best == plans.size() || this->merit(outcomes[p]) < this->merit(outcomes[best])))
+      {
+        best = p;
+      }
+    }
+    return best < plans.size() && this->accept(piece, plans[best], k, lines[best], others);
+  }
+
+  bool accept(const SearchedPiece& piece, const CutPlan& plan, std::size_t k,
+    const std::vector<Polyline>& lines, const std::vector<Polyline>& others)
+  {
+    const std::vector<Polyline> settled = settledCuts(this->Trials, others, lines, piece);
+    if (settled.size() != lines.size())
+    {
+      return false;
+    }
+    std::vector<SuggestedCurve> cuts = this->with(k, settled);
+    if (cuts.empty())
+    {
+      return false;
+    }
+    cuts[k].via = plan.via;
+    TrialOutcome after = this->Trials.run(linesOf(cuts), this->Run);
+    this->Budget.pay(after);
+    if (!this->better(after))
+    {
+      return false;
+    }
+    this->Set.cuts = std::move(cuts);
+    this->Set.outcome = std::move(after);
+    this->takeLengths();
+    return true;
+  }
+
+  const SearchSubject& Subject;
+  const SearchOptions& Search;
+  const Execution& Run;
+  CutTrials Trials;
+  CutTrials Quick; ///< the cuts that stay are curves of it
+  TrialBudget& Budget;
+  std::size_t FirstCount;
+  double Size = 0.0;
+  CutSet& Set;
+  double Longest;
+  std::vector<char> Shortenable; ///< by cut
+};
+}
+
+void adjustCuts(const SearchSubject& subject, std::size_t firstCount, CutSet& set,
+  TrialBudget& budget, const Execution& execution)
+{
+  if (set.outcome.valid && set.cuts.size() > firstCount)
+  {
+    Adjusting(subject, firstCount, set, budget, execution).run();
+  }
+}
+}
