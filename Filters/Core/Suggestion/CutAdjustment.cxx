@@ -40,6 +40,9 @@ std::vector<Polyline> withFirst(
   return curves;
 }
 
+/// Of the work, what moving may take where cuts are then to be taken back.
+constexpr double movingShare = 0.75;
+
 class Adjusting
 {
 public:
@@ -56,6 +59,7 @@ public:
     , FirstCount(firstCount)
     , Set(set)
     , Longest(subject.search.maximumCutLength)
+    , MostMoving((subject.search.bound > 0.0 ? movingShare : 1.0) * budget.most())
   {
     double area = 0.0;
     for (Index t = 0; t < subject.mesh.triangleCount(); ++t)
@@ -96,7 +100,7 @@ public:
   }
 
 private:
-  bool goesOn() const { return !this->Budget.spent() && !this->Run.cancelled(); }
+  bool goesOn() const { return this->Budget.work() < this->MostMoving && !this->Run.cancelled(); }
 
   void takeLengths()
   {
@@ -104,6 +108,13 @@ private:
     {
       this->Set.cuts[k].length = this->Set.outcome.lengths[k];
     }
+  }
+
+  /// Once the bound is met no more length is spent: it is there to be taken back.
+  double longest() const
+  {
+    const TrialOutcome& now = this->Set.outcome;
+    return this->met(now) ? std::min(now.cutLength(), this->Longest) : this->Longest;
   }
 
   bool met(const TrialOutcome& outcome) const { return outcome.strainP95 <= this->Search.bound; }
@@ -131,35 +142,13 @@ private:
     return outcome.soundAfter(now) && lengthy &&
       outcome.pieceStrains.size() == now.pieceStrains.size() &&
       outcome.leastPiece >= std::min(leastPiece, now.leastPiece) &&
-      outcome.cutLength() <= this->Longest && (this->met(outcome) || !this->met(now)) &&
+      outcome.cutLength() <= this->longest() && (this->met(outcome) || !this->met(now)) &&
       this->merit(outcome) < this->merit(now) - leastProgress;
   }
 
-  /// Whether a cut or its image is one on which others begin or end.
   bool carriesOthers(std::size_t k) const
   {
-    const std::vector<SuggestedCurve>& cuts = this->Set.cuts;
-    const auto group = [&](std::size_t j) {
-      return cuts[j].mirrorOf == none ? j : static_cast<std::size_t>(cuts[j].mirrorOf);
-    };
-    const auto onCut = [&](const Point3& end, const Points3& line) {
-      return std::any_of(line.begin(), line.end(),
-        [&](const Point3& point) { return (point - end).norm() < samePlace * this->Size; });
-    };
-    for (std::size_t other = 0; other < cuts.size(); ++other)
-    {
-      for (std::size_t mine = 0; mine < cuts.size(); ++mine)
-      {
-        const Points3& line = cuts[mine].curve.points;
-        if (group(mine) == group(k) && group(other) != group(k) &&
-          (onCut(cuts[other].curve.points.front(), line) ||
-            onCut(cuts[other].curve.points.back(), line)))
-        {
-          return true;
-        }
-      }
-    }
-    return false;
+    return isCarrier(this->Set.cuts, k, samePlace * this->Size);
   }
 
   bool paired(std::size_t k) const
@@ -184,7 +173,7 @@ private:
       all += cuts[j].length;
       shortenable += this->Shortenable[j] ? cuts[j].length : 0.0;
     }
-    const double excess = all - (1.0 - lengthToSpare) * this->Longest;
+    const double excess = all - (1.0 - lengthToSpare) * this->longest();
     if (excess <= 0.0)
     {
       return cuts;
@@ -377,6 +366,7 @@ private:
   double Size = 0.0;
   CutSet& Set;
   double Longest;
+  double MostMoving;             ///< of the budget
   std::vector<char> Shortenable; ///< by cut
 };
 }

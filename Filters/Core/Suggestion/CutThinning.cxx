@@ -80,6 +80,31 @@ std::vector<SuggestedCurve> withShare(
   return result;
 }
 
+bool isCarrier(const std::vector<SuggestedCurve>& cuts, std::size_t which, double near)
+{
+  const auto group = [&](std::size_t k) {
+    return cuts[k].mirrorOf == none ? k : static_cast<std::size_t>(cuts[k].mirrorOf);
+  };
+  const auto onCut = [&](const Point3& end, const Points3& line) {
+    return std::any_of(
+      line.begin(), line.end(), [&](const Point3& point) { return (point - end).norm() < near; });
+  };
+  for (std::size_t other = 0; other < cuts.size(); ++other)
+  {
+    for (std::size_t mine = 0; mine < cuts.size(); ++mine)
+    {
+      const Points3& line = cuts[mine].curve.points;
+      const Points3& ends = cuts[other].curve.points;
+      if (group(mine) == group(which) && group(other) != group(which) &&
+        (onCut(ends.front(), line) || onCut(ends.back(), line)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 void thinCuts(const CutTrials& trials, double bound, double least,
   std::vector<SuggestedCurve>& cuts, TrialOutcome& now, TrialBudget& budget,
   const Execution& execution)

@@ -25,4 +25,7 @@ std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts);
 /// The cuts with one and its mirror image left out, or cut back to a share of its length.
 std::vector<SuggestedCurve> withShare(
   const std::vector<SuggestedCurve>& cuts, std::size_t which, double share);
+
+/// Whether others begin or end on a cut or its mirror image. \param near how far from its points
+bool isCarrier(const std::vector<SuggestedCurve>& cuts, std::size_t which, double near);
 }

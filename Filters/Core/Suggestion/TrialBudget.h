@@ -19,6 +19,7 @@ public:
   }
 
   bool spent() const { return this->Paid >= this->Most; }
+  double most() const { return this->Most; }
   /// Paid so far.
   double work() const { return this->Paid; }
   Index trials() const { return this->Trials; }
