@@ -17,7 +17,7 @@ namespace
 /// How often a step of an iteration asks whether to go on, in the mean of many flattenings.
 constexpr double askedPerStep = 11.0;
 /// Of flattenings that are only compared.
-constexpr double tolerance = 1e-3;
+constexpr double enoughToCompare = 1e-3;
 constexpr double lengthTolerance = 1e-4;
 
 /// Whether one of the curves from `first` on meets a key curve anywhere but at the boundary.
@@ -122,7 +122,7 @@ bool crossesItself(const ImprintedSurface& surface, std::size_t first)
 FlatteningOptions roughly(FlatteningOptions options, bool unsettled)
 {
   options.isometric.rough = unsettled;
-  options.isometric.tolerance = std::max(options.isometric.tolerance, tolerance);
+  options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
   options.isometric.lengthTolerance = lengthTolerance;
   return options;
 }
