@@ -2,6 +2,7 @@
 #include "vtkPatternWriter.h"
 
 #include "Base/Memory.h"
+#include "FairCache.h"
 #include "FileAside.h"
 #include "GradingData.h"
 #include "PatternFile.h"
@@ -77,6 +78,7 @@ unsigned long errorCodeOf(StatusCode code)
 
 //------------------------------------------------------------------------------
 vtkPatternWriter::vtkPatternWriter()
+  : Fair(std::make_unique<pattern::FairCache>())
 {
   this->SetNumberOfInputPorts(4);
 }
@@ -143,6 +145,7 @@ Status vtkPatternWriter::WritePattern(int format)
     status = flattening::bridge::readGrading(vtkPolyData::SafeDownCast(this->GetInput(3)), grading);
     options.grading = &grading;
   }
+  options.fair = this->Fair.get();
   pattern::Pattern drawing;
   setTime(drawing);
   std::string content;

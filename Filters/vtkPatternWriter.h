@@ -93,6 +93,7 @@
 #include "vtkPatternFileWriter.h"
 
 #include <map>
+#include <memory> // for what is kept from file to file
 #include <set>    // for the allowances
 #include <string> // for names
 #include <vector> // for the names of pieces
@@ -102,6 +103,7 @@ namespace flattening
 struct Status;
 namespace pattern
 {
+class FairCache;
 struct FileOptions;
 }
 }
@@ -202,9 +204,12 @@ public:
   /**
    * Seam allowance, in millimetres, along one curve: a seam, a dart that is cut out, a feature
    * curve that runs along the boundary, or "boundary" for what is left of the surface's own. A name
-   * that is not there is an error when writing.
+   * that is not there is an error when writing. Get gives Allowance where a curve has none of its
+   * own.
    */
   void SetCurveAllowance(const std::string& curve, double allowance);
+  double GetCurveAllowance(const std::string& curve) const;
+  bool HasCurveAllowance(const std::string& curve) const;
   void RemoveAllCurveAllowances();
   ///@}
 
@@ -233,9 +238,12 @@ public:
    * A notch on all curves of a name, this far from their start on the surface, in millimetres: on
    * both sides of a seam or dart, or on a feature curve along the boundary, such as a hem. Curves
    * with notches of their own have none by NotchSpacing. A name that is not there and a distance
-   * beyond the end of the longest curve are errors when writing.
+   * beyond the end of the longest curve are errors when writing. Get gives them in the order in
+   * which they were added.
    */
   void AddCurveNotch(const std::string& curve, double distance);
+  int GetNumberOfCurveNotches(const std::string& curve) const;
+  double GetCurveNotch(const std::string& curve, int notch) const;
   void RemoveAllCurveNotches();
   ///@}
 
@@ -246,6 +254,7 @@ public:
    * is not there is an error when writing.
    */
   void AddDoubleNotches(const std::string& curve);
+  bool HasDoubleNotches(const std::string& curve) const;
   void RemoveAllDoubleNotches();
   ///@}
 
@@ -330,6 +339,8 @@ public:
   ///@{
   /// DartTip of the darts of a name. A name that is not there is an error when writing.
   void SetCurveDartTip(const std::string& curve, double distance);
+  double GetCurveDartTip(const std::string& curve) const;
+  bool HasCurveDartTip(const std::string& curve) const;
   void RemoveAllCurveDartTips();
   ///@}
 
@@ -347,10 +358,12 @@ public:
   ///@{
   /**
    * Draw borders and feature curves smoothly: between corners (turns of more than 30 degrees that
-   * are no part of a round) as cubic splines of least bending, straight where they are nearly so,
-   * no point of the flat piece farther from them than this many millimetres across. Each stretch
-   * from notch to notch keeps its length to 1e-10 of it, both sides of a seam alike; stretches that
-   * cannot keep to the tolerance stay as the mesh has them, and a note says so. A piece of which 95
+   * are no part of a round, and those that no curve as long as its edges can round within the
+   * tolerance) as cubic splines of least bending, with tangents that go on and as few curves as are
+   * found, straight where they are nearly so, no point of the flat piece farther from them than
+   * this many millimetres across. Each stretch from notch to notch keeps its length to 1e-10 of it,
+   * both sides of a seam alike; corners and stretches that cannot keep to the tolerance stay as the
+   * mesh has them, and a note says so. A piece of which 95
    * % of the area would be strained by over 0.3 % more (port 2 says how much it is) keeps nearer to
    * its flat points, by halves of the tolerance, or stays as it is. SVG and PDF hold
    * Bezier curves, DXF and HPGL their points; DXF marks the ends of the curves alone as curve
@@ -367,8 +380,16 @@ public:
    * A name that is not there is an error when writing.
    */
   void SetCurveFairTolerance(const std::string& curve, double tolerance);
+  double GetCurveFairTolerance(const std::string& curve) const;
+  bool HasCurveFairTolerance(const std::string& curve) const;
   void RemoveAllCurveFairTolerances();
   ///@}
+
+  /**
+   * The names of all curves that have an allowance, notches, a dart tip or a FairTolerance of their
+   * own, each once, in alphabetical order.
+   */
+  vtkSmartPointer<vtkStringArray> GetCurvesWithOptions() const;
 
   ///@{
   /**
@@ -487,6 +508,7 @@ private:
   bool FollowPipeline = false;
   std::vector<std::string> Warnings;
   std::vector<std::string> Notes;
+  std::unique_ptr<flattening::pattern::FairCache> Fair;
 };
 
 #endif

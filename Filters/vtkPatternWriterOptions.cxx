@@ -5,9 +5,18 @@
 
 #include "PatternFile.h"
 
+#include "vtkStringArray.h"
+
 namespace
 {
 namespace pattern = flattening::pattern;
+
+double valueOf(
+  const std::map<std::string, double>& ofCurve, const std::string& curve, double common)
+{
+  const auto found = ofCurve.find(curve);
+  return found == ofCurve.end() ? common : found->second;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -89,6 +98,18 @@ void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowa
 }
 
 //------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveAllowance(const std::string& curve) const
+{
+  return valueOf(this->CurveAllowances, curve, this->Allowance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasCurveAllowance(const std::string& curve) const
+{
+  return this->CurveAllowances.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveAllowances()
 {
   this->CurveAllowances.clear();
@@ -100,6 +121,24 @@ void vtkPatternWriter::AddCurveNotch(const std::string& curve, double distance)
 {
   this->CurveNotches[curve].push_back(distance);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::GetNumberOfCurveNotches(const std::string& curve) const
+{
+  const auto found = this->CurveNotches.find(curve);
+  return found == this->CurveNotches.end() ? 0 : static_cast<int>(found->second.size());
+}
+
+//------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveNotch(const std::string& curve, int notch) const
+{
+  if (notch < 0 || notch >= this->GetNumberOfCurveNotches(curve))
+  {
+    vtkErrorMacro("The curve '" << curve << "' has no notch " << notch << " of its own.");
+    return 0.0;
+  }
+  return this->CurveNotches.at(curve)[static_cast<std::size_t>(notch)];
 }
 
 //------------------------------------------------------------------------------
@@ -117,6 +156,12 @@ void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
 }
 
 //------------------------------------------------------------------------------
+bool vtkPatternWriter::HasDoubleNotches(const std::string& curve) const
+{
+  return this->DoubleNotches.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllDoubleNotches()
 {
   this->DoubleNotches.clear();
@@ -128,6 +173,18 @@ void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double to
 {
   this->CurveFairTolerances[curve] = tolerance;
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveFairTolerance(const std::string& curve) const
+{
+  return valueOf(this->CurveFairTolerances, curve, this->FairTolerance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasCurveFairTolerance(const std::string& curve) const
+{
+  return this->CurveFairTolerances.count(curve) > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -159,10 +216,46 @@ void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance
 }
 
 //------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveDartTip(const std::string& curve) const
+{
+  return valueOf(this->CurveDartTips, curve, this->DartTip);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasCurveDartTip(const std::string& curve) const
+{
+  return this->CurveDartTips.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveDartTips()
 {
   this->CurveDartTips.clear();
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStringArray> vtkPatternWriter::GetCurvesWithOptions() const
+{
+  std::set<std::string> names = this->DoubleNotches;
+  for (const auto* const ofCurve :
+    { &this->CurveAllowances, &this->CurveDartTips, &this->CurveFairTolerances })
+  {
+    for (const auto& entry : *ofCurve)
+    {
+      names.insert(entry.first);
+    }
+  }
+  for (const auto& entry : this->CurveNotches)
+  {
+    names.insert(entry.first);
+  }
+  auto list = vtkSmartPointer<vtkStringArray>::New();
+  for (const std::string& name : names)
+  {
+    list->InsertNextValue(name);
+  }
+  return list;
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,13 @@ constexpr double sharpTurn = pi / 3.0;
 /// edge to edge where the curve is round.
 constexpr double leastTurn = pi / 6.0;
 constexpr double roundTurn = pi / 12.0;
+constexpr double leastBeside = pi / 36.0;
 constexpr double timesNeighbour = 1.8;
+/// A curve as long as its edges runs within their corners, where it is round by edge * turn / 24,
+/// and by about edge * turn / 16 where it bends at one of them alone.
+constexpr double depthOfRound = 24.0;
+constexpr double depthOfBend = 16.0;
+constexpr double surely = 1.5; ///< so many tolerances are too much
 }
 
 BorderChains::BorderChains(const DrawingSource& all)
@@ -104,6 +110,7 @@ void BorderChains::add(
     const auto shift = first == chain.corner.end() ? 0 : first - chain.corner.begin();
     std::rotate(chain.corner.begin(), chain.corner.begin() + shift, chain.corner.end());
     std::rotate(chain.turns.begin(), chain.turns.begin() + shift, chain.turns.end());
+    std::rotate(chain.bends.begin(), chain.bends.begin() + shift, chain.bends.end());
     std::rotate(chain.points.begin(), chain.points.begin() + shift, chain.points.end());
   }
   chain.arc.push_back(0.0);
@@ -135,11 +142,13 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
     const Point2 after = all.at(chain.points[(k + 1) % count]) - at;
     turn[k] = std::atan2(cross(before, after), before.dot(after));
   }
+  chain.turns.assign(count, false);
+  chain.bends.assign(count, 0.0);
   chain.corner.assign(count, false);
   for (std::size_t k = 0; k < count; ++k)
   {
     const double sign = turn[k] < 0.0 ? -1.0 : 1.0;
-    double beside = roundTurn;
+    double beside = leastBeside;
     for (const std::size_t neighbour : { (k + count - 1) % count, (k + 1) % count })
     {
       // A corner at the other end of a long edge makes no round of this one.
@@ -147,9 +156,20 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
       beside = same > sharpTurn ? beside : std::max(beside, same);
     }
     const double own = std::abs(turn[k]);
-    chain.corner[k] = own > sharpTurn || (own > leastTurn && own > timesNeighbour * beside);
+    const Index at = chain.points[k];
+    const Index before = chain.points[(k + count - 1) % count];
+    const Index after = chain.points[(k + 1) % count];
+    const double tolerance =
+      std::min(all.fairToleranceAlong(before, at), all.fairToleranceAlong(at, after));
+    const double edge =
+      ((all.at(at) - all.at(before)).norm() + (all.at(after) - all.at(at)).norm()) / 2.0;
+    const bool alone = own > timesNeighbour * beside;
+    const double bend = own * edge / (alone ? depthOfBend : depthOfRound);
+    chain.turns[k] =
+      own > sharpTurn || (own > leastTurn && own > timesNeighbour * std::max(beside, roundTurn));
+    chain.bends[k] = !chain.turns[k] && tolerance > 0.0 && bend > surely * tolerance ? bend : 0.0;
+    chain.corner[k] = chain.turns[k] || chain.bends[k] > 0.0;
   }
-  chain.turns = chain.corner;
   // Where what is smooth meets what stays as it is.
   for (std::size_t k = ends; k + ends < count; ++k)
   {

@@ -18,6 +18,9 @@ struct BorderChain
   std::vector<bool> turns;  ///< whether the line has a corner at a point
   std::vector<bool> corner; ///< the same, and both ends of an open one, and ends of what is smooth
 
+  std::vector<double> bends; ///< how far a smooth curve would be from a corner that it cannot keep
+                             ///< near enough, millimetres; 0 at all other points
+
   std::size_t edges() const { return this->arc.size() - 1; }
   double length() const { return this->arc.back(); }
   Index point(std::size_t k) const { return this->points[k % this->points.size()]; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BorderEdges.h"
 
+#include "IntervalCurve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,75 +13,58 @@ namespace pattern
 {
 namespace
 {
-constexpr double sameBreak = 1e-7; ///< of an interval
+constexpr double shortestEdge = 6.0; ///< millimetres; the breaks of both sides are rarely the same
+constexpr double crossing = 1e-6;    ///< of an edge: a break so near to its end is no other one
 
-/// The curve of an interval.
-class IntervalCurve
+/// Of breaks that are close to each other the mean, the same from either end.
+std::vector<double> withoutShortEdges(std::vector<double> breaks, double shortest)
 {
-public:
-  IntervalCurve(const std::vector<FairSpan>& spans, const PlannedInterval& interval)
-    : End(interval.end)
+  std::sort(breaks.begin(), breaks.end());
+  std::vector<double> kept;
+  for (std::size_t k = 0; k < breaks.size();)
   {
-    const double least = sameBreak * (interval.end - interval.start);
-    for (const FairSpan& span : spans)
+    double sum = 0.0;
+    const std::size_t first = k;
+    do
     {
-      if (span.to > interval.start + least && span.from < interval.end - least)
-      {
-        this->Parts.push_back(
-          partOf(span, std::max(span.from, interval.start), std::min(span.to, interval.end)));
-      }
-    }
-    for (const FairSpan& part : this->Parts)
+      sum += breaks[k++];
+    } while (k < breaks.size() && breaks[k] - breaks[k - 1] < shortest);
+    const double mean = sum / static_cast<double>(k - first);
+    if (mean > shortest && mean < 1.0 - shortest)
     {
-      this->Length += part.length();
+      kept.push_back(mean);
     }
   }
+  return kept;
+}
 
-  /// Where it is divided, as shares of its length. \param fromEnd the shares are those from its end
-  std::vector<double> breaks(bool fromEnd) const
+/// A part of a chain as one cubic curve, which follows what lies beyond a break near one of its
+/// ends by its slope there, and has the same length.
+FairSpan oneCubic(const std::vector<FairSpan>& spans, double from, double to, double length)
+{
+  const double margin = crossing * (to - from);
+  const FairSpan& first = spanAt(spans, from + margin);
+  const FairSpan& last = spanAt(spans, to - margin);
+  if (&first == &last)
   {
-    std::vector<double> breaks;
-    double length = 0.0;
-    for (std::size_t k = 0; k + 1 < this->Parts.size(); ++k)
-    {
-      length += this->Parts[k].length();
-      breaks.push_back(fromEnd ? 1.0 - length / this->Length : length / this->Length);
-    }
-    return breaks;
+    return partOf(first, from, to);
   }
-
-  /// The place along the chain at a share of the length.
-  double placeAt(double share) const
+  const Point2 start = first.at(from);
+  const Point2 end = last.at(to);
+  const auto cubic = [&](double handle) {
+    return FairSpan{ from, to,
+      { start, start + handle * first.slope(from).normalized(),
+        end - handle * last.slope(to).normalized(), end } };
+  };
+  double low = 0.0;
+  double high = length;
+  for (int step = 0; step < 60; ++step)
   {
-    double left = share * this->Length;
-    for (const FairSpan& part : this->Parts)
-    {
-      const double length = part.length();
-      if (std::abs(left - length) < sameBreak * this->Length)
-      {
-        return &part == &this->Parts.back() ? this->End : part.to;
-      }
-      if (left < length)
-      {
-        double low = part.from;
-        double high = part.to;
-        for (int step = 0; step < 50; ++step)
-        {
-          const double middle = (low + high) / 2.0;
-          (partOf(part, part.from, middle).length() < left ? low : high) = middle;
-        }
-        return low;
-      }
-      left -= length;
-    }
-    return this->End;
+    const double middle = (low + high) / 2.0;
+    (cubic(middle).length() < length ? low : high) = middle;
   }
-
-private:
-  double End = 0.0;
-  double Length = 0.0;
-  std::vector<FairSpan> Parts;
-};
+  return cubic((low + high) / 2.0);
+}
 
 class EdgeDivision
 {
@@ -129,8 +114,12 @@ private:
                                            .breaks(interval.reversed);
       breaks.insert(breaks.end(), others.begin(), others.end());
     }
+    const bool sewn = interval.partner[0] != PlannedInterval::none;
+    const bool smooth =
+      this->isSmooth(c, k) && (!sewn || this->isSmooth(interval.partner[0], interval.partner[1]));
+    breaks =
+      withoutShortEdges(std::move(breaks), smooth ? shortestEdge / interval.length : sameBreak);
     breaks.push_back(1.0);
-    std::sort(breaks.begin(), breaks.end());
     std::vector<BorderEdge>& border = this->Borders[piece];
     Run run{ piece, border.size(), 0 };
     const std::string name = this->nameAt(c, (interval.start + interval.end) / 2.0);
@@ -138,14 +127,9 @@ private:
     double start = interval.start;
     for (const double share : breaks)
     {
-      if (share - last < sameBreak)
-      {
-        continue;
-      }
       const double end = curve.placeAt(share);
-      const FairSpan& span = spanAt(this->Fair.spans()[c], (start + end) / 2.0);
       BorderEdge edge;
-      edge.curve = partOf(span, start, end);
+      edge.curve = oneCubic(this->Fair.spans()[c], start, end, (share - last) * curve.length());
       edge.name = name;
       border.push_back(edge);
       last = share;
@@ -153,6 +137,15 @@ private:
       ++run.count;
     }
     this->Runs[{ c, k }] = run;
+  }
+
+  /// Whether an interval is part of a spline, and so without corners.
+  bool isSmooth(std::size_t c, std::size_t k) const
+  {
+    const std::vector<PlannedStretch>& stretches = this->Fair.plan()[c].stretches;
+    const auto found = std::find_if(stretches.begin(), stretches.end(),
+      [k](const PlannedStretch& stretch) { return k < stretch.endInterval; });
+    return found != stretches.end() && found->form == StretchForm::Spline;
   }
 
   std::string nameAt(std::size_t c, double arc) const

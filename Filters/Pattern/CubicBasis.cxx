@@ -9,10 +9,13 @@ namespace pattern
 {
 CubicBasis::CubicBasis(const std::vector<double>& breaks)
   : Breaks(breaks)
-  , Knots(breaks)
+  , Knots(2, breaks.front())
 {
-  this->Knots.insert(this->Knots.begin(), 3, breaks.front());
-  this->Knots.insert(this->Knots.end(), 3, breaks.back());
+  for (const double at : breaks)
+  {
+    this->Knots.insert(this->Knots.end(), 2, at);
+  }
+  this->Knots.insert(this->Knots.end(), 2, breaks.back());
 }
 
 CubicBasis::Values CubicBasis::at(double t) const
@@ -24,7 +27,7 @@ CubicBasis::Values CubicBasis::at(double t) const
 
 CubicBasis::Values CubicBasis::at(std::size_t span, double t) const
 {
-  const std::size_t i = span + 3; // the knot at the start of the span
+  const std::size_t i = 2 * span + 3; // the knot at the start of the span
   const auto knot = [this](std::size_t k) { return this->Knots[k]; };
   // Functions of degree 0 to 3 that are not zero in the span.
   std::array<std::array<double, 4>, 4> functions{};
@@ -43,7 +46,7 @@ CubicBasis::Values CubicBasis::at(std::size_t span, double t) const
     functions[degree][degree] = saved;
   }
   Values values;
-  values.first = span;
+  values.first = 2 * span;
   values.value = functions[3];
   // Function r of a degree has the knots from i - degree + r on.
   const auto width = [&](std::size_t degree, std::size_t r) {

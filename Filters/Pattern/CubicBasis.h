@@ -9,9 +9,10 @@ namespace flattening
 {
 namespace pattern
 {
-/// Cubic B-splines over ascending breaks, twice continuously differentiable at those within, with
-/// as many knots at both ends as make the curve end in its first and last coefficient. After L.
-/// Piegl, W. Tiller, The NURBS Book, 2nd ed., Springer 1997, algorithms A2.1 and A2.3.
+/// Cubic B-splines over ascending breaks, continuously differentiable at those within, which are
+/// double knots, with as many knots at both ends as make the curve end in its first and last
+/// coefficient. After L. Piegl, W. Tiller, The NURBS Book, 2nd ed., Springer 1997, algorithms A2.1
+/// and A2.3.
 class CubicBasis
 {
 public:

@@ -2,6 +2,7 @@
 #include "FairBorders.h"
 
 #include "FairStrain.h"
+#include "IntervalCurve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,18 +39,26 @@ void addParts(
   }
   parts.insert(parts.end(), found.begin(), found.end());
 }
+
+std::string nameOf(const DrawingSource& all, const BorderChain& chain, std::size_t point)
+{
+  const std::size_t wire =
+    wireOf(all.source, all.wires, chain.point(point), chain.point(point + 1));
+  return wire < all.source.wires.size() ? all.source.wires[wire].name : "boundary";
+}
 }
 
 FairBorders::FairBorders(const DrawingSource& all)
-  : All(all)
-  , Chains(all)
+  : Chains(all)
 {
   std::vector<double> shares(all.loops.size(), 1.0);
   do
   {
-    this->Fit.emplace(all, this->Chains, shares);
-    this->place();
-    this->report();
+    const FairFit fit(all, this->Chains, shares);
+    this->Plan = fit.plan();
+    this->Spans = fit.spans();
+    this->place(all);
+    this->report(all, fit);
     for (std::size_t p = 0; p < shares.size(); ++p)
     {
       this->Reports[p].share = shares[p];
@@ -72,75 +81,99 @@ bool FairBorders::lower(std::vector<double>& shares) const
   return lowered;
 }
 
-std::string FairBorders::nameOf(std::size_t c, std::size_t point) const
-{
-  const BorderChain& chain = this->Chains.chains()[c];
-  const std::size_t wire =
-    wireOf(this->All.source, this->All.wires, chain.point(point), chain.point(point + 1));
-  return wire < this->All.source.wires.size() ? this->All.source.wires[wire].name : "boundary";
-}
-
-void FairBorders::place()
+void FairBorders::place(const DrawingSource& all)
 {
   this->Positions.clear();
-  for (std::size_t v = 0; v < this->All.source.positions.size(); ++v)
+  for (std::size_t v = 0; v < all.source.positions.size(); ++v)
   {
-    this->Positions.push_back(this->All.at(static_cast<Index>(v)));
+    this->Positions.push_back(all.at(static_cast<Index>(v)));
   }
+  this->Places.clear();
   for (std::size_t c = 0; c < this->plan().size(); ++c)
   {
     const BorderChain& chain = this->Chains.chains()[c];
-    for (std::size_t k = 0; k < chain.points.size(); ++k)
+    std::vector<double>& places = this->Places.emplace_back();
+    std::size_t k = 0;
+    for (const PlannedInterval& interval : this->plan()[c].intervals)
     {
-      this->Positions[static_cast<std::size_t>(chain.points[k])] =
-        spanAt(this->spans()[c], chain.arc[k]).at(chain.arc[k]);
+      const IntervalCurve curve(this->spans()[c], interval);
+      for (; k < chain.arc.size() && chain.arc[k] <= interval.end; ++k)
+      {
+        places.push_back(
+          curve.placeAt((chain.arc[k] - interval.start) / (interval.end - interval.start)));
+      }
+    }
+    places.resize(chain.arc.size(), chain.length());
+    for (std::size_t p = 0; p < chain.points.size(); ++p)
+    {
+      this->Positions[static_cast<std::size_t>(chain.points[p])] =
+        spanAt(this->spans()[c], places[p]).at(places[p]);
     }
   }
 }
 
-void FairBorders::report()
+double FairBorders::placeAt(std::size_t c, double length) const
 {
-  this->Reports.assign(this->All.loops.size(), {});
+  const std::vector<PlannedInterval>& intervals = this->plan()[c].intervals;
+  const auto found = std::find_if(intervals.begin(), intervals.end(),
+    [length](const PlannedInterval& interval) { return length <= interval.end; });
+  if (found == intervals.end())
+  {
+    return this->Chains.chains()[c].length();
+  }
+  return IntervalCurve(this->spans()[c], *found)
+    .placeAt((length - found->start) / (found->end - found->start));
+}
+
+void FairBorders::report(const DrawingSource& all, const FairFit& fit)
+{
+  this->Reports.assign(all.loops.size(), {});
   for (std::size_t c = 0; c < this->plan().size(); ++c)
   {
     const BorderChain& chain = this->Chains.chains()[c];
     FairPieceReport& report = this->Reports[chain.piece];
     report.edges += chain.edges();
+    const std::size_t ends = chain.closed ? 0 : 1;
+    for (std::size_t k = ends; k + ends < chain.points.size(); ++k)
+    {
+      if (chain.bends[k] > 0.0)
+      {
+        const double tolerance = all.fairToleranceAlong(chain.point(k), chain.point(k + 1));
+        report.wantedOfWorst = chain.bends[k] > report.worstLeft ? tolerance : report.wantedOfWorst;
+        report.worstLeft = std::max(report.worstLeft, chain.bends[k]);
+        report.left.push_back(nameOf(all, chain, k));
+      }
+    }
     for (const PlannedStretch& stretch : this->plan()[c].stretches)
     {
       const double length = chain.arc[stretch.lastPoint] - chain.arc[stretch.firstPoint];
-      std::size_t splines = 0;
-      for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
-      {
-        splines += static_cast<std::size_t>(this->plan()[c].intervals[k].spans);
-      }
-      report.splines += stretch.form == StretchForm::Spline ? splines : 0;
+      report.splines += stretch.form == StretchForm::Spline ? stretch.spans() : 0;
       report.segments += stretch.form == StretchForm::Straight ? 1
-        : stretch.form == StretchForm::Raw ? stretch.lastPoint - stretch.firstPoint
-                                           : 0;
+        : stretch.form == StretchForm::Raw                     ? stretch.edges()
+                                                               : 0;
       report.straightened +=
         stretch.form == StretchForm::Straight && stretch.bend > inexact * length ? 1 : 0;
     }
   }
   Points2 before;
-  for (const Point2& p : this->All.source.positions)
+  for (const Point2& p : all.source.positions)
   {
-    before.emplace_back(this->All.scale() * p);
+    before.emplace_back(all.scale() * p);
   }
-  for (const LeftStretch& left : this->Fit->left())
+  for (const LeftStretch& left : fit.left())
   {
     FairPieceReport& report = this->Reports[this->Chains.chains()[left.chain].piece];
     report.wantedOfWorst = left.needed > report.worstLeft ? left.tolerance : report.wantedOfWorst;
     report.worstLeft = std::max(report.worstLeft, left.needed);
-    report.left.push_back(this->nameOf(left.chain, left.firstPoint));
+    report.left.push_back(nameOf(all, this->Chains.chains()[left.chain], left.firstPoint));
   }
   for (std::size_t p = 0; p < this->Reports.size(); ++p)
   {
     FairPieceReport& report = this->Reports[p];
-    report.solved = this->Fit->solved(p);
-    report.deviation = this->Fit->largestDeviation(p);
-    report.strainBefore = strainQuantile(this->All, p, before);
-    report.strain = strainQuantile(this->All, p, followBorders(this->All, p, this->Positions));
+    report.solved = fit.solved(p);
+    report.deviation = fit.largestDeviation(p);
+    report.strainBefore = strainQuantile(all, p, before);
+    report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
     std::sort(report.left.begin(), report.left.end());
     report.left.erase(std::unique(report.left.begin(), report.left.end()), report.left.end());
   }
@@ -165,7 +198,7 @@ std::vector<FairSpan> FairBorders::curveOf(const SourceWire& wire) const
   {
     ChainEdge place;
     this->Chains.find(wire.points[k], wire.points[k + 1], place); // all wires are in chains
-    const std::vector<double>& arc = this->Chains.chains()[place.chain].arc;
+    const std::vector<double>& arc = this->Places[place.chain];
     const double start = arc[place.edge + (place.backwards ? 1 : 0)];
     if (!any || place.chain != run.chain || place.backwards != run.backwards || start != to)
     {
@@ -190,10 +223,13 @@ std::vector<FairSpan> FairBorders::alongEdge(
     return parts;
   }
   const std::vector<double>& arc = this->Chains.chains()[place.chain].arc;
-  const double start = arc[place.edge];
-  const double length = arc[place.edge + 1] - start;
-  const auto at = [&](double fraction) {
-    return start + length * (place.backwards ? 1.0 - fraction : fraction);
+  const std::vector<double>& places = this->Places[place.chain];
+  const auto at = [&](double given) {
+    const double fraction = place.backwards ? 1.0 - given : given;
+    return fraction == 0.0 ? places[place.edge]
+      : fraction == 1.0    ? places[place.edge + 1]
+                           : this->placeAt(place.chain,
+                               arc[place.edge] + fraction * (arc[place.edge + 1] - arc[place.edge]));
   };
   addParts(this->spans()[place.chain], at(fromFraction), at(toFraction), parts);
   return parts;

@@ -3,8 +3,6 @@
 
 #include "FairFit.h"
 
-#include <optional>
-
 namespace flattening
 {
 namespace pattern
@@ -33,14 +31,13 @@ struct FairPieceReport
 class FairBorders
 {
 public:
-  /// The source stays the caller's; its options say how far points of the flat pieces may be from
-  /// what is drawn.
+  /// \param all its options say how far points of the flat pieces may be from what is drawn
   explicit FairBorders(const DrawingSource& all);
 
   const BorderChains& chains() const { return this->Chains; }
-  const std::vector<PlannedChain>& plan() const { return this->Fit->plan(); }
+  const std::vector<PlannedChain>& plan() const { return this->Plan; }
   /// Of each chain, along it.
-  const std::vector<std::vector<FairSpan>>& spans() const { return this->Fit->spans(); }
+  const std::vector<std::vector<FairSpan>>& spans() const { return this->Spans; }
   const std::vector<FairPieceReport>& reports() const { return this->Reports; }
   /// Where the points are now, millimetres; those within the pieces are where they were.
   const Points2& positions() const { return this->Positions; }
@@ -51,15 +48,17 @@ public:
     Index from, Index to, double fromFraction = 0.0, double toFraction = 1.0) const;
 
 private:
-  void place();
-  void report();
+  void place(const DrawingSource& all);
+  /// Where along a chain its smooth curve is so long.
+  double placeAt(std::size_t chain, double length) const;
+  void report(const DrawingSource& all, const FairFit& fit);
   /// Takes from the shares of pieces that are strained by too much. \return whether there are any
   bool lower(std::vector<double>& shares) const;
-  std::string nameOf(std::size_t chain, std::size_t point) const;
 
-  const DrawingSource& All;
   BorderChains Chains;
-  std::optional<FairFit> Fit;
+  std::vector<PlannedChain> Plan;
+  std::vector<std::vector<FairSpan>> Spans;
+  std::vector<std::vector<double>> Places; ///< of the points of each chain along its spans
   Points2 Positions;
   std::vector<FairPieceReport> Reports;
 };

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FairFit.h"
 
+#include "FairTrial.h"
+#include "FairWeights.h"
 #include "PieceNetwork.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
-#include <set>
+#include <utility>
 
 namespace flattening
 {
@@ -13,21 +17,15 @@ namespace pattern
 {
 namespace
 {
-constexpr int rounds = 12;
-constexpr std::size_t work = 100000; ///< trials of fewer spans, times edges of the mesh
+constexpr int rounds = 24;
+constexpr int emphases = 5;                           ///< in a row, of a plan
+constexpr std::array<double, 2> ofTrial{ 0.99, 0.9 }; ///< of the tolerance
+constexpr double nearly = 1.3;                        ///< of a tolerance: more emphasis may help
+constexpr int patience = 3;                           ///< how often
+constexpr double progress = 0.9; ///< what more breaks must make of what is too far
 constexpr int smoothings = 6;
 constexpr double widerWave = 1.6;
 constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
-
-int more(const PlannedInterval& interval)
-{
-  return std::min(interval.most, interval.spans + std::max(1, interval.spans / 2));
-}
-
-int fewer(const PlannedInterval& interval)
-{
-  return std::max(interval.least, 7 * interval.spans / 10);
-}
 }
 
 FairFit::FairFit(
@@ -37,6 +35,7 @@ FairFit::FairFit(
   , Plan(planFairBorders(all, chains, shares))
   , Spans(this->Plan.size())
   , Deviation(this->Plan.size())
+  , Held(all.loops.size())
   , Solved(all.loops.size(), true)
 {
   const std::size_t pieces = all.loops.size();
@@ -51,41 +50,42 @@ FairFit::FairFit(
     }
     this->Wave.push_back(length / static_cast<double>(std::max<std::size_t>(edges, 1)));
   }
-  for (int round = 0; round < rounds; ++round)
+  for (std::size_t p = 0; p < pieces; ++p)
   {
-    agreeOnSpans(this->Plan);
-    bool changed = false;
-    for (std::size_t p = 0; p < pieces; ++p)
+    for (int round = 0; round < rounds; ++round)
     {
-      if (!this->solvePiece(p))
+      const bool last = round + 4 > rounds;
+      if (this->solveEvenly(p, emphases) ? !this->refine(p, last)
+                                         : !this->halveSpans(p) && !this->loosen(p))
       {
-        if (!this->loosen(p))
-        {
-          this->leave(p);
-        }
-        changed = true;
-        continue;
+        break;
       }
-      changed = this->refine(p, round + 4 > rounds) || changed;
     }
-    if (!changed)
+    if (this->settle(p))
     {
-      break;
+      for (const double share : ofTrial)
+      {
+        this->coarsen(p, share);
+      }
+      this->smooth(p);
     }
   }
-  for (std::size_t p = 0; p < pieces; ++p)
+}
+
+bool FairFit::settle(std::size_t piece)
+{
+  bool solved = this->solvePiece(piece);
+  while (solved && !this->keepsTolerances(piece))
   {
-    if (!this->solvePiece(p))
-    {
-      this->leave(p);
-      this->drawEdges(p);
-    }
+    this->leaveBad(piece);
+    solved = this->solvePiece(piece);
   }
-  this->coarsen();
-  for (std::size_t p = 0; p < pieces; ++p)
+  if (!solved)
   {
-    this->smooth(p);
+    this->leave(piece);
+    this->drawEdges(piece);
   }
+  return solved;
 }
 
 bool FairFit::isOf(std::size_t chain, std::size_t piece) const
@@ -96,7 +96,9 @@ bool FairFit::isOf(std::size_t chain, std::size_t piece) const
 bool FairFit::solvePiece(std::size_t piece)
 {
   const PieceNetwork network(this->All, this->Chains, this->Plan, piece);
-  const FairCurves curves = solveFairNetwork(network.network(), this->Wave[piece]);
+  FairNetwork held = network.network();
+  held.held = this->Held[piece];
+  const FairCurves curves = solveFairNetwork(held, this->Wave[piece]);
   if (curves.converged)
   {
     network.take(curves, this->Spans, this->Deviation);
@@ -104,168 +106,251 @@ bool FairFit::solvePiece(std::size_t piece)
   return curves.converged;
 }
 
-bool FairFit::refine(std::size_t piece, bool last)
-{
-  bool changed = false;
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
-  {
-    if (this->isOf(c, piece))
-    {
-      for (PlannedStretch& stretch : this->Plan[c].stretches)
-      {
-        changed = this->refineStretch(c, stretch, last) || changed;
-      }
-    }
-  }
-  return changed;
-}
-
-bool FairFit::refineStretch(std::size_t c, PlannedStretch& stretch, bool last)
-{
-  if (stretch.form == StretchForm::Raw)
-  {
-    return false;
-  }
-  LeftStretch worst{ c, stretch.firstPoint, 0.0, 0.0 };
-  bool refined = false;
-  for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
-  {
-    const double off = this->Deviation[c][k];
-    PlannedInterval& interval = this->Plan[c].intervals[k];
-    if (off > interval.tolerance)
-    {
-      worst.tolerance = off > worst.needed ? interval.tolerance : worst.tolerance;
-      worst.needed = std::max(worst.needed, off);
-      if (stretch.form == StretchForm::Spline && interval.spans < interval.most && !last)
-      {
-        interval.spans = more(interval);
-        refined = true;
-      }
-    }
-  }
-  if (refined || worst.needed == 0.0)
-  {
-    return refined;
-  }
-  if (stretch.form == StretchForm::Straight)
-  {
-    stretch.form = StretchForm::Spline; // lengths beside it have moved it
-  }
-  else
-  {
-    stretch.form = StretchForm::Raw;
-    this->Left.push_back(worst);
-  }
-  return true;
-}
-
-void FairFit::coarsen()
-{
-  std::size_t edges = 1;
-  for (const BorderChain& chain : this->Chains.chains())
-  {
-    edges += chain.edges();
-  }
-  std::size_t left = work / edges + 1;
-  for (bool kept = true; kept && left > 0; --left)
-  {
-    kept = this->tryFewer(this->reducible());
-  }
-  // From here on one interval after the other: each trial takes spans away or finds the least.
-  for (std::vector<Place> places = this->reducible(); !places.empty() && left > 0;
-       places = this->reducible())
-  {
-    for (std::size_t k = 0; k < places.size() && left > 0; ++k)
-    {
-      if (this->at(places[k]).spans > this->at(places[k]).least)
-      {
-        this->tryFewer({ places[k] });
-        --left;
-      }
-    }
-  }
-}
-
-std::vector<FairFit::Place> FairFit::reducible() const
+std::vector<FairFit::Place> FairFit::placesOf(std::size_t piece, StretchForm form) const
 {
   std::vector<Place> places;
   for (std::size_t c = 0; c < this->Plan.size(); ++c)
   {
-    for (const PlannedStretch& stretch : this->Plan[c].stretches)
+    for (std::size_t s = 0; this->isOf(c, piece) && s < this->Plan[c].stretches.size(); ++s)
     {
-      for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
+      if (this->Plan[c].stretches[s].form == form)
       {
-        const PlannedInterval& interval = this->Plan[c].intervals[k];
-        if (stretch.form == StretchForm::Spline && interval.spans > interval.least)
-        {
-          places.push_back({ c, k });
-        }
+        places.push_back({ c, s });
       }
     }
   }
   return places;
 }
 
-bool FairFit::tryFewer(const std::vector<Place>& places)
+double FairFit::toleranceAt(const Place& place, std::size_t point) const
 {
-  if (places.empty())
+  const PlannedChain& chain = this->Plan[place.chain];
+  const PlannedStretch& stretch = chain.stretches[place.stretch];
+  const double arc = this->Chains.chains()[place.chain].arc[point];
+  std::size_t k = stretch.firstInterval;
+  while (k + 1 < stretch.endInterval && arc > chain.intervals[k].end)
   {
-    return false;
+    ++k;
   }
-  const std::vector<PlannedChain> plan = this->Plan;
-  const std::vector<std::vector<FairSpan>> spans = this->Spans;
-  const std::vector<std::vector<double>> deviation = this->Deviation;
-  std::set<std::size_t> pieces;
-  for (const Place& place : places)
+  return chain.intervals[k].tolerance;
+}
+
+double FairFit::excess(const Place& place) const
+{
+  const PlannedStretch& stretch = this->Plan[place.chain].stretches[place.stretch];
+  double most = 0.0;
+  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
   {
-    PlannedInterval& interval = this->at(place);
-    interval.spans = fewer(plan[place.chain].intervals[place.interval]);
-    pieces.insert(this->Chains.chains()[place.chain].piece);
-    if (interval.partner[0] != PlannedInterval::none)
+    most = std::max(most, this->Deviation[place.chain][k] / this->toleranceAt(place, k));
+  }
+  return most;
+}
+
+bool FairFit::emphasizeStretch(const Place& place)
+{
+  PlannedStretch& stretch = this->at(place);
+  std::vector<double> shares;
+  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+  {
+    shares.push_back(this->Deviation[place.chain][k] / this->toleranceAt(place, k));
+  }
+  const bool isOff = *std::max_element(shares.begin(), shares.end()) > 1.0;
+  if (isOff)
+  {
+    emphasize(shares, stretch.weights);
+  }
+  return isOff;
+}
+
+bool FairFit::solveEvenly(std::size_t piece, int times)
+{
+  bool solved = this->solvePiece(piece);
+  for (int k = 0; solved && k < times; ++k)
+  {
+    bool any = false;
+    for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
     {
-      // Both sides have as many, so that they are divided alike.
-      PlannedInterval& other = this->at({ interval.partner[0], interval.partner[1] });
-      interval.least = other.least = std::max(interval.least, other.least);
-      interval.spans = other.spans = std::max(interval.spans, other.least);
-      pieces.insert(this->Chains.chains()[interval.partner[0]].piece);
+      for (const Place& place : this->placesOf(piece, form))
+      {
+        any = this->emphasizeStretch(place) || any;
+      }
+    }
+    if (!any)
+    {
+      break;
+    }
+    solved = this->solvePiece(piece);
+  }
+  return solved;
+}
+
+bool FairFit::refine(std::size_t piece, bool last)
+{
+  bool changed = false;
+  // What is straight may be off because of the splines that it meets.
+  for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
+  {
+    for (const Place& place : this->placesOf(piece, form))
+    {
+      changed = (this->excess(place) > 1.0 && this->refineStretch(place, last)) || changed;
+    }
+    if (changed)
+    {
+      break;
     }
   }
-  const bool keeps = std::all_of(pieces.begin(), pieces.end(),
-    [this](std::size_t p) { return this->solvePiece(p) && this->keepsTolerances(p); });
-  if (keeps)
+  return changed;
+}
+
+bool FairFit::refineStretch(const Place& place, bool last)
+{
+  PlannedStretch& stretch = this->at(place);
+  if (stretch.form == StretchForm::Straight)
   {
-    return true;
+    stretch.form = StretchForm::Spline; // lengths beside it have moved it
   }
-  const int tried = this->at(places.front()).spans;
-  this->Plan = plan;
-  this->Spans = spans;
-  this->Deviation = deviation;
-  if (places.size() == 1)
+  else if (last || !this->addBreaks(place))
   {
-    PlannedInterval& interval = this->at(places.front());
-    interval.least = tried + 1;
-    if (interval.partner[0] != PlannedInterval::none)
+    this->leave(place);
+  }
+  return true;
+}
+
+void FairFit::leave(const Place& place)
+{
+  PlannedStretch& stretch = this->at(place);
+  LeftStretch left{ place.chain, stretch.firstPoint, 0.0, 0.0 };
+  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+  {
+    const double off = this->Deviation[place.chain][k];
+    const double tolerance = this->toleranceAt(place, k);
+    if (off > tolerance && off > left.needed)
     {
-      PlannedInterval& other = this->at({ interval.partner[0], interval.partner[1] });
-      other.least = std::max(other.least, tried + 1);
+      left.needed = off;
+      left.tolerance = tolerance;
     }
   }
-  return false;
+  stretch.form = StretchForm::Raw;
+  this->Left.push_back(left);
+}
+
+void FairFit::leaveBad(std::size_t piece)
+{
+  for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
+  {
+    for (const Place& place : this->placesOf(piece, form))
+    {
+      if (this->excess(place) > 1.0)
+      {
+        this->leave(place);
+      }
+    }
+  }
+}
+
+bool FairFit::addBreaks(const Place& place)
+{
+  PlannedStretch& stretch = this->at(place);
+  // Where a curve as long as its edges must be so far off, no number of breaks helps.
+  const double excess = this->excess(place);
+  stretch.futile = excess > progress * stretch.excess ? stretch.futile + 1 : 0;
+  stretch.excess = std::min(stretch.excess, excess);
+  if (stretch.futile > 1)
+  {
+    return excess < nearly && stretch.futile < 2 + patience;
+  }
+  const std::vector<double>& arc = this->Chains.chains()[place.chain].arc;
+  std::vector<double> breaks{ stretch.breaks.front() };
+  std::size_t point = stretch.firstPoint;
+  for (std::size_t k = 0; k + 1 < stretch.breaks.size(); ++k)
+  {
+    const double end = stretch.breaks[k + 1];
+    std::size_t points = 0;
+    bool off = false;
+    for (; point <= stretch.lastPoint && arc[point] <= end; ++point)
+    {
+      off = off || this->Deviation[place.chain][point] > this->toleranceAt(place, point);
+      points += arc[point] > stretch.breaks[k] && arc[point] < end ? 1 : 0;
+    }
+    if (off && points > 0)
+    {
+      breaks.push_back((stretch.breaks[k] + end) / 2.0);
+    }
+    breaks.push_back(end);
+  }
+  const bool added = breaks.size() > stretch.breaks.size();
+  stretch.breaks = std::move(breaks);
+  std::fill(stretch.weights.begin(), stretch.weights.end(), 1.0);
+  return added;
+}
+
+void FairFit::coarsen(std::size_t piece, double share)
+{
+  const PieceNetwork network(this->All, this->Chains, this->Plan, piece);
+  const std::vector<PlannedChain> before = this->Plan;
+  const Points2 heldBefore = this->Held[piece];
+  if (heldBefore.empty())
+  {
+    // Nodes stay from here on, so that the stretches are each by itself.
+    this->Held[piece] = solveFairNetwork(network.network(), this->Wave[piece]).nodes;
+  }
+  std::vector<std::pair<Place, PlannedStretch>> changed; // with what they were
+  for (const Place& place : this->placesOf(piece, StretchForm::Spline))
+  {
+    PlannedStretch& stretch = this->at(place);
+    std::vector<double> tolerances;
+    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+    {
+      tolerances.push_back(share * this->toleranceAt(place, k));
+    }
+    FairTrial trial(network.network(), network.indexOf(place.chain, stretch.firstPoint),
+      this->Held[piece], tolerances, this->Wave[piece]);
+    if (!trial.join(stretch.leastSpans()))
+    {
+      continue;
+    }
+    changed.emplace_back(place, stretch);
+    const double start = stretch.breaks.front();
+    const double end = stretch.breaks.back();
+    stretch.breaks.clear();
+    for (const double at : trial.breaks())
+    {
+      stretch.breaks.push_back(start + at);
+    }
+    stretch.breaks.back() = end;
+    stretch.weights = trial.weights();
+  }
+  // What all of them together do not keep is taken back.
+  while (!changed.empty())
+  {
+    const bool solved = this->solveEvenly(piece, emphases);
+    if (solved && this->keepsTolerances(piece))
+    {
+      return;
+    }
+    const auto isGood = [&](const auto& one) { return solved && this->excess(one.first) <= 1.0; };
+    auto bad = std::partition(changed.begin(), changed.end(), isGood);
+    bad = bad == changed.end() ? changed.begin() : bad; // what they have moved is off
+    for (auto one = bad; one != changed.end(); ++one)
+    {
+      this->at(one->first) = one->second;
+    }
+    changed.erase(bad, changed.end());
+  }
+  this->Plan = before;
+  this->Held[piece] = heldBefore;
+  this->solvePiece(piece);
 }
 
 bool FairFit::keepsTolerances(std::size_t piece) const
 {
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
   {
-    for (const PlannedStretch& stretch : this->Plan[c].stretches)
+    for (const Place& place : this->placesOf(piece, form))
     {
-      for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
+      if (this->excess(place) > 1.0)
       {
-        if (this->isOf(c, piece) && stretch.form != StretchForm::Raw &&
-          this->Deviation[c][k] > this->Plan[c].intervals[k].tolerance)
-        {
-          return false;
-        }
+        return false;
       }
     }
   }
@@ -286,6 +371,29 @@ void FairFit::smooth(std::size_t piece)
       break;
     }
   }
+}
+
+bool FairFit::halveSpans(std::size_t piece)
+{
+  bool halved = false;
+  for (const Place& place : this->placesOf(piece, StretchForm::Spline))
+  {
+    PlannedStretch& stretch = this->at(place);
+    std::fill(stretch.weights.begin(), stretch.weights.end(), 1.0);
+    if (2 * stretch.spans() > stretch.edges())
+    {
+      continue;
+    }
+    std::vector<double> breaks{ stretch.breaks.front() };
+    for (std::size_t k = 1; k < stretch.breaks.size(); ++k)
+    {
+      breaks.push_back((stretch.breaks[k - 1] + stretch.breaks[k]) / 2.0);
+      breaks.push_back(stretch.breaks[k]);
+    }
+    stretch.breaks = std::move(breaks);
+    halved = true;
+  }
+  return halved;
 }
 
 bool FairFit::loosen(std::size_t piece)
@@ -330,7 +438,7 @@ void FairFit::drawEdges(std::size_t piece)
       continue;
     }
     this->Spans[c].clear();
-    this->Deviation[c].assign(this->Plan[c].intervals.size(), 0.0);
+    this->Deviation[c].assign(chain.arc.size(), 0.0);
     for (std::size_t k = 0; k < chain.edges(); ++k)
     {
       const Point2 from = this->All.at(chain.point(k));
@@ -359,25 +467,13 @@ double FairFit::largestDeviation(std::size_t piece) const
 
 double FairFit::largestShare(std::size_t piece) const
 {
-  double most = 0.0;
-  double largest = 0.0; // tolerance, for what stays as it was
-  for (const PlannedChain& chain : this->Plan)
+  const std::vector<Place> splines = this->placesOf(piece, StretchForm::Spline);
+  double most = splines.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const std::vector<Place>& places : { splines, this->placesOf(piece, StretchForm::Straight) })
   {
-    for (const PlannedInterval& interval : chain.intervals)
+    for (const Place& place : places)
     {
-      largest = std::max(largest, interval.tolerance);
-    }
-  }
-  if (largest == 0.0)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
-  {
-    for (std::size_t k = 0; this->isOf(c, piece) && k < this->Deviation[c].size(); ++k)
-    {
-      const double own = this->Plan[c].intervals[k].tolerance;
-      most = std::max(most, this->Deviation[c][k] / (own > 0.0 ? own : largest));
+      most = std::max(most, this->excess(place));
     }
   }
   return most;

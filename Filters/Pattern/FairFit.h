@@ -17,9 +17,9 @@ struct LeftStretch
   double tolerance = 0.0; ///< that it had
 };
 
-/// Splines of exact lengths for all planned stretches, few of them: more where the tolerance is not
-/// kept, then fewer wherever it is kept without them. A stretch that cannot keep it stays edge by
-/// edge.
+/// Splines of exact lengths for all planned stretches, of few curves: divided where the tolerance
+/// is not kept, then joined wherever it is kept without a break. A stretch that cannot keep it
+/// stays edge by edge.
 class FairFit
 {
 public:
@@ -40,25 +40,41 @@ private:
   struct Place
   {
     std::size_t chain = 0;
-    std::size_t interval = 0;
+    std::size_t stretch = 0;
   };
 
-  PlannedInterval& at(const Place& place)
+  PlannedStretch& at(const Place& place)
   {
-    return this->Plan[place.chain].intervals[place.interval];
+    return this->Plan[place.chain].stretches[place.stretch];
   }
   bool isOf(std::size_t chain, std::size_t piece) const;
+  /// All stretches of a piece that are of a form.
+  std::vector<Place> placesOf(std::size_t piece, StretchForm form) const;
+  double toleranceAt(const Place& place, std::size_t point) const;
+  /// The largest deviation of a stretch over its tolerance.
+  double excess(const Place& place) const;
   bool solvePiece(std::size_t piece);
-  /// More spans where the tolerance is not kept, and the stretch as it was where they do not help.
+  /// The same with more weight on what is too far from its curve.
+  /// \param times how often that may be given
+  bool solveEvenly(std::size_t piece, int times);
+  bool emphasizeStretch(const Place& place);
+  /// Breaks where the tolerance is not kept, and the stretch as it was where they do not help.
   /// \param last nothing is tried any more
   bool refine(std::size_t piece, bool last);
-  bool refineStretch(std::size_t c, PlannedStretch& stretch, bool last);
-  /// Takes away what spans the tolerances do not need.
-  void coarsen();
-  std::vector<Place> reducible() const;
-  bool tryFewer(const std::vector<Place>& places);
+  /// Leaves what does not keep its tolerance. \return whether there is a solution
+  bool settle(std::size_t piece);
+  bool refineStretch(const Place& place, bool last);
+  /// Lets a stretch be as it was, or all that do not keep their tolerance.
+  void leave(const Place& place);
+  void leaveBad(std::size_t piece);
+  bool addBreaks(const Place& place);
+  /// Takes away what breaks the tolerances do not need.
+  /// \param share of the tolerances, that trials may use
+  void coarsen(std::size_t piece, double share);
   bool keepsTolerances(std::size_t piece) const;
   void smooth(std::size_t piece);
+  /// Gives all splines of a piece twice as many curves, where they may have them.
+  bool halveSpans(std::size_t piece);
   /// Lets what was made straight bend again, if there is any.
   bool loosen(std::size_t piece);
   /// Lets all of the piece be as it was.
@@ -73,8 +89,9 @@ private:
   std::vector<PlannedChain> Plan;
   std::vector<double> Wave; ///< smoothed away in each piece
   std::vector<std::vector<FairSpan>> Spans;
-  std::vector<std::vector<double>> Deviation; ///< of each interval of each chain
+  std::vector<std::vector<double>> Deviation; ///< of each point of each chain
   std::vector<LeftStretch> Left;
+  std::vector<Points2> Held; ///< nodes of each piece, where they may not move any more
   std::vector<bool> Solved;
 };
 }

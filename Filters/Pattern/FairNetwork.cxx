@@ -2,6 +2,7 @@
 #include "FairNetwork.h"
 
 #include "Base/Planar.h"
+#include "CurveLength.h"
 #include "StretchCurve.h"
 
 #include <Eigen/Dense>
@@ -22,9 +23,13 @@ using Matrix = Eigen::MatrixXd;
 using Rows = Eigen::SparseMatrix<double>;
 
 constexpr int steps = 60;
+constexpr int patience = 6;           ///< steps that bring nothing
 constexpr double exactLength = 1e-13; ///< of an interval, relative
 constexpr double goodLength = 1e-10;
-constexpr double goodStep = 1e-3;  ///< what it may leave of what is missing
+constexpr double goodStep = 1e-3; ///< what it may leave of what is missing
+constexpr double sliding = 0.05;  ///< weight of what is missing along a curve, to that across it
+constexpr double cornerWeight = 10.0;
+constexpr double heldNode = 1e5;
 constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
 
 class FairSolver
@@ -48,19 +53,10 @@ public:
       for (const FairInterval& interval : stretch.intervals)
       {
         length += interval.length;
-        const double whole = interval.end - start;
-        const double first = start;
-        for (int k = 1; !stretch.straight && interval.even && k < interval.spans; ++k)
-        {
-          const double at = first + k * whole / interval.spans;
-          this->addLength({ s, start, at, interval.length / interval.spans, {} });
-          start = at;
-          length -= interval.length / interval.spans;
-        }
         // All parts of a segment have their share of it.
         if (!stretch.straight || &interval == &stretch.intervals.back())
         {
-          this->addLength({ s, start, interval.end, length, {} });
+          this->Lengths.emplace_back(this->Curves[s], start, interval.end, length);
           start = interval.end;
           length = 0.0;
         }
@@ -85,33 +81,7 @@ public:
   }
 
 private:
-  struct Length
-  {
-    std::size_t curve = 0;
-    double from = 0.0;
-    double to = 0.0;
-    double length = 0.0;
-    std::vector<std::pair<Terms, double>> slopes; ///< at the places of its integral, with weights
-  };
-
-  void addLength(Length wanted)
-  {
-    const StretchCurve& curve = this->Curves[wanted.curve];
-    double from = wanted.from;
-    for (const double at : curve.basis().breaks())
-    {
-      if (at > from && at <= wanted.to)
-      {
-        integrate(from, at, [&](double t, double weight) {
-          wanted.slopes.emplace_back(curve.at(t, Derivative::Slope), weight);
-        });
-        from = at;
-      }
-    }
-    this->Lengths.push_back(std::move(wanted));
-  }
-
-  void addSquare(const Terms& terms, const Point2& target, double weight)
+  void addSquare(const Terms& terms, const Point2& target, const Eigen::Matrix2d& weight)
   {
     for (const Term& a : terms)
     {
@@ -119,12 +89,37 @@ private:
       {
         for (Eigen::Index d = 0; d < 2; ++d)
         {
-          this->Entries.emplace_back(
-            2 * a.unknown + d, 2 * b.unknown + d, weight * a.factor * b.factor);
+          for (Eigen::Index e = 0; e < 2; ++e)
+          {
+            this->Entries.emplace_back(
+              2 * a.unknown + d, 2 * b.unknown + e, weight(d, e) * a.factor * b.factor);
+          }
         }
       }
-      this->Right.segment<2>(2 * a.unknown) += weight * a.factor * target;
+      this->Right.segment<2>(2 * a.unknown) += a.factor * (weight * target);
     }
+  }
+
+  void addSquare(const Terms& terms, const Point2& target, double weight)
+  {
+    this->addSquare(terms, target, Eigen::Matrix2d(weight * Eigen::Matrix2d::Identity()));
+  }
+
+  /// Points may slide along the curve, but where others end on it.
+  Eigen::Matrix2d weightOf(const FairStretch& stretch, std::size_t k) const
+  {
+    const Point2& before = k == 0 ? this->Network.nodes[stretch.from] : stretch.points[k - 1];
+    const Point2& after =
+      k + 1 == stretch.points.size() ? this->Network.nodes[stretch.to] : stretch.points[k + 1];
+    const double start = k == 0 ? 0.0 : stretch.arc[k - 1];
+    const double end = k + 1 == stretch.points.size() ? stretch.length() : stretch.arc[k + 1];
+    const Point2 way = after - before;
+    const double length = way.norm();
+    const bool isHook = std::any_of(stretch.hooks.begin(), stretch.hooks.end(),
+      [&](const FairHook& hook) { return hook.at == stretch.arc[k]; });
+    const Point2 along = length > 0.0 && !isHook ? Point2(way / length) : Point2(Point2::Zero());
+    return stretch.weights[k] * (end - start) / 2.0 *
+      (Eigen::Matrix2d::Identity() - (1.0 - sliding) * along * along.transpose());
   }
 
   void addObjective(double bending)
@@ -139,16 +134,14 @@ private:
       total += length;
       for (std::size_t k = 0; k < stretch.points.size(); ++k)
       {
-        const double before = k == 0 ? 0.0 : stretch.arc[k - 1];
-        const double after = k + 1 == stretch.points.size() ? length : stretch.arc[k + 1];
-        this->addSquare(
-          curve.at(stretch.arc[k], Derivative::Place), stretch.points[k], (after - before) / 2.0);
+        this->addSquare(curve.at(stretch.arc[k], Derivative::Place), stretch.points[k],
+          this->weightOf(stretch, k));
       }
       const double first = stretch.points.empty() ? length / 2.0 : stretch.arc.front() / 2.0;
       const double last =
         stretch.points.empty() ? length / 2.0 : (length - stretch.arc.back()) / 2.0;
-      weightOfNode[stretch.from] += first;
-      weightOfNode[stretch.to] += last;
+      weightOfNode[stretch.from] += stretch.endWeights[0] * first;
+      weightOfNode[stretch.to] += stretch.endWeights[1] * last;
       if (stretch.straight)
       {
         continue;
@@ -164,8 +157,10 @@ private:
     for (std::size_t k = 0; k < weightOfNode.size(); ++k)
     {
       // Corners are what the eye sees: they stay, as far as the lengths let them.
-      this->addSquare({ { static_cast<Eigen::Index>(k), 1.0 } }, this->Network.nodes[k],
-        10.0 * weightOfNode[k] + 1e-6 * total);
+      const bool held = !this->Network.held.empty();
+      this->addSquare({ { static_cast<Eigen::Index>(k), 1.0 } },
+        held ? this->Network.held[k] : this->Network.nodes[k],
+        (held ? heldNode : cornerWeight) * weightOfNode[k] + 1e-6 * total);
     }
     // A knot between two points that are far from each other is held by bending alone.
     for (Eigen::Index k = 0; k < 2 * this->Unknowns; ++k)
@@ -187,15 +182,12 @@ private:
       }
       if (stretch.smoothEnds)
       {
-        for (const auto derivative : { Derivative::Slope, Derivative::Bend })
+        Terms terms = curve.at(0.0, Derivative::Slope);
+        for (const Term& term : curve.at(stretch.length(), Derivative::Slope))
         {
-          Terms terms = curve.at(0.0, derivative);
-          for (const Term& term : curve.at(stretch.length(), derivative))
-          {
-            terms.push_back({ term.unknown, -term.factor });
-          }
-          this->LinearRows.push_back(std::move(terms));
+          terms.push_back({ term.unknown, -term.factor });
         }
+        this->LinearRows.push_back(std::move(terms));
       }
     }
   }
@@ -228,6 +220,7 @@ private:
     };
     add(this->Hessian, 0);
     add(rows, unknowns);
+    this->addTension(entries);
     for (Eigen::Index k = unknowns; k < size; ++k)
     {
       entries.emplace_back(k, k, -this->Softness);
@@ -243,7 +236,9 @@ private:
     {
       Vector right(size);
       right << pull, missing;
-      Vector change = this->System.solve(right).head(unknowns);
+      const Vector solution = this->System.solve(right);
+      Vector change = solution.head(unknowns);
+      this->Tensions = solution.tail(static_cast<Eigen::Index>(this->Lengths.size()));
       const double error = (rows * change - missing).lpNorm<Eigen::Infinity>();
       if (error <= goodStep * missing.lpNorm<Eigen::Infinity>() + exactLength * this->Longest)
       {
@@ -251,6 +246,16 @@ private:
       }
     }
     return this->leastStepOf(rows, pull, missing);
+  }
+
+  void addTension(std::vector<Eigen::Triplet<double>>& entries) const
+  {
+    for (std::size_t r = 0; r < this->Lengths.size(); ++r)
+    {
+      // Lengths that push would make the objective less than convex.
+      this->Lengths[r].addTension(
+        std::max(0.0, this->Tensions[static_cast<Eigen::Index>(r)]), this->X, entries);
+    }
   }
 
   /// The same where rows depend on each other so much that softness does not tell them apart.
@@ -281,24 +286,8 @@ private:
     }
     for (Eigen::Index r = 0; r < lengths; ++r)
     {
-      const Length& wanted = this->Lengths[static_cast<std::size_t>(r)];
-      double length = 0.0;
-      for (const auto& [terms, weight] : wanted.slopes)
-      {
-        const Point2 slope = sum(terms, this->X);
-        const double speed = slope.norm();
-        length += weight * speed;
-        const Point2 unit = speed > 0.0 ? Point2(slope / speed) : Point2(Point2::Zero());
-        for (const Term& term : terms)
-        {
-          for (Eigen::Index d = 0; d < 2; ++d)
-          {
-            entries.emplace_back(
-              2 * linear + r, 2 * term.unknown + d, weight * term.factor * unit[d]);
-          }
-        }
-      }
-      missing[2 * linear + r] = wanted.length - length;
+      missing[2 * linear + r] =
+        this->Lengths[static_cast<std::size_t>(r)].addRow(2 * linear + r, this->X, entries);
     }
     rows.resize(missing.size(), 2 * this->Unknowns);
     rows.setFromTriplets(entries.begin(), entries.end());
@@ -314,7 +303,7 @@ private:
     for (Eigen::Index r = 0; r < missing.size(); ++r)
     {
       const double length =
-        r < linear ? this->Longest : this->Lengths[static_cast<std::size_t>(r - linear)].length;
+        r < linear ? this->Longest : this->Lengths[static_cast<std::size_t>(r - linear)].wanted();
       most = std::max(most, (std::abs(missing[r]) - rounding) / length);
     }
     return most;
@@ -323,19 +312,24 @@ private:
   bool iterate()
   {
     this->X = this->Factor.solve(this->Right);
-    for (const Length& length : this->Lengths)
+    for (const CurveLength& length : this->Lengths)
     {
-      this->Longest = std::max(this->Longest, length.length);
+      this->Longest = std::max(this->Longest, length.wanted());
     }
     const Vector free = this->X; // the minimum without constraints
+    this->Tensions = Vector::Zero(static_cast<Eigen::Index>(this->Lengths.size()));
     double last = 1.0;
+    double least = std::numeric_limits<double>::infinity();
+    int stuck = 0;
     for (int step = 0; step < steps; ++step)
     {
       Rows rows;
       Vector missing;
       this->constraints(rows, missing);
       last = this->largestMissing(missing);
-      if (!missing.allFinite())
+      stuck = step < steps / 3 || last < 0.5 * least ? 0 : stuck + 1;
+      least = std::min(least, last);
+      if (!missing.allFinite() || (stuck > patience && last > goodLength))
       {
         return false;
       }
@@ -370,7 +364,7 @@ private:
   const FairNetwork& Network;
   Eigen::Index Unknowns;
   std::vector<StretchCurve> Curves;
-  std::vector<Length> Lengths;
+  std::vector<CurveLength> Lengths;
   std::vector<Terms> LinearRows;
   std::vector<Eigen::Triplet<double>> Entries;
   Vector Right;
@@ -379,6 +373,7 @@ private:
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> System; ///< with the constraints
   double Softness = 0.0;
   Vector X;
+  Vector Tensions; ///< multipliers of the lengths
   double Longest = 0.0;
 };
 }

@@ -14,8 +14,6 @@ struct FairInterval
 {
   double end = 0.0;    ///< along the stretch
   double length = 0.0; ///< that it must have
-  int spans = 1;       ///< of its spline
-  bool even = false;   ///< each of them has the same part of the length, as on what is sewn to it
 };
 
 /// A node that a stretch runs through.
@@ -34,6 +32,9 @@ struct FairStretch
   bool straight = false;   ///< a segment; its intervals divide it by their lengths
   std::vector<double> arc; ///< along the stretch, ascending from 0, of the points within its ends
   Points2 points;          ///< where it ran before
+  std::vector<double> weights; ///< of the points, 1 for what is usual
+  std::array<double, 2> endWeights{ 1.0, 1.0 };
+  std::vector<double> breaks; ///< along it, between which it is one cubic curve, its ends included
   std::vector<FairInterval> intervals; ///< the last one ends where the stretch does
   std::vector<FairHook> hooks;
 
@@ -44,6 +45,7 @@ struct FairStretch
 struct FairNetwork
 {
   Points2 nodes; ///< where they were before
+  Points2 held;  ///< where they stay, or empty where they may move
   std::vector<FairStretch> stretches;
 };
 
@@ -53,7 +55,7 @@ struct FairCurves
   Points2 nodes;
   std::vector<std::vector<FairSpan>> spans; ///< of each stretch
   std::vector<std::vector<double>>
-    deviation; ///< of each interval: its points from the curve, at most
+    deviation; ///< of the points of each stretch across it, its ends included
 };
 
 /// Smooth curves of prescribed lengths near given points: least bending (the integral of the

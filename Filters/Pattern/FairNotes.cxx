@@ -49,7 +49,7 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
     }
     piece.notes.push_back(of + "not smooth within " + formatNumber(report.wantedOfWorst, 3) +
       " mm, but " + formatNumber(report.worstLeft, 2) +
-      " mm off, and so left as the mesh has them, are stretches of " + names);
+      " mm off, and so left as the mesh has them, are corners or stretches of " + names);
   }
 }
 }

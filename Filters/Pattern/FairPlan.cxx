@@ -15,8 +15,6 @@ namespace pattern
 namespace
 {
 constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
-constexpr int spansOfRing = 4;
-constexpr int edgesOfSpan = 3;      ///< to begin with
 constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
 
 class FairPlanner
@@ -153,10 +151,6 @@ private:
       interval.start = stops[k];
       interval.end = stops[k + 1];
       interval.length = interval.end - interval.start;
-      const auto edges = std::count_if(chain.arc.begin(), chain.arc.end(),
-        [&](double arc) { return arc > interval.start && arc < interval.end; });
-      interval.most = static_cast<int>(edges) + 2;
-      interval.spans = std::max(1, static_cast<int>(edges) / edgesOfSpan);
       const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
       interval.tolerance = this->Shares[chain.piece] *
         this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
@@ -208,21 +202,33 @@ private:
       {
         stretch.form = StretchForm::Raw;
       }
-      else if (ring)
-      {
-        for (PlannedInterval& interval : planned.intervals)
-        {
-          interval.least = std::max(
-            1, spansOfRing / static_cast<int>(std::min<std::size_t>(4, planned.intervals.size())));
-          interval.spans = std::max(interval.spans, interval.least);
-        }
-      }
-      else
+      else if (!ring)
       {
         this->straighten(chain, stretch, tolerance);
       }
+      this->divide(chain, stretch);
       planned.stretches.push_back(stretch);
     }
+  }
+
+  /// Each length and each crossing takes away from what a spline can do: a span for three of them.
+  void divide(const BorderChain& chain, PlannedStretch& stretch) const
+  {
+    std::size_t conditions = stretch.endInterval - stretch.firstInterval - 1;
+    for (std::size_t k = stretch.firstPoint + 1; k < stretch.lastPoint; ++k)
+    {
+      conditions += this->Chains.chainsAt(chain.point(k)) > 1 ? 1 : 0;
+    }
+    const std::size_t spans = std::max(stretch.leastSpans(), 1 + conditions / 3);
+    const double start = chain.arc[stretch.firstPoint];
+    const double length = chain.arc[stretch.lastPoint] - start;
+    for (std::size_t k = 0; k < spans; ++k)
+    {
+      stretch.breaks.push_back(
+        start + length * static_cast<double>(k) / static_cast<double>(spans));
+    }
+    stretch.breaks.push_back(chain.arc[stretch.lastPoint]);
+    stretch.weights.assign(stretch.edges() + 1, 1.0);
   }
 
   void straighten(const BorderChain& chain, PlannedStretch& stretch, double tolerance) const
@@ -308,21 +314,6 @@ std::vector<PlannedChain> planFairBorders(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
 {
   return FairPlanner(all, chains, shares).plan();
-}
-
-void agreeOnSpans(std::vector<PlannedChain>& plan)
-{
-  for (PlannedChain& chain : plan)
-  {
-    for (PlannedInterval& interval : chain.intervals)
-    {
-      if (interval.partner[0] != PlannedInterval::none)
-      {
-        PlannedInterval& other = plan[interval.partner[0]].intervals[interval.partner[1]];
-        interval.spans = other.spans = std::max(interval.spans, other.spans);
-      }
-    }
-  }
 }
 }
 }

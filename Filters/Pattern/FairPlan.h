@@ -3,6 +3,8 @@
 
 #include "BorderChains.h"
 
+#include <limits>
+
 namespace flattening
 {
 namespace pattern
@@ -13,9 +15,6 @@ struct PlannedInterval
   double start = 0.0; ///< along the chain
   double end = 0.0;
   double length = 0.0;    ///< that its curve must have, the same on both sides of a seam
-  int spans = 1;          ///< of its spline
-  int least = 1;          ///< fewer of them do not keep the tolerance
-  int most = 1;           ///< that make sense: one an edge of the mesh, and one more
   double tolerance = 0.0; ///< of its points from its curve, millimetres; 0: it stays as it was
   std::array<std::size_t, 2> partner{ none, none }; ///< chain and interval that it is sewn to
   bool reversed = false;                            ///< the partner's chain runs the other way
@@ -41,7 +40,15 @@ struct PlannedStretch
   std::size_t endInterval = 0; ///< the one after its last
   bool smoothEnds = false;     ///< a ring without a corner
   StretchForm form = StretchForm::Spline;
-  double bend = 0.0; ///< distance of its points from its chord, at most
+  double bend = 0.0;           ///< distance of its points from its chord, at most
+  std::vector<double> breaks;  ///< of its spline, along the chain, its ends among them
+  std::vector<double> weights; ///< of its points, from the first to the last
+  double excess = std::numeric_limits<double>::infinity(); ///< of its points over their tolerances
+  int futile = 0; ///< how often in a row more breaks were of no help
+
+  std::size_t edges() const { return this->lastPoint - this->firstPoint; }
+  std::size_t spans() const { return this->breaks.size() - 1; }
+  std::size_t leastSpans() const { return this->smoothEnds ? 4 : 1; }
 };
 
 struct PlannedChain
@@ -54,8 +61,5 @@ struct PlannedChain
 /// \param shares which part of its tolerances each piece may use
 std::vector<PlannedChain> planFairBorders(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
-
-/// Gives both sides of each interval as many spans as the one of them that needs more.
-void agreeOnSpans(std::vector<PlannedChain>& plan);
 }
 }

@@ -3,6 +3,7 @@
 
 #include "BorderEdges.h"
 #include "ClosedCuts.h"
+#include "FairCache.h"
 #include "GarmentPieces.h"
 
 #include <Eigen/Dense>
@@ -97,7 +98,7 @@ void draw(const std::vector<BorderEdge>& border, GarmentPanel& panel)
 }
 
 Status makeGarmentCode(const PatternSource& source, const PatternOptions& options,
-  const Pattern& drawing, std::string& json)
+  const Pattern& drawing, std::string& json, FairCache* cache)
 {
   if (!source.panels.edges.empty())
   {
@@ -123,8 +124,9 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
   {
     return status;
   }
-  const FairBorders fair(all);
-  const std::vector<std::vector<BorderEdge>> borders = borderEdges(all, fair);
+  FairCache own;
+  const std::shared_ptr<const FairBorders> fair = (cache ? cache : &own)->of(all);
+  const std::vector<std::vector<BorderEdge>> borders = borderEdges(all, *fair);
   std::vector<std::string> names; // members of an object, and so all different
   for (const std::string& name : drawing.names)
   {

@@ -9,6 +9,8 @@ namespace flattening
 {
 namespace pattern
 {
+class FairCache;
+
 /// A flattening as the JSON of GarmentCode (M. Korosteleva, O. Sorkine-Hornung, GarmentCode:
 /// programming parametric sewing patterns, ACM Transactions on Graphics 42(6), 2023): panels
 /// without allowance, in centimetres, with straight and cubic edges; stitches between edges of the
@@ -16,8 +18,9 @@ namespace pattern
 /// written such that reading them gives the same bits. Pieces that were panels (SourcePanels) are
 /// written as these again.
 /// \param drawing for the names of the pieces
+/// \param cache of smooth borders; null: none
 /// \return InvalidPattern for a piece with a hole, which the format cannot hold
 Status makeGarmentCode(const PatternSource& source, const PatternOptions& options,
-  const Pattern& drawing, std::string& json);
+  const Pattern& drawing, std::string& json, FairCache* cache = nullptr);
 }
 }

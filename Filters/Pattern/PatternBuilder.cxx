@@ -6,6 +6,7 @@
 #include "BorderMarks.h"
 #include "ClosedCuts.h"
 #include "FairBorders.h"
+#include "FairCache.h"
 #include "FairNotes.h"
 #include "NamedFolds.h"
 #include "PatternChecks.h"
@@ -141,7 +142,8 @@ bool isWire(LineKind kind)
     kind != LineKind::Fold;
 }
 
-Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern)
+Status buildPattern(
+  const PatternSource& source, const PatternOptions& options, Pattern& pattern, FairCache* cache)
 {
   std::size_t pieces = 0;
   Status status = checkSource(source, pieces);
@@ -169,13 +171,7 @@ Status buildPattern(const PatternSource& source, const PatternOptions& options, 
   {
     return status;
   }
-  std::optional<FairBorders> fair;
-  if (options.isFair())
-  {
-    fair.emplace(all);
-    all.fair = &*fair;
-    all.moved = &fair->positions();
-  }
+  const std::shared_ptr<const FairBorders> fair = drawFair(all, cache);
   const std::vector<BorderMark> marks = findBorderMarks(all);
 
   pattern.name = cleanText(options.name);

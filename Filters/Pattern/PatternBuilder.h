@@ -9,8 +9,12 @@ namespace flattening
 {
 namespace pattern
 {
+class FairCache;
+
 /// Draws a flattening as a pattern to cut at true scale. The lines that are wires have their points
-/// exactly where the flattening has them, scaled to millimetres and moved.
-Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern);
+/// exactly where the flattening has them, scaled to millimetres and moved, or are smooth.
+/// \param cache of smooth borders, for other files of the same flattening; null: none
+Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern,
+  FairCache* cache = nullptr);
 }
 }

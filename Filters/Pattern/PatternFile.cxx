@@ -2,6 +2,7 @@
 #include "PatternFile.h"
 
 #include "DxfWriter.h"
+#include "FairCache.h"
 #include "GarmentCode.h"
 #include "GradeFiles.h"
 #include "HpglWriter.h"
@@ -134,7 +135,9 @@ Status makePatternFile(
       options.format == FileFormat::Hpgl);
   PatternOptions drawn = options.pattern;
   drawn.oneLayer = onFabric;
-  Status status = buildPattern(source, drawn, drawing);
+  FairCache own;
+  FairCache* const fair = options.fair ? options.fair : &own;
+  Status status = buildPattern(source, drawn, drawing, fair);
   if (status.ok() && onFabric)
   {
     status = layOnFabric(options.fabric, drawing);
@@ -149,7 +152,7 @@ Status makePatternFile(
       if (options.walkTable)
       {
         std::vector<WalkInterval> walk;
-        status = walkSeams(source, options.pattern, walk);
+        status = walkSeams(source, options.pattern, walk, fair);
         drawing.walk = walkRows(walk, drawing);
       }
       return status.ok() ? makePdf(drawing, options.pages, content) : status;
@@ -159,7 +162,7 @@ Status makePatternFile(
     case FileFormat::Walk:
     {
       std::vector<WalkInterval> walk;
-      status = walkSeams(source, options.pattern, walk);
+      status = walkSeams(source, options.pattern, walk, fair);
       content = makeWalkTable(walk, drawing);
       return status;
     }
@@ -167,7 +170,7 @@ Status makePatternFile(
       content = makeHpgl(drawing);
       return {};
     case FileFormat::GarmentCode:
-      return makeGarmentCode(source, options.pattern, drawing, content);
+      return makeGarmentCode(source, options.pattern, drawing, content, fair);
     default:
       content = makeSvg(drawing, options.laserColours);
       return {};

@@ -12,6 +12,8 @@ namespace flattening
 {
 namespace pattern
 {
+class FairCache;
+
 /// What a flattening can be written as.
 enum class FileFormat
 {
@@ -45,7 +47,8 @@ struct FileOptions
   bool walkTable = false;    ///< of PDF: on pages after the pattern
   bool laserColours = false; ///< of SVG
   const Grading* grading =
-    nullptr; ///< of a pattern of several sizes, of which the source is the base
+    nullptr;                 ///< of a pattern of several sizes, of which the source is the base
+  FairCache* fair = nullptr; ///< smooth borders are kept there for other files; null: for this one
 };
 
 /// Draws a flattening and makes the file's bytes.

@@ -47,9 +47,7 @@ void PieceNetwork::add(std::size_t c, const PlannedStretch& planned)
 {
   const BorderChain& chain = this->Chains.chains()[c];
   FairStretch stretch;
-  Origin origin;
-  origin.chain = c;
-  origin.start = chain.arc[planned.firstPoint];
+  const Origin origin{ c, planned.firstPoint, chain.arc[planned.firstPoint] };
   stretch.from = this->nodeAt(chain.point(planned.firstPoint));
   stretch.to = this->nodeAt(chain.point(planned.lastPoint));
   stretch.smoothEnds = planned.smoothEnds;
@@ -59,20 +57,24 @@ void PieceNetwork::add(std::size_t c, const PlannedStretch& planned)
     const Index v = chain.point(k);
     stretch.arc.push_back(chain.arc[k] - origin.start);
     stretch.points.push_back(this->All.at(v));
+    stretch.weights.push_back(planned.weights[k - planned.firstPoint]);
     if (this->Chains.chainsAt(v) > 1)
     {
       stretch.hooks.push_back({ stretch.arc.back(), this->nodeAt(v) });
     }
   }
+  stretch.endWeights = { planned.weights.front(), planned.weights.back() };
+  for (const double arc : planned.breaks)
+  {
+    stretch.breaks.push_back(arc - origin.start);
+  }
   for (std::size_t k = planned.firstInterval; k < planned.endInterval; ++k)
   {
     const PlannedInterval& interval = this->Plan[c].intervals[k];
-    stretch.intervals.push_back({ interval.end - origin.start, interval.length, interval.spans,
-      interval.partner[0] != PlannedInterval::none });
-    origin.intervals.push_back(k);
+    stretch.intervals.push_back({ interval.end - origin.start, interval.length });
   }
   this->Network.stretches.push_back(std::move(stretch));
-  this->Origins.push_back(std::move(origin));
+  this->Origins.push_back(origin);
 }
 
 void PieceNetwork::addEdges(std::size_t c, const PlannedStretch& planned)
@@ -81,26 +83,22 @@ void PieceNetwork::addEdges(std::size_t c, const PlannedStretch& planned)
   for (std::size_t k = planned.firstPoint; k < planned.lastPoint; ++k)
   {
     FairStretch stretch;
-    Origin origin;
-    origin.chain = c;
-    origin.start = chain.arc[k];
+    const double length = chain.arc[k + 1] - chain.arc[k];
     stretch.from = this->nodeAt(chain.point(k));
     stretch.to = this->nodeAt(chain.point(k + 1));
     stretch.straight = true;
-    for (std::size_t i = planned.firstInterval; i < planned.endInterval; ++i)
-    {
-      const PlannedInterval& interval = this->Plan[c].intervals[i];
-      const double start = std::max(interval.start, chain.arc[k]);
-      const double end = std::min(interval.end, chain.arc[k + 1]);
-      if (end > start)
-      {
-        stretch.intervals.push_back({ end - origin.start, end - start, 1, false });
-        origin.intervals.push_back(i);
-      }
-    }
+    stretch.breaks = { 0.0, length };
+    stretch.intervals = { { length, length } };
     this->Network.stretches.push_back(std::move(stretch));
-    this->Origins.push_back(std::move(origin));
+    this->Origins.push_back({ c, k, chain.arc[k] });
   }
+}
+
+std::size_t PieceNetwork::indexOf(std::size_t chain, std::size_t firstPoint) const
+{
+  const auto found = std::find_if(this->Origins.begin(), this->Origins.end(),
+    [&](const Origin& origin) { return origin.chain == chain && origin.firstPoint == firstPoint; });
+  return static_cast<std::size_t>(found - this->Origins.begin());
 }
 
 void PieceNetwork::take(const FairCurves& curves, std::vector<std::vector<FairSpan>>& spans,
@@ -109,7 +107,7 @@ void PieceNetwork::take(const FairCurves& curves, std::vector<std::vector<FairSp
   for (const Origin& origin : this->Origins)
   {
     spans[origin.chain].clear();
-    deviation[origin.chain].assign(this->Plan[origin.chain].intervals.size(), 0.0);
+    deviation[origin.chain].assign(this->Chains.chains()[origin.chain].arc.size(), 0.0);
   }
   for (std::size_t s = 0; s < this->Origins.size(); ++s)
   {
@@ -120,9 +118,9 @@ void PieceNetwork::take(const FairCurves& curves, std::vector<std::vector<FairSp
       span.to += origin.start;
       spans[origin.chain].push_back(span);
     }
-    for (std::size_t k = 0; k < origin.intervals.size(); ++k)
+    for (std::size_t k = 0; k < curves.deviation[s].size(); ++k)
     {
-      double& off = deviation[origin.chain][origin.intervals[k]];
+      double& off = deviation[origin.chain][origin.firstPoint + k];
       off = std::max(off, curves.deviation[s][k]);
     }
   }

@@ -19,8 +19,9 @@ public:
     const std::vector<PlannedChain>& plan, std::size_t piece);
 
   const FairNetwork& network() const { return this->Network; }
-  /// Writes the solution to the chains of this piece: spans along them, deviations of their
-  /// intervals.
+  /// The number of a stretch in it, by its chain and first point; it is no raw one.
+  std::size_t indexOf(std::size_t chain, std::size_t firstPoint) const;
+  /// Writes the solution to the chains of this piece: spans along them, deviations of their points.
   void take(const FairCurves& curves, std::vector<std::vector<FairSpan>>& spans,
     std::vector<std::vector<double>>& deviation) const;
 
@@ -29,8 +30,8 @@ private:
   struct Origin
   {
     std::size_t chain = 0;
-    double start = 0.0;                 ///< along the chain
-    std::vector<std::size_t> intervals; ///< of the chain
+    std::size_t firstPoint = 0; ///< of the chain
+    double start = 0.0;         ///< along it
   };
 
   std::size_t nodeAt(Index point);

@@ -5,13 +5,13 @@
 #include "ClosedCuts.h"
 #include "ClothOutline.h"
 #include "FairBorders.h"
+#include "FairCache.h"
 #include "Notches.h"
 #include "Outline.h"
 #include "PatternText.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <unordered_set>
 
 namespace flattening
@@ -247,8 +247,8 @@ private:
 
 }
 
-Status walkSeams(
-  const PatternSource& source, const PatternOptions& options, std::vector<WalkInterval>& walk)
+Status walkSeams(const PatternSource& source, const PatternOptions& options,
+  std::vector<WalkInterval>& walk, FairCache* cache)
 {
   walk.clear();
   const PatternSource whole = withoutClosedCuts(source);
@@ -258,13 +258,7 @@ Status walkSeams(
   {
     return status;
   }
-  std::optional<FairBorders> fair;
-  if (options.isFair())
-  {
-    fair.emplace(all);
-    all.fair = &*fair;
-    all.moved = &fair->positions();
-  }
+  const std::shared_ptr<const FairBorders> fair = drawFair(all, cache);
   SeamWalker walker(all, walk);
   for (const SourceWire& wire : whole.wires)
   {

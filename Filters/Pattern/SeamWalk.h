@@ -9,6 +9,8 @@ namespace flattening
 {
 namespace pattern
 {
+class FairCache;
+
 /// One interval of a seam or dart between two notches, or a notch and an end, as one who walks the
 /// two sides along each other measures them. Lengths in millimetres, angles in degrees.
 struct WalkInterval
@@ -33,8 +35,9 @@ struct WalkInterval
 };
 
 /// Walks all sides that are sewn to each other, in the order of the wires, along what is drawn.
-Status walkSeams(
-  const PatternSource& source, const PatternOptions& options, std::vector<WalkInterval>& walk);
+/// \param cache of smooth borders; null: none
+Status walkSeams(const PatternSource& source, const PatternOptions& options,
+  std::vector<WalkInterval>& walk, FairCache* cache = nullptr);
 
 /// The walk as a table of comma-separated values: a head, and a row an interval.
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern);

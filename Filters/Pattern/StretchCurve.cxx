@@ -10,24 +10,6 @@ namespace flattening
 {
 namespace pattern
 {
-namespace
-{
-std::vector<double> breaksOf(const FairStretch& stretch)
-{
-  std::vector<double> breaks{ 0.0 };
-  for (const FairInterval& interval : stretch.intervals)
-  {
-    const double start = breaks.back();
-    for (int k = 1; k < interval.spans; ++k)
-    {
-      breaks.push_back(start + k * (interval.end - start) / interval.spans);
-    }
-    breaks.push_back(interval.end);
-  }
-  return breaks;
-}
-}
-
 Point2 sum(const Terms& terms, const Eigen::VectorXd& x)
 {
   Point2 result = Point2::Zero();
@@ -40,7 +22,7 @@ Point2 sum(const Terms& terms, const Eigen::VectorXd& x)
 
 StretchCurve::StretchCurve(const FairStretch& stretch, Eigen::Index& next)
   : Stretch(stretch)
-  , Basis(breaksOf(stretch))
+  , Basis(stretch.breaks)
   , First(next)
 {
   next += stretch.straight ? 0 : static_cast<Eigen::Index>(this->Basis.size()) - 2;
@@ -100,27 +82,25 @@ std::vector<FairSpan> StretchCurve::spans(const Eigen::VectorXd& x) const
 std::vector<double> StretchCurve::deviation(const Points2& nodes, const Eigen::VectorXd& x) const
 {
   const FairStretch& stretch = this->Stretch;
-  std::vector<double> deviation(stretch.intervals.size(), 0.0);
-  const auto add = [&](double t, const Point2& target) {
-    const Point2 slope = sum(this->at(t, Derivative::Slope), x);
-    const Point2 off = target - sum(this->at(t, Derivative::Place), x);
-    const double across = std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12);
-    std::size_t k = 0;
-    while (k + 1 < stretch.intervals.size() && t > stretch.intervals[k].end)
-    {
-      ++k;
-    }
-    deviation[k] = std::max(deviation[k], across);
-  };
-  for (std::size_t k = 0; k < stretch.points.size(); ++k)
-  {
-    add(stretch.arc[k], stretch.points[k]);
-  }
   const auto end = [&](std::size_t node) {
     return (nodes[node] - x.segment<2>(2 * static_cast<Eigen::Index>(node))).norm();
   };
-  deviation.front() = std::max(deviation.front(), end(stretch.from));
-  deviation.back() = std::max(deviation.back(), end(stretch.to));
+  std::vector<double> deviation{ end(stretch.from) };
+  for (std::size_t k = 0; k < stretch.points.size(); ++k)
+  {
+    double t = stretch.arc[k];
+    Point2 slope;
+    Point2 off;
+    for (int step = 0; step < 4; ++step)
+    {
+      slope = sum(this->at(t, Derivative::Slope), x);
+      off = stretch.points[k] - sum(this->at(t, Derivative::Place), x);
+      t = std::clamp(
+        t + slope.dot(off) / std::max(slope.squaredNorm(), 1e-24), 0.0, stretch.length());
+    }
+    deviation.push_back(std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12));
+  }
+  deviation.push_back(end(stretch.to));
   return deviation;
 }
 }

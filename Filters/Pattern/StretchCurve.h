@@ -37,7 +37,7 @@ public:
   const CubicBasis& basis() const { return this->Basis; }
   Terms at(double t, Derivative derivative) const;
   std::vector<FairSpan> spans(const Eigen::VectorXd& x) const;
-  /// Of each interval the farthest of the points across the curve; along it they may slide.
+  /// Of the points across the curve, along which they may slide, between those of its ends.
   std::vector<double> deviation(const Points2& nodes, const Eigen::VectorXd& x) const;
 
 private:

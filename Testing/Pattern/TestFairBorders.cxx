@@ -211,18 +211,19 @@ TEST(FairBorders, EveryIntervalOfASeamHasItsLengthOnBothSides)
   {
     const auto curve = smoothed.borders->curveOf(smoothed.source.wires[wire]);
     EXPECT_LT(curve.size(), 9U);
-    double length = 0.0;
-    std::vector<double> ends;
-    for (const FairSpan& span : curve)
-    {
-      EXPECT_FALSE(span.straight());
-      ends.push_back(length += lengthOf(span));
-    }
+    EXPECT_FALSE(std::any_of(
+      curve.begin(), curve.end(), [](const FairSpan& span) { return span.straight(); }));
     for (const double notch : { 40.0, 80.0, 120.0, 170.0 })
     {
-      EXPECT_TRUE(std::any_of(
-        ends.begin(), ends.end(), [notch](double end) { return std::abs(end - notch) < 1e-9; }))
-        << notch;
+      // The way from edge to edge of the mesh up to the one with the notch, and on it.
+      const Indices& points = smoothed.source.wires[wire].points;
+      double length = 0.0;
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      {
+        const double part = std::clamp(notch / 17.0 - static_cast<double>(k), 0.0, 1.0);
+        length += lengthOf(smoothed.borders->alongEdge(points[k], points[k + 1], 0.0, part));
+      }
+      EXPECT_NEAR(length, notch, 1e-9);
     }
   }
 }
@@ -331,6 +332,30 @@ TEST(FairBorders, ALongWavyCurveIsDrawnWithFewSplinesAndItsExactLength)
     length += (corners[k + 1] - corners[k]).norm();
   }
   EXPECT_NEAR(lengthOf(smoothed.borders->curveOf(wave)), length, 1e-8);
+}
+
+TEST(FairBorders, ACornerThatCannotBeRoundedLeavesTheRestOfItsSideSmooth)
+{
+  // Two arcs of a circle of 200 mm, of 20 edges each, that meet by 25 degrees in edges of 12 mm: a
+  // curve through there would be a third of a millimetre off.
+  Points2 corners{ { 0.0, 0.0 } };
+  double angle = 0.0;
+  for (int k = 0; k < 40; ++k)
+  {
+    corners.push_back(corners.back() + 12.0 * Point2(std::cos(angle), std::sin(angle)));
+    angle += k == 19 ? 25.0 * pi / 180.0 : 0.06;
+  }
+  const Smoothed smoothed(polygon(corners), 0.1);
+  const FairPieceReport& report = smoothed.borders->reports()[0];
+  EXPECT_EQ(report.left, std::vector<std::string>{ "boundary" });
+  EXPECT_GT(report.worstLeft, 0.3);
+  EXPECT_EQ(report.segments, 1U); // from end to end
+  EXPECT_GE(report.splines, 2U);
+  EXPECT_LE(report.splines, 6U);
+  EXPECT_LE(report.deviation, 0.1);
+  const auto curve = smoothed.borders->alongEdge(1, 2);
+  EXPECT_NEAR(lengthOf(curve), 12.0, 1e-6); // each edge keeps its length
+  EXPECT_LE(distanceFrom(smoothed.borders->alongEdge(20, 21), corners[20]), 0.1);
 }
 
 TEST(FairBorders, ACornerBesideASharperOneIsACorner)

@@ -31,6 +31,30 @@ def curves_of(element):
     return curves
 
 
+def place_at(curves, length):
+    """The point of Bezier curves at a length from their start."""
+    for curve in curves:
+        whole = pattern.bezier_length(curve)
+        if length <= whole or curve is curves[-1]:
+            break
+        length -= whole
+    low, high = 0.0, 1.0
+    for _ in range(50):
+        middle = (low + high) / 2
+        short = pattern.bezier_length(first_part(curve, middle)) < length
+        low, high = (middle, high) if short else (low, middle)
+    return first_part(curve, low)[-1]
+
+
+def first_part(curve, share):
+    """After de Casteljau."""
+    part, rest = [], curve
+    while len(rest):
+        part.append(rest[0])
+        rest = (1 - share) * rest[:-1] + share * rest[1:]
+    return np.array(part)
+
+
 class Fair(pattern.PatternTest):
     def paths(self):
         root = pattern.svg_root(self.path("out", "pattern.svg"))
@@ -55,18 +79,22 @@ class Fair(pattern.PatternTest):
                     self.assertLess(abs(a - b), 1e-6)
                 self.assertTrue(any("C" in element.get("d") for _, element in paths))
 
-    def test_a_curve_ends_at_each_notch_of_both_sides(self):
+    def test_each_notch_lies_on_its_curve_at_its_length(self):
         self.make("tshirt", "--svg", "--fair", str(TOLERANCE))
         root, paths = self.paths()
         checked = 0
-        for _, notch, _, _ in pattern.svg_paths(root, "notch"):
+        for piece, notch, points, _ in pattern.svg_paths(root, "notch"):
             name, arc = notch.get("data-curve"), float(notch.get("data-arc-length"))
-            for _, element in paths:
-                if element.get("data-curve") != name:
-                    continue
-                ends = np.cumsum([pattern.bezier_length(curve) for curve in curves_of(element)])
-                self.assertLess(min(abs(ends - arc)), 1e-6, (name, arc))
-                checked += 1
+            # A notch points from the cut line to its foot on the sew line.
+            start, end = map(np.array, points)
+            way = (end - start) / np.linalg.norm(end - start)
+            beside = []
+            for number, element in paths:
+                if number == piece and element.get("data-curve") == name:
+                    off = place_at(curves_of(element), arc) - start
+                    beside.append(abs(way[0] * off[1] - way[1] * off[0]))
+                    checked += 1
+            self.assertLess(min(beside), 1e-5, (name, arc))
         self.assertGreater(checked, 20)
 
     def test_the_walk_finds_both_sides_of_every_interval_alike(self):
