@@ -9,6 +9,8 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace editor
@@ -265,7 +267,12 @@ void EditorWindow::askPattern()
 //------------------------------------------------------------------------------
 void EditorWindow::askPatternOptions()
 {
-  PatternDialog(this->Pattern, this).exec();
+  std::set<std::string> curves{ "boundary" };
+  for (int k = 0; k < this->Curves->GetNumberOfCurves(); ++k)
+  {
+    curves.insert(this->Curves->GetCurveName(k));
+  }
+  PatternDialog(this->Pattern, curves, this).exec();
 }
 
 //------------------------------------------------------------------------------

@@ -17,10 +17,13 @@
 namespace editor
 {
 //------------------------------------------------------------------------------
-PatternDialog::PatternDialog(vtkPatternWriter* writer, QWidget* parent)
+PatternDialog::PatternDialog(
+  vtkPatternWriter* writer, const std::set<std::string>& curves, QWidget* parent)
   : QDialog(parent)
   , Writer(writer)
   , Form(new QFormLayout)
+  , OfCurves(new CurveOptionsTable(writer, curves))
+  , Defect(new QLabel)
 {
   this->setWindowTitle("Pattern options");
   this->addText("PatternSize", "Size", "Printed on each piece, such as M.",
@@ -74,12 +77,26 @@ PatternDialog::PatternDialog(vtkPatternWriter* writer, QWidget* parent)
   QObject::connect(buttons, &QDialogButtonBox::rejected, this, &PatternDialog::reject);
   auto* const layout = new QVBoxLayout(this);
   layout->addLayout(this->Form);
+  this->OfCurves->setObjectName("CurveOptions");
+  layout->addWidget(this->OfCurves);
+  this->Defect->setObjectName("Defect");
+  this->Defect->setWordWrap(true);
+  this->Defect->hide();
+  layout->addWidget(this->Defect);
   layout->addWidget(buttons);
 }
 
 //------------------------------------------------------------------------------
 void PatternDialog::accept()
 {
+  const QString defect = this->OfCurves->defect();
+  if (!defect.isEmpty())
+  {
+    this->Defect->setText(defect);
+    this->Defect->show();
+    return;
+  }
+  this->OfCurves->take(this->Writer);
   for (const std::function<void()>& take : this->Take)
   {
     take();

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CurveOptionsTable.h"
+
 #include <QDialog>
 #include <QFormLayout>
+#include <QLabel>
 
 #include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 class vtkPatternWriter;
@@ -12,12 +17,13 @@ class vtkPatternWriter;
 namespace editor
 {
 /// What patterns show, as the properties of a writer say: allowance, notches, darts, folds, smooth
-/// outlines, paper. The writer takes the fields when they are accepted. Fields have the names of
-/// the properties, so that a program can find them.
+/// outlines, paper; for all curves, and in a table for one. The writer takes the fields when they
+/// are accepted. Fields have the names of the properties, so that a program can find them.
 class PatternDialog : public QDialog
 {
 public:
-  PatternDialog(vtkPatternWriter* writer, QWidget* parent);
+  /// \param curves names of what can be drawn
+  PatternDialog(vtkPatternWriter* writer, const std::set<std::string>& curves, QWidget* parent);
 
   void accept() override;
 
@@ -33,6 +39,8 @@ private:
 
   vtkPatternWriter* Writer;
   QFormLayout* Form;
+  CurveOptionsTable* OfCurves;
+  QLabel* Defect;
   std::vector<std::function<void()>> Take; ///< one a field
 };
 }

@@ -5,15 +5,19 @@
 #include <vtkActor2DCollection.h>
 #include <vtkDoubleArray.h>
 #include <vtkPatternWriter.h>
+#include <vtkStringArray.h>
 #include <vtkTextActor.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QTableWidget>
 
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <limits>
@@ -213,6 +217,57 @@ TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
   EXPECT_FALSE(this->window->savePattern(path));
   EXPECT_TRUE(this->window->message().contains("pattern options"))
     << this->window->message().toStdString();
+}
+
+TEST_F(PatternEditor, OneCurveCanHaveOptionsOfItsOwn)
+{
+  this->drawTutorial();
+  vtkPatternWriter* const pattern = this->window->pattern();
+  const auto ask = [&](const std::function<void(QDialog*, QTableWidget*, int)>& fill) {
+    QTimer::singleShot(300, [fill] {
+      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      auto* const table = dialog->findChild<QTableWidget*>("CurveOptions");
+      ASSERT_NE(table, nullptr);
+      int row = 0;
+      while (row + 1 < table->rowCount() && table->verticalHeaderItem(row)->text() != "boundary")
+      {
+        ++row;
+      }
+      fill(dialog, table, row);
+      dialog->accept();
+    });
+    QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QApplication::setActiveWindow(this->window.get()); // the dialog was it
+  };
+  ask([](QDialog* dialog, QTableWidget* table, int row) {
+    EXPECT_GT(table->rowCount(), 2);
+    table->item(row, 0)->setText("wide");
+    dialog->accept();
+    EXPECT_TRUE(dialog->isVisible());
+    EXPECT_TRUE(dialog->findChild<QLabel*>("Defect")->text().contains("wide"));
+    table->item(row, 0)->setText("20");
+    table->item(row, 1)->setText(" 30  60.5 ");
+    table->item(row, 2)->setCheckState(Qt::Checked);
+    table->item(row, 3)->setText("0.4");
+  });
+  EXPECT_EQ(pattern->GetCurveAllowance("boundary"), 20.0);
+  EXPECT_EQ(pattern->GetNumberOfCurveNotches("boundary"), 2);
+  EXPECT_EQ(pattern->GetCurveNotch("boundary", 1), 60.5);
+  EXPECT_TRUE(pattern->HasDoubleNotches("boundary"));
+  EXPECT_EQ(pattern->GetCurveFairTolerance("boundary"), 0.4);
+  EXPECT_FALSE(pattern->HasCurveDartTip("boundary"));
+  EXPECT_EQ(pattern->GetCurvesWithOptions()->GetNumberOfValues(), 1);
+
+  // The fields show what is set, and what was emptied is as for all again.
+  ask([](QDialog*, QTableWidget* table, int row) {
+    EXPECT_EQ(table->item(row, 0)->text(), "20");
+    EXPECT_EQ(table->item(row, 1)->text(), "30 60.5");
+    table->item(row, 0)->setText("");
+  });
+  EXPECT_FALSE(pattern->HasCurveAllowance("boundary"));
+  EXPECT_EQ(pattern->GetCurveAllowance("boundary"), pattern->GetAllowance());
+  EXPECT_TRUE(pattern->HasDoubleNotches("boundary"));
 }
 
 TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)

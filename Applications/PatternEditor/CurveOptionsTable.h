@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QTableWidget>
+
+#include <set>
+#include <string>
+
+class vtkPatternWriter;
+
+namespace editor
+{
+/// What patterns show of single curves, a row each, where it is not as for all: seam allowance,
+/// notches, smoothness, tips of darts. Fields that are empty leave it as for all.
+class CurveOptionsTable : public QTableWidget
+{
+public:
+  /// Columns, in their order; the name of the curve is before them, beside the row.
+  enum Option
+  {
+    Allowance,
+    NotchesAt, ///< distances from the start of the curve, separated by spaces
+    DoubleNotches,
+    FairTolerance,
+    DartTip,
+    Options ///< how many there are
+  };
+
+  /// \param curves those that can be drawn; those that the writer has options of are shown as well
+  CurveOptionsTable(
+    const vtkPatternWriter* writer, std::set<std::string> curves, QWidget* parent = nullptr);
+
+  /// What a field says that is no length from 0; empty where all can be taken.
+  QString defect() const;
+  /// Makes the fields those of the writer, in place of all it had of single curves.
+  void take(vtkPatternWriter* writer) const;
+
+private:
+  std::string curve(int row) const;
+  QString text(int row, Option option) const;
+};
+}
