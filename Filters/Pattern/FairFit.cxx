@@ -21,7 +21,7 @@ constexpr int rounds = 24;
 constexpr int emphases = 5;                           ///< in a row, of a plan
 constexpr std::array<double, 2> ofTrial{ 0.99, 0.9 }; ///< of the tolerance
 constexpr double nearly = 1.3;                        ///< of a tolerance: more emphasis may help
-constexpr int patience = 3;                           ///< how often
+constexpr int tolerated = 3;                          ///< how often
 constexpr double progress = 0.9; ///< what more breaks must make of what is too far
 constexpr int smoothings = 6;
 constexpr double widerWave = 1.6;
@@ -257,7 +257,7 @@ bool FairFit::addBreaks(const Place& place)
   stretch.excess = std::min(stretch.excess, excess);
   if (stretch.futile > 1)
   {
-    return excess < nearly && stretch.futile < 2 + patience;
+    return excess < nearly && stretch.futile < 2 + tolerated;
   }
   const std::vector<double>& arc = this->Chains.chains()[place.chain].arc;
   std::vector<double> breaks{ stretch.breaks.front() };

@@ -21,7 +21,7 @@ constexpr double surelyShorter = 1.0 - 1e-10;
 /// its length.
 constexpr std::size_t fewUnfolded = 20000;
 constexpr std::size_t lossOfPatience = 4;
-constexpr double leastGain = 1e-4;
+constexpr double leastGainOfRound = 1e-4;
 constexpr double manyKnots = 0.05; // for each edge crossed
 
 Status checkEnds(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
@@ -100,7 +100,7 @@ PathCourse drawnNearlyTight(
       gain = 1.0 - lengthOf(moved) / lengthOf(path);
       course = gain > 0.0 ? courseAlong(mesh, moved) : std::move(course);
     }
-    patience *= gain > leastGain ? 1 : lossOfPatience;
+    patience *= gain > leastGainOfRound ? 1 : lossOfPatience;
   }
   return course;
 }

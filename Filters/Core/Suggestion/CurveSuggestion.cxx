@@ -35,16 +35,6 @@ constexpr double searchPart = 0.6;
 /// Larger surfaces may take more work in proportion.
 constexpr double smallSurface = 5000.0;
 
-double areaOf(const TriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    area += mesh.area(t);
-  }
-  return area;
-}
-
 /// One way to search, beside the options.
 struct Way
 {
@@ -72,7 +62,7 @@ public:
     , Run(execution)
     , Weights(relativeWeights(mesh, options.weights))
     , Whole(mesh, curves, options.imprint, options.flattening, SearchGoal::Energy, this->Weights)
-    , Area(areaOf(mesh))
+    , Area(mesh.area())
     , Merit(options.search, this->Area)
   {
   }

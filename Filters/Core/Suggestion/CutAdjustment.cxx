@@ -15,18 +15,18 @@ namespace flattening
 namespace
 {
 /// In sqrt(area / pi): how far ends are moved at first, and at last.
-constexpr double firstStep = 0.12;
-constexpr double lastStep = 0.015;
+constexpr double firstMove = 0.12;
+constexpr double lastMove = 0.015;
 /// Moves are taken that lower the merit, a logarithm, by more than this.
-constexpr double leastProgress = 0.002;
+constexpr double leastFall = 0.002;
 /// What a share of strain above the bound weighs against one of the price; within it they weigh
 /// alike.
 constexpr double unmetWeight = 10.0;
 /// Ends this near to the boundary, in the same unit, lie on it; and to their image on the mirror.
-constexpr double samePlace = 1e-6;
+constexpr double onPlace = 1e-6;
 constexpr double nearlyImage = 1e-3;
 /// A seam that cuts off less than this share of the area is no seam.
-constexpr double leastPiece = 0.03;
+constexpr double leastShareOff = 0.03;
 /// Of the most length, what is left for ends that move onto vertices.
 constexpr double lengthToSpare = 1e-4;
 
@@ -76,7 +76,7 @@ public:
   void run()
   {
     this->Budget.pay(this->Quick.startUncut(this->Run));
-    for (double step = firstStep; step >= lastStep && this->goesOn();)
+    for (double step = firstMove; step >= lastMove && this->goesOn();)
     {
       bool better = false;
       for (std::size_t k = this->FirstCount; k < this->Set.cuts.size() && this->goesOn(); ++k)
@@ -85,7 +85,7 @@ public:
       }
       step *= better ? 1.0 : 0.5;
       this->Run.report(
-        std::log(firstStep / step) / std::log(2.0 * firstStep / lastStep), "Moving cuts");
+        std::log(firstMove / step) / std::log(2.0 * firstMove / lastMove), "Moving cuts");
     }
     if (this->FirstCount == 0 && this->met(this->Set.outcome))
     {
@@ -141,14 +141,14 @@ private:
       outcome.lengths.end(), [&](double length) { return length >= least; });
     return outcome.soundAfter(now) && lengthy &&
       outcome.pieceStrains.size() == now.pieceStrains.size() &&
-      outcome.leastPiece >= std::min(leastPiece, now.leastPiece) &&
+      outcome.leastPiece >= std::min(leastShareOff, now.leastPiece) &&
       outcome.cutLength() <= this->longest() && (this->met(outcome) || !this->met(now)) &&
-      this->merit(outcome) < this->merit(now) - leastProgress;
+      this->merit(outcome) < this->merit(now) - leastFall;
   }
 
   bool carriesOthers(std::size_t k) const
   {
-    return isCarrier(this->Set.cuts, k, samePlace * this->Size);
+    return isCarrier(this->Set.cuts, k, onPlace * this->Size);
   }
 
   bool paired(std::size_t k) const
@@ -214,7 +214,7 @@ private:
     const Points3& line = cut.curve.points;
     const BoundaryRuler& ruler = piece.ruler();
     const auto onBoundary = [&](const BoundaryPlace& place, const Point3& end) {
-      return (ruler.point(place) - end).norm() < samePlace * this->Size;
+      return (ruler.point(place) - end).norm() < onPlace * this->Size;
     };
     CutPlan plan;
     plan.type = cut.curve.type;
@@ -278,7 +278,7 @@ private:
     const Point3 middle = 0.5 * (line[(line.size() - 1) / 2] + line[(line.size() + 1) / 2]);
     for (const PieceSurface& piece : pieces)
     {
-      if (SurfaceLocator(piece.mesh).closest(middle).distance < samePlace * this->Size)
+      if (SurfaceLocator(piece.mesh).closest(middle).distance < onPlace * this->Size)
       {
         const std::unique_ptr<SearchedPiece> searched =
           searchedPiece(piece, marks, this->Subject.mirror);

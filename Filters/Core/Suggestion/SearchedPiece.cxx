@@ -22,16 +22,6 @@ constexpr double clearOfBoundary = 0.3;
 constexpr double edgeSeenFrom = 0.05;
 /// More slanted darts cost no more.
 constexpr double leastSine = 0.5;
-
-double areaOf(const TriangleMesh& mesh)
-{
-  double area = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    area += mesh.area(t);
-  }
-  return area;
-}
 }
 
 SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
@@ -40,7 +30,7 @@ SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::v
   , Barred(std::move(barred))
   , Worth(std::move(worth))
   , Weight(std::move(weight))
-  , Area(areaOf(this->Mesh))
+  , Area(this->Mesh.area())
   , Size(std::sqrt(this->Area / pi))
   , Ruler(this->Mesh)
   , Locator(this->Mesh)

@@ -83,6 +83,16 @@ double TriangleMesh::area(Index t) const
   return 0.5 * areaVector(this->point(c[0]), this->point(c[1]), this->point(c[2])).norm();
 }
 
+double TriangleMesh::area() const
+{
+  double sum = 0.0;
+  for (Index t = 0; t < this->triangleCount(); ++t)
+  {
+    sum += this->area(t);
+  }
+  return sum;
+}
+
 std::vector<Indices> TriangleMesh::boundaryLoops() const
 {
   std::vector<Indices> loops;

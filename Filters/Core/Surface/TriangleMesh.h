@@ -55,6 +55,7 @@ public:
   /// Interior angle of the triangle of h at from(h), in radians.
   double angle(Index h) const;
   double area(Index t) const;
+  double area() const; ///< of all triangles
 
   /// Boundary loops as half-edges in order, the surface on their left; first the longest in length.
   std::vector<Indices> boundaryLoops() const;
