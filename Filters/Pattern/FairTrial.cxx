@@ -12,9 +12,9 @@ namespace pattern
 {
 namespace
 {
-constexpr int work = 400;        ///< solutions
-constexpr int emphases = 6;      ///< of one division
-constexpr double hopeless = 1.5; ///< tolerances, after some emphases
+constexpr int work = 400;             ///< solutions
+constexpr int emphasesOfDivision = 6; ///< of one division
+constexpr double hopeless = 1.5;      ///< tolerances, after some emphases
 }
 
 FairTrial::FairTrial(const FairNetwork& network, std::size_t stretch, const Points2& nodes,
@@ -86,7 +86,7 @@ bool FairTrial::take(const std::vector<double>& breaks)
 bool FairTrial::fits()
 {
   FairStretch& stretch = this->stretch();
-  for (int k = 0; k<emphases&& this->Left> 0; ++k, --this->Left)
+  for (int k = 0; k<emphasesOfDivision&& this->Left> 0; ++k, --this->Left)
   {
     stretch.weights.assign(this->Weights.begin() + 1, this->Weights.end() - 1);
     const FairCurves curves = solveFairNetwork(this->One, this->Wave);

@@ -13,9 +13,9 @@ namespace flattening
 namespace
 {
 /// A path is moved at the points between so many parts of it.
-constexpr std::size_t parts = 8;
+constexpr std::size_t partsOfPath = 8;
 /// How many times as far as the development says it may be moved.
-constexpr double farthest = 128.0;
+constexpr double mostTimes = 128.0;
 
 /// A direction of a triangle's plane and where it starts.
 struct Ray
@@ -229,11 +229,11 @@ SurfacePath joined(
 SurfacePath developed(const TriangleMesh& mesh, const SnapDistance& snap, SurfacePath path)
 {
   const Development development(mesh, path);
-  const std::vector<std::size_t> stations = development.stations(parts);
+  const std::vector<std::size_t> stations = development.stations(partsOfPath);
   double length = lengthOf(path);
   SurfacePath found = path;
   // Farther, as long as it gets shorter: down from a hill it is far, and begins slowly.
-  for (double times = 1.0; times <= farthest; times *= 2.0)
+  for (double times = 1.0; times <= mostTimes; times *= 2.0)
   {
     std::vector<SurfacePoint> points{ path.points.front() };
     for (const std::size_t i : stations)
