@@ -61,12 +61,7 @@ public:
     , Longest(subject.search.maximumCutLength)
     , MostMoving((subject.search.bound > 0.0 ? movingShare : 1.0) * budget.most())
   {
-    double area = 0.0;
-    for (Index t = 0; t < subject.mesh.triangleCount(); ++t)
-    {
-      area += subject.mesh.area(t);
-    }
-    this->Size = std::sqrt(area / pi);
+    this->Size = std::sqrt(subject.mesh.area() / pi);
     if (subject.search.bound == 0.0 && !std::isfinite(this->Longest))
     {
       this->Longest = set.outcome.cutLength();
