@@ -169,9 +169,9 @@ class Materials(command.CommandTest):
         self.write("a.obj", command.obj(points, triangles))
         sewn = []
         for name in ("denim", "Denim", "DENIM"):
-            run = self.run_command("a.obj", "--unit", "cm", "--material", name, "--output", name)
+            run = self.run_command("a.obj", "--unit", "cm", "--material", name, "--output", f"of {name}")
             self.assertIn(run.returncode, (0, 4), run.stderr)
-            sewn.append(self.report(name)["pieces"][0]["cloth"])
+            sewn.append(self.report(f"of {name}")["pieces"][0]["cloth"])
         self.assertIsNotNone(sewn[0])
         self.assertEqual(sewn[1:], sewn[:1] * 2)
         self.write("Denim", "no material")

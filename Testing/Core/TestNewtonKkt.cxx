@@ -180,7 +180,8 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
   {
     for (Index j = 0; j < n; ++j)
     {
-      waves(i, j) = std::sqrt((j == 0 ? 1.0 : 2.0) / n) * std::cos(std::acos(-1.0) * (i + 0.5) * j / n);
+      waves(i, j) =
+        std::sqrt((j == 0 ? 1.0 : 2.0) / n) * std::cos(std::acos(-1.0) * (i + 0.5) * j / n);
     }
   }
   const Eigen::VectorXd bent =

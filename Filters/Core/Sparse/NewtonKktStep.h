@@ -83,8 +83,9 @@ private:
   bool takeSolution(const Eigen::VectorXd& solution);
   struct KktSolution
   {
-    Eigen::VectorXd x;         ///< empty where the factor gives none
-    double leftByFactor = 0.0; ///< of the right-hand side by the first solution, where it is refined
+    Eigen::VectorXd x; ///< empty where the factor gives none
+    double leftByFactor =
+      0.0; ///< of the right-hand side by the first solution, where it is refined
   };
   KktSolution solveKkt(const Eigen::VectorXd& rhs) const;
 
