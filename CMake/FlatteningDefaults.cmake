@@ -3,6 +3,10 @@ if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
 endif ()
 
+# Qt 6, which VTK and ParaView may bring, would list what to deploy by a walk through the folders, which never
+# ends in a root that is a folder of its own (see FlatteningModule).
+set_property(GLOBAL PROPERTY _qt_have_generated_deploy_support TRUE)
+
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -35,9 +35,6 @@ endif ()
 set(flattening_vtk_optional_components)
 if (SURFACEFLATTENING_BUILD_APPLICATIONS)
   list(APPEND flattening_vtk_optional_components OPTIONAL_COMPONENTS GUISupportQt)
-  # Qt 6 would list what to deploy by a walk through the folders, which never ends in a root that is a
-  # folder of its own (see FlatteningModule).
-  set_property(GLOBAL PROPERTY _qt_have_generated_deploy_support TRUE)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${flattening_vtk_build_components}
   ${flattening_vtk_optional_components})

@@ -7,6 +7,12 @@
 #include "ReadSurface.h"
 #include "WindowWords.h"
 
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <QImage>
 #include <QPainter>
 
 #include <filesystem>
@@ -123,11 +129,19 @@ bool EditorWindow::savePicture(const std::string& path)
   return this->attempt([&] {
     QPixmap picture = this->grab();
     QPainter painter(&picture);
-    // Windows of their own, which a picture of the other widgets does not have.
+    // Windows of their own, which a picture of the other widgets does not have. They are drawn
+    // anew, since what they show may still wait to be painted.
     for (QVTKOpenGLStereoWidget* view : { this->SpaceWidget, this->PlaneWidget })
     {
-      painter.drawImage(
-        QRect(view->mapTo(this, QPoint(0, 0)), view->size()), view->grabFramebuffer());
+      vtkNew<vtkWindowToImageFilter> shot;
+      shot->SetInput(view->renderWindow());
+      shot->ReadFrontBufferOff();
+      shot->Update();
+      vtkImageData* const pixels = shot->GetOutput();
+      const int width = pixels->GetDimensions()[0];
+      const QImage image(static_cast<const uchar*>(pixels->GetScalarPointer()), width,
+        pixels->GetDimensions()[1], 3 * width, QImage::Format_RGB888);
+      painter.drawImage(QRect(view->mapTo(this, QPoint(0, 0)), view->size()), image.mirrored());
     }
     painter.end();
     if (!picture.save(QString::fromStdString(path)))
