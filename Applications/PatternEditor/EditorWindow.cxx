@@ -141,6 +141,8 @@ QVTKOpenGLStereoWidget* EditorWindow::addView(vtkRenderer* renderer)
     vtkNew<vtkInteractorStyleTrackballCamera> style;
     view->interactor()->SetInteractorStyle(style);
   }
+  // The styles' own keys: q would end the program, w and 3 draw otherwise.
+  view->interactor()->RemoveObservers(vtkCommand::CharEvent);
   return view;
 }
 

@@ -28,6 +28,7 @@ int main(int argc, char* argv[])
   const QApplication application(argc, argv);
   editor::EditorWindow window;
   window.show();
+  QApplication::processEvents(); // then the views have the size that a surface is to fill
   if (argc > 1 && window.openSurface(argv[1]) && argc > 2)
   {
     window.openCurves(argv[2]);

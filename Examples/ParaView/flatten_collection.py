@@ -53,7 +53,8 @@ def write_index(path, pieces):
 
 
 def leaves_by_block(data, count):
-    """The tables of each block: with several processes each gives a collection of its own."""
+    """The tables of each block: with several processes each gives a collection of its own, within or, from ParaView
+    6.1 on, after that of the one before."""
     found = [[] for _ in range(count)]
 
     def visit(group):
@@ -62,7 +63,7 @@ def leaves_by_block(data, count):
             if child is not None and child.IsA("vtkMultiBlockDataSet"):
                 visit(child)
             elif child is not None and child.GetNumberOfRows():
-                found[block].append(child)
+                found[block % count].append(child)
 
     visit(data)
     return found

@@ -3,6 +3,10 @@
 // of them.
 #include "EditorSession.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindowInteractor.h>
+
 using namespace session;
 
 TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
@@ -100,6 +104,35 @@ TEST_F(PatternEditor, EditsAtRandomUndoneLeaveTheFirstState)
   EXPECT_GT(undone, 20);
   EXPECT_EQ(state(), first);
   std::remove(path.c_str());
+}
+
+TEST_F(PatternEditor, NoKeyOfVTKsStylesEndsTheProgramOrDrawsOtherwise)
+{
+  vtkRenderWindowInteractor* const interactor = this->window->spaceWidget()->interactor();
+  int ends = 0;
+  const auto count = [](vtkObject*, unsigned long, void* client, void*) {
+    ++*static_cast<int*>(client);
+  };
+  vtkNew<vtkCallbackCommand> exit;
+  exit->SetCallback(count);
+  exit->SetClientData(&ends);
+  interactor->AddObserver(vtkCommand::ExitEvent, exit);
+  for (const char* const key : { "q", "e", "w", "3" })
+  {
+    interactor->SetKeyEventInformation(0, 0, key[0], 0, key);
+    interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    interactor->InvokeEvent(vtkCommand::CharEvent);
+  }
+  EXPECT_EQ(ends, 0);
+  EXPECT_EQ(interactor->GetRenderWindow()->GetStereoRender(), 0);
+  vtkActorCollection* const actors =
+    interactor->GetRenderWindow()->GetRenderers()->GetFirstRenderer()->GetActors();
+  vtkCollectionSimpleIterator at;
+  actors->InitTraversal(at);
+  while (vtkActor* const actor = actors->GetNextActor(at))
+  {
+    EXPECT_EQ(actor->GetProperty()->GetRepresentation(), VTK_SURFACE);
+  }
 }
 
 TEST_F(PatternEditor, ANewKeyDoesNotTurnThePieceOnTheScreen)
