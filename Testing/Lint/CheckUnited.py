@@ -24,10 +24,12 @@ ALONE = {"Display.cxx", "GarmentCodeFile.cxx", "MaterialFile.cxx"}
 
 def check(members):
     """What the compiler says of the members as one source; nothing where it finds no fault."""
-    stamps = [known.stamp(name, commands[name]) for name in members]
-    if all(stamp.exists() for stamp in stamps):
+    # Of all together: two that passed each beside an earlier version of the other may collide.
+    digest = hashlib.sha256(" ".join(known.stamp(name, commands[name]).name for name in members).encode()).hexdigest()
+    stamp = known.folder / digest
+    if stamp.exists():
         return members, ""
-    source = known.folder / (hashlib.sha256(" ".join(members).encode()).hexdigest()[:16] + ".cxx")
+    source = known.folder / (digest[:16] + ".cxx")
     source.write_text("".join(f'#include "{ROOT / name}"\n' for name in members), encoding="utf-8")
     command = commands[members[0]]
     result = subprocess.run(
@@ -35,8 +37,7 @@ def check(members):
         cwd=BUILD, capture_output=True, text=True, check=False)
     source.unlink()
     if result.returncode == 0:
-        for stamp in stamps:
-            stamp.touch()
+        stamp.touch()
     return members, result.stderr
 
 

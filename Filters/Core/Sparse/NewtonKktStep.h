@@ -84,8 +84,8 @@ private:
   struct KktSolution
   {
     Eigen::VectorXd x; ///< empty where the factor gives none
-    double leftByFactor =
-      0.0; ///< of the right-hand side by the first solution, where it is refined
+    /// What the first solution left of the right-hand side, as a fraction, where it is refined.
+    double leftByFactor = 0.0;
   };
   KktSolution solveKkt(const Eigen::VectorXd& rhs) const;
 
