@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveDistance.h"
 
+#include "LocatedPoint.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkNew.h>
@@ -8,13 +10,22 @@
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wirewarp
 {
 namespace
 {
-/// Data that a locator can be asked about: other cells and unsound ids are left for the filter.
+std::array<double, 3> pointOf(vtkPolyData* data, vtkIdType p)
+{
+  std::array<double, 3> point{};
+  data->GetPoint(p, point.data());
+  return point;
+}
+
+/// Data that a locator can be asked about: other cells, unsound ids and coordinates are left for
+/// the filter.
 vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* surface)
 {
   auto polygons = vtkSmartPointer<vtkPolyData>::New();
@@ -26,8 +37,9 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* surface)
     const vtkIdType* ids = nullptr;
     vtkIdType count = 0;
     cells->GetCurrentCell(count, ids);
-    const bool sound = std::all_of(ids, ids + count,
-      [surface](vtkIdType p) { return p >= 0 && p < surface->GetNumberOfPoints(); });
+    const bool sound = std::all_of(ids, ids + count, [surface](vtkIdType p) {
+      return p >= 0 && p < surface->GetNumberOfPoints() && canBeLocated(pointOf(surface, p));
+    });
     if (!sound)
     {
       return nullptr;
@@ -67,15 +79,18 @@ double largestDistance(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
       lines->GetCurrentCell(count, ids);
       for (vtkIdType k = 0; k < count; ++k)
       {
-        double x[3];
-        double closest[3];
+        if (ids[k] < 0 || ids[k] >= data->GetNumberOfPoints())
+        {
+          continue;
+        }
+        const std::array<double, 3> x = pointOf(data, ids[k]);
+        std::array<double, 3> closest{};
         vtkIdType cell = -1;
         int part = 0;
         double square = 0.0;
-        if (ids[k] >= 0 && ids[k] < data->GetNumberOfPoints())
+        if (canBeLocated(x))
         {
-          data->GetPoint(ids[k], x);
-          locator->FindClosestPoint(x, closest, cell, part, square);
+          locator->FindClosestPoint(x.data(), closest.data(), cell, part, square);
           largest = cell >= 0 ? std::max(largest, std::sqrt(square)) : largest;
         }
       }

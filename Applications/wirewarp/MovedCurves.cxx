@@ -2,6 +2,7 @@
 #include "MovedCurves.h"
 
 #include "InputError.h"
+#include "LocatedPoint.h"
 #include "TextFile.h"
 
 #include <vtkCell.h>
@@ -79,6 +80,15 @@ vtkSmartPointer<vtkPolyData> movedCurves(vtkPolyData* curves, vtkPolyData* from,
     moved->SetPoints(to->GetPoints());
     return moved;
   }
+  for (vtkIdType p = 0; p < from->GetNumberOfPoints(); ++p)
+  {
+    std::array<double, 3> x{};
+    from->GetPoint(p, x.data());
+    if (!canBeLocated(x))
+    {
+      return moved; // the base's own flattening says what is wrong with it
+    }
+  }
   vtkNew<vtkPolyData> faces;
   faces->SetPoints(from->GetPoints());
   faces->SetPolys(from->GetPolys());
@@ -96,7 +106,10 @@ vtkSmartPointer<vtkPolyData> movedCurves(vtkPolyData* curves, vtkPolyData* from,
     vtkIdType id = -1;
     int part = 0;
     double square = 0.0;
-    locator->FindClosestPoint(x.data(), closest.data(), cell, id, part, square);
+    if (canBeLocated(x))
+    {
+      locator->FindClosestPoint(x.data(), closest.data(), cell, id, part, square);
+    }
     std::array<double, 3> parameters{};
     std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
     if (id < 0 ||

@@ -41,6 +41,23 @@ class Damaged(command.CommandTest):
         self.assertEqual(self.report("out")["status"], "UnreadableInput")
         return lines[0]
 
+    def test_points_that_no_locator_can_be_asked_about_are_refused(self):
+        lines = ('<Lines><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>'
+                 '<DataArray type="Int64" Name="offsets" format="ascii">3</DataArray></Lines>')
+        curve = command.xml_polydata([(1.0, 0.0, 0.0), self.points[1], self.points[2]], []).replace(
+            "</Points>", "</Points>" + lines).replace("<Piece ", '<Piece NumberOfLines="1" ')
+        coordinate = repr(self.points[1][1])
+        for number in ("nan", "inf", "1e90", "-1e308"):
+            self.write("curve.vtp", curve.replace(coordinate, number, 1))
+            self.write("sheet.vtp", self.xml.replace(coordinate, number, 1))
+            for arguments in (("good.obj", "curve.vtp"), ("sheet.vtp", "curve.vtp"),
+                              ("good.obj", "curve.vtp", "--size", "S", "--grade", "M=good.obj"),
+                              ("good.obj", "--size", "S", "--grade", "M=sheet.vtp")):
+                with self.subTest(number, arguments=arguments):
+                    run = self.run_command(*arguments, "--output", "out")
+                    self.assertIn(run.returncode, (1, 3), run.stdout + run.stderr)
+                    self.assertEqual(len(command.error_lines(run)), 1, run.stderr)
+
     def test_an_array_of_fewer_rows_than_there_are_points_is_left_out_and_named(self):
         whole = " ".join(map(str, range(25)))
         for rows, count in (("0 double\n\n", "0 values"), ("2 double\n1 2\n", "2 values")):
