@@ -14,58 +14,67 @@ void SymmetricAssembler::finish()
   {
     refuseMemory(this->Rows.size() * sizeof(double));
   }
-  // Entries by column, then by row within each, through counting sorts.
   const auto count = static_cast<Index>(this->Rows.size());
-  // An empty order is that of the numbers.
-  auto sorted = [this, count](Indices order, const Indices& key) {
-    Indices begin(this->Size + 1, 0);
-    for (Index k : key)
-    {
-      ++begin[k + 1];
-    }
-    for (Index k = 0; k < this->Size; ++k)
-    {
-      begin[k + 1] += begin[k];
-    }
-    Indices result(count);
-    for (Index k = 0; k < count; ++k)
-    {
-      const Index entry = order.empty() ? k : order[k];
-      result[begin[key[entry]]++] = entry;
-    }
-    return result;
-  };
-  const Indices order = sorted(sorted({}, this->Rows), this->Columns);
-
-  this->Slots.resize(count);
-  Indices rows;
-  rows.reserve(count);
-  Indices columnBegin(this->Size + 1, 0);
-  Index lastRow = none;
-  Index lastColumn = none;
-  for (Index entry : order)
+  Indices begin(this->Size + 1, 0);
+  for (Index column : this->Columns)
   {
-    if (this->Rows[entry] != lastRow || this->Columns[entry] != lastColumn)
-    {
-      lastRow = this->Rows[entry];
-      lastColumn = this->Columns[entry];
-      rows.push_back(lastRow);
-      ++columnBegin[lastColumn + 1];
-    }
-    this->Slots[entry] = static_cast<Index>(rows.size()) - 1;
+    ++begin[column + 1];
   }
   for (Index k = 0; k < this->Size; ++k)
   {
-    columnBegin[k + 1] += columnBegin[k];
+    begin[k + 1] += begin[k];
+  }
+  struct Declared
+  {
+    Index row;
+    Index entry;
+  };
+  std::vector<Declared> byColumn(count);
+  for (Index entry = 0; entry < count; ++entry)
+  {
+    byColumn[begin[this->Columns[entry]]++] = { this->Rows[entry], entry };
+  }
+  this->Columns.clear();
+  this->Columns.shrink_to_fit();
+  this->Rows.clear();
+  this->Rows.shrink_to_fit();
+
+  // Each row of a column once, ascending: many entries share a place, and few places are left to
+  // sort.
+  this->Slots.resize(count);
+  Indices rows;
+  rows.reserve(count / 2);
+  Indices columnBegin(this->Size + 1, 0);
+  Indices columnOfRow(this->Size, none);
+  Indices slotOfRow(this->Size, none);
+  for (Index column = 0, first = 0; column < this->Size; ++column)
+  {
+    const Index last = begin[column]; // where the next column's begin was
+    for (Index k = first; k < last; ++k)
+    {
+      const Index row = byColumn[k].row;
+      if (columnOfRow[row] != column)
+      {
+        columnOfRow[row] = column;
+        rows.push_back(row);
+      }
+    }
+    std::sort(rows.begin() + columnBegin[column], rows.end());
+    columnBegin[column + 1] = static_cast<Index>(rows.size());
+    for (Index slot = columnBegin[column]; slot < columnBegin[column + 1]; ++slot)
+    {
+      slotOfRow[rows[slot]] = slot;
+    }
+    for (Index k = first; k < last; ++k)
+    {
+      this->Slots[byColumn[k].entry] = slotOfRow[byColumn[k].row];
+    }
+    first = last;
   }
   this->Matrix.resize(this->Size, this->Size);
   this->Matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
   std::copy(columnBegin.begin(), columnBegin.end(), this->Matrix.outerIndexPtr());
   std::copy(rows.begin(), rows.end(), this->Matrix.innerIndexPtr());
   this->clear();
-  this->Rows.clear();
-  this->Rows.shrink_to_fit();
-  this->Columns.clear();
-  this->Columns.shrink_to_fit();
 }
 }
