@@ -2,13 +2,10 @@
 #include "FairFit.h"
 
 #include "FairTrial.h"
-#include "FairWeights.h"
 #include "PieceNetwork.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace flattening
@@ -30,33 +27,17 @@ constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoo
 
 FairFit::FairFit(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
-  : All(all)
-  , Chains(chains)
-  , Plan(planFairBorders(all, chains, shares))
-  , Spans(this->Plan.size())
-  , Deviation(this->Plan.size())
-  , Held(all.loops.size())
+  : Chains(chains)
+  , Now(all, chains, shares)
   , Solved(all.loops.size(), true)
 {
-  const std::size_t pieces = all.loops.size();
-  for (std::size_t p = 0; p < pieces; ++p)
-  {
-    double length = 0.0;
-    std::size_t edges = 0;
-    for (const BorderChain& chain : chains.chains())
-    {
-      length += chain.piece == p ? chain.length() : 0.0;
-      edges += chain.piece == p ? chain.edges() : 0;
-    }
-    this->Wave.push_back(length / static_cast<double>(std::max<std::size_t>(edges, 1)));
-  }
-  for (std::size_t p = 0; p < pieces; ++p)
+  for (std::size_t p = 0; p < this->Solved.size(); ++p)
   {
     for (int round = 0; round < rounds; ++round)
     {
       const bool last = round + 4 > rounds;
-      if (this->solveEvenly(p, emphases) ? !this->refine(p, last)
-                                         : !this->halveSpans(p) && !this->loosen(p))
+      if (this->Now.solveEvenly(p, emphases) ? !this->refine(p, last)
+                                             : !this->halveSpans(p) && !this->loosen(p))
       {
         break;
       }
@@ -74,112 +55,16 @@ FairFit::FairFit(
 
 bool FairFit::settle(std::size_t piece)
 {
-  bool solved = this->solvePiece(piece);
-  while (solved && !this->keepsTolerances(piece))
+  bool solved = this->Now.solve(piece);
+  while (solved && !this->Now.keepsTolerances(piece))
   {
     this->leaveBad(piece);
-    solved = this->solvePiece(piece);
+    solved = this->Now.solve(piece);
   }
   if (!solved)
   {
     this->leave(piece);
-    this->drawEdges(piece);
-  }
-  return solved;
-}
-
-bool FairFit::isOf(std::size_t chain, std::size_t piece) const
-{
-  return this->Chains.chains()[chain].piece == piece;
-}
-
-bool FairFit::solvePiece(std::size_t piece)
-{
-  const PieceNetwork network(this->All, this->Chains, this->Plan, piece);
-  FairNetwork held = network.network();
-  held.held = this->Held[piece];
-  const FairCurves curves = solveFairNetwork(held, this->Wave[piece]);
-  if (curves.converged)
-  {
-    network.take(curves, this->Spans, this->Deviation);
-  }
-  return curves.converged;
-}
-
-std::vector<FairFit::Place> FairFit::placesOf(std::size_t piece, StretchForm form) const
-{
-  std::vector<Place> places;
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
-  {
-    for (std::size_t s = 0; this->isOf(c, piece) && s < this->Plan[c].stretches.size(); ++s)
-    {
-      if (this->Plan[c].stretches[s].form == form)
-      {
-        places.push_back({ c, s });
-      }
-    }
-  }
-  return places;
-}
-
-double FairFit::toleranceAt(const Place& place, std::size_t point) const
-{
-  const PlannedChain& chain = this->Plan[place.chain];
-  const PlannedStretch& stretch = chain.stretches[place.stretch];
-  const double arc = this->Chains.chains()[place.chain].arc[point];
-  std::size_t k = stretch.firstInterval;
-  while (k + 1 < stretch.endInterval && arc > chain.intervals[k].end)
-  {
-    ++k;
-  }
-  return chain.intervals[k].tolerance;
-}
-
-double FairFit::excess(const Place& place) const
-{
-  const PlannedStretch& stretch = this->Plan[place.chain].stretches[place.stretch];
-  double most = 0.0;
-  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
-  {
-    most = std::max(most, this->Deviation[place.chain][k] / this->toleranceAt(place, k));
-  }
-  return most;
-}
-
-bool FairFit::emphasizeStretch(const Place& place)
-{
-  PlannedStretch& stretch = this->at(place);
-  std::vector<double> shares;
-  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
-  {
-    shares.push_back(this->Deviation[place.chain][k] / this->toleranceAt(place, k));
-  }
-  const bool isOff = *std::max_element(shares.begin(), shares.end()) > 1.0;
-  if (isOff)
-  {
-    emphasize(shares, stretch.weights);
-  }
-  return isOff;
-}
-
-bool FairFit::solveEvenly(std::size_t piece, int times)
-{
-  bool solved = this->solvePiece(piece);
-  for (int k = 0; solved && k < times; ++k)
-  {
-    bool any = false;
-    for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
-    {
-      for (const Place& place : this->placesOf(piece, form))
-      {
-        any = this->emphasizeStretch(place) || any;
-      }
-    }
-    if (!any)
-    {
-      break;
-    }
-    solved = this->solvePiece(piece);
+    this->Now.drawEdges(piece);
   }
   return solved;
 }
@@ -190,9 +75,9 @@ bool FairFit::refine(std::size_t piece, bool last)
   // What is straight may be off because of the splines that it meets.
   for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
   {
-    for (const Place& place : this->placesOf(piece, form))
+    for (const Place& place : this->Now.placesOf(piece, form))
     {
-      changed = (this->excess(place) > 1.0 && this->refineStretch(place, last)) || changed;
+      changed = (this->Now.excess(place) > 1.0 && this->refineStretch(place, last)) || changed;
     }
     if (changed)
     {
@@ -204,7 +89,7 @@ bool FairFit::refine(std::size_t piece, bool last)
 
 bool FairFit::refineStretch(const Place& place, bool last)
 {
-  PlannedStretch& stretch = this->at(place);
+  PlannedStretch& stretch = this->Now.at(place);
   if (stretch.form == StretchForm::Straight)
   {
     stretch.form = StretchForm::Spline; // lengths beside it have moved it
@@ -218,12 +103,12 @@ bool FairFit::refineStretch(const Place& place, bool last)
 
 void FairFit::leave(const Place& place)
 {
-  PlannedStretch& stretch = this->at(place);
+  PlannedStretch& stretch = this->Now.at(place);
   LeftStretch left{ place.chain, stretch.firstPoint, 0.0, 0.0 };
   for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
   {
-    const double off = this->Deviation[place.chain][k];
-    const double tolerance = this->toleranceAt(place, k);
+    const double off = this->Now.deviationAt(place, k);
+    const double tolerance = this->Now.toleranceAt(place, k);
     if (off > tolerance && off > left.needed)
     {
       left.needed = off;
@@ -238,9 +123,9 @@ void FairFit::leaveBad(std::size_t piece)
 {
   for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
   {
-    for (const Place& place : this->placesOf(piece, form))
+    for (const Place& place : this->Now.placesOf(piece, form))
     {
-      if (this->excess(place) > 1.0)
+      if (this->Now.excess(place) > 1.0)
       {
         this->leave(place);
       }
@@ -250,9 +135,9 @@ void FairFit::leaveBad(std::size_t piece)
 
 bool FairFit::addBreaks(const Place& place)
 {
-  PlannedStretch& stretch = this->at(place);
+  PlannedStretch& stretch = this->Now.at(place);
   // Where a curve as long as its edges must be so far off, no number of breaks helps.
-  const double excess = this->excess(place);
+  const double excess = this->Now.excess(place);
   stretch.futile = excess > progress * stretch.excess ? stretch.futile + 1 : 0;
   stretch.excess = std::min(stretch.excess, excess);
   if (stretch.futile > 1)
@@ -269,7 +154,7 @@ bool FairFit::addBreaks(const Place& place)
     bool off = false;
     for (; point <= stretch.lastPoint && arc[point] <= end; ++point)
     {
-      off = off || this->Deviation[place.chain][point] > this->toleranceAt(place, point);
+      off = off || this->Now.deviationAt(place, point) > this->Now.toleranceAt(place, point);
       points += arc[point] > stretch.breaks[k] && arc[point] < end ? 1 : 0;
     }
     if (off && points > 0)
@@ -286,25 +171,25 @@ bool FairFit::addBreaks(const Place& place)
 
 void FairFit::coarsen(std::size_t piece, double share)
 {
-  const PieceNetwork network(this->All, this->Chains, this->Plan, piece);
-  const std::vector<PlannedChain> before = this->Plan;
-  const Points2 heldBefore = this->Held[piece];
+  const PieceNetwork network = this->Now.networkOf(piece);
+  const std::vector<PlannedChain> before = this->Now.plan();
+  const Points2 heldBefore = this->Now.held(piece);
   if (heldBefore.empty())
   {
     // Nodes stay from here on, so that the stretches are each by itself.
-    this->Held[piece] = solveFairNetwork(network.network(), this->Wave[piece]).nodes;
+    this->Now.held(piece) = solveFairNetwork(network.network(), this->Now.wave(piece)).nodes;
   }
   std::vector<std::pair<Place, PlannedStretch>> changed; // with what they were
-  for (const Place& place : this->placesOf(piece, StretchForm::Spline))
+  for (const Place& place : this->Now.placesOf(piece, StretchForm::Spline))
   {
-    PlannedStretch& stretch = this->at(place);
+    PlannedStretch& stretch = this->Now.at(place);
     std::vector<double> tolerances;
     for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
     {
-      tolerances.push_back(share * this->toleranceAt(place, k));
+      tolerances.push_back(share * this->Now.toleranceAt(place, k));
     }
     FairTrial trial(network.network(), network.indexOf(place.chain, stretch.firstPoint),
-      this->Held[piece], tolerances, this->Wave[piece]);
+      this->Now.held(piece), tolerances, this->Now.wave(piece));
     if (!trial.join(stretch.leastSpans()))
     {
       continue;
@@ -323,51 +208,37 @@ void FairFit::coarsen(std::size_t piece, double share)
   // What all of them together do not keep is taken back.
   while (!changed.empty())
   {
-    const bool solved = this->solveEvenly(piece, emphases);
-    if (solved && this->keepsTolerances(piece))
+    const bool solved = this->Now.solveEvenly(piece, emphases);
+    if (solved && this->Now.keepsTolerances(piece))
     {
       return;
     }
-    const auto isGood = [&](const auto& one) { return solved && this->excess(one.first) <= 1.0; };
+    const auto isGood = [&](
+                          const auto& one) { return solved && this->Now.excess(one.first) <= 1.0; };
     auto bad = std::partition(changed.begin(), changed.end(), isGood);
     bad = bad == changed.end() ? changed.begin() : bad; // what they have moved is off
     for (auto one = bad; one != changed.end(); ++one)
     {
-      this->at(one->first) = one->second;
+      this->Now.at(one->first) = one->second;
     }
     changed.erase(bad, changed.end());
   }
-  this->Plan = before;
-  this->Held[piece] = heldBefore;
-  this->solvePiece(piece);
-}
-
-bool FairFit::keepsTolerances(std::size_t piece) const
-{
-  for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
-  {
-    for (const Place& place : this->placesOf(piece, form))
-    {
-      if (this->excess(place) > 1.0)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+  this->Now.plan() = before;
+  this->Now.held(piece) = heldBefore;
+  this->Now.solve(piece);
 }
 
 void FairFit::smooth(std::size_t piece)
 {
   for (int k = 0; k < smoothings; ++k)
   {
-    this->Wave[piece] *= widerWave;
-    const auto spans = this->Spans;
-    const auto deviation = this->Deviation;
-    if (!this->solvePiece(piece) || this->largestShare(piece) > sparing)
+    this->Now.wave(piece) *= widerWave;
+    const auto spans = this->Now.spans();
+    const auto deviation = this->Now.deviation();
+    if (!this->Now.solve(piece) || this->Now.largestExcess(piece) > sparing)
     {
-      this->Spans = spans;
-      this->Deviation = deviation;
+      this->Now.spans() = spans;
+      this->Now.deviation() = deviation;
       break;
     }
   }
@@ -376,9 +247,9 @@ void FairFit::smooth(std::size_t piece)
 bool FairFit::halveSpans(std::size_t piece)
 {
   bool halved = false;
-  for (const Place& place : this->placesOf(piece, StretchForm::Spline))
+  for (const Place& place : this->Now.placesOf(piece, StretchForm::Spline))
   {
-    PlannedStretch& stretch = this->at(place);
+    PlannedStretch& stretch = this->Now.at(place);
     std::fill(stretch.weights.begin(), stretch.weights.end(), 1.0);
     if (2 * stretch.spans() > stretch.edges())
     {
@@ -399,10 +270,10 @@ bool FairFit::halveSpans(std::size_t piece)
 bool FairFit::loosen(std::size_t piece)
 {
   bool loosened = false;
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  for (std::size_t c = 0; c < this->Now.plan().size(); ++c)
   {
     const BorderChain& chain = this->Chains.chains()[c];
-    for (PlannedStretch& stretch : this->Plan[c].stretches)
+    for (PlannedStretch& stretch : this->Now.plan()[c].stretches)
     {
       const double length = chain.arc[stretch.lastPoint] - chain.arc[stretch.firstPoint];
       if (chain.piece == piece && stretch.form == StretchForm::Straight &&
@@ -419,64 +290,13 @@ bool FairFit::loosen(std::size_t piece)
 void FairFit::leave(std::size_t piece)
 {
   this->Solved[piece] = false;
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  for (std::size_t c = 0; c < this->Now.plan().size(); ++c)
   {
-    for (PlannedStretch& stretch : this->Plan[c].stretches)
+    for (PlannedStretch& stretch : this->Now.plan()[c].stretches)
     {
-      stretch.form = this->isOf(c, piece) ? StretchForm::Raw : stretch.form;
+      stretch.form = this->Now.isOf(c, piece) ? StretchForm::Raw : stretch.form;
     }
   }
-}
-
-void FairFit::drawEdges(std::size_t piece)
-{
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
-  {
-    const BorderChain& chain = this->Chains.chains()[c];
-    if (chain.piece != piece)
-    {
-      continue;
-    }
-    this->Spans[c].clear();
-    this->Deviation[c].assign(chain.arc.size(), 0.0);
-    for (std::size_t k = 0; k < chain.edges(); ++k)
-    {
-      const Point2 from = this->All.at(chain.point(k));
-      const Point2 way = this->All.at(chain.point(k + 1)) - from;
-      this->Spans[c].push_back({ chain.arc[k], chain.arc[k + 1],
-        { from, from + way / 3.0, from + 2.0 * way / 3.0, from + way } });
-    }
-  }
-}
-
-double FairFit::largestDeviation(std::size_t piece) const
-{
-  double most = 0.0;
-  for (std::size_t c = 0; c < this->Plan.size(); ++c)
-  {
-    if (this->isOf(c, piece))
-    {
-      for (const double deviation : this->Deviation[c])
-      {
-        most = std::max(most, deviation);
-      }
-    }
-  }
-  return most;
-}
-
-double FairFit::largestShare(std::size_t piece) const
-{
-  const std::vector<Place> splines = this->placesOf(piece, StretchForm::Spline);
-  double most = splines.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-  for (const std::vector<Place>& places : { splines, this->placesOf(piece, StretchForm::Straight) })
-  {
-    for (const Place& place : places)
-    {
-      most = std::max(most, this->excess(place));
-    }
-  }
-  return most;
 }
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FairPlan.h"
-#include "FairSpan.h"
+#include "FairSolution.h"
 
 namespace flattening
 {
@@ -27,37 +26,18 @@ public:
   /// \param shares which part of its tolerances each piece may use
   FairFit(const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
 
-  const std::vector<PlannedChain>& plan() const { return this->Plan; }
+  const std::vector<PlannedChain>& plan() const { return this->Now.plan(); }
   /// Of each chain, along it.
-  const std::vector<std::vector<FairSpan>>& spans() const { return this->Spans; }
+  const std::vector<std::vector<FairSpan>>& spans() const { return this->Now.spans(); }
   const std::vector<LeftStretch>& left() const { return this->Left; }
   /// False where nothing of a piece could be drawn otherwise.
   bool solved(std::size_t piece) const { return this->Solved[piece]; }
   /// Of the points of a piece, millimetres.
-  double largestDeviation(std::size_t piece) const;
+  double largestDeviation(std::size_t piece) const { return this->Now.largestDeviation(piece); }
 
 private:
-  struct Place
-  {
-    std::size_t chain = 0;
-    std::size_t stretch = 0;
-  };
+  using Place = FairSolution::Place;
 
-  PlannedStretch& at(const Place& place)
-  {
-    return this->Plan[place.chain].stretches[place.stretch];
-  }
-  bool isOf(std::size_t chain, std::size_t piece) const;
-  /// All stretches of a piece that are of a form.
-  std::vector<Place> placesOf(std::size_t piece, StretchForm form) const;
-  double toleranceAt(const Place& place, std::size_t point) const;
-  /// The largest deviation of a stretch over its tolerance.
-  double excess(const Place& place) const;
-  bool solvePiece(std::size_t piece);
-  /// The same with more weight on what is too far from its curve.
-  /// \param times how often that may be given
-  bool solveEvenly(std::size_t piece, int times);
-  bool emphasizeStretch(const Place& place);
   /// Breaks where the tolerance is not kept, and the stretch as it was where they do not help.
   /// \param last nothing is tried any more
   bool refine(std::size_t piece, bool last);
@@ -71,7 +51,6 @@ private:
   /// Takes away what breaks the tolerances do not need.
   /// \param share of the tolerances, that trials may use
   void coarsen(std::size_t piece, double share);
-  bool keepsTolerances(std::size_t piece) const;
   void smooth(std::size_t piece);
   /// Gives all splines of a piece twice as many curves, where they may have them.
   bool halveSpans(std::size_t piece);
@@ -79,19 +58,10 @@ private:
   bool loosen(std::size_t piece);
   /// Lets all of the piece be as it was.
   void leave(std::size_t piece);
-  /// Draws all of the piece as it was.
-  void drawEdges(std::size_t piece);
-  /// Largest deviation over its tolerance; infinite where nothing is to be smooth.
-  double largestShare(std::size_t piece) const;
 
-  const DrawingSource& All;
   const BorderChains& Chains;
-  std::vector<PlannedChain> Plan;
-  std::vector<double> Wave; ///< smoothed away in each piece
-  std::vector<std::vector<FairSpan>> Spans;
-  std::vector<std::vector<double>> Deviation; ///< of each point of each chain
+  FairSolution Now;
   std::vector<LeftStretch> Left;
-  std::vector<Points2> Held; ///< nodes of each piece, where they may not move any more
   std::vector<bool> Solved;
 };
 }

@@ -4,7 +4,7 @@
 #include "BorderEdges.h"
 #include "ClosedCuts.h"
 #include "FairCache.h"
-#include "GarmentPieces.h"
+#include "GarmentPanels.h"
 
 #include <Eigen/Dense>
 

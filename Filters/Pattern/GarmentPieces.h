@@ -15,9 +15,5 @@ namespace pattern
 /// counter-clockwise.
 /// \return InvalidPattern where checkGarment() does, and where a border crosses itself
 Status makePieces(const Garment& garment, PatternSource& source);
-
-/// The way back for what makePieces() made: vertices are where the points of the source are now.
-/// \param scale centimetres of its unit
-Status garmentOf(const PatternSource& source, double scale, Garment& garment);
 }
 }

@@ -7,6 +7,7 @@
 #include "HalfPiece.h"
 #include "NotchMarks.h"
 #include "PatternText.h"
+#include "PieceOrigin.h"
 #include "PieceTexts.h"
 #include "SeamAllowance.h"
 
@@ -79,7 +80,7 @@ public:
     }
     drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
     placeTexts(this->Boundary, this->Drawing);
-    this->moveToOrigin();
+    moveToOrigin(this->Drawing);
     return {};
   }
 
@@ -348,54 +349,6 @@ private:
       }
     }
     return this->Edges.count(edgeKey(from, to)) > 0;
-  }
-
-  void moveToOrigin()
-  {
-    Box box;
-    PatternPiece& piece = this->Drawing;
-    for (const PatternLine& line : piece.lines)
-    {
-      for (const Point2& p : line.points)
-      {
-        box.add(p);
-      }
-    }
-    for (PatternLine& line : piece.lines)
-    {
-      for (Point2& p : line.points)
-      {
-        p -= box.low;
-      }
-      for (FairSpan& span : line.curve)
-      {
-        for (Point2& p : span.control)
-        {
-          p -= box.low;
-        }
-      }
-    }
-    for (Notch& notch : piece.notches)
-    {
-      notch.foot -= box.low;
-      notch.from -= box.low;
-      notch.to -= box.low;
-    }
-    for (Point2& p : piece.drillHoles)
-    {
-      p -= box.low;
-    }
-    for (GradePoint& point : piece.gradePoints)
-    {
-      point.place -= box.low;
-    }
-    for (PatternText& text : piece.texts)
-    {
-      text.position -= box.low;
-    }
-    piece.grain.from -= box.low;
-    piece.grain.to -= box.low;
-    piece.extent = box.extent();
   }
 
   const DrawingSource& All;

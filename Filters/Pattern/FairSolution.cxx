@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FairSolution.h"
+
+#include "FairWeights.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace flattening
+{
+namespace pattern
+{
+FairSolution::FairSolution(
+  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
+  : All(all)
+  , Chains(chains)
+  , Plan(planFairBorders(all, chains, shares))
+  , Spans(this->Plan.size())
+  , Deviation(this->Plan.size())
+  , Held(all.loops.size())
+{
+  for (std::size_t p = 0; p < all.loops.size(); ++p)
+  {
+    double length = 0.0;
+    std::size_t edges = 0;
+    for (const BorderChain& chain : chains.chains())
+    {
+      length += chain.piece == p ? chain.length() : 0.0;
+      edges += chain.piece == p ? chain.edges() : 0;
+    }
+    this->Wave.push_back(length / static_cast<double>(std::max<std::size_t>(edges, 1)));
+  }
+}
+
+bool FairSolution::isOf(std::size_t chain, std::size_t piece) const
+{
+  return this->Chains.chains()[chain].piece == piece;
+}
+
+std::vector<FairSolution::Place> FairSolution::placesOf(std::size_t piece, StretchForm form) const
+{
+  std::vector<Place> places;
+  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  {
+    for (std::size_t s = 0; this->isOf(c, piece) && s < this->Plan[c].stretches.size(); ++s)
+    {
+      if (this->Plan[c].stretches[s].form == form)
+      {
+        places.push_back({ c, s });
+      }
+    }
+  }
+  return places;
+}
+
+double FairSolution::toleranceAt(const Place& place, std::size_t point) const
+{
+  const PlannedChain& chain = this->Plan[place.chain];
+  const PlannedStretch& stretch = chain.stretches[place.stretch];
+  const double arc = this->Chains.chains()[place.chain].arc[point];
+  std::size_t k = stretch.firstInterval;
+  while (k + 1 < stretch.endInterval && arc > chain.intervals[k].end)
+  {
+    ++k;
+  }
+  return chain.intervals[k].tolerance;
+}
+
+double FairSolution::excess(const Place& place) const
+{
+  const PlannedStretch& stretch = this->Plan[place.chain].stretches[place.stretch];
+  double most = 0.0;
+  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+  {
+    most = std::max(most, this->Deviation[place.chain][k] / this->toleranceAt(place, k));
+  }
+  return most;
+}
+
+bool FairSolution::keepsTolerances(std::size_t piece) const
+{
+  for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
+  {
+    for (const Place& place : this->placesOf(piece, form))
+    {
+      if (this->excess(place) > 1.0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+double FairSolution::largestExcess(std::size_t piece) const
+{
+  const std::vector<Place> splines = this->placesOf(piece, StretchForm::Spline);
+  double most = splines.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const std::vector<Place>& places : { splines, this->placesOf(piece, StretchForm::Straight) })
+  {
+    for (const Place& place : places)
+    {
+      most = std::max(most, this->excess(place));
+    }
+  }
+  return most;
+}
+
+double FairSolution::largestDeviation(std::size_t piece) const
+{
+  double most = 0.0;
+  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  {
+    if (this->isOf(c, piece))
+    {
+      for (const double deviation : this->Deviation[c])
+      {
+        most = std::max(most, deviation);
+      }
+    }
+  }
+  return most;
+}
+
+PieceNetwork FairSolution::networkOf(std::size_t piece) const
+{
+  return { this->All, this->Chains, this->Plan, piece };
+}
+
+bool FairSolution::solve(std::size_t piece)
+{
+  const PieceNetwork network = this->networkOf(piece);
+  FairNetwork held = network.network();
+  held.held = this->Held[piece];
+  const FairCurves curves = solveFairNetwork(held, this->Wave[piece]);
+  if (curves.converged)
+  {
+    network.take(curves, this->Spans, this->Deviation);
+  }
+  return curves.converged;
+}
+
+bool FairSolution::solveEvenly(std::size_t piece, int times)
+{
+  bool solved = this->solve(piece);
+  for (int k = 0; solved && k < times; ++k)
+  {
+    bool any = false;
+    for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
+    {
+      for (const Place& place : this->placesOf(piece, form))
+      {
+        any = this->emphasizeStretch(place) || any;
+      }
+    }
+    if (!any)
+    {
+      break;
+    }
+    solved = this->solve(piece);
+  }
+  return solved;
+}
+
+bool FairSolution::emphasizeStretch(const Place& place)
+{
+  PlannedStretch& stretch = this->at(place);
+  std::vector<double> shares;
+  for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+  {
+    shares.push_back(this->Deviation[place.chain][k] / this->toleranceAt(place, k));
+  }
+  const bool isOff = *std::max_element(shares.begin(), shares.end()) > 1.0;
+  if (isOff)
+  {
+    emphasize(shares, stretch.weights);
+  }
+  return isOff;
+}
+
+void FairSolution::drawEdges(std::size_t piece)
+{
+  for (std::size_t c = 0; c < this->Plan.size(); ++c)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    if (chain.piece != piece)
+    {
+      continue;
+    }
+    this->Spans[c].clear();
+    this->Deviation[c].assign(chain.arc.size(), 0.0);
+    for (std::size_t k = 0; k < chain.edges(); ++k)
+    {
+      const Point2 from = this->All.at(chain.point(k));
+      const Point2 way = this->All.at(chain.point(k + 1)) - from;
+      this->Spans[c].push_back({ chain.arc[k], chain.arc[k + 1],
+        { from, from + way / 3.0, from + 2.0 * way / 3.0, from + way } });
+    }
+  }
+}
+}
+}

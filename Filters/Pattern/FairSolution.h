@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "FairPlan.h"
+#include "FairSpan.h"
+#include "PieceNetwork.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// A plan of all stretches, and the curves that were found for it, piece by piece.
+class FairSolution
+{
+public:
+  /// A stretch of the plan.
+  struct Place
+  {
+    std::size_t chain = 0;
+    std::size_t stretch = 0;
+  };
+
+  /// Source and chains stay the caller's.
+  /// \param shares which part of its tolerances each piece may use
+  FairSolution(
+    const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
+
+  std::vector<PlannedChain>& plan() { return this->Plan; }
+  const std::vector<PlannedChain>& plan() const { return this->Plan; }
+  PlannedStretch& at(const Place& place)
+  {
+    return this->Plan[place.chain].stretches[place.stretch];
+  }
+  /// Of each chain, along it.
+  std::vector<std::vector<FairSpan>>& spans() { return this->Spans; }
+  const std::vector<std::vector<FairSpan>>& spans() const { return this->Spans; }
+  /// Of each point of each chain, millimetres.
+  std::vector<std::vector<double>>& deviation() { return this->Deviation; }
+  double deviationAt(const Place& place, std::size_t point) const
+  {
+    return this->Deviation[place.chain][point];
+  }
+  /// Where the nodes of a piece stay; empty where they may move.
+  Points2& held(std::size_t piece) { return this->Held[piece]; }
+  /// The longest wave that is smoothed away in a piece, millimetres.
+  double& wave(std::size_t piece) { return this->Wave[piece]; }
+
+  bool isOf(std::size_t chain, std::size_t piece) const;
+  /// All stretches of a piece that are of a form.
+  std::vector<Place> placesOf(std::size_t piece, StretchForm form) const;
+  double toleranceAt(const Place& place, std::size_t point) const;
+  /// The largest deviation of a stretch over its tolerance.
+  double excess(const Place& place) const;
+  bool keepsTolerances(std::size_t piece) const;
+  /// Largest deviation over its tolerance; infinite where nothing is to be smooth.
+  double largestExcess(std::size_t piece) const;
+  /// Of the points of a piece, millimetres.
+  double largestDeviation(std::size_t piece) const;
+
+  PieceNetwork networkOf(std::size_t piece) const;
+  /// Finds the curves of a piece. \return false: there are none, and those before stay
+  bool solve(std::size_t piece);
+  /// The same with more weight on what is too far from its curve.
+  /// \param times how often that may be given
+  bool solveEvenly(std::size_t piece, int times);
+  /// Draws all of the piece as it was.
+  void drawEdges(std::size_t piece);
+
+private:
+  bool emphasizeStretch(const Place& place);
+
+  const DrawingSource& All;
+  const BorderChains& Chains;
+  std::vector<PlannedChain> Plan;
+  std::vector<std::vector<FairSpan>> Spans;
+  std::vector<std::vector<double>> Deviation;
+  std::vector<Points2> Held;
+  std::vector<double> Wave;
+};
+}
+}
