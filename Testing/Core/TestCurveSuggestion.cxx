@@ -330,6 +330,14 @@ TEST(CurveSuggestion, CutsABallIntoPiecesThatFlatten)
   EXPECT_GT(result.pieces.size(), 1u);
 }
 
+TEST(CurveSuggestion, SpendsItsWorkOnASearchThatEndsWhereASurfaceHadToBeOpened)
+{
+  SuggestionOptions options = optionsOf(0.1, 12);
+  options.search.maximumWork = 8.0;
+  const CurveSuggestions suggestions = suggestCurves(sphere(3), {}, options);
+  EXPECT_TRUE(suggestions.boundMet) << suggestions.strainAfter;
+}
+
 TEST(OpeningCuts, MakeADiskOfATorus)
 {
   const TriangleMesh mesh = torus(14, 9);

@@ -23,8 +23,10 @@ namespace
 constexpr double mirrorWorth = 1.2;
 /// Up to so many cuts are searched for once.
 constexpr Index singleSearch = 2;
-/// The least share of the work that the first way to search may take.
+/// The least share of the work that the first way to search may take; and where the surface had to
+/// be opened, which takes so many cuts that half the work might end none of the ways.
 constexpr double firstShare = 0.5;
+constexpr double firstShareOpened = 1.0;
 /// The share of the work that searches may take, where their sets are then adjusted, and what of
 /// the rest each of these may take but the last.
 constexpr double searchShare = 0.6;
@@ -197,8 +199,9 @@ private:
       options.goal = all[k].goal;
       options.fixedPrice *= all[k].fixedPrice;
       options.unsettled = all[k].unsettled;
+      const double least = first.empty() ? firstShare : firstShareOpened;
       const double share =
-        std::max(1.0 / static_cast<double>(all.size() - k), k == 0 ? firstShare : 0.0);
+        std::max(1.0 / static_cast<double>(all.size() - k), k == 0 ? least : 0.0);
       options.maximumWork = share * (this->searchWork() - this->Result.work);
       const double part = searchPart / static_cast<double>(all.size());
       found.push_back(

@@ -201,10 +201,8 @@ TrialOutcome CutTrials::startUncut(const Execution& execution)
     return outcome;
   }
   outcome = this->measured(surface, flat);
-  const bool deep = std::any_of(flat.pieces.begin(), flat.pieces.end(),
-    [](const PieceReport& piece) { return piece.area.deep(); });
   const bool whole = surface.mesh.triangles() == this->Mesh.triangles() && flat.leftOut.empty();
-  for (Index t = 0; t < this->Mesh.triangleCount() && whole && !deep && outcome.flipped == 0; ++t)
+  for (Index t = 0; t < this->Mesh.triangleCount() && whole && outcome.flipped == 0; ++t)
   {
     const auto& [a, b, c] = flat.cut->mesh.triangle(t);
     this->Start.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
