@@ -13,8 +13,11 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -24,28 +27,58 @@
 
 namespace
 {
-/// The data sets of all connections, with all leaves of composite ones, and which connection each
-/// is of.
-flattening::bridge::ConnectedCurves leavesOf(vtkInformationVector* connected)
+using flattening::bridge::ConnectedCurves;
+
+/// Adds all leaves of a composite data set, each by the name of its block, or by its number.
+void addLeaves(vtkCompositeDataSet* group, int connection, ConnectedCurves& curves)
 {
-  flattening::bridge::ConnectedCurves leaves;
-  const auto add = [&](vtkDataObject* object, int connection) {
-    if (auto* const leaf = vtkPolyData::SafeDownCast(object))
+  const auto node = vtk::TakeSmartPointer(group->NewIterator());
+  auto* const tree = vtkDataObjectTreeIterator::SafeDownCast(node);
+  if (tree)
+  {
+    tree->VisitOnlyLeavesOff();
+  }
+  // The partitions of a data set are named by it.
+  std::string whole;
+  unsigned int lastOfWhole = 0;
+  for (node->InitTraversal(); !node->IsDoneWithTraversal(); node->GoToNextItem())
+  {
+    const char* const own = node->HasCurrentMetaData()
+      ? node->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+      : nullptr;
+    const unsigned int number = node->GetCurrentFlatIndex();
+    const std::string name = own ? own : number <= lastOfWhole ? whole : "";
+    vtkDataObject* const object = node->GetCurrentDataObject();
+    if (auto* const partitions = vtkPartitionedDataSet::SafeDownCast(object))
     {
-      leaves.data.emplace_back(leaf);
-      leaves.connections.push_back(connection);
+      whole = name;
+      lastOfWhole = number + partitions->GetNumberOfPartitions();
     }
-  };
+    else if (auto* const leaf = vtkPolyData::SafeDownCast(object))
+    {
+      curves.data.emplace_back(leaf);
+      curves.connections.push_back(connection);
+      curves.blocks.push_back(
+        "block " + (name.empty() ? std::to_string(number) : "\"" + name + "\""));
+    }
+  }
+}
+
+/// The data sets of all connections, with all leaves of composite ones.
+ConnectedCurves leavesOf(vtkInformationVector* connected)
+{
+  ConnectedCurves leaves;
   for (int i = 0; i < connected->GetNumberOfInformationObjects(); ++i)
   {
-    add(vtkPolyData::GetData(connected, i), i);
+    if (vtkPolyData* const curves = vtkPolyData::GetData(connected, i))
+    {
+      leaves.data.emplace_back(curves);
+      leaves.connections.push_back(i);
+      leaves.blocks.emplace_back();
+    }
     if (vtkCompositeDataSet* const group = vtkCompositeDataSet::GetData(connected, i))
     {
-      const auto leaf = vtk::TakeSmartPointer(group->NewIterator());
-      for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
-      {
-        add(leaf->GetCurrentDataObject(), i);
-      }
+      addLeaves(group, i, leaves);
     }
   }
   return leaves;
@@ -217,10 +250,15 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
   this->StatusConnection =
     blamed == curves.end() ? -1 : connected.connections[blamed - curves.begin()];
-  if (this->StatusConnection >= 0 && inputVector[1]->GetNumberOfInformationObjects() > 1)
+  if (this->StatusConnection >= 0)
   {
-    source->outcome.message = "connection " + std::to_string(this->StatusConnection) +
-      " of the curves: " + source->outcome.message;
+    const std::string& block = connected.blocks[static_cast<std::size_t>(blamed - curves.begin())];
+    std::string place = inputVector[1]->GetNumberOfInformationObjects() > 1
+      ? "connection " + std::to_string(this->StatusConnection)
+      : "";
+    place += (place.empty() || block.empty() ? "" : ", ") + block;
+    source->outcome.message =
+      (place.empty() ? "" : place + " of the curves: ") + source->outcome.message;
   }
   const bool loaded = this->Conclude(source->outcome) &&
     this->Conclude(flattening::bridge::applyTolerances(this->CurveTolerances, *source));

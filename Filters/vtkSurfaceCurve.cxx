@@ -108,10 +108,13 @@ Status drawCurveOf(const DrawingSurface& surface, const Points3& points,
   const std::size_t fewest = curve.closed && kind != SegmentKind::Section ? 3 : 2;
   if (curve.nodes.size() < fewest)
   {
+    const char* const more = curve.closed && curve.nodes.size() == 2
+      ? "more control points, or the kind Section, which goes round through two"
+      : "more control points";
     return { StatusCode::CurveTooShort,
-      "a curve has " + std::to_string(curve.nodes.size()) +
-        " different control points, and needs " + std::to_string(fewest),
-      {}, { { Remedy::Give, "more control points" } } };
+      std::to_string(curve.nodes.size()) + " different control points are given where " +
+        std::to_string(fewest) + " are needed",
+      {}, { { Remedy::Give, more } } };
   }
   curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kind);
   return drawCurve(surface, mirror, nullptr, curve);
@@ -280,7 +283,8 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
     }
   }
   std::vector<EditedCurve> curves;
-  for (std::size_t k = 0; k < controls.size() && !status.refused(); ++k)
+  std::size_t drawn = 0; // polylines
+  for (; drawn < controls.size() && !status.refused(); ++drawn)
   {
     EditedCurve curve;
     curve.closed = this->Closed;
@@ -288,7 +292,7 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
     curve.traits.keyShape = static_cast<flattening::KeyShape>(this->KeyShape);
     curve.traits.tolerance = this->LengthTolerance;
     curve.traits.mirrored = this->Mirror;
-    status = drawCurveOf(*this->Drawn->surface, controls[k], set.mirror,
+    status = drawCurveOf(*this->Drawn->surface, controls[drawn], set.mirror,
       static_cast<flattening::SegmentKind>(this->SegmentKind), curve);
     curves.push_back(std::move(curve));
     const DrawingSurface& surface = *this->Drawn->surface;
@@ -301,6 +305,15 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
       status = replaceCurve(
         surface, set.mirror, offsetCurves(surface, curves.back(), this->Offset), curves);
     }
+  }
+  if (status.refused() && !curves.empty() && (controls.size() > 1 || !this->CurveName.empty()))
+  {
+    const std::string number = controls.size() > 1 ? std::to_string(drawn) : "";
+    status.message = "curve " +
+      (this->CurveName.empty()
+          ? number
+          : "\"" + this->CurveName + (number.empty() ? "" : " " + number) + "\"") +
+      ": " + status.message;
   }
   const bool numbered = curves.size() > 1 && !this->CurveName.empty();
   for (std::size_t k = 0; k < curves.size(); ++k)

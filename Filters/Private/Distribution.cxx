@@ -7,6 +7,8 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -38,7 +40,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> pack(const ConnectedCurves& curves)
       packed->SetBlock(connection, made);
       block = made;
     }
-    block->SetBlock(block->GetNumberOfBlocks(), curves.data[k]);
+    const unsigned int place = block->GetNumberOfBlocks();
+    block->SetBlock(place, curves.data[k]);
+    block->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), curves.blocks[k]);
   }
   return packed;
 }
@@ -106,6 +110,9 @@ void unpack(vtkDataObject* object, ConnectedCurves& curves)
       {
         curves.data.emplace_back(data);
         curves.connections.push_back(static_cast<int>(c));
+        const char* const name =
+          block->HasMetaData(k) ? block->GetMetaData(k)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+        curves.blocks.emplace_back(name ? name : "");
       }
     }
   }

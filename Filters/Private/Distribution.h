@@ -4,6 +4,7 @@
 #include "vtkSmartPointer.h"
 
 #include <map>
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -37,11 +38,13 @@ struct SurfaceOwners
 std::map<const vtkDataObject*, SurfaceOwners> ownersOf(
   vtkDataObject* surface, vtkMultiProcessController* processes);
 
-/// Curves, and the connection that each came by.
+/// Curves, the connection that each came by, and the block of it in words; none where it is not
+/// composite.
 struct ConnectedCurves
 {
   std::vector<vtkSmartPointer<vtkPolyData>> data;
   std::vector<int> connections;
+  std::vector<std::string> blocks;
 };
 
 /// The curves of all processes, the same on each. All processes must call it together.

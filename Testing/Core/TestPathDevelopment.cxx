@@ -65,6 +65,27 @@ TEST(PathDevelopment, OfAPathOnAFlatOrRolledSheetIsTheStraightLine)
   }
 }
 
+TEST(PathDevelopment, OfAPathOnARollOfManyTurnsIsTheStraightLine)
+{
+  // Chords as wide as long; no plane section between far points goes round with the path.
+  const double turn = 0.3;
+  const double radius = 0.5 / std::sin(0.5 * turn);
+  const TriangleMesh roll = sheet([=](double i, double j) {
+    return Point3(radius * std::cos(turn * i), radius * std::sin(turn * i), j);
+  });
+  const PathGraph graph(roll);
+  const SurfacePath path = through(roll, graph.noSnap(),
+    { at(2, 3), at(10, 20), at(18, 35), at(26, 50), at(34, 60), at(42, 70), at(50, 60), at(58, 50),
+      at(66, 35), at(74, 20), at(78, 9) });
+  const SurfacePath straight = developed(roll, graph.noSnap(), path);
+  const double way = std::hypot(76.0, 6.0);
+  EXPECT_TRUE(straight.arrived);
+  EXPECT_TRUE(liesOn(roll, straight));
+  EXPECT_GT(lengthOf(path), 1.4 * way);
+  EXPECT_LT(lengthOf(straight), way * (1.0 + 1e-3)); // sections are not quite straight
+  EXPECT_GE(lengthOf(straight), way * (1.0 - 1e-12));
+}
+
 TEST(PathDevelopment, IsNeverLongerAndKeepsTheEnds)
 {
   std::mt19937 random(8);

@@ -7,7 +7,9 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
+    vtkPolyData)
 
 import surfaceflattening as sf
 from surfaces import read
@@ -227,6 +229,34 @@ class Curves(Quiet):
             self.assertEqual(curve.GetStatusName(), status)
             self.assertEqual(curve.GetOutput().GetNumberOfCells(), 0)
 
+    def test_a_refusal_names_the_curve(self):
+        named = drawn(cylinder(), ((1, 0, 0), (1, 0, 0)), CurveName="waist")
+        self.assertIn('curve "waist": 1 different control point', named.GetStatusMessage())
+        points = vtkPoints()
+        lines = vtkCellArray()
+        for line in (((1, 0, 0), (0, 1, 1)), ((0, 1, 0), (0, 1, 0))):
+            lines.InsertNextCell(2, [points.InsertNextPoint(point) for point in line])
+        controls = vtkPolyData()
+        controls.SetPoints(points)
+        controls.SetLines(lines)
+        for name, told in (("", "curve 2: "), ("hem", 'curve "hem 2": ')):
+            curve = sf.vtkSurfaceCurve()
+            curve.SetInputData(cylinder())
+            curve.SetControlPointsData(controls)
+            curve.SetCurveName(name)
+            curve.Update()
+            self.assertEqual(curve.GetStatusName(), "CurveTooShort")
+            self.assertIn(told, curve.GetStatusMessage())
+
+    def test_two_points_closed_go_round_as_a_section(self):
+        points = ((1, 0, 1), (-1, 0, 1.2))
+        refused = drawn(tube(), points, Closed=True)
+        self.assertEqual(refused.GetStatusName(), "CurveTooShort")
+        self.assertIn("the kind Section", refused.GetStatusMessage())
+        section = drawn(tube(), points, Closed=True,
+                        SegmentKind=sf.vtkSurfaceCurve.SECTION)
+        self.assertEqual(section.GetStatusName(), "Ok")
+
 
 class IntoTheFilters(Quiet):
     def setUp(self):
@@ -292,6 +322,28 @@ class IntoTheFilters(Quiet):
         self.assertEqual(flatten.GetStatusConnection(), 1)
         self.assertIn("connection 1", flatten.GetStatusMessage())
         self.assertIn('"along"', flatten.GetStatusMessage())
+        group = vtkMultiBlockDataSet()
+        group.SetBlock(0, first.GetOutput())
+        group.SetBlock(1, moved)
+        for data, place in ((group, "block 2 of the curves: "), (None, 'block "front" of the')):
+            if not data:
+                group.GetMetaData(1).Set(group.NAME(), "front")
+            self.assertTrue(self.flat(group).GetStatusMessage().startswith(place),
+                            self.flat(group).GetStatusMessage())
+        both = sf.vtkWireWarpingFilter()
+        both.SetInputData(self.surface)
+        both.AddCurvesConnection(first.GetOutputPort())
+        both.AddInputDataObject(1, group)
+        both.Update()
+        self.assertIn('connection 1, block "front" of the curves: curve "along"',
+                      both.GetStatusMessage())
+        # The partitions of a surface in a collection are named by it, as ParaView groups sources.
+        parts, collection = vtkPartitionedDataSet(), vtkPartitionedDataSetCollection()
+        parts.SetPartition(0, moved)
+        collection.SetPartitionedDataSet(0, parts)
+        collection.GetMetaData(0).Set(group.NAME(), "sleeve")
+        self.assertTrue(self.flat(collection).GetStatusMessage().startswith(
+            'block "sleeve" of the curves: '), self.flat(collection).GetStatusMessage())
         value = flatten.GetStatusRemedySubjects().GetValue(1)
         self.assertIn("raise ImprintTolerance to " + value, flatten.GetStatusMessage())
         flatten.SetImprintTolerance(float(value))

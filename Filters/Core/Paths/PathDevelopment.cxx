@@ -12,8 +12,9 @@ namespace flattening
 {
 namespace
 {
-/// A path is moved at the points between so many parts of it.
-constexpr std::size_t partsOfPath = 8;
+/// A path is moved at the points between so many parts of it; more where sections between these do
+/// not arrive or are longer, as between far points of a roll.
+constexpr std::array<std::size_t, 4> partsOfPath{ 8, 16, 32, 64 };
 /// How many times as far as the development says it may be moved.
 constexpr double mostTimes = 128.0;
 
@@ -202,21 +203,25 @@ private:
   double Chord = 0.0;           ///< its direction
 };
 
-/// Sections from point to point; not arrived where one of them does not.
-SurfacePath joined(
-  const TriangleMesh& mesh, const SnapDistance& snap, const std::vector<SurfacePoint>& points)
+/// Sections from point to point; not arrived where one of them does not, or they come to be longer
+/// than the limit.
+SurfacePath joined(const TriangleMesh& mesh, const SnapDistance& snap,
+  const std::vector<SurfacePoint>& points, double limit)
 {
   SurfacePath path;
+  double length = 0.0;
   path.points = { points.front() };
   for (const SurfacePoint& point : points)
   {
     if (!samePlace(point, path.points.back()))
     {
-      const SurfacePath section = traceSegment(mesh, snap, path.points.back(), point);
+      const SurfacePath section =
+        traceSegment(mesh, snap, path.points.back(), point, limit - length);
       if (!section.arrived)
       {
         return {};
       }
+      length += lengthOf(section);
       append(path, section);
     }
   }
@@ -229,27 +234,30 @@ SurfacePath joined(
 SurfacePath developed(const TriangleMesh& mesh, const SnapDistance& snap, SurfacePath path)
 {
   const Development development(mesh, path);
-  const std::vector<std::size_t> stations = development.stations(partsOfPath);
   double length = lengthOf(path);
-  SurfacePath found = path;
-  // Farther, as long as it gets shorter: down from a hill it is far, and begins slowly.
-  for (double times = 1.0; times <= mostTimes; times *= 2.0)
+  SurfacePath found;
+  for (std::size_t k = 0; k < partsOfPath.size() && !found.arrived; ++k)
   {
-    std::vector<SurfacePoint> points{ path.points.front() };
-    for (const std::size_t i : stations)
+    const std::vector<std::size_t> stations = development.stations(partsOfPath[k]);
+    // Farther, as long as it gets shorter: down from a hill it is far, and begins slowly.
+    for (double times = 1.0; times <= mostTimes; times *= 2.0)
     {
-      points.push_back(development.moved(i, times));
+      std::vector<SurfacePoint> points{ path.points.front() };
+      for (const std::size_t i : stations)
+      {
+        points.push_back(development.moved(i, times));
+      }
+      points.push_back(path.points.back());
+      SurfacePath next = joined(mesh, snap, points, length);
+      const double nextLength = lengthOf(next);
+      if (!next.arrived || !(nextLength < length))
+      {
+        break;
+      }
+      found = std::move(next);
+      length = nextLength;
     }
-    points.push_back(path.points.back());
-    SurfacePath next = joined(mesh, snap, points);
-    const double nextLength = lengthOf(next);
-    if (!next.arrived || !(nextLength < length))
-    {
-      break;
-    }
-    found = std::move(next);
-    length = nextLength;
   }
-  return found;
+  return found.arrived ? found : path;
 }
 }

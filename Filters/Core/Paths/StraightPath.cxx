@@ -89,11 +89,12 @@ PathCourse drawnNearlyTight(
 {
   PathCourse course = courseAlong(mesh, start);
   std::size_t patience = fewUnfolded;
+  bool first = true;
   Indices bent;
   while (!straightenAWhile(mesh, course, patience, bent))
   {
     double gain = 0.0;
-    if (!isHeld(course))
+    if (first || !isHeld(course))
     {
       const SurfacePath path = pathAlong(mesh, course);
       const SurfacePath moved = developed(mesh, snap, path);
@@ -101,6 +102,7 @@ PathCourse drawnNearlyTight(
       course = gain > 0.0 ? courseAlong(mesh, moved) : std::move(course);
     }
     patience *= gain > leastGainOfRound ? 1 : lossOfPatience;
+    first = false;
   }
   return course;
 }
