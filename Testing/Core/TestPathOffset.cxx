@@ -304,6 +304,29 @@ TEST(PathOffset, DoesNotDependOnTheUnit)
   }
 }
 
+TEST(PathOffset, OfAPathThatTurnsBackGoesRoundItHoweverItIsRounded)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const double scale = seed % 3 == 0 ? 1e-3 : seed % 3 == 1 ? 1.0 : 1e3;
+    const Eigen::AngleAxisd turn(1.0 + seed, Point3(1.0, std::sin(seed), 0.5).normalized());
+    const TriangleMesh mesh = patch(12, 12, [&](double i, double j) -> Point3 {
+      return scale * (turn * Point3(i, j, 0.0));
+    }).mesh;
+    const PathGraph graph(mesh);
+    const auto at = [](Index i, Index j) { return j * 13 + i; };
+    const SurfacePoint from = vertexPoint(mesh, at(3, 4));
+    const SurfacePoint to = vertexPoint(mesh, at(7 + static_cast<Index>(seed % 2), 7));
+    const PathOffset offset = offsetPath(graph, through(graph, { from, to, from }), 1.5 * scale);
+    ASSERT_EQ(offset.parts.size(), 1U);
+    // Both sides and two half circles; tangents of an arc are a little longer.
+    const double length = 2.0 * (to.position - from.position).norm() + 3.0 * pi * scale;
+    EXPECT_GE(lengthOf(offset.parts[0]), length * (1.0 - 1e-9));
+    EXPECT_LE(lengthOf(offset.parts[0]), length * (1.0 + 1e-3));
+  }
+}
+
 TEST(PathOffset, RefusesWhatHasNone)
 {
   const Surface surface = square(4, 4.0);

@@ -93,13 +93,15 @@ void OffsetFamilies::addCorner(std::size_t i, std::vector<OffsetFamily>& all) co
   const PointDirections around(this->Mesh, this->Path.points[i]);
   const double out = this->outAngle(around, i);
   double in = this->inAngle(around, i);
-  if (around.atBoundary() && in <= out)
+  // A path that turns back is gone round on both its sides, whatever rounding makes of its angle.
+  if (around.atBoundary() && in <= out + straightCorner)
   {
     this->addToBoundary(i, all);
     this->addFromBoundary(i, all);
     return;
   }
   in = in <= out ? in + around.total() : in;
+  in = in <= out + straightCorner ? in + around.total() : in;
   if (in - out > pi + straightCorner)
   {
     all.push_back({ i, false, in - 0.5 * pi, out + 0.5 * pi });
