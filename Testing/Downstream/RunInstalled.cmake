@@ -39,6 +39,16 @@ file(SIZE "${picture}" size)
 if (size LESS 10000)
   message(FATAL_ERROR "The picture has ${size} bytes")
 endif ()
+if (UNIX AND NOT APPLE)
+  # Without an X server it says so, or draws where VTK needs none; it is never ended by VTK.
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -E env --unset=DISPLAY "${folder}/build/FlattenAndDraw"
+      "${share}/Data/shirt_front.vtp"
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error)
+  if (NOT result STREQUAL 1 OR NOT output MATCHES "piece 1: Ok" OR NOT error MATCHES "DISPLAY")
+    message(FATAL_ERROR "Without a display: ${result} ${output} ${error}")
+  endif ()
+endif ()
 
 # The snippets of the classes' pages compile with what is installed.
 file(REMOVE_RECURSE "${folder}/build")
