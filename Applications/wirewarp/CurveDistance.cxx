@@ -2,12 +2,14 @@
 #include "CurveDistance.h"
 
 #include "LocatedPoint.h"
+#include "VtkMessages.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkStaticCellLocator.h>
+#include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <array>
@@ -24,11 +26,12 @@ std::array<double, 3> pointOf(vtkPolyData* data, vtkIdType p)
   return point;
 }
 
-/// Data that a locator can be asked about: other cells, unsound ids and coordinates are left for
-/// the filter.
-vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* surface)
+/// Triangles that a locator can be asked about, as the filter divides polygons, since a quad that
+/// is not flat has its middle elsewhere: other cells, unsound ids and coordinates are left for the
+/// filter.
+vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface)
 {
-  auto polygons = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPolyData> polygons;
   polygons->SetPoints(surface->GetPoints());
   polygons->SetPolys(surface->GetPolys());
   const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
@@ -45,7 +48,12 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* surface)
       return nullptr;
     }
   }
-  return polygons->GetNumberOfCells() > 0 ? polygons : nullptr;
+  const VtkMessages messages; // of polygons that it cannot divide
+  vtkNew<vtkTriangleFilter> division;
+  division->SetInputData(polygons);
+  division->Update();
+  vtkPolyData* const triangles = division->GetOutput();
+  return triangles->GetNumberOfCells() > 0 ? triangles : nullptr;
 }
 }
 
@@ -53,7 +61,7 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkPolyData* surface)
 double largestDistance(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves)
 {
   double largest = 0.0;
-  vtkSmartPointer<vtkPolyData> polygons;
+  vtkSmartPointer<vtkPolyData> triangles;
   vtkNew<vtkStaticCellLocator> locator;
   for (vtkPolyData* data : curves)
   {
@@ -61,14 +69,14 @@ double largestDistance(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
     {
       continue;
     }
-    if (!polygons)
+    if (!triangles)
     {
-      polygons = polygonsOf(surface);
-      if (!polygons)
+      triangles = trianglesOf(surface);
+      if (!triangles)
       {
         return 0.0;
       }
-      locator->SetDataSet(polygons);
+      locator->SetDataSet(triangles);
       locator->BuildLocator();
     }
     const auto lines = vtk::TakeSmartPointer(data->GetLines()->NewIterator());

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How large pieces come out, in which unit, and what their cloth has to do."""
 import math
+import os
 
 import command
 
@@ -111,6 +112,20 @@ class Sizes(command.CommandTest):
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertAlmostEqual(self.report("out")["curve_distance_mm"], 10 * height, delta=1e-12)
             self.assertEqual("up to 0.2 mm off the surface" in run.stdout, said)
+
+    def test_curves_that_were_proposed_lie_on_the_surface_of_quads(self):
+        side = range(13)
+        points = [(x, y, 0.06 * (x - 4) * (x - 4) + 0.05 * (y - 6) * x) for y in side for x in side]
+        quads = [(13 * y + x, 13 * y + x + 1, 13 * y + x + 14, 13 * y + x + 13) for y in side[:-1] for x in side[:-1]]
+        self.write("saddle.obj", command.obj(points, quads))
+        run = self.run_command("saddle.obj", "--unit", "cm", "--suggest", "all", "--bound", "0", "--max-cuts", "2",
+                               "--output", "first")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertGreater(len(self.report("first")["suggestions"]), 0)
+        run = self.run_command("saddle.obj", os.path.join("first", "curves.vtp"), "--unit", "cm", "--output", "second")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertLess(self.report("second")["curve_distance_mm"], 1e-6)
+        self.assertNotIn("off the surface", run.stdout)
 
     def test_a_developable_piece_needs_nothing(self):
         self.write("sheet.obj", command.obj(*command.sheet()))
