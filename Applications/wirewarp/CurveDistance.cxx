@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface)
     const vtkIdType* ids = nullptr;
     vtkIdType count = 0;
     cells->GetCurrentCell(count, ids);
-    const bool sound = std::all_of(ids, ids + count, [surface](vtkIdType p) {
+    const bool sound = count > 2 && std::all_of(ids, ids + count, [surface](vtkIdType p) {
       return p >= 0 && p < surface->GetNumberOfPoints() && canBeLocated(pointOf(surface, p));
     });
     if (!sound)
