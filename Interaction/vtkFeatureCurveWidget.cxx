@@ -274,6 +274,12 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
   }
   else if (this->State == Mode::Choosing)
   {
+    // Who expects a click to draw looks here, not at the hint below.
+    const bool bare = aim.onSurface && aim.node.curve < 0 && aim.line.curve < 0;
+    if (count == 0 && bare && (this->Missed || this->Editor->GetNumberOfCurves() == 0))
+    {
+      label = "press N to draw a curve";
+    }
     words += count == 0 ? "N draws a curve; click one to choose it, drag its nodes."
                         : "Drag nodes; Ctrl+click on the curve inserts one.";
   }

@@ -214,6 +214,7 @@ private:
   /// A click, a press that did not move the mouse.
   void OnClick();
   bool StartDrag();
+  void EndDrag();
   void StartStroke();
   void GoOnStroke(const Aim& aim);
   void FinishStroke();
@@ -247,6 +248,7 @@ private:
   Mode State = Mode::Choosing;
   unsigned long CurrentEvent = 0;
   bool PressedHere = false;
+  bool Missed = false; ///< the last click was on the bare surface
   std::array<int, 2> Pressed{};
   bool HandleKeys = true;
   bool Snapping = true;

@@ -156,6 +156,11 @@ bool vtkFeatureCurveWidget::Do(int action)
   {
     return false;
   }
+  if (action != SNAP)
+  {
+    this->EndDrag(); // its group would take in all that comes after
+    this->Missed = false;
+  }
   const int curve = this->Chosen.curve;
   bool done = true;
   switch (action)

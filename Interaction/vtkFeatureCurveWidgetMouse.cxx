@@ -152,6 +152,18 @@ bool vtkFeatureCurveWidget::StartDrag()
 }
 
 //------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::EndDrag()
+{
+  if (this->State == Mode::Dragging)
+  {
+    this->Editor->EndGroup();
+    this->State = Mode::Choosing;
+    this->PressedHere = false;
+    this->InvokeEvent(vtkCommand::EndInteractionEvent, nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFeatureCurveWidget::StartStroke()
 {
   const Aim aim = this->AimAt(-1);
@@ -252,10 +264,8 @@ void vtkFeatureCurveWidget::OnRelease()
   this->PressedHere = false;
   if (this->State == Mode::Dragging)
   {
-    this->Editor->EndGroup();
-    this->State = Mode::Choosing;
+    this->EndDrag();
     this->EventCallbackCommand->SetAbortFlag(1);
-    this->InvokeEvent(vtkCommand::EndInteractionEvent, nullptr);
     this->Render();
   }
   else if (this->State == Mode::Stroking)
@@ -315,6 +325,8 @@ void vtkFeatureCurveWidget::OnClick()
   else
   {
     this->Choose(curve, aim.node.curve >= 0 ? aim.node.node : -1);
+    this->Missed = curve < 0 && aim.onSurface;
+    this->UpdateHint(aim);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Pieces.h"
 #include "vtkFeatureCurveWidget.h"
 
+#include <vtkActor2DCollection.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkFeatureCurveEditor.h>
@@ -11,6 +12,7 @@
 #include <vtkMath.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkTextActor.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
@@ -118,6 +120,18 @@ protected:
     }
     this->press("Return");
   }
+  /// What stands at the mouse.
+  std::string label() const
+  {
+    vtkActor2DCollection* const props = this->renderer->GetActors2D();
+    std::string words;
+    for (int k = 0; k < props->GetNumberOfItems(); ++k)
+    {
+      auto* const text = vtkTextActor::SafeDownCast(props->GetItemAsObject(k));
+      words += text && text->GetVisibility() && text->GetInput() ? text->GetInput() : "";
+    }
+    return words;
+  }
   double distance(int curve, int id, const double point[3]) const
   {
     double place[3];
@@ -168,6 +182,62 @@ TEST_F(FeatureCurveWidget, BesideACurveADragTurnsTheCameraAndOnANodeItMovesTheNo
   this->drag({ place[0] + 150, place[1] - 160 }, { place[0] + 190, place[1] - 160 });
   EXPECT_NE(this->renderer->GetActiveCamera()->GetPosition()[0], x);
   EXPECT_EQ(this->editor->GetCurveLength(0), length);
+}
+
+TEST_F(FeatureCurveWidget, AKeyInTheMiddleOfADragEndsItAndWhatFollowsIsUndoneByItself)
+{
+  this->draw({ this->vertex(401), this->vertex(6) });
+  const double x = this->renderer->GetActiveCamera()->GetPosition()[0];
+  const Pixel place = this->node(0, 1);
+  this->moveTo(place);
+  this->interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  this->moveTo({ place[0] + 20, place[1] + 30 });
+  this->press("Delete");
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 0);
+  this->moveTo({ place[0] + 40, place[1] + 60 }); // with the button still down
+  this->interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+  EXPECT_EQ(this->renderer->GetActiveCamera()->GetPosition()[0], x);
+  this->draw({ this->vertex(401), this->vertex(12) });
+  this->draw({ this->vertex(6), this->vertex(12) });
+  this->press("z", true);
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 2);
+  EXPECT_EQ(this->editor->GetNumberOfNodes(1), 1);
+  for (int k = 0; k < 4; ++k) // the other nodes, and the removal
+  {
+    this->press("z", true);
+  }
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 1);
+  EXPECT_NE(this->node(0, 1), place);
+  this->press("z", true); // the drag
+  EXPECT_EQ(this->node(0, 1), place);
+}
+
+TEST_F(FeatureCurveWidget, TheBareSurfaceSaysHowACurveIsDrawn)
+{
+  const auto told = [this] { return this->label().find("press N") != std::string::npos; };
+  const Pixel bare{ this->vertex(6)[0] + 60, this->vertex(6)[1] - 200 };
+  this->moveTo(bare);
+  EXPECT_TRUE(told()) << this->label();
+  this->moveTo({ 2, 2 }); // beside the surface
+  EXPECT_FALSE(told());
+  this->press("n");
+  this->moveTo(bare);
+  EXPECT_FALSE(told());
+  this->click(this->vertex(401));
+  this->click(this->vertex(6));
+  this->press("Return");
+  // Who has drawn one knows it, until a click on nothing asks again.
+  this->moveTo(bare);
+  EXPECT_FALSE(told());
+  this->click(bare);
+  this->moveTo({ bare[0] + 5, bare[1] });
+  EXPECT_TRUE(told()) << this->label();
+  this->click(this->node(0, 1));
+  EXPECT_FALSE(told());
+  this->moveTo(bare);
+  EXPECT_FALSE(told());
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
 }
 
 TEST_F(FeatureCurveWidget, AltTakesThePlaceAsItIs)
