@@ -7,6 +7,8 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QRegularExpression>
 #include <QToolBar>
 
 #include <set>
@@ -54,11 +56,6 @@ bool isSwitch(int action)
   }
 }
 
-std::string chosenFile(const QString& file, const QString& extension)
-{
-  const bool bare = !file.isEmpty() && QFileInfo(file).suffix().isEmpty();
-  return (bare ? file + extension : file).toStdString();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -226,12 +223,30 @@ void EditorWindow::askCurves()
 }
 
 //------------------------------------------------------------------------------
+std::string EditorWindow::askFile(const QString& title, const QString& name, const QString& kinds)
+{
+  QString file = QFileDialog::getSaveFileName(this, title, name, kinds);
+  const QString extension = QFileInfo(file).suffix().toLower();
+  if (file.isEmpty() ||
+    (!extension.isEmpty() &&
+      kinds.contains(QRegularExpression("\\*\\." + QRegularExpression::escape(extension) + "\\b"))))
+  {
+    return file.toStdString();
+  }
+  // The dialog has asked about the name that was typed, not about this one.
+  file += "." + QFileInfo(name).suffix();
+  const bool taken = QFileInfo::exists(file);
+  return taken &&
+      QMessageBox::question(this, title, file + " exists. Replace it?") != QMessageBox::Yes
+    ? std::string()
+    : file.toStdString();
+}
+
+//------------------------------------------------------------------------------
 void EditorWindow::askSave()
 {
-  const std::string file =
-    chosenFile(QFileDialog::getSaveFileName(this, "Save curves",
-                 QString::fromStdString(this->Name + "_curves.vtp"), "Curves (*.vtp)"),
-      ".vtp");
+  const std::string file = this->askFile(
+    "Save curves", QString::fromStdString(this->Name + "_curves.vtp"), "Curves (*.vtp)");
   if (!file.empty())
   {
     this->saveCurves(file);
@@ -242,9 +257,7 @@ void EditorWindow::askSave()
 void EditorWindow::askSaveSurface()
 {
   const std::string file =
-    chosenFile(QFileDialog::getSaveFileName(this, "Save surface",
-                 QString::fromStdString(this->Name + ".vtp"), "Surfaces (*.vtp)"),
-      ".vtp");
+    this->askFile("Save surface", QString::fromStdString(this->Name + ".vtp"), "Surfaces (*.vtp)");
   if (!file.empty())
   {
     this->saveSurface(file);
@@ -254,10 +267,8 @@ void EditorWindow::askSaveSurface()
 //------------------------------------------------------------------------------
 void EditorWindow::askPattern()
 {
-  const std::string file = chosenFile(
-    QFileDialog::getSaveFileName(this, "Export pattern",
-      QString::fromStdString(this->Name + ".pdf"), "Patterns (*.pdf *.svg *.dxf *.plt *.json)"),
-    ".pdf");
+  const std::string file = this->askFile("Export pattern",
+    QString::fromStdString(this->Name + ".pdf"), "Patterns (*.pdf *.svg *.dxf *.plt *.json)");
   if (!file.empty())
   {
     this->savePattern(file);
@@ -279,9 +290,7 @@ void EditorWindow::askPatternOptions()
 void EditorWindow::askPicture()
 {
   const std::string file =
-    chosenFile(QFileDialog::getSaveFileName(this, "Save picture",
-                 QString::fromStdString(this->Name + ".png"), "Pictures (*.png)"),
-      ".png");
+    this->askFile("Save picture", QString::fromStdString(this->Name + ".png"), "Pictures (*.png)");
   if (!file.empty())
   {
     this->savePicture(file);

@@ -98,6 +98,9 @@ private:
 
   void askSurface();
   void askCurves();
+  /// A file to be written, or "": its name gets the extension of the one proposed where it has none
+  /// of the kinds.
+  std::string askFile(const QString& title, const QString& name, const QString& kinds);
   void askSave();
   void askPattern();
   void askPatternOptions();

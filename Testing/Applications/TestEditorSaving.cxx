@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The names that a user types for what is saved.
+#include "EditorSession.h"
+
+#include <QMessageBox>
+
+#include <filesystem>
+
+using namespace session;
+
+namespace
+{
+std::string textOf(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+class EditorSaving : public PatternEditor
+{
+protected:
+  void SetUp() override
+  {
+    this->PatternEditor::SetUp();
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    std::filesystem::remove_all(this->folder);
+    std::filesystem::create_directories(this->folder);
+    this->push(Hand::NEW_CURVE);
+    this->click(this->vertex(401));
+    this->click(this->vertex(6));
+    this->click({ 5, 5 }, Qt::RightButton);
+  }
+  void TearDown() override { std::filesystem::remove_all(this->folder); }
+
+  void saveAs(const std::string& name, Qt::Key key = Qt::Key_S)
+  {
+    QApplication::setActiveWindow(this->window.get());
+    this->choose(this->folder + name);
+    QTest::keyClick(this->window.get(), key, Qt::ControlModifier);
+  }
+  /// Answers the question that comes after the dialog for a file.
+  void answer(QMessageBox::StandardButton button)
+  {
+    QTimer::singleShot(1500, [this, button] {
+      auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      this->asked = box != nullptr;
+      ASSERT_TRUE(this->asked);
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    });
+  }
+  bool exists(const std::string& name) const
+  {
+    return std::filesystem::exists(this->folder + name);
+  }
+
+  const std::string folder = testing::TempDir() + "saved names/";
+  bool asked = false;
+};
+}
+
+TEST_F(EditorSaving, WhateverNameIsTypedTheCurvesCanBeOpenedAgain)
+{
+  double node[3];
+  this->window->curves()->GetNode(0, 1, node);
+  const std::pair<const char*, const char*> names[] = { { "plain", "plain.vtp" },
+    { "mein gr\u00f6\u00dfter Schnitt.v2", "mein gr\u00f6\u00dfter Schnitt.v2.vtp" },
+    { "other.obj", "other.obj.vtp" }, { "kept.vtp", "kept.vtp" }, { "UPPER.VTP", "UPPER.VTP" } };
+  for (const auto& [typed, written] : names)
+  {
+    this->saveAs(typed);
+    ASSERT_TRUE(this->exists(written)) << this->window->message().toStdString();
+    EXPECT_EQ(typed == std::string(written), this->exists(typed)) << typed;
+    ASSERT_TRUE(this->window->openCurves(this->folder + written))
+      << this->window->message().toStdString();
+    ASSERT_EQ(this->window->curves()->GetNumberOfCurves(), 1);
+    ASSERT_EQ(this->window->curves()->GetNumberOfNodes(0), 2);
+    double again[3];
+    this->window->curves()->GetNode(0, 1, again);
+    EXPECT_TRUE(std::equal(node, node + 3, again)) << typed;
+  }
+  this->saveAs("pattern.v2", Qt::Key_E);
+  EXPECT_TRUE(this->exists("pattern.v2.pdf")) << this->window->message().toStdString();
+  this->saveAs("pattern.svg", Qt::Key_E);
+  EXPECT_TRUE(this->exists("pattern.svg")) << this->window->message().toStdString();
+}
+
+TEST_F(EditorSaving, AFileWhoseExtensionWasNotTypedIsNotReplacedUnasked)
+{
+  this->saveAs("curves");
+  const std::string path = this->folder + "curves.vtp";
+  const std::string first = textOf(path);
+  ASSERT_FALSE(first.empty());
+  this->push(Hand::NEW_CURVE);
+  this->click(this->vertex(12));
+  this->click(this->vertex(6));
+  this->click({ 5, 5 }, Qt::RightButton);
+  this->answer(QMessageBox::No);
+  this->saveAs("curves");
+  EXPECT_TRUE(this->asked);
+  EXPECT_EQ(textOf(path), first);
+  this->asked = false;
+  this->answer(QMessageBox::Yes);
+  this->saveAs("curves");
+  EXPECT_TRUE(this->asked);
+  EXPECT_NE(textOf(path), first);
+}
