@@ -237,7 +237,8 @@ std::string EditorWindow::askFile(const QString& title, const QString& name, con
   file += "." + QFileInfo(name).suffix();
   const bool taken = QFileInfo::exists(file);
   return taken &&
-      QMessageBox::question(this, title, file + " exists. Replace it?") != QMessageBox::Yes
+      QMessageBox::question(this, title, file + " exists. Replace it?",
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes
     ? std::string()
     : file.toStdString();
 }

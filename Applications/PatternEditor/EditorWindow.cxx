@@ -334,9 +334,20 @@ void EditorWindow::resetViews()
 //------------------------------------------------------------------------------
 bool EditorWindow::mayForgetCurves()
 {
-  return this->Curves->GetNumberOfCurves() == 0 || this->Curves->GetMTime() == this->Saved ||
-    QMessageBox::question(this, "PatternEditor", "The curves are not saved. Go on without them?") ==
-    QMessageBox::Yes;
+  if (this->Curves->GetNumberOfCurves() == 0 || this->Curves->GetMTime() == this->Saved)
+  {
+    return true;
+  }
+  // Return, pressed in passing, must not lose them.
+  const QMessageBox::StandardButton answer =
+    QMessageBox::question(this, "PatternEditor", "The curves are not saved.",
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save)
+  {
+    this->askSave();
+    return this->Curves->GetMTime() == this->Saved;
+  }
+  return answer == QMessageBox::Discard;
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ protected:
   {
     this->PatternEditor::SetUp();
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QApplication::setQuitOnLastWindowClosed(false);
     std::filesystem::remove_all(this->folder);
     std::filesystem::create_directories(this->folder);
     this->push(Hand::NEW_CURVE);
@@ -38,15 +39,22 @@ protected:
     this->choose(this->folder + name);
     QTest::keyClick(this->window.get(), key, Qt::ControlModifier);
   }
-  /// Answers the question that comes after the dialog for a file.
+  /// Answers the question that comes next; without a button by Return.
   void answer(QMessageBox::StandardButton button)
   {
-    QTimer::singleShot(1500, [this, button] {
-      auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      this->asked = box != nullptr;
-      ASSERT_TRUE(this->asked);
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    this->asked = false;
+    auto* const timer = new QTimer(this->window.get());
+    QObject::connect(timer, &QTimer::timeout, [this, timer, button] {
+      if (auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+      {
+        this->asked = true;
+        timer->deleteLater();
+        timer->stop();
+        button == QMessageBox::NoButton ? QTest::keyClick(box, Qt::Key_Return)
+                                        : QTest::mouseClick(box->button(button), Qt::LeftButton);
+      }
     });
+    timer->start(100);
   }
   bool exists(const std::string& name) const
   {
@@ -94,13 +102,46 @@ TEST_F(EditorSaving, AFileWhoseExtensionWasNotTypedIsNotReplacedUnasked)
   this->click(this->vertex(12));
   this->click(this->vertex(6));
   this->click({ 5, 5 }, Qt::RightButton);
-  this->answer(QMessageBox::No);
+  this->answer(QMessageBox::NoButton);
   this->saveAs("curves");
   EXPECT_TRUE(this->asked);
   EXPECT_EQ(textOf(path), first);
-  this->asked = false;
   this->answer(QMessageBox::Yes);
   this->saveAs("curves");
   EXPECT_TRUE(this->asked);
   EXPECT_NE(textOf(path), first);
+}
+
+TEST_F(EditorSaving, CurvesThatAreNotSavedAreLostOnlyByTheButtonThatSaysSo)
+{
+  const std::string path = this->folder + "kept.vtp";
+  this->answer(QMessageBox::Cancel);
+  EXPECT_FALSE(this->window->close());
+  EXPECT_TRUE(this->asked);
+  // Return is Save; without a name nothing is saved, and the window stays.
+  this->answer(QMessageBox::NoButton);
+  QTimer::singleShot(1200, [] {
+    auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->reject();
+  });
+  EXPECT_FALSE(this->window->close());
+  EXPECT_TRUE(this->window->isVisible());
+  this->answer(QMessageBox::NoButton);
+  QTimer::singleShot(700, [this, path] { this->choose(path); });
+  EXPECT_TRUE(this->window->close());
+  EXPECT_TRUE(this->exists("kept.vtp"));
+  // What is saved is not asked for, wherever the mouse has been since.
+  this->window->show();
+  this->push(Hand::NEW_CURVE);
+  this->moveTo(this->vertex(12));
+  this->push(Hand::FINISH);
+  EXPECT_TRUE(this->window->close());
+
+  this->window->show();
+  this->click(this->node(0, 1));
+  this->push(Hand::MAKE_KEY);
+  this->answer(QMessageBox::Discard);
+  EXPECT_TRUE(this->window->close());
+  EXPECT_TRUE(this->asked);
 }
