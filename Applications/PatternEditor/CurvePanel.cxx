@@ -92,13 +92,7 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
       this->onChoose(row);
     }
   });
-  connect(this->Name, &QLineEdit::editingFinished, [this] {
-    const std::string name = this->Name->text().toStdString();
-    if (!this->Showing && name != this->Curves->GetCurveName(this->Chosen))
-    {
-      this->apply(this->Curves->SetCurveName(this->Chosen, name));
-    }
-  });
+  connect(this->Name, &QLineEdit::editingFinished, [this] { this->takeName(); });
   connect(this->Type, QOverload<int>::of(&QComboBox::activated),
     [this](int type) { this->apply(this->Curves->SetCurveType(this->Chosen, type)); });
   connect(this->Straight, &QCheckBox::clicked,
@@ -107,13 +101,7 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
     this->onMirror();
     this->showChosen(); // as it was, where the surface has no mirror plane
   });
-  connect(this->Tolerance, &QDoubleSpinBox::editingFinished, [this] {
-    const double tolerance = this->Tolerance->value() / percent;
-    if (!this->Showing && tolerance != this->Curves->GetCurveTolerance(this->Chosen))
-    {
-      this->apply(this->Curves->SetCurveTolerance(this->Chosen, tolerance));
-    }
-  });
+  connect(this->Tolerance, &QDoubleSpinBox::editingFinished, [this] { this->takeTolerance(); });
   this->show(-1);
 }
 
@@ -129,6 +117,44 @@ void CurvePanel::apply(bool done)
 }
 
 //------------------------------------------------------------------------------
+void CurvePanel::takeName()
+{
+  const std::string name = this->Name->text().toStdString();
+  if (!this->Showing && this->Name->isModified() && name != this->Shown)
+  {
+    this->Name->setModified(false); // or the field would not show what has been made of it
+    const bool done = this->Curves->SetCurveName(this->Chosen, name);
+    this->Name->setModified(!done);
+    this->apply(done);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CurvePanel::takeTolerance()
+{
+  const double percents = this->Tolerance->value();
+  if (!this->Showing && percents != this->ShownPercents)
+  {
+    this->ShownPercents = percents;
+    this->apply(this->Curves->SetCurveTolerance(this->Chosen, percents / percent));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CurvePanel::takeTyped()
+{
+  // Unless the curve has gone, and another one has its number.
+  if (!this->Showing && this->Chosen >= 0 &&
+    this->Curves->GetCurveName(this->Chosen) == this->Shown)
+  {
+    this->takeTolerance();
+    this->takeName();
+  }
+  this->Name->setModified(false);
+  this->ShownPercents = this->Tolerance->value();
+}
+
+//------------------------------------------------------------------------------
 void CurvePanel::setUnit(const QString& unit)
 {
   this->Unit = unit;
@@ -138,6 +164,10 @@ void CurvePanel::setUnit(const QString& unit)
 //------------------------------------------------------------------------------
 void CurvePanel::show(int chosen)
 {
+  if (chosen != this->Chosen)
+  {
+    this->takeTyped(); // it was meant for the other one
+  }
   this->Showing = true;
   this->Chosen = chosen;
   const int count = this->Curves->GetNumberOfCurves();
@@ -182,14 +212,19 @@ void CurvePanel::showChosen()
   }
   if (!this->Name->hasFocus() || !this->Name->isModified())
   {
-    this->Name->setText(QString::fromStdString(this->Curves->GetCurveName(curve)));
+    this->Shown = this->Curves->GetCurveName(curve);
+    this->Name->setText(QString::fromStdString(this->Shown));
   }
   this->Type->setCurrentIndex(this->Curves->GetCurveType(curve));
   this->Straight->setChecked(this->Curves->GetCurveKeyShape(curve) != 0);
   this->Straight->setEnabled(
     curve >= 0 && this->Curves->GetCurveType(curve) == vtkFeatureCurveAlgorithm::KEY);
   this->Mirrored->setChecked(this->Curves->GetCurveMirrored(curve));
-  this->Tolerance->setValue(percent * this->Curves->GetCurveTolerance(curve));
+  if (this->Tolerance->value() == this->ShownPercents) // nothing else is being typed
+  {
+    this->Tolerance->setValue(percent * this->Curves->GetCurveTolerance(curve));
+    this->ShownPercents = this->Tolerance->value();
+  }
   this->Length->setText(curve < 0
       ? ""
       : QString("%1 %2").arg(this->Curves->GetCurveLength(curve), 0, 'g', 6).arg(this->Unit));

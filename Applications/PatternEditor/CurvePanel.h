@@ -38,16 +38,23 @@ public:
   QListWidget* list() { return this->List; }
   QCheckBox* straight() { return this->Straight; }
   QCheckBox* mirrored() { return this->Mirrored; }
+  QDoubleSpinBox* tolerance() { return this->Tolerance; }
   QString length() const { return this->Length->text(); }
 
 private:
   void apply(bool done);
   void showChosen();
+  void takeName();
+  void takeTolerance();
+  /// What was typed before another curve was chosen, without Return.
+  void takeTyped();
 
   vtkFeatureCurveEditor* Curves;
   int Chosen = -1;
   QString Unit;
   bool Showing = false; ///< values are set by show(), not by the user
+  std::string Shown;    ///< the name, before it is typed over
+  double ShownPercents = 0.0;
   QListWidget* List;
   QLineEdit* Name;
   QComboBox* Type;

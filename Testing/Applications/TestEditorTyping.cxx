@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The names that a user types for what is saved.
+// What a user types, for files and for curves, and what becomes of it.
 #include "EditorSession.h"
 
 #include <QMessageBox>
@@ -16,7 +16,7 @@ std::string textOf(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
-class EditorSaving : public PatternEditor
+class EditorTyping : public PatternEditor
 {
 protected:
   void SetUp() override
@@ -66,7 +66,7 @@ protected:
 };
 }
 
-TEST_F(EditorSaving, WhateverNameIsTypedTheCurvesCanBeOpenedAgain)
+TEST_F(EditorTyping, WhateverNameIsTypedTheCurvesCanBeOpenedAgain)
 {
   double node[3];
   this->window->curves()->GetNode(0, 1, node);
@@ -92,7 +92,7 @@ TEST_F(EditorSaving, WhateverNameIsTypedTheCurvesCanBeOpenedAgain)
   EXPECT_TRUE(this->exists("pattern.svg")) << this->window->message().toStdString();
 }
 
-TEST_F(EditorSaving, AFileWhoseExtensionWasNotTypedIsNotReplacedUnasked)
+TEST_F(EditorTyping, AFileWhoseExtensionWasNotTypedIsNotReplacedUnasked)
 {
   this->saveAs("curves");
   const std::string path = this->folder + "curves.vtp";
@@ -112,7 +112,46 @@ TEST_F(EditorSaving, AFileWhoseExtensionWasNotTypedIsNotReplacedUnasked)
   EXPECT_NE(textOf(path), first);
 }
 
-TEST_F(EditorSaving, CurvesThatAreNotSavedAreLostOnlyByTheButtonThatSaysSo)
+TEST_F(EditorTyping, WhatIsTypedForACurveIsKeptWhenAnotherIsChosen)
+{
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  const auto type = [this](QLineEdit* field, const char* words) {
+    QTest::mouseClick(field, Qt::LeftButton);
+    field->selectAll();
+    QTest::keyClicks(field, words); // and no Return
+  };
+  QLineEdit* const name = this->window->panel()->name();
+  QLineEdit* const tolerance = this->window->panel()->tolerance()->findChild<QLineEdit*>();
+  this->push(Hand::NEW_CURVE);
+  this->click(this->vertex(12));
+  this->click(this->vertex(68));
+  this->click({ 5, 5 }, Qt::RightButton);
+  ASSERT_EQ(curves->GetNumberOfCurves(), 2);
+  this->window->panel()->onChoose(0);
+  type(name, "bust");
+  this->click(this->node(1, 1));
+  EXPECT_EQ(curves->GetCurveName(0), "bust");
+  EXPECT_EQ(curves->GetCurveName(1), "curve 2");
+  type(name, "neck");
+  this->click({ 5, 5 }); // nothing is chosen
+  EXPECT_EQ(curves->GetCurveName(1), "neck");
+  EXPECT_EQ(name->text(), "");
+  this->click(this->node(1, 1));
+  type(tolerance, "5");
+  this->moveTo(this->vertex(7));
+  this->click({ 5, 5 });
+  EXPECT_DOUBLE_EQ(curves->GetCurveTolerance(1), 0.05);
+  EXPECT_EQ(curves->GetCurveTolerance(0), 0.0);
+  // What was typed for a curve that goes is of no other.
+  this->window->panel()->onChoose(0);
+  type(name, "gone");
+  this->push(Hand::REMOVE_CURVE);
+  ASSERT_EQ(curves->GetNumberOfCurves(), 1);
+  EXPECT_EQ(curves->GetCurveName(0), "neck");
+  EXPECT_DOUBLE_EQ(curves->GetCurveTolerance(0), 0.05);
+}
+
+TEST_F(EditorTyping, CurvesThatAreNotSavedAreLostOnlyByTheButtonThatSaysSo)
 {
   const std::string path = this->folder + "kept.vtp";
   this->answer(QMessageBox::Cancel);
