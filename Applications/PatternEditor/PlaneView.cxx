@@ -25,15 +25,22 @@ namespace
 constexpr double pieceMargin = 1.12;
 constexpr float wireWidth = 3.0F; // pixels
 
-/// Kinds of wires, those drawn over others last.
+/// Kinds of wires that are drawn, those drawn over others last.
 constexpr std::array<figures::Vector, 5> wireColors{ { figures::accessoryColor, figures::keyColor,
   figures::dartColor, figures::seamColor, figures::boundaryColor } };
 constexpr std::size_t boundaryKind = wireColors.size() - 1;
+constexpr std::size_t unseenKind = wireColors.size();
 
 std::size_t kindOf(vtkCellData* wires, vtkIdType cell)
 {
   vtkDataArray* const types = wires->GetArray("CurveType");
   vtkDataArray* const boundary = wires->GetArray("Boundary");
+  // No line of the pattern. Black as the outline it looked like a cut.
+  vtkDataArray* const connectors = wires->GetArray("Connector");
+  if (connectors && connectors->GetComponent(cell, 0) != 0.0)
+  {
+    return unseenKind;
+  }
   const int type = types ? static_cast<int>(types->GetComponent(cell, 0)) : -1;
   // The banks of a dart are shown as such, although they bound the piece.
   const bool dart = type == vtkFeatureCurveAlgorithm::DART;

@@ -4,6 +4,8 @@
 #include "EditorSession.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkFeatureEdges.h>
+#include <vtkMath.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 
@@ -362,4 +364,53 @@ int main(int argc, char* argv[])
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLStereoWidget::defaultFormat());
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
+}
+
+TEST_F(PatternEditor, ACurveInTheMiddleIsNotJoinedToTheOutlineByALineThatLooksLikeACut)
+{
+  this->push(Hand::NEW_CURVE);
+  this->click(this->vertex(6));
+  this->click(this->vertex(7));
+  this->click({ 5, 5 }, Qt::RightButton);
+  this->waitForPieces();
+  const auto lengthOf = [](vtkPolyData* lines, bool blackOnly) {
+    double length = 0.0;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+    {
+      vtkDataArray* const colors = lines->GetCellData()->GetScalars();
+      const double* const color = blackOnly ? colors->GetTuple3(line) : nullptr;
+      lines->GetCellPoints(line, ids);
+      for (vtkIdType k = 1; k < ids->GetNumberOfIds() && (!color || vtkMath::Norm(color) == 0.0);
+           ++k)
+      {
+        double from[3];
+        double to[3];
+        lines->GetPoint(ids->GetId(k - 1), from);
+        lines->GetPoint(ids->GetId(k), to);
+        length += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+      }
+    }
+    return length;
+  };
+  vtkNew<vtkFeatureEdges> outline;
+  outline->SetInputData(this->window->planeView().shown());
+  outline->FeatureEdgesOff();
+  outline->NonManifoldEdgesOff();
+  outline->Update();
+  const double expected = lengthOf(outline->GetOutput(), false);
+  ASSERT_GT(expected, 100.0);
+  vtkActorCollection* const actors = this->window->plane()->GetActors();
+  vtkCollectionSimpleIterator at;
+  actors->InitTraversal(at);
+  double black = 0.0;
+  while (vtkActor* const actor = actors->GetNextActor(at))
+  {
+    auto* const drawn = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputAsDataSet());
+    if (drawn && drawn->GetNumberOfLines() > 0)
+    {
+      black += lengthOf(drawn, true);
+    }
+  }
+  EXPECT_NEAR(black, expected, 1e-6 * expected);
 }
