@@ -61,7 +61,9 @@ protected:
     return std::filesystem::exists(this->folder + name);
   }
 
-  const std::string folder = testing::TempDir() + "saved names/";
+  // Of each test its own, since tests run beside each other.
+  const std::string folder = testing::TempDir() + "saved names, " +
+    testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
   bool asked = false;
 };
 }
