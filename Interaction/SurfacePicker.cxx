@@ -117,10 +117,6 @@ Symmetry SurfacePicker::symmetry() const
     {
       std::array<double, 3> image;
       this->Surface->GetPoint(k, image.data());
-      if (!std::all_of(image.begin(), image.end(), [](double x) { return std::isfinite(x); }))
-      {
-        continue; // a locator may end the program
-      }
       moved += 4.0 * (center[axis] - image[axis]) * (center[axis] - image[axis]);
       image[axis] = 2.0 * center[axis] - image[axis];
       double closest[3];

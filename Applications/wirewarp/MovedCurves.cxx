@@ -2,7 +2,7 @@
 #include "MovedCurves.h"
 
 #include "InputError.h"
-#include "LocatedPoint.h"
+#include "LocatedSurface.h"
 #include "TextFile.h"
 
 #include <vtkCell.h>
@@ -80,18 +80,11 @@ vtkSmartPointer<vtkPolyData> movedCurves(vtkPolyData* curves, vtkPolyData* from,
     moved->SetPoints(to->GetPoints());
     return moved;
   }
-  for (vtkIdType p = 0; p < from->GetNumberOfPoints(); ++p)
+  const vtkSmartPointer<vtkPolyData> faces = locatedTriangles(from);
+  if (!faces)
   {
-    std::array<double, 3> x{};
-    from->GetPoint(p, x.data());
-    if (!canBeLocated(x))
-    {
-      return moved; // the base's own flattening says what is wrong with it
-    }
+    return moved; // the base's own flattening says what is wrong with it
   }
-  vtkNew<vtkPolyData> faces;
-  faces->SetPoints(from->GetPoints());
-  faces->SetPolys(from->GetPolys());
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(faces);
   locator->BuildLocator();
@@ -100,9 +93,8 @@ vtkSmartPointer<vtkPolyData> movedCurves(vtkPolyData* curves, vtkPolyData* from,
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType p = 0; p < curves->GetNumberOfPoints(); ++p)
   {
-    std::array<double, 3> x{};
+    std::array<double, 3> x = pointOf(curves, p);
     std::array<double, 3> closest{};
-    curves->GetPoint(p, x.data());
     vtkIdType id = -1;
     int part = 0;
     double square = 0.0;

@@ -28,6 +28,15 @@ cInt units(double millimetres)
   return static_cast<cInt>(std::llround(stepsPerMillimetre * millimetres));
 }
 
+/// Widths of shapes are rounded up and those of cloth down, so that none lies beyond its edge; what
+/// is a whole number but for rounding stays.
+cInt stepsOf(double width, bool up)
+{
+  constexpr double whole = 1e-6;
+  const double steps = stepsPerMillimetre * width;
+  return static_cast<cInt>(up ? std::ceil(steps - whole) : std::floor(steps + whole));
+}
+
 Path moved(const Path& path, const IntPoint& by)
 {
   Path result;
@@ -102,7 +111,7 @@ std::size_t NoFitRegion::addShape(const Points2& polygon, double gap)
   {
     box.add(p);
   }
-  shape.width = units(box.high.x());
+  shape.width = stepsOf(box.high.x(), true);
   shape.height = units(box.high.y());
   Path path;
   for (const Point2& p : thinned(polygon, thinning))
@@ -141,8 +150,8 @@ Point2 NoFitRegion::lowest(const std::vector<Placed>& there, std::size_t shape, 
   }
   // The places across may be one alone, which has no area.
   const IntPoint low(-1, -1);
-  const IntPoint high(
-    std::max<cInt>(units(width) - moving.width, 0) + 1, end + moving.height + units(1000.0));
+  const IntPoint high(std::max<cInt>(stepsOf(width, false) - moving.width, 0) + 1,
+    end + moving.height + units(1000.0));
   clipper.AddPath(rectangle(low, high), ClipperLib::ptSubject, true);
   Paths free;
   clipper.Execute(ClipperLib::ctDifference, free, ClipperLib::pftNonZero, ClipperLib::pftNonZero);

@@ -45,7 +45,6 @@ void SymmetricAssembler::finish()
   Indices rows;
   rows.reserve(count / 2);
   Indices columnBegin(this->Size + 1, 0);
-  Indices columnOfRow(this->Size, none);
   Indices slotOfRow(this->Size, none);
   for (Index column = 0, first = 0; column < this->Size; ++column)
   {
@@ -53,9 +52,9 @@ void SymmetricAssembler::finish()
     for (Index k = first; k < last; ++k)
     {
       const Index row = byColumn[k].row;
-      if (columnOfRow[row] != column)
+      if (slotOfRow[row] < columnBegin[column])
       {
-        columnOfRow[row] = column;
+        slotOfRow[row] = columnBegin[column]; // until they are sorted
         rows.push_back(row);
       }
     }
