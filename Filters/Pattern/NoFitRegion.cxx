@@ -33,8 +33,8 @@ cInt units(double millimetres)
 cInt stepsOf(double width, bool up)
 {
   constexpr double whole = 1e-6;
-  const double steps = stepsPerMillimetre * width;
-  return static_cast<cInt>(up ? std::ceil(steps - whole) : std::floor(steps + whole));
+  const double exact = stepsPerMillimetre * width;
+  return static_cast<cInt>(up ? std::ceil(exact - whole) : std::floor(exact + whole));
 }
 
 Path moved(const Path& path, const IntPoint& by)
