@@ -18,8 +18,6 @@ constexpr int mostCorrections = 3;
 constexpr double worthCorrecting = 0.25;
 /// Rounding of the objective, a sum of some thousands of terms, as a fraction of it.
 constexpr double objectiveRounding = 1e-13;
-/// A residual that one step does not bring down to rounding.
-constexpr double farAway = 1e-3;
 /// More saddles than these are not left by their own direction, but by rounding.
 constexpr int mostSaddles = 5;
 /// The shortest way off a saddle, as the largest move of an unknown, and how much of the objective
@@ -39,6 +37,10 @@ public:
     , Newton(model, std::move(solver), execution)
     , Merit(model.constraintCount(), options.penaltyMargin, options.penaltyShare)
   {
+    if (options.followed > 0.0)
+    {
+      this->Newton.expectFollowers();
+    }
     if (options.amongSaddles)
     {
       this->Newton.expectSaddles();
@@ -110,8 +112,7 @@ private:
         : std::min(this->Options.exactWithin, this->Options.exactBeforeSettling);
       const bool exact = this->Moved && this->LargestMove < within;
       this->linearize(exact ? Curvature::Exact : Curvature::Convex);
-      this->Residual = this->residual();
-      this->Newton.setFarAway(this->Options.followed > 0.0 && this->Residual > farAway);
+      this->Residual = this->residual(this->State.x, this->State.multipliers);
       found = this->lookAround();
     }
     return found;
@@ -125,7 +126,7 @@ private:
     {
       return Found::Nothing;
     }
-    const double residual = this->residual();
+    const double residual = this->residual(this->State.x, this->State.multipliers);
     if (!(residual <= this->Options.followed * this->Residual))
     {
       return Found::Nothing;
@@ -134,12 +135,12 @@ private:
     return this->lookAround();
   }
 
-  /// How far the point is from one that meets the conditions of a minimum, rounding left out.
-  double residual() const
+  /// How far the point that was linearized last is from one that meets the conditions of a minimum,
+  /// rounding left out.
+  double residual(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers) const
   {
-    const double gradient = std::max(0.0,
-      this->Newton.optimality(this->State.multipliers) -
-        this->Model.gradientRounding(this->State.x));
+    const double gradient =
+      std::max(0.0, this->Newton.optimality(multipliers) - this->Model.gradientRounding(x));
     return largest(this->Newton.constraints()) +
       gradient / this->Model.gradientScale(this->Objective);
   }
@@ -271,6 +272,7 @@ private:
       const double bound = before + sufficientDecrease * scale * std::min(slope, 0.0) + noise;
       const Eigen::VectorXd x = this->Newton.clipped(this->State.x + scale * step);
       if (this->accept(x, bound, scale) ||
+        (scale == 1.0 && this->acceptByResidual(x, this->TriedObjective)) ||
         (halving < this->Options.corrections && this->acceptCorrected(x, bound, scale)))
       {
         return true;
@@ -347,10 +349,38 @@ private:
   bool accept(const Eigen::VectorXd& x, double bound, double scale)
   {
     const double objective = this->Model.objective(x, this->Run);
+    this->TriedObjective = objective;
     if (!(objective + this->Merit.violation(this->Model.constraints(x)) <= bound))
     {
       return false;
     }
+    this->take(x, objective, scale);
+    return true;
+  }
+
+  /// Near a minimum a whole step may raise the merit function because constraints bend (the effect
+  /// of Maratos), and a correction of each costs more than the step. It is as good where it can be
+  /// followed: where what is left of the conditions of a minimum falls as much as it has to then.
+  bool acceptByResidual(const Eigen::VectorXd& x, double objective)
+  {
+    if (this->Options.followed == 0.0 || !this->Newton.nearMinimum() ||
+      !(largest(this->Newton.step()) < this->Options.exactWithin) ||
+      !this->Newton.follow(x, this->Newton.multipliers()))
+    {
+      return false;
+    }
+    if (std::isfinite(objective) &&
+      this->residual(x, this->Newton.multipliers()) <= this->Options.followed * this->Residual)
+    {
+      this->take(x, objective, 1.0);
+      return true;
+    }
+    this->Newton.follow(this->State.x, this->State.multipliers);
+    return false;
+  }
+
+  void take(const Eigen::VectorXd& x, double objective, double scale)
+  {
     const Eigen::VectorXd move = x - this->State.x;
     this->LargestMove = largest(move);
     this->MeanMove =
@@ -362,7 +392,6 @@ private:
     this->Objective = objective;
     this->State.x = x;
     this->State.multipliers += scale * (this->Newton.multipliers() - this->State.multipliers);
-    return true;
   }
 
   NewtonKktModel& Model;
@@ -372,6 +401,7 @@ private:
   NewtonKktStep Newton;
   MeritFunction Merit;
   double Objective = 0.0;
+  double TriedObjective = 0.0; ///< of the point that the merit function was last asked about
   double Optimality = 0.0;
   double Residual = 0.0; ///< of the last point that was looked at
   double LargestMove = 0.0;

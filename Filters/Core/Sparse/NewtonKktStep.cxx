@@ -14,10 +14,10 @@ namespace
 /// delta of the constraint block: it gives redundant constraints a pivot, and is small enough for
 /// refinement to take it out again.
 constexpr double regularization = 1e-8;
-/// Each gains about eight digits, 1 / delta; far from a minimum a second one is lost on the steps
-/// that follow.
+/// Each gains about eight digits, 1 / delta. What one leaves costs less to be taken out by a step
+/// that follows.
 constexpr int refinements = 2;
-constexpr int refinementsFarAway = 1;
+constexpr int refinementsWhereFollowed = 1;
 /// A solution by a factor that is kept in single precision which leaves more of the right-hand side
 /// than this would need many refinements.
 constexpr double singleIsEnough = 0.1;
@@ -94,6 +94,11 @@ bool NewtonKktStep::follow(const Eigen::VectorXd& x, const Eigen::VectorXd& mult
   if (!this->Factored || !free)
   {
     return false;
+  }
+  if (this->Following && this->X == x)
+  {
+    this->OldMultipliers = multipliers;
+    return true;
   }
   std::optional<NewtonKktModel::Linearization> point = this->Model.differentiate(x, this->Run);
   if (!point)
@@ -390,7 +395,7 @@ NewtonKktStep::KktSolution NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs) c
   {
     solution.leftByFactor = std::numeric_limits<double>::infinity();
   }
-  const int wanted = this->FarAway ? refinementsFarAway : refinements;
+  const int wanted = this->Followers ? refinementsWhereFollowed : refinements;
   const int most = this->Softness > 0.0 ? 0 : wanted;
   for (int refinement = 0; refinement < most && x.size() == rhs.size(); ++refinement)
   {

@@ -20,8 +20,8 @@ public:
   /// Constraints are squared terms mu / 2 c^2 of the objective from now on, with mu c for their
   /// multipliers: [H, J'; J, -I / mu] is H + mu J'J.
   void soften(double mu) { this->Softness = 1.0 / mu; }
-  /// Whether other steps will take out what rounding leaves of the next ones.
-  void setFarAway(bool far) { this->FarAway = far; }
+  /// Steps that follow() will take out what rounding leaves of the others.
+  void expectFollowers() { this->Followers = true; }
   /// See NewtonKktOptions::amongSaddles.
   void expectSaddles() { this->Saddles = true; }
   /// How many there were.
@@ -32,6 +32,9 @@ public:
   /// earlier point, which costs next to nothing and errs by as much as the matrix has changed.
   /// False, and nothing has changed, where there is none without a shift, or an unknown is held.
   bool follow(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers);
+  /// Whether the last factorization is that of the exact Hessian as it is, found convex on the
+  /// constraints' tangent space.
+  bool nearMinimum() const { return this->Factored && this->Taken == Curvature::Exact; }
   const Eigen::VectorXd& gradient() const { return this->Point.gradient; }
   const Eigen::VectorXd& constraints() const { return this->Point.constraints; }
   Curvature curvature() const { return this->Taken; }
@@ -114,7 +117,7 @@ private:
   int Factorizations = 0;
   bool Saddles = false;
   bool Indefinite = false;
-  bool FarAway = false;
+  bool Followers = false;
   bool Factored = false;  ///< the matrix, without a shift
   bool Following = false; ///< the matrix is that of an earlier point
   bool ToldToStop = false;
