@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -173,6 +174,30 @@ TEST(PieceReport, AdviceOfTheIsometricSchemeIsWhatFollowingItGives)
     EXPECT_NEAR(trial.objective, followed.pieces[0].objective, 1e-7);
   }
   EXPECT_LE(advice.trials[0].areaError, advice.trials[1].areaError);
+}
+
+TEST(PieceReport, TrialsEndWhereAnotherOneWouldTakeMoreWorkThanTheyMay)
+{
+  const Surface surface = quarterSphereWithTwoArcs();
+  const auto tried = [&](double work) {
+    FlatteningOptions options;
+    options.trialWork = work;
+    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    EXPECT_EQ(result.pieces[0].advice.ranking.size(), 2u); // of all curves, tried or not
+    const std::vector<ReleaseTrial>& trials = result.pieces[0].advice.trials;
+    return std::count_if(
+      trials.begin(), trials.end(), [](const ReleaseTrial& trial) { return trial.solved; });
+  };
+  EXPECT_EQ(tried(0.0), 0);
+  EXPECT_EQ(tried(1e9), 2);
+  // Between them is what one takes.
+  std::vector<std::ptrdiff_t> counts;
+  for (double work = 5e3; work < 2e4; work *= 1.2)
+  {
+    counts.push_back(tried(work));
+  }
+  EXPECT_TRUE(std::is_sorted(counts.begin(), counts.end()));
+  EXPECT_TRUE(std::binary_search(counts.begin(), counts.end(), 1));
 }
 
 TEST(PieceReport, AdviceWithoutTrialsRanksBySensitivityAndChangesNothingElse)

@@ -27,7 +27,7 @@ void optionsOfWireWarping(Checks& check)
 {
   vtkNew<vtkWireWarpingFilter> filter;
   const auto [scheme, start, angles, interior, isometric, conformal, cloth, closeCuts, dartLegs,
-    eases, skipClosed, releaseKeys, tryReleases, arrange, spacing, lengthTolerance] =
+    eases, skipClosed, releaseKeys, tryReleases, trialWork, arrange, spacing, lengthTolerance] =
     FlatteningOptions();
   check.equal(filter->GetScheme(), number(scheme), "Scheme");
   check.equal(std::string(filter->GetMaterial()).empty(), !cloth, "Material");
@@ -38,6 +38,7 @@ void optionsOfWireWarping(Checks& check)
   check.equal(filter->GetSkipClosed(), skipClosed, "SkipClosed");
   check.equal(filter->GetReleaseKeys(), releaseKeys, "ReleaseKeys");
   check.equal(filter->GetReleaseTrials(), tryReleases, "ReleaseTrials");
+  check.equal(trialWork > 0.0, true, "what ReleaseTrials may take has no property");
   check.equal(filter->GetArrange(), arrange, "Arrange");
   check.equal(filter->GetSpacing(), spacing, "Spacing");
   check.equal(filter->GetMaximumLengthError(), lengthTolerance, "MaximumLengthError");

@@ -91,6 +91,7 @@ std::size_t overlaps(const PieceContext& context, const PlacedPiece& placed)
 PlacedPiece placedBy(IsometricSolution solution, DistortionEnergyKind kind)
 {
   PlacedPiece placed;
+  placed.factorizations = solution.factorizations;
   placed.energyUsed = kind;
   placed.fromConvexStart = true;
   placed.status = solution.status;
@@ -117,8 +118,10 @@ std::optional<PlacedPiece> warpFromConvexStart(
     context.piece, unlocked, bent(context.piece.mesh, start), rigid, options, execution);
   if (!solution.status.refused() && wires.locks())
   {
+    const int before = solution.factorizations;
     solution = warpFromAfar(
       context.piece, wires.problem, solution.positions, solution.stretch, options, execution);
+    solution.factorizations += before;
   }
   if (solution.status.refused())
   {
@@ -136,6 +139,8 @@ std::optional<PlacedPiece> warpFromConvexStart(
     }
     const bool folds = countFlipped(context.piece.mesh, last.positions) > 0;
     PlacedPiece other = placedBy(std::move(last), asked);
+    placed.factorizations += other.factorizations;
+    other.factorizations = placed.factorizations;
     const QualitySummary result = quality(context, other);
     const bool pressed =
       collapses(result) && result.globalHomogeneity < quality(context, placed).globalHomogeneity;

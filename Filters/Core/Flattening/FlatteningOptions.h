@@ -59,6 +59,10 @@ struct FlatteningOptions
   /// Try what the advice on releases promises, which takes up to six flattenings of a piece that
   /// lies poorly (see adviseByTrials()); otherwise curves are ranked by their sensitivity alone.
   bool tryReleases = true;
+  /// How much work these trials may take, as factorizations of the isometric scheme times triangles
+  /// of the piece: about two seconds on a core of 2024. Counted, not timed: the same on any
+  /// machine.
+  double trialWork = 2.5e6;
   /// Lay the pieces beside each other, each upright (see arrangePieces()); otherwise each stays
   /// where its first wire edge put it.
   bool arrange = true;

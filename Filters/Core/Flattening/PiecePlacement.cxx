@@ -26,8 +26,10 @@ IsometricSolution warpWithoutFolding(
   const Execution execution = context.execution.part(0.2, 1.0);
   const auto warp = [&](const IsometricOptions& options) {
     placed.energyUsed = options.energy.kind;
-    return warpIsometrically(
+    IsometricSolution solution = warpIsometrically(
       context.piece, wires.problem, placed.positions, wires.angles.stretch, options, execution);
+    placed.factorizations += solution.factorizations;
+    return solution;
   };
   const Index flippedBefore = countFlipped(context.piece.mesh, placed.positions);
   const auto worse = [&](const IsometricSolution& candidate) {

@@ -22,6 +22,8 @@ struct PlacedPiece
   /// Where options have a cloth: how it lies there.
   std::optional<GrainReport> grain;
   bool clothSolved = false; ///< by the isometric scheme with the cloth's energy
+  /// Isometric scheme: of all that was tried, whichever counts.
+  int factorizations = 0;
   Status status;
   double seconds = 0.0; ///< that placeWires() took
 };

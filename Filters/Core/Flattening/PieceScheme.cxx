@@ -35,6 +35,11 @@ void warpFromBetterStart(const PieceContext& context, FlatWires& flat)
     return;
   }
   std::optional<PlacedPiece> second = warpFromConvexStart(context, flat.wires);
+  if (second)
+  {
+    flat.placed.factorizations += second->factorizations;
+    second->factorizations = flat.placed.factorizations;
+  }
   // Keys that keep it from a minimum had better be released.
   const bool helps = second && (second->status.ok() || !flat.wires.locks());
   if (helps && isBetter(context, *second, flat.placed))

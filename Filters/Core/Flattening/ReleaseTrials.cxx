@@ -14,8 +14,15 @@ namespace
 {
 constexpr Index largeTrial = 3000; ///< triangles
 
-/// The piece's flattening without another trial of releases.
-ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, Index curve)
+double workOf(const PieceContext& context, const PlacedPiece& placed)
+{
+  return static_cast<double>(placed.factorizations) *
+    static_cast<double>(context.piece.mesh.triangleCount());
+}
+
+/// The piece's flattening without another trial of releases. \param work what it took is added
+ReleaseTrial measureTrial(
+  const PieceContext& context, const CurveRules& rules, Index curve, double& work)
 {
   ReleaseTrial trial;
   trial.curve = curve;
@@ -29,6 +36,7 @@ ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, 
   const bool solved = placed.status.ok();
   placed.placed = placeWires(context, placed.wires);
   const FlatWires flat = finishScheme(context, std::move(placed));
+  work += workOf(context, flat.placed);
   // Angles without a solution may be start enough for a scheme that ends well.
   if (flat.status.refused() || !(solved || flat.status.ok()))
   {
@@ -44,20 +52,22 @@ ReleaseTrial measureTrial(const PieceContext& context, const CurveRules& rules, 
 }
 
 /// A key curve without its shape.
-ReleaseTrial tryWithoutShape(const PieceContext& context, CurveRules rules, Index key)
+ReleaseTrial tryWithoutShape(const PieceContext& context, CurveRules rules, Index key, double& work)
 {
   rules.released.insert(std::upper_bound(rules.released.begin(), rules.released.end(), key), key);
-  return measureTrial(context, rules, key);
+  return measureTrial(context, rules, key, work);
 }
 
 /// Any other curve as no wire any more.
-ReleaseTrial tryWithoutWire(const PieceContext& context, const CurveRules& rules, Index curve)
+ReleaseTrial tryWithoutWire(
+  const PieceContext& context, const CurveRules& rules, Index curve, double& work)
 {
   Piece bare = context.piece;
   std::replace(bare.curveOfHalfedge.begin(), bare.curveOfHalfedge.end(), curve, none);
   const WireNetwork fewer = buildWireNetwork(bare, true);
   return measureTrial(
-    { bare, fewer, context.cut, context.curves, context.options, context.execution }, rules, curve);
+    { bare, fewer, context.cut, context.curves, context.options, context.execution }, rules, curve,
+    work);
 }
 }
 
@@ -93,13 +103,20 @@ ReleaseAdvice adviseByTrials(const PieceContext& context, const FlatWires& flat)
     context.options, execution };
   const CurveRules& rules = flat.wires.rules;
   std::vector<ReleaseTrial> trials;
+  double work = 0.0;
+  // Another flattening of the piece is expected to take as much as this one.
+  const double expected = workOf(context, flat.placed);
   for (Index curve : releaseCandidates(advice, context.network, context.curves,
          keyCurves(context.network, context.piece, context.cut, context.curves), rules.released,
          flat.wires.angles))
   {
+    if (work + expected > context.options.trialWork)
+    {
+      break;
+    }
     const bool shaped = context.curves[curve].type == CurveType::Key && !rules.releases(curve);
-    trials.push_back(
-      shaped ? tryWithoutShape(inner, rules, curve) : tryWithoutWire(inner, rules, curve));
+    trials.push_back(shaped ? tryWithoutShape(inner, rules, curve, work)
+                            : tryWithoutWire(inner, rules, curve, work));
   }
   rankReleases(trials,
     scheme == Scheme::Isometric ? ReleaseMeasure::AreaError : ReleaseMeasure::Objective, advice);

@@ -103,6 +103,7 @@ IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
   const bool alone = !options.cloth && model.coordinateCount() < threadsFrom;
   const NewtonKktState end = minimize(model, std::move(start), std::move(solver), newton,
     alone ? execution.onOneThread() : execution);
+  solution.factorizations = end.factorizations;
   if (end.cancelled())
   {
     solution = {};
@@ -195,7 +196,9 @@ IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
     solution.status = { StatusCode::Cancelled, "cancelled while solving for the piece", {} };
     return solution;
   }
+  const int before = near.factorizations;
   solution = minimized(model, std::move(near), options, true, execution);
+  solution.factorizations += before;
   correctLengths(problem, solution);
   return solution;
 }

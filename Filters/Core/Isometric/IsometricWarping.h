@@ -58,6 +58,7 @@ struct IsometricSolution
   double angleEnergy = 0.0;      ///< sum of stiffness (theta - alpha)^2
   std::vector<double> stiffness; ///< per wire-node, in the same unit; 0 for nodes without a term
   int iterations = 0;
+  int factorizations = 0; ///< which take most of the time, those of the way from afar as well
   std::vector<IsometricIteration> history;
   /// Ok, NotConverged (the positions are the best found), Cancelled.
   Status status;

@@ -91,6 +91,7 @@ public:
     }
     this->State.ending =
       ending != Ending::Converged && this->Newton.cancelled() ? Ending::Cancelled : ending;
+    this->State.factorizations = this->Newton.factorizations();
     return std::move(this->State);
   }
 

@@ -15,6 +15,7 @@ struct NewtonKktState
   Eigen::VectorXd x;
   Eigen::VectorXd multipliers; ///< of the constraints; empty: zero
   Ending ending = Ending::Exhausted;
+  int factorizations = 0; ///< that the way there took
 
   bool converged() const { return this->ending == Ending::Converged; }
   bool cancelled() const { return this->ending == Ending::Cancelled; }

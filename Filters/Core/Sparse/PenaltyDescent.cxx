@@ -63,7 +63,8 @@ public:
         this->Penalty *= penaltyGrowth;
       }
     }
-    return { this->X, (this->Penalty / penaltyGrowth) * this->Constraints, ending };
+    return { this->X, (this->Penalty / penaltyGrowth) * this->Constraints, ending,
+      this->Newton.factorizations() };
   }
 
 private:
