@@ -367,7 +367,7 @@ public:
    * % of the area would be strained by over 0.3 % more (port 2 says how much it is) keeps nearer to
    * its flat points, by halves of the tolerance, or stays as it is. SVG and PDF hold
    * Bezier curves, DXF and HPGL their points; DXF marks the ends of the curves alone as curve
-   * points. 0: all lines are those of the mesh. Default: 0. Range: from 0.
+   * points. 0: all lines are those of the mesh. Default: 0.2. Range: from 0.
    */
   vtkSetClampMacro(FairTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FairTolerance, double);
@@ -498,7 +498,7 @@ private:
   double DartTip = 0.0;
   std::map<std::string, double> CurveDartTips;
   bool CutPairs = false;
-  double FairTolerance = 0.0;
+  double FairTolerance = 0.2;
   std::map<std::string, double> CurveFairTolerances;
   double FabricWidth = 0.0;
   bool FabricNap = false;

@@ -258,7 +258,7 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
   app
     .add_option("--fair", request.fairTolerance,
       "Draw borders and curves as smooth splines of the same lengths, straight where nearly so, at "
-      "most this far from the points of the mesh; 0: as the mesh has them")
+      "most this far from the points of the mesh; 0: raw, as the mesh has them")
     ->check(number(0.0, 100.0, "[0, 100]"))
     ->capture_default_str()
     ->group(group);

@@ -44,7 +44,7 @@ struct PatternRequest
   double dartTip = 0.0;
   std::vector<std::string> curveDartTips; ///< NAME=MM
   bool cutPairs = false;
-  double fairTolerance = 0.0;
+  double fairTolerance = 0.2;
   std::vector<std::string> curveFairs; ///< NAME=MM
   bool laserColours = false;
   double fabricWidth = 0.0; ///< 0: no lay

@@ -106,7 +106,7 @@ class Grading(command.CommandTest):
     def test_the_rule_table_moves_the_points_of_the_dxf(self):
         for unit, word in (("cm", "METRIC"), ("inch", "ENGLISH")):
             self.flatten("38.obj", "curves.txt", "--size", "38", "--grade", "36=36.obj", "--grade", "38",
-                         "--grade", "40=40.obj", "--unit", unit, "--dxf", "--no-arrange")
+                         "--grade", "40=40.obj", "--unit", unit, "--dxf", "--fair", "0", "--no-arrange")
             with open(self.path("out/pattern.rul"), encoding="ascii") as file:
                 head, *rules = re.split(r"RULE: DELTA ", file.read())
             fields = dict(line.split(": ", 1) for line in head.splitlines() if ": " in line)

@@ -109,7 +109,7 @@ class Reading(pattern.PatternTest):
 
     def test_seams_and_darts_that_were_written_are_read_with_their_names_and_lengths(self):
         for piece in ("tshirt", "shirt_front"):
-            self.make(piece, "--garmentcode")
+            self.make_raw(piece, "--garmentcode")
             garment = sf.read_garmentcode(self.path("out", "pattern.json"))
             wanted = {}
             for wire in pattern.wires_in_space(self.path("out"), "cm"):

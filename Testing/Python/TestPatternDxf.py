@@ -88,7 +88,7 @@ class Layers(pattern.PatternTest):
                     self.assertIn(point, curves)
 
     def test_notches_lie_on_the_boundary_as_many_as_the_svg_has(self):
-        self.make("tshirt", "--dxf", "--svg")
+        self.make_raw("tshirt", "--dxf", "--svg")
         _, blocks = self.blocks()
         drawn = pattern.svg_paths(pattern.svg_root(self.path("out", "pattern.svg")), "notch")
         for number, block in enumerate(blocks):

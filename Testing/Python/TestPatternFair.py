@@ -107,7 +107,7 @@ class Fair(pattern.PatternTest):
                                    float(row["to_mm"]) - float(row["from_mm"]), delta=2e-6)
 
     def test_the_dxf_keeps_lengths_with_few_curve_points(self):
-        self.make("tshirt", "--dxf", "--svg")
+        self.make_raw("tshirt", "--dxf", "--svg")
         raw = self.curve_points()
         self.make("tshirt", "--dxf", "--svg", "--fair", str(TOLERANCE))
         self.assertLess(2 * self.curve_points(), raw)
@@ -134,6 +134,22 @@ class Fair(pattern.PatternTest):
             count += sum(1 for point in block.query("POINT") if point.dxf.layer == "3"
                          and tuple(point.dxf.location)[:2] not in corners)
         return count
+
+    def test_unless_another_distance_is_asked_for_a_pattern_is_smooth_within_a_fifth_of_a_millimetre(self):
+        for piece in ("tshirt", "quarter_sphere"):
+            run = self.make(piece, "--svg", "--dxf")
+            usual = self.content("pattern.svg"), self.content("pattern.dxf")
+            found = re.findall(r"at most ([\d.]+) mm from their points, with 95 % of the area strained by no more "
+                               r"than ([\d.]+) % \(([\d.]+) % before\)", run.stderr)
+            self.assertTrue(found)
+            for deviation, strain, before in found:
+                self.assertLessEqual(float(deviation), 0.2)
+                self.assertLessEqual(float(strain) - float(before), 0.3 + 0.01)  # of two digits each
+            self.make(piece, "--svg", "--dxf", "--fair", "0.2")
+            self.assertEqual((self.content("pattern.svg"), self.content("pattern.dxf")), usual)
+            run = self.make_raw(piece, "--svg", "--dxf")
+            self.assertNotIn(b"C", b"".join(re.findall(rb' d="([^"]*)"', self.content("pattern.svg"))))
+            self.assertNotIn("curves and", run.stderr)
 
     def test_what_was_done_is_said_and_what_could_not_be_is_named(self):
         run = self.make("tshirt", "--svg", "--fair", "0.001")

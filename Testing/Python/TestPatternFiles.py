@@ -83,7 +83,7 @@ class Svg(pattern.PatternTest):
 
 class Hpgl(pattern.PatternTest):
     def test_every_line_of_the_svg_is_drawn_at_its_place_and_cut_lines_are_cut_last(self):
-        self.make("tshirt", "--svg", "--plt")
+        self.make_raw("tshirt", "--svg", "--plt")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         lines, _ = read_hpgl(self.content("pattern.plt").decode("ascii"))
         roles = {group.get("class") for piece in pattern.pieces_of(root) for group in piece} - {"text"}

@@ -62,6 +62,10 @@ class PatternTest(unittest.TestCase):
         self.assertIn(run.returncode, (0, 4), run.stderr)
         return run
 
+    def make_raw(self, piece, *options, **more):
+        """The same with an edge of the pattern for each edge of the mesh."""
+        return self.make(piece, "--fair", "0", *options, **more)
+
 
 def bezier_length(control):
     """Length of a cubic Bezier curve, by Gauss's rule on 8 parts."""

@@ -158,7 +158,7 @@ class Flattening(ComparedByValue):
         dart_tip: float = 0.0,
         curve_dart_tips: Optional[Mapping[str, float]] = None,
         cut_pairs: bool = False,
-        fair: float = 0.0,
+        fair: float = 0.2,
         curve_fairs: Optional[Mapping[str, float]] = None,
         laser_colors: bool = False,
         fabric_width: float = 0.0,
@@ -206,7 +206,7 @@ class Flattening(ComparedByValue):
             cut_pairs: of two pieces that are mirror images draw the first alone, to be cut in pairs of
                 which one is turned over.
             fair: draw borders and curves as smooth splines of the same lengths, straight where nearly so, at
-                most this far from the points of the mesh, in [0, 100]; 0: as the mesh has them.
+                most this far from the points of the mesh, in [0, 100]; 0: raw, as the mesh has them.
             curve_fairs: by the name of a curve, or "boundary", another such distance, each in [0, 100].
             laser_colors: draw an SVG in thin lines with a colour of its own for each role.
             fabric_width: of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width, their
