@@ -109,8 +109,16 @@ const char* vtkPatternWriter::GetWarning(int warning) const
 const char* vtkPatternWriter::GetNote(int note) const
 {
   return note >= 0 && note < this->GetNumberOfNotes()
-    ? this->Notes[static_cast<std::size_t>(note)].c_str()
+    ? this->Notes[static_cast<std::size_t>(note)].first.c_str()
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::GetNoteKind(int note) const
+{
+  return note >= 0 && note < this->GetNumberOfNotes()
+    ? this->Notes[static_cast<std::size_t>(note)].second
+    : static_cast<int>(DRAWN);
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +177,10 @@ Status vtkPatternWriter::WritePattern(int format)
     for (const pattern::PatternPiece& piece : drawing.pieces)
     {
       this->Warnings.insert(this->Warnings.end(), piece.warnings.begin(), piece.warnings.end());
-      this->Notes.insert(this->Notes.end(), piece.notes.begin(), piece.notes.end());
+      for (const pattern::PatternNote& note : piece.notes)
+      {
+        this->Notes.emplace_back(note.text, static_cast<int>(note.kind));
+      }
     }
   }
   return status;

@@ -367,7 +367,9 @@ public:
    * % of the area would be strained by over 0.3 % more (port 2 says how much it is) keeps nearer to
    * its flat points, by halves of the tolerance, or stays as it is. SVG and PDF hold
    * Bezier curves, DXF and HPGL their points; DXF marks the ends of the curves alone as curve
-   * points. 0: all lines are those of the mesh. Default: 0.2. Range: from 0.
+   * points. Panels of vtkGarmentCodeReader, whose borders are chords of smooth edges, keep them but
+   * along the curves that have a CurveFairTolerance. 0: all lines are those of the mesh. Default:
+   * 0.2. Range: from 0.
    */
   vtkSetClampMacro(FairTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FairTolerance, double);
@@ -453,11 +455,21 @@ public:
 
   ///@{
   /**
-   * What FairTolerance did in the last Write(), a sentence each: how many curves and straight lines
-   * are in place of how many edges of a piece and how far from them, and which could not be.
+   * What the last Write() did, a sentence each, and of which kind it is: what options asked for
+   * (DRAWN); how many curves and straight lines are in place of how many edges of a piece and how
+   * far from them (SMOOTHED), which could not be (LEFT_ROUGH), and a piece of which nothing could
+   * (NOT_SMOOTHED).
    */
+  enum NoteKinds
+  {
+    DRAWN,
+    SMOOTHED,
+    LEFT_ROUGH,
+    NOT_SMOOTHED
+  };
   int GetNumberOfNotes() const { return static_cast<int>(this->Notes.size()); }
   const char* GetNote(int note) const;
+  int GetNoteKind(int note) const;
   ///@}
 
 protected:
@@ -507,7 +519,7 @@ private:
   double FabricEfficiency = 0.0;
   bool FollowPipeline = false;
   std::vector<std::string> Warnings;
-  std::vector<std::string> Notes;
+  std::vector<std::pair<std::string, int>> Notes; ///< with their kinds
   std::unique_ptr<flattening::pattern::FairCache> Fair;
 };
 

@@ -62,7 +62,8 @@ void discardPatterns(OutputFiles& files)
 std::vector<std::string> writeResult(const Options& options, Flattening& result, OutputFiles& files)
 {
   const Clock::time_point start = Clock::now();
-  std::vector<std::string> patterns = addPatterns(options.pattern, options.surface, result, files);
+  std::vector<std::string> patterns =
+    addPatterns(options.pattern, options.surface, options.quiet, result, files);
   files.add(dataNames[0], result.flat);
   files.add(dataNames[1], result.wires);
   files.add(dataNames[2], result.cut);

@@ -51,6 +51,8 @@ struct Flattening
   double curveDistance = 0.0; ///< of the curves' points from the surface, at most
   /// What the command itself warns of, beside the filter's RunWarnings.
   std::vector<std::string> notes;
+  /// What was done to the pieces of a pattern.
+  std::vector<std::string> patternNotes;
 
   double secondsRead = 0.0;
   double secondsWrite = 0.0; ///< of all files but the report itself

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <new>
 #include <set>
 
@@ -115,6 +116,22 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
   writer->SetPaper(paperValue(request.paper));
   writer->SetPageOverlap(request.overlap);
   writer->SetMaximumPages(request.maximumPages);
+}
+
+bool isNews(int kind, const PatternRequest& request, bool quiet)
+{
+  const bool asked = request.fairGiven || !request.curveFairs.empty();
+  switch (kind)
+  {
+    case vtkPatternWriter::SMOOTHED:
+      return asked && !quiet;
+    case vtkPatternWriter::LEFT_ROUGH:
+      return asked;
+    case vtkPatternWriter::NOT_SMOOTHED:
+      return asked || !quiet;
+    default:
+      return !quiet;
+  }
 }
 
 /// What the writer refused to write to a path, in the command's words.
@@ -259,6 +276,7 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     .add_option("--fair", request.fairTolerance,
       "Draw borders and curves as smooth splines of the same lengths, straight where nearly so, at "
       "most this far from the points of the mesh; 0: raw, as the mesh has them")
+    ->each([&request](const std::string&) { request.fairGiven = true; })
     ->check(number(0.0, 100.0, "[0, 100]"))
     ->capture_default_str()
     ->group(group);
@@ -310,11 +328,11 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
 
 //------------------------------------------------------------------------------
 std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
-  const Flattening& result, OutputFiles& files)
+  bool quiet, Flattening& result, OutputFiles& files)
 {
   std::vector<std::string> names;
-  std::set<std::string> warnings; // of all formats alike
-  std::set<std::string> notes;
+  std::set<std::string> warnings;   // of all formats alike
+  std::map<std::string, int> notes; // with their kinds
   vtkNew<vtkPatternWriter> writer;
   configure(writer, request, surface, result.unit);
   writer->SetInputData(0, result.flat);
@@ -341,7 +359,7 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     }
     for (int k = 0; k < writer->GetNumberOfNotes(); ++k)
     {
-      notes.insert(writer->GetNote(k));
+      notes.emplace(writer->GetNote(k), writer->GetNoteKind(k));
     }
     names.push_back(name);
   };
@@ -362,8 +380,13 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     std::cerr << "wirewarp: warning: " << plainText(warning)
               << "; draw it as 'straight NAME v0 v1', or with KeyShape 1\n";
   }
-  for (const std::string& note : notes)
+  for (const auto& [note, kind] : notes)
   {
+    result.patternNotes.push_back(note);
+    if (!isNews(kind, request, quiet))
+    {
+      continue;
+    }
     std::cerr << "wirewarp: note: " << plainText(note) << "\n";
   }
   if (!names.empty() && !result.unitStated)

@@ -45,6 +45,7 @@ struct PatternRequest
   std::vector<std::string> curveDartTips; ///< NAME=MM
   bool cutPairs = false;
   double fairTolerance = 0.2;
+  bool fairGiven = false;
   std::vector<std::string> curveFairs; ///< NAME=MM
   bool laserColours = false;
   double fabricWidth = 0.0; ///< 0: no lay
@@ -65,8 +66,9 @@ void addPatternOptions(CLI::App& app, PatternRequest& request);
 
 /// Adds pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg,
 /// lay.plt, nest.svg, rules.csv and pattern.rul to the files.
-/// Throws InputError where one cannot be drawn.
+/// Throws InputError where one cannot be drawn. What was done goes into the result, and is printed
+/// where it is news: not what was done unasked, and if quiet only what was asked for in vain.
 /// \return their names
 std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
-  const Flattening& result, OutputFiles& files);
+  bool quiet, Flattening& result, OutputFiles& files);
 }

@@ -48,7 +48,7 @@ bool DrawingSource::isFoldEdge(Index from, Index to) const
 double DrawingSource::fairToleranceAlong(Index from, Index to) const
 {
   return this->valueAlong(
-    from, to, this->options.fairToleranceOfCurve, this->options.fairTolerance);
+    from, to, this->options.fairToleranceOfCurve, this->options.fairToleranceOf(this->source));
 }
 
 Status findBorders(DrawingSource& all)

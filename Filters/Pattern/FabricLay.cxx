@@ -356,9 +356,9 @@ Status layOnFabric(const FabricOptions& options, Pattern& pattern)
     area += kind.area;
   }
   fabric.efficiency = area / (fabric.width * fabric.length);
-  laid.front().notes.push_back("the cloth: " + formatNumber(fabric.width, 1) + " mm x " +
+  laid.front().notes.push_back({ "the cloth: " + formatNumber(fabric.width, 1) + " mm x " +
     formatNumber(fabric.length, 0) + " mm for " + std::to_string(laid.size()) +
-    " pieces, of which " + formatNumber(100.0 * fabric.efficiency, 1) + " % is used");
+    " pieces, of which " + formatNumber(100.0 * fabric.efficiency, 1) + " % is used" });
   pattern.pieces = std::move(laid);
   pattern.fabric = std::move(fabric);
   return {};

@@ -38,7 +38,8 @@ bool FairCache::same(const Cause& cause, const DrawingSource& all)
 {
   const PatternSource& one = cause.source;
   const PatternSource& other = all.source;
-  return cause.unit == all.options.unit && cause.tolerance == all.options.fairTolerance &&
+  return cause.unit == all.options.unit &&
+    cause.tolerance == all.options.fairToleranceOf(all.source) &&
     cause.toleranceOfCurve == all.options.fairToleranceOfCurve &&
     one.positions == other.positions && one.inSpace == other.inSpace &&
     one.triangles == other.triangles && one.pieceOfTriangle == other.pieceOfTriangle &&
@@ -51,7 +52,7 @@ std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
   if (!this->Borders || !same(this->Last, all))
   {
     this->Borders = std::make_shared<const FairBorders>(all);
-    this->Last = { all.source, all.options.unit, all.options.fairTolerance,
+    this->Last = { all.source, all.options.unit, all.options.fairToleranceOf(all.source),
       all.options.fairToleranceOfCurve, all.notches };
   }
   return this->Borders;
@@ -60,7 +61,7 @@ std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
 std::shared_ptr<const FairBorders> drawFair(DrawingSource& all, FairCache* cache)
 {
   std::shared_ptr<const FairBorders> fair;
-  if (all.options.isFair())
+  if (all.options.isFair(all.source))
   {
     fair = cache ? cache->of(all) : std::make_shared<const FairBorders>(all);
     all.fair = fair.get();

@@ -13,7 +13,8 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
   if (!report.solved)
   {
     piece.notes.push_back(
-      of + "no smooth borders of these lengths were found; they are drawn as the mesh has them");
+      { of + "no smooth borders of these lengths were found; they are drawn as the mesh has them",
+        NoteKind::NotSmoothed });
     return;
   }
   std::string note = of + std::to_string(report.splines) + " curves and " +
@@ -39,7 +40,7 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
   {
     note += "; " + std::to_string(report.straightened) + " nearly straight stretches made straight";
   }
-  piece.notes.push_back(note);
+  piece.notes.push_back({ note, report.share == 0.0 ? NoteKind::NotSmoothed : NoteKind::Smoothed });
   if (!report.left.empty())
   {
     std::string names;
@@ -47,9 +48,10 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
     {
       names += (names.empty() ? "" : ", ") + name;
     }
-    piece.notes.push_back(of + "not smooth within " + formatNumber(report.wantedOfWorst, 3) +
-      " mm, but " + formatNumber(report.worstLeft, 2) +
-      " mm off, and so left as the mesh has them, are corners or stretches of " + names);
+    piece.notes.push_back({ of + "not smooth within " + formatNumber(report.wantedOfWorst, 3) +
+        " mm, but " + formatNumber(report.worstLeft, 2) +
+        " mm off, and so left as the mesh has them, are corners or stretches of " + names,
+      NoteKind::LeftRough });
   }
 }
 }

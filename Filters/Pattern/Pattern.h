@@ -82,6 +82,21 @@ struct PatternText
   std::string text;    ///< valid UTF-8 without control characters
 };
 
+enum class NoteKind
+{
+  Drawn,       ///< as it was asked for, or what is of it
+  Smoothed,    ///< lines were made smooth
+  LeftRough,   ///< some lines could not be
+  NotSmoothed, ///< nothing of a piece could be
+};
+
+/// What was done to a piece that who cuts may want to know.
+struct PatternNote
+{
+  std::string text;
+  NoteKind kind = NoteKind::Drawn;
+};
+
 /// One piece of cloth; the lower left corner of its bounding box is the origin.
 struct PatternPiece
 {
@@ -95,7 +110,7 @@ struct PatternPiece
   Points2 drillHoles;
   std::vector<GradePoint> gradePoints;
   Grainline grain;
-  std::vector<std::string> notes;    ///< what was done that who cuts may want to know
+  std::vector<PatternNote> notes;
   std::vector<std::string> warnings; ///< what is drawn otherwise than may be expected
   std::vector<PatternText> texts;
   Point2 extent = Point2::Zero();

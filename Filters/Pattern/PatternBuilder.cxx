@@ -238,13 +238,14 @@ Status buildPattern(
     status = drawPiece(all, p, marks, fold, piece);
     if (fold && !fold->isBorder)
     {
-      piece.notes.push_back("piece " + piece.name + ": a half, to be cut on the fold; the halves " +
-        "differed by " + formatNumber(fold->axis.miss, 2) + " mm");
+      piece.notes.push_back(
+        { "piece " + piece.name + ": a half, to be cut on the fold; the halves " + "differed by " +
+          formatNumber(fold->axis.miss, 2) + " mm" });
     }
     else if (!fold && options.cutOnFold && !options.oneLayer)
     {
-      piece.notes.push_back("piece " + piece.name + ": not symmetric to " +
-        formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole");
+      piece.notes.push_back({ "piece " + piece.name + ": not symmetric to " +
+        formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole" });
     }
     if (fair)
     {

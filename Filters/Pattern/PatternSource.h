@@ -112,8 +112,9 @@ struct PatternOptions
   bool notchCurveEnds = false;         ///< notches where curves meet the border
   double notchLength = 5.0;
   DartStyle darts = DartStyle::Folded;
-  double fairTolerance =
-    0.0; ///< of smooth borders and curves from the flat pieces; 0: as these are
+  /// Of smooth borders and curves from the flat pieces, but panels, which are smooth; 0: as these
+  /// are.
+  double fairTolerance = 0.0;
   std::map<std::string, double> fairToleranceOfCurve; ///< by curve name; "boundary" for the rest
   double dartTip = 0.0;                         ///< how far tips of folded darts are drawn back
   std::map<std::string, double> dartTipOfCurve; ///< by name of the dart
@@ -123,10 +124,15 @@ struct PatternOptions
   bool pairs =
     false; ///< of two pieces that are mirror images draw the first alone, to be cut twice
 
-  /// Whether any line is to be smooth.
-  bool isFair() const
+  /// What is common to lines of a source that have no tolerance of their own.
+  double fairToleranceOf(const PatternSource& source) const
   {
-    return this->fairTolerance > 0.0 ||
+    return source.panels.edges.empty() ? this->fairTolerance : 0.0;
+  }
+  /// Whether any line is to be smooth.
+  bool isFair(const PatternSource& source) const
+  {
+    return this->fairToleranceOf(source) > 0.0 ||
       std::any_of(this->fairToleranceOfCurve.begin(), this->fairToleranceOfCurve.end(),
         [](const auto& ofCurve) { return ofCurve.second > 0.0; });
   }

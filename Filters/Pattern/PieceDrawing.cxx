@@ -249,9 +249,9 @@ private:
     }
     if (placement.back() > 0.0)
     {
-      this->Drawing.notes.push_back("piece " + this->Drawing.name + ": the tip of " + dart.name +
+      this->Drawing.notes.push_back({ "piece " + this->Drawing.name + ": the tip of " + dart.name +
         " is drawn back by " + formatNumber(placement.back(), 1) + " mm, of a depth of " +
-        formatNumber(placement.depth(), 1) + " mm");
+        formatNumber(placement.depth(), 1) + " mm" });
     }
     const double miss = foldMiss(legs);
     if (miss > worthSaying)
@@ -266,8 +266,8 @@ private:
   {
     if (!this->Misses.empty())
     {
-      this->Drawing.notes.push_back("piece " + this->Drawing.name + ": folded, " + this->Misses +
-        "; legs that are straight or mirrored do not");
+      this->Drawing.notes.push_back({ "piece " + this->Drawing.name + ": folded, " + this->Misses +
+        "; legs that are straight or mirrored do not" });
     }
   }
 

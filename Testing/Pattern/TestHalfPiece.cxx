@@ -135,5 +135,5 @@ TEST(HalfPiece, APieceThatIsNotSymmetricIsDrawnWholeAndSaysSo)
   const PatternPiece piece = drawn(trapezium(5.0));
   EXPECT_EQ(lineOf(piece, LineKind::Fold), nullptr);
   ASSERT_EQ(piece.notes.size(), 1U);
-  EXPECT_NE(piece.notes[0].find("not symmetric"), std::string::npos);
+  EXPECT_NE(piece.notes[0].text.find("not symmetric"), std::string::npos);
 }

@@ -6,6 +6,7 @@ import copy
 import json
 import math
 import os
+import re
 import unittest
 
 import numpy as np
@@ -100,12 +101,25 @@ class Reading(pattern.PatternTest):
                 garment = sf.read_garmentcode(self.path("out", "pattern.json"))
                 self.assertEqual(self.again(garment), self.content("pattern.json"))
 
-    def test_smooth_panels_are_drawn_smooth_again(self):
-        self.make("tshirt", "--garmentcode", "--fair", "0.2")
-        garment = sf.read_garmentcode(self.path("out", "pattern.json"))
-        for tolerance in (0.2, 1.0):
-            garment.write_pattern(self.path("again.svg"), fair=tolerance)
-            self.assertGreater(os.path.getsize(self.path("again.svg")), 10_000)
+    def drawn(self, garment, **options):
+        """The sew lines of its SVG, as their paths say."""
+        garment.write_pattern(self.path("again.svg"), **options)
+        root = pattern.svg_root(self.path("again.svg"))
+        return [element.get("d") for _, element in pattern.svg_elements(root, "sew-line")]
+
+    def test_panels_keep_their_chords_unless_smoothness_is_asked_for(self):
+        garment = self.read(SKIRT)
+        usual = self.drawn(garment)
+        self.assertEqual(usual, self.drawn(garment, fair=0.0))
+        self.assertFalse(any("C" in path for path in usual))
+        corners = sum(len(re.findall("[ML]", path)) for path in usual)
+        self.assertGreater(corners, len(garment.positions) // 2)
+        smooth = self.drawn(garment, fair=0.2)
+        self.assertTrue(any("C" in path for path in smooth))
+        self.assertLess(4 * sum(len(re.findall("[MLC]", path)) for path in smooth), corners)
+        hem = self.drawn(garment, curve_fairs={"hem": 0.2})
+        self.assertEqual(sum("C" in path for path in hem), 1)
+        self.assertEqual(hem, self.drawn(garment, fair=0.0, curve_fairs={"hem": 0.2}))
 
     def test_seams_and_darts_that_were_written_are_read_with_their_names_and_lengths(self):
         for piece in ("tshirt", "shirt_front"):

@@ -3,6 +3,7 @@
 
 import csv
 import io
+import os
 import re
 import unittest
 
@@ -11,24 +12,6 @@ import numpy as np
 import pattern_files as pattern
 
 TOLERANCE = 1.0  # the meshes of Data have chords of 20 mm
-
-
-def curves_of(element):
-    """Bezier curves of a path of M, L, C and Z with absolute coordinates."""
-    curves, at, first = [], None, None
-    for letter, numbers in re.findall(r"([MLCZ])([^MLCZ]*)", element.get("d")):
-        points = np.array([float(word) for word in numbers.replace(",", " ").split()]).reshape(-1, 2)
-        if letter == "M":
-            at = first = points[0]
-        elif letter == "C":
-            curves.append(np.array([at, *points]))
-            at = points[-1]
-        else:
-            end = first if letter == "Z" else points[0]
-            if np.linalg.norm(end - at) > 0:
-                curves.append(np.array([at, at + (end - at) / 3, end - (end - at) / 3, end]))
-            at = end
-    return curves
 
 
 def place_at(curves, length):
@@ -74,7 +57,7 @@ class Fair(pattern.PatternTest):
                 _, paths = self.paths()
                 self.assertEqual(len(paths), len(wires))
                 wanted = sorted(sum(wire.edges) for wire in wires)
-                found = sorted(sum(map(pattern.bezier_length, curves_of(element))) for _, element in paths)
+                found = sorted(sum(map(pattern.bezier_length, pattern.curves_of(element))) for _, element in paths)
                 for a, b in zip(found, wanted):
                     self.assertLess(abs(a - b), 1e-6)
                 self.assertTrue(any("C" in element.get("d") for _, element in paths))
@@ -91,7 +74,7 @@ class Fair(pattern.PatternTest):
             beside = []
             for number, element in paths:
                 if number == piece and element.get("data-curve") == name:
-                    off = place_at(curves_of(element), arc) - start
+                    off = place_at(pattern.curves_of(element), arc) - start
                     beside.append(abs(way[0] * off[1] - way[1] * off[0]))
                     checked += 1
             self.assertLess(min(beside), 1e-5, (name, arc))
@@ -138,24 +121,46 @@ class Fair(pattern.PatternTest):
     def test_unless_another_distance_is_asked_for_a_pattern_is_smooth_within_a_fifth_of_a_millimetre(self):
         for piece in ("tshirt", "quarter_sphere"):
             run = self.make(piece, "--svg", "--dxf")
+            self.assertNotIn("wirewarp: note", run.stderr)
             usual = self.content("pattern.svg"), self.content("pattern.dxf")
             found = re.findall(r"at most ([\d.]+) mm from their points, with 95 % of the area strained by no more "
-                               r"than ([\d.]+) % \(([\d.]+) % before\)", run.stderr)
+                               r"than ([\d.]+) % \(([\d.]+) % before\)", "\n".join(self.notes()))
             self.assertTrue(found)
             for deviation, strain, before in found:
                 self.assertLessEqual(float(deviation), 0.2)
                 self.assertLessEqual(float(strain) - float(before), 0.3 + 0.01)  # of two digits each
             self.make(piece, "--svg", "--dxf", "--fair", "0.2")
             self.assertEqual((self.content("pattern.svg"), self.content("pattern.dxf")), usual)
-            run = self.make_raw(piece, "--svg", "--dxf")
+            self.make_raw(piece, "--svg", "--dxf")
             self.assertNotIn(b"C", b"".join(re.findall(rb' d="([^"]*)"', self.content("pattern.svg"))))
-            self.assertNotIn("curves and", run.stderr)
+            self.assertFalse([note for note in self.notes() if "curves and" in note])
 
     def test_what_was_done_is_said_and_what_could_not_be_is_named(self):
-        run = self.make("tshirt", "--svg", "--fair", "0.001")
-        notes = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: note: ")]
-        self.assertTrue(any("curves and" in note and "strained" in note for note in notes), notes)
-        self.assertTrue(any("left as the mesh has them" in note for note in notes), notes)
+        def printed(*options):
+            arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
+            run = self.run_command(*arguments, "--unit", "cm", "--output", "out", "--svg", *options)
+            self.assertIn(run.returncode, (0, 4), run.stderr)
+            mark = "wirewarp: note: "
+            return [line[len(mark):] for line in run.stderr.splitlines() if line.startswith(mark)]
+
+        def done(note):
+            return "curves and" in note and "strained" in note
+
+        def left(note):
+            return "left as the mesh has them" in note
+
+        for asked in (("--fair", "0.001"), ("--curve-fair", "boundary=0.001")):
+            notes = printed(*asked)
+            self.assertTrue(any(map(done, notes)), notes)
+            self.assertEqual(notes, self.notes())
+        self.assertTrue(any(map(left, printed("--fair", "0.001"))))
+        quiet = printed("--fair", "0.001", "--quiet")
+        self.assertEqual(quiet, list(filter(left, self.notes())))
+        self.assertTrue(any(map(done, self.notes())))
+        # Unasked there is no news, but in the report.
+        notes = printed()
+        self.assertFalse(any(done(note) or left(note) for note in notes), notes)
+        self.assertTrue(any(map(done, self.notes())) and any(map(left, self.notes())))
 
 
 if __name__ == "__main__":

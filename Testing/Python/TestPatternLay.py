@@ -45,7 +45,7 @@ class Lay(pattern.PatternTest):
                 for at, _, points, _ in pattern.svg_paths(root, "cut-line")], root
 
     def lay(self, width, *options, copies=None):
-        run = self.make("tshirt", "--svg", "--fabric-width", str(width), *options)
+        self.make("tshirt", "--svg", "--fabric-width", str(width), *options)
         laid, root = self.outlines("lay.svg")
         flat = dict(self.outlines("pattern.svg")[0])
         counts = {}
@@ -67,8 +67,9 @@ class Lay(pattern.PatternTest):
             for _, other in laid[:k]:
                 self.assertGreaterEqual(distance(ring, other), 5.0 - 0.02)
         used = sum(abs(area(ring)) for _, ring in laid) / (width * box["height"])
-        told = re.search(r"cloth: ([\d.]+) mm x (\d+) mm for (\d+) pieces, of which ([\d.]+) % is used", run.stderr)
-        self.assertIsNotNone(told, run.stderr)
+        told = re.search(r"cloth: ([\d.]+) mm x (\d+) mm for (\d+) pieces, of which ([\d.]+) % is used",
+                         "\n".join(self.notes()))
+        self.assertIsNotNone(told, self.notes())
         self.assertEqual(float(told[1]), width)
         self.assertAlmostEqual(float(told[2]), box["height"], delta=0.5)
         self.assertEqual(int(told[3]), len(laid))

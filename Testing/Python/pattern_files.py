@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of patterns share: the lengths that the files must have, and readers that did not write them."""
 
+import json
 import math
 import os
 import re
@@ -61,6 +62,10 @@ class PatternTest(unittest.TestCase):
         )
         self.assertIn(run.returncode, (0, 4), run.stderr)
         return run
+
+    def notes(self):
+        """What report.json says of the pieces of the pattern."""
+        return json.loads(self.content("report.json"))["pattern_notes"]
 
     def make_raw(self, piece, *options, **more):
         """The same with an edge of the pattern for each edge of the mesh."""
@@ -146,15 +151,33 @@ def path_points(element):
     return points, closed
 
 
+def curves_of(element):
+    """Bezier curves of a path of M, L, C and Z with absolute coordinates."""
+    curves, at, first = [], None, None
+    for letter, numbers in re.findall(r"([MLCZ])([^MLCZ]*)", element.get("d")):
+        points = np.array([float(word) for word in numbers.replace(",", " ").split()]).reshape(-1, 2)
+        if letter == "M":
+            at = first = points[0]
+        elif letter == "C":
+            curves.append(np.array([at, *points]))
+            at = points[-1]
+        else:
+            end = first if letter == "Z" else points[0]
+            if np.linalg.norm(end - at) > 0:
+                curves.append(np.array([at, at + (end - at) / 3, end - (end - at) / 3, end]))
+            at = end
+    return curves
+
+
+def svg_elements(root, kind):
+    """(piece, element) of all paths of one class."""
+    return [(number, element) for number, group in enumerate(pieces_of(root)) for layer in group.findall(SVG + "g")
+            if layer.get("class") == kind for element in layer.findall(SVG + "path")]
+
+
 def svg_paths(root, kind):
-    """(piece, element, points, closed) of all paths of one class."""
-    result = []
-    for number, group in enumerate(pieces_of(root)):
-        for layer in group.findall(SVG + "g"):
-            if layer.get("class") == kind:
-                for element in layer.findall(SVG + "path"):
-                    result.append((number, element, *path_points(element)))
-    return result
+    """(piece, element, points, closed) of all paths of one class, of straight lines."""
+    return [(number, element, *path_points(element)) for number, element in svg_elements(root, kind)]
 
 
 def pieces_of(root):

@@ -96,7 +96,8 @@ class GarmentPattern:
 
         Args:
             path: as for :meth:`Flattening.write_pattern`.
-            options: those of :meth:`Flattening.write_pattern` but unit, which is cm.
+            options: those of :meth:`Flattening.write_pattern` but unit, which is cm. Unless fair is given,
+                borders are drawn by the chords of the panels' edges, at most 0.02 mm beside them.
 
         Raises:
             TypeError: there is no such option.
@@ -111,6 +112,11 @@ class GarmentPattern:
         for name in options:
             if name not in known:
                 raise TypeError(f"write_pattern() has no option {name!r}; there are {', '.join(known)}")
+        if "fair" in options:
+            # Panels are made smooth curve by curve.
+            names = {wire.name for wire in self.wires} | {"boundary"}
+            options["curve_fairs"] = {**dict.fromkeys(sorted(names), options["fair"]),
+                                      **(options.get("curve_fairs") or {})}
         write_parts(self._parts, os.fspath(path), {**known, **options, "unit": "cm"}, stacklevel=3)
 
 
