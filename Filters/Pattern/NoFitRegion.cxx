@@ -114,7 +114,7 @@ std::size_t NoFitRegion::addShape(const Points2& polygon, double gap)
   shape.width = stepsOf(box.high.x(), true);
   shape.height = units(box.high.y());
   Path path;
-  for (const Point2& p : thinned(polygon, thinning))
+  for (const Point2& p : simplified(polygon, thinning))
   {
     path.emplace_back(units(p.x()), units(p.y()));
   }

@@ -164,5 +164,33 @@ Points2 thinned(const Points2& polygon, double distance)
   }
   return result;
 }
+
+Points2 simplified(const Points2& polygon, double distance)
+{
+  const std::size_t count = polygon.size();
+  const auto skips = [&](std::size_t first, std::size_t last) {
+    const Segments chord{ { polygon[first], polygon[last % count] } };
+    for (std::size_t k = first + 1; k < last; ++k)
+    {
+      if (pattern::distance(polygon[k], chord) > distance)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  Points2 result;
+  for (std::size_t k = 0; k < count;)
+  {
+    result.push_back(polygon[k]);
+    std::size_t next = k + 1;
+    while (next < count && skips(k, next + 1))
+    {
+      ++next;
+    }
+    k = next;
+  }
+  return result.size() < 3 ? polygon : result;
+}
 }
 }

@@ -37,6 +37,10 @@ Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& c
 /// distance (D. H. Douglas, T. K. Peucker, Cartographica 10(2), 1973).
 Points2 thinned(const Points2& polygon, double distance);
 
+/// The same with still fewer points on rounds, each as far from the one before as the distance
+/// allows; sharp corners need not be among them.
+Points2 simplified(const Points2& polygon, double distance);
+
 struct Box
 {
   Point2 low{ Point2::Constant(1e300) };
