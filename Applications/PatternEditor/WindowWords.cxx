@@ -4,6 +4,7 @@
 #include "RemedyPhrases.h"
 
 #include <vtkFlatteningAlgorithm.h>
+#include <vtkNew.h>
 #include <vtkPatternWriter.h>
 
 namespace editor
@@ -68,15 +69,22 @@ std::string messageOf(const vtkPatternWriter* writer)
 }
 
 //------------------------------------------------------------------------------
-std::string savedWords(const std::string& path, const vtkPatternWriter* writer)
+std::string savedWords(const std::string& path, vtkPatternWriter* writer)
 {
   std::string words = "saved " + path;
   for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
   {
     words += "; " + std::string(writer->GetWarning(k));
   }
+  // All patterns are smooth unless another tolerance is chosen.
+  const bool usual = writer->GetFairTolerance() == vtkNew<vtkPatternWriter>()->GetFairTolerance();
   for (int k = 0; k < writer->GetNumberOfNotes(); ++k)
   {
+    const int kind = writer->GetNoteKind(k);
+    if (usual && (kind == vtkPatternWriter::SMOOTHED || kind == vtkPatternWriter::LEFT_ROUGH))
+    {
+      continue;
+    }
     words += "; " + std::string(writer->GetNote(k));
   }
   return words;

@@ -16,5 +16,5 @@ std::string remedyWords(const std::string& name);
 std::string messageOf(const vtkFlatteningAlgorithm* filter);
 std::string messageOf(const vtkPatternWriter* writer);
 /// That a pattern is written, and what the writer has to say of it.
-std::string savedWords(const std::string& path, const vtkPatternWriter* writer);
+std::string savedWords(const std::string& path, vtkPatternWriter* writer);
 }

@@ -39,6 +39,7 @@ flattening::pattern::Segments sidesOf(const Points2& polygon)
   return sides;
 }
 }
+
 TEST(NoFitRegion, NoShapeSticksOutOfTheClothForBeingRounded)
 {
   if (!NoFitRegion::available())
