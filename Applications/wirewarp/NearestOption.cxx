@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace wirewarp
@@ -28,6 +29,20 @@ std::size_t lettersApart(const std::string& one, const std::string& other)
   }
   return row.back();
 }
+
+/// What follows the dashes of an argument, in small letters; empty where it is none of an option.
+std::string optionWord(const std::string& argument)
+{
+  const std::size_t start = argument.find_first_not_of('-');
+  if (start == 0 || start == std::string::npos)
+  {
+    return {};
+  }
+  std::string word = argument.substr(start, argument.find('=') - start);
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -35,11 +50,11 @@ std::string nearestOption(const CLI::App& app, const std::vector<std::string>& u
 {
   for (const std::string& argument : unknown)
   {
-    if (argument.rfind("--", 0) != 0)
+    const std::string word = optionWord(argument);
+    if (word.size() < 2)
     {
       continue;
     }
-    const std::string word = argument.substr(2, argument.find('=') - 2);
     std::string nearest;
     // A third of the letters may be wrong.
     std::size_t fewest = word.size() / 3 + 1;

@@ -65,9 +65,8 @@ void addPictureOptions(CLI::App& app, PictureRequest& request)
       "Write a picture: the cut surface and its flat pieces. Needs an X server (xvfb-run -a)")
     ->check(CLI::Validator(
       [](std::string& text) {
-        return std::filesystem::path(text).extension() == ".png"
-          ? std::string()
-          : inQuotes(text) + " does not end in .png";
+        return lowerCaseExtension(text) == ".png" ? std::string()
+                                                  : inQuotes(text) + " does not end in .png";
       },
       "FILE.png"))
     ->group(group);

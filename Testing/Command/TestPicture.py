@@ -53,8 +53,8 @@ class Picture(CommandTest):
                 self.assertGreater((picture != other).any(axis=2).mean(), 0.1)
 
     def test_its_folder_is_made_and_nothing_else_is_left_there(self):
-        self.draw(os.path.join("a folder", "shirt.png"))
-        self.assertEqual(os.listdir(self.path("a folder")), ["shirt.png"])
+        self.draw(os.path.join("a folder", "shirt.PNG"))
+        self.assertEqual(os.listdir(self.path("a folder")), ["shirt.PNG"])
 
     def test_without_an_x_server_it_is_drawn_otherwise_or_refused_before_anything_is_written(self):
         for display in (None, "", ":65000"):

@@ -33,7 +33,8 @@ class Usage(command.CommandTest):
 
     def test_an_option_that_is_nearly_written_is_proposed_and_no_other(self):
         for written, meant in (("--sheme", "--scheme"), ("--materail=denim", "--material"),
-                               ("--no-relaese-trials", "--no-release-trials"), ("--fairness", None)):
+                               ("--no-relaese-trials", "--no-release-trials"), ("--fairness", None),
+                               ("--SVG", "--svg"), ("-svg", "--svg"), ("--Close_Cuts", "--close-cuts"), ("-x", None)):
             with self.subTest(written):
                 said = self.assert_usage_error("a.obj", written)
                 self.assertEqual(said.partition("; is ")[2], f"{meant} meant?" if meant else "")
