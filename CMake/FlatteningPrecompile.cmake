@@ -1,6 +1,7 @@
 # flattening_precompile(<target> <part>...): the target reads headers of others, which most of a source's compile
 # time goes into, once for all its sources. Sources include what they use all the same, which is a test of
-# Testing/Lint.
+# Testing/Lint. flattening_precompile_as(<target> <other>): the same headers as another target's, which is compiled with
+# the same flags and defines no macro that this one does not, read once for both.
 set(flattening_precompiled_std
   <algorithm> <array> <cmath> <complex> <cstddef> <cstdint> <functional> <limits> <map> <memory> <numeric>
   <optional> <queue> <set> <string> <string_view> <tuple> <unordered_map> <utility> <vector>)
@@ -18,4 +19,10 @@ function (flattening_precompile target)
   foreach (part IN LISTS ARGN)
     target_precompile_headers("${target}" PRIVATE ${flattening_precompiled_${part}})
   endforeach ()
+endfunction ()
+
+function (flattening_precompile_as target other)
+  if (SURFACEFLATTENING_PRECOMPILE_HEADERS)
+    target_precompile_headers("${target}" REUSE_FROM "${other}")
+  endif ()
 endfunction ()

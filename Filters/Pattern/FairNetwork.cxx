@@ -3,9 +3,9 @@
 
 #include "Base/Planar.h"
 #include "CurveLength.h"
+#include "Sparse/LeastNorm.h"
 #include "StretchCurve.h"
 
-#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -263,8 +263,7 @@ private:
   {
     const Vector free = this->Factor.solve(pull);
     const Matrix spread = this->Factor.solve(Matrix(rows.transpose()));
-    return free +
-      spread * (rows * spread).completeOrthogonalDecomposition().solve(missing - rows * free);
+    return free + spread * leastNormSolution(rows * spread, missing - rows * free);
   }
 
   /// Rows of the constraints and what is missing to them.

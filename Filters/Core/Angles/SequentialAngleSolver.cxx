@@ -88,7 +88,9 @@ Step loopStep(const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& gradi
   const Eigen::VectorXd& residual)
 {
   const Eigen::MatrixXd normal = Eigen::MatrixXd(H * H.transpose());
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(normal, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  // A square matrix needs no QR decomposition first.
+  Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(
+    normal, Eigen::ComputeFullU | Eigen::ComputeFullV);
   svd.setThreshold(1e-12);
   const Eigen::VectorXd multipliers = svd.solve(residual - H * gradient);
   return { -gradient - H.transpose() * multipliers, multipliers };

@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace flattening
 {
 template <int N>
@@ -17,7 +19,26 @@ Eigen::Matrix<double, N, N> withoutNegativeEigenvalues(const Eigen::Matrix<doubl
   return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-template Eigen::Matrix2d withoutNegativeEigenvalues<2>(const Eigen::Matrix2d& matrix);
+Eigen::Matrix2d withoutNegativeEigenvalues(const Eigen::Matrix2d& matrix)
+{
+  const double mean = 0.5 * (matrix(0, 0) + matrix(1, 1));
+  const double half = 0.5 * (matrix(0, 0) - matrix(1, 1));
+  const double radius = std::hypot(half, matrix(0, 1));
+  if (mean >= radius)
+  {
+    return matrix;
+  }
+  if (mean <= -radius)
+  {
+    return Eigen::Matrix2d::Zero();
+  }
+  const double cosine = half / radius;
+  const double sine = matrix(0, 1) / radius;
+  Eigen::Matrix2d projector;
+  projector << 1.0 + cosine, sine, sine, 1.0 - cosine;
+  return 0.5 * (mean + radius) * projector;
+}
+
 template Eigen::Matrix3d withoutNegativeEigenvalues<3>(const Eigen::Matrix3d& matrix);
 template Eigen::Matrix4d withoutNegativeEigenvalues<4>(const Eigen::Matrix4d& matrix);
 }

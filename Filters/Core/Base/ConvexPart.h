@@ -6,11 +6,12 @@
 namespace flattening
 {
 /// The nearest positive semidefinite matrix to a symmetric one: the same where it has no negative
-/// eigenvalue, otherwise with zeros in their place. N is 2, 3 or 4.
+/// eigenvalue, otherwise with zeros in their place. N is 3 or 4.
 template <int N>
 Eigen::Matrix<double, N, N> withoutNegativeEigenvalues(const Eigen::Matrix<double, N, N>& matrix);
 
-extern template Eigen::Matrix2d withoutNegativeEigenvalues<2>(const Eigen::Matrix2d& matrix);
+Eigen::Matrix2d withoutNegativeEigenvalues(const Eigen::Matrix2d& matrix);
+
 extern template Eigen::Matrix3d withoutNegativeEigenvalues<3>(const Eigen::Matrix3d& matrix);
 extern template Eigen::Matrix4d withoutNegativeEigenvalues<4>(const Eigen::Matrix4d& matrix);
 }

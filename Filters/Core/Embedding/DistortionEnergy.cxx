@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/DistortionEnergy.h"
 
+#include "Base/ConvexPart.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,27 +43,6 @@ DistortionEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, b
     stiffArea * (along * along.transpose() + turning * (across * across.transpose()));
   result.hessian.bottomRightCorner<2, 2>() = stiffAngle * Eigen::Matrix2d::Identity();
   return result;
-}
-
-/// The nearest positive semidefinite matrix to a symmetric one.
-Eigen::Matrix2d withoutNegativeEigenvalues(const Eigen::Matrix2d& matrix)
-{
-  const double mean = 0.5 * (matrix(0, 0) + matrix(1, 1));
-  const double half = 0.5 * (matrix(0, 0) - matrix(1, 1));
-  const double radius = std::hypot(half, matrix(0, 1));
-  if (mean >= radius)
-  {
-    return matrix;
-  }
-  if (mean <= -radius)
-  {
-    return Eigen::Matrix2d::Zero();
-  }
-  const double cosine = half / radius;
-  const double sine = matrix(0, 1) / radius;
-  Eigen::Matrix2d projector;
-  projector << 1.0 + cosine, sine, sine, 1.0 - cosine;
-  return 0.5 * (mean + radius) * projector;
 }
 
 /// |J|^2 (1 + 1 / det^2) - 4 as a sum of squares, since it is nearly zero where little is deformed.

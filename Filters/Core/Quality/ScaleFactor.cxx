@@ -6,6 +6,7 @@
 #include "Surface/VertexFan.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -311,7 +312,7 @@ CutForecast ScaleFactor::forecast(const Indices& path, bool inside) const
     conditions.col(1) = Eigen::Map<const Eigen::VectorXd>(forecast.arc.data(), count) / arc;
     const Eigen::MatrixXd spread = factor.solve(conditions);
     const Eigen::Matrix2d normal = conditions.transpose() * spread;
-    swallowed -= spread * normal.ldlt().solve(conditions.transpose() * swallowed);
+    swallowed -= spread * (normal.inverse() * (conditions.transpose() * swallowed));
   }
   Eigen::VectorXd change = Eigen::VectorXd::Zero(this->SiteValue.size());
   for (Index j = 0; j < count; ++j)

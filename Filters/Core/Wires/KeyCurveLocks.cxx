@@ -2,9 +2,8 @@
 #include "Wires/KeyCurveLocks.h"
 
 #include "Base/Planar.h"
+#include "Sparse/LeastNorm.h"
 #include "Wires/DartBanks.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +47,7 @@ void meetSums(const Indices& nodes, const std::vector<SideSum>& sums, std::vecto
       }
     }
   }
-  const Eigen::VectorXd x = A.completeOrthogonalDecomposition().solve(b);
+  const Eigen::VectorXd x = leastNormSolution(A, b);
   for (Eigen::Index c = 0; c < n; ++c)
   {
     angle[nodes[c]] += std::sqrt(weight(angle[nodes[c]])) * x[c];
