@@ -84,6 +84,10 @@ def main():
     options, _ = parser.parse_known_args()  # in the window the arguments are ParaView's own
     if options.plugin:
         pv.LoadPlugin(options.plugin, remote=False)
+    if not hasattr(pv, "WireWarping"):
+        raise RuntimeError(
+            "ParaView has not loaded the plugin SurfaceFlattening: start by build-paraview/bin/paraview or pvpython or "
+            "by `surfaceflattening-paraview`, or name the plugin's file with --plugin")
     layout = show_figure()
     if options.png:
         layout.SetSize(1200, 1000)

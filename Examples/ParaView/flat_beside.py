@@ -92,6 +92,9 @@ def show_legend(display, view):
 
 def show_beside(flattening):
     """Splits the active view: the cut surface stays, the flat pieces get the right half."""
+    if not hasattr(pv, "WireWarping"):
+        raise RuntimeError("ParaView has not loaded the plugin SurfaceFlattening: start it by "
+                           "build-paraview/bin/paraview or surfaceflattening-paraview, or Tools > Manage Plugins")
     if flattening is None or flattening.GetXMLName() not in ("WireWarping", "LeastSquaresConformalMap"):
         raise RuntimeError("select a Wire Warping filter first")
     space = pv.GetActiveViewOrCreate("RenderView")

@@ -181,6 +181,11 @@ def main():
     options = parser.parse_args()
     if options.plugin:
         pv.LoadPlugin(options.plugin, remote=True)
+    if not hasattr(pv, "WireWarping"):
+        parser.error("ParaView has not loaded the plugin SurfaceFlattening: start by build-paraview/bin/pvbatch or "
+                     "`surfaceflattening-paraview pvbatch`, or name the plugin's file with --plugin")
+    if not os.path.isfile(options.collection):
+        parser.error(f"no file {options.collection}")
     collection = Collection(options)
     count = len(collection.pieces)
     portions = [(first, min(first + options.portion, count))

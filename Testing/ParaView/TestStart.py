@@ -2,6 +2,7 @@
 """The scripts that build-paraview-plugin names start ParaView's Python with the plugin, from anywhere."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -28,6 +29,49 @@ class Start(unittest.TestCase):
                                      capture_output=True, text=True, check=False)
                 self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
                 self.assertIn("made WireWarping", run.stdout)
+
+    def run_without_plugin(self, program, *words, folder=None):
+        """What ParaView's own Python says, started as if there were no plugin."""
+        environment = {name: value for name, value in os.environ.items() if name != "PV_PLUGIN_CONFIG_FILE"}
+        paths = [os.environ["PARAVIEW_PYTHONPATH"], *([folder] if folder else [])]
+        run = subprocess.run([program, *words], env={**environment, "PYTHONPATH": os.pathsep.join(paths)},
+                             capture_output=True, text=True, check=False)
+        self.assertGreater(run.returncode, 0, run.stdout + run.stderr)  # less than 0: a signal
+        return run.stderr
+
+    def test_examples_say_where_the_plugin_is_not_loaded(self):
+        examples = os.path.join(os.environ["FLATTENING_SOURCE"], "Examples", "ParaView")
+        for program, name, words in (("PVBATCH", "flatten_collection.py", ("a.vtm", "b.vtm")),
+                                     ("PVPYTHON", "figure9.py", ()), ("PVPYTHON", "flat_beside.py", ())):
+            with self.subTest(name):
+                said = self.run_without_plugin(os.environ[program], os.path.join(examples, name), *words)
+                self.assertIn("not loaded the plugin SurfaceFlattening", said)
+                self.assertIn("build-paraview/bin/", said)
+
+    def test_the_package_for_another_vtk_says_so_in_paraviews_python(self):
+        package = os.path.join(os.environ["FLATTENING_SOURCE"], "Wrapping", "Python", "surfaceflattening")
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, "surfaceflattening")
+            shutil.copytree(package, copy)
+            with open(os.path.join(copy, "_version.py"), "w", encoding="utf-8") as file:
+                file.write('__version__, BUILT_FOR, BUILT_WITH_VTK = "1", "Python 3 with VTK 8.90", "8.90.0"\n')
+            script = os.path.join(folder, "script.py")
+            with open(script, "w", encoding="utf-8") as file:
+                file.write("import surfaceflattening\n")
+            said = self.run_without_plugin(os.environ["PVPYTHON"], script, folder=folder)
+        self.assertIn("this is VTK 9.", said)
+        self.assertIn("paraview.simple", said)
+
+    def test_a_plugin_that_is_not_there_is_told(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            self.install(prefix)
+            for folder, _, files in os.walk(prefix):
+                if "SurfaceFlattening.so" in files:
+                    os.remove(os.path.join(folder, "SurfaceFlattening.so"))
+            run = subprocess.run([os.path.join(prefix, "bin", "surfaceflattening-paraview"), "pvpython", "-c", ""],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("there is no plugin", run.stderr)
 
     @staticmethod
     def install(prefix):

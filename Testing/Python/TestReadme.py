@@ -68,6 +68,14 @@ class Readme(unittest.TestCase):
         self.assertIn(sys.executable, said)
         self.assertIn("python3-vtk9", said)
 
+    def test_another_vtk_is_named_before_its_libraries_meet(self):
+        other = "import sys, types; names = types.ModuleType('surfaceflattening._version'); " \
+            "names.__version__ = names.BUILT_FOR = '1'; names.BUILT_WITH_VTK = '8.90.0'; " \
+            "sys.modules[names.__name__] = names; "
+        said = self.run_copy("nothing", other)
+        self.assertIn(f"this is VTK {vtkVersion.GetVTKVersion()}", said)
+        self.assertNotIn("ParaView", said)
+
     def test_what_it_says_of_results_works(self):
         names = {}
         with contextlib.redirect_stdout(io.StringIO()):

@@ -29,17 +29,25 @@ The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
 approach with length-preserved feature curves", Computer-Aided Design 40(3), 2008.
 """
 
-from ._version import BUILT_FOR, __version__
+from ._version import BUILT_FOR, BUILT_WITH_VTK, __version__
 
 try:
+    from vtkmodules.vtkCommonCore import vtkVersion as _vtk
+    # With the libraries of another VTK in one process Python would end without a word.
+    if _vtk.GetVTKVersion().split(".")[:2] != BUILT_WITH_VTK.split(".")[:2]:
+        raise ImportError(f"this is VTK {_vtk.GetVTKVersion()}")
     from .vtkFiltersFlattening import *  # noqa: F401,F403
 except ImportError as _error:
     import sys as _sys
+    _paraview = (
+        ". ParaView's Python has a VTK of its own: there its plugin's filters are those of paraview.simple, such as "
+        "WireWarping, where it was started by build-paraview/bin/pvpython or `surfaceflattening-paraview pvpython`"
+        if "paraview" in _sys.modules else "")
     raise ImportError(
         f"surfaceflattening cannot load its filters ({_error}). They are built for {BUILT_FOR} and need both: "
         f"start that Python, on Debian /usr/bin/python3 with the package python3-vtk9; this is "
         f"{_sys.executable} {_sys.version.split()[0]}. In a build folder the target surfaceflattening-python "
-        "makes them") from _error
+        f"makes them{_paraview}") from _error
 from ._calls import (
     flatten, flatten_polydata, make_flattenable, make_flattenable_polydata, price_keys, suggest, suggest_polydata)
 from ._curves import Curve, make_curves, make_surface
