@@ -42,6 +42,7 @@ SurfaceContents readSurface(const std::string& path)
   {
     return { readPly(path), nullptr };
   }
+  checkedFileSize(path); // a folder or a file that is not there has no format
   throw InputError(path,
     "a surface is read from .vtp, .vtk, .obj, .ply, .stl, .off, .gltf or .glb, not from " +
       (extension.empty() ? std::string("a file without extension") : inQuotes(extension)));

@@ -55,6 +55,8 @@ class Refusals(command.CommandTest):
     def test_folder_in_place_of_a_file(self):
         os.mkdir(self.path("folder.vtp"))
         self.refuse("folder.vtp", says=("folder.vtp", "folder"))
+        os.mkdir(self.path("pieces"))
+        self.refuse("pieces", says=("pieces", "this is a folder"))
 
     def test_empty_file_of_every_kind(self):
         for name in ("a.obj", "a.vtk", "a.vtp", "a.ply", "a.stl"):

@@ -168,6 +168,17 @@ class Arguments(unittest.TestCase):
         self.wrong(["key_shape", "straight"], points, triangles,
                    [sf.Curve([0, 1], key_shape="round")])
 
+    def test_capital_letters_of_words_do_not_matter_as_in_the_command(self):
+        points, triangles = grid()
+        small, large = (sf.flatten(points, triangles, scheme=scheme, interior=interior)
+                        for scheme, interior in (("global", "laplacian"), ("Global", "LAPLACIAN")))
+        self.assertEqual(small.positions.tolist(), large.positions.tolist())
+        self.wrong(["angle_weight", "isometric", "global"], points, triangles, scheme="Global", angle_weight=1.0)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.pdf")
+            large.write_pattern(path, unit="CM", paper="a3")
+            self.assertTrue(os.path.exists(path))
+
     def test_words_of_the_commands_text_files(self):
         points, triangles = grid()
         for word in ("straight", "Straight"):

@@ -313,7 +313,7 @@ class Patterns(unittest.TestCase):
         for kind, words, name, options in (
             (ValueError, [".svg, .pdf, .dxf"], "a.png", {}),
             (ValueError, ["unit", "'ft'", "mm, cm, m, inch"], "a.svg", {"unit": "ft"}),
-            (ValueError, ["paper", "'a4'"], "a.pdf", {"paper": "a4"}),
+            (ValueError, ["paper", "'A9'"], "a.pdf", {"paper": "A9"}),
             (ValueError, ["allowance", "-1", "0 to 1e+06"], "a.svg", {"allowance": -1}),
             (ValueError, ["quantity", "1"], "a.svg", {"quantity": 0}),
             (ValueError, ["no_such"], "a.svg", {"curve_allowances": {"no_such": 1.0}}),

@@ -9,13 +9,16 @@ import os
 import sys
 from numbers import Real
 from typing import (
-    Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, get_args,
-    get_type_hints)
+    Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, TypeVar,
+    get_args, get_type_hints)
 
 import numpy as np
 
 from ._types import CoincidentPoints, DartLegs, Energy, Interior, Options, Scheme, Solver
 from .vtkFiltersFlattening import vtkWireWarpingFilter
+
+
+Word = TypeVar("Word", bound=str)
 
 
 class _Option(NamedTuple):
@@ -105,11 +108,17 @@ def set_property(filter_: Any, option: str, property_: str, value: Any) -> None:
         raise ValueError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
 
 
+def word_of(value: Any, words: Sequence[Word], what: str) -> Word:
+    """That of the words which is meant; capitals do not matter, as in the command."""
+    for word in words:
+        if isinstance(value, str) and value.lower() == word.lower():
+            return word
+    raise ValueError(f"{what} is {value!r}; it must be one of {', '.join(words)}")
+
+
 def index_of(value: Any, words: Sequence[str], what: str) -> int:
     """The place of a word."""
-    if not isinstance(value, str) or value not in words:
-        raise ValueError(f"{what} is {value!r}; it must be one of {', '.join(words)}")
-    return words.index(value)
+    return words.index(word_of(value, words, what))
 
 
 def flag(value: Any, what: str) -> bool:
@@ -257,7 +266,7 @@ def make_filter(
             values[name] = chosen
     for name, option in PROPERTIES.items():
         if option.words:
-            index_of(values[name], option.words, name)
+            values[name] = word_of(values[name], option.words, name)
     _refuse_idle(values, given, written)
     filter_ = filter_class()
     filter_.CachingOff()  # it runs once

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Optional, get_args
 import numpy as np
 
 from ._colors import PLAIN, WIRE_COLORS, blue_to_red
-from ._options import index_of
+from ._options import word_of
 from ._types import Coloring
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def _write_measures(result: "Flattening", ax: Any) -> None:
 def plot(result: "Flattening", color_by: Optional[Coloring], ax: Any, measures: bool) -> Any:
     """Draws pieces, wires and measures; the axes."""
     if color_by is not None:
-        index_of(color_by, get_args(Coloring), "color_by")
+        color_by = word_of(color_by, get_args(Coloring), "color_by")
     pyplot = _pyplot()
     if ax is None:
         _, ax = pyplot.subplots(figsize=(9, 7), layout="constrained")

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import (
     CURVE_TYPES, make_cells, make_points, make_triangles, named, strings, to_vtk, to_vtk_ids)
-from ._options import index_of
+from ._options import word_of
 from ._report import PIECE_INTEGERS, PIECE_NUMBERS
 from ._types import Part
 
@@ -97,7 +97,7 @@ def _cut(result: "Flattening") -> vtkPolyData:
 
 def to_polydata(result: "Flattening", part: Part, mesh_class: Type[Any] = vtkPolyData) -> Any:
     """A part of the result as a vtkPolyData, or as an object of a class that derives from it."""
-    index_of(part, get_args(Part), "part")
+    part = word_of(part, get_args(Part), "part")
     mesh = {"flat": _flat, "wires": _wires, "cut": _cut}[part](result)
     if isinstance(mesh, mesh_class):
         return mesh
