@@ -38,11 +38,12 @@ try:
         raise ImportError(f"this is VTK {_vtk.GetVTKVersion()}")
     from .vtkFiltersFlattening import *  # noqa: F401,F403
 except ImportError as _error:
+    import importlib.util as _import
     import sys as _sys
     _paraview = (
         ". ParaView's Python has a VTK of its own: there its plugin's filters are those of paraview.simple, such as "
         "WireWarping, where it was started by build-paraview/bin/pvpython or `surfaceflattening-paraview pvpython`"
-        if "paraview" in _sys.modules else "")
+        if _import.find_spec("paraview") else "")
     raise ImportError(
         f"surfaceflattening cannot load its filters ({_error}). They are built for {BUILT_FOR} and need both: "
         f"start that Python, on Debian /usr/bin/python3 with the package python3-vtk9; this is "
