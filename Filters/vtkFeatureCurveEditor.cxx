@@ -150,6 +150,12 @@ bool vtkFeatureCurveEditor::HasMirrorPlane() const
 }
 
 //------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetNumberOfCommands() const
+{
+  return this->Drawn ? static_cast<int>(this->Drawn->editor.commandCount()) : 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::CanUndo() const
 {
   return this->Drawn && this->Drawn->editor.canUndo();

@@ -244,6 +244,16 @@ public:
 
   ///@{
   /**
+   * How many commands Undo() can take back, and make those since there were `count` one, or none
+   * where they came to nothing: so the nodes of a curve are undone one by one while it is drawn,
+   * and the curve as a whole once it is there.
+   */
+  int GetNumberOfCommands() const;
+  void JoinCommandsSince(int count);
+  ///@}
+
+  ///@{
+  /**
    * What SnapPoint() heeds. Default: all on.
    */
   vtkSetMacro(SnapToBoundary, bool);

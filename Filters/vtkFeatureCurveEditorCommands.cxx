@@ -327,3 +327,12 @@ void vtkFeatureCurveEditor::EndGroup()
     this->Drawn->editor.endGroup();
   }
 }
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::JoinCommandsSince(int count)
+{
+  if (this->Drawn)
+  {
+    this->Drawn->editor.joinSince(static_cast<std::size_t>(std::max(count, 0)));
+  }
+}

@@ -127,6 +127,18 @@ void vtkFeatureCurveWidget::SetEnabled(int enabled)
 //------------------------------------------------------------------------------
 void vtkFeatureCurveWidget::Choose(int curve, int node)
 {
+  const int drawn = this->State == Mode::Drawing ? this->Chosen.curve : -1;
+  if (drawn >= 0 && curve != drawn)
+  {
+    const bool kept = this->EndDrawing();
+    curve -= !kept && curve > drawn ? 1 : 0;
+  }
+  this->Select(curve, node);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::Select(int curve, int node)
+{
   const CurveChoice chosen{ curve, curve < 0 ? -1 : node };
   if (!(chosen == this->Chosen))
   {
@@ -224,9 +236,10 @@ void vtkFeatureCurveWidget::UpdateHint(const Aim& aim)
   if (count > 0)
   {
     words = this->Editor->GetCurveName(curve) + ": " +
-      interaction::nameOfType(this->Editor->GetCurveType(curve)) + ", length " +
-      lengthIn(this->LengthUnit, this->Editor->GetCurveLength(curve)) + ", " +
-      std::to_string(count) + (count == 1 ? " node. " : " nodes. ");
+      interaction::nameOfType(this->Editor->GetCurveType(curve)) + ", " +
+      (count == 1 ? "one node. "
+                  : "length " + lengthIn(this->LengthUnit, this->Editor->GetCurveLength(curve)) +
+            ", " + std::to_string(count) + " nodes. ");
   }
   std::string label;
   if (this->State == Mode::Drawing)

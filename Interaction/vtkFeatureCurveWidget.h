@@ -7,7 +7,8 @@
  * VTK's rendering and nothing else. While the widget is enabled,
  *
  * - after NEW_CURVE clicks add nodes, and the next segment follows the mouse. A click on the first
- *   node closes the curve; FINISH, or a click with the right button, ends it;
+ *   node closes the curve; FINISH, or a click with the right button, ends it. UNDO takes nodes
+ *   back while it is drawn, and the whole curve once it is there;
  * - after FREEHAND a stroke with the button held becomes a smooth curve of few nodes within
  *   StrokeTolerance of it, closed where it ends where it started;
  * - after OFFSET a click adds the curve through that place which keeps its distance from the chosen
@@ -158,7 +159,8 @@ public:
 
   ///@{
   /**
-   * The chosen curve and node, -1 where there is none, and whether a curve is being drawn.
+   * The chosen curve and node, -1 where there is none, and whether a curve is being drawn. To
+   * choose another one ends the one that is drawn.
    */
   int GetChosenCurve() const { return this->Chosen.curve; }
   int GetChosenNode() const { return this->Chosen.node; }
@@ -229,6 +231,8 @@ private:
   bool ToggleMirror();
   bool MakeGirth();
   bool EndDrawing();
+  void UndoOrRedo(int action);
+  void Select(int curve, int node);
   bool Finished(bool done);
   /// False.
   bool Refuse(const std::string& words);
@@ -249,6 +253,7 @@ private:
   unsigned long CurrentEvent = 0;
   bool PressedHere = false;
   bool Missed = false; ///< the last click was on the bare surface
+  int DrawnSince = 0;  ///< commands of the editor before the curve that is drawn
   std::array<int, 2> Pressed{};
   bool HandleKeys = true;
   bool Snapping = true;

@@ -8,6 +8,8 @@
 #include <vtkFeatureCurveEditor.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <algorithm>
+
 namespace
 {
 struct Action
@@ -166,12 +168,15 @@ bool vtkFeatureCurveWidget::Do(int action)
   switch (action)
   {
     case NEW_CURVE:
+      this->EndDrawing();
       this->State = Mode::Drawing;
-      this->Choose(-1, -1);
+      this->DrawnSince = this->Editor->GetNumberOfCommands();
+      this->Select(-1, -1);
       break;
     case FREEHAND:
+      this->EndDrawing();
       this->State = Mode::Sketching;
-      this->Choose(-1, -1);
+      this->Select(-1, -1);
       break;
     case FINISH:
       done = this->EndDrawing();
@@ -180,21 +185,26 @@ bool vtkFeatureCurveWidget::Do(int action)
       done = this->StepBack();
       break;
     case REMOVE_CURVE:
+      if (this->State == Mode::Drawing)
+      {
+        this->Editor->JoinCommandsSince(this->DrawnSince);
+      }
       this->State = Mode::Choosing;
       done = this->Finished(this->Editor->RemoveCurve(curve));
-      this->Choose(-1, -1);
+      this->Select(-1, -1);
       break;
     case CLOSE:
       done =
         this->Finished(this->Editor->SetCurveClosed(curve, !this->Editor->GetCurveClosed(curve)));
+      done = done && (this->State != Mode::Drawing || this->EndDrawing());
       break;
     case TIGHTEN:
       done = this->Finished(this->Editor->TightenCurve(curve));
-      this->Choose(curve, -1);
+      this->Select(curve, -1);
       break;
     case SPLIT:
       done = this->Finished(this->Editor->SplitCurve(curve, this->Chosen.node));
-      this->Choose(curve, -1);
+      this->Select(curve, -1);
       break;
     case JOIN:
       this->State = Mode::Joining;
@@ -223,10 +233,8 @@ bool vtkFeatureCurveWidget::Do(int action)
       this->Snapping = !this->Snapping;
       break;
     case UNDO:
-      this->Editor->Undo();
-      break;
     case REDO:
-      this->Editor->Redo();
+      this->UndoOrRedo(action);
       break;
     default:
       done = this->Finished(this->Editor->SetCurveType(curve, action - MAKE_ACCESSORY));
@@ -243,16 +251,42 @@ bool vtkFeatureCurveWidget::Do(int action)
 bool vtkFeatureCurveWidget::EndDrawing()
 {
   const int curve = this->Chosen.curve;
-  this->State = Mode::Choosing;
-  if (this->Editor->GetNumberOfNodes(curve) != 1)
-  {
-    this->Choose(curve, -1);
-    return true;
-  }
+  const bool drawing = this->State == Mode::Drawing;
+  const bool kept = !drawing || this->Editor->GetNumberOfNodes(curve) != 1;
   const std::string name = this->Editor->GetCurveName(curve);
-  this->Editor->RemoveCurve(curve);
-  this->Choose(-1, -1);
-  return this->Refuse("'" + name + "' has one node and is not kept; a curve needs two");
+  this->State = Mode::Choosing;
+  if (!kept)
+  {
+    this->Editor->RemoveCurve(curve);
+  }
+  if (drawing)
+  {
+    this->Editor->JoinCommandsSince(this->DrawnSince);
+  }
+  this->Select(kept ? curve : -1, -1);
+  return kept || this->Refuse("'" + name + "' has one node and is not kept; a curve needs two");
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveWidget::UndoOrRedo(int action)
+{
+  action == UNDO ? this->Editor->Undo() : this->Editor->Redo();
+  const int commands = this->Editor->GetNumberOfCommands();
+  if (this->State == Mode::Drawing)
+  {
+    this->DrawnSince = std::min(this->DrawnSince, commands);
+    return;
+  }
+  // A curve of one node is one that was being drawn.
+  for (int curve = 0; curve < this->Editor->GetNumberOfCurves(); ++curve)
+  {
+    if (this->Editor->GetNumberOfNodes(curve) == 1)
+    {
+      this->State = Mode::Drawing;
+      this->DrawnSince = std::max(commands - 1, 0);
+      this->Select(curve, 0);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -265,11 +299,11 @@ bool vtkFeatureCurveWidget::StepBack()
     this->Finished(this->Editor->RemoveNode(curve, drawing ? last : this->Chosen.node));
   if (done && last == 0)
   {
-    this->Choose(-1, -1);
+    this->Select(-1, -1);
   }
   else if (done)
   {
-    this->Choose(curve, drawing ? last - 1 : -1);
+    this->Select(curve, drawing ? last - 1 : -1);
   }
   return done;
 }
@@ -337,8 +371,8 @@ void vtkFeatureCurveWidget::OnKey()
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveWidget::MakeGirth()
 {
+  this->EndDrawing();
   const int curve = this->Chosen.curve;
-  this->State = Mode::Choosing;
   this->Editor->BeginGroup();
   bool done = true;
   for (int k = 0; k < this->Editor->GetNumberOfSegments(curve) && done; ++k)

@@ -145,7 +145,7 @@ bool vtkFeatureCurveWidget::StartDrag()
       return true;
     }
   }
-  this->Choose(node.curve, node.node);
+  this->Select(node.curve, node.node);
   this->State = Mode::Dragging;
   this->InvokeEvent(vtkCommand::StartInteractionEvent, nullptr);
   return true;
@@ -202,7 +202,7 @@ void vtkFeatureCurveWidget::FinishStroke()
   if (this->Finished(
         this->Editor->AddStroke(this->Stroke, this->StrokeTolerance * this->StrokePixel)))
   {
-    this->Choose(count, -1);
+    this->Select(count, -1);
   }
 }
 
@@ -296,35 +296,41 @@ void vtkFeatureCurveWidget::OnClick()
 {
   const Aim aim = this->AimAt(-1);
   const int curve = aim.node.curve >= 0 ? aim.node.curve : aim.line.curve;
-  if (this->State == Mode::Drawing)
+  const bool placing = this->State == Mode::Drawing || this->State == Mode::Sketching ||
+    this->State == Mode::Offsetting;
+  if (placing && !aim.onSurface)
   {
-    if (aim.onSurface)
-    {
-      this->AddNode(aim);
-    }
+    this->Refuse("there is no surface under the mouse; click on it, or end with Return");
+  }
+  else if (this->State == Mode::Drawing)
+  {
+    this->AddNode(aim);
   }
   else if (this->State == Mode::Offsetting)
   {
     const int count = this->Editor->GetNumberOfCurves();
-    if (aim.onSurface &&
-      this->Finished(this->Editor->AddOffset(
-        this->Chosen.curve, this->Editor->GetDistance(this->Chosen.curve, aim.point.data()))))
+    if (this->Finished(this->Editor->AddOffset(
+          this->Chosen.curve, this->Editor->GetDistance(this->Chosen.curve, aim.point.data()))))
     {
       this->State = Mode::Choosing;
-      this->Choose(count, -1);
+      this->Select(count, -1);
     }
   }
   else if (this->State == Mode::Joining)
   {
     this->State = Mode::Choosing;
-    if (curve >= 0 && this->Finished(this->Editor->JoinCurves(this->Chosen.curve, curve)))
+    if (curve < 0)
     {
-      this->Choose(this->Chosen.curve - (curve < this->Chosen.curve ? 1 : 0), -1);
+      this->Refuse("there is no curve under the mouse; nothing is joined");
+    }
+    else if (this->Finished(this->Editor->JoinCurves(this->Chosen.curve, curve)))
+    {
+      this->Select(this->Chosen.curve - (curve < this->Chosen.curve ? 1 : 0), -1);
     }
   }
   else
   {
-    this->Choose(curve, aim.node.curve >= 0 ? aim.node.node : -1);
+    this->Select(curve, aim.node.curve >= 0 ? aim.node.node : -1);
     this->Missed = curve < 0 && aim.onSurface;
     this->UpdateHint(aim);
   }
@@ -341,7 +347,7 @@ bool vtkFeatureCurveWidget::AddNode(const Aim& aim)
     nodes->InsertNextPoint(aim.point.data());
     const int curve = this->Editor->GetNumberOfCurves();
     const bool added = this->Finished(this->Editor->AddCurve(nodes));
-    this->Choose(added ? curve : -1, added ? 0 : -1);
+    this->Select(added ? curve : -1, added ? 0 : -1);
     return added;
   }
   if (aim.node == CurveChoice{ this->Chosen.curve, count - 1 })
@@ -357,7 +363,7 @@ bool vtkFeatureCurveWidget::AddNode(const Aim& aim)
     this->Editor->InsertNode(this->Chosen.curve, count, aim.point.data(), this->Kind));
   if (added)
   {
-    this->Choose(this->Chosen.curve, count);
+    this->Select(this->Chosen.curve, count);
   }
   return added;
 }

@@ -53,7 +53,7 @@ ClothBox::ClothBox()
     if (this->Material->itemText(at) == fileEntry)
     {
       const QString file =
-        QFileDialog::getOpenFileName(this, "Open material", {}, "Materials (*.json)");
+        QFileDialog::getOpenFileName(this, "Open material", this->Folder, "Materials (*.json)");
       this->Material->setItemData(at, file);
     }
     tell();

@@ -21,6 +21,8 @@ public:
   std::string grain() const { return this->Grain->text().trimmed().toStdString(); }
 
   std::function<void()> onChange;
+  /// Where the dialog for a file starts.
+  void setFolder(const QString& folder) { this->Folder = folder; }
 
   QComboBox* materials() { return this->Material; }
   QLineEdit* grainField() { return this->Grain; }
@@ -28,5 +30,6 @@ public:
 private:
   QComboBox* Material;
   QLineEdit* Grain;
+  QString Folder;
 };
 }

@@ -182,10 +182,9 @@ void CurvePanel::show(int chosen)
       this->List->addItem("");
     }
     const int type = this->Curves->GetCurveType(curve);
-    const QString words = QString("%1: %2 %3")
-                            .arg(QString::fromStdString(this->Curves->GetCurveName(curve)))
-                            .arg(this->Curves->GetCurveLength(curve), 0, 'g', 4)
-                            .arg(this->Unit);
+    const QString length = QString::number(this->Curves->GetCurveLength(curve), 'g', 4);
+    const QString words = QString::fromStdString(this->Curves->GetCurveName(curve)) + ": " +
+      (this->Curves->GetNumberOfNodes(curve) == 1 ? "one node" : length + " " + this->Unit);
     QListWidgetItem* const item = this->List->item(curve);
     // What is as it was is not painted again, at each step of a drag.
     if (item->text() != words || item->data(Qt::UserRole) != type)

@@ -28,6 +28,7 @@ void EditorWindow::followCloth()
   if (this->Surface && changed)
   {
     this->askForPieces(Care::Full);
+    this->expectPieces();
   }
 }
 

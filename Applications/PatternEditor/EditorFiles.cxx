@@ -12,6 +12,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <QFileInfo>
 #include <QImage>
 #include <QPainter>
 
@@ -48,6 +49,8 @@ bool EditorWindow::openSurface(const std::string& path)
     }
     this->Surface = surface;
     this->Name = std::filesystem::path(path).stem().string();
+    this->Folder = QFileInfo(QString::fromStdString(path)).absolutePath();
+    this->Cloth->setFolder(this->Folder);
     this->Saved = this->Curves->GetMTime();
     const int unit = this->Unit->findText(QString::fromStdString(contents.unit));
     this->Unit->setCurrentIndex(unit < 0 ? this->Unit->currentIndex() : unit);
@@ -58,13 +61,15 @@ bool EditorWindow::openSurface(const std::string& path)
     this->PlaneScene.start(surface, this->Space->GetActiveCamera());
     this->Reader.setPiece({});
     this->Live->setSurface(surface);
-    this->Measures->clear();
+    this->Behind = false;
+    this->showMeasures();
     this->setWindowTitle(QString::fromStdString(this->Name + " - PatternEditor"));
     if (contents.curves)
     {
       this->showCurves(contents.curves);
     }
     this->askForPieces(Care::Full);
+    this->expectPieces();
     this->followChoice();
   });
 }
@@ -114,6 +119,10 @@ bool EditorWindow::savePattern(const std::string& path)
     if (!this->Live->hasResult())
     {
       throw std::runtime_error("there is no flat piece yet to make a pattern of");
+    }
+    if (this->Live->isRefused())
+    {
+      throw std::runtime_error("nothing is exported, since " + this->Live->message());
     }
     this->Pattern->SetUnitByName(this->Unit->currentText().toStdString());
     this->Pattern->SetPatternName(this->Name);

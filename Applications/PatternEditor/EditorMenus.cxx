@@ -198,34 +198,48 @@ void EditorWindow::makeBar()
 }
 
 //------------------------------------------------------------------------------
-void EditorWindow::askSurface()
+std::string EditorWindow::askOpen(const QString& title, const QString& kinds)
 {
   const QString file = this->mayForgetCurves()
-    ? QFileDialog::getOpenFileName(this, "Open surface", {}, surfaceFiles)
+    ? QFileDialog::getOpenFileName(this, title, this->Folder, kinds)
     : QString();
   if (!file.isEmpty())
   {
-    this->openSurface(file.toStdString());
+    this->Folder = QFileInfo(file).absolutePath();
+  }
+  return file.toStdString();
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::askSurface()
+{
+  const std::string file = this->askOpen("Open surface", surfaceFiles);
+  if (!file.empty())
+  {
+    this->openSurface(file);
   }
 }
 
 //------------------------------------------------------------------------------
 void EditorWindow::askCurves()
 {
-  const QString file = this->mayForgetCurves()
-    ? QFileDialog::getOpenFileName(
-        this, "Open curves", {}, "Curves (*.vtp *.vtk *.obj *.csv *.dxf *.txt)")
-    : QString();
-  if (!file.isEmpty())
+  const std::string file =
+    this->askOpen("Open curves", "Curves (*.vtp *.vtk *.obj *.csv *.dxf *.txt)");
+  if (!file.empty())
   {
-    this->openCurves(file.toStdString());
+    this->openCurves(file);
   }
 }
 
 //------------------------------------------------------------------------------
 std::string EditorWindow::askFile(const QString& title, const QString& name, const QString& kinds)
 {
-  QString file = QFileDialog::getSaveFileName(this, title, name, kinds);
+  QString file =
+    QFileDialog::getSaveFileName(this, title, QDir(this->Folder).filePath(name), kinds);
+  if (!file.isEmpty())
+  {
+    this->Folder = QFileInfo(file).absolutePath();
+  }
   const QString extension = QFileInfo(file).suffix().toLower();
   if (file.isEmpty() ||
     (!extension.isEmpty() &&

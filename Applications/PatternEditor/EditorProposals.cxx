@@ -87,6 +87,7 @@ void EditorWindow::propose(const std::string& weights)
 void EditorWindow::connectProposals()
 {
   this->Proposed->onAccept = [this](const Proposal& proposal) {
+    this->Hand->Choose(-1, -1); // ends a curve that is being drawn, which is undone by itself
     const int curve = this->Curves->GetNumberOfCurves();
     if (!accept(proposal, this->Curves))
     {
@@ -105,6 +106,10 @@ void EditorWindow::connectProposals()
 //------------------------------------------------------------------------------
 bool EditorWindow::addOffset(double distance)
 {
+  if (this->Hand->IsDrawing())
+  {
+    this->Hand->Do(vtkFeatureCurveWidget::FINISH);
+  }
   const int curve = this->Curves->GetNumberOfCurves();
   const bool done = this->Curves->AddOffset(this->Hand->GetChosenCurve(), distance);
   if (done)

@@ -13,6 +13,8 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QFontDatabase>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QSplitter>
 #include <QStatusBar>
@@ -23,11 +25,8 @@ namespace editor
 namespace
 {
 constexpr int restMilliseconds = 150;
-// Seconds. Pieces that come later would be behind the mouse, drafts that come later no help.
-constexpr double quick = 0.040;
-constexpr double quickDraft = 0.5;
+constexpr int lateMilliseconds = 100;
 constexpr int sideWidth = 270;
-constexpr std::size_t tableRows = 6;
 constexpr int fewestRows = 3;
 constexpr int messageRows = 2;
 const char* const measureWords =
@@ -54,6 +53,7 @@ EditorWindow::EditorWindow()
   , Hint(new QLabel)
   , Readout(new QLabel)
   , Rest(new QTimer(this))
+  , Late(new QTimer(this))
 {
   figures::silence(this->Pattern);
   auto* const views = new QSplitter(Qt::Horizontal);
@@ -96,6 +96,9 @@ EditorWindow::EditorWindow()
   this->Rest->setSingleShot(true);
   this->Rest->setInterval(restMilliseconds);
   QObject::connect(this->Rest, &QTimer::timeout, [this] { this->askForPieces(Care::Full); });
+  this->Late->setSingleShot(true);
+  this->Late->setInterval(lateMilliseconds);
+  QObject::connect(this->Late, &QTimer::timeout, [this] { this->showBehind(); });
   this->makeCloth(sideLayout);
   this->connectHand();
   this->makeFileMenu();
@@ -103,6 +106,10 @@ EditorWindow::EditorWindow()
   this->makeProposalMenu(sideLayout);
   this->makeViewMenu();
   this->makeBar();
+  for (const QMenu* menu : this->menuBar()->findChildren<QMenu*>())
+  {
+    QObject::connect(menu, &QMenu::aboutToShow, [this] { this->letGo(); });
+  }
   this->resize(1500, 900);
   this->setWindowTitle("PatternEditor");
   this->showSize();
@@ -172,27 +179,6 @@ void EditorWindow::connectHand()
 }
 
 //------------------------------------------------------------------------------
-void EditorWindow::followCurves()
-{
-  this->followChoice();
-  if (!this->Surface)
-  {
-    return;
-  }
-  this->tell("", false);
-  if (this->Live->seconds(Care::Full) < quick)
-  {
-    this->askForPieces(Care::Full);
-    return;
-  }
-  if (this->Live->seconds(Care::Draft) < quickDraft)
-  {
-    this->askForPieces(Care::Draft);
-  }
-  this->Rest->start();
-}
-
-//------------------------------------------------------------------------------
 void EditorWindow::followChoice()
 {
   this->Panel->show(this->Hand->GetChosenCurve());
@@ -220,78 +206,6 @@ void EditorWindow::followChoice()
 void EditorWindow::showRefusal()
 {
   this->tell(this->Hand->GetHint(), true);
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::askForPieces(Care care)
-{
-  this->Rest->stop();
-  vtkNew<vtkPolyData> curves;
-  this->Curves->GetCurves(curves);
-  this->Live->ask(curves, care);
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::customEvent(QEvent*)
-{
-  this->takePieces();
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::takePieces()
-{
-  if (this->Live->take())
-  {
-    // What something else has said stays where there is nothing new to say.
-    const std::string& words = this->Live->message();
-    if (!words.empty() || this->Message->text().toStdString() == this->Broken)
-    {
-      this->tell(words, true);
-    }
-    this->Broken = words;
-    this->showResult();
-  }
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::waitForPieces()
-{
-  if (this->Rest->isActive())
-  {
-    this->askForPieces(Care::Full);
-  }
-  QApplication::setOverrideCursor(Qt::WaitCursor);
-  while (this->Live->isBusy())
-  {
-    QApplication::processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
-    this->takePieces();
-  }
-  QApplication::restoreOverrideCursor();
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::showResult()
-{
-  if (!this->Live->hasResult())
-  {
-    return;
-  }
-  QString table;
-  for (const std::string& row : figures::errorTable(this->Live->result(), tableRows))
-  {
-    table += QString::fromStdString(row) + "\n";
-  }
-  table = table.trimmed();
-  if (this->Live->care() == Care::Draft)
-  {
-    table += "   (draft)";
-  }
-  this->Measures->setText(table);
-  this->SpaceScene.color(this->Live->result(), this->shownColoring());
-  this->PlaneScene.show(this->Live->result(), this->shownColoring());
-  this->Reader.setPiece(this->PlaneScene.shown());
-  this->SpaceWidget->renderWindow()->Render();
-  this->PlaneWidget->renderWindow()->Render();
 }
 
 //------------------------------------------------------------------------------
@@ -348,6 +262,29 @@ bool EditorWindow::mayForgetCurves()
     return this->Curves->GetMTime() == this->Saved;
   }
   return answer == QMessageBox::Discard;
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::letGo()
+{
+  for (const QVTKOpenGLStereoWidget* view : { this->SpaceWidget, this->PlaneWidget })
+  {
+    for (const unsigned long event : { vtkCommand::LeftButtonReleaseEvent,
+           vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
+    {
+      view->interactor()->InvokeEvent(event);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::event(QEvent* event)
+{
+  if (event->type() == QEvent::WindowBlocked)
+  {
+    this->letGo();
+  }
+  return QMainWindow::event(event);
 }
 
 //------------------------------------------------------------------------------

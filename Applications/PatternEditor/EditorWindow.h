@@ -70,6 +70,8 @@ public:
   QString readout() const { return this->Readout->text(); }
   vtkRenderer* plane() { return this->Plane; }
   const PlaneView& planeView() const { return this->PlaneScene; }
+  /// The numbers of the pieces, grey while they are of earlier curves.
+  const QLabel* measures() const { return this->Measures; }
   QString message() const { return this->Message->text(); }
   QComboBox* unit() { return this->Unit; }
   /// The options of patterns; unit and name are the window's.
@@ -79,6 +81,8 @@ public:
   QAction* action(int id) { return this->HandActions[static_cast<std::size_t>(id)]; }
 
 protected:
+  /// A dialog takes the mouse from a drag, which would go on after it.
+  bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   /// Of the thread that flattens: there are pieces to take.
   void customEvent(QEvent* event) override;
@@ -98,6 +102,8 @@ private:
 
   void askSurface();
   void askCurves();
+  /// A file to be read, or "".
+  std::string askOpen(const QString& title, const QString& kinds);
   /// A file to be written, or "": its name gets the extension of the one proposed where it has none
   /// of the kinds.
   std::string askFile(const QString& title, const QString& name, const QString& kinds);
@@ -108,6 +114,8 @@ private:
   void askSaveSurface();
   void askProposals();
   void askOffset();
+  /// As if the mouse's buttons were released.
+  void letGo();
   void resetViews();
   bool mayForgetCurves();
   void showCurves(vtkPolyData* lines);
@@ -117,6 +125,10 @@ private:
   void showRefusal();
   void askForPieces(Care care);
   void takePieces();
+  /// The pieces shown are not of the curves any more; that is said unless the new ones come soon.
+  void expectPieces();
+  void showBehind();
+  void showMeasures();
   /// Goes on with all but what the user does until the pieces have followed.
   void waitForPieces();
   void showResult();
@@ -141,7 +153,9 @@ private:
   figures::PolyData Surface;
   figures::Coloring Coloring = figures::Coloring::Homogeneity;
   std::string Name;
+  QString Folder;         ///< where the next dialog for a file starts: that of the last file
   std::string Broken;     ///< the last words of the flattening
+  bool Behind = false;    ///< the pieces and numbers shown are of earlier curves
   vtkMTimeType Saved = 0; ///< of the curves when they were last on disk
 
   QVTKOpenGLStereoWidget* SpaceWidget;
@@ -157,6 +171,7 @@ private:
   QLabel* Hint;
   QLabel* Readout;
   QTimer* Rest; ///< runs while careful flattening waits for the mouse to rest
+  QTimer* Late; ///< runs while pieces that may still come soon are waited for
   std::array<QAction*, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> HandActions{};
   std::vector<QAction*> SurfaceActions; ///< need a surface
   std::vector<QAction*> BarActions;     ///< of the File menu, at the bar's end

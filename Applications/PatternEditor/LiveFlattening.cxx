@@ -84,6 +84,7 @@ void LiveFlattening::setSurface(vtkPolyData* surface)
   this->Surface = copyOf(surface);
   this->Result = {};
   this->Message.clear();
+  this->Refused = false;
   this->Seconds = {};
 }
 
@@ -120,6 +121,7 @@ bool LiveFlattening::take()
     return false;
   }
   this->Message = std::move(answer->message);
+  this->Refused = !answer->piece;
   this->Seconds[static_cast<std::size_t>(answer->care)] = answer->seconds;
   if (answer->piece)
   {

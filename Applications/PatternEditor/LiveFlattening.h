@@ -57,6 +57,8 @@ public:
 
   bool hasResult() const { return this->Result.flat != nullptr; }
   const figures::FlatPiece& result() const { return this->Result; }
+  /// Whether what was taken last was refused, so that result() is of other curves.
+  bool isRefused() const { return this->Refused; }
   /// What is refused, or broken unless the result is a draft; empty where all is well.
   const std::string& message() const { return this->Message; }
   /// Of the result.
@@ -111,6 +113,7 @@ private:
   std::string Grain;
   figures::FlatPiece Result;
   std::string Message;
+  bool Refused = false;
   std::array<double, 2> Seconds{}; ///< by care
   Care ResultCare = Care::Full;
   std::thread Worker; ///< last, since it uses all of the above

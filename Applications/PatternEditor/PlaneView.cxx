@@ -24,6 +24,7 @@ namespace
 {
 constexpr double pieceMargin = 1.12;
 constexpr float wireWidth = 3.0F; // pixels
+constexpr double dimOpacity = 0.35;
 
 /// Kinds of wires that are drawn, those drawn over others last.
 constexpr std::array<figures::Vector, 5> wireColors{ { figures::accessoryColor, figures::keyColor,
@@ -153,6 +154,16 @@ void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring
     this->PieceCount = count;
   }
   this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void PlaneView::dim(bool on)
+{
+  this->Dim = on;
+  for (vtkActor* actor : { this->Actor.Get(), this->Wires.Get() })
+  {
+    actor->GetProperty()->SetOpacity(on ? dimOpacity : 1.0);
+  }
 }
 
 //------------------------------------------------------------------------------

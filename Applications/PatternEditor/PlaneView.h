@@ -25,6 +25,9 @@ public:
   /// are more pieces or fewer than before.
   void show(const figures::FlatPiece& piece, figures::Coloring coloring);
   void reset() { this->CameraSet = false; }
+  /// Pale, as what they are made of has changed.
+  void dim(bool on);
+  bool isDim() const { return this->Dim; }
   /// The pieces where they are shown; null: none are.
   const figures::PolyData& shown() const { return this->Shown; }
 
@@ -42,6 +45,7 @@ private:
   vtkNew<vtkTextActor> Title; ///< of the scale
   figures::PolyData Shown;
   bool CameraSet = false;
+  bool Dim = false;
   vtkIdType PieceCount = 0;
 };
 }

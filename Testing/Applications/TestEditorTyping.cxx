@@ -2,6 +2,10 @@
 // What a user types, for files and for curves, and what becomes of it.
 #include "EditorSession.h"
 
+#include <vtkCamera.h>
+
+#include <QDir>
+#include <QMenu>
 #include <QMessageBox>
 
 #include <filesystem>
@@ -151,6 +155,105 @@ TEST_F(EditorTyping, WhatIsTypedForACurveIsKeptWhenAnotherIsChosen)
   ASSERT_EQ(curves->GetNumberOfCurves(), 1);
   EXPECT_EQ(curves->GetCurveName(0), "neck");
   EXPECT_DOUBLE_EQ(curves->GetCurveTolerance(0), 0.05);
+}
+
+TEST_F(EditorTyping, DialogsForFilesStartBesideTheSurfaceAndThenWhereTheLastFileIs)
+{
+  std::vector<QString> folders;
+  const auto look = [&](Qt::Key key, Qt::KeyboardModifiers also = Qt::NoModifier) {
+    QApplication::setActiveWindow(this->window.get());
+    QTimer::singleShot(500, [&folders] {
+      auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      folders.push_back(dialog->directory().canonicalPath());
+      dialog->reject();
+    });
+    QTest::keyClick(this->window.get(), key, Qt::ControlModifier | also);
+  };
+  const QString data = QDir(FLATTENING_DATA).canonicalPath();
+  const QString saved = QDir(QString::fromStdString(this->folder)).canonicalPath();
+  ASSERT_NE(QDir::current().canonicalPath(), data);
+  for (const Qt::Key key : { Qt::Key_S, Qt::Key_E, Qt::Key_P })
+  {
+    look(key);
+  }
+  EXPECT_EQ(folders, std::vector<QString>(3, data));
+  this->saveAs("curves");
+  folders.clear();
+  look(Qt::Key_O);
+  look(Qt::Key_O, Qt::ShiftModifier);
+  look(Qt::Key_E);
+  EXPECT_EQ(folders, std::vector<QString>(3, saved));
+  // That of a surface that is opened in another way, such as by the command line.
+  ASSERT_TRUE(this->window->openSurface(shirt));
+  folders.clear();
+  look(Qt::Key_O);
+  EXPECT_EQ(folders, std::vector<QString>(1, data));
+}
+
+TEST_F(EditorTyping, ADialogInTheMiddleOfADragEndsIt)
+{
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  const auto state = [curves] {
+    double node[3];
+    curves->GetNode(0, 1, node);
+    return std::vector<double>(node, node + 3);
+  };
+  const std::vector<double> first = state();
+  const QPoint from = this->node(0, 1);
+  this->moveTo(from);
+  this->press(from);
+  for (int k = 1; k <= 4; ++k)
+  {
+    this->moveTo(from + QPoint(-10 * k, 5 * k), Qt::LeftButton);
+  }
+  const std::vector<double> dragged = state();
+  ASSERT_NE(dragged, first);
+  this->saveAs("in the middle"); // the dialog gets the button's release
+  EXPECT_TRUE(this->exists("in the middle.vtp")) << this->window->message().toStdString();
+  QApplication::setActiveWindow(this->window.get());
+  this->moveTo(this->vertex(12));
+  this->moveTo(this->vertex(68));
+  EXPECT_EQ(state(), dragged);
+  this->push(Hand::MAKE_KEY);
+  this->push(Hand::UNDO);
+  EXPECT_EQ(state(), dragged);
+  EXPECT_EQ(curves->GetCurveType(0), 0);
+  this->push(Hand::UNDO);
+  EXPECT_EQ(state(), first);
+
+  // Nor does the camera turn on.
+  vtkCamera* const camera = this->window->space()->GetActiveCamera();
+  const QPoint ground(this->window->spaceWidget()->width() / 2, 6);
+  this->moveTo(ground);
+  this->press(ground);
+  this->moveTo(ground + QPoint(20, 0), Qt::LeftButton);
+  this->moveTo(ground + QPoint(30, 0), Qt::LeftButton);
+  this->saveAs("in a turn");
+  EXPECT_TRUE(this->exists("in a turn.vtp"));
+  const std::vector<double> place(camera->GetPosition(), camera->GetPosition() + 3);
+  this->moveTo(ground + QPoint(90, 0));
+  this->moveTo(ground + QPoint(140, 9));
+  EXPECT_EQ(std::vector<double>(camera->GetPosition(), camera->GetPosition() + 3), place);
+}
+
+TEST_F(EditorTyping, AMenuInTheMiddleOfADragEndsIt)
+{
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  const QPoint from = this->node(0, 1);
+  this->moveTo(from);
+  this->press(from);
+  this->moveTo(from + QPoint(-10, 5), Qt::LeftButton);
+  this->moveTo(from + QPoint(-20, 10), Qt::LeftButton);
+  double dragged[3];
+  curves->GetNode(0, 1, dragged);
+  QMenu* const menu = this->window->menuBar()->actions().front()->menu();
+  menu->popup(this->window->mapToGlobal(QPoint(5, 20)));
+  menu->close();
+  this->moveTo(this->vertex(68));
+  double after[3];
+  curves->GetNode(0, 1, after);
+  EXPECT_TRUE(std::equal(dragged, dragged + 3, after));
 }
 
 TEST_F(EditorTyping, CurvesThatAreNotSavedAreLostOnlyByTheButtonThatSaysSo)

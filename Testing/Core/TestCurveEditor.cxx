@@ -258,6 +258,39 @@ TEST(CurveEditor, ADragIsUndoneAsOne)
   EXPECT_TRUE(identical(editor.state(), before));
 }
 
+TEST(CurveEditor, CommandsThatAreJoinedAreUndoneAndRedoneAsOne)
+{
+  CurveEditor editor(drawing(hill()));
+  const auto place = [&](double x) { return editor.surface().pointNear({ x, 7, 0 }); };
+  ASSERT_TRUE(editor.add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 } })).ok());
+  const CurveSet before = copied(editor.state());
+  const std::size_t since = editor.commandCount();
+  ASSERT_EQ(since, 1U);
+  ASSERT_TRUE(editor.add(through(editor.surface(), { { 2, 7, 0 } })).ok());
+  for (std::size_t node = 1; node < 4; ++node)
+  {
+    ASSERT_TRUE(
+      editor.insertNode(1, node, place(2.0 + 2.0 * double(node)), SegmentKind::Geodesic).ok());
+  }
+  const CurveSet drawn = copied(editor.state());
+  EXPECT_EQ(editor.commandCount(), since + 4);
+  editor.joinSince(since);
+  EXPECT_EQ(editor.commandCount(), since + 1);
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+  editor.redo();
+  EXPECT_TRUE(identical(editor.state(), drawn));
+  // What came to nothing is no step.
+  ASSERT_TRUE(editor.add(through(editor.surface(), { { 3, 3, 0 } })).ok());
+  ASSERT_TRUE(editor.remove(2).ok());
+  editor.joinSince(since + 1);
+  EXPECT_EQ(editor.commandCount(), since + 1);
+  editor.joinSince(since + 7);
+  EXPECT_EQ(editor.commandCount(), since + 1);
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+}
+
 TEST(CurveEditor, AMirroredCurveHasItsImageOnTheOtherSide)
 {
   CurveEditor editor(drawing(plane()));

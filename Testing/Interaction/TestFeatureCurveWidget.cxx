@@ -201,12 +201,10 @@ TEST_F(FeatureCurveWidget, AKeyInTheMiddleOfADragEndsItAndWhatFollowsIsUndoneByI
   this->draw({ this->vertex(401), this->vertex(12) });
   this->draw({ this->vertex(6), this->vertex(12) });
   this->press("z", true);
-  EXPECT_EQ(this->editor->GetNumberOfCurves(), 2);
-  EXPECT_EQ(this->editor->GetNumberOfNodes(1), 1);
-  for (int k = 0; k < 4; ++k) // the other nodes, and the removal
-  {
-    this->press("z", true);
-  }
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
+  this->press("z", true);
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+  this->press("z", true); // the removal
   ASSERT_EQ(this->editor->GetNumberOfCurves(), 1);
   EXPECT_NE(this->node(0, 1), place);
   this->press("z", true); // the drag
@@ -343,6 +341,155 @@ TEST_F(FeatureCurveWidget, ACurveOfOneNodeIsNotKeptAndThatIsSaid)
   EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
   EXPECT_NE(said.find("one node"), std::string::npos) << said;
   EXPECT_EQ(said, this->widget->GetHint());
+}
+
+TEST_F(FeatureCurveWidget, UndoTakesNodesBackWhileACurveIsDrawnAndTheWholeCurveOnceItIsThere)
+{
+  this->draw({ this->vertex(401), this->vertex(6) });
+  this->press("n");
+  for (const vtkIdType id : { 401, 68, 12 })
+  {
+    this->click(this->vertex(id));
+  }
+  this->press("z", true);
+  ASSERT_EQ(this->editor->GetNumberOfNodes(1), 2);
+  EXPECT_TRUE(this->widget->IsDrawing());
+  this->click(this->vertex(12));
+  this->press("k"); // while it is drawn
+  this->press("Return");
+  ASSERT_EQ(this->editor->GetNumberOfNodes(1), 3);
+  const double length = this->editor->GetCurveLength(1);
+  this->press("z", true);
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
+  EXPECT_FALSE(this->widget->IsDrawing());
+  this->press("y", true);
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 2);
+  EXPECT_EQ(this->editor->GetCurveLength(1), length);
+  EXPECT_EQ(this->editor->GetCurveType(1), 1);
+  EXPECT_FALSE(this->widget->CanDo(vtkFeatureCurveWidget::REDO));
+  this->press("z", true);
+  this->press("z", true);
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+  EXPECT_FALSE(this->widget->CanDo(vtkFeatureCurveWidget::UNDO));
+}
+
+TEST_F(FeatureCurveWidget, HoweverDrawingEndsTheCurveIsUndoneAsAWhole)
+{
+  const auto begin = [this] {
+    this->press("n");
+    this->click(this->vertex(401));
+    this->click(this->vertex(68));
+    this->click(this->vertex(12));
+  };
+  const auto expectOne = [this](const char* how) {
+    EXPECT_FALSE(
+      this->widget->IsOn(vtkFeatureCurveWidget::NEW_CURVE) && this->widget->GetChosenCurve() >= 0)
+      << how;
+    this->press("Return");
+    this->press("z", true);
+    EXPECT_EQ(this->editor->GetNumberOfCurves(), 0) << how;
+    EXPECT_FALSE(this->widget->CanDo(vtkFeatureCurveWidget::UNDO)) << how;
+  };
+  begin();
+  this->press("n"); // the next curve
+  expectOne("n");
+  begin();
+  this->press("f");
+  expectOne("f");
+  begin();
+  this->press("c");
+  EXPECT_TRUE(this->editor->GetCurveClosed(0));
+  expectOne("c");
+  begin();
+  this->widget->Choose(-1, -1); // from a list beside
+  expectOne("choose");
+  // What was removed in the middle comes back whole.
+  begin();
+  this->press("Delete");
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+  this->press("z", true);
+  ASSERT_EQ(this->editor->GetNumberOfCurves(), 1);
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 3);
+  expectOne("Delete");
+  // A girth is two steps: what was drawn, and how it runs.
+  begin();
+  this->press("o");
+  ASSERT_TRUE(this->editor->GetCurveClosed(0)) << this->widget->GetHint();
+  this->press("z", true);
+  EXPECT_FALSE(this->editor->GetCurveClosed(0));
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 3);
+  expectOne("o");
+}
+
+TEST_F(FeatureCurveWidget, ACurveOfOneNodeIsNoStepOfUndoAndRedoneItIsDrawnOn)
+{
+  this->draw({ this->vertex(12) });
+  EXPECT_FALSE(this->widget->CanDo(vtkFeatureCurveWidget::UNDO));
+  this->press("n");
+  this->click(this->vertex(401));
+  this->press("z", true);
+  this->press("Return");
+  EXPECT_FALSE(this->widget->IsDrawing());
+  this->press("y", true);
+  ASSERT_EQ(this->editor->GetNumberOfNodes(0), 1);
+  EXPECT_TRUE(this->widget->IsDrawing());
+  EXPECT_EQ(std::string(this->widget->GetHint()).find("length 0"), std::string::npos)
+    << this->widget->GetHint();
+  this->click(this->vertex(6));
+  this->press("Return");
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 2);
+  this->press("z", true);
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+}
+
+TEST_F(FeatureCurveWidget, WhatIsChosenElsewhereIsNotDrawnOn)
+{
+  this->draw({ this->vertex(401), this->vertex(6) });
+  this->press("n");
+  this->click(this->vertex(12));
+  this->click(this->vertex(68));
+  this->widget->Choose(0, -1);
+  EXPECT_FALSE(this->widget->IsDrawing());
+  this->click(this->vertex(7));
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 2);
+  EXPECT_EQ(this->editor->GetNumberOfNodes(1), 2);
+}
+
+TEST_F(FeatureCurveWidget, AClickThatMeetsNothingIsSaid)
+{
+  std::string said;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&said);
+  listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
+    *static_cast<std::string*>(client) = static_cast<const char*>(words);
+  });
+  this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  const Pixel beside{ 4, 4 };
+  const auto expectSaid = [&](const char* words) {
+    said.clear();
+    this->click(beside);
+    EXPECT_NE(said.find(words), std::string::npos) << words << ": " << said;
+    EXPECT_EQ(said, this->widget->GetHint());
+  };
+  this->click(beside);
+  EXPECT_EQ(said, ""); // nothing was asked for
+  this->press("n");
+  expectSaid("no surface");
+  this->click(this->vertex(401));
+  expectSaid("no surface");
+  EXPECT_EQ(this->editor->GetNumberOfNodes(0), 1);
+  this->click(this->vertex(6));
+  this->press("Return");
+  this->press("l");
+  expectSaid("no surface");
+  this->press("Return");
+  this->press("f");
+  expectSaid("no surface");
+  this->press("Return");
+  this->draw({ this->vertex(12), this->vertex(68) });
+  this->press("j");
+  expectSaid("nothing is joined");
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 2);
 }
 
 TEST_F(FeatureCurveWidget, AMirroredCurveLiesOnBothHalvesOfTheShirt)

@@ -70,6 +70,10 @@ public:
   /// Until the end of the group all commands are undone as one.
   void beginGroup() { this->History.beginGroup(); }
   void endGroup() { this->History.endGroup(); }
+  /// As CurveHistory has them: for a group that is known as one only when it ends, such as the
+  /// nodes of a curve, which are undone one by one while it is drawn.
+  std::size_t commandCount() const { return this->History.depth(); }
+  void joinSince(std::size_t count) { this->History.joinSince(count); }
 
 private:
   Status replace(std::size_t c, EditedCurve changed);

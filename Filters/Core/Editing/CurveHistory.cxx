@@ -43,4 +43,17 @@ void CurveHistory::beginGroup()
 {
   this->Grouped = Group::Begun;
 }
+
+void CurveHistory::joinSince(std::size_t depth)
+{
+  this->endGroup();
+  if (depth < this->Past.size())
+  {
+    this->Past.resize(depth + 1);
+    if (identical(this->Past.back(), this->Present))
+    {
+      this->Past.pop_back();
+    }
+  }
+}
 }

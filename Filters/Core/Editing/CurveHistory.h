@@ -27,6 +27,11 @@ public:
   /// Until the end of the group all edits are undone as one, such as the moves of a drag.
   void beginGroup();
   void endGroup() { this->Grouped = Group::None; }
+  /// How many edits undo() can take back.
+  std::size_t depth() const { return this->Past.size(); }
+  /// What was pushed since there were so many is undone as one from now on, and not at all where it
+  /// came to nothing.
+  void joinSince(std::size_t depth);
 
 private:
   enum class Group

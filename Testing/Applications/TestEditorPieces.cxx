@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers and pieces of PatternEditor while the curves are already others.
+#include "EditorSession.h"
+
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <QLabel>
+
+#include <filesystem>
+
+using namespace session;
+
+namespace
+{
+constexpr int squares = 300; // 180,000 triangles: no draft of them comes at once
+
+class EditorPieces : public PatternEditor
+{
+protected:
+  void SetUp() override
+  {
+    this->PatternEditor::SetUp();
+    std::filesystem::remove_all(this->folder);
+    std::filesystem::create_directories(this->folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(this->folder); }
+
+  static double bulge(double x, double y) { return 0.1 * std::sin(3.0 * x) * std::sin(3.0 * y); }
+
+  /// A sheet whose pieces take a while.
+  std::string writeSheet()
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> triangles;
+    for (int j = 0; j <= squares; ++j)
+    {
+      for (int i = 0; i <= squares; ++i)
+      {
+        const double x = static_cast<double>(i) / squares;
+        const double y = static_cast<double>(j) / squares;
+        points->InsertNextPoint(x, y, bulge(x, y));
+      }
+    }
+    for (int j = 0; j < squares; ++j)
+    {
+      for (int i = 0; i < squares; ++i)
+      {
+        const vtkIdType a = j * (squares + 1) + i;
+        const vtkIdType b = a + squares + 1;
+        triangles->InsertNextCell({ a, a + 1, b + 1 });
+        triangles->InsertNextCell({ a, b + 1, b });
+      }
+    }
+    vtkNew<vtkPolyData> sheet;
+    sheet->SetPoints(points);
+    sheet->SetPolys(triangles);
+    return this->write(sheet, "sheet.vtp");
+  }
+  std::string write(vtkPolyData* data, const char* name)
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    const std::string path = this->folder + name;
+    writer->SetFileName(path.c_str());
+    writer->SetInputData(data);
+    writer->Write();
+    return path;
+  }
+
+  void addCurve(double x)
+  {
+    vtkNew<vtkPoints> nodes;
+    nodes->SetDataTypeToDouble();
+    nodes->InsertNextPoint(x, 0.2, bulge(x, 0.2));
+    nodes->InsertNextPoint(x, 0.8, bulge(x, 0.8));
+    ASSERT_TRUE(this->window->curves()->AddCurve(nodes)) << this->window->curves()->GetMessage();
+  }
+
+  bool areGrey() const { return !this->window->measures()->isEnabled(); }
+  QString words() const { return this->window->measures()->text(); }
+  double opacity() const
+  {
+    vtkActorCollection* const actors = this->window->plane()->GetActors();
+    actors->InitTraversal();
+    return actors->GetNextActor()->GetProperty()->GetOpacity();
+  }
+
+  const std::string folder = testing::TempDir() + "editor pieces, " +
+    testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
+};
+}
+
+TEST_F(EditorPieces, NumbersOfEarlierCurvesAreGreyUntilThoseOfTheNewOnesAreThere)
+{
+  ASSERT_TRUE(this->window->openSurface(this->writeSheet()));
+  EXPECT_TRUE(this->words().isEmpty());
+  ASSERT_TRUE(QTest::qWaitFor(
+    [this] { return this->words().contains("flattening") || !this->window->isWaiting(); }, 60000));
+  EXPECT_TRUE(this->words().contains("flattening")) << this->words().toStdString();
+  this->waitForPieces();
+  EXPECT_FALSE(this->areGrey());
+  const QString first = this->words();
+  ASSERT_TRUE(first.contains("E_area")) << first.toStdString();
+
+  // While anything is waited for they may become grey, and black again only when they are of the
+  // curves as they are.
+  const auto becomeGrey = [this] {
+    bool grey = this->areGrey();
+    const auto look = [&] {
+      grey = grey || this->areGrey();
+      EXPECT_EQ(this->areGrey(), this->words().contains("recomputing"));
+      EXPECT_EQ(this->areGrey(), this->opacity() < 0.9);
+      return !this->window->isWaiting();
+    };
+    EXPECT_TRUE(QTest::qWaitFor(look, 60000));
+    return grey;
+  };
+  this->addCurve(0.5);
+  EXPECT_TRUE(becomeGrey());
+  EXPECT_FALSE(this->areGrey());
+  EXPECT_NE(this->words(), first);
+  EXPECT_FALSE(this->words().contains("(")) << this->words().toStdString();
+  ASSERT_TRUE(this->window->curves()->SetCurveType(0, 1));
+  EXPECT_TRUE(becomeGrey());
+  EXPECT_FALSE(this->areGrey());
+}
+
+TEST_F(EditorPieces, OfWhatIsRefusedThereAreNoNumbersAndNoPattern)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(10.0);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(17);
+  ball->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  ball->Update();
+  ASSERT_TRUE(this->window->openSurface(this->write(ball->GetOutput(), "ball.vtp")));
+  this->waitForPieces();
+  EXPECT_TRUE(this->window->message().contains("closed")) << this->window->message().toStdString();
+  EXPECT_EQ(this->words(), "");
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  vtkNew<vtkPoints> nodes;
+  nodes->SetDataTypeToDouble();
+  nodes->InsertNextPoint(0.0, 0.0, 10.0);
+  nodes->InsertNextPoint(10.0, 0.0, 0.0);
+  nodes->InsertNextPoint(0.0, 0.0, -10.0);
+  ASSERT_TRUE(curves->AddCurve(nodes));
+  ASSERT_TRUE(curves->SetCurveType(0, 2));
+  this->waitForPieces();
+  EXPECT_FALSE(this->areGrey());
+  const std::string pattern = this->folder + "pattern.svg";
+  EXPECT_TRUE(this->window->savePattern(pattern)) << this->window->message().toStdString();
+  EXPECT_TRUE(std::filesystem::remove(pattern));
+
+  ASSERT_TRUE(curves->SetCurveType(0, 0)); // nothing opens it any more
+  this->waitForPieces();
+  EXPECT_TRUE(this->areGrey());
+  EXPECT_TRUE(this->words().contains("refused")) << this->words().toStdString();
+  EXPECT_FALSE(this->words().contains("recomputing")) << this->words().toStdString();
+  EXPECT_FALSE(this->window->savePattern(pattern));
+  EXPECT_TRUE(this->window->message().contains("closed")) << this->window->message().toStdString();
+  EXPECT_FALSE(std::filesystem::exists(pattern));
+  curves->Undo();
+  this->waitForPieces();
+  EXPECT_FALSE(this->areGrey());
+}
