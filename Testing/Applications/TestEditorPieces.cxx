@@ -63,7 +63,7 @@ protected:
   std::string write(vtkPolyData* data, const char* name)
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
-    const std::string path = this->folder + name;
+    std::string path = this->folder + name;
     writer->SetFileName(path.c_str());
     writer->SetInputData(data);
     writer->Write();

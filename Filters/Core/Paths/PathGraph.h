@@ -13,7 +13,7 @@ namespace flattening
 /// so in every unit, and whichever way they are found.
 using WayLength = std::uint64_t;
 
-inline constexpr std::size_t landmarkCount = 4;
+inline constexpr std::size_t landmarkCount = 16;
 /// See landmarkDistances().
 using LandmarkDistances = std::array<WayLength, landmarkCount>;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace flattening
 {
@@ -36,6 +37,11 @@ Indices nodesAround(const PathGraph& graph, const SurfacePoint& point)
   return nodes;
 }
 
+WayLength difference(WayLength a, WayLength b)
+{
+  return a > b ? a - b : b - a;
+}
+
 WayLength apart(const PathGraph& graph, Index node, const SurfacePoint& point)
 {
   return graph.rounded((graph.position(node) - point.position).norm());
@@ -59,35 +65,50 @@ PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, PathW
 WayLength PathSearch::ahead(Index node, const Point3& target) const
 {
   WayLength least = this->Graph.straight(node, target);
-  if (this->ToTarget)
+  for (std::size_t k = 0; k < this->MarkCount; ++k)
   {
-    const LandmarkDistances& here = *this->Graph.landmarks(node);
-    for (std::size_t k = 0; k < landmarkCount; ++k)
-    {
-      const WayLength there = (*this->ToTarget)[k];
-      least = std::max(least, here[k] > there ? here[k] - there : there - here[k]);
-    }
+    const Mark& mark = this->Marks[k];
+    least =
+      std::max(least, difference((*this->Graph.landmarks(node))[mark.landmark], mark.toTarget));
   }
   return least;
 }
 
-void PathSearch::aimAt(const SurfacePoint& target, const Indices& goals)
+void PathSearch::chooseMarks(const SurfacePoint& target, const Indices& goals)
 {
-  this->ToTarget.reset();
+  this->MarkCount = 0;
+  const Index start = nodesAround(this->Graph, this->Source).front();
+  const LandmarkDistances* const fromStart = this->Graph.landmarks(start);
+  if (!fromStart)
+  {
+    return;
+  }
+  LandmarkDistances toTarget;
+  toTarget.fill(std::numeric_limits<WayLength>::max());
   for (const Index node : goals)
   {
-    if (const LandmarkDistances* const distances = this->Graph.landmarks(node))
+    const WayLength last = apart(this->Graph, node, target);
+    for (std::size_t k = 0; k < landmarkCount; ++k)
     {
-      const WayLength last = apart(this->Graph, node, target);
-      LandmarkDistances least = this->ToTarget.value_or(*distances);
-      for (std::size_t k = 0; k < landmarkCount; ++k)
-      {
-        const WayLength length = (*distances)[k] + last;
-        least[k] = this->ToTarget ? std::min(least[k], length) : length;
-      }
-      this->ToTarget = least;
+      toTarget[k] = std::min(toTarget[k], (*this->Graph.landmarks(node))[k] + last);
     }
   }
+  std::array<std::size_t, landmarkCount> order{};
+  std::iota(order.begin(), order.end(), 0);
+  const auto seemsLonger = [&](std::size_t a, std::size_t b) {
+    return difference((*fromStart)[a], toTarget[a]) > difference((*fromStart)[b], toTarget[b]);
+  };
+  this->MarkCount = this->Marks.size();
+  std::partial_sort(order.begin(), order.begin() + this->Marks.size(), order.end(), seemsLonger);
+  for (std::size_t k = 0; k < this->MarkCount; ++k)
+  {
+    this->Marks[k] = { order[k], toTarget[order[k]] };
+  }
+}
+
+void PathSearch::aimAt(const SurfacePoint& target, const Indices& goals)
+{
+  this->chooseMarks(target, goals);
   std::vector<Entry> open;
   for (const Entry& entry : this->Open)
   {

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <optional>
+#include <vector>
 
 namespace flattening
 {
@@ -53,6 +53,12 @@ private:
     bool operator<(const Entry& other) const { return this->bound > other.bound; }
   };
 
+  struct Mark
+  {
+    std::size_t landmark = 0;
+    WayLength toTarget = 0;
+  };
+
   State& state(Index node)
   {
     const std::size_t size = std::tuple_size<Page>::value;
@@ -64,6 +70,7 @@ private:
     return (*page)[node % size];
   }
   WayLength ahead(Index node, const Point3& target) const;
+  void chooseMarks(const SurfacePoint& target, const Indices& goals);
   void aimAt(const SurfacePoint& target, const Indices& goals);
   /// The corner of the triangles around a target by which the shortest way comes; none where there
   /// is none.
@@ -77,7 +84,9 @@ private:
   PathWays Taken;
   std::vector<std::unique_ptr<Page>> Pages;
   std::vector<Entry> Open; ///< a heap
-  /// From landmarks to the target.
-  std::optional<LandmarkDistances> ToTarget;
+  /// Landmarks by which a way to the target seems longest, how far they are from it, and how many
+  /// there are.
+  std::array<Mark, 8> Marks{};
+  std::size_t MarkCount = 0;
 };
 }
