@@ -130,6 +130,7 @@ Symmetry SurfacePicker::symmetry() const
     if (sum < least * moved)
     {
       least = sum / moved;
+      best.error = std::sqrt(least);
       best.normal = { 0.0, 0.0, 0.0 };
       best.normal[axis] = 1.0;
     }

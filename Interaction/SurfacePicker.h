@@ -16,6 +16,9 @@ struct Symmetry
 {
   std::array<double, 3> origin{};
   std::array<double, 3> normal{ 1.0, 0.0, 0.0 };
+  /// How far the surface's image lies from it (RMS), as a fraction of how far it is from its
+  /// points.
+  double error = 0.0;
 };
 
 struct SurfacePick

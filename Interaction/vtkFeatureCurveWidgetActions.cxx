@@ -12,6 +12,9 @@
 
 namespace
 {
+/// Of interaction::Symmetry::error; a shirt front that is sewn by hand has less.
+constexpr double fairlySymmetric = 0.1;
+
 struct Action
 {
   const char* name;
@@ -314,13 +317,20 @@ bool vtkFeatureCurveWidget::ToggleMirror()
   const int curve = this->Chosen.curve;
   this->Editor->BeginGroup();
   bool done = true;
+  interaction::Symmetry symmetry;
   if (!this->Editor->HasMirrorPlane())
   {
-    const interaction::Symmetry symmetry = this->Picker.symmetry();
+    symmetry = this->Picker.symmetry();
     done = this->Editor->SetMirrorPlane(symmetry.origin.data(), symmetry.normal.data());
   }
   done = done && this->Editor->SetCurveMirrored(curve, !this->Editor->GetCurveMirrored(curve));
   this->Editor->EndGroup();
+  if (done && symmetry.error > fairlySymmetric)
+  {
+    std::string words = "mirrored in the plane in which the surface is most like its image, but "
+                        "it is not symmetric; Undo takes that back";
+    this->InvokeEvent(vtkCommand::WarningEvent, words.data());
+  }
   return this->Finished(done);
 }
 

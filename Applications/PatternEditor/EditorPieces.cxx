@@ -3,6 +3,7 @@
 #include "EditorWindow.h"
 
 #include "PatternPicture.h"
+#include "StraightCorners.h"
 
 #include <vtkRenderWindow.h>
 
@@ -62,7 +63,9 @@ void EditorWindow::takePieces()
   if (this->Live->take())
   {
     // What something else has said stays where there is nothing new to say.
-    const std::string& words = this->Live->message();
+    std::string words = this->Live->message();
+    const std::string corners = words.empty() ? "" : cornersOfStraightKeys(this->Curves);
+    words = corners.empty() ? words : corners;
     if (!words.empty() || this->Message->text().toStdString() == this->Broken)
     {
       this->tell(words, true);

@@ -23,7 +23,8 @@ namespace editor
 namespace
 {
 constexpr double pieceMargin = 1.12;
-constexpr float wireWidth = 3.0F; // pixels
+constexpr float wireWidth = 3.0F;    // pixels
+constexpr double shareOfScale = 0.1; // of the view's height, with its title
 constexpr double dimOpacity = 0.35;
 
 /// Kinds of wires that are drawn, those drawn over others last.
@@ -200,11 +201,14 @@ void PlaneView::resetCamera(vtkPolyData* flat)
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
   const double width = bounds[1] - bounds[0];
   const double height = bounds[3] - bounds[2];
-  const double center[2] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) };
+  // The pieces have what the scale leaves of the view.
+  const double seen = pieceMargin *
+    std::max(height / (1.0 - shareOfScale), width / this->Renderer->GetTiledAspectRatio());
+  const double center[2] = { 0.5 * (bounds[0] + bounds[1]),
+    0.5 * (bounds[2] + bounds[3]) - 0.5 * shareOfScale * seen };
   camera->SetFocalPoint(center[0], center[1], 0.0);
   camera->SetPosition(center[0], center[1], width + height);
   camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetParallelScale(
-    0.5 * pieceMargin * std::max(height, width / this->Renderer->GetTiledAspectRatio()));
+  camera->SetParallelScale(0.5 * seen);
 }
 }

@@ -182,7 +182,8 @@ TEST_F(EditorCloth, AGrainThatIsNoneIsSaid)
 TEST_F(EditorCloth, MapsOfThreadsHaveTheirScale)
 {
   this->choose("twill");
-  this->window.setFocus(); // off the list of materials, which takes keys itself
+  QApplication::setActiveWindow(&this->window); // the list's popup was it
+  this->window.setFocus();                      // off the list, which takes keys itself
   QTest::keyClick(&this->window, Qt::Key_5);
   QApplication::processEvents();
   if (const char* const folder = std::getenv("PATTERN_EDITOR_PICTURES"))

