@@ -19,18 +19,18 @@ constexpr double cornerDegrees = 30.0;
 /// The direction of a segment at its end is that of so much of it: edges zigzag.
 constexpr double partOfSegment = 0.25;
 
-using Place = std::array<double, 3>;
+using CurvePoint = std::array<double, 3>;
 
 /// The point of a line at a length from its first point, or from its last one.
-Place placeOn(vtkPolyData* lines, vtkIdType cell, double length, bool fromEnd)
+CurvePoint placeOn(vtkPolyData* lines, vtkIdType cell, double length, bool fromEnd)
 {
   vtkNew<vtkIdList> ids;
   lines->GetCellPoints(cell, ids);
   const vtkIdType count = ids->GetNumberOfIds();
-  Place last{};
+  CurvePoint last{};
   for (vtkIdType k = 0; k < count; ++k)
   {
-    Place place{};
+    CurvePoint place{};
     lines->GetPoint(ids->GetId(fromEnd ? count - 1 - k : k), place.data());
     const double step =
       k > 0 ? std::sqrt(vtkMath::Distance2BetweenPoints(last.data(), place.data())) : 0.0;
@@ -54,11 +54,11 @@ double turnAfter(const vtkFeatureCurveEditor* curves, int curve, int segment, vt
 {
   const double before = partOfSegment * curves->GetSegmentLength(curve, segment);
   const double after = partOfSegment * curves->GetSegmentLength(curve, segment + 1);
-  const Place from = placeOn(lines, segment, before, true);
-  const Place node = placeOn(lines, segment + 1, 0.0, false);
-  const Place to = placeOn(lines, segment + 1, after, false);
-  Place in{};
-  Place out{};
+  const CurvePoint from = placeOn(lines, segment, before, true);
+  const CurvePoint node = placeOn(lines, segment + 1, 0.0, false);
+  const CurvePoint to = placeOn(lines, segment + 1, after, false);
+  CurvePoint in{};
+  CurvePoint out{};
   vtkMath::Subtract(node.data(), from.data(), in.data());
   vtkMath::Subtract(to.data(), node.data(), out.data());
   return vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(in.data(), out.data()));
