@@ -2,12 +2,14 @@
 // Cloth in the window: chosen in its box, read at the mouse.
 #include "EditorWindow.h"
 
+#include <QVTKOpenGLStereoWidget.h>
 #include <QVTKOpenGLWindow.h>
 #include <vtkActor2DCollection.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
 #include <vtkTextActor.h>
 
 #include <QApplication>
@@ -63,6 +65,14 @@ protected:
   /// Moves the mouse over the middle of a flat triangle.
   void pointAt(vtkIdType cell)
   {
+    // A message of more lines makes the view smaller, which VTK hears from the X server later.
+    ASSERT_TRUE(QTest::qWaitFor([this] {
+      QVTKOpenGLStereoWidget* const view = this->window.planeWidget();
+      const int* const size = view->renderWindow()->GetSize();
+      const double ratio = view->devicePixelRatioF();
+      return size[0] == std::lround(ratio * view->width()) &&
+        size[1] == std::lround(ratio * view->height());
+    }));
     std::array<double, 3> middle{};
     vtkPoints* const corners = this->flat()->GetCell(cell)->GetPoints();
     for (vtkIdType k = 0; k < 3; ++k)
