@@ -29,7 +29,7 @@ FINDINGS = {"D.cxx": "performance-unnecessary-value-param", "E.cxx": "clang-anal
 
 def run(root, names):
     commands = [{"directory": str(root), "file": f"Filters/{name}",
-                 "command": f"/usr/bin/c++ -std=c++17 --param=ggc-min-expand=100 -Winvalid-pch -include {root}/build/cmake_pch.hxx -o {name}.o -c {root}/Filters/{name}"} for name in names]
+                 "command": f"/usr/bin/c++ -std=c++17 -Werror --param=ggc-min-expand=100 -Winvalid-pch -include {root}/build/cmake_pch.hxx -o {name}.o -c {root}/Filters/{name}"} for name in names]
     (root / "build" / "compile_commands.json").write_text(json.dumps(commands), encoding="utf-8")
     result = subprocess.run(
         [sys.executable, str(root / "Testing" / "Lint" / "CheckTidy.py"), sys.argv[1], str(root / "build")],
