@@ -104,9 +104,9 @@
  * GlobalHomogeneity of the piece flattened without that by the same scheme with the same options;
  * -1 where it was not tried or has no solution). ReleaseTrials tries them in pieces that lie poorly: an
  * angle changed by more than 0.7 radians or, with Interior AS_RIGID_AS_POSSIBLE, GlobalHomogeneity
- * below 0.4 or flipped triangles, as many as can be expected to take about two seconds; of a large
- * piece none may be left. Those that were tried are ranked by AreaError with scheme
- * ISOMETRIC, by Objective else. Curves that were not tried follow by the magnitude of their
+ * below 0.4 or flipped triangles, by ISOMETRIC as many as can be expected to take about two
+ * seconds; of a large piece none may be left. Those that were tried are ranked by AreaError with
+ * scheme ISOMETRIC, by Objective else. Curves that were not tried follow by the magnitude of their
  * sensitivity.
  *
  * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
@@ -281,9 +281,9 @@ public:
   ///@{
   /**
    * GLOBAL and ISOMETRIC: try what a release would bring where a piece lies poorly, which takes the
-   * time of up to six flattenings of the piece, but not much more than two seconds (counted by the
-   * work, not by the clock; see `ReleaseTried`). Off: the curves are ranked by
-   * their sensitivity alone. Default: on.
+   * time of up to six flattenings of the piece, by ISOMETRIC for not much more than two
+   * seconds (counted by the work, not by the clock; see `ReleaseTried`). Off: the curves are ranked
+   * by their sensitivity alone. Default: on.
    */
   vtkSetMacro(ReleaseTrials, bool);
   vtkGetMacro(ReleaseTrials, bool);
