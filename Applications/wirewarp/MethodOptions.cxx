@@ -101,8 +101,8 @@ void addMethods(CLI::App& app, Options& options)
     .add_flag_callback(
       "--no-release-trials", [&options]() { options.releaseTrials = false; },
       "Do not try what a release would bring where a piece lies poorly, which takes up to six "
-      "flattenings of it, but not much more than two seconds; rank the curves to release by their "
-      "sensitivity")
+      "flattenings of it, by the isometric scheme for not much more than two seconds; rank the "
+      "curves to release by their sensitivity")
     ->group(group);
   app
     .add_flag("--close-cuts", options.closeCuts,

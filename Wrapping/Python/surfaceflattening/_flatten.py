@@ -101,9 +101,9 @@ def flatten(
             converge.
         release_keys: treat key curves as accessory curves.
         release_trials: "global" and "isometric": try what a release of a curve would bring where a
-            piece lies poorly, which takes up to six flattenings of it, but not much more
-            than two seconds; False: report["pieces"] rank the curves to release by their sensitivity
-            alone.
+            piece lies poorly, which takes up to six flattenings of it, by "isometric" for not
+            much more than two seconds; False: report["pieces"] rank the curves to release by their
+            sensitivity alone.
         close_cuts: close darts and other cuts as far as their banks would lie over each other, at
             the price of more distortion; False: they overlap, which breaks a promise.
         dart_legs: how the legs of a dart lie: "free", as the piece distorts least, so that they fit when
