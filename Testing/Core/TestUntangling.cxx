@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/Untangling.h"
+#include "TestThreads.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -91,4 +94,45 @@ TEST(Untangling, SaysWhichPatchCannotBeHelped)
   {
     EXPECT_TRUE(p.allFinite());
   }
+}
+
+TEST(Untangling, MovesWhatLiesAroundFoldsAloneWhereThatIsAskedFor)
+{
+  const Surface surface = flatPatch(30, 30);
+  const WiredSurface wired(surface);
+  Points2 positions;
+  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+  {
+    positions.push_back(surface.unrolled[wired.original(v)]);
+  }
+  positions[wired.vertex(15 * 31 + 15)] += Point2(2.5, 0.3);
+  ASSERT_GT(countFlips(wired.piece.mesh, positions), 0);
+  const Points2 before = positions;
+  UntanglingOptions options;
+  options.nearby = true;
+  const UntanglingResult result =
+    untangleInterior(wired.piece, wired.network, {}, positions, options);
+  EXPECT_TRUE(result.tangled.empty());
+  EXPECT_EQ(countFlips(wired.piece.mesh, positions), 0);
+  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+  {
+    if ((before[v] - Point2(15.0, 15.0)).norm() > 13.0)
+    {
+      EXPECT_EQ(positions[v], before[v]);
+    }
+  }
+}
+
+TEST(Untangling, IsTheSameForAnyNumberOfThreads)
+{
+  // A curve across makes two patches, both scattered.
+  const Surface surface = flatPatch(10, 10);
+  Indices across(11);
+  std::iota(across.begin(), across.end(), 55);
+  const WiredSurface wired(surface.mesh, { accessory("across", across) });
+  Points2 alone = tangledPositions(wired, surface.unrolled, 0.0);
+  Points2 together = alone;
+  ASSERT_EQ(untangleInterior(wired.piece, wired.network, {}, alone).patches.size(), 2U);
+  untangleInterior(wired.piece, wired.network, withThreads(3), together);
+  EXPECT_EQ(alone, together);
 }

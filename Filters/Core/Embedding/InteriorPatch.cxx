@@ -63,6 +63,41 @@ std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const Wire
   return patches;
 }
 
+InteriorPatch restrictedTo(const InteriorPatch& patch, const std::vector<char>& marked)
+{
+  const auto free = [&](Index v) { return v < patch.freeCount && marked[v]; };
+  InteriorPatch part;
+  part.patch = patch.patch;
+  Indices local(patch.vertices.size(), none);
+  const auto take = [&](Index v) {
+    local[v] = static_cast<Index>(part.vertices.size());
+    part.vertices.push_back(patch.vertices[v]);
+  };
+  for (Index v = 0; v < patch.freeCount; ++v)
+  {
+    if (free(v))
+    {
+      take(v);
+    }
+  }
+  part.freeCount = static_cast<Index>(part.vertices.size());
+  for (const Triangle& c : patch.triangles)
+  {
+    if (std::any_of(c.begin(), c.end(), free))
+    {
+      for (Index v : c)
+      {
+        if (local[v] == none)
+        {
+          take(v);
+        }
+      }
+      part.triangles.push_back({ local[c[0]], local[c[1]], local[c[2]] });
+    }
+  }
+  return part;
+}
+
 PatchMatrix::PatchMatrix(const InteriorPatch& patch)
   : Matrix(patch.freeCount, patch.freeCount)
   , EdgePlace(patch.triangles.size(), Triangle{ none, none, none })

@@ -21,6 +21,11 @@ struct InteriorPatch
 /// The wire-patches that have interior vertices.
 std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const WireNetwork& network);
 
+/// The same with only those of the interior vertices free that are marked; the others beside them
+/// are held like those on wires.
+/// \param marked per vertex of the patch.
+InteriorPatch restrictedTo(const InteriorPatch& patch, const std::vector<char>& marked);
+
 /// Weight of the edge opposite to each corner.
 using EdgeWeights = std::array<double, 3>;
 

@@ -19,7 +19,9 @@ constexpr int fewestIterations = 20;
 /// Iterations times triangles, so that time is bounded on every mesh.
 constexpr double mostTriangles = 4e6;
 /// From so many interior vertices on a factorization by blocks pays.
-constexpr Index manyVertices = 1500;
+constexpr Index manyVertices = 200;
+/// Around a single flipped triangle.
+constexpr int fewestRings = 4;
 
 double determinant(const Eigen::Vector4d& parts)
 {
@@ -53,6 +55,46 @@ NormDetDensity density(double epsilon, const Eigen::Vector4d& parts)
   d.byNormDet = -r / chi;
   d.byDet2 = (2.0 * areaWeight - 2.0 * topByDet * r - top * (bend / chi - 2.0 * r * r)) / chi;
   return d;
+}
+
+bool isFlipped(const TriangleFrame& frame, const Triangle& corners, const Points2& positions)
+{
+  Eigen::Matrix<double, 6, 1> at;
+  at << positions[corners[0]], positions[corners[1]], positions[corners[2]];
+  return determinant(mapPartsDerivative(frame) * at) <= 0.0;
+}
+
+/// The part of a patch that is so many rings of vertices around its flipped triangles; more of them
+/// need more room.
+InteriorPatch aroundFolds(
+  const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions)
+{
+  std::vector<char> within(patch.vertices.size(), 0);
+  int folds = 0;
+  for (const Triangle& c : patch.triangles)
+  {
+    const Triangle corners{ patch.vertices[c[0]], patch.vertices[c[1]], patch.vertices[c[2]] };
+    const TriangleFrame frame(
+      mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]));
+    if (isFlipped(frame, corners, positions))
+    {
+      ++folds;
+      std::for_each(c.begin(), c.end(), [&within](Index v) { within[v] = 1; });
+    }
+  }
+  const int rings = folds == 0 ? 0 : fewestRings + static_cast<int>(2.0 * std::sqrt(folds));
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<char> before = within;
+    for (const Triangle& c : patch.triangles)
+    {
+      if (before[c[0]] || before[c[1]] || before[c[2]])
+      {
+        std::for_each(c.begin(), c.end(), [&within](Index v) { within[v] = 1; });
+      }
+    }
+  }
+  return restrictedTo(patch, within);
 }
 
 class PatchUntangling
@@ -262,30 +304,62 @@ private:
 }
 
 UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network,
-  const Execution& execution, Points2& positions, int patience)
+  const Execution& execution, Points2& positions, const UntanglingOptions& options)
 {
   UntanglingResult result;
   if (countFlipped(piece.mesh, positions) == 0)
   {
     return result;
   }
-  for (const InteriorPatch& interior : collectInteriorPatches(piece, network))
+  const std::vector<InteriorPatch> patches = collectInteriorPatches(piece, network);
+  enum class Outcome : char
   {
-    PatchUntangling patch(interior, piece.mesh, positions);
-    if (!patch.tangled())
-    {
-      continue;
-    }
-    result.patches.push_back(interior.patch);
-    if (!patch.run(execution, patience))
-    {
-      result.status = { StatusCode::Cancelled, "cancelled while untangling", {} };
-      return result;
-    }
-    patch.writeBack(positions);
+    Sound,
+    Untangled,
+    Tangled,
+    Cancelled,
+  };
+  std::vector<Outcome> outcomes(patches.size(), Outcome::Sound);
+  const auto untangle = [&](Index k, const Execution& run) {
+    const InteriorPatch part =
+      options.nearby ? aroundFolds(patches[k], piece.mesh, positions) : patches[k];
+    PatchUntangling patch(part, piece.mesh, positions);
     if (patch.tangled())
     {
-      result.tangled.push_back(interior.patch);
+      const bool done = patch.run(run, options.patience);
+      patch.writeBack(positions); // vertices of this patch alone
+      outcomes[k] = !done ? Outcome::Cancelled
+        : patch.tangled() ? Outcome::Tangled
+                          : Outcome::Untangled;
+    }
+  };
+  if (patches.size() == 1)
+  {
+    untangle(0, execution);
+  }
+  else
+  {
+    const Execution inner = execution.insideLoop();
+    execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
+      for (Index k = begin; k < end; ++k)
+      {
+        untangle(k, inner);
+      }
+    });
+  }
+  for (std::size_t k = 0; k < patches.size(); ++k)
+  {
+    if (outcomes[k] == Outcome::Cancelled)
+    {
+      result.status = { StatusCode::Cancelled, "cancelled while untangling", {} };
+    }
+    if (outcomes[k] != Outcome::Sound)
+    {
+      result.patches.push_back(patches[k].patch);
+    }
+    if (outcomes[k] == Outcome::Tangled)
+    {
+      result.tangled.push_back(patches[k].patch);
     }
   }
   return result;

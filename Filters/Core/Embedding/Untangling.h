@@ -6,6 +6,16 @@
 
 namespace flattening
 {
+struct UntanglingOptions
+{
+  /// Iterations in a row that may leave no fold less before a patch is given up: where wires leave
+  /// it no way to lie flat, epsilon falls for ever.
+  int patience = 200;
+  /// Whether only what lies around the flipped triangles is moved: quicker where they are few, and
+  /// the rest stays as good as it is.
+  bool nearby = false;
+};
+
 struct UntanglingResult
 {
   Indices patches; ///< wire-patches that had a flipped triangle and were worked on
@@ -20,10 +30,8 @@ struct UntanglingResult
 /// Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, "Foldover-free maps in 50 lines of
 /// code", ACM Transactions on Graphics 40(4), 2021), by projected Newton steps. A patch whose
 /// planar loop crosses itself, or a triangle between wires only, cannot be helped; what is best is
-/// kept.
-/// \param positions per piece vertex, in and out. \param patience iterations in a row that may leave
-/// no fold less before a patch is given up: where wires leave it no way to lie flat, epsilon falls
-/// for ever.
+/// kept. Patches are worked on in parallel.
+/// \param positions per piece vertex, in and out.
 UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network,
-  const Execution& execution, Points2& positions, int patience = 200);
+  const Execution& execution, Points2& positions, const UntanglingOptions& options = {});
 }

@@ -103,10 +103,14 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
     // An energy with a barrier wants a start without a fold, whatever that takes.
     const bool onlyStart = context.options.scheme == Scheme::Isometric &&
       context.options.isometric.energy.kind == DistortionEnergyKind::AsRigidAsPossible;
-    const UntanglingResult untangled = onlyStart
-      ? untangleInterior(
-          context.piece, context.network, context.execution, placed.positions, patienceForStart)
-      : untangleInterior(context.piece, context.network, context.execution, placed.positions);
+    UntanglingOptions options;
+    if (onlyStart)
+    {
+      options.patience = patienceForStart;
+      options.nearby = true;
+    }
+    const UntanglingResult untangled = untangleInterior(
+      context.piece, context.network, context.execution, placed.positions, options);
     noteStatus(untangled.status, placed.status);
   }
   placed.seconds = watch.seconds();
