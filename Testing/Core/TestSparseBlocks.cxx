@@ -88,3 +88,46 @@ TEST(SparseBlocks, WhatIsNoUnknownHasNoEntries)
   block.scatter(Eigen::Vector3d(1.0, 2.0, 3.0), whole);
   EXPECT_EQ(whole, Eigen::VectorXd(Eigen::Vector4d(0.0, 2.0, 0.0, 0.0)));
 }
+
+TEST(SparseBlocks, OfPointsAddUpToTheMatrixThatDenseOnesMakeInEveryOrderOfTheirVertices)
+{
+  using Block = PointsBlock<3>;
+  Eigen::Matrix<double, 6, 6> a;
+  for (int r = 0; r < 6; ++r)
+  {
+    for (int c = 0; c <= r; ++c)
+    {
+      a(r, c) = a(c, r) = 1.0 + 10.0 * r + c;
+    }
+  }
+  const std::array<Block::Vertices, 4> triangles{ Block::Vertices{ 0, 1, 2 }, { 2, 1, 3 },
+    { 3, 0, 2 }, { 1, 3, 0 } };
+  SymmetricAssembler assembler(8);
+  Index first = none;
+  for (const Block::Vertices& v : triangles)
+  {
+    const Index here = Block::declare(assembler, v);
+    first = first == none ? here : first;
+  }
+  assembler.finish();
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(8, 8);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(8);
+  Eigen::VectorXd scattered = Eigen::VectorXd::Zero(8);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Block::Vertices& v = triangles[t];
+    Block::add(assembler, first + static_cast<Index>(t) * Block::entryCount, v, a);
+    Block::scatter(v, a.col(0), scattered);
+    for (int r = 0; r < 6; ++r)
+    {
+      sum[2 * v[r / 2] + r % 2] += a(r, 0);
+      for (int c = 0; c < 6; ++c)
+      {
+        expected(2 * v[r / 2] + r % 2, 2 * v[c / 2] + c % 2) += a(r, c);
+      }
+    }
+  }
+  const Eigen::MatrixXd filled(Eigen::MatrixXd(assembler.matrix()).selfadjointView<Eigen::Lower>());
+  EXPECT_LT((filled - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(scattered, sum);
+}

@@ -101,7 +101,10 @@ TEST(SurfaceFlattening, OnTheTwoArcsOfFigure14ThePapersIterationFailsAndNewtonFi
   EXPECT_LT(newton.pieces.front().quality.maximumEdgeLengthError, 1e-10);
   options.angles.method = AngleMethod::Sequential;
   const FlatteningResult sequential = flatten(quarterSphereWithTwoArcs(), options);
-  EXPECT_STREQ(statusName(sequential.status.code), "LengthError");
+  // How far it strays depends on how SuperLU's BLAS rounds.
+  EXPECT_TRUE(sequential.status.code == StatusCode::LengthError ||
+    sequential.status.code == StatusCode::NotConverged)
+    << statusName(sequential.status.code);
 }
 
 TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)

@@ -47,12 +47,10 @@ double IsometricSheet::energy(const Eigen::VectorXd& x, const Execution& executi
 
 void IsometricSheet::declare(SymmetricAssembler& assembler)
 {
-  this->Blocks.reserve(this->Cells.size());
-  for (const Triangle& c : this->Cells)
+  for (std::size_t t = 0; t < this->Cells.size(); ++t)
   {
-    this->Blocks.emplace_back(assembler,
-      std::array<Index, 6>{
-        2 * c[0], 2 * c[0] + 1, 2 * c[1], 2 * c[1] + 1, 2 * c[2], 2 * c[2] + 1 });
+    const Index first = Block::declare(assembler, this->Cells[t]);
+    this->FirstEntry = t == 0 ? first : this->FirstEntry;
   }
 }
 
@@ -83,9 +81,9 @@ void IsometricSheet::add(const Eigen::VectorXd& x, Curvature curvature,
     static_cast<Index>(this->Cells.size()), execution,
     [&](Index t) { return this->derivatives(t, x, convex); },
     [&](Index t, const Derivatives& of) {
-      this->Blocks[t].add(
-        assembler, [&of](int a, int b) { return of.hessian[a * (a + 1) / 2 + b]; });
-      this->Blocks[t].scatter(of.gradient, gradient);
+      Block::add(assembler, this->FirstEntry + t * Block::entryCount, this->Cells[t],
+        [&of](int a, int b) { return of.hessian[a * (a + 1) / 2 + b]; });
+      Block::scatter(this->Cells[t], of.gradient, gradient);
     });
 }
 
@@ -100,6 +98,6 @@ void IsometricSheet::addGradient(
         (mapPartsDerivative(this->Frames[t]).transpose() *
           this->Energy.gradient(this->mapParts(t, x))));
     },
-    [&](Index t, const Gradient& of) { this->Blocks[t].scatter(of, gradient); });
+    [&](Index t, const Gradient& of) { Block::scatter(this->Cells[t], of, gradient); });
 }
 }

@@ -26,7 +26,7 @@ public:
   double energy(const Eigen::VectorXd& x, const Execution& execution) const;
 
   /// How many entries declare() declares.
-  std::size_t entryCount() const { return 21 * this->Cells.size(); }
+  std::size_t entryCount() const { return Block::entryCount * this->Cells.size(); }
   void declare(SymmetricAssembler& assembler);
   /// Adds gradient and Hessian at x.
   void add(const Eigen::VectorXd& x, Curvature curvature, SymmetricAssembler& assembler,
@@ -36,6 +36,8 @@ public:
     const Eigen::VectorXd& x, Eigen::VectorXd& gradient, const Execution& execution) const;
 
 private:
+  using Block = PointsBlock<3>;
+
   struct Derivatives
   {
     std::array<double, 21> hessian; ///< its lower triangle, row by row
@@ -48,6 +50,6 @@ private:
   Triangles Cells;
   SheetEnergy Energy;
   std::vector<TriangleFrame> Frames; ///< in units
-  std::vector<SymmetricBlock<6>> Blocks;
+  Index FirstEntry = none;           ///< of the first triangle; those of the others follow
 };
 }

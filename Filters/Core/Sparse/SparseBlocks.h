@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 
 namespace flattening
@@ -67,6 +68,66 @@ private:
 
   std::array<Index, N> Unknowns{};
   Index First = none; ///< entry; the others follow
+};
+
+/// A dense symmetric block of the coordinates x and y, unknowns 2 v and 2 v + 1, of so many
+/// different vertices: its entries are known by the first, so that blocks in a row need no memory.
+template <int N>
+class PointsBlock
+{
+public:
+  static constexpr Index entryCount = N * (N + 1);
+  using Vertices = std::array<Index, N>;
+
+  /// Declares the entries. \return the first; the others follow
+  static Index declare(SymmetricAssembler& assembler, const Vertices& v)
+  {
+    Index first = none;
+    for (int p = 0; p < N; ++p)
+    {
+      const Index own = assembler.declarePair(2 * v[p], 2 * v[p]);
+      assembler.declare(2 * v[p] + 1, 2 * v[p] + 1);
+      first = p == 0 ? own : first;
+      for (int q = 0; q < p; ++q)
+      {
+        const auto [column, row] = std::minmax(v[p], v[q]);
+        assembler.declarePair(2 * row, 2 * column);
+        assembler.declarePair(2 * row, 2 * column + 1);
+      }
+    }
+    return first;
+  }
+  /// \param values gives a number for (row, column), row >= column, of x and y in turn.
+  template <class Values>
+  static void add(
+    SymmetricAssembler& assembler, Index first, const Vertices& v, const Values& values)
+  {
+    Index entry = first;
+    for (int p = 0; p < N; ++p)
+    {
+      assembler.addPair(entry++, values(2 * p, 2 * p), values(2 * p + 1, 2 * p));
+      assembler.add(entry++, values(2 * p + 1, 2 * p + 1));
+      for (int q = 0; q < p; ++q)
+      {
+        // Across the diagonal where the vertices stand the other way round.
+        const bool turned = v[p] < v[q];
+        const double upper = values(2 * p, 2 * q + 1);
+        const double lower = values(2 * p + 1, 2 * q);
+        assembler.addPair(entry++, values(2 * p, 2 * q), turned ? upper : lower);
+        assembler.addPair(entry++, turned ? lower : upper, values(2 * p + 1, 2 * q + 1));
+      }
+    }
+  }
+  /// Adds the block's part of a vector to the whole.
+  template <class Part>
+  static void scatter(const Vertices& v, const Part& part, Eigen::VectorXd& whole)
+  {
+    for (int p = 0; p < N; ++p)
+    {
+      whole[2 * v[p]] += part[2 * p];
+      whole[2 * v[p] + 1] += part[2 * p + 1];
+    }
+  }
 };
 
 /// A dense block of rows that come after all its columns: a part of a Jacobian in a KKT matrix.

@@ -26,7 +26,7 @@ void SymmetricAssembler::finish()
   }
   struct Declared
   {
-    Index row;
+    Index rows; ///< as in Rows
     Index entry;
   };
   std::vector<Declared> byColumn(count);
@@ -49,13 +49,20 @@ void SymmetricAssembler::finish()
   for (Index column = 0, first = 0; column < this->Size; ++column)
   {
     const Index last = begin[column]; // where the next column's begin was
-    for (Index k = first; k < last; ++k)
-    {
-      const Index row = byColumn[k].row;
+    const auto add = [&](Index row) {
       if (slotOfRow[row] < columnBegin[column])
       {
         slotOfRow[row] = columnBegin[column]; // until they are sorted
         rows.push_back(row);
+      }
+    };
+    for (Index k = first; k < last; ++k)
+    {
+      const Index row = byColumn[k].rows / 2;
+      add(row);
+      if (byColumn[k].rows % 2 != 0)
+      {
+        add(row + 1);
       }
     }
     std::sort(rows.begin() + columnBegin[column], rows.end());
@@ -66,7 +73,7 @@ void SymmetricAssembler::finish()
     }
     for (Index k = first; k < last; ++k)
     {
-      this->Slots[byColumn[k].entry] = slotOfRow[byColumn[k].row];
+      this->Slots[byColumn[k].entry] = slotOfRow[byColumn[k].rows / 2];
     }
     first = last;
   }

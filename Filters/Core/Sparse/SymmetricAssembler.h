@@ -27,22 +27,33 @@ public:
     this->Columns.reserve(count);
   }
   /// Declares an entry; the larger index is its row. Returns its number.
-  Index declare(Index i, Index j)
-  {
-    this->Rows.push_back(std::max(i, j));
-    this->Columns.push_back(std::min(i, j));
-    return static_cast<Index>(this->Rows.size()) - 1;
-  }
+  Index declare(Index i, Index j) { return this->declareRows(std::max(i, j), 1, std::min(i, j)); }
+  /// Declares the entries of two rows, which follow each other, in a column that is none after
+  /// them, as one.
+  Index declarePair(Index row, Index column) { return this->declareRows(row, 2, column); }
   /// Finds the pattern of all declared entries.
   void finish();
 
   void clear() { std::fill_n(this->Matrix.valuePtr(), this->Matrix.nonZeros(), 0.0); }
   void add(Index entry, double value) { this->Matrix.valuePtr()[this->Slots[entry]] += value; }
+  void addPair(Index entry, double first, double second)
+  {
+    double* const values = this->Matrix.valuePtr() + this->Slots[entry];
+    values[0] += first;
+    values[1] += second;
+  }
   const Eigen::SparseMatrix<double>& matrix() const { return this->Matrix; }
 
 private:
+  Index declareRows(Index first, Index count, Index column)
+  {
+    this->Rows.push_back(2 * first + count - 1);
+    this->Columns.push_back(column);
+    return static_cast<Index>(this->Rows.size()) - 1;
+  }
+
   Index Size;
-  Indices Rows;
+  Indices Rows; ///< twice the first, and 1 where a second one follows
   Indices Columns;
   Indices Slots;
   Eigen::SparseMatrix<double> Matrix;
