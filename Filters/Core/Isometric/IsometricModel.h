@@ -16,6 +16,10 @@ inline Eigen::Vector2d planePoint(const Eigen::VectorXd& x, Index v)
   return x.segment<2>(2 * v);
 }
 
+/// A nested dissection of a piece's vertices where they lie, for IsometricModel::eliminationOrder().
+Dissection dissectVertices(
+  const TriangleMesh& mesh, const WireNetwork& network, const Points2& positions);
+
 /// The isometric scheme's problem for one piece, in units of the root of the mean triangle area.
 ///
 /// Unknowns: x and y of every vertex, then the stretch h of each elastic curve. Minimized is
@@ -81,9 +85,9 @@ public:
   /// Of all coordinates.
   void shift(double tau) override;
   void stiffen(Index bounded, double stiffness) override;
-  /// A good order of elimination for kkt(): vertices by nested dissection at x, each constraint
-  /// after its vertices.
-  Dissection eliminationOrder(const Eigen::VectorXd& x) const;
+  /// A good order of elimination for kkt(): vertices as dissected, each constraint after its
+  /// vertices.
+  Dissection eliminationOrder(const Dissection& vertices) const;
   const SparseMatrix& kkt() const override { return this->Assembler.matrix(); }
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const override;
 

@@ -22,24 +22,28 @@ std::vector<char> IsometricModel::hubsOfWires() const
   return hub;
 }
 
-Dissection IsometricModel::eliminationOrder(const Eigen::VectorXd& x) const
+Dissection dissectVertices(
+  const TriangleMesh& mesh, const WireNetwork& network, const Points2& positions)
+{
+  // The ends of a wire-node's two edges are coupled as if a triangle joined them.
+  Triangles cliques = mesh.triangles();
+  for (Index i = 0; i < network.nodeCount(); ++i)
+  {
+    cliques.push_back(
+      { network.vertex[network.previous[i]], network.vertex[i], network.endVertex(i) });
+  }
+  Points3 places;
+  places.reserve(positions.size());
+  for (const Point2& p : positions)
+  {
+    places.emplace_back(p.x(), p.y(), 0.0);
+  }
+  return dissect(cliques, places);
+}
+
+Dissection IsometricModel::eliminationOrder(const Dissection& dissection) const
 {
   const WireNetwork& net = *this->Problem.network;
-  // The ends of a wire-node's two edges are coupled as if a triangle joined them.
-  Triangles cliques = this->Sheet.triangles();
-  for (const std::vector<Node>* nodes : { &this->Nodes, &this->LockedNodes })
-  {
-    for (const Node& node : *nodes)
-    {
-      cliques.push_back({ node.before, node.at, node.after });
-    }
-  }
-  Points3 positions;
-  for (Index v = 0; v < this->CoordinateCount / 2; ++v)
-  {
-    positions.emplace_back(x[2 * v], x[2 * v + 1], 0.0);
-  }
-  const Dissection dissection = dissect(cliques, positions);
   const Indices& vertices = dissection.order;
   Indices place(vertices.size());
   for (std::size_t k = 0; k < vertices.size(); ++k)

@@ -8,6 +8,7 @@
 #include "Sparse/PenaltyDescent.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace flattening
 {
@@ -84,9 +85,47 @@ NewtonKktOptions newtonOptions(const IsometricOptions& options)
   return newton;
 }
 
-IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
-  const IsometricOptions& options, bool fromAfar, const Execution& execution)
+/// A piece's problem, and an order of elimination for it.
+struct Posed
 {
+  std::optional<IsometricModel> model;
+  Dissection order;
+
+  /// \param start where its vertices lie
+  Posed(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
+    const IsometricOptions& options, const Points2& start, const Execution& execution)
+  {
+    const auto pose = [&](Index part) {
+      if (part == 0)
+      {
+        this->model.emplace(piece, problem, energy, options.angleWeight,
+          options.cloth ? options.cloth->hold : GrainHold());
+      }
+      else
+      {
+        this->order = dissectVertices(piece.mesh, *problem.network, start);
+      }
+    };
+    const bool few = 2 * piece.mesh.vertexCount() < threadsFrom;
+    const Execution run = few ? execution.onOneThread() : execution;
+    run.parallelFor(2, [&pose](Index first, Index last) {
+      for (Index part = first; part < last; ++part)
+      {
+        pose(part);
+      }
+    });
+    this->order = this->model->eliminationOrder(this->order);
+    if (options.rough)
+    {
+      this->model->keepStiffness();
+    }
+  }
+};
+
+IsometricSolution minimized(Posed& posed, NewtonKktState start, const IsometricOptions& options,
+  bool fromAfar, const Execution& execution)
+{
+  IsometricModel& model = *posed.model;
   IsometricSolution solution;
   NewtonKktOptions newton = newtonOptions(options);
   newton.mostFactorizations = allowance(model, 1.0);
@@ -98,7 +137,7 @@ IsometricSolution minimized(IsometricModel& model, NewtonKktState start,
       { record.objective, record.violation, record.optimality, record.largestMove, record.exact });
     solution.iterations = record.iteration;
   };
-  LinearSolver solver(model.eliminationOrder(start.x),
+  LinearSolver solver(posed.order,
     model.coordinateCount() < singleFrom ? FactorPrecision::Double : FactorPrecision::Single);
   const bool alone = !options.cloth && model.coordinateCount() < threadsFrom;
   const NewtonKktState end = minimize(model, std::move(start), std::move(solver), newton,
@@ -164,14 +203,9 @@ IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& prob
   const SheetEnergy energy = options.cloth
     ? SheetEnergy(ClothEnergy(options.cloth->material, options.cloth->limitStiffness))
     : SheetEnergy(options.energy);
-  IsometricModel model(
-    piece, problem, energy, options.angleWeight, options.cloth ? options.cloth->hold : GrainHold());
-  if (options.rough)
-  {
-    model.keepStiffness();
-  }
+  Posed posed(piece, problem, energy, options, start, execution);
   IsometricSolution solution =
-    minimized(model, { model.unknowns(start, startStretch), {} }, options, false, execution);
+    minimized(posed, { posed.model->unknowns(start, startStretch), {} }, options, false, execution);
   correctLengths(problem, solution);
   return solution;
 }
@@ -180,16 +214,11 @@ IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution)
 {
-  IsometricModel model(piece, problem, options.energy, options.angleWeight);
-  if (options.rough)
-  {
-    model.keepStiffness();
-  }
-  const Eigen::VectorXd x = model.unknowns(start, startStretch);
+  Posed posed(piece, problem, options.energy, options, start, execution);
   PenaltyDescentOptions descent;
-  descent.mostFactorizations = allowance(model, descentShare);
-  NewtonKktState near =
-    descend(model, x, LinearSolver(model.eliminationOrder(x)), descent, execution);
+  descent.mostFactorizations = allowance(*posed.model, descentShare);
+  NewtonKktState near = descend(*posed.model, posed.model->unknowns(start, startStretch),
+    LinearSolver(posed.order), descent, execution);
   IsometricSolution solution;
   if (near.cancelled())
   {
@@ -197,7 +226,7 @@ IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
     return solution;
   }
   const int before = near.factorizations;
-  solution = minimized(model, std::move(near), options, true, execution);
+  solution = minimized(posed, std::move(near), options, true, execution);
   solution.factorizations += before;
   correctLengths(problem, solution);
   return solution;

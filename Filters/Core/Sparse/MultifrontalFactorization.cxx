@@ -15,6 +15,8 @@ namespace
 constexpr std::size_t taskCount = 64; ///< a subtree has no more than its share of the work
 constexpr Index worthThreads = 10000; ///< unknowns: fewer are solved for in less than threads take
 constexpr std::size_t roundSize = 8;  ///< tasks between two looks at the top
+/// Fronts of fewer rows keep threads busy beside each other rather than one by one.
+constexpr Index wideFront = 600;
 
 double work(const SupernodalStructure::Supernode& node)
 {
@@ -37,6 +39,7 @@ void MultifrontalFactorization::analyze(
   this->Structure = SupernodalStructure(matrix, dissection);
   this->Diagonal.resize(this->Structure.size());
   this->chooseTasks();
+  this->planTop();
 }
 
 /// Takes the subtrees with the most work apart until there is enough to share out.
@@ -142,14 +145,57 @@ bool MultifrontalFactorization::factorize(
   return sound;
 }
 
+/// After how many rounds of tasks each supernode of the top has all its children, and how many of
+/// the top are below it then.
+void MultifrontalFactorization::planTop()
+{
+  const std::vector<Supernode>& nodes = this->Structure.supernodes();
+  this->TopByRound.assign(taskCount / roundSize, {});
+  Indices heights(nodes.size(), 0);
+  std::size_t round = 0;
+  for (Index s : this->Top)
+  {
+    const auto later = [&] {
+      const auto first = this->FirstRoots.begin() + (round + 1) * roundSize;
+      return first >= this->FirstRoots.end() ? static_cast<Index>(nodes.size())
+                                             : *std::min_element(first, this->FirstRoots.end());
+    };
+    while (round + 1 < this->TopByRound.size() && s >= later())
+    {
+      ++round;
+      std::fill(heights.begin(), heights.end(), 0);
+    }
+    Index height = 0;
+    for (Index child : nodes[s].children)
+    {
+      height = std::max(height, heights[child]);
+    }
+    heights[s] = height + 1;
+    std::vector<Indices>& levels = this->TopByRound[round];
+    levels.resize(std::max(levels.size(), static_cast<std::size_t>(height + 1)));
+    levels[height].push_back(s);
+  }
+}
+
 /// Some subtrees at a time, and what of the top has all its children by then: fewer updates wait
 /// than if the top came last.
 bool MultifrontalFactorization::eliminateAll(const double* values, const Execution& execution)
 {
-  std::vector<char> sound(this->Tasks.size(), 1);
+  std::vector<char> sound(this->Structure.supernodes().size(), 1);
+  const auto all = [&sound] {
+    return std::all_of(sound.begin(), sound.end(), [](char good) { return good != 0; });
+  };
+  const auto eachOf = [&](const Indices& together) {
+    execution.parallelFor(static_cast<Index>(together.size()), [&](Index first, Index last) {
+      std::vector<double> work;
+      for (Index k = first; k < last; ++k)
+      {
+        sound[together[k]] = this->eliminate(together[k], values, work, {}) ? 1 : 0;
+      }
+    });
+  };
   std::vector<double> topWork;
-  auto top = this->Top.begin();
-  for (std::size_t done = 0; done < this->Tasks.size(); done += roundSize)
+  for (std::size_t round = 0; round < this->TopByRound.size(); ++round)
   {
     if (execution.cancelled())
     {
@@ -157,29 +203,38 @@ bool MultifrontalFactorization::eliminateAll(const double* values, const Executi
     }
     execution.parallelFor(roundSize, [&](Index first, Index last) {
       std::vector<double> work;
-      for (std::size_t task = done + first; task < done + last; ++task)
+      for (std::size_t task = round * roundSize + first; task < round * roundSize + last; ++task)
       {
-        for (Index s : this->Tasks[task])
+        bool going = true;
+        for (auto s = this->Tasks[task].begin(); s != this->Tasks[task].end() && going; ++s)
         {
-          sound[task] = sound[task] && this->eliminate(s, values, work, {}) ? 1 : 0;
+          going = this->eliminate(*s, values, work, {});
+          sound[*s] = going ? 1 : 0;
         }
       }
     });
-    bool all = std::all_of(sound.begin(), sound.end(), [](char good) { return good != 0; });
-    const auto later = this->FirstRoots.begin() + static_cast<std::ptrdiff_t>(done + roundSize);
-    const Index next = later == this->FirstRoots.end()
-      ? static_cast<Index>(this->Structure.supernodes().size())
-      : *std::min_element(later, this->FirstRoots.end());
-    for (; all && top != this->Top.end() && *top < next; ++top)
+    for (const Indices& level : this->TopByRound[round])
     {
-      all = !execution.cancelled() && this->eliminate(*top, values, topWork, execution);
-    }
-    if (!all)
-    {
-      return false;
+      if (!all() || execution.cancelled())
+      {
+        return false;
+      }
+      Indices narrow;
+      for (Index s : level)
+      {
+        if (level.size() > 1 && this->Structure.supernodes()[s].frontSize() < wideFront)
+        {
+          narrow.push_back(s);
+        }
+        else
+        {
+          sound[s] = this->eliminate(s, values, topWork, execution) ? 1 : 0;
+        }
+      }
+      eachOf(narrow);
     }
   }
-  return true;
+  return all();
 }
 
 /// Adds what a child left of its rows to the front of its parent.

@@ -37,6 +37,7 @@ private:
   using Supernode = SupernodalStructure::Supernode;
 
   void chooseTasks();
+  void planTop();
   bool eliminateAll(const double* values, const Execution& execution);
   bool eliminate(
     Index s, const double* values, std::vector<double>& work, const Execution& execution);
@@ -50,7 +51,10 @@ private:
   std::vector<Indices> Tasks; ///< supernodes of subtrees that are independent of each other
   Indices FirstRoots;         ///< of each task the root of its first subtree
   Indices Top;                ///< the others
-  FactorBlocks Blocks;        ///< L below the diagonal; column by column for each supernode
+  /// The same by the round of tasks after which they can be eliminated, and by height: those of one
+  /// height do not depend on each other.
+  std::vector<std::vector<Indices>> TopByRound;
+  FactorBlocks Blocks; ///< L below the diagonal; column by column for each supernode
   std::vector<SteppedTriangle> Updates; ///< of supernodes whose parent has not taken them yet
   Eigen::VectorXd Diagonal;
 };
