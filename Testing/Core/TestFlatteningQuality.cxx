@@ -2,6 +2,7 @@
 #include "Quality/FlatteningQuality.h"
 
 #include "TestMeshes.h"
+#include "TestThreads.h"
 
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
@@ -190,4 +191,29 @@ TEST(FlatteningQuality, DoesNotDependOnTheThreads)
   EXPECT_EQ(one.summary.edgeLengthError, four.summary.edgeLengthError);
   EXPECT_EQ(one.summary.areaError, four.summary.areaError);
   EXPECT_EQ(one.summary.globalHomogeneity, four.summary.globalHomogeneity);
+}
+
+TEST(FlatteningQuality, TheDistortionAloneIsThatOfAllMeasures)
+{
+  const Surface surface = cushion(8, 6, 0.3);
+  Points2 stretched;
+  for (const Point3& p : surface.mesh.points())
+  {
+    stretched.emplace_back(1.1 * p.x() + 0.1 * p.y() * p.y(), 0.9 * p.y());
+  }
+  Points2 folded = stretched;
+  folded[20].x() += 3.0;
+  Points2 mirrored = stretched;
+  for (Point2& p : mirrored)
+  {
+    p.x() = -p.x();
+  }
+  const Points2 collapsed(stretched.size(), Point2(1.0, 2.0));
+  for (const Points2& positions : { stretched, folded, mirrored, collapsed })
+  {
+    const QualitySummary all = measureFlattening(surface.mesh, positions, {}, {}).summary;
+    const MapDistortion alone = measureDistortion(surface.mesh, positions, withThreads(3));
+    EXPECT_EQ(alone.globalHomogeneity, all.globalHomogeneity);
+    EXPECT_EQ(alone.rigidEnergy, all.rigidEnergy);
+  }
 }

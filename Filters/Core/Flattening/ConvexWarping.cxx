@@ -67,9 +67,9 @@ bool keepsWires(const PlacedPiece& placed)
   return !placed.isometric->history.empty() && placed.isometric->history.back().constraint < kept;
 }
 
-QualitySummary quality(const PieceContext& context, const PlacedPiece& placed)
+MapDistortion quality(const PieceContext& context, const PlacedPiece& placed)
 {
-  return measureFlattening(context.piece.mesh, placed.positions, {}, context.execution).summary;
+  return measureDistortion(context.piece.mesh, placed.positions, context.execution);
 }
 
 double distortion(const PieceContext& context, const PlacedPiece& placed)
@@ -78,7 +78,7 @@ double distortion(const PieceContext& context, const PlacedPiece& placed)
 }
 
 /// Whether triangles are pressed so much more than others that next to nothing is left of them.
-bool collapses(const QualitySummary& summary)
+bool collapses(const MapDistortion& summary)
 {
   return summary.globalHomogeneity < nearlyCollapsed;
 }
@@ -141,7 +141,7 @@ std::optional<PlacedPiece> warpFromConvexStart(
     PlacedPiece other = placedBy(std::move(last), asked);
     placed.factorizations += other.factorizations;
     other.factorizations = placed.factorizations;
-    const QualitySummary result = quality(context, other);
+    const MapDistortion result = quality(context, other);
     const bool pressed =
       collapses(result) && result.globalHomogeneity < quality(context, placed).globalHomogeneity;
     if (!folds && !pressed && (keepsWires(other) || !keepsWires(placed)))
@@ -160,7 +160,7 @@ bool isDoubtful(const PieceContext& context, const PlacedPiece& placed)
   {
     return true;
   }
-  const QualitySummary summary = quality(context, placed);
+  const MapDistortion summary = quality(context, placed);
   return summary.rigidEnergy > farFromIsometric || collapses(summary);
 }
 
@@ -182,8 +182,8 @@ bool isBetter(const PieceContext& context, const PlacedPiece& second, const Plac
   {
     return crossings == 0;
   }
-  const QualitySummary one = quality(context, first);
-  const QualitySummary other = quality(context, second);
+  const MapDistortion one = quality(context, first);
+  const MapDistortion other = quality(context, second);
   if (collapses(one) || collapses(other))
   {
     return other.globalHomogeneity > one.globalHomogeneity;

@@ -36,11 +36,10 @@ std::array<double, 3> cornerAngles(const Point2& a, const Point2& b, const Point
   return angles;
 }
 
-TriangleQuality measureTriangle(
-  const TriangleMesh& mesh, const SurfaceMeasures& surface, const Points2& positions, Index t)
+/// Without the angles.
+TriangleQuality measureStretch(
+  const Triangle& corner, const TriangleFrame& frame, const Points2& positions)
 {
-  const Triangle& corner = mesh.triangle(t);
-  const TriangleFrame& frame = surface.frames[t];
   std::array<Complex, 3> image;
   for (int k = 0; k < 3; ++k)
   {
@@ -62,6 +61,14 @@ TriangleQuality measureTriangle(
   {
     quality.homogeneity = quality.areaRatio < 1.0 ? quality.areaRatio : 1.0 / quality.areaRatio;
   }
+  return quality;
+}
+
+TriangleQuality measureTriangle(
+  const TriangleMesh& mesh, const SurfaceMeasures& surface, const Points2& positions, Index t)
+{
+  const Triangle& corner = mesh.triangle(t);
+  TriangleQuality quality = measureStretch(corner, surface.frames[t], positions);
   const std::array<double, 3> flat =
     cornerAngles(positions[corner[0]], positions[corner[1]], positions[corner[2]]);
   for (int k = 0; k < 3; ++k)
@@ -70,6 +77,14 @@ TriangleQuality measureTriangle(
     quality.angleError += angle > 0.0 ? std::abs(flat[k] - angle) / angle / 3.0 : 0.0;
   }
   return quality;
+}
+
+/// E_h of the least and the greatest ratio of areas.
+double homogeneityOf(double smallestArea, double largestArea)
+{
+  // Where all triangles are turned over there is no positive ratio to divide by.
+  const double scale = largestArea > 0.0 ? largestArea : std::abs(smallestArea);
+  return scale > 0.0 ? smallestArea / scale : 0.0;
 }
 
 void summarizeTriangles(const std::vector<TriangleFrame>& frames,
@@ -104,9 +119,7 @@ void summarizeTriangles(const std::vector<TriangleFrame>& frames,
   }
   if (largestStretch > 0.0)
   {
-    // Where all triangles are turned over there is no positive ratio to divide by.
-    const double scale = largestArea > 0.0 ? largestArea : std::abs(smallestArea);
-    summary.globalHomogeneity = scale > 0.0 ? smallestArea / scale : 0.0;
+    summary.globalHomogeneity = homogeneityOf(smallestArea, largestArea);
     summary.globalAspectRatio = smallestStretch / largestStretch;
   }
   const StrainMeasures strain = measureStrain(frames, triangles);
@@ -160,6 +173,30 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasu
   }
   quality.summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
   return quality;
+}
+
+MapDistortion measureDistortion(
+  const TriangleMesh& mesh, const Points2& positions, const Execution& execution)
+{
+  std::vector<TriangleFrame> frames(mesh.triangleCount());
+  std::vector<TriangleQuality> triangles(mesh.triangleCount());
+  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
+    for (Index t = begin; t < end; ++t)
+    {
+      const Triangle& c = mesh.triangle(t);
+      frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+      triangles[t] = measureStretch(c, frames[t], positions);
+    }
+  });
+  MapDistortion distortion;
+  const auto [least, most] = std::minmax_element(triangles.begin(), triangles.end(),
+    [](const TriangleQuality& a, const TriangleQuality& b) { return a.areaRatio < b.areaRatio; });
+  if (least != triangles.end())
+  {
+    distortion.globalHomogeneity = homogeneityOf(least->areaRatio, most->areaRatio);
+  }
+  distortion.rigidEnergy = measureRigidEnergy(frames, triangles);
+  return distortion;
 }
 
 Index countFlipped(const TriangleMesh& mesh, const Points2& positions)

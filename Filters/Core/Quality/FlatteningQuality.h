@@ -47,6 +47,17 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const Points2& pos
 FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasures& surface,
   const Points2& positions, const Indices& edges, const Execution& execution);
 
+/// Those measures that tell a bad flattening from a good one, as in QualitySummary.
+struct MapDistortion
+{
+  double globalHomogeneity = 0.0;
+  double rigidEnergy = 0.0;
+};
+
+/// Without the angles, which take most of the time of measuring.
+MapDistortion measureDistortion(
+  const TriangleMesh& mesh, const Points2& positions, const Execution& execution);
+
 /// Triangles that are turned over, or have no area.
 Index countFlipped(const TriangleMesh& mesh, const Points2& positions);
 }

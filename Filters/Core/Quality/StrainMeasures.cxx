@@ -25,13 +25,11 @@ double stretchRatio(const TriangleQuality& quality, double largest)
 }
 }
 
-StrainMeasures measureStrain(
+double measureRigidEnergy(
   const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles)
 {
   const double largest = std::exp(largestStrain);
-  StrainMeasures measures;
-  std::vector<AreaValue> ratios;
-  ratios.reserve(triangles.size());
+  double energy = 0.0;
   double area = 0.0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
@@ -44,13 +42,28 @@ StrainMeasures measureStrain(
     const double large = quality.largeStretch < largest ? quality.largeStretch : largest;
     const double small = std::clamp(quality.smallStretch, -large, large);
     area += weight;
-    measures.rigidEnergy +=
-      weight * ((large - 1.0) * (large - 1.0) + (small - 1.0) * (small - 1.0));
-    ratios.push_back({ stretchRatio(quality, largest), weight });
+    energy += weight * ((large - 1.0) * (large - 1.0) + (small - 1.0) * (small - 1.0));
   }
-  if (area > 0.0)
+  return area > 0.0 ? energy / area : 0.0;
+}
+
+StrainMeasures measureStrain(
+  const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles)
+{
+  StrainMeasures measures;
+  measures.rigidEnergy = measureRigidEnergy(frames, triangles);
+  const double largest = std::exp(largestStrain);
+  std::vector<AreaValue> ratios;
+  ratios.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    measures.rigidEnergy /= area;
+    if (frames[t].area > 0.0)
+    {
+      ratios.push_back({ stretchRatio(triangles[t], largest), frames[t].area });
+    }
+  }
+  if (!ratios.empty())
+  {
     measures.quantile = std::log(areaQuantile(std::move(ratios)));
   }
   return measures;

@@ -25,6 +25,10 @@ struct StrainMeasures
   double rigidEnergy = 0.0;
 };
 
+/// rigidEnergy alone.
+double measureRigidEnergy(
+  const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles);
+
 StrainMeasures measureStrain(
   const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles);
 }
