@@ -20,6 +20,15 @@ Eigen::Vector2d unitAlong(const Eigen::Vector2d& vector, double length)
   return length > smallestLength ? Eigen::Vector2d(vector / length) : Eigen::Vector2d::UnitX();
 }
 
+Eigen::Vector4d rigidGradient(double bias, const Eigen::Vector4d& parts)
+{
+  const Eigen::Vector2d q = parts.head<2>();
+  const double length = std::max(q.norm(), smallestLength);
+  Eigen::Vector4d gradient;
+  gradient << (1.0 + bias) * (length - 2.0) * unitAlong(q, length), (1.0 - bias) * parts.tail<2>();
+  return gradient;
+}
+
 DistortionEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, bool convex)
 {
   const Eigen::Vector2d q = parts.head<2>();
@@ -33,8 +42,7 @@ DistortionEnergyValue evaluateRigid(double bias, const Eigen::Vector4d& parts, b
   DistortionEnergyValue result;
   result.value =
     0.5 * stiffArea * (length - 2.0) * (length - 2.0) + 0.5 * stiffAngle * p.squaredNorm();
-  result.gradient.head<2>() = stiffArea * (length - 2.0) * along;
-  result.gradient.tail<2>() = stiffAngle * p;
+  result.gradient = rigidGradient(bias, parts);
   // Turning a compressed triangle is the one direction of negative curvature.
   double turning = 1.0 - 2.0 / length;
   turning = convex ? std::max(0.0, turning) : std::max(-1e3, turning);
@@ -136,6 +144,14 @@ DistortionEnergyValue evaluateDistortionEnergy(
   return energy.kind == DistortionEnergyKind::SymmetricDirichlet
     ? evaluateDirichlet(parts, convex)
     : evaluateRigid(energy.bias, parts, convex);
+}
+
+Eigen::Vector4d distortionEnergyGradient(
+  const DistortionEnergy& energy, const Eigen::Vector4d& parts)
+{
+  return energy.kind == DistortionEnergyKind::SymmetricDirichlet
+    ? evaluateDirichlet(parts, false).gradient
+    : rigidGradient(energy.bias, parts);
 }
 
 double distortionEnergyDensity(const DistortionEnergy& energy, const Eigen::Vector4d& parts)

@@ -60,6 +60,10 @@ DistortionEnergyValue expandNormDet(
 DistortionEnergyValue evaluateDistortionEnergy(
   const DistortionEnergy& energy, const Eigen::Vector4d& parts, bool convex);
 
+/// The gradient alone.
+Eigen::Vector4d distortionEnergyGradient(
+  const DistortionEnergy& energy, const Eigen::Vector4d& parts);
+
 /// The density alone.
 double distortionEnergyDensity(const DistortionEnergy& energy, const Eigen::Vector4d& parts);
 }

@@ -46,7 +46,7 @@ public:
   }
   Eigen::Vector4d gradient(const Eigen::Vector4d& parts) const
   {
-    return this->plain() ? evaluateDistortionEnergy(*this->plain(), parts, false).gradient
+    return this->plain() ? distortionEnergyGradient(*this->plain(), parts)
                          : std::get<ClothEnergy>(this->Energy).gradient(parts);
   }
 
