@@ -33,8 +33,8 @@ TEST(NestedDissection, PutsASmallSeparatorThatDividesTheMeshLast)
   const Surface surface = flatPatch(40, 30);
   const Triangles& triangles = surface.mesh.triangles();
   const Index count = surface.mesh.vertexCount();
-  for (const Dissection& dissection :
-    { dissect(triangles, surface.mesh.points()), dissect(triangles, count) })
+  for (const Dissection& dissection : { dissect(triangles, surface.mesh.points()),
+         dissect(triangles, surface.mesh.points(), Separators::Fewest), dissect(triangles, count) })
   {
     expectOrderInRanges(dissection, count);
     const Index begin = dissection.end[dissection.end.size() - 2];
@@ -97,7 +97,10 @@ TEST(NestedDissection, EndsWithEachVertexOnceForGraphsOfEveryShape)
     Points3 positions(graph.count);
     std::generate(positions.begin(), positions.end(),
       [&] { return Point3(place(generator), place(generator), 0.0); });
-    expectOrderInRanges(dissect(graph.cliques, positions), graph.count);
+    for (const Separators separators : { Separators::Quick, Separators::Fewest })
+    {
+      expectOrderInRanges(dissect(graph.cliques, positions, separators), graph.count);
+    }
   }
 }
 
@@ -110,8 +113,8 @@ TEST(NestedDissection, PutsTheHubOfAWideFanLastAndNoneOfItsRing)
     const double angle = 2.0 * pi * v / (fan.count - 1);
     positions[v] = Point3(std::cos(angle), std::sin(angle), 0.0);
   }
-  for (const Dissection& dissection :
-    { dissect(fan.cliques, fan.count), dissect(fan.cliques, positions) })
+  for (const Dissection& dissection : { dissect(fan.cliques, fan.count),
+         dissect(fan.cliques, positions), dissect(fan.cliques, positions, Separators::Fewest) })
   {
     EXPECT_EQ(dissection.order.back(), 0);
     Index begin = 0;
@@ -174,7 +177,7 @@ TEST(NestedDissection, FindsTheWaistOfASheetBesideTheMiddle)
     }
   }
   const auto count = static_cast<Index>(positions.size());
-  const Dissection dissection = dissect(triangles, positions);
+  const Dissection dissection = dissect(triangles, positions, Separators::Fewest);
   expectOrderInRanges(dissection, count);
   EXPECT_EQ(count - dissection.end[dissection.end.size() - 2], 5);
 }

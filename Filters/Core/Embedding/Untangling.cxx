@@ -19,7 +19,7 @@ constexpr int fewestIterations = 20;
 /// Iterations times triangles, so that time is bounded on every mesh.
 constexpr double mostTriangles = 4e6;
 /// From so many interior vertices on a factorization by blocks pays.
-constexpr Index manyVertices = 200;
+constexpr Index manyVertices = 400;
 /// Around a single flipped triangle.
 constexpr int fewestRings = 4;
 
@@ -222,7 +222,7 @@ private:
   /// Of the unknowns, by where the free vertices lie on the surface.
   Dissection eliminationOrder() const
   {
-    const Dissection vertices = dissect(this->Patch.triangles, this->Space);
+    const Dissection vertices = dissect(this->Patch.triangles, this->Space, Separators::Fewest);
     return vertices.replaced([&](Index k, Indices& order) {
       if (vertices.order[k] < this->Patch.freeCount)
       {

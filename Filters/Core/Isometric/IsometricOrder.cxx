@@ -38,7 +38,7 @@ Dissection dissectVertices(
   {
     places.emplace_back(p.x(), p.y(), 0.0);
   }
-  return dissect(cliques, places);
+  return dissect(cliques, places, Separators::Fewest);
 }
 
 Dissection IsometricModel::eliminationOrder(const Dissection& dissection) const

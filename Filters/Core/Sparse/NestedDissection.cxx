@@ -12,9 +12,9 @@ Index hubValence(Index count)
   return static_cast<Index>(10.0 * std::sqrt(static_cast<double>(count)));
 }
 
-Dissection dissect(const Triangles& cliques, const Points3& positions)
+Dissection dissect(const Triangles& cliques, const Points3& positions, Separators separators)
 {
-  return PlaneDissector(cliques, positions).run();
+  return PlaneDissector(cliques, positions, separators).run();
 }
 
 Dissection dissect(const Triangles& cliques, Index count)

@@ -13,9 +13,10 @@ namespace flattening
 class PlaneDissector : LevelDissector
 {
 public:
-  PlaneDissector(const Triangles& cliques, const Points3& positions)
+  PlaneDissector(const Triangles& cliques, const Points3& positions, Separators separators)
     : LevelDissector(cliques, static_cast<Index>(positions.size()))
     , Positions(positions)
+    , Fewest(separators == Separators::Fewest)
   {
   }
 
@@ -40,8 +41,8 @@ private:
     this->Along.clear();
     std::for_each(
       begin, end, [&](Index v) { this->Along.emplace_back(this->Positions[v][axis], v); });
-    const Halves halves =
-      end - begin >= worthFlow ? this->halveByFlow(begin, end) : this->halveByPlane(begin, end);
+    const bool flow = this->Fewest && end - begin >= worthFlow;
+    const Halves halves = flow ? this->halveByFlow(begin, end) : this->halveByPlane(begin, end);
     // A plane across many long triangles has more next to it than levels, which count edges.
     const auto cost = static_cast<Index>(end - halves.separator);
     if (cost > manyInSeparator * std::sqrt(static_cast<double>(end - begin)) &&
@@ -121,6 +122,7 @@ private:
   static constexpr double manyInSeparator = 4.0;
 
   const Points3& Positions;
+  bool Fewest;
   std::vector<std::pair<double, Index>> Along; ///< coordinate across the plane, vertex
   VertexSeparator Flow{ this->Begin, this->Neighbours };
   Indices Between;
