@@ -292,6 +292,7 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
   options.pattern.pairs = this->CutPairs;
   options.pattern.fairTolerance = this->FairTolerance;
   options.pattern.fairToleranceOfCurve = this->CurveFairTolerances;
+  options.pattern.symmetrize = this->Symmetrize;
   options.pattern.darts =
     this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
   options.pages.paper = static_cast<pattern::PaperSize>(this->Paper);
@@ -357,6 +358,7 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "CutPairs: " << (this->CutPairs ? "On" : "Off") << "\n";
   os << indent << "FairTolerance: " << this->FairTolerance << "\n";
+  os << indent << "Symmetrize: " << (this->Symmetrize ? "On" : "Off") << "\n";
   for (const auto& entry : this->CurveFairTolerances)
   {
     os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";

@@ -58,7 +58,7 @@ std::vector<Scope> scopesOf(const Options& options)
     { { "--allowance", "--curve-allowance", "--mitre-limit", "--notch-spacing", "--curve-notch",
         "--double-notches", "--notch-corners", "--notch-curve-ends", "--cut-darts-out",
         "--cut-on-fold", "--fold", "--dart-tip", "--curve-dart-tip", "--cut-pairs", "--fair",
-        "--curve-fair", "--piece-quantity", "--piece-name", "--laser-colors" },
+        "--curve-fair", "--symmetrize", "--piece-quantity", "--piece-name", "--laser-colors" },
       options.pattern.any(), "for patterns: --svg, --pdf, --dxf, --plt, --garmentcode or --walk",
       giveThat },
     { { "--paper", "--page-overlap", "--max-pages" }, options.pattern.pdf, "for --pdf", giveThat },

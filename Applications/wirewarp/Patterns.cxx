@@ -110,6 +110,7 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
   writer->SetWalkTable(request.walk);
   writer->SetCutPairs(request.cutPairs);
   writer->SetFairTolerance(request.fairTolerance);
+  writer->SetSymmetrize(request.symmetrize);
   writer->SetLaserColors(request.laserColours);
   writer->SetFabricNap(request.nap);
   writer->SetFabricGap(request.fabricGap);
@@ -129,6 +130,8 @@ bool isNews(int kind, const PatternRequest& request, bool quiet)
       return asked;
     case vtkPatternWriter::NOT_SMOOTHED:
       return asked || !quiet;
+    case vtkPatternWriter::NOT_MIRRORED:
+      return true;
     default:
       return !quiet;
   }
@@ -285,6 +288,11 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
       "Another --fair along one curve, or along 'boundary'; repeat it for the next")
     ->allow_extra_args(false)
     ->check(nameAndMillimetres())
+    ->group(group);
+  app
+    .add_flag("--symmetrize", request.symmetrize,
+      "Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror image; "
+      "sides whose lengths differ by up to 0.1 mm get their mean")
     ->group(group);
   app
     .add_flag("--laser-colors", request.laserColours,

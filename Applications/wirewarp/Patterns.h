@@ -46,6 +46,7 @@ struct PatternRequest
   bool cutPairs = false;
   double fairTolerance = 0.2;
   bool fairGiven = false;
+  bool symmetrize = false;
   std::vector<std::string> curveFairs; ///< NAME=MM
   bool laserColours = false;
   double fabricWidth = 0.0; ///< 0: no lay

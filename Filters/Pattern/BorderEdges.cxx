@@ -124,7 +124,7 @@ private:
     Run run{ piece, border.size(), 0 };
     const std::string name = this->nameAt(c, (interval.start + interval.end) / 2.0);
     double last = 0.0;
-    double start = interval.start;
+    double start = interval.places[0];
     for (const double share : breaks)
     {
       const double end = curve.placeAt(share);

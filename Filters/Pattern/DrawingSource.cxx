@@ -25,12 +25,16 @@ void DrawingSource::addAlong(Index from, Index to, Points2& points) const
   }
 }
 
+std::string DrawingSource::nameAlong(Index from, Index to) const
+{
+  const std::size_t wire = wireOf(this->source, this->wires, from, to);
+  return wire < this->source.wires.size() ? this->source.wires[wire].name : "boundary";
+}
+
 double DrawingSource::valueAlong(
   Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const
 {
-  const std::size_t wire = wireOf(this->source, this->wires, from, to);
-  const bool known = wire < this->source.wires.size();
-  const auto found = ofCurve.find(known ? this->source.wires[wire].name : "boundary");
+  const auto found = ofCurve.find(this->nameAlong(from, to));
   return found == ofCurve.end() ? common : found->second;
 }
 

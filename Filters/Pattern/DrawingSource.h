@@ -26,6 +26,8 @@ struct DrawingSource
 
   /// How far points of an edge may be from its smooth curve, millimetres; 0: it stays as it is.
   double fairToleranceAlong(Index from, Index to) const;
+  /// The name of the curve that an edge is of, or "boundary".
+  std::string nameAlong(Index from, Index to) const;
   /// The value of a curve, the boundary's where an edge is of none, or the common one.
   double valueAlong(
     Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const;

@@ -3,6 +3,7 @@
 
 #include "FairStrain.h"
 #include "IntervalCurve.h"
+#include "PatternText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,41 +43,98 @@ void addParts(
 
 std::string nameOf(const DrawingSource& all, const BorderChain& chain, std::size_t point)
 {
-  const std::size_t wire =
-    wireOf(all.source, all.wires, chain.point(point), chain.point(point + 1));
-  return wire < all.source.wires.size() ? all.source.wires[wire].name : "boundary";
+  return all.nameAlong(chain.point(point), chain.point(point + 1));
+}
+
+/// How much longer or shorter a stretch is to be drawn than it is.
+double lengthChange(const PlannedChain& chain, const PlannedStretch& stretch)
+{
+  double change = 0.0;
+  for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
+  {
+    const PlannedInterval& interval = chain.intervals[k];
+    change += interval.length - (interval.end - interval.start);
+  }
+  return std::abs(change);
 }
 }
 
 FairBorders::FairBorders(const DrawingSource& all)
   : Chains(all)
 {
-  std::vector<double> shares(all.loops.size(), 1.0);
-  do
+  const std::size_t pieces = all.loops.size();
+  FairLimits limits{ std::vector<double>(pieces, 1.0),
+    std::vector<bool>(pieces, all.options.symmetrize) };
+  this->WhyNotMirrored.resize(pieces);
+  for (bool lowered = true; lowered;)
   {
-    const FairFit fit(all, this->Chains, shares);
+    const FairFit fit(all, this->Chains, limits);
     this->Plan = fit.plan();
     this->Spans = fit.spans();
     this->place(all);
     this->report(all, fit);
-    for (std::size_t p = 0; p < shares.size(); ++p)
+    for (std::size_t p = 0; p < pieces; ++p)
     {
-      this->Reports[p].share = shares[p];
+      this->Reports[p].share = limits.shares[p];
     }
-  } while (this->lower(shares));
+    lowered = this->lower(all, fit, limits);
+  }
 }
 
-bool FairBorders::lower(std::vector<double>& shares) const
+void FairBorders::dropMirror(std::size_t piece, const std::string& why, FairLimits& limits)
+{
+  limits.mirrored[piece] = false;
+  this->WhyNotMirrored[piece] = why;
+}
+
+bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits& limits)
 {
   bool lowered = false;
-  for (std::size_t p = 0; p < shares.size(); ++p)
+  bool rough = false; // a stretch whose other side was to be of another length
+  for (std::size_t c = 0; c < this->plan().size(); ++c)
+  {
+    for (const PlannedStretch& stretch : this->plan()[c].stretches)
+    {
+      const double length = stretch.breaks.back() - stretch.breaks.front();
+      rough = rough ||
+        (stretch.form == StretchForm::Raw && !fit.unmirrored(this->Chains.chains()[c].piece) &&
+          lengthChange(this->plan()[c], stretch) > sameLength * length);
+    }
+  }
+  for (std::size_t p = 0; p < limits.shares.size(); ++p)
   {
     const FairPieceReport& report = this->Reports[p];
-    if (shares[p] > 0.0 && report.strain - report.strainBefore > mostRise)
+    const std::optional<LeftStretch>& left = fit.unmirrored(p);
+    if (left)
     {
-      shares[p] = shares[p] > leastShare ? shares[p] / 2.0 : 0.0;
-      lowered = true;
+      const BorderChain& chain = this->Chains.chains()[left->chain];
+      this->dropMirror(p,
+        left->needed > 0.0
+          ? nameOf(all, chain, left->firstPoint) + " would be " + formatNumber(left->needed, 2) +
+            " mm from its points, more than " + formatNumber(left->tolerance, 3) + " mm"
+          : "no such curves of these lengths were found",
+        limits);
     }
+    else if (report.mirror && report.strain - report.strainBefore > mostRise)
+    {
+      this->dropMirror(p, "it would strain the piece by over 0.3 % more", limits);
+    }
+    else if (report.mirror && rough && report.lengthDifference > noticedLength)
+    {
+      this->dropMirror(p,
+        "its sides differ by " + formatNumber(report.lengthDifference, 3) +
+          " mm, and what stays as the mesh has it cannot be as long as their mean",
+        limits);
+    }
+    else if (limits.shares[p] > 0.0 && report.strain - report.strainBefore > mostRise)
+    {
+      limits.shares[p] = limits.shares[p] > leastShare ? limits.shares[p] / 2.0 : 0.0;
+    }
+    else
+    {
+      continue;
+    }
+    lowered = true;
   }
   return lowered;
 }
@@ -171,11 +229,35 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   {
     FairPieceReport& report = this->Reports[p];
     report.solved = fit.solved(p);
+    this->reportMirror(fit, p);
     report.deviation = fit.largestDeviation(p);
     report.strainBefore = strainQuantile(all, p, before);
     report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
     std::sort(report.left.begin(), report.left.end());
     report.left.erase(std::unique(report.left.begin(), report.left.end()), report.left.end());
+  }
+}
+
+void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
+{
+  FairPieceReport& report = this->Reports[piece];
+  for (std::size_t c = 0; c < this->plan().size(); ++c)
+  {
+    for (const PlannedStretch& stretch : this->plan()[c].stretches)
+    {
+      const double change = lengthChange(this->plan()[c], stretch);
+      const bool isOwn = this->Chains.chains()[c].piece == piece;
+      report.lengthChange = isOwn ? std::max(report.lengthChange, change) : report.lengthChange;
+    }
+  }
+  const OutlineMirror& mirror = fit.mirror(piece);
+  report.whyNotMirrored = mirror.why.empty() ? this->WhyNotMirrored[piece] : mirror.why;
+  if (mirror.found())
+  {
+    report.mirror = mirror.axis;
+    report.lengthDifference = mirror.difference;
+    report.mirrorMiss =
+      missOfCurves(mirror, this->plan()[mirror.chain], this->spans()[mirror.chain]);
   }
 }
 

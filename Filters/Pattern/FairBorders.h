@@ -10,15 +10,20 @@ namespace pattern
 /// What became of the borders and curves of one piece.
 struct FairPieceReport
 {
-  std::size_t edges = 0;        ///< of the mesh along them
-  std::size_t splines = 0;      ///< cubic Bezier curves in their place
-  std::size_t segments = 0;     ///< straight lines in their place, and edges that were left
-  std::size_t straightened = 0; ///< stretches that were not straight before
-  double deviation = 0.0;       ///< of the mesh's points from what is drawn, millimetres
-  double strainBefore = 0.0;    ///< of 95 % of the area, strainQuantile()
-  double strain = 0.0;          ///< the same with borders as they are drawn, followBorders()
-  double share = 1.0;           ///< of the tolerances that was used, so that it rises little
-  bool solved = true;           ///< false: nothing was drawn otherwise
+  std::size_t edges = 0;            ///< of the mesh along them
+  std::size_t splines = 0;          ///< cubic Bezier curves in their place
+  std::size_t segments = 0;         ///< straight lines in their place, and edges that were left
+  std::size_t straightened = 0;     ///< stretches that were not straight before
+  double deviation = 0.0;           ///< of the mesh's points from what is drawn, millimetres
+  double strainBefore = 0.0;        ///< of 95 % of the area, strainQuantile()
+  double strain = 0.0;              ///< the same with borders as they are drawn, followBorders()
+  double share = 1.0;               ///< of the tolerances that was used, so that it rises little
+  bool solved = true;               ///< false: nothing was drawn otherwise
+  std::optional<MirrorAxis> mirror; ///< of its outline, which is drawn as its own mirror image
+  double mirrorMiss = 0.0;          ///< of the outline that is drawn, millimetres
+  double lengthDifference = 0.0; ///< of sides of it that are mirror images, on the surface, at most
+  double lengthChange = 0.0;     ///< of a stretch between two corners, from the surface, at most
+  std::string whyNotMirrored;    ///< empty: it is, or was not to be
   double worstLeft = 0.0;     ///< what the worst of the stretches that were left would have needed
   double wantedOfWorst = 0.0; ///< its tolerance
   std::vector<std::string> left; ///< names of curves with such stretches
@@ -52,8 +57,12 @@ private:
   /// Where along a chain its smooth curve is so long.
   double placeAt(std::size_t chain, double length) const;
   void report(const DrawingSource& all, const FairFit& fit);
-  /// Takes from the shares of pieces that are strained by too much. \return whether there are any
-  bool lower(std::vector<double>& shares) const;
+  void reportMirror(const FairFit& fit, std::size_t piece);
+  /// Draws a piece no longer as its own mirror image.
+  void dropMirror(std::size_t piece, const std::string& why, FairLimits& limits);
+  /// Takes from what pieces may do that cannot be drawn so, or are strained by too much. \return
+  /// whether there are any
+  bool lower(const DrawingSource& all, const FairFit& fit, FairLimits& limits);
 
   BorderChains Chains;
   std::vector<PlannedChain> Plan;
@@ -61,6 +70,7 @@ private:
   std::vector<std::vector<double>> Places; ///< of the points of each chain along its spans
   Points2 Positions;
   std::vector<FairPieceReport> Reports;
+  std::vector<std::string> WhyNotMirrored; ///< by piece
 };
 }
 }

@@ -41,9 +41,10 @@ bool FairCache::same(const Cause& cause, const DrawingSource& all)
   return cause.unit == all.options.unit &&
     cause.tolerance == all.options.fairToleranceOf(all.source) &&
     cause.toleranceOfCurve == all.options.fairToleranceOfCurve &&
-    one.positions == other.positions && one.inSpace == other.inSpace &&
-    one.triangles == other.triangles && one.pieceOfTriangle == other.pieceOfTriangle &&
-    sameLists(one.wires, other.wires, sameWires) && sameLists(one.sewn, other.sewn, sameSeams) &&
+    cause.symmetrize == all.options.symmetrize && one.positions == other.positions &&
+    one.inSpace == other.inSpace && one.triangles == other.triangles &&
+    one.pieceOfTriangle == other.pieceOfTriangle && sameLists(one.wires, other.wires, sameWires) &&
+    sameLists(one.sewn, other.sewn, sameSeams) &&
     sameLists(cause.notches, all.notches, sameNotches);
 }
 
@@ -53,7 +54,7 @@ std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
   {
     this->Borders = std::make_shared<const FairBorders>(all);
     this->Last = { all.source, all.options.unit, all.options.fairToleranceOf(all.source),
-      all.options.fairToleranceOfCurve, all.notches };
+      all.options.fairToleranceOfCurve, all.options.symmetrize, all.notches };
   }
   return this->Borders;
 }

@@ -25,6 +25,7 @@ private:
     Unit unit = Unit::Centimetre;
     double tolerance = 0.0;
     std::map<std::string, double> toleranceOfCurve;
+    bool symmetrize = false;
     std::vector<NotchPlace> notches;
   };
   static bool same(const Cause& cause, const DrawingSource& all);

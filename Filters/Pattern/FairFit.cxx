@@ -25,31 +25,43 @@ constexpr double widerWave = 1.6;
 constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
 }
 
-FairFit::FairFit(
-  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
+FairFit::FairFit(const DrawingSource& all, const BorderChains& chains, const FairLimits& limits)
   : Chains(chains)
-  , Now(all, chains, shares)
+  , Now(all, chains, limits)
   , Solved(all.loops.size(), true)
+  , Unmirrored(all.loops.size())
 {
   for (std::size_t p = 0; p < this->Solved.size(); ++p)
   {
-    for (int round = 0; round < rounds; ++round)
+    this->fitPiece(p);
+    this->Now.placeIntervals(p);
+  }
+}
+
+void FairFit::fitPiece(std::size_t p)
+{
+  for (int round = 0; round < rounds && !this->Unmirrored[p]; ++round)
+  {
+    const bool last = round + 4 > rounds;
+    if (this->Now.solveEvenly(p, emphases) ? !this->refine(p, last)
+                                           : !this->halveSpans(p) && !this->loosen(p))
     {
-      const bool last = round + 4 > rounds;
-      if (this->Now.solveEvenly(p, emphases) ? !this->refine(p, last)
-                                             : !this->halveSpans(p) && !this->loosen(p))
-      {
-        break;
-      }
+      break;
     }
-    if (this->settle(p))
+    this->Now.mirrorPlan(p);
+  }
+  if (!this->Unmirrored[p] && this->settle(p))
+  {
+    for (const double share : ofTrial)
     {
-      for (const double share : ofTrial)
-      {
-        this->coarsen(p, share);
-      }
-      this->smooth(p);
+      this->coarsen(p, share);
     }
+    this->smooth(p);
+  }
+  if (this->Unmirrored[p])
+  {
+    this->leave(p);
+    this->Now.drawEdges(p);
   }
 }
 
@@ -59,7 +71,15 @@ bool FairFit::settle(std::size_t piece)
   while (solved && !this->Now.keepsTolerances(piece))
   {
     this->leaveBad(piece);
+    if (this->Unmirrored[piece])
+    {
+      return false;
+    }
     solved = this->Now.solve(piece);
+  }
+  if (!solved && this->Now.mirror(piece).found())
+  {
+    this->Unmirrored[piece].emplace();
   }
   if (!solved)
   {
@@ -114,6 +134,11 @@ void FairFit::leave(const Place& place)
       left.needed = off;
       left.tolerance = tolerance;
     }
+  }
+  if (this->Now.imageOf(place))
+  {
+    this->Unmirrored[this->Chains.chains()[place.chain].piece] = left;
+    return;
   }
   stretch.form = StretchForm::Raw;
   this->Left.push_back(left);
@@ -179,31 +204,28 @@ void FairFit::coarsen(std::size_t piece, double share)
     // Nodes stay from here on, so that the stretches are each by itself.
     this->Now.held(piece) = solveFairNetwork(network.network(), this->Now.wave(piece)).nodes;
   }
-  std::vector<std::pair<Place, PlannedStretch>> changed; // with what they were
+  std::vector<std::vector<std::pair<Place, PlannedStretch>>> changed; // with what they were
   for (const Place& place : this->Now.placesOf(piece, StretchForm::Spline))
   {
-    PlannedStretch& stretch = this->Now.at(place);
-    std::vector<double> tolerances;
-    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+    std::vector<Place> places{ place };
+    const std::optional<Place> image = this->Now.imageOf(place);
+    if (image && image->stretch < place.stretch)
     {
-      tolerances.push_back(share * this->Now.toleranceAt(place, k));
+      continue; // with the other
     }
-    FairTrial trial(network.network(), network.indexOf(place.chain, stretch.firstPoint),
-      this->Now.held(piece), tolerances, this->Now.wave(piece));
-    if (!trial.join(stretch.leastSpans()))
+    if (image && image->stretch != place.stretch)
     {
-      continue;
+      places.push_back(*image);
     }
-    changed.emplace_back(place, stretch);
-    const double start = stretch.breaks.front();
-    const double end = stretch.breaks.back();
-    stretch.breaks.clear();
-    for (const double at : trial.breaks())
+    std::vector<std::pair<Place, PlannedStretch>> were;
+    for (const Place& part : places)
     {
-      stretch.breaks.push_back(start + at);
+      were.emplace_back(part, this->Now.at(part));
     }
-    stretch.breaks.back() = end;
-    stretch.weights = trial.weights();
+    if (this->join(network, places, share))
+    {
+      changed.push_back(std::move(were));
+    }
   }
   // What all of them together do not keep is taken back.
   while (!changed.empty())
@@ -213,19 +235,60 @@ void FairFit::coarsen(std::size_t piece, double share)
     {
       return;
     }
-    const auto isGood = [&](
-                          const auto& one) { return solved && this->Now.excess(one.first) <= 1.0; };
+    const auto isGood = [&](const auto& were) {
+      return solved && std::all_of(were.begin(), were.end(), [this](const auto& one) {
+        return this->Now.excess(one.first) <= 1.0;
+      });
+    };
     auto bad = std::partition(changed.begin(), changed.end(), isGood);
     bad = bad == changed.end() ? changed.begin() : bad; // what they have moved is off
-    for (auto one = bad; one != changed.end(); ++one)
+    for (auto were = bad; were != changed.end(); ++were)
     {
-      this->Now.at(one->first) = one->second;
+      for (const auto& [place, stretch] : *were)
+      {
+        this->Now.at(place) = stretch;
+      }
     }
     changed.erase(bad, changed.end());
   }
   this->Now.plan() = before;
   this->Now.held(piece) = heldBefore;
   this->Now.solve(piece);
+}
+
+bool FairFit::join(const PieceNetwork& network, const std::vector<Place>& places, double share)
+{
+  std::vector<FairTrial::Part> parts;
+  for (const Place& place : places)
+  {
+    const PlannedStretch& stretch = this->Now.at(place);
+    FairTrial::Part& part = parts.emplace_back();
+    part.stretch = network.indexOf(place.chain, stretch.firstPoint);
+    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+    {
+      part.tolerances.push_back(share * this->Now.toleranceAt(place, k));
+    }
+  }
+  const std::size_t piece = this->Chains.chains()[places.front().chain].piece;
+  FairTrial trial(network.network(), parts, this->Now.held(piece), this->Now.wave(piece));
+  if (!trial.join(this->Now.at(places.front()).leastSpans()))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    PlannedStretch& stretch = this->Now.at(places[k]);
+    const double start = stretch.breaks.front();
+    const double end = stretch.breaks.back();
+    stretch.breaks.clear();
+    for (const double at : trial.breaks(k))
+    {
+      stretch.breaks.push_back(start + at);
+    }
+    stretch.breaks.back() = end;
+    stretch.weights = trial.weights(k);
+  }
+  return true;
 }
 
 void FairFit::smooth(std::size_t piece)

@@ -23,8 +23,7 @@ class FairFit
 {
 public:
   /// Source and chains stay the caller's.
-  /// \param shares which part of its tolerances each piece may use
-  FairFit(const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
+  FairFit(const DrawingSource& all, const BorderChains& chains, const FairLimits& limits);
 
   const std::vector<PlannedChain>& plan() const { return this->Now.plan(); }
   /// Of each chain, along it.
@@ -32,6 +31,13 @@ public:
   const std::vector<LeftStretch>& left() const { return this->Left; }
   /// False where nothing of a piece could be drawn otherwise.
   bool solved(std::size_t piece) const { return this->Solved[piece]; }
+  /// How the outline of a piece is drawn as its own mirror image.
+  const OutlineMirror& mirror(std::size_t piece) const { return this->Now.mirror(piece); }
+  /// What of such a piece cannot be drawn so, which has ended the search for its curves.
+  const std::optional<LeftStretch>& unmirrored(std::size_t piece) const
+  {
+    return this->Unmirrored[piece];
+  }
   /// Of the points of a piece, millimetres.
   double largestDeviation(std::size_t piece) const { return this->Now.largestDeviation(piece); }
 
@@ -44,6 +50,7 @@ private:
   /// Leaves what does not keep its tolerance. \return whether there is a solution
   bool settle(std::size_t piece);
   bool refineStretch(const Place& place, bool last);
+  void fitPiece(std::size_t piece);
   /// Lets a stretch be as it was, or all that do not keep their tolerance.
   void leave(const Place& place);
   void leaveBad(std::size_t piece);
@@ -51,6 +58,9 @@ private:
   /// Takes away what breaks the tolerances do not need.
   /// \param share of the tolerances, that trials may use
   void coarsen(std::size_t piece, double share);
+  /// Takes them from one stretch and the one that is its mirror image. \return whether there was
+  /// any
+  bool join(const PieceNetwork& network, const std::vector<Place>& places, double share);
   void smooth(std::size_t piece);
   /// Gives all splines of a piece twice as many curves, where they may have them.
   bool halveSpans(std::size_t piece);
@@ -63,6 +73,7 @@ private:
   FairSolution Now;
   std::vector<LeftStretch> Left;
   std::vector<bool> Solved;
+  std::vector<std::optional<LeftStretch>> Unmirrored;
 };
 }
 }

@@ -3,6 +3,7 @@
 
 #include "Base/Planar.h"
 #include "CurveLength.h"
+#include "LinearRows.h"
 #include "Sparse/LeastNorm.h"
 #include "StretchCurve.h"
 
@@ -44,7 +45,8 @@ public:
       this->Curves.emplace_back(stretch, this->Unknowns);
     }
     this->addObjective(std::pow(wave / (2.0 * pi), 4.0));
-    this->addLinearRows();
+    this->Linear.addHooksAndRings(this->Curves);
+    this->Linear.addMirror(network.mirror, this->Curves);
     for (std::size_t s = 0; s < this->Curves.size(); ++s)
     {
       const FairStretch& stretch = network.stretches[s];
@@ -56,7 +58,10 @@ public:
         // All parts of a segment have their share of it.
         if (!stretch.straight || &interval == &stretch.intervals.back())
         {
-          this->Lengths.emplace_back(this->Curves[s], start, interval.end, length);
+          if (!interval.follows)
+          {
+            this->Lengths.emplace_back(this->Curves[s], start, interval.end, length);
+          }
           start = interval.end;
           length = 0.0;
         }
@@ -169,29 +174,6 @@ private:
     }
   }
 
-  void addLinearRows()
-  {
-    for (const StretchCurve& curve : this->Curves)
-    {
-      const FairStretch& stretch = curve.stretch();
-      for (const FairHook& hook : stretch.hooks)
-      {
-        Terms terms = curve.at(hook.at, Derivative::Place);
-        terms.push_back({ static_cast<Eigen::Index>(hook.node), -1.0 });
-        this->LinearRows.push_back(std::move(terms));
-      }
-      if (stretch.smoothEnds)
-      {
-        Terms terms = curve.at(0.0, Derivative::Slope);
-        for (const Term& term : curve.at(stretch.length(), Derivative::Slope))
-        {
-          terms.push_back({ term.unknown, -term.factor });
-        }
-        this->LinearRows.push_back(std::move(terms));
-      }
-    }
-  }
-
   bool factor()
   {
     Eigen::SparseMatrix<double> hessian(2 * this->Unknowns, 2 * this->Unknowns);
@@ -269,24 +251,15 @@ private:
   /// Rows of the constraints and what is missing to them.
   void constraints(Rows& rows, Vector& missing) const
   {
-    const auto linear = static_cast<Eigen::Index>(this->LinearRows.size());
+    const Eigen::Index linear = this->Linear.size();
     const auto lengths = static_cast<Eigen::Index>(this->Lengths.size());
     std::vector<Eigen::Triplet<double>> entries;
-    missing = Vector::Zero(2 * linear + lengths);
-    for (Eigen::Index r = 0; r < linear; ++r)
-    {
-      const Terms& terms = this->LinearRows[static_cast<std::size_t>(r)];
-      for (const Term& term : terms)
-      {
-        entries.emplace_back(2 * r, 2 * term.unknown, term.factor);
-        entries.emplace_back(2 * r + 1, 2 * term.unknown + 1, term.factor);
-      }
-      missing.segment<2>(2 * r) = -sum(terms, this->X);
-    }
+    missing = Vector::Zero(linear + lengths);
+    this->Linear.add(this->X, entries, missing);
     for (Eigen::Index r = 0; r < lengths; ++r)
     {
-      missing[2 * linear + r] =
-        this->Lengths[static_cast<std::size_t>(r)].addRow(2 * linear + r, this->X, entries);
+      missing[linear + r] =
+        this->Lengths[static_cast<std::size_t>(r)].addRow(linear + r, this->X, entries);
     }
     rows.resize(missing.size(), 2 * this->Unknowns);
     rows.setFromTriplets(entries.begin(), entries.end());
@@ -298,7 +271,7 @@ private:
     // What lies below the last digits of coordinates cannot be made better.
     const double rounding =
       16.0 * std::numeric_limits<double>::epsilon() * this->X.lpNorm<Eigen::Infinity>();
-    const auto linear = static_cast<Eigen::Index>(2 * this->LinearRows.size());
+    const Eigen::Index linear = this->Linear.size();
     for (Eigen::Index r = 0; r < missing.size(); ++r)
     {
       const double length =
@@ -364,7 +337,7 @@ private:
   Eigen::Index Unknowns;
   std::vector<StretchCurve> Curves;
   std::vector<CurveLength> Lengths;
-  std::vector<Terms> LinearRows;
+  LinearRows Linear;
   std::vector<Eigen::Triplet<double>> Entries;
   Vector Right;
   Rows Hessian;

@@ -12,8 +12,9 @@ namespace pattern
 /// A part of a stretch whose length is prescribed: from notch to notch, say.
 struct FairInterval
 {
-  double end = 0.0;    ///< along the stretch
-  double length = 0.0; ///< that it must have
+  double end = 0.0;     ///< along the stretch
+  double length = 0.0;  ///< that it must have
+  bool follows = false; ///< it has that if others have theirs, whose mirror image it is
 };
 
 /// A node that a stretch runs through.
@@ -41,12 +42,22 @@ struct FairStretch
   double length() const { return this->intervals.back().end; }
 };
 
+/// An axis and stretches whose curves are to be mirror images of each other, one run forwards, the
+/// other backwards. A stretch with itself is its own mirror image.
+struct FairMirror
+{
+  Point2 at = Point2::Zero();
+  Point2 along = Point2(0.0, 1.0);                   ///< of length 1
+  std::vector<std::array<std::size_t, 2>> stretches; ///< with breaks that are mirrored as well
+};
+
 /// The borders and feature curves of a flat piece that hang together at nodes.
 struct FairNetwork
 {
   Points2 nodes; ///< where they were before
   Points2 held;  ///< where they stay, or empty where they may move
   std::vector<FairStretch> stretches;
+  FairMirror mirror;
 };
 
 struct FairCurves

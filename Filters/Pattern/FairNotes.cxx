@@ -3,13 +3,51 @@
 
 #include "PatternText.h"
 
+#include <algorithm>
+
 namespace flattening
 {
 namespace pattern
 {
+namespace
+{
+void addMirrorNotes(const FairPieceReport& report, PatternPiece& piece)
+{
+  const std::string of = "piece " + piece.name + ": ";
+  if (!report.whyNotMirrored.empty())
+  {
+    piece.notes.push_back(
+      { of + "its outline is not drawn as its own mirror image: " + report.whyNotMirrored,
+        NoteKind::NotMirrored });
+  }
+  if (report.mirror)
+  {
+    const double below = std::max(report.mirrorMiss, 1e-6);
+    std::string note = of + "its outline is drawn as its own mirror image, to " +
+      formatNumber(below, 6) + " mm; its flat points miss that by " +
+      formatNumber(report.mirror->miss, 3) + " mm";
+    if (report.lengthDifference > noticedLength)
+    {
+      note +=
+        ", and its sides differ by " + formatNumber(report.lengthDifference, 4) + " mm in length";
+    }
+    piece.notes.push_back({ note, NoteKind::Mirrored });
+  }
+  if (report.lengthChange > noticedLength)
+  {
+    piece.notes.push_back({ of + "stretches of its borders are up to " +
+        formatNumber(report.lengthChange, 4) +
+        " mm longer or shorter than on the surface, so that sides that are mirror images, and what "
+        "is sewn to them, are equally long",
+      NoteKind::Mirrored });
+  }
+}
+}
+
 void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
 {
   const std::string of = "piece " + piece.name + ": ";
+  addMirrorNotes(report, piece);
   if (!report.solved)
   {
     piece.notes.push_back(

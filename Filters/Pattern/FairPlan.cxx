@@ -15,7 +15,6 @@ namespace pattern
 namespace
 {
 constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
-constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
 
 class FairPlanner
 {
@@ -150,6 +149,7 @@ private:
       PlannedInterval interval;
       interval.start = stops[k];
       interval.end = stops[k + 1];
+      interval.places = { interval.start, interval.end };
       interval.length = interval.end - interval.start;
       const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
       interval.tolerance = this->Shares[chain.piece] *

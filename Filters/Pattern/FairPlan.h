@@ -14,6 +14,7 @@ struct PlannedInterval
 {
   double start = 0.0; ///< along the chain
   double end = 0.0;
+  std::array<double, 2> places{ 0.0, 0.0 }; ///< of its ends along the spans of the chain
   double length = 0.0;    ///< that its curve must have, the same on both sides of a seam
   double tolerance = 0.0; ///< of its points from its curve, millimetres; 0: it stays as it was
   std::array<std::size_t, 2> partner{ none, none }; ///< chain and interval that it is sewn to
@@ -29,7 +30,8 @@ enum class StretchForm
   Raw,      ///< as it was, edge by edge
 };
 
-constexpr double inexact = 1e-6; ///< of a stretch: bent by less it is a segment already
+inline constexpr double sameLength = 1e-6; ///< of both sides of a seam, relative
+constexpr double inexact = 1e-6;           ///< of a stretch: bent by less it is a segment already
 
 /// A part of a chain between two corners.
 struct PlannedStretch
@@ -55,6 +57,13 @@ struct PlannedChain
 {
   std::vector<PlannedInterval> intervals;
   std::vector<PlannedStretch> stretches;
+};
+
+/// What may be done to each piece.
+struct FairLimits
+{
+  std::vector<double> shares; ///< of its tolerances that it may use
+  std::vector<bool> mirrored; ///< its outline is to be its own mirror image, where it nearly is
 };
 
 /// Into which stretches and intervals the chains fall.

@@ -2,6 +2,7 @@
 #include "FairSolution.h"
 
 #include "FairWeights.h"
+#include "IntervalCurve.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,16 +12,19 @@ namespace flattening
 namespace pattern
 {
 FairSolution::FairSolution(
-  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
+  const DrawingSource& all, const BorderChains& chains, const FairLimits& limits)
   : All(all)
   , Chains(chains)
-  , Plan(planFairBorders(all, chains, shares))
+  , Plan(planFairBorders(all, chains, limits.shares))
   , Spans(this->Plan.size())
   , Deviation(this->Plan.size())
   , Held(all.loops.size())
 {
   for (std::size_t p = 0; p < all.loops.size(); ++p)
   {
+    this->Mirrors.push_back(
+      limits.mirrored[p] ? findOutlineMirror(all, chains, this->Plan, p) : OutlineMirror());
+    this->mirrorPlan(p);
     double length = 0.0;
     std::size_t edges = 0;
     for (const BorderChain& chain : chains.chains())
@@ -29,6 +33,48 @@ FairSolution::FairSolution(
       edges += chain.piece == p ? chain.edges() : 0;
     }
     this->Wave.push_back(length / static_cast<double>(std::max<std::size_t>(edges, 1)));
+  }
+  equalizeMirroredLengths(this->Mirrors, this->Plan);
+}
+
+std::optional<FairSolution::Place> FairSolution::imageOf(const Place& place) const
+{
+  for (const OutlineMirror& mirror : this->Mirrors)
+  {
+    for (const auto& [one, other] : mirror.stretches)
+    {
+      if (mirror.chain == place.chain && (one == place.stretch || other == place.stretch))
+      {
+        return Place{ place.chain, one == place.stretch ? other : one };
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void FairSolution::mirrorPlan(std::size_t piece)
+{
+  const OutlineMirror& mirror = this->Mirrors[piece];
+  pattern::mirrorPlan(mirror, this->Plan[mirror.chain]);
+}
+
+void FairSolution::placeIntervals(std::size_t piece)
+{
+  const OutlineMirror& mirror = this->Mirrors[piece];
+  PlannedChain& chain = this->Plan[mirror.chain];
+  for (std::size_t s = 0; mirror.found() && s < chain.stretches.size(); ++s)
+  {
+    const PlannedStretch& stretch = chain.stretches[s];
+    PlannedInterval whole;
+    whole.places = { stretch.breaks.front(), stretch.breaks.back() };
+    const IntervalCurve curve(this->Spans[mirror.chain], whole);
+    double length = 0.0;
+    for (std::size_t k = stretch.firstInterval; k + 1 < stretch.endInterval; ++k)
+    {
+      length += chain.intervals[k].length;
+      chain.intervals[k].places[1] = chain.intervals[k + 1].places[0] =
+        curve.placeAt(length / curve.length());
+    }
   }
 }
 
@@ -124,7 +170,7 @@ double FairSolution::largestDeviation(std::size_t piece) const
 
 PieceNetwork FairSolution::networkOf(std::size_t piece) const
 {
-  return { this->All, this->Chains, this->Plan, piece };
+  return { this->All, this->Chains, this->Plan, piece, this->Mirrors[piece] };
 }
 
 bool FairSolution::solve(std::size_t piece)

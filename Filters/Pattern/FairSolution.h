@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FairPlan.h"
 #include "FairSpan.h"
 #include "PieceNetwork.h"
+
+#include <optional>
 
 namespace flattening
 {
@@ -21,9 +22,7 @@ public:
   };
 
   /// Source and chains stay the caller's.
-  /// \param shares which part of its tolerances each piece may use
-  FairSolution(
-    const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
+  FairSolution(const DrawingSource& all, const BorderChains& chains, const FairLimits& limits);
 
   std::vector<PlannedChain>& plan() { return this->Plan; }
   const std::vector<PlannedChain>& plan() const { return this->Plan; }
@@ -44,6 +43,15 @@ public:
   Points2& held(std::size_t piece) { return this->Held[piece]; }
   /// The longest wave that is smoothed away in a piece, millimetres.
   double& wave(std::size_t piece) { return this->Wave[piece]; }
+
+  /// How the outline of a piece is drawn as its own mirror image.
+  const OutlineMirror& mirror(std::size_t piece) const { return this->Mirrors[piece]; }
+  /// Of a stretch of the outline of such a piece the one that is its mirror image, maybe itself.
+  std::optional<Place> imageOf(const Place& place) const;
+  /// Gives stretches that are mirror images of each other the same form and breaks.
+  void mirrorPlan(std::size_t piece);
+  /// Puts the ends of intervals of such stretches where the lengths of the curves say.
+  void placeIntervals(std::size_t piece);
 
   bool isOf(std::size_t chain, std::size_t piece) const;
   /// All stretches of a piece that are of a form.
@@ -72,6 +80,7 @@ private:
   const DrawingSource& All;
   const BorderChains& Chains;
   std::vector<PlannedChain> Plan;
+  std::vector<OutlineMirror> Mirrors; ///< of the pieces
   std::vector<std::vector<FairSpan>> Spans;
   std::vector<std::vector<double>> Deviation;
   std::vector<Points2> Held;

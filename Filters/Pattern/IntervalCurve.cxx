@@ -9,16 +9,16 @@ namespace flattening
 namespace pattern
 {
 IntervalCurve::IntervalCurve(const std::vector<FairSpan>& spans, const PlannedInterval& interval)
-  : Start(interval.start)
-  , End(interval.end)
+  : Start(interval.places[0])
+  , End(interval.places[1])
 {
-  const double least = sameBreak * (interval.end - interval.start);
+  const double least = sameBreak * (this->End - this->Start);
   for (const FairSpan& span : spans)
   {
-    if (span.to > interval.start + least && span.from < interval.end - least)
+    if (span.to > this->Start + least && span.from < this->End - least)
     {
       this->Parts.push_back(
-        partOf(span, std::max(span.from, interval.start), std::min(span.to, interval.end)));
+        partOf(span, std::max(span.from, this->Start), std::min(span.to, this->End)));
     }
   }
   for (const FairSpan& part : this->Parts)

@@ -4,6 +4,8 @@
 #include "Outline.h"
 #include "PlaneGeometry.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,21 +99,6 @@ public:
       std::all_of(other.Shape.lines.begin(), other.Shape.lines.end(), all);
   }
 
-  /// How far a vertex of it, turned over and by an angle, is from its own lines.
-  double missOf(double turn) const
-  {
-    double most = 0.0;
-    const auto add = [&](const Points2& points) {
-      for (const Point2& p : points)
-      {
-        most = std::max(most, distance(turnedOver(p, turn), this->Lines));
-      }
-    };
-    add(this->outline());
-    std::for_each(this->Shape.lines.begin(), this->Shape.lines.end(), add);
-    return most;
-  }
-
 private:
   static Point2 turnedOver(const Point2& p, double turn)
   {
@@ -169,25 +156,9 @@ bool areMirrored(const LaidShape& one, const LaidShape& other, double tolerance)
 }
 }
 
-std::optional<MirrorAxis> findMirrorAxis(const PieceShape& shape, double tolerance)
+Point2 imageOf(const Point2& p, const MirrorAxis& axis)
 {
-  const LaidShape laid(shape);
-  std::optional<MirrorAxis> best;
-  for (const double turn : laid.turns(laid, tolerance))
-  {
-    if (!laid.covers(laid, turn, tolerance))
-    {
-      continue;
-    }
-    MirrorAxis axis{ laid.center(), { std::cos(turn / 2.0), std::sin(turn / 2.0) },
-      laid.missOf(turn) };
-    axis.along *= axis.along.y() < 0.0 ? -1.0 : 1.0;
-    if (!best || axis.along.y() > best->along.y())
-    {
-      best = axis;
-    }
-  }
-  return best;
+  return 2.0 * (axis.at + axis.along.dot(p - axis.at) * axis.along) - p;
 }
 
 double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis)
@@ -202,13 +173,85 @@ double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis)
   const auto add = [&](const Points2& points) {
     for (const Point2& p : points)
     {
-      const Point2 foot = axis.at + axis.along.dot(p - axis.at) * axis.along;
-      most = std::max(most, distance(2.0 * foot - p, lines));
+      most = std::max(most, distance(imageOf(p, axis), lines));
     }
   };
   add(shape.outline);
   std::for_each(shape.lines.begin(), shape.lines.end(), add);
   return most;
+}
+
+namespace
+{
+constexpr int improvements = 30;
+constexpr double settled = 1e-9; ///< radians, millimetres
+
+/// An axis that was turned and moved so that the image of the outline lies on the outline with
+/// least squares: by its moments alone it is vague where the shape is about as wide as it is long.
+/// P. J. Besl, N. D. McKay, A method for registration of 3-D shapes, IEEE Transactions on Pattern
+/// Analysis and Machine Intelligence 14(2), 1992.
+MirrorAxis improved(const PieceShape& shape, MirrorAxis axis)
+{
+  Segments outline;
+  addSegments(shape.outline, true, outline);
+  axis.miss = mirrorMiss(shape, axis);
+  MirrorAxis best = axis;
+  for (int k = 0; k < improvements; ++k)
+  {
+    const Point2 across(axis.along.y(), -axis.along.x());
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    Point2 right = Point2::Zero();
+    for (const Segment& segment : outline)
+    {
+      const Point2 image = imageOf((segment.from + segment.to) / 2.0, axis);
+      const Point2 off = nearestPoint(image, outline) - image;
+      // Turned by an angle the axis turns images by twice as much, and moved it moves them so.
+      const Point2 arm = image - axis.at;
+      const Point2 byTurn(-2.0 * arm.y(), 2.0 * arm.x());
+      const Point2 byShift = 2.0 * across;
+      const double weight = (segment.to - segment.from).norm();
+      squares(0, 0) += weight * byTurn.squaredNorm();
+      squares(1, 1) += weight * byShift.squaredNorm();
+      squares(0, 1) += weight * byTurn.dot(byShift);
+      right += weight * Point2(byTurn.dot(off), byShift.dot(off));
+    }
+    squares(1, 0) = squares(0, 1);
+    const Point2 change = squares.ldlt().solve(right);
+    if (!change.allFinite() || change.norm() < settled)
+    {
+      break;
+    }
+    axis.at += change.y() * across;
+    axis.along = (axis.along - change.x() * across).normalized();
+    axis.miss = mirrorMiss(shape, axis);
+    best = axis.miss < best.miss ? axis : best;
+  }
+  return best;
+}
+}
+
+MirrorAxis nearestMirrorAxis(const PieceShape& shape, double tolerance)
+{
+  const LaidShape laid(shape);
+  std::optional<MirrorAxis> best;
+  for (const double turn : laid.turns(laid, tolerance))
+  {
+    MirrorAxis axis{ laid.center(), { std::cos(turn / 2.0), std::sin(turn / 2.0) }, 0.0 };
+    axis = improved(shape, axis);
+    axis.along *= axis.along.y() < 0.0 ? -1.0 : 1.0;
+    const bool both = best && std::max(axis.miss, best->miss) <= tolerance;
+    if (!best || (both ? axis.along.y() > best->along.y() : axis.miss < best->miss))
+    {
+      best = axis;
+    }
+  }
+  return best.value_or(MirrorAxis());
+}
+
+std::optional<MirrorAxis> findMirrorAxis(const PieceShape& shape, double tolerance)
+{
+  const MirrorAxis axis = nearestMirrorAxis(shape, tolerance);
+  return axis.miss <= tolerance ? std::make_optional(axis) : std::nullopt;
 }
 
 std::vector<std::size_t> findMirrorPairs(const std::vector<PieceShape>& shapes, double tolerance)

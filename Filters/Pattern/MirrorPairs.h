@@ -36,6 +36,11 @@ struct MirrorAxis
 /// farther from the mirror image than the tolerance.
 std::optional<MirrorAxis> findMirrorAxis(const PieceShape& shape, double tolerance);
 
+/// The same, or where there is none the one about which it misses its mirror image least.
+MirrorAxis nearestMirrorAxis(const PieceShape& shape, double tolerance);
+
+Point2 imageOf(const Point2& p, const MirrorAxis& axis);
+
 /// How far a vertex of a shape, mirrored at the axis, is from its lines.
 double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis);
 

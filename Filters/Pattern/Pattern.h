@@ -88,6 +88,8 @@ enum class NoteKind
   Smoothed,    ///< lines were made smooth
   LeftRough,   ///< some lines could not be
   NotSmoothed, ///< nothing of a piece could be
+  Mirrored,    ///< an outline was made its own mirror image
+  NotMirrored, ///< one could not be
 };
 
 /// What was done to a piece that who cuts may want to know.

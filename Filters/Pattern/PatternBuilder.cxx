@@ -122,7 +122,13 @@ Status findFold(const DrawingSource& all, std::size_t piece, const std::string& 
   {
     return status;
   }
-  if (const std::optional<MirrorAxis> axis = findMirrorAxis(shape, mirrorTolerance))
+  std::optional<MirrorAxis> axis = findMirrorAxis(shape, mirrorTolerance);
+  if (axis && all.fair && all.fair->reports()[piece].mirror)
+  {
+    *axis = *all.fair->reports()[piece].mirror;
+    axis->miss = mirrorMiss(shape, *axis);
+  }
+  if (axis)
   {
     fold.emplace();
     fold->axis = *axis;
@@ -232,6 +238,10 @@ Status buildPattern(
         const std::size_t other = isSecond ? mirrored[p] : second;
         addText(TextRole::Label, "mirror image of piece " + std::to_string(other + 1));
       }
+    }
+    if (fair && fair->reports()[p].mirror)
+    {
+      addText(TextRole::Label, "drawn as its own mirror image");
     }
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));

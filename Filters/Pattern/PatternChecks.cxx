@@ -62,6 +62,12 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   {
     return invalidOption("the tolerance of smooth borders must be a number of millimetres from 0");
   }
+  if (options.symmetrize && !options.isFair(source))
+  {
+    return { StatusCode::InvalidOption,
+      "outlines are made their own mirror images as smooth borders alone, and none is to be smooth",
+      {}, { { Remedy::Give, "a tolerance of smooth borders above 0 mm" } } };
+  }
   if (options.quantity < 1)
   {
     return invalidOption("the quantity must be a whole number from 1");

@@ -116,7 +116,8 @@ struct PatternOptions
   /// are.
   double fairTolerance = 0.0;
   std::map<std::string, double> fairToleranceOfCurve; ///< by curve name; "boundary" for the rest
-  double dartTip = 0.0;                         ///< how far tips of folded darts are drawn back
+  bool symmetrize = false; ///< smooth outlines of symmetric pieces are their own mirror images
+  double dartTip = 0.0;    ///< how far tips of folded darts are drawn back
   std::map<std::string, double> dartTipOfCurve; ///< by name of the dart
   bool cutOnFold = false;                       ///< of symmetric pieces draw a half
   std::set<std::string> foldsAlong; ///< names of curves along which pieces are cut on the fold

@@ -2,13 +2,55 @@
 #include "PieceNetwork.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
 namespace pattern
 {
+namespace
+{
+constexpr double sameStop = 1.0; ///< of a stop and the image of another, millimetres
+
+/// Takes the ends of intervals away whose place follows from others, since the curve is the mirror
+/// image of another, or of itself.
+void leaveWhatFollows(FairStretch& one, FairStretch& other)
+{
+  const bool own = &one == &other;
+  std::vector<double> images; // of ends of intervals
+  std::vector<FairInterval> left;
+  const auto keep = [&](const FairInterval& interval) {
+    left.push_back(interval);
+    if (own)
+    {
+      images.push_back(other.length() - interval.end);
+    }
+  };
+  for (std::size_t k = 0; !own && k + 1 < one.intervals.size(); ++k)
+  {
+    images.push_back((1.0 - one.intervals[k].end / one.length()) * other.length());
+  }
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < other.intervals.size(); ++k)
+  {
+    const double end = other.intervals[k].end;
+    length += other.intervals[k].length;
+    const auto isHere = [end](double image) { return std::abs(image - end) < sameStop; };
+    const bool follows =
+      (own && isHere(other.length() / 2.0)) || std::any_of(images.begin(), images.end(), isHere);
+    if (!follows && !other.straight)
+    {
+      keep({ end, length });
+      length = 0.0;
+    }
+  }
+  left.push_back({ other.length(), length + other.intervals.back().length, !own });
+  other.intervals = std::move(left);
+}
+}
+
 PieceNetwork::PieceNetwork(const DrawingSource& all, const BorderChains& chains,
-  const std::vector<PlannedChain>& plan, std::size_t piece)
+  const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror)
   : All(all)
   , Chains(chains)
   , Plan(plan)
@@ -30,6 +72,21 @@ PieceNetwork::PieceNetwork(const DrawingSource& all, const BorderChains& chains,
         this->add(c, stretch);
       }
     }
+  }
+  this->addMirror(mirror);
+}
+
+void PieceNetwork::addMirror(const OutlineMirror& mirror)
+{
+  this->Network.mirror.at = mirror.axis.at;
+  this->Network.mirror.along = mirror.axis.along;
+  for (const auto& [first, second] : mirror.stretches)
+  {
+    const std::vector<PlannedStretch>& stretches = this->Plan[mirror.chain].stretches;
+    const std::size_t one = this->indexOf(mirror.chain, stretches[first].firstPoint);
+    const std::size_t other = this->indexOf(mirror.chain, stretches[second].firstPoint);
+    this->Network.mirror.stretches.push_back({ one, other });
+    leaveWhatFollows(this->Network.stretches[one], this->Network.stretches[other]);
   }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "FairNetwork.h"
-#include "FairPlan.h"
+#include "OutlineMirror.h"
 
 #include <map>
 
@@ -16,7 +16,7 @@ class PieceNetwork
 {
 public:
   PieceNetwork(const DrawingSource& all, const BorderChains& chains,
-    const std::vector<PlannedChain>& plan, std::size_t piece);
+    const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror);
 
   const FairNetwork& network() const { return this->Network; }
   /// The number of a stretch in it, by its chain and first point; it is no raw one.
@@ -37,6 +37,7 @@ private:
   std::size_t nodeAt(Index point);
   void add(std::size_t c, const PlannedStretch& planned);
   void addEdges(std::size_t c, const PlannedStretch& planned);
+  void addMirror(const OutlineMirror& mirror);
 
   const DrawingSource& All;
   const BorderChains& Chains;

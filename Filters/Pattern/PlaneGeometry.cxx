@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -42,18 +43,30 @@ std::vector<double> crossings(const Point2& from, const Point2& direction, const
   return found;
 }
 
-double distance(const Point2& point, const Segments& segments)
+Point2 nearestPoint(const Point2& point, const Segments& segments)
 {
-  double nearest = 1e300;
+  double least = std::numeric_limits<double>::infinity();
+  Point2 nearest = point;
   for (const Segment& segment : segments)
   {
     const Point2 side = segment.to - segment.from;
     const double length = side.squaredNorm();
     const double at =
       length > 0.0 ? std::clamp((point - segment.from).dot(side) / length, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (segment.from + at * side - point).squaredNorm());
+    const Point2 place = segment.from + at * side;
+    const double squared = (place - point).squaredNorm();
+    if (squared < least)
+    {
+      least = squared;
+      nearest = place;
+    }
   }
-  return std::sqrt(nearest);
+  return nearest;
+}
+
+double distance(const Point2& point, const Segments& segments)
+{
+  return segments.empty() ? 1e150 : (nearestPoint(point, segments) - point).norm();
 }
 
 bool inside(const Point2& point, const Segments& borders)

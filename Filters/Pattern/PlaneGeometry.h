@@ -24,6 +24,8 @@ std::vector<double> crossings(
   const Point2& from, const Point2& direction, const Segments& segments);
 
 double distance(const Point2& point, const Segments& segments);
+/// The nearest point of the segments, of which there are some.
+Point2 nearestPoint(const Point2& point, const Segments& segments);
 
 /// Even-odd rule.
 bool inside(const Point2& point, const Segments& borders);

@@ -28,6 +28,17 @@ StretchCurve::StretchCurve(const FairStretch& stretch, Eigen::Index& next)
   next += stretch.straight ? 0 : static_cast<Eigen::Index>(this->Basis.size()) - 2;
 }
 
+std::vector<Eigen::Index> StretchCurve::unknowns() const
+{
+  std::vector<Eigen::Index> unknowns{ static_cast<Eigen::Index>(this->Stretch.from) };
+  for (std::size_t j = 2; !this->Stretch.straight && j < this->Basis.size(); ++j)
+  {
+    unknowns.push_back(this->First + static_cast<Eigen::Index>(j) - 2);
+  }
+  unknowns.push_back(static_cast<Eigen::Index>(this->Stretch.to));
+  return unknowns;
+}
+
 Terms StretchCurve::at(double t, Derivative derivative) const
 {
   const auto from = static_cast<Eigen::Index>(this->Stretch.from);

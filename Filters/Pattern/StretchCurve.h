@@ -35,6 +35,8 @@ public:
 
   const FairStretch& stretch() const { return this->Stretch; }
   const CubicBasis& basis() const { return this->Basis; }
+  /// The unknown points that it depends on, from its first node to its last.
+  std::vector<Eigen::Index> unknowns() const;
   Terms at(double t, Derivative derivative) const;
   std::vector<FairSpan> spans(const Eigen::VectorXd& x) const;
   /// Of the points across the curve, along which they may slide, between those of its ends.

@@ -3,6 +3,7 @@
 
 import csv
 import io
+import json
 import os
 import re
 import unittest
@@ -105,6 +106,54 @@ class Fair(pattern.PatternTest):
             self.assertEqual(len(found), len(wanted))
             for a, b in zip(found, wanted):
                 self.assertLess(abs(a - b), 0.05 * max(1.0, b / 100.0))  # of each 100 mm
+
+    def miss_of_outlines(self):
+        """By pieces, how far control points of sew lines and legs are from the image of others, at the axis
+        of their second moments, which is one of symmetry if there is any."""
+        control = {}
+        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        for kind in ("sew-line", "dart-leg"):
+            for piece, element in pattern.svg_elements(root, kind):
+                control.setdefault(piece, []).extend(pattern.curves_of(element))
+        misses = []
+        for curves in control.values():
+            points = np.vstack(curves)
+            points = points - points.mean(axis=0)
+            _, axes = np.linalg.eigh(points.T @ points)
+            misses.append(min(max(np.linalg.norm(points - (p - 2 * (p @ n) * n), axis=1).min() for p in points)
+                              for n in axes.T))
+        return misses
+
+    def test_outlines_of_symmetric_pieces_are_mirror_images_in_the_file(self):
+        for piece in ("wetsuit_upper_front", "shirt_front", "wetsuit_pants_back"):
+            with self.subTest(piece):
+                self.make(piece, "--svg", "--symmetrize")
+                self.assertLess(max(self.miss_of_outlines()), 1e-3)
+                wires = pattern.wires_in_space(self.path("out"), "cm")
+                _, paths = self.paths()
+                wanted = sorted(sum(wire.edges) for wire in wires)
+                found = sorted(sum(map(pattern.bezier_length, pattern.curves_of(element))) for _, element in paths)
+                for a, b in zip(found, wanted):
+                    self.assertLess(abs(a - b), 1e-6)
+        self.make("wetsuit_upper_front", "--svg")
+        self.assertGreater(max(self.miss_of_outlines()), 0.1)
+
+    def test_what_was_made_symmetric_is_told_piece_by_piece(self):
+        self.make("tshirt", "--svg", "--symmetrize")
+        notes = json.loads(self.content("report.json"))["pattern_notes"]
+        told = [note for note in notes if "mirror image" in note]
+        self.assertEqual(len(told), 4)
+        for piece in (1, 2):
+            self.assertTrue(any(note.startswith(f"piece tshirt {piece}: its outline is drawn as its own mirror image")
+                                for note in told), told)
+        for piece in (3, 4):  # sleeves, whose caps are not symmetric
+            self.assertTrue(any(re.match(f"piece tshirt {piece}: its outline is not drawn as its own mirror image: "
+                                         r"mirrored, it misses itself by \d\.\d+ mm", note) for note in told), told)
+
+    def test_a_piece_that_symmetry_would_strain_keeps_its_own_outline(self):
+        self.make("quarter_sphere", "--svg", "--symmetrize")
+        notes = json.loads(self.content("report.json"))["pattern_notes"]
+        self.assertTrue(any("not drawn as its own mirror image: it would strain" in note for note in notes), notes)
 
     def curve_points(self):
         """On sew lines and feature curves; the cut line is another line."""

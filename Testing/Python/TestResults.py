@@ -274,7 +274,7 @@ class Patterns(unittest.TestCase):
                  "--notch-spacing", "70", "--cut-darts-out", "--paper", "letter", "--page-overlap", "5",
                  "--max-pages", "900", "--laser-colors", "--piece-quantity", "4", "--cut-on-fold", "--curve-notch", "boundary=30",
                  "--double-notches", "boundary", "--notch-corners", "--notch-curve-ends", "--dart-tip", "9",
-                "--curve-dart-tip", "waist_dart=11", "--curve-fair", "boundary=0.4"]
+                "--curve-dart-tip", "waist_dart=11", "--curve-fair", "boundary=0.4", "--symmetrize"]
         subprocess.run([os.environ["WIREWARP"], os.path.join(root, "Data", "pants_front.vtp"),
                         os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", "--output",
                         self.path("out"), "--svg", "--dxf", "--pdf", "--plt", *words], check=True)
@@ -285,7 +285,7 @@ class Patterns(unittest.TestCase):
                 notch_spacing=70, cut_darts_out=True, paper="letter", page_overlap=5, max_pages=900,
                 laser_colors=True, cut_on_fold=True, curve_notches={"boundary": [30]},
                 double_notches=["boundary"], notch_corners=True, notch_curve_ends=True, dart_tip=9,
-                curve_dart_tips={"waist_dart": 11}, curve_fairs={"boundary": 0.4})
+                curve_dart_tips={"waist_dart": 11}, curve_fairs={"boundary": 0.4}, symmetrize=True)
             mine, theirs = self.content("own." + kind), self.content(f"out/pattern.{kind}")
             if kind == "pdf":  # it holds the time
                 self.assertAlmostEqual(len(mine), len(theirs), delta=64)
@@ -354,7 +354,7 @@ class Patterns(unittest.TestCase):
             ("notch_spacing", "NotchSpacing"), ("notch_length", "NotchLength"), ("size", "PatternSize"),
             ("page_overlap", "PageOverlap"), ("max_pages", "MaximumPages"), ("name", "PatternName"),
             ("cut_darts_out", "CutDartsOut"), ("cut_pairs", "CutPairs"), ("laser_colors", "LaserColors"),
-            ("fair", "FairTolerance"), ("fabric_width", "FabricWidth"), ("nap", "FabricNap"),
+            ("fair", "FairTolerance"), ("symmetrize", "Symmetrize"), ("fabric_width", "FabricWidth"), ("nap", "FabricNap"),
             ("fabric_gap", "FabricGap"), ("cut_on_fold", "CutOnFold"), ("walk_table", "WalkTable"),
             ("notch_corners", "NotchCorners"), ("dart_tip", "DartTip"), ("notch_curve_ends", "NotchCurveEnds"),
         ):

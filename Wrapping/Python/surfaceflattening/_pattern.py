@@ -52,6 +52,7 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
         writer.SetUnit(1 + index_of(options["unit"], get_args(Unit), "unit"))
     writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
     writer.SetCutDartsOut(flag(options["cut_darts_out"], "cut_darts_out"))
+    writer.SetSymmetrize(flag(options["symmetrize"], "symmetrize"))
     writer.SetCutOnFold(flag(options["cut_on_fold"], "cut_on_fold"))
     writer.SetNotchCorners(flag(options["notch_corners"], "notch_corners"))
     writer.SetNotchCurveEnds(flag(options["notch_curve_ends"], "notch_curve_ends"))

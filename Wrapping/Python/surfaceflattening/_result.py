@@ -160,6 +160,7 @@ class Flattening(ComparedByValue):
         cut_pairs: bool = False,
         fair: float = 0.2,
         curve_fairs: Optional[Mapping[str, float]] = None,
+        symmetrize: bool = False,
         laser_colors: bool = False,
         fabric_width: float = 0.0,
         nap: bool = False,
@@ -208,6 +209,8 @@ class Flattening(ComparedByValue):
             fair: draw borders and curves as smooth splines of the same lengths, straight where nearly so, at
                 most this far from the points of the mesh, in [0, 100]; 0: raw, as the mesh has them.
             curve_fairs: by the name of a curve, or "boundary", another such distance, each in [0, 100].
+            symmetrize: draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror
+                image; sides whose lengths differ by up to 0.1 mm get their mean.
             laser_colors: draw an SVG in thin lines with a colour of its own for each role.
             fabric_width: of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width, their
                 grain along it, as short as a search finds it, in [0, 1e5]; 0: pieces in rows.
