@@ -9,11 +9,14 @@
 #include <QStringList>
 
 #include <cmath>
+#include <optional>
 
 namespace editor
 {
 namespace
 {
+constexpr double percent = 100.0;
+
 QStringList wordsOf(const QString& text)
 {
   const QString simple = text.simplified();
@@ -23,6 +26,16 @@ QStringList wordsOf(const QString& text)
 QString textOf(double millimetres)
 {
   return QLocale::c().toString(millimetres, 'g', 10);
+}
+
+/// Of a percentage, with its sign or without.
+std::optional<double> fractionOf(QString text)
+{
+  text.remove('%');
+  text = text.trimmed();
+  bool isNumber = false;
+  const double number = QLocale::c().toDouble(text.startsWith('+') ? text.mid(1) : text, &isNumber);
+  return isNumber && std::isfinite(number) ? std::make_optional(number / percent) : std::nullopt;
 }
 
 /// Less than 0 for what is no length.
@@ -35,8 +48,8 @@ double lengthOf(const QString& word)
 }
 
 //------------------------------------------------------------------------------
-CurveOptionsTable::CurveOptionsTable(
-  const vtkPatternWriter* writer, std::set<std::string> curves, QWidget* parent)
+CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const PieceEases& eases,
+  std::set<std::string> curves, QWidget* parent)
   : QTableWidget(parent)
 {
   const vtkSmartPointer<vtkStringArray> known = writer->GetCurvesWithOptions();
@@ -44,12 +57,20 @@ CurveOptionsTable::CurveOptionsTable(
   {
     curves.insert(known->GetValue(k));
   }
+  for (const auto& [name, ease] : eases)
+  {
+    curves.insert(name);
+  }
   this->setColumnCount(Options);
   this->setHorizontalHeaderLabels(
-    { "Allowance", "Notches at", "Double", "Smooth within", "Dart tip" });
-  this->setToolTip("Millimetres, for one curve; empty: as for all. Notches at so many millimetres "
-                   "from the start of the curve, separated by spaces.");
-  this->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    { "Allowance", "Notches at", "Double", "Smooth within", "Dart tip", "Ease", "in piece" });
+  this->setToolTip(
+    "Millimetres, for one curve; empty: as for all. Notches at so many millimetres "
+    "from the start of the curve, separated by spaces. An ease, such as +3 %, makes "
+    "the curve longer in one piece alone: give its number where it is in two, and the "
+    "curve a tolerance as large.");
+  this->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  this->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   for (const std::string& name : curves)
   {
     const int row = this->rowCount();
@@ -75,6 +96,13 @@ CurveOptionsTable::CurveOptionsTable(
     setLength(
       FairTolerance, writer->HasCurveFairTolerance(name), writer->GetCurveFairTolerance(name));
     setLength(DartTip, writer->HasCurveDartTip(name), writer->GetCurveDartTip(name));
+    const auto eased = eases.find(name);
+    const bool hasPiece = eased != eases.end() && eased->second.piece >= 0;
+    set(Ease,
+      eased == eases.end() ? QString()
+                           : (eased->second.fraction > 0.0 ? "+" : "") +
+          textOf(percent * eased->second.fraction) + " %");
+    set(InPiece, hasPiece ? QString::number(eased->second.piece + 1) : QString());
   }
 }
 
@@ -93,24 +121,67 @@ QString CurveOptionsTable::text(int row, Option option) const
 //------------------------------------------------------------------------------
 QString CurveOptionsTable::defect() const
 {
-  for (int row = 0; row < this->rowCount(); ++row)
+  QString defect;
+  for (int row = 0; row < this->rowCount() && defect.isEmpty(); ++row)
   {
-    for (const Option option : { Allowance, NotchesAt, FairTolerance, DartTip })
+    defect = this->defectOfLengths(row);
+    defect = defect.isEmpty() ? this->defectOfEase(row) : defect;
+  }
+  return defect;
+}
+
+//------------------------------------------------------------------------------
+QString CurveOptionsTable::defectOfLengths(int row) const
+{
+  for (const Option option : { Allowance, NotchesAt, FairTolerance, DartTip })
+  {
+    const QStringList words = wordsOf(this->text(row, option));
+    const bool isOne = option == NotchesAt || words.size() < 2;
+    for (const QString& word : words)
     {
-      const QStringList words = wordsOf(this->text(row, option));
-      const bool isOne = option == NotchesAt || words.size() < 2;
-      for (const QString& word : words)
+      if (!isOne || lengthOf(word) < 0.0)
       {
-        if (!isOne || lengthOf(word) < 0.0)
-        {
-          return QString("%1 of %2: %3 is no length in millimetres")
-            .arg(this->horizontalHeaderItem(option)->text(), this->verticalHeaderItem(row)->text(),
-              this->text(row, option));
-        }
+        return QString("%1 of %2: %3 is no length in millimetres")
+          .arg(this->horizontalHeaderItem(option)->text(), this->verticalHeaderItem(row)->text(),
+            this->text(row, option));
       }
     }
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+QString CurveOptionsTable::defectOfEase(int row) const
+{
+  const QString of = " of " + this->verticalHeaderItem(row)->text() + ": ";
+  const QString ease = this->text(row, Ease);
+  const QString piece = this->text(row, InPiece);
+  if (!ease.isEmpty() && !fractionOf(ease))
+  {
+    return "Ease" + of + ease + " is no percentage, such as +3 %";
+  }
+  bool isNumber = true;
+  if (!piece.isEmpty() && (piece.toInt(&isNumber) < 1 || !isNumber))
+  {
+    return "Piece" + of + piece + " is no number of a piece, from 1";
+  }
+  return ease.isEmpty() && !piece.isEmpty() ? "Piece" + of + "there is no ease for it" : QString();
+}
+
+//------------------------------------------------------------------------------
+PieceEases CurveOptionsTable::eases() const
+{
+  PieceEases eases;
+  for (int row = 0; row < this->rowCount(); ++row)
+  {
+    const std::optional<double> fraction = fractionOf(this->text(row, Ease));
+    if (fraction && *fraction != 0.0)
+    {
+      const QString piece = this->text(row, InPiece);
+      eases[this->curve(row)] = { *fraction, piece.isEmpty() ? -1 : piece.toInt() - 1 };
+    }
+  }
+  return eases;
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PieceEase.h"
+
 #include <QTableWidget>
 
 #include <set>
@@ -11,7 +13,8 @@ class vtkPatternWriter;
 namespace editor
 {
 /// What patterns show of single curves, a row each, where it is not as for all: seam allowance,
-/// notches, smoothness, tips of darts. Fields that are empty leave it as for all.
+/// notches, smoothness, tips of darts; and how much longer they are in one of their pieces. Fields
+/// that are empty leave it as for all.
 class CurveOptionsTable : public QTableWidget
 {
 public:
@@ -23,19 +26,25 @@ public:
     DoubleNotches,
     FairTolerance,
     DartTip,
-    Options ///< how many there are
+    Ease,    ///< percent
+    InPiece, ///< number of the piece, from 1; empty: the only one that the curve is in
+    Options  ///< how many there are
   };
 
   /// \param curves those that can be drawn; those that the writer has options of are shown as well
-  CurveOptionsTable(
-    const vtkPatternWriter* writer, std::set<std::string> curves, QWidget* parent = nullptr);
+  CurveOptionsTable(const vtkPatternWriter* writer, const PieceEases& eases,
+    std::set<std::string> curves, QWidget* parent = nullptr);
 
-  /// What a field says that is no length from 0; empty where all can be taken.
+  /// What a field says that it cannot mean, as one that is no length from 0; empty where all can be
+  /// taken.
   QString defect() const;
   /// Makes the fields those of the writer, in place of all it had of single curves.
   void take(vtkPatternWriter* writer) const;
+  PieceEases eases() const;
 
 private:
+  QString defectOfLengths(int row) const;
+  QString defectOfEase(int row) const;
   std::string curve(int row) const;
   QString text(int row, Option option) const;
 };

@@ -298,7 +298,12 @@ void EditorWindow::askPatternOptions()
   {
     curves.insert(this->Curves->GetCurveName(k));
   }
-  PatternDialog(this->Pattern, curves, this).exec();
+  PatternDialog dialog(this->Pattern, this->Live->eases(), curves, this);
+  if (dialog.exec() == QDialog::Accepted && this->Live->setEases(dialog.eases()) && this->Surface)
+  {
+    this->askForPieces(Care::Full);
+    this->expectPieces();
+  }
 }
 
 //------------------------------------------------------------------------------

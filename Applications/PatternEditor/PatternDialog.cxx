@@ -17,12 +17,12 @@
 namespace editor
 {
 //------------------------------------------------------------------------------
-PatternDialog::PatternDialog(
-  vtkPatternWriter* writer, const std::set<std::string>& curves, QWidget* parent)
+PatternDialog::PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
+  const std::set<std::string>& curves, QWidget* parent)
   : QDialog(parent)
   , Writer(writer)
   , Form(new QFormLayout)
-  , OfCurves(new CurveOptionsTable(writer, curves))
+  , OfCurves(new CurveOptionsTable(writer, eases, curves))
   , Defect(new QLabel)
 {
   this->setWindowTitle("Pattern options");

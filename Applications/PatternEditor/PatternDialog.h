@@ -23,9 +23,12 @@ class PatternDialog : public QDialog
 {
 public:
   /// \param curves names of what can be drawn
-  PatternDialog(vtkPatternWriter* writer, const std::set<std::string>& curves, QWidget* parent);
+  PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
+    const std::set<std::string>& curves, QWidget* parent);
 
   void accept() override;
+  /// As the fields have them.
+  PieceEases eases() const { return this->OfCurves->eases(); }
 
 private:
   void addLength(const char* property, const char* words, const char* tip, double value,
