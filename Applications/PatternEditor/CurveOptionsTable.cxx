@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -16,6 +17,7 @@ namespace editor
 namespace
 {
 constexpr double percent = 100.0;
+constexpr int mostWidth = 900; ///< pixels, before it is scrolled
 
 QStringList wordsOf(const QString& text)
 {
@@ -70,7 +72,6 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
     "the curve longer in one piece alone: give its number where it is in two, and the "
     "curve a tolerance as large.");
   this->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  this->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   for (const std::string& name : curves)
   {
     const int row = this->rowCount();
@@ -104,6 +105,10 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
           textOf(percent * eased->second.fraction) + " %");
     set(InPiece, hasPiece ? QString::number(eased->second.piece + 1) : QString());
   }
+  this->resizeColumnsToContents();
+  const int width = this->verticalHeader()->sizeHint().width() +
+    this->horizontalHeader()->length() + 2 * this->frameWidth();
+  this->setMinimumWidth(std::min(width, mostWidth));
 }
 
 //------------------------------------------------------------------------------
