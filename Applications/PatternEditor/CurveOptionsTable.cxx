@@ -16,7 +16,7 @@ namespace editor
 {
 namespace
 {
-constexpr double percent = 100.0;
+constexpr double inPercent = 100.0;
 constexpr int mostWidth = 900; ///< pixels, before it is scrolled
 
 QStringList wordsOf(const QString& text)
@@ -37,7 +37,7 @@ std::optional<double> fractionOf(QString text)
   text = text.trimmed();
   bool isNumber = false;
   const double number = QLocale::c().toDouble(text.startsWith('+') ? text.mid(1) : text, &isNumber);
-  return isNumber && std::isfinite(number) ? std::make_optional(number / percent) : std::nullopt;
+  return isNumber && std::isfinite(number) ? std::make_optional(number / inPercent) : std::nullopt;
 }
 
 /// Less than 0 for what is no length.
@@ -102,7 +102,7 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
     set(Ease,
       eased == eases.end() ? QString()
                            : (eased->second.fraction > 0.0 ? "+" : "") +
-          textOf(percent * eased->second.fraction) + " %");
+          textOf(inPercent * eased->second.fraction) + " %");
     set(InPiece, hasPiece ? QString::number(eased->second.piece + 1) : QString());
   }
   this->resizeColumnsToContents();
