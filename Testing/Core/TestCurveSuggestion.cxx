@@ -52,36 +52,6 @@ TriangleMesh torus(Index around, Index across)
   return { std::move(points), std::move(triangles) };
 }
 
-/// The unit sphere: an octahedron whose edges are halved again and again.
-TriangleMesh sphere(int halvings)
-{
-  Points3 points{ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
-  Triangles triangles{ { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
-    { 3, 1, 5 }, { 0, 3, 5 } };
-  for (int k = 0; k < halvings; ++k)
-  {
-    std::map<std::pair<Index, Index>, Index> middles;
-    const auto middle = [&](Index a, Index b) {
-      const auto found = middles.emplace(std::minmax(a, b), static_cast<Index>(points.size()));
-      if (found.second)
-      {
-        points.emplace_back((points[a] + points[b]).normalized());
-      }
-      return found.first->second;
-    };
-    Triangles finer;
-    for (const auto& [a, b, c] : triangles)
-    {
-      const Index x = middle(a, b);
-      const Index y = middle(b, c);
-      const Index z = middle(c, a);
-      finer.insert(finer.end(), { { a, x, z }, { b, y, x }, { c, z, y }, { x, y, z } });
-    }
-    triangles = finer;
-  }
-  return { std::move(points), std::move(triangles) };
-}
-
 double largestStrain(const FlatteningResult& result)
 {
   double strain = 0.0;

@@ -3,6 +3,7 @@
 
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/PieceImages.h"
 #include "Suggestion/SettledCuts.h"
 
 #include <algorithm>
@@ -225,20 +226,35 @@ private:
         return this->now().pieceGoals[a] > this->now().pieceGoals[b];
       });
     }
+    const Indices images = pieceImages(pieces, this->Subject.mirror, std::sqrt(this->Area / pi));
+    std::vector<char> done(pieces.size(), 0);
     return std::any_of(order.begin(), order.end(), [&](std::size_t p) {
-      return this->cutPiece(pieces[p], marks, known ? this->now().pieceStrains[p] : 0.0);
+      const bool twice = images[p] != none;
+      if (twice && (done[images[p]] || this->cutsLeft() < 2))
+      {
+        return false;
+      }
+      done[p] = 1;
+      return this->cutPiece(pieces[p], marks, known ? this->now().pieceStrains[p] : 0.0, twice);
     });
   }
 
-  bool cutPiece(const PieceSurface& piece, const VertexMarks& marks, double strain)
+  /// A pair of mirror images counts as two.
+  Index cutsLeft() const
   {
+    return this->Search.maximumCuts - static_cast<Index>(this->Result.cuts.size());
+  }
+
+  /// \param twice a piece that is its image is cut alike
+  bool cutPiece(const PieceSurface& piece, const VertexMarks& marks, double strain, bool twice)
+  {
+    const double copies = twice ? 2.0 : 1.0;
     SearchOptions search = this->Search;
     if (search.cuts == SuggestedCuts::All && this->FirstCount > 0 && strain > dividedStrain)
     {
       search.cuts = SuggestedCuts::Seams;
     }
-    // A pair of mirror images counts as two.
-    search.maximumCuts -= static_cast<Index>(this->Result.cuts.size());
+    search.maximumCuts = this->cutsLeft() / (twice ? 2 : 1);
     if (this->Refitting && std::isfinite(search.maximumCutLength))
     {
       search.fixedPrice = gainAlone;
@@ -249,10 +265,11 @@ private:
     {
       return false;
     }
-    const std::vector<TriedCut> best = found.run(this->lengthLeft(), this->Budget, this->Run);
+    const std::vector<TriedCut> best =
+      found.run(this->lengthLeft() / copies, this->Budget, this->Run);
     for (std::size_t k = 0; k < std::min(best.size(), mostAttempts) && this->worthIt(best[k]); ++k)
     {
-      if (this->accept(best[k], found))
+      if (this->accept(best[k], found, twice))
       {
         return true;
       }
@@ -266,7 +283,7 @@ private:
     return share * std::sqrt(this->Area / pi) >= leastShare;
   }
 
-  bool accept(const TriedCut& best, PieceSearch& piece)
+  bool accept(const TriedCut& best, PieceSearch& piece, bool twice)
   {
     const std::vector<Polyline> lines = piece.lines(best.plan);
     if (lines.empty())
@@ -275,8 +292,8 @@ private:
     }
     std::vector<SuggestedCurve> cuts = this->Result.cuts;
     const std::size_t first = cuts.size();
-    const std::vector<Polyline> settled =
-      settledCuts(this->Whole, this->chosen(), lines, piece.fine());
+    std::vector<Polyline> settled = settledCuts(this->Whole, this->chosen(), lines, piece.fine());
+    settled = twice ? withImages(std::move(settled), *this->Subject.mirror) : settled;
     for (std::size_t k = 0; k < settled.size(); ++k)
     {
       SuggestedCurve cut;
