@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Sewing/PieceSewing.h"
 #include "SuggestionTesting.h"
 
 using namespace flattening;
@@ -17,6 +18,79 @@ TriangleMesh pear()
       p.x() * (1.0 + 0.3 * p.y()), 1.3 * p.y() + 0.2 * p.z() * p.z(), p.z() * (1.0 + 0.2 * p.z()));
   }
   return { std::move(points), ball.triangles() };
+}
+
+constexpr Index columns = 32;
+constexpr Index rows = 20;
+
+/// The back of a tube that is narrower above.
+TriangleMesh hip()
+{
+  return patch(columns, rows, [](double i, double j) {
+    const double angle = 1.2 * (i / 16.0 - 1.0);
+    const double height = 0.1 * j;
+    const double above = std::max(0.0, height - 1.2) / 0.8;
+    const double radius = 1.0 - 0.3 * above * above;
+    return Point3(radius * std::sin(angle), radius * std::cos(angle), height);
+  }).mesh;
+}
+
+/// What is sewn from a flat pattern with four darts from the waist.
+struct Skirt
+{
+  TriangleMesh mesh;
+  std::vector<Polyline> darts;
+};
+
+Skirt skirt()
+{
+  const TriangleMesh body = hip();
+  Skirt result;
+  for (Index column : { 6, 12, 20, 26 })
+  {
+    Polyline dart;
+    dart.type = CurveType::Dart;
+    dart.name = "designed at " + std::to_string(column);
+    for (Index row = rows; row >= 12; --row)
+    {
+      dart.points.push_back(body.point(row * (columns + 1) + column));
+    }
+    result.darts.push_back(dart);
+  }
+  const ImprintedSurface surface = imprintCurves(body, result.darts, {});
+  const FlatteningResult pattern = flattenSurface(surface.mesh, surface.curves, {}, {});
+  SewingOptions options;
+  options.secondStart = false;
+  const SewingResult sewn = sewPieces(*pattern.cut, pattern.positions, options, {});
+  EXPECT_TRUE(sewn.status.ok()) << sewn.status.message;
+  Points3 points(surface.mesh.vertexCount());
+  for (Index v = 0; v < pattern.cut->mesh.vertexCount(); ++v)
+  {
+    points[pattern.cut->originalVertex[v]] = sewn.points[v];
+  }
+  for (std::size_t d = 0; d < result.darts.size(); ++d)
+  {
+    for (std::size_t k = 0; k < result.darts[d].points.size(); ++k)
+    {
+      result.darts[d].points[k] = points[surface.curves[d].vertices[k]];
+    }
+  }
+  result.mesh = TriangleMesh(std::move(points), surface.mesh.triangles());
+  return result;
+}
+
+/// How far the farther end of the nearest proposal lies from that of a line.
+double missOf(const Polyline& line, const CurveSuggestions& suggestions)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SuggestedCurve& cut : suggestions.curves)
+  {
+    const Points3& points = cut.curve.points;
+    least = std::min(least,
+      std::max((points.front() - line.points.front()).norm(),
+        (points.back() - line.points.back()).norm()));
+  }
+  return least;
 }
 }
 
@@ -55,4 +129,18 @@ TEST(SuggestedSets, HalvesOfAClosedBodyAreCutAlike)
   EXPECT_GE(pairs, 2U);
   const FlatteningResult result = flattened(pear(), {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
+}
+
+TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
+{
+  const Skirt sewn = skirt();
+  SuggestionOptions options = optionsOf(0.004, 4);
+  options.search.cuts = SuggestedCuts::Darts;
+  const CurveSuggestions suggestions = suggestCurves(sewn.mesh, {}, options);
+  EXPECT_EQ(suggestions.curves.size(), 4U);
+  const double size = std::sqrt(sewn.mesh.area() / pi);
+  for (const Polyline& dart : sewn.darts)
+  {
+    EXPECT_LT(missOf(dart, suggestions), 0.1 * size) << dart.name;
+  }
 }

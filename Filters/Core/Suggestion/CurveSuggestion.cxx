@@ -232,13 +232,25 @@ private:
   /// Whether cuts are moved about once they are found: not a few, which are wanted soon.
   bool adjusts() const { return this->Options.search.maximumCuts > singleSearch; }
 
-  /// The sets that promise most.
+  /// The sets that promise most; one of them as if strain were lowered with ease.
   void adjust(std::vector<FoundSet>& found, std::size_t firstCount)
   {
-    std::stable_sort(found.begin(), found.end(), [this](const FoundSet& a, const FoundSet& b) {
-      return this->Merit.promise(a.set, this->worthOf(a)) <
-        this->Merit.promise(b.set, this->worthOf(b));
-    });
+    const auto promiseMore = [this](double power) {
+      return [this, power](const FoundSet& a, const FoundSet& b) {
+        return this->Merit.promise(a.set, this->worthOf(a), power) <
+          this->Merit.promise(b.set, this->worthOf(b), power);
+      };
+    };
+    std::stable_sort(found.begin(), found.end(), promiseMore(unmetWeight));
+    const auto same = [](const FoundSet& a, const FoundSet& b) {
+      return a.mirrored == b.mirrored && a.set.outcome.paths == b.set.outcome.paths;
+    };
+    found.erase(std::unique(found.begin(), found.end(), same), found.end());
+    if (found.size() > mostAdjusted)
+    {
+      const auto cheap = std::min_element(found.begin() + 1, found.end(), promiseMore(1.0));
+      std::rotate(found.begin() + 1, cheap, cheap + 1);
+    }
     const std::size_t count = std::min(found.size(), mostAdjusted);
     for (std::size_t k = 0; k < count; ++k)
     {

@@ -5,6 +5,8 @@
 #include "Suggestion/CutSetMerit.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/MovedPlans.h"
+#include "Suggestion/PieceImages.h"
+#include "Suggestion/PlannedCut.h"
 #include "Suggestion/SettledCuts.h"
 
 #include <algorithm>
@@ -19,12 +21,8 @@ constexpr double firstMove = 0.12;
 constexpr double lastMove = 0.015;
 /// Moves are taken that lower the merit, a logarithm, by more than this.
 constexpr double leastFall = 0.002;
-/// What a share of strain above the bound weighs against one of the price; within it they weigh
-/// alike.
-constexpr double unmetWeight = 10.0;
-/// Ends this near to the boundary, in the same unit, lie on it; and to their image on the mirror.
+/// Ends this near to the boundary, in the same unit, lie on it.
 constexpr double onPlace = 1e-6;
-constexpr double nearlyImage = 1e-3;
 /// A seam that cuts off less than this share of the area is no seam.
 constexpr double leastShareOff = 0.03;
 /// Of the most length, what is left for ends that move onto vertices.
@@ -38,6 +36,16 @@ std::vector<Polyline> withFirst(
     curves.push_back(cuts[k].curve);
   }
   return curves;
+}
+
+/// Closing cuts takes many flattenings: it is left to so many of the moves that promise most
+/// without.
+constexpr std::size_t mostClosed = 2;
+
+FlatteningOptions quickly(FlatteningOptions options)
+{
+  options.closeCuts = false;
+  return roughly(std::move(options), false);
 }
 
 /// Of the work, what moving may take where cuts are then to be taken back.
@@ -54,7 +62,7 @@ public:
     , Trials(subject.mesh, subject.curves, subject.imprint, subject.flattening, subject.search.goal,
         subject.weights)
     , Quick(subject.mesh, withFirst(subject.curves, set.cuts, firstCount), subject.imprint,
-        roughly(subject.flattening, false), subject.search.goal, subject.weights)
+        quickly(subject.flattening), subject.search.goal, subject.weights)
     , Budget(budget)
     , FirstCount(firstCount)
     , Set(set)
@@ -62,6 +70,7 @@ public:
     , MostMoving((subject.search.bound > 0.0 ? movingShare : 1.0) * budget.most())
   {
     this->Size = std::sqrt(subject.mesh.area() / pi);
+    this->QuantileOverMean = set.outcome.strainP95 / std::sqrt(set.outcome.energy);
     if (subject.search.bound == 0.0 && !std::isfinite(this->Longest))
     {
       this->Longest = set.outcome.cutLength();
@@ -123,13 +132,22 @@ private:
     }
     const double price = outcome.cutLength() / this->Size +
       this->Search.fixedPrice * static_cast<double>(outcome.lengths.size());
+    // A quantile alone says little of where a small move leads.
+    const double strain =
+      std::sqrt(outcome.strainP95 * this->QuantileOverMean * std::sqrt(outcome.energy));
     return std::log(price) +
-      (this->met(outcome) ? 1.0 : unmetWeight) * std::log(outcome.strainP95 / this->Search.bound);
+      (this->met(outcome) ? 1.0 : unmetWeight) * std::log(strain / this->Search.bound);
   }
 
-  bool better(const TrialOutcome& outcome) const
+  /// \param quick of a trial in which no cuts were closed
+  bool better(TrialOutcome outcome, bool quick) const
   {
     const TrialOutcome& now = this->Set.outcome;
+    if (quick && this->Subject.flattening.closeCuts)
+    {
+      outcome.overlaps = 0;
+      outcome.severity = 0;
+    }
     const double least = this->Search.leastLength * this->Size;
     const bool lengthy = std::all_of(outcome.lengths.begin() +
         static_cast<std::ptrdiff_t>(std::min(this->FirstCount, outcome.lengths.size())),
@@ -188,6 +206,11 @@ private:
     return cuts;
   }
 
+  std::vector<Polyline> withImage(std::vector<Polyline> lines) const
+  {
+    return this->Twice ? withImages(std::move(lines), *this->Subject.mirror) : lines;
+  }
+
   void findShortenable()
   {
     this->Shortenable.clear();
@@ -200,58 +223,6 @@ private:
           ? 1
           : 0);
     }
-  }
-
-  /// As a plan on a piece; nothing where it cannot be moved there.
-  std::optional<CutPlan> planOf(const SearchedPiece& piece, std::size_t k) const
-  {
-    const SuggestedCurve& cut = this->Set.cuts[k];
-    const Points3& line = cut.curve.points;
-    const BoundaryRuler& ruler = piece.ruler();
-    const auto onBoundary = [&](const BoundaryPlace& place, const Point3& end) {
-      return (ruler.point(place) - end).norm() < onPlace * this->Size;
-    };
-    CutPlan plan;
-    plan.type = cut.curve.type;
-    plan.via = cut.via;
-    plan.base = ruler.nearest(line.front(), line[1]);
-    plan.tip = line.back();
-    if (!onBoundary(plan.base, line.front()))
-    {
-      plan.start = line.front();
-    }
-    if (plan.type == CurveType::Seam)
-    {
-      plan.end = ruler.nearest(line.back(), line[line.size() - 2]);
-      if (plan.start || !onBoundary(plan.end, line.back()))
-      {
-        return {};
-      }
-    }
-    if (this->paired(k))
-    {
-      plan.role = MirrorRole::Pair;
-      return piece.mirror() ? std::optional<CutPlan>(plan) : std::nullopt;
-    }
-    if (piece.mirror())
-    {
-      const auto near = [&](const Point3& a, const Point3& b) {
-        return (a - b).norm() < nearlyImage * this->Size;
-      };
-      const auto onAxis = [&](const Point3& point) {
-        return near(piece.mirror()->projected(point), point);
-      };
-      if (onAxis(line.front()) && onAxis(line.back()))
-      {
-        plan.role = MirrorRole::Along;
-      }
-      else if (plan.type == CurveType::Seam &&
-        near(piece.mirror()->mirrored(line.front()), line.back()))
-      {
-        plan.role = MirrorRole::Across;
-      }
-    }
-    return plan;
   }
 
   bool move(std::size_t k, double step)
@@ -269,15 +240,21 @@ private:
     const CutSurface cut = cutSurface(surface.mesh, surface.curves);
     const std::vector<PieceSurface> pieces = pieceSurfaces(surface, cut, this->Subject.weights);
     const VertexMarks marks = markVertices(surface, this->Search);
+    const Indices images = pieceImages(pieces, this->Subject.mirror, this->Size);
     const Points3& line = this->Set.cuts[k].curve.points;
     const Point3 middle = 0.5 * (line[(line.size() - 1) / 2] + line[(line.size() + 1) / 2]);
-    for (const PieceSurface& piece : pieces)
+    for (std::size_t p = 0; p < pieces.size(); ++p)
     {
+      const PieceSurface& piece = pieces[p];
       if (SurfaceLocator(piece.mesh).closest(middle).distance < onPlace * this->Size)
       {
+        this->Twice = this->paired(k) && images[p] != none;
         const std::unique_ptr<SearchedPiece> searched =
           searchedPiece(piece, marks, this->Subject.mirror);
-        const std::optional<CutPlan> plan = searched ? this->planOf(*searched, k) : std::nullopt;
+        const std::optional<CutPlan> plan = searched
+          ? plannedCut(
+              *searched, this->Set.cuts[k], this->paired(k) && !this->Twice, onPlace * this->Size)
+          : std::nullopt;
         return plan && this->moveOn(*searched, *plan, step, k, others);
       }
     }
@@ -296,7 +273,7 @@ private:
     this->Run.parallelFor(static_cast<Index>(plans.size()), [&](Index begin, Index end) {
       for (Index p = begin; p < end; ++p)
       {
-        lines[p] = piece.polylines(plans[p]);
+        lines[p] = this->withImage(piece.polylines(plans[p]));
         if (lines[p].size() == (this->paired(k) ? 2U : 1U))
         {
           sets[p] = linesOf(this->with(k, lines[p]));
@@ -313,22 +290,28 @@ private:
       outcome.lengths.insert(outcome.lengths.begin(), all.begin(),
         all.begin() + static_cast<std::ptrdiff_t>(this->FirstCount));
     }
-    std::size_t best = plans.size();
+    std::vector<std::size_t> best;
     for (std::size_t p = 0; p < plans.size(); ++p)
     {
-      if (!sets[p].empty() && this->better(outcomes[p]) &&
-        (best == plans.size() || this->merit(outcomes[p]) < this->merit(outcomes[best])))
+      if (!sets[p].empty() && this->better(outcomes[p], true))
       {
-        best = p;
+        best.push_back(p);
       }
     }
-    return best < plans.size() && this->accept(piece, plans[best], k, lines[best], others);
+    std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
+      return this->merit(outcomes[a]) < this->merit(outcomes[b]);
+    });
+    best.resize(std::min(best.size(), this->Subject.flattening.closeCuts ? mostClosed : 1U));
+    return std::any_of(best.begin(), best.end(),
+      [&](std::size_t p) { return this->accept(piece, plans[p], k, lines[p], others); });
   }
 
   bool accept(const SearchedPiece& piece, const CutPlan& plan, std::size_t k,
     const std::vector<Polyline>& lines, const std::vector<Polyline>& others)
   {
-    const std::vector<Polyline> settled = settledCuts(this->Trials, others, lines, piece);
+    const std::vector<Polyline> own(lines.begin(), lines.end() - (this->Twice ? 1 : 0));
+    const std::vector<Polyline> settled =
+      this->withImage(settledCuts(this->Trials, others, own, piece));
     if (settled.size() != lines.size())
     {
       return false;
@@ -341,7 +324,7 @@ private:
     cuts[k].via = plan.via;
     TrialOutcome after = this->Trials.run(linesOf(cuts), this->Run);
     this->Budget.pay(after);
-    if (!this->better(after))
+    if (!this->better(after, false))
     {
       return false;
     }
@@ -359,10 +342,12 @@ private:
   TrialBudget& Budget;
   std::size_t FirstCount;
   double Size = 0.0;
+  double QuantileOverMean = 1.0; ///< of the strain, at first
   CutSet& Set;
   double Longest;
   double MostMoving;             ///< of the budget
   std::vector<char> Shortenable; ///< by cut
+  bool Twice = false;            ///< the cut that moves has its image on another piece
 };
 }
 

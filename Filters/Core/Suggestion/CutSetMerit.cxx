@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutSetMerit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,7 +40,7 @@ double CutSetMerit::merit(const CutSet& set, double worth) const
                                                   : worth * unmet * (1.0 + set.outcome.strainP95);
 }
 
-double CutSetMerit::promise(const CutSet& set, double worth) const
+double CutSetMerit::promise(const CutSet& set, double worth, double power) const
 {
   if (!set.outcome.valid)
   {
@@ -47,7 +48,8 @@ double CutSetMerit::promise(const CutSet& set, double worth) const
   }
   if (this->Search.bound > 0.0)
   {
-    return worth * set.outcome.strainP95 * this->price(set);
+    const double above = std::max(1.0, set.outcome.strainP95 / this->Search.bound);
+    return worth * std::pow(above, power) * this->price(set);
   }
   const double most = this->Search.maximumCutLength;
   const double used = std::isfinite(most) ? set.outcome.cutLength() / most : 1.0;

@@ -90,6 +90,8 @@ std::vector<CutPlan> slidPlans(const SearchedPiece& piece, const CutPlan& plan, 
     if (piece.worth(moved.base) > 0.0)
     {
       plans.push_back(moved);
+      moved.tip = piece.onto(plan.tip - (piece.baseOf(moved) - piece.baseOf(plan)));
+      plans.push_back(moved);
     }
   }
   return plans;

@@ -10,6 +10,7 @@ namespace flattening
 /// plan is to the mirror it stays.
 std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan, double step);
 /// Plans of a dart from the boundary that differ from one as a whole: base and tip moved along the
-/// boundary by a step either way. None of other plans.
+/// boundary by a step either way, alike, or against each other, so that the dart turns about its
+/// middle. None of other plans.
 std::vector<CutPlan> slidPlans(const SearchedPiece& piece, const CutPlan& plan, double step);
 }
