@@ -152,6 +152,7 @@ def measure(command, name, folder):
         return run["length"] / paths.size, 100 * run["p95"], 1e3 * run["energy_rigid"]
 
     uncut, designed = with_darts([]), with_darts(darts, *picture("designed"))
+    closed = with_darts(darts, "--close-cuts") if designed["overlaps"] else None
     proposed = measures(command, str(surface), "--suggest", "all", "--bound", "0", "--max-cut-length",
                         repr(designed["length"]), "--max-cuts", "10", *picture("proposed"))
     steps, length, energy = [point(uncut)], 0.0, uncut["energy_rigid"]
@@ -164,12 +165,17 @@ def measure(command, name, folder):
     peaks = paths.darts_to_peaks()
     runs = [point(with_darts(peaks[:k])) for k in range(1, len(peaks) + 1)]
     longest = 1.5 * designed["length"] / paths.size
-    return {"designed": designed, "proposed": proposed, "size": paths.size,
+    return {"designed": designed, "closed": closed, "proposed": proposed, "size": paths.size,
             "series": [[point(designed)], steps, [point(uncut), *(run for run in runs if run[0] <= longest)]]}
 
 
-def row(name, found):
-    old, new = found["designed"], found["proposed"]
+def table_rows(name, found):
+    """Beside designed darts; where these overlap, beside them closed as far as they do as well."""
+    lines = [row(name, found["designed"], found["proposed"])]
+    return lines + ([row("the same, closed", found["closed"], found["proposed"])] if found["closed"] else [])
+
+
+def row(name, old, new):
     return (f"| {name} | {old['cuts']} / {new['cuts']} | {old['length']:.1f} / {new['length']:.1f} | "
             f"{old['energy_rigid']:.2e} / {new['energy_rigid']:.2e} | {old['E_area']:.4f} / {new['E_area']:.4f} | "
             f"{old['p95']:.4f} / {new['p95']:.4f} | {old['overlaps']} / {new['overlaps']} |")
@@ -180,7 +186,7 @@ def write_page(results, folder):
     import make_pictures  # pylint: disable=import-outside-toplevel
     import svg  # pylint: disable=import-outside-toplevel
     page = PAGES / "suggestions.md"
-    table = "\n".join(row(name, found) for name, found in results.items())
+    table = "\n".join(line for name, found in results.items() for line in table_rows(name, found))
     text = page.read_text(encoding="utf-8")
     page.write_text(re.sub(r"(\| piece of Data .*\n\|[-|]*\n)(?:\|.*\n)+", rf"\1{table}\n", text), encoding="utf-8")
     shown = [results[name]["series"] for name in SHOWN]
@@ -210,7 +216,7 @@ def main():
             found = measure(command, piece, folder)
             if found:
                 results[piece] = found
-                print(row(piece, found), flush=True)
+                print("\n".join(table_rows(piece, found)), flush=True)
         if "--write" in sys.argv:
             write_page(results, folder)
 

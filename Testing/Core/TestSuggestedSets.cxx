@@ -136,6 +136,7 @@ TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
   const Skirt sewn = skirt();
   SuggestionOptions options = optionsOf(0.004, 4);
   options.search.cuts = SuggestedCuts::Darts;
+  options.search.maximumWork = 40.0;
   const CurveSuggestions suggestions = suggestCurves(sewn.mesh, {}, options);
   EXPECT_EQ(suggestions.curves.size(), 4U);
   const double size = std::sqrt(sewn.mesh.area() / pi);

@@ -9,6 +9,7 @@
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/LineSuggestion.h"
 #include "Suggestion/OpeningCuts.h"
+#include "Suggestion/SearchWays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,30 +22,21 @@ namespace
 {
 /// How much better cuts must be that are not mirrored.
 constexpr double mirrorWorth = 1.2;
-/// Up to so many cuts are searched for once.
-constexpr Index singleSearch = 2;
 /// The least share of the work that the first way to search may take; and where the surface had to
 /// be opened, which takes so many cuts that half the work might end none of the ways.
 constexpr double firstShare = 0.5;
 constexpr double firstShareOpened = 1.0;
 /// The share of the work that searches may take, where their sets are then adjusted, and what of
-/// the rest each of these may take but the last.
+/// the rest each of these may take but the last: more sets for a bound, which fewer of them meet.
 constexpr double searchShare = 0.6;
 constexpr double adjustingShare = 0.5;
 constexpr std::size_t mostAdjusted = 3;
+constexpr double adjustingShareForBound = 0.4;
+constexpr std::size_t mostAdjustedForBound = 4;
 /// What searches are of the progress.
 constexpr double searchPart = 0.6;
 /// Larger surfaces may take more work in proportion.
 constexpr double smallSurface = 5000.0;
-
-/// One way to search, beside the options.
-struct Way
-{
-  SearchGoal goal = SearchGoal::Energy;
-  bool mirrored = true;
-  double fixedPrice = 1.0; ///< times that of the options
-  bool unsettled = false;  ///< see SearchOptions
-};
 
 /// What one way has found.
 struct FoundSet
@@ -134,42 +126,6 @@ private:
     return cuts;
   }
 
-  /// The ways to search: the first alone where few cuts may be made.
-  std::vector<Way> ways() const
-  {
-    // A mirror that holds only nearly is no reason to keep a single cut to its axis.
-    const bool alone = this->Options.search.maximumCuts == 1 && this->Result.mirror &&
-      this->Result.mirror->intrinsic() && this->Result.mirror->error > SurfaceMirror::exact;
-    const bool mirrored = this->Result.mirror.has_value() && !alone;
-    std::vector<Way> all{ { SearchGoal::Energy, mirrored, 1.0 } };
-    if (this->Options.search.maximumCuts <= singleSearch)
-    {
-      return all;
-    }
-    if (this->Options.search.bound > 0.0)
-    {
-      all.push_back({ SearchGoal::Energy, mirrored, 1.0, true });
-      all.push_back({ SearchGoal::Strain, mirrored, 1.0, true });
-      all.push_back({ SearchGoal::Strain, mirrored, 1.0 });
-    }
-    else
-    {
-      all.push_back({ SearchGoal::Area, mirrored, 2.5 });
-      all.push_back({ SearchGoal::Area, mirrored, 1.0 });
-    }
-    all.push_back({ SearchGoal::Energy, mirrored, 2.5 });
-    if (mirrored && this->Result.mirror->error > SurfaceMirror::exact)
-    {
-      const std::size_t count = all.size();
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        all.push_back(all[k]);
-        all.back().mirrored = false;
-      }
-    }
-    return all;
-  }
-
   CutSet search(const std::vector<SuggestedCurve>& first)
   {
     std::vector<FoundSet> found = this->searchAllWays(first);
@@ -192,7 +148,7 @@ private:
   std::vector<FoundSet> searchAllWays(const std::vector<SuggestedCurve>& first)
   {
     std::vector<FoundSet> found;
-    const std::vector<Way> all = this->ways();
+    const std::vector<SearchWay> all = searchWays(this->Options.search, this->Result.mirror);
     for (std::size_t k = 0; k < all.size() && (k == 0 || !this->Run.cancelled()); ++k)
     {
       SearchOptions options = this->Options.search;
@@ -230,7 +186,7 @@ private:
   }
 
   /// Whether cuts are moved about once they are found: not a few, which are wanted soon.
-  bool adjusts() const { return this->Options.search.maximumCuts > singleSearch; }
+  bool adjusts() const { return !searchesOnce(this->Options.search); }
 
   /// The sets that promise most; one of them as if strain were lowered with ease.
   void adjust(std::vector<FoundSet>& found, std::size_t firstCount)
@@ -246,19 +202,21 @@ private:
       return a.mirrored == b.mirrored && a.set.outcome.paths == b.set.outcome.paths;
     };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
-    if (found.size() > mostAdjusted)
+    const bool bound = this->Options.search.bound > 0.0;
+    const std::size_t most = bound ? mostAdjustedForBound : mostAdjusted;
+    if (bound && found.size() > most)
     {
       const auto cheap = std::min_element(found.begin() + 1, found.end(), promiseMore(1.0));
       std::rotate(found.begin() + 1, cheap, cheap + 1);
     }
-    const std::size_t count = std::min(found.size(), mostAdjusted);
+    const std::size_t count = std::min(found.size(), most);
     for (std::size_t k = 0; k < count; ++k)
     {
       if (found[k].set.end == SearchEnd::GivenUp)
       {
         continue;
       }
-      const double share = k + 1 < count ? adjustingShare : 1.0;
+      const double share = k + 1 == count ? 1.0 : bound ? adjustingShareForBound : adjustingShare;
       TrialBudget budget(1e6 * share * (this->mostWork() - this->Result.work));
       const double part = (1.0 - searchPart) / static_cast<double>(count);
       const double begin = searchPart + part * static_cast<double>(k);

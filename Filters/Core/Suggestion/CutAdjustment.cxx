@@ -266,7 +266,8 @@ private:
     const std::vector<Polyline>& others)
   {
     std::vector<CutPlan> plans = movedPlans(piece, now, step);
-    const std::vector<CutPlan> slid = slidPlans(piece, now, step);
+    // Where length is what is short, turning darts cost more trials than it gave.
+    const std::vector<CutPlan> slid = slidPlans(piece, now, step, this->Search.bound > 0.0);
     plans.insert(plans.end(), slid.begin(), slid.end());
     std::vector<std::vector<Polyline>> lines(plans.size());
     std::vector<std::vector<Polyline>> sets(plans.size());

@@ -75,7 +75,8 @@ std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan,
   return plans;
 }
 
-std::vector<CutPlan> slidPlans(const SearchedPiece& piece, const CutPlan& plan, double step)
+std::vector<CutPlan> slidPlans(
+  const SearchedPiece& piece, const CutPlan& plan, double step, bool turned)
 {
   std::vector<CutPlan> plans;
   if (plan.type != CurveType::Dart || plan.start || plan.role == MirrorRole::Along)
@@ -90,8 +91,11 @@ std::vector<CutPlan> slidPlans(const SearchedPiece& piece, const CutPlan& plan, 
     if (piece.worth(moved.base) > 0.0)
     {
       plans.push_back(moved);
-      moved.tip = piece.onto(plan.tip - (piece.baseOf(moved) - piece.baseOf(plan)));
-      plans.push_back(moved);
+      if (turned)
+      {
+        moved.tip = piece.onto(plan.tip - (piece.baseOf(moved) - piece.baseOf(plan)));
+        plans.push_back(moved);
+      }
     }
   }
   return plans;

@@ -10,7 +10,8 @@ namespace flattening
 /// plan is to the mirror it stays.
 std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan, double step);
 /// Plans of a dart from the boundary that differ from one as a whole: base and tip moved along the
-/// boundary by a step either way, alike, or against each other, so that the dart turns about its
-/// middle. None of other plans.
-std::vector<CutPlan> slidPlans(const SearchedPiece& piece, const CutPlan& plan, double step);
+/// boundary by a step either way. None of other plans. \param turned also those whose tip moves
+/// against the base, so that the dart turns about its middle
+std::vector<CutPlan> slidPlans(
+  const SearchedPiece& piece, const CutPlan& plan, double step, bool turned);
 }
