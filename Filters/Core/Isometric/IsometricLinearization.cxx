@@ -25,20 +25,27 @@ Eigen::Matrix2d angleHessian(const Eigen::Vector2d& d)
 }
 }
 
+Eigen::Matrix<double, 6, 1> IsometricModel::nodeGradient(const Node& node, const Eigen::VectorXd& x)
+{
+  // theta = pi + phi_in - phi_out (Eq. 3)
+  const Eigen::Vector2d gIn = angleGradient(planePoint(x, node.at) - planePoint(x, node.before));
+  const Eigen::Vector2d gOut = angleGradient(planePoint(x, node.after) - planePoint(x, node.at));
+  Eigen::Matrix<double, 6, 1> gradient;
+  gradient << -gIn, gIn + gOut, -gOut;
+  return gradient;
+}
+
 IsometricModel::NodeGeometry IsometricModel::nodeGeometry(
   const Node& node, const Eigen::VectorXd& x, bool second) const
 {
-  // theta = pi + phi_in - phi_out (Eq. 3)
-  const Eigen::Vector2d in = planePoint(x, node.at) - planePoint(x, node.before);
-  const Eigen::Vector2d out = planePoint(x, node.after) - planePoint(x, node.at);
-  const Eigen::Vector2d gIn = angleGradient(in);
-  const Eigen::Vector2d gOut = angleGradient(out);
   NodeGeometry geometry;
   geometry.angle = this->nodeAngle(node, x);
-  geometry.gradient << -gIn, gIn + gOut, -gOut;
+  geometry.gradient = nodeGradient(node, x);
   geometry.hessian.setZero();
   if (second)
   {
+    const Eigen::Vector2d in = planePoint(x, node.at) - planePoint(x, node.before);
+    const Eigen::Vector2d out = planePoint(x, node.after) - planePoint(x, node.at);
     const Eigen::Matrix2d hIn = angleHessian(in);
     const Eigen::Matrix2d hOut = angleHessian(out);
     geometry.hessian.block<2, 2>(0, 0) = hIn;
@@ -170,7 +177,7 @@ std::optional<IsometricModel::Linearization> IsometricModel::differentiate(
   }
   for (std::size_t k = 0; k < this->LockedNodes.size(); ++k)
   {
-    this->LockedRows[k] = this->nodeGeometry(this->LockedNodes[k], x, false).gradient.transpose();
+    this->LockedRows[k] = nodeGradient(this->LockedNodes[k], x).transpose();
   }
   this->addStretches(x, result.gradient);
   return result;

@@ -316,7 +316,7 @@ double IsometricModel::gradientRounding(const Eigen::VectorXd& x) const
   double stiffest = 0.0;
   for (const Node& node : this->Nodes)
   {
-    const double squared = this->nodeGeometry(node, x, false).gradient.squaredNorm();
+    const double squared = nodeGradient(node, x).squaredNorm();
     stiffest = std::max(stiffest, 2.0 * node.stiffness * squared);
   }
   const double farthest = x.size() ? x.cwiseAbs().maxCoeff() : 0.0;

@@ -16,7 +16,8 @@ inline Eigen::Vector2d planePoint(const Eigen::VectorXd& x, Index v)
   return x.segment<2>(2 * v);
 }
 
-/// A nested dissection of a piece's vertices where they lie, for IsometricModel::eliminationOrder().
+/// A nested dissection of a piece's vertices where they lie, for
+/// IsometricModel::eliminationOrder().
 Dissection dissectVertices(
   const TriangleMesh& mesh, const WireNetwork& network, const Points2& positions);
 
@@ -115,6 +116,7 @@ private:
   void declareEntries();
   std::vector<char> hubsOfWires() const;
   double nodeAngle(const Node& node, const Eigen::VectorXd& x) const;
+  static Eigen::Matrix<double, 6, 1> nodeGradient(const Node& node, const Eigen::VectorXd& x);
   NodeGeometry nodeGeometry(const Node& node, const Eigen::VectorXd& x, bool second) const;
   void addAngles(const Eigen::VectorXd& x, bool exact, Eigen::VectorXd& gradient);
   void addStretches(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const;
