@@ -70,7 +70,10 @@ public:
     , MostMoving((subject.search.bound > 0.0 ? movingShare : 1.0) * budget.most())
   {
     this->Size = std::sqrt(subject.mesh.area() / pi);
-    this->QuantileOverMean = set.outcome.strainP95 / std::sqrt(set.outcome.energy);
+    if (set.outcome.energy > 0.0 && set.outcome.strainP95 > 0.0)
+    {
+      this->QuantileOverMean = set.outcome.strainP95 / std::sqrt(set.outcome.energy);
+    }
     if (subject.search.bound == 0.0 && !std::isfinite(this->Longest))
     {
       this->Longest = set.outcome.cutLength();
