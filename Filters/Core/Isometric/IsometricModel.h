@@ -88,7 +88,7 @@ public:
   void stiffen(Index bounded, double stiffness) override;
   /// A good order of elimination for kkt(): vertices as dissected, each constraint after its
   /// vertices.
-  Dissection eliminationOrder(const Dissection& vertices) const;
+  Dissection eliminationOrder(const Dissection& dissection) const;
   const SparseMatrix& kkt() const override { return this->Assembler.matrix(); }
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const override;
 

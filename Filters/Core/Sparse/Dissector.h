@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sparse/NestedDissection.h"
+#include "Sparse/Dissection.h"
 
 #include <algorithm>
 #include <numeric>

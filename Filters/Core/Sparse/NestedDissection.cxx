@@ -3,15 +3,8 @@
 
 #include "Sparse/PlaneDissector.h"
 
-#include <cmath>
-
 namespace flattening
 {
-Index hubValence(Index count)
-{
-  return static_cast<Index>(10.0 * std::sqrt(static_cast<double>(count)));
-}
-
 Dissection dissect(const Triangles& cliques, const Points3& positions, Separators separators)
 {
   return PlaneDissector(cliques, positions, separators).run();
