@@ -16,6 +16,7 @@ namespace
 {
 constexpr double mostRise = 0.003; ///< of strain
 constexpr double leastShare = 0.1;
+constexpr double lessShare = 0.8; ///< of the share that was too much
 
 /// The parts of a chain between two places, as they are met from the first to the second.
 void addParts(
@@ -128,7 +129,7 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
     }
     else if (limits.shares[p] > 0.0 && report.strain - report.strainBefore > mostRise)
     {
-      limits.shares[p] = limits.shares[p] > leastShare ? limits.shares[p] / 2.0 : 0.0;
+      limits.shares[p] = limits.shares[p] > leastShare ? lessShare * limits.shares[p] : 0.0;
     }
     else
     {

@@ -5,7 +5,6 @@
 #include "PieceNetwork.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace flattening
@@ -15,14 +14,10 @@ namespace pattern
 namespace
 {
 constexpr int rounds = 24;
-constexpr int emphases = 5;                           ///< in a row, of a plan
-constexpr std::array<double, 2> ofTrial{ 0.99, 0.9 }; ///< of the tolerance
-constexpr double nearly = 1.3;                        ///< of a tolerance: more emphasis may help
-constexpr int tolerated = 3;                          ///< how often
+constexpr int emphases = 5;      ///< in a row, of a plan
+constexpr double nearly = 1.3;   ///< of a tolerance: more emphasis may help
+constexpr int tolerated = 3;     ///< how often
 constexpr double progress = 0.9; ///< what more breaks must make of what is too far
-constexpr int smoothings = 6;
-constexpr double widerWave = 1.6;
-constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
 }
 
 FairFit::FairFit(const DrawingSource& all, const BorderChains& chains, const FairLimits& limits)
@@ -52,11 +47,7 @@ void FairFit::fitPiece(std::size_t p)
   }
   if (!this->Unmirrored[p] && this->settle(p))
   {
-    for (const double share : ofTrial)
-    {
-      this->coarsen(p, share);
-    }
-    this->smooth(p);
+    this->coarsen(p);
   }
   if (this->Unmirrored[p])
   {
@@ -194,115 +185,42 @@ bool FairFit::addBreaks(const Place& place)
   return added;
 }
 
-void FairFit::coarsen(std::size_t piece, double share)
+void FairFit::coarsen(std::size_t piece)
 {
+  // Nodes stay from here on, so that the stretches are each by itself.
   const PieceNetwork network = this->Now.networkOf(piece);
-  const std::vector<PlannedChain> before = this->Now.plan();
-  const Points2 heldBefore = this->Now.held(piece);
-  if (heldBefore.empty())
-  {
-    // Nodes stay from here on, so that the stretches are each by itself.
-    this->Now.held(piece) = solveFairNetwork(network.network(), this->Now.wave(piece)).nodes;
-  }
-  std::vector<std::vector<std::pair<Place, PlannedStretch>>> changed; // with what they were
+  const Points2 nodes = solveFairNetwork(network.network(), this->Now.wave(piece)).nodes;
   for (const Place& place : this->Now.placesOf(piece, StretchForm::Spline))
   {
-    std::vector<Place> places{ place };
     const std::optional<Place> image = this->Now.imageOf(place);
     if (image && image->stretch < place.stretch)
     {
       continue; // with the other
     }
+    std::vector<Place> places{ place };
     if (image && image->stretch != place.stretch)
     {
       places.push_back(*image);
     }
-    std::vector<std::pair<Place, PlannedStretch>> were;
-    for (const Place& part : places)
+    std::vector<FairTrial::Part> parts;
+    for (const Place& one : places)
     {
-      were.emplace_back(part, this->Now.at(part));
-    }
-    if (this->join(network, places, share))
-    {
-      changed.push_back(std::move(were));
-    }
-  }
-  // What all of them together do not keep is taken back.
-  while (!changed.empty())
-  {
-    const bool solved = this->Now.solveEvenly(piece, emphases);
-    if (solved && this->Now.keepsTolerances(piece))
-    {
-      return;
-    }
-    const auto isGood = [&](const auto& were) {
-      return solved && std::all_of(were.begin(), were.end(), [this](const auto& one) {
-        return this->Now.excess(one.first) <= 1.0;
-      });
-    };
-    auto bad = std::partition(changed.begin(), changed.end(), isGood);
-    bad = bad == changed.end() ? changed.begin() : bad; // what they have moved is off
-    for (auto were = bad; were != changed.end(); ++were)
-    {
-      for (const auto& [place, stretch] : *were)
+      const PlannedStretch& stretch = this->Now.at(one);
+      FairTrial::Part& part = parts.emplace_back();
+      part.stretch = network.indexOf(one.chain, stretch.firstPoint);
+      for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
       {
-        this->Now.at(place) = stretch;
+        part.tolerances.push_back(this->Now.toleranceAt(one, k));
       }
     }
-    changed.erase(bad, changed.end());
-  }
-  this->Now.plan() = before;
-  this->Now.held(piece) = heldBefore;
-  this->Now.solve(piece);
-}
-
-bool FairFit::join(const PieceNetwork& network, const std::vector<Place>& places, double share)
-{
-  std::vector<FairTrial::Part> parts;
-  for (const Place& place : places)
-  {
-    const PlannedStretch& stretch = this->Now.at(place);
-    FairTrial::Part& part = parts.emplace_back();
-    part.stretch = network.indexOf(place.chain, stretch.firstPoint);
-    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+    FairTrial trial(network.network(), parts, nodes, this->Now.wave(piece));
+    if (trial.findFewest(this->Now.at(place).leastSpans()))
     {
-      part.tolerances.push_back(share * this->Now.toleranceAt(place, k));
-    }
-  }
-  const std::size_t piece = this->Chains.chains()[places.front().chain].piece;
-  FairTrial trial(network.network(), parts, this->Now.held(piece), this->Now.wave(piece));
-  if (!trial.join(this->Now.at(places.front()).leastSpans()))
-  {
-    return false;
-  }
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    PlannedStretch& stretch = this->Now.at(places[k]);
-    const double start = stretch.breaks.front();
-    const double end = stretch.breaks.back();
-    stretch.breaks.clear();
-    for (const double at : trial.breaks(k))
-    {
-      stretch.breaks.push_back(start + at);
-    }
-    stretch.breaks.back() = end;
-    stretch.weights = trial.weights(k);
-  }
-  return true;
-}
-
-void FairFit::smooth(std::size_t piece)
-{
-  for (int k = 0; k < smoothings; ++k)
-  {
-    this->Now.wave(piece) *= widerWave;
-    const auto spans = this->Now.spans();
-    const auto deviation = this->Now.deviation();
-    if (!this->Now.solve(piece) || this->Now.largestExcess(piece) > sparing)
-    {
-      this->Now.spans() = spans;
-      this->Now.deviation() = deviation;
-      break;
+      trial.smooth();
+      for (std::size_t k = 0; k < places.size(); ++k)
+      {
+        this->Now.take(places[k], trial, k);
+      }
     }
   }
 }

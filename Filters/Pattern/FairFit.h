@@ -55,13 +55,8 @@ private:
   void leave(const Place& place);
   void leaveBad(std::size_t piece);
   bool addBreaks(const Place& place);
-  /// Takes away what breaks the tolerances do not need.
-  /// \param share of the tolerances, that trials may use
-  void coarsen(std::size_t piece, double share);
-  /// Takes them from one stretch and the one that is its mirror image. \return whether there was
-  /// any
-  bool join(const PieceNetwork& network, const std::vector<Place>& places, double share);
-  void smooth(std::size_t piece);
+  /// Draws each stretch by fewer curves, where these keep the tolerances.
+  void coarsen(std::size_t piece);
   /// Gives all splines of a piece twice as many curves, where they may have them.
   bool halveSpans(std::size_t piece);
   /// Lets what was made straight bend again, if there is any.

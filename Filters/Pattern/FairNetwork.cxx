@@ -28,9 +28,8 @@ constexpr int patience = 6;           ///< steps that bring nothing
 constexpr double exactLength = 1e-13; ///< of an interval, relative
 constexpr double goodLength = 1e-10;
 constexpr double goodStep = 1e-3; ///< what it may leave of what is missing
-constexpr double sliding = 0.05;  ///< weight of what is missing along a curve, to that across it
+constexpr double sliding = 0.01;  ///< weight of what is missing along a curve, to that across it
 constexpr double cornerWeight = 10.0;
-constexpr double heldNode = 1e5;
 constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
 
 class FairSolver
@@ -45,8 +44,12 @@ public:
       this->Curves.emplace_back(stretch, this->Unknowns);
     }
     this->addObjective(std::pow(wave / (2.0 * pi), 4.0));
+    if (network.held)
+    {
+      this->Linear.addHeld(network.nodes);
+    }
     this->Linear.addHooksAndRings(this->Curves);
-    this->Linear.addMirror(network.mirror, this->Curves);
+    this->Linear.addMirror(network, this->Curves);
     for (std::size_t s = 0; s < this->Curves.size(); ++s)
     {
       const FairStretch& stretch = network.stretches[s];
@@ -80,7 +83,8 @@ public:
     for (const StretchCurve& curve : this->Curves)
     {
       result.spans.push_back(curve.spans(this->X));
-      result.deviation.push_back(curve.deviation(this->Network.nodes, this->X));
+      std::vector<double>& nearest = result.nearest.emplace_back();
+      result.deviation.push_back(curve.deviation(this->Network.nodes, this->X, nearest));
     }
     return result;
   }
@@ -145,8 +149,10 @@ private:
       const double first = stretch.points.empty() ? length / 2.0 : stretch.arc.front() / 2.0;
       const double last =
         stretch.points.empty() ? length / 2.0 : (length - stretch.arc.back()) / 2.0;
-      weightOfNode[stretch.from] += stretch.endWeights[0] * first;
-      weightOfNode[stretch.to] += stretch.endWeights[1] * last;
+      // Corners are what the eye sees: they stay, as far as the lengths let them.
+      const double end = stretch.smoothEnds ? 1.0 : cornerWeight;
+      weightOfNode[stretch.from] += end * stretch.endWeights[0] * first;
+      weightOfNode[stretch.to] += end * stretch.endWeights[1] * last;
       if (stretch.straight)
       {
         continue;
@@ -154,18 +160,19 @@ private:
       const std::vector<double>& breaks = curve.basis().breaks();
       for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
       {
-        integrate(breaks[k], breaks[k + 1], [&](double t, double weight) {
-          this->addSquare(curve.at(t, Derivative::Bend), Point2::Zero(), bending * weight);
-        });
+        // Gauss's rule of two points: the second derivative is linear, its square quadratic.
+        const double half = (breaks[k + 1] - breaks[k]) / 2.0;
+        for (const double t : { -half / std::sqrt(3.0), half / std::sqrt(3.0) })
+        {
+          const Terms bend = curve.at(breaks[k] + half + t, Derivative::Bend);
+          this->addSquare(bend, Point2::Zero(), bending * half);
+        }
       }
     }
     for (std::size_t k = 0; k < weightOfNode.size(); ++k)
     {
-      // Corners are what the eye sees: they stay, as far as the lengths let them.
-      const bool held = !this->Network.held.empty();
-      this->addSquare({ { static_cast<Eigen::Index>(k), 1.0 } },
-        held ? this->Network.held[k] : this->Network.nodes[k],
-        (held ? heldNode : cornerWeight) * weightOfNode[k] + 1e-6 * total);
+      this->addSquare({ { static_cast<Eigen::Index>(k), 1.0 } }, this->Network.nodes[k],
+        weightOfNode[k] + 1e-6 * total);
     }
     // A knot between two points that are far from each other is held by bending alone.
     for (Eigen::Index k = 0; k < 2 * this->Unknowns; ++k)
@@ -176,11 +183,10 @@ private:
 
   bool factor()
   {
-    Eigen::SparseMatrix<double> hessian(2 * this->Unknowns, 2 * this->Unknowns);
-    hessian.setFromTriplets(this->Entries.begin(), this->Entries.end());
-    this->Factor.compute(hessian);
-    this->Hessian = hessian;
-    this->Softness = softness / hessian.diagonal().mean();
+    this->Hessian.resize(2 * this->Unknowns, 2 * this->Unknowns);
+    this->Hessian.setFromTriplets(this->Entries.begin(), this->Entries.end());
+    this->Factor.compute(this->Hessian);
+    this->Softness = softness / this->Hessian.diagonal().mean();
     return this->Factor.info() == Eigen::Success;
   }
 
@@ -240,7 +246,7 @@ private:
     }
   }
 
-  /// The same where rows depend on each other so much that softness does not tell them apart.
+  /// The same where rows depend on each other so much that softness cannot tell.
   Vector leastStepOf(const Rows& rows, const Vector& pull, const Vector& missing) const
   {
     const Vector free = this->Factor.solve(pull);

@@ -54,8 +54,8 @@ struct FairMirror
 /// The borders and feature curves of a flat piece that hang together at nodes.
 struct FairNetwork
 {
-  Points2 nodes; ///< where they were before
-  Points2 held;  ///< where they stay, or empty where they may move
+  Points2 nodes;     ///< where they were before
+  bool held = false; ///< they stay there
   std::vector<FairStretch> stretches;
   FairMirror mirror;
 };
@@ -67,6 +67,7 @@ struct FairCurves
   std::vector<std::vector<FairSpan>> spans; ///< of each stretch
   std::vector<std::vector<double>>
     deviation; ///< of the points of each stretch across it, its ends included
+  std::vector<std::vector<double>> nearest; ///< along each stretch, to its points within its ends
 };
 
 /// Smooth curves of prescribed lengths near given points: least bending (the integral of the

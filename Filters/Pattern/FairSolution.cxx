@@ -5,7 +5,6 @@
 #include "IntervalCurve.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace flattening
 {
@@ -18,7 +17,6 @@ FairSolution::FairSolution(
   , Plan(planFairBorders(all, chains, limits.shares))
   , Spans(this->Plan.size())
   , Deviation(this->Plan.size())
-  , Held(all.loops.size())
 {
   for (std::size_t p = 0; p < all.loops.size(); ++p)
   {
@@ -138,20 +136,6 @@ bool FairSolution::keepsTolerances(std::size_t piece) const
   return true;
 }
 
-double FairSolution::largestExcess(std::size_t piece) const
-{
-  const std::vector<Place> splines = this->placesOf(piece, StretchForm::Spline);
-  double most = splines.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-  for (const std::vector<Place>& places : { splines, this->placesOf(piece, StretchForm::Straight) })
-  {
-    for (const Place& place : places)
-    {
-      most = std::max(most, this->excess(place));
-    }
-  }
-  return most;
-}
-
 double FairSolution::largestDeviation(std::size_t piece) const
 {
   double most = 0.0;
@@ -176,9 +160,7 @@ PieceNetwork FairSolution::networkOf(std::size_t piece) const
 bool FairSolution::solve(std::size_t piece)
 {
   const PieceNetwork network = this->networkOf(piece);
-  FairNetwork held = network.network();
-  held.held = this->Held[piece];
-  const FairCurves curves = solveFairNetwork(held, this->Wave[piece]);
+  const FairCurves curves = solveFairNetwork(network.network(), this->Wave[piece]);
   if (curves.converged)
   {
     network.take(curves, this->Spans, this->Deviation);
@@ -222,6 +204,39 @@ bool FairSolution::emphasizeStretch(const Place& place)
     emphasize(shares, stretch.weights);
   }
   return isOff;
+}
+
+void FairSolution::take(const Place& place, const FairTrial& trial, std::size_t part)
+{
+  PlannedStretch& stretch = this->at(place);
+  const double start = stretch.breaks.front();
+  const double end = stretch.breaks.back();
+  std::vector<FairSpan>& spans = this->Spans[place.chain];
+  const auto isOfIt = [start, end](const FairSpan& span) {
+    const double middle = (span.from + span.to) / 2.0;
+    return start < middle && middle < end;
+  };
+  auto at = std::find_if(spans.begin(), spans.end(), isOfIt);
+  at = spans.erase(at, std::find_if_not(at, spans.end(), isOfIt));
+  std::vector<FairSpan> own = trial.spans(part);
+  for (FairSpan& span : own)
+  {
+    span.from += start;
+    span.to += start;
+  }
+  own.back().to = end;
+  spans.insert(at, own.begin(), own.end());
+  stretch.breaks.clear();
+  for (const FairSpan& span : own)
+  {
+    stretch.breaks.push_back(span.from);
+  }
+  stretch.breaks.push_back(end);
+  stretch.weights = trial.weights(part);
+  // Its ends are of the stretches beside it as well, and stay.
+  const std::vector<double>& deviation = trial.deviation(part);
+  std::copy(deviation.begin() + 1, deviation.end() - 1,
+    this->Deviation[place.chain].begin() + static_cast<std::ptrdiff_t>(stretch.firstPoint) + 1);
 }
 
 void FairSolution::drawEdges(std::size_t piece)

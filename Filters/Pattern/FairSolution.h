@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FairSpan.h"
+#include "FairTrial.h"
 #include "PieceNetwork.h"
 
 #include <optional>
@@ -31,18 +32,14 @@ public:
     return this->Plan[place.chain].stretches[place.stretch];
   }
   /// Of each chain, along it.
-  std::vector<std::vector<FairSpan>>& spans() { return this->Spans; }
   const std::vector<std::vector<FairSpan>>& spans() const { return this->Spans; }
   /// Of each point of each chain, millimetres.
-  std::vector<std::vector<double>>& deviation() { return this->Deviation; }
   double deviationAt(const Place& place, std::size_t point) const
   {
     return this->Deviation[place.chain][point];
   }
-  /// Where the nodes of a piece stay; empty where they may move.
-  Points2& held(std::size_t piece) { return this->Held[piece]; }
   /// The longest wave that is smoothed away in a piece, millimetres.
-  double& wave(std::size_t piece) { return this->Wave[piece]; }
+  double wave(std::size_t piece) const { return this->Wave[piece]; }
 
   /// How the outline of a piece is drawn as its own mirror image.
   const OutlineMirror& mirror(std::size_t piece) const { return this->Mirrors[piece]; }
@@ -60,8 +57,6 @@ public:
   /// The largest deviation of a stretch over its tolerance.
   double excess(const Place& place) const;
   bool keepsTolerances(std::size_t piece) const;
-  /// Largest deviation over its tolerance; infinite where nothing is to be smooth.
-  double largestExcess(std::size_t piece) const;
   /// Of the points of a piece, millimetres.
   double largestDeviation(std::size_t piece) const;
 
@@ -71,6 +66,9 @@ public:
   /// The same with more weight on what is too far from its curve.
   /// \param times how often that may be given
   bool solveEvenly(std::size_t piece, int times);
+  /// Draws a stretch as it was tried by itself, between nodes as they are.
+  /// \param part of the trial that it is
+  void take(const Place& place, const FairTrial& trial, std::size_t part);
   /// Draws all of the piece as it was.
   void drawEdges(std::size_t piece);
 
@@ -83,7 +81,6 @@ private:
   std::vector<OutlineMirror> Mirrors; ///< of the pieces
   std::vector<std::vector<FairSpan>> Spans;
   std::vector<std::vector<double>> Deviation;
-  std::vector<Points2> Held;
   std::vector<double> Wave;
 };
 }

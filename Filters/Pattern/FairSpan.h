@@ -34,7 +34,8 @@ FairSpan partOf(const FairSpan& span, double from, double to);
 /// The one that holds a place.
 const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc);
 
-/// Calls f(t, weight) at the places of Gauss's rule of eight points on each half of an interval.
+/// Calls f(t, weight) at the places of Gauss's rule of eight points on each quarter of an interval,
+/// by which a curve's length is exact to rounding though its speed be uneven.
 template <typename Function>
 void integrate(double from, double to, const Function& f)
 {
@@ -44,14 +45,15 @@ void integrate(double from, double to, const Function& f)
     0.796666477413626739592, 0.960289856497536231684 };
   constexpr std::array<double, 4> share{ 0.362683783378361982965, 0.313706645877887287338,
     0.222381034453374470544, 0.101228536290376259153 };
-  const double quarter = (to - from) / 4.0;
-  for (const double middle : { from + quarter, to - quarter })
+  const double eighth = (to - from) / 8.0;
+  for (const double eighths : { 1.0, 3.0, 5.0, 7.0 })
   {
+    const double middle = from + eighths * eighth;
     for (std::size_t k = 0; k < 4; ++k)
     {
       for (const double sign : { -1.0, 1.0 })
       {
-        f(middle + sign * quarter * place[k], quarter * share[k]);
+        f(middle + sign * eighth * place[k], eighth * share[k]);
       }
     }
   }

@@ -5,7 +5,7 @@
 #include "OutlineMirror.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <utility>
 
 namespace flattening
@@ -14,10 +14,26 @@ namespace pattern
 {
 namespace
 {
-constexpr int work = 400;             ///< solutions
-constexpr int emphasesOfDivision = 6; ///< of one division
-constexpr double atMiddle = 1e-6;     ///< of a stretch, from its middle
-constexpr double hopeless = 1.5;      ///< tolerances, after some emphases
+constexpr int work = 1000;             ///< solutions
+constexpr int emphasesOfDivision = 12; ///< of one division
+constexpr double hopeless = 1.5;       ///< tolerances, after some emphases
+constexpr double atMiddle = 1e-6;      ///< of a stretch, from its middle
+constexpr int roundsOfBalance = 8;     ///< of a number of curves
+constexpr double leastOff = 0.1;       ///< of a curve in what its length is chosen by
+constexpr double balancing = 0.4;      ///< power of how far off it is
+constexpr int smoothings = 6;
+constexpr double widerWave = 1.6;
+constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
+
+double largestOf(const std::vector<std::vector<double>>& shares)
+{
+  double most = 0.0;
+  for (const std::vector<double>& own : shares)
+  {
+    most = std::max(most, *std::max_element(own.begin(), own.end()));
+  }
+  return most;
+}
 }
 
 FairTrial::FairTrial(
@@ -25,14 +41,9 @@ FairTrial::FairTrial(
   : Wave(wave)
   , Left(work)
 {
-  std::map<std::size_t, std::size_t> known;
   const auto take = [&](std::size_t node) {
-    const auto [entry, isNew] = known.emplace(node, this->Network.nodes.size());
-    if (isNew)
-    {
-      this->Network.nodes.push_back(nodes[node]);
-    }
-    return entry->second;
+    this->Network.nodes.push_back(nodes[node]);
+    return this->Network.nodes.size() - 1;
   };
   for (const Part& part : parts)
   {
@@ -41,16 +52,18 @@ FairTrial::FairTrial(
     weights.push_back(one.endWeights[0]);
     weights.insert(weights.end(), one.weights.begin(), one.weights.end());
     weights.push_back(one.endWeights[1]);
+    const bool ring = one.from == one.to;
     one.from = take(one.from);
-    one.to = take(one.to);
+    one.to = ring ? one.from : take(one.to);
     for (FairHook& hook : one.hooks)
     {
       hook.node = take(hook.node);
     }
+    this->Arcs.push_back(one.arc);
     this->Tolerances.push_back(part.tolerances);
     this->Network.stretches.push_back(std::move(one));
   }
-  this->Network.held = this->Network.nodes;
+  this->Network.held = true;
   this->Network.mirror = network.mirror;
   this->Network.mirror.stretches.clear();
   for (const auto& [one, other] : network.mirror.stretches)
@@ -67,16 +80,15 @@ bool FairTrial::isOwnImage() const
   return !this->Network.mirror.stretches.empty() && this->Network.stretches.size() == 1;
 }
 
-std::vector<double> FairTrial::freeBreaks() const
+std::vector<double> FairTrial::freeOf(std::vector<double> breaks) const
 {
-  std::vector<double> all = this->breaks(0);
   if (this->isOwnImage())
   {
-    const double end = all.back();
-    all.resize((all.size() + 1) / 2); // up to the one in the middle, if there is one
-    all.push_back(end);
+    const double end = breaks.back();
+    breaks.resize((breaks.size() + 1) / 2); // up to the one in the middle, if there is one
+    breaks.push_back(end);
   }
-  return all;
+  return breaks;
 }
 
 void FairTrial::setBreaks(const std::vector<double>& freeBreaks)
@@ -103,16 +115,109 @@ void FairTrial::setBreaks(const std::vector<double>& freeBreaks)
   }
 }
 
-bool FairTrial::join(std::size_t leastSpans)
+bool FairTrial::findFewest(std::size_t leastSpans)
 {
-  bool any = false;
+  if (!this->fits())
+  {
+    return false;
+  }
+  // As if what so many curves do more of them did as well.
+  std::size_t low = leastSpans;
+  while (low < this->breaks().size() - 1 && this->Left > 0)
+  {
+    const std::size_t middle = (low + this->breaks().size() - 2) / 2;
+    low = this->divide(middle) ? low : middle + 1;
+  }
+  this->join(leastSpans);
+  return true;
+}
+
+bool FairTrial::divide(std::size_t spans)
+{
+  const std::vector<double> before = this->breaks();
+  const Lists weights = this->Weights;
+  // From the breaks that there are: where more were needed more will be.
+  std::vector<double> breaks;
+  for (std::size_t k = 0; k < spans; ++k)
+  {
+    const double at =
+      static_cast<double>(k) * static_cast<double>(before.size() - 1) / static_cast<double>(spans);
+    const auto whole = static_cast<std::size_t>(at);
+    const double part = at - static_cast<double>(whole);
+    breaks.push_back(before[whole] + part * (before[whole + 1] - before[whole]));
+  }
+  breaks.push_back(before.back());
+  for (int round = 0; this->Left > 0 && round < roundsOfBalance; ++round)
+  {
+    this->setBreaks(this->freeOf(breaks));
+    for (std::vector<double>& own : this->Weights)
+    {
+      std::fill(own.begin(), own.end(), 1.0);
+    }
+    if (this->fits())
+    {
+      return true;
+    }
+    if (spans == 1 || !this->balance(breaks))
+    {
+      break;
+    }
+  }
+  this->setBreaks(this->freeOf(before));
+  this->Weights = weights;
+  return false;
+}
+
+double FairTrial::mostBetween(double start, double end) const
+{
+  const double whole = this->breaks().back();
+  double most = leastOff;
+  for (std::size_t s = 0; s < this->Shares.size(); ++s)
+  {
+    const FairStretch& stretch = this->Network.stretches[s];
+    for (std::size_t p = 0; p < stretch.arc.size(); ++p)
+    {
+      const double image = whole - stretch.arc[p] / stretch.length() * whole;
+      const bool within = s == 0 && stretch.arc[p] >= start && stretch.arc[p] <= end;
+      const bool imageWithin = (s > 0 || this->isOwnImage()) && image >= start && image <= end;
+      most = within || imageWithin ? std::max(most, this->Shares[s][p + 1]) : most;
+    }
+  }
+  return most;
+}
+
+bool FairTrial::balance(std::vector<double>& breaks) const
+{
+  if (this->Shares.empty())
+  {
+    return false;
+  }
+  std::vector<double> lengths;
+  double total = 0.0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    const double most = this->mostBetween(breaks[k], breaks[k + 1]);
+    lengths.push_back((breaks[k + 1] - breaks[k]) * std::pow(most, -balancing));
+    total += lengths.back();
+  }
+  double at = 0.0;
+  for (std::size_t k = 0; k + 2 < breaks.size(); ++k)
+  {
+    at += lengths[k] / total * breaks.back();
+    breaks[k + 1] = at;
+  }
+  return true;
+}
+
+void FairTrial::join(std::size_t leastSpans)
+{
   std::size_t start = 1;
   for (bool joined = true; joined && this->Left > 0;)
   {
     joined = false;
-    const std::vector<double> all = this->freeBreaks();
+    const std::vector<double> all = this->freeOf(this->breaks());
     const std::size_t within = all.size() - 2;
-    for (std::size_t n = 0; !joined && n<within&& this->breaks(0).size()> leastSpans + 1; ++n)
+    for (std::size_t n = 0; !joined && n<within&& this->breaks().size()> leastSpans + 1; ++n)
     {
       // On from where the last one was: what was needed there is needed still.
       const std::size_t k = 1 + (start - 1 + n) % within;
@@ -126,15 +231,13 @@ bool FairTrial::join(std::size_t leastSpans)
       }
       start = joined ? k : start;
     }
-    any = any || joined;
   }
-  return any;
 }
 
 bool FairTrial::take(const std::vector<double>& freeBreaks)
 {
-  const std::vector<double> before = this->freeBreaks();
-  const std::vector<std::vector<double>> weights = this->Weights;
+  const std::vector<double> before = this->freeOf(this->breaks());
+  const Lists weights = this->Weights;
   this->setBreaks(freeBreaks);
   if (this->fits())
   {
@@ -145,44 +248,102 @@ bool FairTrial::take(const std::vector<double>& freeBreaks)
   return false;
 }
 
+bool FairTrial::solve(FairCurves& curves)
+{
+  for (std::size_t s = 0; s < this->Weights.size(); ++s)
+  {
+    const std::vector<double>& own = this->Weights[s];
+    this->Network.stretches[s].weights.assign(own.begin() + 1, own.end() - 1);
+  }
+  curves = solveFairNetwork(this->Network, this->Wave);
+  this->Shares.clear();
+  for (std::size_t s = 0; curves.converged && s < this->Tolerances.size(); ++s)
+  {
+    std::vector<double>& own = this->Shares.emplace_back();
+    for (std::size_t p = 0; p < this->Tolerances[s].size(); ++p)
+    {
+      own.push_back(curves.deviation[s][p] / this->Tolerances[s][p]);
+    }
+  }
+  return curves.converged;
+}
+
 bool FairTrial::fits()
 {
-  for (int k = 0; k<emphasesOfDivision&& this->Left> 0; ++k, --this->Left)
+  for (std::size_t s = 0; s < this->Arcs.size(); ++s)
   {
-    for (std::size_t s = 0; s < this->Weights.size(); ++s)
-    {
-      this->Network.stretches[s].weights.assign(
-        this->Weights[s].begin() + 1, this->Weights[s].end() - 1);
-    }
-    const FairCurves curves = solveFairNetwork(this->Network, this->Wave);
-    if (!curves.converged)
+    this->Network.stretches[s].arc = this->Arcs[s];
+  }
+  for (int k = 0; this->Left > 0 && k < emphasesOfDivision; ++k, --this->Left)
+  {
+    FairCurves curves;
+    if (!this->solve(curves))
     {
       return false;
     }
-    double most = 0.0;
-    std::vector<std::vector<double>> shares;
-    for (std::size_t s = 0; s < this->Weights.size(); ++s)
+    // The ends are where they are.
+    Lists shares = this->Shares;
+    for (std::vector<double>& own : shares)
     {
-      std::vector<double>& own = shares.emplace_back(this->Tolerances[s].size(), 0.0);
-      for (std::size_t p = 1; p + 1 < own.size(); ++p)
+      own.front() = own.back() = 0.0;
+    }
+    const double most = largestOf(shares);
+    if (most <= 1.0)
+    {
+      this->Found = std::move(curves);
+      for (std::size_t s = 0; s < this->Arcs.size(); ++s)
       {
-        own[p] = curves.deviation[s][p] / this->Tolerances[s][p];
+        this->Arcs[s] = this->Network.stretches[s].arc;
       }
-      most = std::max(most, *std::max_element(own.begin(), own.end()));
+      return true;
     }
-    if (most <= 1.0 || (k > 1 && most > hopeless))
+    if (k > 1 && most > hopeless)
     {
-      return most <= 1.0;
+      return false;
     }
-    for (std::size_t s = 0; s < this->Weights.size(); ++s)
+    for (std::size_t s = 0; s < shares.size(); ++s)
     {
       if (*std::max_element(shares[s].begin(), shares[s].end()) > 0.0)
       {
         emphasize(shares[s], this->Weights[s]);
       }
     }
+    this->follow(curves.nearest);
   }
   return false;
+}
+
+void FairTrial::follow(const Lists& nearest)
+{
+  for (std::size_t s = 0; s < nearest.size(); ++s)
+  {
+    FairStretch& one = this->Network.stretches[s];
+    for (std::size_t p = 0; p < one.arc.size(); ++p)
+    {
+      const bool isHook = std::any_of(one.hooks.begin(), one.hooks.end(),
+        [&](const FairHook& hook) { return hook.at == one.arc[p]; });
+      const double before = p == 0 ? 0.0 : one.arc[p - 1];
+      const double after = p + 1 == one.arc.size() ? one.length() : one.arc[p + 1];
+      if (!isHook && before < nearest[s][p] && nearest[s][p] < after)
+      {
+        one.arc[p] = nearest[s][p];
+      }
+    }
+  }
+}
+
+void FairTrial::smooth()
+{
+  for (int k = 0; k < smoothings; ++k)
+  {
+    this->Wave *= widerWave;
+    FairCurves curves;
+    if (!this->solve(curves) || largestOf(this->Shares) > sparing)
+    {
+      break;
+    }
+    this->Found = std::move(curves);
+  }
 }
 }
 }

@@ -8,15 +8,24 @@ namespace flattening
 {
 namespace pattern
 {
-void LinearRows::addPoint(const Terms& terms)
+void LinearRows::addPoint(const Terms& terms, const Point2& value)
 {
   for (Eigen::Index d = 0; d < 2; ++d)
   {
     Row& row = this->Rows.emplace_back();
+    row.value = value[d];
     for (const Term& term : terms)
     {
       row.factors.emplace_back(2 * term.unknown + d, term.factor);
     }
+  }
+}
+
+void LinearRows::addHeld(const Points2& points)
+{
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    this->addPoint({ { static_cast<Eigen::Index>(k), 1.0 } }, points[k]);
   }
 }
 
@@ -29,7 +38,7 @@ void LinearRows::addHooksAndRings(const std::vector<StretchCurve>& curves)
     {
       Terms terms = curve.at(hook.at, Derivative::Place);
       terms.push_back({ static_cast<Eigen::Index>(hook.node), -1.0 });
-      this->addPoint(terms);
+      this->addPoint(terms, Point2::Zero());
     }
     if (stretch.smoothEnds)
     {
@@ -38,13 +47,14 @@ void LinearRows::addHooksAndRings(const std::vector<StretchCurve>& curves)
       {
         terms.push_back({ term.unknown, -term.factor });
       }
-      this->addPoint(terms);
+      this->addPoint(terms, Point2::Zero());
     }
   }
 }
 
-void LinearRows::addMirror(const FairMirror& mirror, const std::vector<StretchCurve>& curves)
+void LinearRows::addMirror(const FairNetwork& network, const std::vector<StretchCurve>& curves)
 {
+  const FairMirror& mirror = network.mirror;
   // The image of a point p is at + F (p - at).
   const Eigen::Matrix2d image =
     2.0 * mirror.along * mirror.along.transpose() - Eigen::Matrix2d::Identity();
@@ -60,7 +70,8 @@ void LinearRows::addMirror(const FairMirror& mirror, const std::vector<StretchCu
     {
       const Eigen::Index a = std::min(forwards[k], backwards[k]);
       const Eigen::Index b = std::max(forwards[k], backwards[k]);
-      if (!known.insert({ a, b }).second)
+      const bool stays = network.held && a < static_cast<Eigen::Index>(network.nodes.size());
+      if (stays || !known.insert({ a, b }).second)
       {
         continue;
       }

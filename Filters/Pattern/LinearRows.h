@@ -13,10 +13,13 @@ namespace pattern
 class LinearRows
 {
 public:
+  /// Points stay, of which these are the first unknowns.
+  void addHeld(const Points2& points);
   /// Stretches end in the nodes that they are hooked to, and rings are smooth where they close.
   void addHooksAndRings(const std::vector<StretchCurve>& curves);
-  /// Curves are mirror images of each other. \param curves of all stretches of the network
-  void addMirror(const FairMirror& mirror, const std::vector<StretchCurve>& curves);
+  /// Curves are mirror images of each other; nodes that stay are so already.
+  /// \param curves of all stretches of the network
+  void addMirror(const FairNetwork& network, const std::vector<StretchCurve>& curves);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(this->Rows.size()); }
   /// Adds all rows from the row 0 on. \param missing what is missing to them
@@ -30,7 +33,7 @@ private:
     double value = 0.0;
   };
 
-  void addPoint(const Terms& terms);
+  void addPoint(const Terms& terms, const Point2& value);
 
   std::vector<Row> Rows;
 };

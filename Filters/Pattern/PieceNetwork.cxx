@@ -10,7 +10,8 @@ namespace pattern
 {
 namespace
 {
-constexpr double sameStop = 1.0; ///< of a stop and the image of another, millimetres
+constexpr double sameStop = 1.0;   ///< of a stop and the image of another, millimetres
+constexpr double leastPart = 1e-6; ///< of an interval
 
 /// Takes the ends of intervals away whose place follows from others, since the curve is the mirror
 /// image of another, or of itself.
@@ -46,6 +47,26 @@ void leaveWhatFollows(FairStretch& one, FairStretch& other)
   }
   left.push_back({ other.length(), length + other.intervals.back().length, !own });
   other.intervals = std::move(left);
+}
+
+/// Adds an interval in parts between hooks, since what hangs on the curve does so at its length.
+void addInterval(const PlannedInterval& interval, double start, FairStretch& stretch)
+{
+  const double length = interval.end - interval.start;
+  double from = interval.start - start;
+  const double to = interval.end - start;
+  const auto add = [&](double end) {
+    stretch.intervals.push_back({ end, interval.length * (end - from) / length });
+    from = end;
+  };
+  for (const FairHook& hook : stretch.hooks)
+  {
+    if (hook.at > from + leastPart * length && hook.at < to - leastPart * length)
+    {
+      add(hook.at);
+    }
+  }
+  add(to);
 }
 }
 
@@ -127,8 +148,7 @@ void PieceNetwork::add(std::size_t c, const PlannedStretch& planned)
   }
   for (std::size_t k = planned.firstInterval; k < planned.endInterval; ++k)
   {
-    const PlannedInterval& interval = this->Plan[c].intervals[k];
-    stretch.intervals.push_back({ interval.end - origin.start, interval.length });
+    addInterval(this->Plan[c].intervals[k], origin.start, stretch);
   }
   this->Network.stretches.push_back(std::move(stretch));
   this->Origins.push_back(origin);

@@ -90,7 +90,8 @@ std::vector<FairSpan> StretchCurve::spans(const Eigen::VectorXd& x) const
   return spans;
 }
 
-std::vector<double> StretchCurve::deviation(const Points2& nodes, const Eigen::VectorXd& x) const
+std::vector<double> StretchCurve::deviation(
+  const Points2& nodes, const Eigen::VectorXd& x, std::vector<double>& nearest) const
 {
   const FairStretch& stretch = this->Stretch;
   const auto end = [&](std::size_t node) {
@@ -110,6 +111,7 @@ std::vector<double> StretchCurve::deviation(const Points2& nodes, const Eigen::V
         t + slope.dot(off) / std::max(slope.squaredNorm(), 1e-24), 0.0, stretch.length());
     }
     deviation.push_back(std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12));
+    nearest.push_back(t);
   }
   deviation.push_back(end(stretch.to));
   return deviation;

@@ -40,7 +40,8 @@ public:
   Terms at(double t, Derivative derivative) const;
   std::vector<FairSpan> spans(const Eigen::VectorXd& x) const;
   /// Of the points across the curve, along which they may slide, between those of its ends.
-  std::vector<double> deviation(const Points2& nodes, const Eigen::VectorXd& x) const;
+  std::vector<double> deviation(
+    const Points2& nodes, const Eigen::VectorXd& x, std::vector<double>& nearest) const;
 
 private:
   const FairStretch& Stretch;
