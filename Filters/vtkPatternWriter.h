@@ -26,7 +26,9 @@
  *   `data-arc-length` (mm on the surface).
  * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses to join
  *   them at, row and column on each page, a map, and a test rectangle of 100 mm x 50 mm. Blank
- * pages are left out; of the two ways to hold the paper the one with fewer pages is taken.
+ * pages are left out; of the two ways to hold the paper the one with fewer pages is taken. Each
+ * role of SVG, the texts, and what is of the pages are layers, unless the library was made without
+ * qpdf.
  * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece; layers 1 boundary and
  *   system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half pieces, 7 grainline,
  * 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15 annotation. Notches

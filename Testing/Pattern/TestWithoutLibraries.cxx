@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A build without cairo, FriBidi and Clipper says so where they are asked for, and does the rest.
+// A build without cairo, FriBidi, qpdf and Clipper says so where they are asked for, and does the
+// rest.
 #include "NoFitRegion.h"
+#include "PdfLayers.h"
 #include "PdfWriter.h"
 #include "SeamAllowance.h"
 
@@ -17,6 +19,15 @@ TEST(WithoutLibraries, PdfIsRefusedByName)
   EXPECT_NE(status.message.find("cairo or FriBidi"), std::string::npos) << status.message;
   ASSERT_EQ(status.waysOut.size(), 1u);
   EXPECT_EQ(status.waysOut[0].remedy, Remedy::WriteOtherFormat);
+  EXPECT_TRUE(pdf.empty());
+}
+
+TEST(WithoutLibraries, NoLayersOfPdfArePromised)
+{
+  EXPECT_FALSE(hasPdfLayers());
+  std::string pdf;
+  const Status status = joinPdfLayers({ { "cut line", "%PDF-1.5" } }, 1, pdf);
+  EXPECT_NE(status.message.find("qpdf"), std::string::npos) << status.message;
   EXPECT_TRUE(pdf.empty());
 }
 

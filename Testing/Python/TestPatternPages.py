@@ -109,6 +109,36 @@ class Pages(pattern.PatternTest):
         self.assertGreater(len(piece), 3000)
         self.assertLess(len(missing), 0.01 * len(piece))
 
+    def test_each_layer_can_be_hidden_and_together_they_are_the_drawing(self):
+        self.make("tshirt", "--pdf", "--svg", "--paper", "sheet")
+        path = self.path("out", "pattern.pdf")
+        content = self.content("pattern.pdf")
+        groups = dict(re.findall(rb"(?s)\n(\d+) 0 obj\n<< /Name \(([^)]*)\) /Type /OCG >>", content))
+        label = "{http://www.inkscape.org/namespaces/inkscape}label"
+        roles = {element.get(label) for element in pattern.svg_root(self.path("out", "pattern.svg")).iter()
+                 if element.get("class")}
+        self.assertEqual({name.decode() for name in groups.values()}, roles | {"page marks"})
+        ((shown, listed),) = re.findall(rb"(/ON \[ ([^]]*))\]", content)
+        self.assertEqual(re.findall(rb"(\d+) 0 R", listed), sorted(groups, key=int))
+
+        def without(numbers):
+            """The ink where some layers are hidden; no byte of the file moves."""
+            hidden = b"".join(b"%s 0 R " % number for number in numbers)
+            with open(path, "wb") as file:
+                file.write(content.replace(shown, (b"/OFF[ " + hidden).ljust(len(shown))))
+            ((_, _, pixels),) = pattern.render(path, 50.8)
+            return {at for at, value in enumerate(pixels) if value < 255}
+
+        whole = without([])
+        self.assertEqual(without(groups), set())
+        together = set()
+        for number, name in groups.items():
+            alone = without(set(groups) - {number})
+            self.assertGreater(len(alone), 20, name)
+            self.assertLess(len(alone), 0.7 * len(whole), name)
+            together |= alone
+        self.assertEqual(together, whole)
+
     def dark_pixels(self, page, with_mixed=False):
         """Pixels of black lines; crosses and trim lines are coloured, frames grey."""
         width, height, pixels = page
