@@ -53,12 +53,13 @@ void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
   const auto add = [&strokes](const Points2& points) {
     Stroke stroke;
     stroke.role = StrokeRole::Grain;
+    stroke.closed = stroke.filled = points.size() > 2;
     stroke.points = points;
     strokes.push_back(std::move(stroke));
   };
   const auto addHead = [&](const Point2& tip, double direction) {
     const Point2 back = tip - direction * head * unit;
-    add({ back + 0.4 * head * side, tip, back - 0.4 * head * side });
+    add({ back + 0.3 * head * side, tip, back - 0.3 * head * side });
   };
   add({ piece.grain.from, piece.grain.to });
   addHead(piece.grain.to, 1.0);

@@ -52,6 +52,7 @@ struct Stroke
 {
   StrokeRole role = StrokeRole::Internal;
   bool closed = false;
+  bool filled = false; ///< where lines have a width
   Points2 points;
   std::vector<FairSpan> smooth; ///< the same line as Bezier curves, where it is smooth
   std::string curve;            ///< name of its feature curve

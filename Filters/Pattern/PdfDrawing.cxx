@@ -169,6 +169,10 @@ private:
       {
         cairo_close_path(this->Context);
       }
+      if (stroke.filled)
+      {
+        cairo_fill_preserve(this->Context);
+      }
       cairo_stroke(this->Context);
     }
   }
@@ -266,7 +270,7 @@ private:
     {
       for (const Stroke& stroke : this->Strokes[p])
       {
-        if (!stroke.closed || stroke.isWire)
+        if (!stroke.closed || stroke.isWire || stroke.filled)
         {
           continue;
         }

@@ -37,15 +37,20 @@ std::string layerAttributes(const std::string& label)
   return attribute("inkscape:groupmode", "layer") + attribute("inkscape:label", label);
 }
 
-std::string styleAttributes(const StrokeStyle& style)
+std::string hexOf(const Colour& colour)
 {
-  std::string colour;
-  for (const double part : style.colour)
+  std::string hex = "#";
+  for (const double part : colour)
   {
     char buffer[8];
     std::snprintf(buffer, sizeof buffer, "%02x", static_cast<unsigned>(std::lround(255.0 * part)));
-    colour += buffer;
+    hex += buffer;
   }
+  return hex;
+}
+
+std::string styleAttributes(const StrokeStyle& style)
+{
   std::string dashes;
   for (const double dash : style.dashes)
   {
@@ -54,7 +59,7 @@ std::string styleAttributes(const StrokeStyle& style)
       dashes += (dashes.empty() ? "" : " ") + formatNumber(dash, 3);
     }
   }
-  return attribute("fill", "none") + attribute("stroke", "#" + colour) +
+  return attribute("fill", "none") + attribute("stroke", hexOf(style.colour)) +
     attribute("stroke-width", formatNumber(style.width, 3)) +
     (dashes.empty() ? "" : attribute("stroke-dasharray", dashes));
 }
@@ -211,6 +216,10 @@ private:
     if (stroke.isWire)
     {
       this->Text += attribute("data-length", number(stroke.measure));
+    }
+    if (stroke.filled && !this->LaserColours) // a laser would engrave the area
+    {
+      this->Text += attribute("fill", hexOf(styleOf(stroke.role).colour));
     }
     if (stroke.isNotch)
     {

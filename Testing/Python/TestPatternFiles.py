@@ -80,6 +80,18 @@ class Svg(pattern.PatternTest):
         self.assertEqual(len(set(colours.values())), len(colours))
         self.assertGreater(len(colours), 6)
 
+    def test_heads_of_the_grain_are_filled_but_for_a_laser_which_would_engrave_them(self):
+        for options, fill in (((), "#000000"), (("--laser-colors",), None)):
+            self.make("shirt_front", "--svg", *options)
+            (piece,) = pattern.pieces_of(pattern.svg_root(self.path("out", "pattern.svg")))
+            (grain,) = [role for role in self.layers(piece) if role.get("class") == "grain"]
+            heads = [path for path in grain if path.get("d").endswith("Z")]
+            self.assertTrue(heads)
+            self.assertEqual({head.get("fill") for head in heads}, {fill})
+            # What else is drawn is lines.
+            for path in piece.iter(pattern.SVG + "path"):
+                self.assertTrue(path in heads or path.get("fill") is None)
+
 
 class Hpgl(pattern.PatternTest):
     def test_every_line_of_the_svg_is_drawn_at_its_place_and_cut_lines_are_cut_last(self):
