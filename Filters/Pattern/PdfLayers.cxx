@@ -62,7 +62,8 @@ public:
         QPDFObjectHandle form = this->PagesOf[k].at(page).getFormXObjectForPage();
         form.getDict().removeKey("/Group"); // nothing in it is transparent
         forms.replaceKey(name, this->base().copyForeignObject(form));
-        others += "/OC " + name + " BDC\nq\n" + name + " Do\nQ\nEMC\n";
+        others.append("/OC ").append(name).append(" BDC\nq\n").append(name);
+        others += " Do\nQ\nEMC\n";
       }
     }
     resources.replaceKey("/XObject", forms);
