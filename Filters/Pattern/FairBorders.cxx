@@ -16,7 +16,8 @@ namespace
 {
 constexpr double mostRise = 0.003; ///< of strain
 constexpr double leastShare = 0.1;
-constexpr double lessShare = 0.8; ///< of the share that was too much
+constexpr double lessShare = 0.8;     ///< of the share that was too much
+constexpr double leastMirrored = 0.5; ///< share for which a piece stays its own mirror image
 
 /// The parts of a chain between two places, as they are met from the first to the second.
 void addParts(
@@ -85,6 +86,7 @@ FairBorders::FairBorders(const DrawingSource& all)
 void FairBorders::dropMirror(std::size_t piece, const std::string& why, FairLimits& limits)
 {
   limits.mirrored[piece] = false;
+  limits.shares[piece] = 1.0;
   this->WhyNotMirrored[piece] = why;
 }
 
@@ -106,7 +108,15 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
   {
     const FairPieceReport& report = this->Reports[p];
     const std::optional<LeftStretch>& left = fit.unmirrored(p);
-    if (left)
+    const bool strained = report.strain - report.strainBefore > mostRise;
+    // As its own mirror image it is strained by less the nearer it is to its points.
+    const bool nearer = limits.mirrored[p] && limits.shares[p] < 1.0;
+    const bool far = strained && limits.shares[p] * lessShare < leastMirrored;
+    if (nearer && (left || !report.mirror || far))
+    {
+      this->dropMirror(p, "it would strain the piece by over 0.3 % more", limits);
+    }
+    else if (left)
     {
       const BorderChain& chain = this->Chains.chains()[left->chain];
       this->dropMirror(p,
@@ -116,10 +126,6 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
           : "no such curves of these lengths were found",
         limits);
     }
-    else if (report.mirror && report.strain - report.strainBefore > mostRise)
-    {
-      this->dropMirror(p, "it would strain the piece by over 0.3 % more", limits);
-    }
     else if (report.mirror && rough && report.lengthDifference > noticedLength)
     {
       this->dropMirror(p,
@@ -127,8 +133,13 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
           " mm, and what stays as the mesh has it cannot be as long as their mean",
         limits);
     }
-    else if (limits.shares[p] > 0.0 && report.strain - report.strainBefore > mostRise)
+    else if (limits.shares[p] > 0.0 && strained)
     {
+      if (!report.mirror)
+      {
+        limits.mirrored[p] = false;
+        this->WhyNotMirrored[p] = report.whyNotMirrored;
+      }
       limits.shares[p] = limits.shares[p] > leastShare ? lessShare * limits.shares[p] : 0.0;
     }
     else

@@ -216,6 +216,23 @@ TEST(OutlineMirror, WhatIsSewnToASideGetsItsLength)
   EXPECT_NEAR(smoothed.borders->reports()[1].lengthChange, lengthOfWire(3) - 187.0, 1e-9);
 }
 
+TEST(OutlineMirror, CurvesWithinEndOnTheSymmetricBorderAtTheirLengths)
+{
+  for (const Index end : { 31, 60, 76, 77 }) // the last is the image of the start, one is beside it
+  {
+    PatternSource source = shirt(2);
+    source.wires.push_back({ { 5, 0, end }, WireType::Accessory, 9, 0, "within" });
+    const Smoothed smoothed(source, 0.5, 0.0, symmetrized());
+    ASSERT_TRUE(smoothed.borders->reports()[0].mirror) << end;
+    EXPECT_LT(missOf(smoothed), 2e-5) << end;
+    const auto curve = smoothed.borders->curveOf(smoothed.source.wires[3]);
+    const Point2 first = smoothed.borders->alongEdge(5, 6).front().control[0];
+    const Point2 last = smoothed.borders->alongEdge(end, end + 1).front().control[0];
+    EXPECT_NEAR((curve.front().control[0] - first).norm(), 0.0, 1e-6) << end;
+    EXPECT_NEAR((curve.back().control[3] - last).norm(), 0.0, 1e-6) << end;
+  }
+}
+
 TEST(OutlineMirror, APieceThatIsNotSymmetricIsToldWithItsMeasure)
 {
   // A corner of a trapezium is 4 mm beside the image of the other: at best both are 2 mm off.

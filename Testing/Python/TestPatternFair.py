@@ -135,8 +135,14 @@ class Fair(pattern.PatternTest):
                 found = sorted(sum(map(pattern.bezier_length, pattern.curves_of(element))) for _, element in paths)
                 for a, b in zip(found, wanted):
                     self.assertLess(abs(a - b), 1e-6)
-        self.make("wetsuit_upper_front", "--svg")
+        self.make("wetsuit_pants_back", "--svg")
         self.assertGreater(max(self.miss_of_outlines()), 0.1)
+
+    def test_a_symmetric_piece_strained_by_too_much_is_nearer_to_its_points_and_stays_symmetric(self):
+        self.make("wetsuit_pants_back", "--svg", "--fair", "1", "--symmetrize")
+        self.assertLess(max(self.miss_of_outlines()), 1e-3)
+        notes = json.loads(self.content("report.json"))["pattern_notes"]
+        self.assertTrue(any("kept within 80 % of the tolerance" in note for note in notes), notes)
 
     def test_what_was_made_symmetric_is_told_piece_by_piece(self):
         self.make("tshirt", "--svg", "--symmetrize")
