@@ -54,7 +54,7 @@ struct MapDistortion
   double rigidEnergy = 0.0;
 };
 
-/// Without the angles, which take most of the time of measuring.
+/// Without the angles and the quantile of the strain.
 MapDistortion measureDistortion(
   const TriangleMesh& mesh, const Points2& positions, const Execution& execution);
 
