@@ -26,6 +26,20 @@ def children(process):
     return found
 
 
+def has_open(process, path):
+    try:
+        descriptors = os.listdir(f"/proc/{process}/fd")
+    except OSError:
+        return False
+    for descriptor in descriptors:
+        try:
+            if os.readlink(f"/proc/{process}/fd/{descriptor}") == path:
+                return True
+        except OSError:
+            continue
+    return False
+
+
 def is_alive(process):
     try:
         with open(f"/proc/{process}/stat", encoding="utf-8", errors="replace") as file:
@@ -57,10 +71,24 @@ class Runs(command.CommandTest):
         self.addCleanup(process.kill)
         return process
 
+    def are_busy(self, processes):
+        """Whether each one reads the slow file or waits for one that does.
+
+        One that has just been forked has not yet tied its life to its parent's: stopped there, it
+        could not end itself.
+        """
+        slow = os.path.realpath(self.path("slow.vtk"))
+        return all(children(process) or has_open(process, slow) for process in processes)
+
     def end(self, process, signal_number, count):
-        """Ends a run once it has so many processes below it; all of them must be gone with it."""
-        self.assertTrue(wait_until(lambda: len(children(process.pid)) >= count), "has no processes")
-        below = children(process.pid)
+        """Ends a run once so many processes below it are busy; all of them must be gone with it."""
+        below = []
+
+        def are_there():
+            below[:] = children(process.pid)
+            return len(below) >= count and self.are_busy(below)
+
+        self.assertTrue(wait_until(are_there), "has no processes")
         for child in below:
             os.kill(child, signal.SIGSTOP)  # so that none ends by itself
         process.send_signal(signal_number)
