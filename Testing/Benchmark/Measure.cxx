@@ -3,6 +3,8 @@
 
 #include "Base/Stopwatch.h"
 
+#include <vtkSMPTools.h>
+
 #include <malloc.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <fstream>
 #include <limits>
 #include <string>
-#include <thread>
 
 namespace benchmarks
 {
@@ -73,22 +74,12 @@ flattening::Execution threadedExecution(int threads)
   flattening::Execution execution;
   if (threads > 1)
   {
-    execution.parallel = [threads](flattening::Index count,
+    vtkSMPTools::Initialize(threads);
+    execution.parallel = [](flattening::Index count,
                            const std::function<void(flattening::Index, flattening::Index)>& body) {
-      const flattening::Index parts = std::min<flattening::Index>(threads, count);
-      std::vector<std::thread> others;
-      for (flattening::Index k = 1; k < parts; ++k)
-      {
-        others.emplace_back(body, k * count / parts, (k + 1) * count / parts);
-      }
-      if (parts > 0)
-      {
-        body(0, count / parts);
-      }
-      for (std::thread& other : others)
-      {
-        other.join();
-      }
+      vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) {
+        body(static_cast<flattening::Index>(begin), static_cast<flattening::Index>(end));
+      });
     };
   }
   return execution;

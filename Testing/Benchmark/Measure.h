@@ -25,6 +25,6 @@ struct Repeats
 /// Runs a job several times; it returns the seconds to count.
 Measured measure(const Repeats& repeats, const std::function<double()>& job);
 
-/// Runs loops on threads of its own, one range each.
+/// Runs loops on so many threads of VTK's, as the filters do.
 flattening::Execution threadedExecution(int threads);
 }
