@@ -98,7 +98,7 @@ TEST(MultifrontalFactorization, IsTheSameToTheLastBitForAnyNumberOfThreads)
 TEST(MultifrontalFactorization, KeptInSinglePrecisionTakesHalfTheMemoryAndRefinesToTheSameSolution)
 {
   const KktSystem system = kktSystem(60);
-  const std::size_t count = SupernodalStructure(system.matrix, system.order).blocksSize();
+  const std::size_t count = SupernodalStructure(system.matrix, system.order).factorSize();
   Execution enoughForSingle;
   enoughForSingle.factorMemory = count * sizeof(float);
   MultifrontalFactorization factorization;
@@ -149,8 +149,8 @@ TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)
   Indices sorted = system.order.order;
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(sorted, given.order) << "an order names each column once";
-  EXPECT_LT(SupernodalStructure(system.matrix, system.order).blocksSize(),
-    SupernodalStructure(system.matrix, given).blocksSize() / 2);
+  EXPECT_LT(SupernodalStructure(system.matrix, system.order).factorSize(),
+    SupernodalStructure(system.matrix, given).factorSize() / 2);
 }
 
 TEST(MultifrontalFactorization, StopsWhenItIsCancelled)

@@ -211,7 +211,7 @@ TEST(SparseShapes, FactorsOfWideFansGrowWithTheFan)
     }
     assembler.finish();
     return SupernodalStructure(assembler.matrix(), dissect(mixed.cliques, mixed.count))
-      .blocksSize();
+      .factorSize();
   };
   for (Index parallels : { 1, 2, 5 })
   {

@@ -246,6 +246,7 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
       twins[h] = twin;
     }
   }
+  points.shrink_to_fit(); // it grew by copies, and is kept
   cut.mesh = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
   cut.curveOfHalfedge = std::move(labels.curveOfHalfedge);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
@@ -264,6 +265,17 @@ std::vector<Piece> extractPieces(const CutSurface& cut)
   std::vector<Piece> pieces(cut.pieceCount);
   std::vector<Triangles> triangles(cut.pieceCount);
   std::vector<Points3> points(cut.pieceCount);
+  Indices sizes(cut.pieceCount, 0);
+  for (Index p : cut.pieceOfTriangle)
+  {
+    ++sizes[p];
+  }
+  for (Index p = 0; p < cut.pieceCount; ++p)
+  {
+    triangles[p].reserve(sizes[p]);
+    pieces[p].triangles.reserve(sizes[p]);
+    pieces[p].curveOfHalfedge.reserve(3 * std::size_t(sizes[p]));
+  }
   Indices local(cut.mesh.vertexCount(), none);
   Indices localTriangle(cut.mesh.triangleCount(), none);
   for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
@@ -298,6 +310,8 @@ std::vector<Piece> extractPieces(const CutSurface& cut)
         twins.push_back(twin == none ? none : 3 * localTriangle[twin / 3] + twin % 3);
       }
     }
+    points[p].shrink_to_fit();
+    pieces[p].vertices.shrink_to_fit();
     pieces[p].mesh = TriangleMesh(std::move(points[p]), std::move(triangles[p]), std::move(twins));
   }
   return pieces;

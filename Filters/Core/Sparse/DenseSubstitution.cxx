@@ -12,7 +12,7 @@ namespace flattening
 namespace
 {
 /// Columns that are taken together, so that what they meet is loaded once for all.
-constexpr Index columnsOfPanel = 4;
+constexpr Index columnsOfPanel = FactorColumns<double>::panelWidth;
 /// Sums of a dot product, of every eighth row each: the same for every width of instructions.
 constexpr Index lanes = 8;
 
@@ -64,8 +64,8 @@ FLATTENING_INLINE void addProducts(const Value* const* column, const double* x, 
   }
 }
 
-/// The dot products of some columns with x. The columns have at least eight rows, some above those
-/// that count.
+/// The dot products of some columns with x. Eight numbers and more are kept up to the end of each
+/// column, those of columns before it included.
 template <typename Vector, Index Columns, typename Value>
 FLATTENING_INLINE void multiply(
   const Value* const* column, const double* x, Index count, double* products)
@@ -204,7 +204,7 @@ Multiply<Value> widestMultiply()
 /// Below the panel that ends at a row; where it is not as wide, its last column stands for those
 /// that lack.
 template <typename Value>
-Panel<Value> below(const FrontColumns<const Value>& front, Index begin, Index end)
+Panel<Value> below(const FactorColumns<const Value>& front, Index begin, Index end)
 {
   Panel<Value> panel{};
   for (Index k = 0; k < columnsOfPanel; ++k)
@@ -215,7 +215,7 @@ Panel<Value> below(const FrontColumns<const Value>& front, Index begin, Index en
 }
 
 template <typename Value>
-void forward(const FrontColumns<const Value>& front, FrontVectors& w)
+void forward(const FactorColumns<const Value>& front, FrontVectors& w)
 {
   static const Subtract<Value> subtract = widestSubtract<Value>();
   for (Index begin = 0; begin < front.columns; begin += columnsOfPanel)
@@ -240,7 +240,7 @@ void forward(const FrontColumns<const Value>& front, FrontVectors& w)
 }
 
 template <typename Value>
-void backward(const FrontColumns<const Value>& front, FrontVectors& w)
+void backward(const FactorColumns<const Value>& front, FrontVectors& w)
 {
   static const Multiply<Value> widest = widestMultiply<Value>();
   const Multiply<Value> multiply = front.size < lanes ? multiplyOneByOne<Value> : widest;
@@ -267,22 +267,22 @@ void backward(const FrontColumns<const Value>& front, FrontVectors& w)
 }
 }
 
-void substituteForward(const FrontColumns<const double>& front, FrontVectors w)
+void substituteForward(const FactorColumns<const double>& front, FrontVectors w)
 {
   forward(front, w);
 }
 
-void substituteForward(const FrontColumns<const float>& front, FrontVectors w)
+void substituteForward(const FactorColumns<const float>& front, FrontVectors w)
 {
   forward(front, w);
 }
 
-void substituteBackward(const FrontColumns<const double>& front, FrontVectors w)
+void substituteBackward(const FactorColumns<const double>& front, FrontVectors w)
 {
   backward(front, w);
 }
 
-void substituteBackward(const FrontColumns<const float>& front, FrontVectors w)
+void substituteBackward(const FactorColumns<const float>& front, FrontVectors w)
 {
   backward(front, w);
 }

@@ -16,11 +16,11 @@ namespace
 constexpr double largestSingle = 1e30;
 constexpr double smallestSingle = 1e-30;
 
-/// Rounds numbers from one place on; false where one is too large, or none.
-bool roundOneByOne(const double* values, float* to, std::size_t from, std::size_t count)
+/// Rounds numbers; false where one is too large, or none.
+bool roundOneByOne(const double* values, float* to, std::size_t count)
 {
   bool kept = true;
-  for (std::size_t k = from; k < count; ++k)
+  for (std::size_t k = 0; k < count; ++k)
   {
     const double size = std::abs(values[k]);
     kept = kept && size <= largestSingle;
@@ -40,11 +40,15 @@ template <typename Vector, typename Singles>
 FLATTENING_INLINE bool roundVectors(const double* values, float* to, std::size_t count)
 {
   constexpr std::size_t width = sizeof(Vector) / sizeof(double);
+  if (count < width)
+  {
+    return roundOneByOne(values, to, count);
+  }
   const Vector zero{};
   auto tooLarge = zero < zero;
-  std::size_t k = 0;
-  for (; k + width <= count; k += width)
+  for (std::size_t next = 0; next < count; next += width)
   {
+    const std::size_t k = std::min(next, count - width); // the last ones again where some are left
     Vector value;
     load(values + k, value);
     const Vector size = value < zero ? -value : value;
@@ -58,7 +62,7 @@ FLATTENING_INLINE bool roundVectors(const double* values, float* to, std::size_t
   {
     kept = kept && tooLarge[lane] == 0;
   }
-  return roundOneByOne(values, to, k, count) && kept;
+  return kept;
 }
 
 bool roundByTwo(const double* values, float* to, std::size_t count)
@@ -68,7 +72,7 @@ bool roundByTwo(const double* values, float* to, std::size_t count)
 #else
 bool roundByTwo(const double* values, float* to, std::size_t count)
 {
-  return roundOneByOne(values, to, 0, count);
+  return roundOneByOne(values, to, count);
 }
 #endif
 
@@ -110,23 +114,25 @@ void FactorBlocks::allocate(std::size_t count)
   this->Count = count;
 }
 
-double* FactorBlocks::workspace(std::size_t count, std::size_t place, std::vector<double>& buffer)
+bool FactorBlocks::keep(const DenseFront& front, std::size_t place)
 {
-  if (this->Precision == FactorPrecision::Double)
-  {
-    return this->Doubles.get() + place;
-  }
-  buffer.resize(std::max(count, buffer.size()));
-  return buffer.data();
-}
-
-bool FactorBlocks::keep(const double* values, std::size_t count, std::size_t place)
-{
-  if (this->Precision == FactorPrecision::Double)
-  {
-    return true;
-  }
   static const Round round = widestRound();
-  return round(values, this->Singles.get() + place, count);
+  bool kept = true;
+  for (Index k = 0; k < front.columns; ++k)
+  {
+    const Index first = FactorColumns<double>::firstRow(k);
+    const std::size_t to = place + FactorColumns<double>::begin(front.size, k);
+    const double* const values = front.column(k) + first;
+    const auto count = std::size_t(front.size - first);
+    if (this->Precision == FactorPrecision::Single)
+    {
+      kept = round(values, this->Singles.get() + to, count) && kept;
+    }
+    else
+    {
+      std::copy_n(values, count, this->Doubles.get() + to);
+    }
+  }
+  return kept;
 }
 }

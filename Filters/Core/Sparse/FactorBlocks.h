@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Sparse/DenseFront.h"
+#include "Sparse/FactorColumns.h"
 
 #include <memory>
-#include <vector>
 
 namespace flattening
 {
@@ -32,22 +32,20 @@ public:
   }
   /// Makes room for so many numbers, whose values are left open.
   void allocate(std::size_t count);
-  /// Where so many numbers that are for a place are to be computed: there, or, where they are kept
-  /// otherwise, in the buffer.
-  double* workspace(std::size_t count, std::size_t place, std::vector<double>& buffer);
-  /// Keeps what was computed there. False where a number is too large for what is kept.
-  bool keep(const double* values, std::size_t count, std::size_t place);
-  /// Calls visit(front) with the front at a place.
+  /// Keeps the columns of a front from a place on. False where a number is too large for what is
+  /// kept.
+  bool keep(const DenseFront& front, std::size_t place);
+  /// Calls visit(columns) with those of a front that are kept from a place on.
   template <typename Visit>
   void visit(std::size_t place, Index size, Index columns, const Visit& visit) const
   {
     if (this->Precision == FactorPrecision::Single)
     {
-      visit(FrontColumns<const float>{ this->Singles.get() + place, size, columns });
+      visit(FactorColumns<const float>{ this->Singles.get() + place, size, columns });
     }
     else
     {
-      visit(FrontColumns<const double>{ this->Doubles.get() + place, size, columns });
+      visit(FactorColumns<const double>{ this->Doubles.get() + place, size, columns });
     }
   }
 

@@ -126,14 +126,14 @@ bool MultifrontalFactorization::factorize(
   {
     return false;
   }
-  const std::size_t bytes = this->Blocks.bytes(this->Structure.blocksSize());
+  const std::size_t bytes = this->Blocks.bytes(this->Structure.factorSize());
   if (bytes > execution.factorMemory)
   {
     refuseMemory(bytes);
   }
   try
   {
-    this->Blocks.allocate(this->Structure.blocksSize());
+    this->Blocks.allocate(this->Structure.factorSize());
   }
   catch (const std::bad_alloc&)
   {
@@ -264,8 +264,8 @@ bool MultifrontalFactorization::eliminate(
 {
   const Supernode& node = this->Structure.supernodes()[s];
   const std::size_t size = node.blockSize();
-  const DenseFront front{ this->Blocks.workspace(size, node.block, work), node.frontSize(),
-    node.columnCount() };
+  work.resize(std::max(size, work.size()));
+  const DenseFront front{ work.data(), node.frontSize(), node.columnCount() };
   std::fill_n(front.values, size, 0.0);
   for (Index k = node.entriesBegin; k < node.entriesEnd; ++k)
   {
@@ -283,7 +283,7 @@ bool MultifrontalFactorization::eliminate(
     this->Diagonal[node.first + k] = front.column(k)[k];
   }
   this->Updates[s] = std::move(update);
-  return sound && this->Blocks.keep(front.values, size, node.block);
+  return sound && this->Blocks.keep(front, node.block);
 }
 
 /// L x = x within one supernode; what is left for the rows below is passed on to its parent.
@@ -307,7 +307,7 @@ void MultifrontalFactorization::substituteForward(
     }
   }
   this->Blocks.visit(node.block, node.frontSize(), columns,
-    [&w](const auto& front) { flattening::substituteForward(front, w); });
+    [&w](const auto& factor) { flattening::substituteForward(factor, w); });
   x.middleRows(node.first, columns) = w.topRows(columns);
   passed.middleRows(node.rowsBegin, node.rowCount()) = w.bottomRows(node.rowCount());
 }
@@ -327,7 +327,7 @@ void MultifrontalFactorization::substituteBackward(
     }
   }
   this->Blocks.visit(node.block, node.frontSize(), columns,
-    [&w](const auto& front) { flattening::substituteBackward(front, w); });
+    [&w](const auto& factor) { flattening::substituteBackward(factor, w); });
   x.middleRows(node.first, columns) = w.topRows(columns);
 }
 

@@ -54,7 +54,7 @@ private:
   /// The same by the round of tasks after which they can be eliminated, and by height: those of one
   /// height do not depend on each other.
   std::vector<std::vector<Indices>> TopByRound;
-  FactorBlocks Blocks; ///< L below the diagonal; column by column for each supernode
+  FactorBlocks Blocks;                  ///< L below the diagonal, by supernodes
   std::vector<SteppedTriangle> Updates; ///< of supernodes whose parent has not taken them yet
   Eigen::VectorXd Diagonal;
 };

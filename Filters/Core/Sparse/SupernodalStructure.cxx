@@ -2,6 +2,7 @@
 #include "Sparse/SupernodalStructure.h"
 
 #include "Base/Memory.h"
+#include "Sparse/FactorColumns.h"
 
 #include <algorithm>
 #include <limits>
@@ -111,15 +112,15 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
     }
     if (this->Rows.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     {
-      refuseMemory(this->BlocksSize * sizeof(double));
+      refuseMemory(this->FactorSize * sizeof(double));
     }
     node.rowsEnd = static_cast<Index>(this->Rows.size());
     std::sort(this->Rows.begin() + node.rowsBegin, this->Rows.end());
-    node.block = this->BlocksSize;
-    this->BlocksSize += node.blockSize();
+    node.block = this->FactorSize;
+    this->FactorSize += FactorColumns<double>::count(node.frontSize(), node.columnCount());
     if (node.blockSize() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     {
-      refuseMemory(this->BlocksSize * sizeof(double));
+      refuseMemory(this->FactorSize * sizeof(double));
     }
     this->LargestFront = std::max(this->LargestFront, node.frontSize());
     if (node.rowCount() > 0)

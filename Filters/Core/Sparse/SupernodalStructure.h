@@ -27,12 +27,13 @@ public:
     Index entriesBegin = 0; ///< into entries()
     Index entriesEnd = 0;
     Index parent = none;
-    std::size_t block = 0; ///< where its (columns + rows) x columns block begins
+    std::size_t block = 0; ///< where its columns of L begin
     Indices children;
 
     Index columnCount() const { return this->end - this->first; }
     Index rowCount() const { return this->rowsEnd - this->rowsBegin; }
     Index frontSize() const { return this->columnCount() + this->rowCount(); }
+    /// Of its (columns + rows) x columns block.
     std::size_t blockSize() const
     {
       return std::size_t(this->frontSize()) * std::size_t(this->columnCount());
@@ -68,7 +69,8 @@ public:
   const std::vector<Entry>& entries() const { return this->Entries; }
   /// How many the matrix has, those above the diagonal included.
   Eigen::Index storedCount() const { return this->StoredCount; }
-  std::size_t blocksSize() const { return this->BlocksSize; }
+  /// How many numbers the columns of L of all supernodes are.
+  std::size_t factorSize() const { return this->FactorSize; }
 
 private:
   struct ColumnEntries
@@ -90,7 +92,7 @@ private:
   Indices Places;
   std::vector<Entry> Entries;
   Eigen::Index StoredCount = 0;
-  std::size_t BlocksSize = 0;
+  std::size_t FactorSize = 0;
   Index LargestFront = 0;
 };
 }
