@@ -201,27 +201,49 @@ Multiply<Value> widestMultiply()
 #endif
 }
 
-/// Below the panel that ends at a row; where it is not as wide, its last column stands for those
-/// that lack.
+/// Of a panel that begins with a column and ends before another.
 template <typename Value>
-Panel<Value> below(const FactorColumns<const Value>& front, Index begin, Index end)
+struct PanelColumns
 {
-  Panel<Value> panel{};
-  for (Index k = 0; k < columnsOfPanel; ++k)
+  PanelColumns(const FactorColumns<const Value>& factor, Index first, Index last)
+    : begin(first)
+    , end(last)
+    , stride(factor.size - first)
+    , values(factor.panel(first))
   {
-    panel[k] = front.column(std::min(begin + k, end - 1)) + end;
   }
-  return panel;
-}
+  Value operator()(Index row, Index column) const
+  {
+    return this->values[(column - this->begin) * this->stride + row - this->begin];
+  }
+  /// What is below its last row; where it is not as wide as others, its last column stands for
+  /// those that lack.
+  Panel<Value> below() const
+  {
+    Panel<Value> columns{};
+    for (Index k = 0; k < columnsOfPanel; ++k)
+    {
+      const Index column = std::min(k, this->end - 1 - this->begin);
+      columns[k] = this->values + column * this->stride + (this->end - this->begin);
+    }
+    return columns;
+  }
+
+  Index begin;
+  Index end;
+  Index stride;
+  const Value* values;
+};
 
 template <typename Value>
-void forward(const FactorColumns<const Value>& front, FrontVectors& w)
+void forward(const FactorColumns<const Value>& factor, FrontVectors& w)
 {
   static const Subtract<Value> subtract = widestSubtract<Value>();
-  for (Index begin = 0; begin < front.columns; begin += columnsOfPanel)
+  for (Index begin = 0; begin < factor.columns; begin += columnsOfPanel)
   {
-    const Index end = std::min(begin + columnsOfPanel, front.columns);
-    const Panel<Value> panel = below(front, begin, end);
+    const Index end = std::min(begin + columnsOfPanel, factor.columns);
+    const PanelColumns<Value> l(factor, begin, end);
+    const Panel<Value> below = l.below();
     for (Index c = 0; c < w.cols(); ++c)
     {
       double* const x = w.col(c).data();
@@ -231,34 +253,35 @@ void forward(const FactorColumns<const Value>& front, FrontVectors& w)
         known[k - begin] = x[k];
         for (Index i = k + 1; i < end; ++i)
         {
-          x[i] -= front.column(k)[i] * x[k];
+          x[i] -= l(i, k) * x[k];
         }
       }
-      subtract(x + end, panel, known, front.size - end);
+      subtract(x + end, below, known, factor.size - end);
     }
   }
 }
 
 template <typename Value>
-void backward(const FactorColumns<const Value>& front, FrontVectors& w)
+void backward(const FactorColumns<const Value>& factor, FrontVectors& w)
 {
   static const Multiply<Value> widest = widestMultiply<Value>();
-  const Multiply<Value> multiply = front.size < lanes ? multiplyOneByOne<Value> : widest;
-  for (Index end = front.columns; end > 0;)
+  const Multiply<Value> multiply = factor.size < lanes ? multiplyOneByOne<Value> : widest;
+  for (Index end = factor.columns; end > 0;)
   {
-    const Index begin = (end - 1) / columnsOfPanel * columnsOfPanel;
-    const Panel<Value> panel = below(front, begin, end);
+    const Index begin = FactorColumns<Value>::firstRow(end - 1);
+    const PanelColumns<Value> l(factor, begin, end);
+    const Panel<Value> below = l.below();
     for (Index c = 0; c < w.cols(); ++c)
     {
       double* const x = w.col(c).data();
       PanelNumbers products{};
-      multiply(panel, x + end, front.size - end, products);
+      multiply(below, x + end, factor.size - end, products);
       for (Index k = end; k-- > begin;)
       {
         x[k] -= products[k - begin];
         for (Index i = k + 1; i < end; ++i)
         {
-          x[k] -= front.column(k)[i] * x[i];
+          x[k] -= l(i, k) * x[i];
         }
       }
     }
@@ -267,23 +290,23 @@ void backward(const FactorColumns<const Value>& front, FrontVectors& w)
 }
 }
 
-void substituteForward(const FactorColumns<const double>& front, FrontVectors w)
+void substituteForward(const FactorColumns<const double>& factor, FrontVectors w)
 {
-  forward(front, w);
+  forward(factor, w);
 }
 
-void substituteForward(const FactorColumns<const float>& front, FrontVectors w)
+void substituteForward(const FactorColumns<const float>& factor, FrontVectors w)
 {
-  forward(front, w);
+  forward(factor, w);
 }
 
-void substituteBackward(const FactorColumns<const double>& front, FrontVectors w)
+void substituteBackward(const FactorColumns<const double>& factor, FrontVectors w)
 {
-  backward(front, w);
+  backward(factor, w);
 }
 
-void substituteBackward(const FactorColumns<const float>& front, FrontVectors w)
+void substituteBackward(const FactorColumns<const float>& factor, FrontVectors w)
 {
-  backward(front, w);
+  backward(factor, w);
 }
 }

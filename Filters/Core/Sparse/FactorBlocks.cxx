@@ -118,12 +118,13 @@ bool FactorBlocks::keep(const DenseFront& front, std::size_t place)
 {
   static const Round round = widestRound();
   bool kept = true;
-  for (Index k = 0; k < front.columns; ++k)
+  std::size_t to = place;
+  std::size_t count = 0;
+  for (Index k = 0; k < front.columns; ++k, to += count)
   {
     const Index first = FactorColumns<double>::firstRow(k);
-    const std::size_t to = place + FactorColumns<double>::begin(front.size, k);
     const double* const values = front.column(k) + first;
-    const auto count = std::size_t(front.size - first);
+    count = std::size_t(front.size - first);
     if (this->Precision == FactorPrecision::Single)
     {
       kept = round(values, this->Singles.get() + to, count) && kept;

@@ -30,10 +30,7 @@ struct FactorColumns
   }
   static std::size_t count(Index size, Index columns) { return begin(size, columns); }
 
-  /// So that entry i is that of row i.
-  Value* column(Index k) const
-  {
-    return this->values + (begin(this->size, k) - std::size_t(firstRow(k)));
-  }
+  /// Where the panel that begins with a column begins; its columns are size - column apart.
+  Value* panel(Index column) const { return this->values + begin(this->size, column); }
 };
 }
