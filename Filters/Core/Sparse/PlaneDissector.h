@@ -119,7 +119,7 @@ private:
   static constexpr double nearPlane = 0.1;
   static constexpr double rowsNearPlane = 4.0;
   /// A separator of more vertices than so many times the root of the part's is a bad one.
-  static constexpr double manyInSeparator = 4.0;
+  static constexpr double manyInSeparator = 2.0;
 
   const Points3& Positions;
   bool Fewest;
