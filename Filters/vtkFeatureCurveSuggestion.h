@@ -34,8 +34,9 @@
  * unit of length; of a dart's mouth, or of the widest
  * place of one that ends inside at both ends, by forecast), `AreaErrorBefore` and `AreaErrorAfter`
  * (double; mean change of area), `StrainBefore` and `StrainAfter` (double; the largest
- * `StrainP95`), `MirrorOf` (int; the rank of the cut that it is the mirror image of, or -1). Point
- * array, where a curve has one: `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double;
+ * `StrainP95`; these four and `Gain` are NaN where the surface cannot be flattened with no more
+ * cuts, as a closed one), `MirrorOf` (int; the rank of the cut that it is the mirror image of, or
+ * -1). Point array, where a curve has one: `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double;
  * without and with all cuts), `MirrorPlane` (double; normal and offset, where there is one) or
  * `MirrorAxis` (double; the points of the boundary between which the axis runs across which the
  * surface is its own mirror image by its lengths and angles alone, where no plane mirrors it),

@@ -6,12 +6,21 @@
 #include <QGridLayout>
 #include <QToolButton>
 
+#include <cmath>
+
 namespace editor
 {
 namespace
 {
 constexpr double percentOfOne = 100.0;
 constexpr int wordLines = 4;
+
+/// A closed surface has no strain before it is cut.
+QString percent(double share)
+{
+  return std::isnan(share) ? QString("unknown")
+                           : QString::number(percentOfOne * share, 'f', 1) + " %";
+}
 }
 
 //------------------------------------------------------------------------------
@@ -132,15 +141,14 @@ void ProposalBox::showChosen()
   if (!cuts.empty())
   {
     const Proposal& cut = cuts[this->Chosen];
-    this->Words->setText(QString("%1 of %2: %3 (%4), length %5\u00A0%6.\nStrain %7 % becomes %8 %.")
+    this->Words->setText(QString("%1 of %2: %3 (%4), length %5\u00A0%6.\nStrain %7 becomes %8.")
                            .arg(this->Chosen + 1)
                            .arg(cuts.size())
                            .arg(QString::fromStdString(cut.name))
                            .arg(interaction::nameOfType(cut.type))
                            .arg(cut.length, 0, 'g', 4)
                            .arg(this->Unit)
-                           .arg(percentOfOne * cut.strainBefore, 0, 'f', 1)
-                           .arg(percentOfOne * cut.strainAfter, 0, 'f', 1));
+                           .arg(percent(cut.strainBefore), percent(cut.strainAfter)));
   }
   if (this->onChange)
   {

@@ -10,6 +10,7 @@
 #include <vtkFieldData.h>
 #include <vtkStringArray.h>
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -115,12 +116,21 @@ std::string mirrorLine(const Flattening& result)
   return line.str();
 }
 
+/// Nothing is known of a surface that cannot be flattened, as a closed one until it is cut.
+std::string known(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return std::isnan(value) ? "-" : text.str();
+}
+
 void writeRow(const SuggestedCut& cut, std::ostream& text)
 {
-  text << std::left << std::setw(14) << plainText(cut.name) << std::right << std::setprecision(4)
-       << std::setw(12) << cut.length << std::setw(12) << cut.gain << std::setw(11)
-       << cut.areaErrorBefore << " -> " << std::left << std::setw(7) << cut.areaErrorAfter
-       << std::right << std::setw(11) << cut.strainBefore << " -> " << std::left << cut.strainAfter;
+  text << std::left << std::setw(14) << plainText(cut.name) << std::right << std::setw(12)
+       << known(cut.length) << std::setw(12) << known(cut.gain) << std::setw(11)
+       << known(cut.areaErrorBefore) << " -> " << std::left << std::setw(7)
+       << known(cut.areaErrorAfter) << std::right << std::setw(11) << known(cut.strainBefore)
+       << " -> " << std::left << known(cut.strainAfter);
 }
 }
 

@@ -164,6 +164,10 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
   {
     return worked && bound == 0.0 ? byWork + "; allow more work for more cuts" : std::string();
   }
+  if (std::isnan(suggestions.strainAfter))
+  {
+    return {}; // the flattening says why there is none
+  }
   const Point3& p = suggestions.worstPlace;
   const std::string left = "the proposed cuts leave a strain of " +
     shortNumber(suggestions.strainAfter) + " on 95 % of a piece, above the bound of " +

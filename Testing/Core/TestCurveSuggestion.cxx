@@ -62,6 +62,23 @@ double largestStrain(const FlatteningResult& result)
   return strain;
 }
 
+/// A sheet whose left and right edges are one: by turn, up to 2 pi, and from 0 to 1 across.
+template <class Place>
+TriangleMesh rolledUp(Index around, Index across, const Place& place)
+{
+  const Surface surface = patch(around, across,
+    [&](double i, double j) { return Point3(place(2.0 * pi * i / around, j / across)); });
+  Triangles triangles = surface.mesh.triangles();
+  for (Triangle& t : triangles)
+  {
+    for (Index& v : t)
+    {
+      v = v % (around + 1) == around ? v - around : v;
+    }
+  }
+  return { surface.mesh.points(), std::move(triangles) };
+}
+
 /// A square sheet whose vertices lie anywhere up to a third of an edge above or below it.
 TriangleMesh noise()
 {
@@ -308,6 +325,18 @@ TEST(CurveSuggestion, SpendsItsWorkOnASearchThatEndsWhereASurfaceHadToBeOpened)
   EXPECT_TRUE(suggestions.boundMet) << suggestions.strainAfter;
 }
 
+TEST(CurveSuggestion, TriesDartsWhereAllSeamsOverlap)
+{
+  // A ring that ripples has more around it than the plane has room for.
+  const TriangleMesh ring = rolledUp(30, 6, [](double turn, double across) {
+    return Point3((1.0 + across) * std::cos(turn), (1.0 + across) * std::sin(turn),
+      0.35 * across * std::sin(2.0 * turn));
+  });
+  const CurveSuggestions suggestions = suggestCurves(ring, {}, optionsOf(0.02, 3));
+  ASSERT_FALSE(suggestions.curves.empty());
+  EXPECT_LT(suggestions.strainAfter, suggestions.strainBefore);
+}
+
 TEST(OpeningCuts, MakeADiskOfATorus)
 {
   const TriangleMesh mesh = torus(14, 9);
@@ -321,21 +350,12 @@ TEST(OpeningCuts, MakeADiskOfATorus)
 TEST(OpeningCuts, JoinTheEndsOfATubeAndLeaveASmallHole)
 {
   const auto tube = [](Index from) {
-    Surface surface = patch(24, 16, [](double i, double j) {
-      const double turn = 2.0 * pi * i / 24.0;
-      return Point3(std::cos(turn), std::sin(turn), 0.2 * j);
+    const TriangleMesh whole = rolledUp(24, 16, [](double turn, double across) {
+      return Point3(std::cos(turn), std::sin(turn), 3.2 * across);
     });
-    Triangles triangles;
-    for (Triangle t : surface.mesh.triangles())
-    {
-      for (Index& v : t)
-      {
-        v = v % 25 == 24 ? v - 24 : v;
-      }
-      triangles.push_back(t);
-    }
+    Triangles triangles = whole.triangles();
     triangles.erase(triangles.begin() + 350, triangles.begin() + 350 + from);
-    return TriangleMesh(surface.mesh.points(), triangles);
+    return TriangleMesh(whole.points(), triangles);
   };
   EXPECT_EQ(openingCuts(tube(0)).size(), 1u);
   const TriangleMesh holed = tube(1);
@@ -343,4 +363,34 @@ TEST(OpeningCuts, JoinTheEndsOfATubeAndLeaveASmallHole)
   const ImprintedSurface surface = imprintCurves(holed, openingCuts(holed), {});
   const CutSurface cut = cutSurface(surface.mesh, surface.curves);
   EXPECT_EQ(cut.mesh.boundaryLoops().size(), 2u);
+}
+
+TEST(OpeningCuts, LeaveAWideHoleInASheetThatLiesFlat)
+{
+  // A ring on a drum: outer edge and hole, half as wide, turn by 2 pi and -2 pi wherever it is
+  // bent.
+  const auto ring = [](double bend) {
+    return rolledUp(30, 6, [=](double turn, double across) {
+      const double x = (1.0 + across) * std::cos(turn);
+      const double y = (1.0 + across) * std::sin(turn);
+      return bend > 0.0 ? Point3(std::sin(bend * x) / bend, y, (1.0 - std::cos(bend * x)) / bend)
+                        : Point3(x, y, 0.0);
+    });
+  };
+  for (double bend : { 0.0, 0.2 })
+  {
+    EXPECT_TRUE(openingCuts(ring(bend)).empty());
+    const CurveSuggestions suggestions = suggestCurves(ring(bend), {}, optionsOf(0.02, 8));
+    EXPECT_TRUE(suggestions.boundMet);
+    EXPECT_TRUE(suggestions.curves.empty());
+  }
+}
+
+TEST(OpeningCuts, JoinTheEndsOfAFrustum)
+{
+  // Its edges turn by less than a hole's: by the sine of the angle between its wall and its axis.
+  const TriangleMesh frustum = rolledUp(30, 6, [](double turn, double across) {
+    return Point3((1.0 + across) * std::cos(turn), (1.0 + across) * std::sin(turn), across);
+  });
+  EXPECT_EQ(openingCuts(frustum).size(), 1u);
 }

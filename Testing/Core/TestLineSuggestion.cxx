@@ -200,3 +200,27 @@ TEST(LineSuggestion, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsCancelled)
   cancelled.cancel = [] { return true; };
   EXPECT_EQ(suggestLines(mesh, {}, {}, cancelled).status.code, StatusCode::Cancelled);
 }
+
+TEST(LineSuggestion, LeavesOutKeysThatCollapseATriangle)
+{
+  // The line through the middle passes a vertex so near that two edges of a triangle become its.
+  const TriangleMesh mesh = patch(10, 10, [](double i, double j) {
+    return Point3(0.1 * i, 0.15 * j, 0.3 * std::sin(0.3 * i) * std::sin(0.3 * j));
+  }).mesh;
+  SuggestionOptions options;
+  options.search.cuts = SuggestedCuts::Lines;
+  const CurveSuggestions suggestions = suggestLines(mesh, {}, options);
+  std::vector<Polyline> curves;
+  for (const SuggestedCurve& line : suggestions.curves)
+  {
+    curves.push_back(line.curve);
+  }
+  const ImprintedSurface surface = imprintCurves(mesh, curves, {});
+  ASSERT_TRUE(surface.status.ok());
+  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  for (const TriangleQuality& triangle : result.triangles)
+  {
+    EXPECT_GT(triangle.areaRatio, 0.5);
+  }
+}

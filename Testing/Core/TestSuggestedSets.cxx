@@ -100,6 +100,10 @@ TEST(SuggestedSets, HalvesOfAClosedBodyAreCutAlike)
   options.search.maximumWork = 8.0;
   const CurveSuggestions suggestions = suggestCurves(pear(), {}, options);
   ASSERT_TRUE(suggestions.mirror && suggestions.mirror->plane());
+  // Closed it has no flattening of which anything could be said.
+  EXPECT_TRUE(std::isnan(suggestions.strainBefore));
+  EXPECT_TRUE(std::isnan(suggestions.curves.front().gain));
+  EXPECT_GT(suggestions.curves.front().strainAfter, 0.1);
   std::size_t pairs = 0;
   for (const SuggestedCurve& cut : suggestions.curves)
   {

@@ -62,3 +62,21 @@ TEST(SymmetryPlane, IsRefinedFromThePrincipalAxes)
   ASSERT_TRUE(plane.has_value());
   EXPECT_GT(std::abs(plane->normal.dot(place.linear().col(0))), std::cos(0.02));
 }
+
+TEST(SymmetryPlane, OfAFlatSheetIsAcrossIt)
+{
+  // All of it lies in z = 0, which mirrors any flat sheet; only the trapezium has an axis.
+  const auto sheet = [](double slantLeft, double slantRight) {
+    const Eigen::Rotation2Dd turn(0.5);
+    return patch(20, 14, [&](double i, double j) {
+      const double x = i / 10.0 - 1.0;
+      const double y = j / 10.0;
+      const Point2 turned = turn * Point2(x + y * (x < 0.0 ? -slantLeft : slantRight) * x * x, y);
+      return Point3(turned.x(), turned.y(), 0.0);
+    }).mesh;
+  };
+  const std::optional<SymmetryPlane> plane = findSymmetryPlane(sheet(0.3, 0.3));
+  ASSERT_TRUE(plane.has_value());
+  EXPECT_NEAR(std::abs(plane->normal.dot(Point3(std::cos(0.5), std::sin(0.5), 0.0))), 1.0, 1e-12);
+  EXPECT_FALSE(findSymmetryPlane(sheet(0.5, 0.0)).has_value());
+}

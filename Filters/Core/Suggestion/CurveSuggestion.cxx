@@ -284,25 +284,25 @@ private:
       after.back() = set.outcome;
     }
     TrialOutcome before = start && start->paths.empty() ? *start : this->Whole.run({}, this->Run);
-    this->Result.strainBefore = before.strainP95;
-    this->Result.rigidEnergyBefore = before.energy / this->Area;
+    this->Result.strainBefore = before.known(before.strainP95);
+    this->Result.rigidEnergyBefore = before.known(before.energy / this->Area);
     std::size_t begin = 0;
     for (std::size_t e = 0; e < ends.size(); ++e)
     {
       for (std::size_t j = begin; j < ends[e]; ++j)
       {
-        cuts[j].areaErrorBefore = before.areaError;
-        cuts[j].areaErrorAfter = after[e].areaError;
-        cuts[j].strainBefore = before.strainP95;
-        cuts[j].strainAfter = after[e].strainP95;
-        cuts[j].gain = before.valid ? (before.energy - after[e].energy) / this->Area : 0.0;
+        cuts[j].areaErrorBefore = before.known(before.areaError);
+        cuts[j].areaErrorAfter = after[e].known(after[e].areaError);
+        cuts[j].strainBefore = before.known(before.strainP95);
+        cuts[j].strainAfter = after[e].known(after[e].strainP95);
+        cuts[j].gain = (before.known(before.energy) - after[e].known(after[e].energy)) / this->Area;
       }
       begin = ends[e];
       before = after[e];
     }
-    this->Result.strainAfter = before.strainP95;
-    this->Result.rigidEnergyAfter = before.energy / this->Area;
-    this->Result.boundMet = this->Merit.withinBound(before.strainP95);
+    this->Result.strainAfter = before.known(before.strainP95);
+    this->Result.rigidEnergyAfter = before.known(before.energy / this->Area);
+    this->Result.boundMet = before.valid && this->Merit.withinBound(before.strainP95);
     this->Result.worstPlace = before.worstPlace;
   }
 

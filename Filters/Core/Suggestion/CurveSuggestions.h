@@ -30,7 +30,7 @@ struct CurveSuggestions
   /// Lines that were tried and cost too much.
   std::vector<SuggestedCurve> leftOut;
   std::optional<SurfaceMirror> mirror;
-  double strainBefore = 0.0; ///< largest p95 strain of a piece
+  double strainBefore = 0.0; ///< largest p95 strain of a piece; NaN as in SuggestedCurve
   double strainAfter = 0.0;
   double rigidEnergyBefore = 0.0;
   double rigidEnergyAfter = 0.0;

@@ -5,6 +5,7 @@
 #include "Suggestion/MovedPlans.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace flattening
 {
@@ -22,6 +23,18 @@ constexpr double leastRise = 0.005;
 constexpr Index mostMoves = 12;
 /// So many of the best are polished.
 constexpr std::size_t polishedCuts = 2;
+
+/// The plans of types that none of some others is of.
+std::vector<CutPlan> ofOtherTypes(
+  const std::vector<CutPlan>& plans, const std::vector<CutPlan>& others)
+{
+  std::vector<CutPlan> left;
+  std::copy_if(plans.begin(), plans.end(), std::back_inserter(left), [&](const CutPlan& plan) {
+    return std::none_of(
+      others.begin(), others.end(), [&](const CutPlan& other) { return other.type == plan.type; });
+  });
+  return left;
+}
 }
 
 CutSearch::CutSearch(const SearchedPiece& piece, const CutTrials& trials,
@@ -78,6 +91,13 @@ std::vector<TriedCut> CutSearch::run(const std::vector<CutPlan>& plans, double l
 {
   const std::vector<CutPlan> first = distinctPlans(this->Piece, plans, this->Options.trials);
   std::vector<TriedCut> tried = this->tryAll(first, longest, budget, execution);
+  if (tried.empty())
+  {
+    // On a ring that ripples all seams may overlap, and fill the trials.
+    tried =
+      this->tryAll(distinctPlans(this->Piece, ofOtherTypes(plans, first), this->Options.trials),
+        longest, budget, execution);
+  }
   for (std::size_t k = 0; k < std::min(tried.size(), polishedCuts); ++k)
   {
     tried[k] = this->polished(std::move(tried[k]), longest, budget, execution);

@@ -28,8 +28,9 @@ public:
   CutSearch(const SearchedPiece& piece, const CutTrials& trials, const SearchOptions& options,
     const TrialOutcome& before);
 
-  /// The cuts that lower the energy and are no longer than `longest`, the best first. Once the
-  /// budget is spent no more are tried.
+  /// The cuts that lower the energy and are no longer than `longest`, the best first. Where none of
+  /// the first plans does those of the types that are not among them are tried. Once the budget is
+  /// spent no more are.
   std::vector<TriedCut> run(const std::vector<CutPlan>& plans, double longest, TrialBudget& budget,
     const Execution& execution) const;
 

@@ -19,6 +19,9 @@ constexpr double askedPerStep = 11.0;
 /// Of flattenings that are only compared.
 constexpr double enoughToCompare = 1e-3;
 constexpr double lengthTolerance = 1e-4;
+/// A triangle with two edges on a straight key has no area in the plane, and rounding says to which
+/// side it turns. Its small stretch is below this.
+constexpr double collapsed = 1e-6;
 
 /// Whether one of the curves from `first` on meets a key curve anywhere but at the boundary.
 bool touchesKey(const ImprintedSurface& surface, std::size_t first)
@@ -323,6 +326,10 @@ void CutTrials::measure(
     outcome.flipped += quality.flipped.size();
     outcome.overlaps += flat.pieces[p].overlaps.count;
   }
+  outcome.flipped += static_cast<std::size_t>(std::count_if(
+    flat.triangles.begin(), flat.triangles.end(), [](const TriangleQuality& triangle) {
+      return triangle.smallStretch >= 0.0 && triangle.smallStretch < collapsed;
+    }));
   outcome.areaError /= total;
   outcome.leastPiece = *std::min_element(areas.begin(), areas.end()) / total;
   if (this->Goal == SearchGoal::Strain)

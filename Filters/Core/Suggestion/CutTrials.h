@@ -7,18 +7,20 @@
 #include "Suggestion/RegionWeights.h"
 #include "Suggestion/SearchOptions.h"
 
+#include <limits>
+
 namespace flattening
 {
 /// What a flattening with some cuts turned out to be. Where regions have weights, energy, goal and
 /// strain are as if areas were multiplied by them.
 struct TrialOutcome
 {
-  bool valid = false;     ///< there is a flattening, and no cut touches a key curve inside
-  double energy = 0.0;    ///< rigid energy times area, over all pieces
-  double goal = 0.0;      ///< what the search is to lower, over all pieces
-  double strainP95 = 0.0; ///< of the piece where it is largest
-  double areaError = 0.0; ///< mean over the pieces by area
-  std::size_t flipped = 0;
+  bool valid = false;      ///< there is a flattening, and no cut touches a key curve inside
+  double energy = 0.0;     ///< rigid energy times area, over all pieces
+  double goal = 0.0;       ///< what the search is to lower, over all pieces
+  double strainP95 = 0.0;  ///< of the piece where it is largest
+  double areaError = 0.0;  ///< mean over the pieces by area
+  std::size_t flipped = 0; ///< triangles, those that have collapsed as well
   std::size_t overlaps = 0;
   std::vector<Points3> paths; ///< by cut: its vertices on the surface
   std::vector<double> lengths;
@@ -29,6 +31,11 @@ struct TrialOutcome
   double leastPiece = 1.0; ///< area of the smallest piece over that of all
 
   double cutLength() const;
+  /// One of the measures; NaN where there is no flattening to measure.
+  double known(double measure) const
+  {
+    return this->valid ? measure : std::numeric_limits<double>::quiet_NaN();
+  }
   int severity = 0; ///< of its status
   /// Steps of its iterations times the triangles that they were made on.
   double work = 0.0;

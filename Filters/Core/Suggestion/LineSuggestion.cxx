@@ -44,8 +44,8 @@ public:
       return std::move(this->Result);
     }
     TrialOutcome now = this->tried();
-    this->Result.strainBefore = now.strainP95;
-    this->Result.rigidEnergyBefore = now.energy / this->Area;
+    this->Result.strainBefore = now.known(now.strainP95);
+    this->Result.rigidEnergyBefore = now.known(now.energy / this->Area);
     if (now.valid)
     {
       const CutSurface cut = cutSurface(surface.mesh, surface.curves);
@@ -65,8 +65,8 @@ public:
       cancelled.status = { StatusCode::Cancelled, "cancelled while trying lines" };
       return cancelled;
     }
-    this->Result.strainAfter = now.strainP95;
-    this->Result.rigidEnergyAfter = now.energy / this->Area;
+    this->Result.strainAfter = now.known(now.strainP95);
+    this->Result.rigidEnergyAfter = now.known(now.energy / this->Area);
     this->Result.boundMet = now.valid && now.strainP95 <= this->Options.search.bound;
     return std::move(this->Result);
   }
@@ -93,10 +93,10 @@ private:
   {
     TrialOutcome after = this->tried(&line);
     line.strainBefore = now.strainP95;
-    line.strainAfter = after.strainP95;
+    line.strainAfter = after.known(after.strainP95);
     line.areaErrorBefore = now.areaError;
-    line.areaErrorAfter = after.areaError;
-    line.gain = (now.energy - after.energy) / this->Area;
+    line.areaErrorAfter = after.known(after.areaError);
+    line.gain = (now.energy - after.known(after.energy)) / this->Area;
     const bool cheap = line.curve.type == CurveType::Key ||
       after.energy <= (1.0 + littleCost) * now.energy + flatEnergy * this->Area;
     if (after.soundAfter(now) && cheap)

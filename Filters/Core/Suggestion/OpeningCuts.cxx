@@ -4,6 +4,7 @@
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Surface/EdgePaths.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <numeric>
@@ -15,6 +16,8 @@ namespace
 {
 /// Loops longer than this share of the longest are joined to it; shorter ones are holes.
 constexpr double leastJoined = 0.2;
+/// Of a full turn, what the edge of a hole turns by at least, the other way than an outer one.
+constexpr double leastHoleTurn = 0.95;
 
 /// Sets that are joined.
 class Groups
@@ -188,6 +191,22 @@ private:
   EdgePaths Paths;
 };
 
+/// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
+/// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
+double turnOf(const TriangleMesh& mesh, const Indices& loop)
+{
+  double turn = 0.0;
+  for (Index h : loop)
+  {
+    turn += pi;
+    for (Index spoke : VertexFan(mesh, mesh.from(h)))
+    {
+      turn -= mesh.angle(spoke);
+    }
+  }
+  return turn;
+}
+
 /// Joins loops that are no mere holes to the longest one, each by the shortest way to what is
 /// joined already.
 std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
@@ -200,7 +219,8 @@ std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
   std::vector<std::size_t> apart;
   for (std::size_t l = 1; l < loops.size(); ++l)
   {
-    if (lengthOf(loops[l]) > leastJoined * lengthOf(loops[0]))
+    if (lengthOf(loops[l]) > leastJoined * lengthOf(loops[0]) &&
+      turnOf(mesh, loops[l]) > -leastHoleTurn * 2.0 * pi)
     {
       apart.push_back(l);
     }

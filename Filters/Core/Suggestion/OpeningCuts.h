@@ -10,7 +10,8 @@ namespace flattening
 /// Cuts without which a connected surface cannot be laid flat: along loops around its handles, two
 /// each; of a closed surface without handles, along its section with the mirror plane, or with the
 /// plane through its centre across the axis along which it extends least; between the boundary
-/// loops of tubes (loops that are short beside the longest are holes and stay).
+/// loops of tubes. Loops that are short beside the longest, or turn as the edge of a hole in a flat
+/// piece does, are holes and stay.
 ///
 /// The loops are the edges that neither a tree of shortest ways from one vertex nor a tree of
 /// triangles across the other edges needs, closed along the first tree (D. Eppstein, "Dynamic

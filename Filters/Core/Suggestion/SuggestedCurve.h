@@ -7,7 +7,8 @@
 
 namespace flattening
 {
-/// A proposed cut or line.
+/// A proposed cut or line. What is measured without it, or with it, is NaN where the surface cannot
+/// be flattened so, as a closed one until it is cut.
 struct SuggestedCurve
 {
   Polyline curve;

@@ -52,7 +52,8 @@ public:
     for (const Point3& normal : normals)
     {
       const SymmetryPlane plane = this->refined(normal, tolerance);
-      if (plane.error < tolerance && (!best || plane.error < best->error))
+      if (plane.error < tolerance && (!best || plane.error < best->error) &&
+        !this->liesIn(plane, tolerance))
       {
         best = plane;
       }
@@ -61,6 +62,17 @@ public:
   }
 
 private:
+  /// A surface that is flat in a plane is its image there, whatever its shape.
+  bool liesIn(const SymmetryPlane& plane, double tolerance) const
+  {
+    double sum = 0.0;
+    for (Index v : this->Samples)
+    {
+      sum += std::abs(plane.side(this->Mesh.point(v)));
+    }
+    return sum < tolerance * this->Size * static_cast<double>(this->Samples.size());
+  }
+
   SymmetryPlane refined(const Point3& normal, double tolerance) const
   {
     std::vector<ClosestPoint> closest;

@@ -30,6 +30,7 @@ SymmetryPlane flattestPlane(const TriangleMesh& mesh);
 /// z, that mirrors the surface onto itself best, brings mirrored vertices and surface as near to
 /// each other as it can (closest points, point to plane: Y. Chen, G. Medioni, "Object modelling by
 /// registration of multiple range images", Image and Vision Computing 10(3), 1992), and takes it
-/// where the mean distance is below `tolerance` times sqrt(area / pi).
+/// where the mean distance is below `tolerance` times sqrt(area / pi), and that of the surface from
+/// the plane is not.
 std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance = 3e-3);
 }

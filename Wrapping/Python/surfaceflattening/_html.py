@@ -117,6 +117,6 @@ def suggestion_to_html(suggestion: "Suggestion") -> str:
     met = "The bound is met." if suggestion.bound_met else "The bound is not met."
     table = _rows(["name", "type", *(title for _, title, _ in _CUT_COLUMNS)], [
         [cut.curve.name, cut.curve.type,
-         *(format(getattr(cut, key), form) for key, _, form in _CUT_COLUMNS)]
+         *("-" if np.isnan(getattr(cut, key)) else format(getattr(cut, key), form) for key, _, form in _CUT_COLUMNS)]
         for cut in suggestion.cuts]) if suggestion.cuts else "<p>Nothing is proposed.</p>"
     return f"<div>{table}<p>{met}</p>{to_html(suggestion.flattening)}</div>"

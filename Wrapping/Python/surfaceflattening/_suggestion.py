@@ -32,7 +32,8 @@ class SuggestedCut(NamedTuple):
     #: By how much it lowers the mean of the squared scale factor, by forecast.
     predicted_gain: float
     #: By how much it lowers the mean rigid energy, in truth, after the cuts before it. A line's is what
-    #: it costs, and negative.
+    #: it costs, and negative. NaN, as strain and E_area, where the surface cannot be flattened without it,
+    #: such as a closed one.
     gain: float
     #: Of a dart's mouth, or of the widest place of one inside, by forecast, unit of length.
     opening: float
