@@ -160,13 +160,14 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
   const std::string byWork =
     "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
   const bool worked = suggestions.end == SearchEnd::WorkUsedUp;
+  if (std::isnan(suggestions.strainAfter))
+  {
+    return "nothing could be tried: the seams that open the surface meet a key curve, or cannot be "
+           "made; make it an accessory curve, or draw seams that open the surface";
+  }
   if (suggestions.boundMet || bound == 0.0)
   {
     return worked && bound == 0.0 ? byWork + "; allow more work for more cuts" : std::string();
-  }
-  if (std::isnan(suggestions.strainAfter))
-  {
-    return {}; // the flattening says why there is none
   }
   const Point3& p = suggestions.worstPlace;
   const std::string left = "the proposed cuts leave a strain of " +

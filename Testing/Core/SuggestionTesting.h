@@ -55,6 +55,23 @@ inline TriangleMesh sphere(int halvings)
   return { std::move(points), std::move(triangles) };
 }
 
+/// A sheet whose left and right edges are one: by turn, up to 2 pi, and from 0 to 1 across.
+template <class Place>
+TriangleMesh rolledUp(Index around, Index across, const Place& place)
+{
+  const Surface surface = patch(around, across,
+    [&](double i, double j) { return Point3(place(2.0 * pi * i / around, j / across)); });
+  Triangles triangles = surface.mesh.triangles();
+  for (Triangle& t : triangles)
+  {
+    for (Index& v : t)
+    {
+      v = v % (around + 1) == around ? v - around : v;
+    }
+  }
+  return { surface.mesh.points(), std::move(triangles) };
+}
+
 /// What the caller gets who takes the proposals and flattens.
 inline FlatteningResult flattened(
   const TriangleMesh& mesh, std::vector<Polyline> curves, const CurveSuggestions& suggestions)

@@ -4,7 +4,6 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
-#include "Suggestion/OpeningCuts.h"
 #include "SuggestionTesting.h"
 #include "TestThreads.h"
 
@@ -29,29 +28,6 @@ TriangleMesh dome(double height)
   }).mesh;
 }
 
-TriangleMesh torus(Index around, Index across)
-{
-  Points3 points;
-  Triangles triangles;
-  for (Index i = 0; i < around; ++i)
-  {
-    for (Index j = 0; j < across; ++j)
-    {
-      const double a = 2.0 * pi * i / around;
-      const double b = 2.0 * pi * j / across;
-      points.emplace_back(
-        (3.0 + std::cos(b)) * std::cos(a), (3.0 + std::cos(b)) * std::sin(a), std::sin(b));
-      const Index p = i * across + j;
-      const Index q = (i + 1) % around * across + j;
-      const Index r = (i + 1) % around * across + (j + 1) % across;
-      const Index s = i * across + (j + 1) % across;
-      triangles.push_back({ p, q, r });
-      triangles.push_back({ p, r, s });
-    }
-  }
-  return { std::move(points), std::move(triangles) };
-}
-
 double largestStrain(const FlatteningResult& result)
 {
   double strain = 0.0;
@@ -60,23 +36,6 @@ double largestStrain(const FlatteningResult& result)
     strain = std::max(strain, piece.quality.strainP95);
   }
   return strain;
-}
-
-/// A sheet whose left and right edges are one: by turn, up to 2 pi, and from 0 to 1 across.
-template <class Place>
-TriangleMesh rolledUp(Index around, Index across, const Place& place)
-{
-  const Surface surface = patch(around, across,
-    [&](double i, double j) { return Point3(place(2.0 * pi * i / around, j / across)); });
-  Triangles triangles = surface.mesh.triangles();
-  for (Triangle& t : triangles)
-  {
-    for (Index& v : t)
-    {
-      v = v % (around + 1) == around ? v - around : v;
-    }
-  }
-  return { surface.mesh.points(), std::move(triangles) };
 }
 
 /// A square sheet whose vertices lie anywhere up to a third of an edge above or below it.
@@ -335,62 +294,4 @@ TEST(CurveSuggestion, TriesDartsWhereAllSeamsOverlap)
   const CurveSuggestions suggestions = suggestCurves(ring, {}, optionsOf(0.02, 3));
   ASSERT_FALSE(suggestions.curves.empty());
   EXPECT_LT(suggestions.strainAfter, suggestions.strainBefore);
-}
-
-TEST(OpeningCuts, MakeADiskOfATorus)
-{
-  const TriangleMesh mesh = torus(14, 9);
-  const ImprintedSurface surface = imprintCurves(mesh, openingCuts(mesh), {});
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  EXPECT_EQ(cut.pieceCount, 1);
-  EXPECT_EQ(eulerCharacteristic(cut.mesh), 1);
-  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 1u);
-}
-
-TEST(OpeningCuts, JoinTheEndsOfATubeAndLeaveASmallHole)
-{
-  const auto tube = [](Index from) {
-    const TriangleMesh whole = rolledUp(24, 16, [](double turn, double across) {
-      return Point3(std::cos(turn), std::sin(turn), 3.2 * across);
-    });
-    Triangles triangles = whole.triangles();
-    triangles.erase(triangles.begin() + 350, triangles.begin() + 350 + from);
-    return TriangleMesh(whole.points(), triangles);
-  };
-  EXPECT_EQ(openingCuts(tube(0)).size(), 1u);
-  const TriangleMesh holed = tube(1);
-  ASSERT_EQ(holed.boundaryLoops().size(), 3u);
-  const ImprintedSurface surface = imprintCurves(holed, openingCuts(holed), {});
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 2u);
-}
-
-TEST(OpeningCuts, LeaveAWideHoleInASheetThatLiesFlat)
-{
-  // A ring on a drum: outer edge and hole, half as wide, turn by 2 pi and -2 pi wherever it is
-  // bent.
-  const auto ring = [](double bend) {
-    return rolledUp(30, 6, [=](double turn, double across) {
-      const double x = (1.0 + across) * std::cos(turn);
-      const double y = (1.0 + across) * std::sin(turn);
-      return bend > 0.0 ? Point3(std::sin(bend * x) / bend, y, (1.0 - std::cos(bend * x)) / bend)
-                        : Point3(x, y, 0.0);
-    });
-  };
-  for (double bend : { 0.0, 0.2 })
-  {
-    EXPECT_TRUE(openingCuts(ring(bend)).empty());
-    const CurveSuggestions suggestions = suggestCurves(ring(bend), {}, optionsOf(0.02, 8));
-    EXPECT_TRUE(suggestions.boundMet);
-    EXPECT_TRUE(suggestions.curves.empty());
-  }
-}
-
-TEST(OpeningCuts, JoinTheEndsOfAFrustum)
-{
-  // Its edges turn by less than a hole's: by the sine of the angle between its wall and its axis.
-  const TriangleMesh frustum = rolledUp(30, 6, [](double turn, double across) {
-    return Point3((1.0 + across) * std::cos(turn), (1.0 + across) * std::sin(turn), across);
-  });
-  EXPECT_EQ(openingCuts(frustum).size(), 1u);
 }

@@ -9,6 +9,7 @@
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/LineSuggestion.h"
 #include "Suggestion/OpeningCuts.h"
+#include "Suggestion/PieceSearch.h"
 #include "Suggestion/SearchWays.h"
 
 #include <algorithm>
@@ -111,11 +112,18 @@ private:
   std::vector<SuggestedCurve> openingCutsOf(const ImprintedSurface& surface) const
   {
     std::vector<SuggestedCurve> cuts;
-    for (const Piece& piece : extractPieces(cutSurface(surface.mesh, surface.curves)))
+    const CutSurface cutAlready = cutSurface(surface.mesh, surface.curves);
+    const VertexMarks marks = markVertices(surface, this->Options.search);
+    for (const Piece& piece : extractPieces(cutAlready))
     {
+      std::vector<char> barred;
+      for (Index v : piece.vertices)
+      {
+        barred.push_back(marks.barred[cutAlready.originalVertex[v]]);
+      }
       const bool plane = this->Result.mirror && this->Result.mirror->plane();
       for (Polyline& line :
-        openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt))
+        openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
       {
         SuggestedCurve cut;
         cut.length = lengthOf(line.points);

@@ -208,9 +208,10 @@ double turnOf(const TriangleMesh& mesh, const Indices& loop)
 }
 
 /// Joins loops that are no mere holes to the longest one, each by the shortest way to what is
-/// joined already.
-std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
+/// joined already, as long as there is one that meets no barred vertex.
+std::vector<Polyline> joinLoops(const TriangleMesh& mesh, const std::vector<char>& barred)
 {
+  const auto isFree = [&](Index v) { return barred.empty() || !barred[v]; };
   const std::vector<Indices> loops = mesh.boundaryLoops();
   const auto lengthOf = [&](const Indices& loop) {
     return std::accumulate(
@@ -229,7 +230,10 @@ std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
   const auto join = [&](const Indices& loop) {
     for (Index h : loop)
     {
-      joined.push_back(mesh.from(h));
+      if (isFree(mesh.from(h)))
+      {
+        joined.push_back(mesh.from(h));
+      }
     }
   };
   if (!apart.empty())
@@ -240,21 +244,22 @@ std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
   std::vector<Polyline> lines;
   while (!apart.empty())
   {
-    const EdgePaths paths(mesh, joined);
+    const EdgePaths paths(mesh, joined, barred);
     std::size_t nearest = 0;
     Index end = none;
     for (std::size_t k = 0; k < apart.size(); ++k)
     {
       for (Index h : loops[apart[k]])
       {
-        if (end == none || paths.distance(mesh.from(h)) < paths.distance(end))
+        if (isFree(mesh.from(h)) &&
+          (end == none || paths.distance(mesh.from(h)) < paths.distance(end)))
         {
           end = mesh.from(h);
           nearest = k;
         }
       }
     }
-    if (!paths.reaches(end))
+    if (end == none || !paths.reaches(end))
     {
       break;
     }
@@ -268,8 +273,8 @@ std::vector<Polyline> joinLoops(const TriangleMesh& mesh)
 }
 }
 
-std::vector<Polyline> openingCuts(
-  const TriangleMesh& mesh, const std::optional<SymmetryPlane>& mirror)
+std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
+  const std::optional<SymmetryPlane>& mirror, const std::vector<char>& barred)
 {
   const auto loops = static_cast<Index>(mesh.boundaryLoops().size());
   const Index handles = (2 - loops - eulerCharacteristic(mesh)) / 2;
@@ -277,6 +282,7 @@ std::vector<Polyline> openingCuts(
   {
     return HandleLoops(mesh).run();
   }
-  return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh)) : joinLoops(mesh);
+  return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh))
+                    : joinLoops(mesh, barred);
 }
 }

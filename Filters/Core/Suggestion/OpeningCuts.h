@@ -17,6 +17,9 @@ namespace flattening
 /// triangles across the other edges needs, closed along the first tree (D. Eppstein, "Dynamic
 /// generators of topologically embedded graphs", SODA 2003; J. Erickson, K. Whittlesey, "Greedy
 /// optimal homotopy and homology generators", SODA 2005).
-std::vector<Polyline> openingCuts(
-  const TriangleMesh& mesh, const std::optional<SymmetryPlane>& mirror = {});
+///
+/// \param barred per vertex, whether it lies on a key curve, which no cut between boundary loops may
+/// meet; loops are left where there is no other way. Empty: none does
+std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
+  const std::optional<SymmetryPlane>& mirror = {}, const std::vector<char>& barred = {});
 }

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/OpeningCuts.h"
+
+#include "Cut/PieceTopology.h"
+#include "SuggestionTesting.h"
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+TriangleMesh torus(Index around, Index across)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index i = 0; i < around; ++i)
+  {
+    for (Index j = 0; j < across; ++j)
+    {
+      const double a = 2.0 * pi * i / around;
+      const double b = 2.0 * pi * j / across;
+      points.emplace_back(
+        (3.0 + std::cos(b)) * std::cos(a), (3.0 + std::cos(b)) * std::sin(a), std::sin(b));
+      const Index p = i * across + j;
+      const Index q = (i + 1) % around * across + j;
+      const Index r = (i + 1) % around * across + (j + 1) % across;
+      const Index s = i * across + (j + 1) % across;
+      triangles.push_back({ p, q, r });
+      triangles.push_back({ p, r, s });
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+}
+
+TEST(OpeningCuts, MakeADiskOfATorus)
+{
+  const TriangleMesh mesh = torus(14, 9);
+  const ImprintedSurface surface = imprintCurves(mesh, openingCuts(mesh), {});
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  EXPECT_EQ(cut.pieceCount, 1);
+  EXPECT_EQ(eulerCharacteristic(cut.mesh), 1);
+  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 1u);
+}
+
+TEST(OpeningCuts, JoinTheEndsOfATubeAndLeaveASmallHole)
+{
+  const auto tube = [](Index from) {
+    const TriangleMesh whole = rolledUp(24, 16, [](double turn, double across) {
+      return Point3(std::cos(turn), std::sin(turn), 3.2 * across);
+    });
+    Triangles triangles = whole.triangles();
+    triangles.erase(triangles.begin() + 350, triangles.begin() + 350 + from);
+    return TriangleMesh(whole.points(), triangles);
+  };
+  EXPECT_EQ(openingCuts(tube(0)).size(), 1u);
+  const TriangleMesh holed = tube(1);
+  ASSERT_EQ(holed.boundaryLoops().size(), 3u);
+  const ImprintedSurface surface = imprintCurves(holed, openingCuts(holed), {});
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 2u);
+}
+
+TEST(OpeningCuts, LeaveAWideHoleInASheetThatLiesFlat)
+{
+  // A ring on a drum: outer edge and hole, half as wide, turn by 2 pi and -2 pi wherever it is
+  // bent.
+  const auto ring = [](double bend) {
+    return rolledUp(30, 6, [=](double turn, double across) {
+      const double x = (1.0 + across) * std::cos(turn);
+      const double y = (1.0 + across) * std::sin(turn);
+      return bend > 0.0 ? Point3(std::sin(bend * x) / bend, y, (1.0 - std::cos(bend * x)) / bend)
+                        : Point3(x, y, 0.0);
+    });
+  };
+  for (double bend : { 0.0, 0.2 })
+  {
+    EXPECT_TRUE(openingCuts(ring(bend)).empty());
+    const CurveSuggestions suggestions = suggestCurves(ring(bend), {}, optionsOf(0.02, 8));
+    EXPECT_TRUE(suggestions.boundMet);
+    EXPECT_TRUE(suggestions.curves.empty());
+  }
+}
+
+TEST(OpeningCuts, JoinTheEndsOfAFrustum)
+{
+  // Its edges turn by less than a hole's: by the sine of the angle between its wall and its axis.
+  const TriangleMesh frustum = rolledUp(30, 6, [](double turn, double across) {
+    return Point3((1.0 + across) * std::cos(turn), (1.0 + across) * std::sin(turn), across);
+  });
+  EXPECT_EQ(openingCuts(frustum).size(), 1u);
+}
+
+TEST(OpeningCuts, KeepOffKeyCurves)
+{
+  // Straight across the tube all ways are equally long, and the key takes half of one end.
+  const TriangleMesh tube = rolledUp(24, 6,
+    [](double turn, double across) { return Point3(std::cos(turn), std::sin(turn), across); });
+  Polyline key;
+  key.type = CurveType::Key;
+  for (Index v = 0; v <= 12; ++v)
+  {
+    key.points.push_back(tube.point(v));
+  }
+  const CurveSuggestions suggestions = suggestCurves(tube, { key }, optionsOf(0.02, 4));
+  ASSERT_EQ(suggestions.curves.size(), 1u);
+  EXPECT_TRUE(suggestions.boundMet);
+  EXPECT_LT(suggestions.strainAfter, 1e-6);
+}
