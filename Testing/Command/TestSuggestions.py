@@ -122,6 +122,19 @@ class Suggestions(command.CommandTest):
         self.assertIn("above the bound of 0.001, the largest at (", run.stderr)
         self.assertIn("the limit of work ended the search after ", run.stderr)
 
+    def test_a_key_in_the_way_of_all_seams_is_named(self):
+        # Any plane through the centre of an octahedron meets the curve from pole to pole.
+        points = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+        upper = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4)]
+        self.write("octahedron.obj", command.obj(points, upper + [(b, a, 5) for a, b, _ in upper]))
+        self.write("key.txt", "key meridian 4 0 5\n")
+        run = self.run_command("octahedron.obj", "key.txt", "--suggest", "all", "--output", "out")
+        self.assertIn("meet a key curve, or cannot be made; make it an accessory curve", run.stderr)
+        for cut in self.report("out")["suggestions"]:
+            self.assertIsNone(cut["strain_p95_before"])
+            self.assertIsNone(cut["strain_p95_after"])
+            self.assertIsNone(cut["gain"])
+
     def test_lines_cut_nothing_and_tell_what_they_cost(self):
         run = self.run_command("dome.obj", "--suggest", "lines", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
