@@ -16,7 +16,7 @@ constexpr double percentOfOne = 100.0;
 constexpr int wordLines = 4;
 
 /// A closed surface has no strain before it is cut.
-QString percent(double share)
+QString strainWords(double share)
 {
   return std::isnan(share) ? QString("unknown")
                            : QString::number(percentOfOne * share, 'f', 1) + " %";
@@ -148,7 +148,7 @@ void ProposalBox::showChosen()
                            .arg(interaction::nameOfType(cut.type))
                            .arg(cut.length, 0, 'g', 4)
                            .arg(this->Unit)
-                           .arg(percent(cut.strainBefore), percent(cut.strainAfter)));
+                           .arg(strainWords(cut.strainBefore), strainWords(cut.strainAfter)));
   }
   if (this->onChange)
   {
