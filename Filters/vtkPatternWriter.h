@@ -33,8 +33,9 @@
  *   system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half pieces, 7 grainline,
  * 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15 annotation. Notches
  * are points with an angle, as pattern systems read them, and short lines, as others show them;
- * drill holes points and circles. Blocks bear the names of their pieces. Millimetres with "Units:
- * METRIC", or, for a surface in inches, inches with "Units: ENGLISH". Texts are 7-bit (\\U+XXXX).
+ * drill holes points and circles. Sew lines are dashed, and the grain has a head, a solid. Blocks
+ * bear the names of their pieces. Millimetres with "Units: METRIC", or, for a surface in inches,
+ * inches with "Units: ENGLISH". Texts are 7-bit (\\U+XXXX).
  * - **HPGL**: for plotters and cutters; a 40th of a millimetre, pen 1 draws, pen 2 cuts the cut lines last.
  *   Texts are 7-bit, other characters question marks.
  * - **GarmentCode**: JSON of panels and stitches (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on

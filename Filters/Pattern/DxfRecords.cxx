@@ -4,6 +4,7 @@
 #include "PatternText.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 
@@ -24,12 +25,25 @@ constexpr LayerColour layerColours[] = { { DxfLayer::Boundary, 7 }, { DxfLayer::
   { DxfLayer::GrainLine, 6 }, { DxfLayer::InternalLines, 94 }, { DxfLayer::CutOuts, 7 },
   { DxfLayer::DrillHoles, 1 }, { DxfLayer::SewLines, 150 }, { DxfLayer::Annotation, 32 } };
 
+// Some programs have dashes of their own by names: the shortest, since they begin anew at each
+// point.
+const char* const solid = "CONTINUOUS";
+const char* const dashed = "DASHEDTINY";
+// Millimetres.
+constexpr double dashLength = 4.0;
+constexpr double gapLength = 2.0;
+
 std::string hexadecimal(unsigned value)
 {
   std::array<char, 16> digits{};
   std::snprintf(digits.data(), digits.size(), "%08X", value);
   return digits.data();
 }
+}
+
+bool isDashed(DxfLayer layer)
+{
+  return layer == DxfLayer::SewLines;
 }
 
 void DxfRecords::add(int code, const std::string& value)
@@ -84,6 +98,26 @@ void DxfRecords::begin(const char* entity, DxfLayer layer)
   this->add(8, static_cast<int>(layer));
 }
 
+void DxfRecords::addLineType(
+  const std::string& name, const std::string& words, const std::vector<double>& dashes)
+{
+  this->beginEntry("LTYPE", name);
+  this->add(70, 0);
+  this->add(3, words);
+  this->add(72, 65);
+  this->add(73, static_cast<int>(dashes.size()));
+  double length = 0.0;
+  for (const double dash : dashes)
+  {
+    length += std::abs(dash);
+  }
+  this->addLength(40, length);
+  for (const double dash : dashes)
+  {
+    this->addLength(49, dash);
+  }
+}
+
 void DxfRecords::addHead(const Point2& low, const Point2& high)
 {
   this->beginSection("HEADER");
@@ -101,13 +135,9 @@ void DxfRecords::addHead(const Point2& low, const Point2& high)
   this->add(0, "ENDSEC");
 
   this->beginSection("TABLES");
-  this->beginTable("LTYPE", 1);
-  this->beginEntry("LTYPE", "CONTINUOUS");
-  this->add(70, 0);
-  this->add(3, "Solid line");
-  this->add(72, 65);
-  this->add(73, 0);
-  this->addNumber(40, 0.0);
+  this->beginTable("LTYPE", 2);
+  this->addLineType(solid, "Solid line", {});
+  this->addLineType(dashed, "Dashed __ __ __ __", { dashLength, -gapLength });
   this->add(0, "ENDTAB");
   this->beginTable("LAYER", static_cast<int>(std::size(layerColours)));
   for (const LayerColour& layer : layerColours)
@@ -115,7 +145,7 @@ void DxfRecords::addHead(const Point2& low, const Point2& high)
     this->beginEntry("LAYER", std::to_string(static_cast<int>(layer.layer)));
     this->add(70, 0);
     this->add(62, layer.colour);
-    this->add(6, "CONTINUOUS");
+    this->add(6, isDashed(layer.layer) ? dashed : solid);
   }
   this->add(0, "ENDTAB");
   this->beginTable("STYLE", 1);

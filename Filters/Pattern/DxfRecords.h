@@ -4,6 +4,7 @@
 #include "Base/Types.h"
 
 #include <string>
+#include <vector>
 
 namespace flattening
 {
@@ -25,6 +26,9 @@ enum class DxfLayer
   Annotation = 15,
 };
 
+/// Whether lines of a layer are dashed.
+bool isDashed(DxfLayer layer);
+
 /// The text of a DXF file as it grows, in pairs of a group code and a value. Each entity and each
 /// entry of a table gets a handle: R12 can do without, but FreeCAD takes a layer without one for a
 /// layer without a name.
@@ -45,7 +49,7 @@ public:
   {
     this->addNumber(code, this->PerMillimetre * millimetres);
   }
-  /// \param which 0 for the first point of an entity, 1 for the second
+  /// \param which of the points of an entity, from 0
   void addPoint(const Point2& p, int which = 0);
   void beginSection(const char* name);
   void beginTable(const char* name, int entries);
@@ -59,6 +63,9 @@ public:
 
 private:
   void addHandle();
+  /// \param dashes lengths in millimetres, those of gaps less than 0; none: a solid line
+  void addLineType(
+    const std::string& name, const std::string& words, const std::vector<double>& dashes);
 
   double PerMillimetre;
   unsigned NextHandle = 1;

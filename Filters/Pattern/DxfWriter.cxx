@@ -3,10 +3,12 @@
 
 #include "Base/Planar.h"
 #include "DxfRecords.h"
+#include "Grainlines.h"
 #include "PatternText.h"
 #include "SheetLayout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flattening
@@ -20,6 +22,9 @@ constexpr double turnAngle = 0.3;
 constexpr std::size_t longestText = 250;
 constexpr std::size_t longestSymbol = 31; // R12's limit
 constexpr double drillRadius = 1.5;
+// Of a polyline.
+constexpr int closedLine = 1;
+constexpr int dashesRunOn = 128;
 constexpr double gradeTextHeight = 3.0;
 
 DxfLayer layerOf(LineKind kind)
@@ -137,7 +142,9 @@ private:
     this->Records.begin("POLYLINE", layer);
     this->Records.add(66, 1);
     this->Records.addPoint(Point2::Zero());
-    this->Records.add(70, line.closed ? 1 : 0);
+    // Dashes run on over the points, which are nearer to each other than dashes are long.
+    const int flags = (line.closed ? closedLine : 0) | (isDashed(layer) ? dashesRunOn : 0);
+    this->Records.add(70, flags);
     for (const Point2& p : line.points)
     {
       this->Records.begin("VERTEX", layer);
@@ -235,9 +242,23 @@ private:
       this->addText(
         DxfLayer::TurnPoints, point.place, gradeTextHeight, 0.0, "# " + std::to_string(point.rule));
     }
-    this->addLine(DxfLayer::GrainLine, piece.grain.from, piece.grain.to);
+    this->addGrain(piece.grain);
     this->addPieceTexts(piece);
     this->Records.begin("ENDBLK", DxfLayer::Boundary);
+  }
+
+  /// Pattern systems want one line; its heads, which plain CAD shows, are none.
+  void addGrain(const Grainline& grain)
+  {
+    this->addLine(DxfLayer::GrainLine, grain.from, grain.to);
+    for (const std::array<Point2, 3>& head : arrowHeads(grain))
+    {
+      this->Records.begin("SOLID", DxfLayer::GrainLine);
+      for (int corner = 0; corner < 4; ++corner) // a triangle has its last one twice
+      {
+        this->Records.addPoint(head[static_cast<std::size_t>(std::min(corner, 2))], corner);
+      }
+    }
   }
 
   void addPieceTexts(const PatternPiece& piece)

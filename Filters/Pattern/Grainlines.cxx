@@ -14,6 +14,10 @@ namespace pattern
 {
 namespace
 {
+constexpr double longestHead = 5.0;  ///< of an arrow, millimetres
+constexpr double headOfShort = 0.15; ///< of the whole arrow
+constexpr double widthOfHead = 0.3;  ///< on either side, of its length
+
 /// The largest distance of a line's points from its chord, as a fraction of the chord.
 double bendOf(const PatternLine& line)
 {
@@ -87,6 +91,29 @@ void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece)
   }
   piece.grain.from = anchor + std::max(low, -length / 2.0) * direction;
   piece.grain.to = anchor + std::min(high, length / 2.0) * direction;
+}
+
+std::vector<std::array<Point2, 3>> arrowHeads(const Grainline& grain)
+{
+  std::vector<std::array<Point2, 3>> heads;
+  const double length = (grain.to - grain.from).norm();
+  if (length == 0.0)
+  {
+    return heads;
+  }
+  const double head = std::min(longestHead, headOfShort * length);
+  const Point2 unit = (grain.to - grain.from) / length;
+  const Point2 side(-unit.y(), unit.x());
+  const auto add = [&](const Point2& tip, double direction) {
+    const Point2 back = tip - direction * head * unit;
+    heads.push_back({ back + widthOfHead * head * side, tip, back - widthOfHead * head * side });
+  };
+  add(grain.to, 1.0);
+  if (!grain.known)
+  {
+    add(grain.from, -1.0);
+  }
+  return heads;
 }
 }
 }

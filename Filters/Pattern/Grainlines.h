@@ -4,6 +4,9 @@
 #include "Pattern.h"
 #include "PlaneGeometry.h"
 
+#include <array>
+#include <vector>
+
 namespace flattening
 {
 namespace pattern
@@ -17,5 +20,9 @@ inline constexpr double straightness = 0.005;
 /// all bend gets a warning that names the one that bends least and by how much.
 /// \param boundary of the cloth, in which the arrow stays
 void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece);
+
+/// The heads of its arrow, as triangles: one where the grain is known, else one at either end; none
+/// where it has no length.
+std::vector<std::array<Point2, 3>> arrowHeads(const Grainline& grain);
 }
 }

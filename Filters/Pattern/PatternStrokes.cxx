@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternStrokes.h"
 
+#include "Grainlines.h"
 #include "PatternText.h"
 
 #include <algorithm>
@@ -41,15 +42,6 @@ StrokeRole roleOf(LineKind kind)
 
 void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
 {
-  const Point2 along = piece.grain.to - piece.grain.from;
-  const double length = along.norm();
-  if (length == 0.0)
-  {
-    return;
-  }
-  const double head = std::min(5.0, 0.15 * length);
-  const Point2 unit = along / length;
-  const Point2 side(-unit.y(), unit.x());
   const auto add = [&strokes](const Points2& points) {
     Stroke stroke;
     stroke.role = StrokeRole::Grain;
@@ -57,15 +49,13 @@ void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
     stroke.points = points;
     strokes.push_back(std::move(stroke));
   };
-  const auto addHead = [&](const Point2& tip, double direction) {
-    const Point2 back = tip - direction * head * unit;
-    add({ back + 0.3 * head * side, tip, back - 0.3 * head * side });
-  };
-  add({ piece.grain.from, piece.grain.to });
-  addHead(piece.grain.to, 1.0);
-  if (!piece.grain.known)
+  if (piece.grain.from != piece.grain.to)
   {
-    addHead(piece.grain.from, -1.0);
+    add({ piece.grain.from, piece.grain.to });
+  }
+  for (const std::array<Point2, 3>& head : arrowHeads(piece.grain))
+  {
+    add({ head.begin(), head.end() });
   }
 }
 }

@@ -161,6 +161,37 @@ class Layers(pattern.PatternTest):
                            key=lambda line: distance_to(start, line[0]))
                 self.assertLess(distance_to(start, near[0]), 1.0)
 
+    def test_sew_lines_are_dashed_and_their_dashes_run_on_over_the_points(self):
+        for unit, scale in (("cm", 1.0), ("in", 1 / 25.4)):
+            self.make("shirt_front", "--dxf", unit=unit)
+            document, blocks = self.blocks()
+            self.assertEqual(document.layers.get("14").dxf.linetype, "DASHEDTINY")
+            self.assertEqual({document.layers.get(layer).dxf.linetype for layer in ("1", "4", "7", "8", "11")},
+                             {"CONTINUOUS"})
+            dashes = [value for code, value in document.linetypes.get("DASHEDTINY").pattern_tags.tags if code in (40, 49)]
+            for found, wanted in zip(dashes, (6, 4, -2)):
+                self.assertAlmostEqual(found, scale * wanted, places=6)
+            for block in blocks:
+                lines = [line for line in block.query("POLYLINE") if line.dxf.layer == "14"]
+                self.assertTrue(lines)
+                for line in lines:
+                    self.assertTrue(line.dxf.flags & 128)
+                    self.assertEqual(line.dxf.get("linetype", "BYLAYER"), "BYLAYER")
+
+    def test_the_grain_has_a_head_at_its_upper_end_or_at_both_where_none_is_known(self):
+        for piece, known in (("shirt_front", True), ("quarter_sphere", False)):
+            self.make(piece, "--dxf")
+            _, (block,) = self.blocks()
+            (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
+            heads = [[tuple(head.dxf.get(f"vtx{k}"))[:2] for k in range(4)]
+                     for head in block.query("SOLID") if head.dxf.layer == "7"]
+            grain_ends = [tuple(grain.dxf.end)[:2], tuple(grain.dxf.start)[:2]]
+            self.assertEqual([head[1] for head in heads], grain_ends[:1 if known else 2])
+            for left, tip, right, last in heads:
+                self.assertEqual(last, right)
+                self.assertAlmostEqual(math.dist(left, tip), math.dist(right, tip), places=6)
+                self.assertGreater(math.dist(left, tip), min(4, 0.1 * math.dist(*grain_ends)))
+
     def test_the_grainline_of_a_piece_on_cloth_is_its_warp(self):
         # Along the key curve lies the bias.
         self.make("tshirt", "--dxf", "--material", "twill", "--grain", "centre_front:45")
