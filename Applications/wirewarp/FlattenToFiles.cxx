@@ -2,6 +2,7 @@
 #include "FlattenToFiles.h"
 
 #include "OutputFiles.h"
+#include "Patterns.h"
 #include "Report.h"
 #include "Sizes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Patterns.h"
+#include "PatternOptions.h"
 #include "Picture.h"
 #include "Resewing.h"
 #include "Reshaping.h"

@@ -7,17 +7,12 @@
 #include "NumberOptions.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
-#include "TextFile.h"
-#include "Units.h"
 #include "VtkMessages.h"
 
 #include <vtkPatternWriter.h>
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <new>
 #include <set>
@@ -26,18 +21,6 @@ namespace wirewarp
 {
 namespace
 {
-/// Puts the name that the unit has here in place of another one of it, such as "CM" or "inches".
-std::string unitWord(std::string& word)
-{
-  const std::string unit = unitNamed(word);
-  if (unit.empty())
-  {
-    return inQuotes(word) + " is none of mm, cm, m, inch";
-  }
-  word = unit;
-  return {};
-}
-
 int paperValue(const std::string& name)
 {
   return name == "letter" ? vtkPatternWriter::LETTER
@@ -149,189 +132,6 @@ std::string refusalOf(vtkPatternWriter* writer, const std::string& path)
   const std::size_t at = defect.find(path + ' ');
   return messageOf(at == 0 ? defect.substr(path.size() + 1) : defect, remediesOf(writer));
 }
-}
-
-//------------------------------------------------------------------------------
-void addPatternOptions(CLI::App& app, PatternRequest& request)
-{
-  const std::string group = "Pattern to cut (lengths in mm)";
-  const double large = 1e6;
-  app.add_flag("--svg", request.svg, "Write pattern.svg")->group(group);
-  app.add_flag("--pdf", request.pdf, "Write pattern.pdf, 1:1 on pages to be joined")->group(group);
-  app.add_flag("--dxf", request.dxf, "Write pattern.dxf, R12 after ASTM D6673 / AAMA")
-    ->group(group);
-  app.add_flag("--plt", request.plt, "Write pattern.plt, HPGL: pen 1 draws, pen 2 cuts")
-    ->group(group);
-  app
-    .add_flag("--garmentcode", request.garmentCode,
-      "Write pattern.json, panels and stitches as GarmentCode has them")
-    ->group(group);
-  app
-    .add_flag("--walk", request.walk,
-      "Write walk.csv: both sides of every seam and dart from notch to notch, their lengths, the "
-      "difference, and the angles at their ends; with --pdf also as a table after the pattern")
-    ->group(group);
-  app
-    .add_option("--unit", request.unit,
-      "Unit of SURFACE: mm, cm, m, inch (default: what the file states, or cm)")
-    ->transform(CLI::Validator(unitWord, "{mm,cm,m,inch}"))
-    ->group(group);
-  app.add_option("--name", request.name, "Name of the pattern (default: that of the file SURFACE)")
-    ->group(group);
-  app.add_option("--size", request.size, "Size that the pattern is for")->group(group);
-  app.add_option("--quantity", request.quantity, "How many of each piece are cut")
-    ->check(CLI::Range(1, 1000000))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--piece-quantity", request.pieceQuantities,
-      "How many of a piece are cut, in place of --quantity; the first is for piece 1, repeat it "
-      "for "
-      "the next")
-    ->allow_extra_args(false)
-    ->check(CLI::Range(1, 1000000))
-    ->group(group);
-  app
-    .add_option("--piece-name", request.pieceNames,
-      "Name of a piece; the first is for piece 1, repeat it for the next")
-    ->allow_extra_args(false)
-    ->group(group);
-  app.add_option("--allowance", request.allowance, "Seam allowance")
-    ->check(number(0.0, large, "[0, 1e6]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--curve-allowance", request.curveAllowances,
-      "Seam allowance along one curve, or along 'boundary'; repeat it for the next")
-    ->allow_extra_args(false)
-    ->check(nameAndMillimetres())
-    ->group(group);
-  app.add_option("--mitre-limit", request.mitreLimit, "Longest mitre of a corner, in allowances")
-    ->check(number(1.0, 100.0, "[1, 100]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--notch-spacing", request.notchSpacing,
-      "Distance of notches along seams and darts, from their start, on the surface; the middle "
-      "where "
-      "they are shorter. 0: none but at the mouths of darts")
-    ->check(number(0.0, large, "[0, 1e6]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--curve-notch", request.curveNotches,
-      "A notch so far from the start of a curve, a seam, a dart or an edge, in place of those by "
-      "--notch-spacing; repeat it for the next")
-    ->allow_extra_args(false)
-    ->check(nameAndMillimetres())
-    ->group(group);
-  app
-    .add_option("--double-notches", request.doubleNotches,
-      "A curve whose notches are double, as at the back: two marks 6.35 mm apart; repeat it for "
-      "the next")
-    ->type_name("NAME")
-    ->allow_extra_args(false)
-    ->group(group);
-  app
-    .add_flag("--notch-corners", request.notchCorners,
-      "Notch the cut line at corners, where the sew lines, drawn on, meet it")
-    ->group(group);
-  app
-    .add_flag("--notch-curve-ends", request.notchCurveEnds,
-      "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
-      "it")
-    ->group(group);
-  app
-    .add_flag("--cut-darts-out", request.cutDartsOut,
-      "Cut darts out along their seam allowance instead of folding them")
-    ->group(group);
-  app
-    .add_flag("--cut-on-fold", request.cutOnFold,
-      "Draw a half of each symmetric piece, to be cut on the fold of the cloth")
-    ->group(group);
-  app
-    .add_option("--fold", request.folds,
-      "Cut pieces on the fold of the cloth along a curve: a half of a piece that is symmetric "
-      "about "
-      "it, or a piece that is a half and has it on its border; repeat it for the next")
-    ->type_name("NAME")
-    ->allow_extra_args(false)
-    ->group(group);
-  app
-    .add_option("--dart-tip", request.dartTip,
-      "How far tips of folded darts are drawn back, their legs with them, which are shorter "
-      "then; with --dart-legs straight or mirrored the legs stay mirror images")
-    ->check(number(0.0, large, "[0, 1e6]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--curve-dart-tip", request.curveDartTips,
-      "Another --dart-tip for one dart; repeat it for the next")
-    ->allow_extra_args(false)
-    ->check(nameAndMillimetres())
-    ->group(group);
-  app
-    .add_flag("--cut-pairs", request.cutPairs,
-      "Of two pieces that are mirror images draw the first alone, to be cut in pairs of which one "
-      "is turned over")
-    ->group(group);
-  app
-    .add_option("--fair", request.fairTolerance,
-      "Draw borders and curves as smooth splines of the same lengths, straight where nearly so, at "
-      "most this far from the points of the mesh; 0: raw, as the mesh has them")
-    ->each([&request](const std::string&) { request.fairGiven = true; })
-    ->check(number(0.0, 100.0, "[0, 100]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--curve-fair", request.curveFairs,
-      "Another --fair along one curve, or along 'boundary'; repeat it for the next")
-    ->allow_extra_args(false)
-    ->check(nameAndMillimetres())
-    ->group(group);
-  app
-    .add_flag("--symmetrize", request.symmetrize,
-      "Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror image; "
-      "sides whose lengths differ by up to 0.1 mm get their mean")
-    ->group(group);
-  app
-    .add_flag("--laser-colors", request.laserColours,
-      "Draw the SVG in thin lines with a colour of its own for each role, as laser cutters want it")
-    ->group(group);
-  CLI::Option* const width =
-    app
-      .add_option("--fabric-width", request.fabricWidth,
-        "Write lay.svg, and with --plt lay.plt: all copies of all pieces on cloth of this width, "
-        "with their grain along it, as short as a search finds it; its length and which share of "
-        "it "
-        "is used are told")
-      ->check(number(std::numeric_limits<double>::min(), 1e5, "(0, 1e5]"))
-      ->type_name("MM")
-      ->group(group);
-  app
-    .add_flag(
-      "--nap", request.nap, "The cloth has an up and a down: no piece is turned by half a turn")
-    ->needs(width)
-    ->group(group);
-  app.add_option("--fabric-gap", request.fabricGap, "Least distance of pieces on the cloth")
-    ->check(number(0.0, 1000.0, "[0, 1000]"))
-    ->capture_default_str()
-    ->needs(width)
-    ->group(group);
-  app.add_option("--paper", request.paper, "Paper of the PDF; sheet: one page for all")
-    ->transform(CLI::IsMember({ "A4", "letter", "A3", "A0", "sheet" }, CLI::ignore_case))
-    ->capture_default_str()
-    ->group(group);
-  app.add_option("--page-overlap", request.overlap, "How far pages overlap")
-    ->check(number(0.0, 50.0, "[0, 50]"))
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option("--max-pages", request.maximumPages,
-      "A PDF of more pages is refused: the unit is likely wrong")
-    ->check(CLI::Range(1, 100000))
-    ->capture_default_str()
-    ->group(group);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace wirewarp
+{
+/// Which patterns to write and how. Lengths are millimetres; defaults are those of
+/// vtkPatternWriter.
+struct PatternRequest
+{
+  bool svg = false;
+  bool pdf = false;
+  bool dxf = false;
+  bool plt = false;
+  bool garmentCode = false;
+  bool walk = false;
+  std::string unit; ///< empty: not stated, cm is taken
+  std::string name; ///< empty: that of the surface's file
+  std::string size;
+  int quantity = 1;
+  std::vector<int> pieceQuantities;
+  std::vector<std::string> pieceNames;
+  double allowance = 10.0;
+  std::vector<std::string> curveAllowances; ///< NAME=MM
+  double mitreLimit = 2.0;
+  double notchSpacing = 100.0;
+  bool cutDartsOut = false;
+  std::vector<std::string> curveNotches; ///< NAME=MM
+  std::vector<std::string> doubleNotches;
+  bool notchCorners = false;
+  bool notchCurveEnds = false;
+  bool cutOnFold = false;
+  std::vector<std::string> folds;
+  double dartTip = 0.0;
+  std::vector<std::string> curveDartTips; ///< NAME=MM
+  bool cutPairs = false;
+  double fairTolerance = 0.2;
+  bool fairGiven = false;
+  bool symmetrize = false;
+  std::vector<std::string> curveFairs; ///< NAME=MM
+  bool laserColours = false;
+  double fabricWidth = 0.0; ///< 0: no lay
+  bool nap = false;
+  double fabricGap = 5.0;
+  std::string paper = "A4";
+  double overlap = 10.0;
+  int maximumPages = 200;
+
+  bool any() const
+  {
+    return this->svg || this->pdf || this->dxf || this->plt || this->garmentCode || this->walk ||
+      this->fabricWidth > 0.0;
+  }
+};
+
+void addPatternOptions(CLI::App& app, PatternRequest& request);
+}
