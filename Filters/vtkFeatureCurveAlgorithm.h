@@ -28,6 +28,8 @@
  * | `CurveName` | cells, string | name in messages and reports. No array, or an empty name: "curve N", N counting all curves from 0, those of the surface's own data set first |
  * | `KeyShape` | cells, integer | shape of a key curve in the plane: 0 what its angles on the surface give, 1 a straight line. No array: 0 |
  * | `LengthTolerance` | cells | how far lengths may go from those on the surface, as a fraction, in [0, 1); a seam between pieces gets the mean of what they would choose, on both sides. No array: 0, the curve is rigid |
+ * | `LengthEase` | cells | ease: by how much the curve is longer in one piece than on the surface, as a fraction, in (-1, 1), not beyond `LengthTolerance`; what it is sewn to keeps the length of the surface. No array: 0 |
+ * | `EasedPiece` | cells, integer | that piece, from 0; -1, or no array: the only one that the curve is in |
  * | `PlanarShape` | points, 2 components | planar polyline whose turning angles a key curve takes; NaN: none at this point. A curve with the shape at each of its points takes it |
  *
  * A value that is not in this table is refused with the id of its cell or point (INVALID_CURVE).

@@ -71,6 +71,20 @@ double vtkFeatureCurveEditor::GetCurveTolerance(int curve) const
 }
 
 //------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::GetCurveEase(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? found->traits.ease.fraction : 0.0;
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::GetCurveEasedPiece(int curve) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  return found ? static_cast<int>(found->traits.ease.piece) : -1;
+}
+
+//------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::GetCurveClosed(int curve) const
 {
   const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;

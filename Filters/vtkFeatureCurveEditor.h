@@ -117,6 +117,8 @@ public:
   int GetCurveType(int curve) const;         ///< vtkFeatureCurveAlgorithm::CurveTypes
   int GetCurveKeyShape(int curve) const;     ///< the values of the array `KeyShape`
   double GetCurveTolerance(int curve) const; ///< the values of the array `LengthTolerance`
+  double GetCurveEase(int curve) const;      ///< the values of the array `LengthEase`
+  int GetCurveEasedPiece(int curve) const;   ///< the values of the array `EasedPiece`
   bool GetCurveClosed(int curve) const;
   bool GetCurveMirrored(int curve) const;
   double GetCurveLength(int curve) const;
@@ -211,12 +213,16 @@ public:
 
   ///@{
   /**
-   * What a curve is. A name is given once; a tolerance is in [0, 1).
+   * What a curve is. A name is given once; a tolerance is in [0, 1). An ease is a fraction in
+   * (-1, 1), 0 for none, in a piece from 0, or -1 for the only one that the curve is in; an image
+   * in the mirror plane is eased alike where the piece is -1, and else not at all. Whether the
+   * curve lies there, and may change by as much, is asked when it is flattened.
    */
   bool SetCurveName(int curve, const std::string& name);
   bool SetCurveType(int curve, int type);
   bool SetCurveKeyShape(int curve, int shape);
   bool SetCurveTolerance(int curve, double tolerance);
+  bool SetCurveEase(int curve, double fraction, int piece);
   bool SetSegmentKind(int curve, int segment, int kind);
   ///@}
 

@@ -259,6 +259,12 @@ bool vtkFeatureCurveEditor::SetCurveTolerance(int curve, double tolerance)
 }
 
 //------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveEase(int curve, double fraction, int piece)
+{
+  return this->Describe(curve, [=](CurveTraits& traits) { traits.ease = { fraction, piece }; });
+}
+
+//------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::SetCurveMirrored(int curve, bool mirrored)
 {
   return this->Describe(curve, [=](CurveTraits& traits) { traits.mirrored = mirrored; });

@@ -93,6 +93,8 @@ const char* vtkWireWarpingFilter::GetDistortionEnergyAsString() const
 void vtkWireWarpingFilter::AddCurveEase(const std::string& curve, int piece, double fraction)
 {
   this->Eases.push_back({ curve, std::max(piece, -1), fraction });
+  this->CurveEasesText += (this->CurveEasesText.empty() ? "" : "; ") +
+    flattening::bridge::fractionText({ curve, std::max(piece, -1), fraction });
   this->Modified();
 }
 
@@ -118,11 +120,11 @@ void vtkWireWarpingFilter::SetCurveEases(const char* text)
     return;
   }
   this->RemoveAllCurveEases();
-  this->CurveEasesText = text ? text : "";
   for (const flattening::bridge::CurveFraction& ease : eases)
   {
     this->AddCurveEase(ease.curve, ease.piece, ease.fraction);
   }
+  this->CurveEasesText = text ? text : "";
 }
 
 //------------------------------------------------------------------------------

@@ -336,7 +336,9 @@ public:
    * less than 0 makes them shorter. What they are sewn to keeps the length of the surface, and the
    * ease is spread evenly. The curve needs a length tolerance as large (AddCurveTolerance()). A
    * curve that is not there, lies in other pieces, has both sides in the piece or is to change by
-   * more than its tolerance is refused when the filter runs (INVALID_OPTION). Default: no ease.
+   * more than its tolerance is refused when the filter runs (INVALID_OPTION). Takes the place of
+   * the eases that curves of the name have of their own (`LengthEase`); 0 takes them away. Default:
+   * no ease.
    */
   void AddCurveEase(const std::string& curve, int piece, double fraction);
   void RemoveAllCurveEases();
@@ -347,8 +349,8 @@ public:
    * The same as a line of text, for programs whose panels hold texts: NAME:PIECE=PERCENT%, or
    * NAME=PERCENT% where a curve lies in one piece alone, several separated by semicolons, as
    * "side:1=+3%; cap:2=5%". Pieces are numbered from 1 here, as in patterns. It takes the place of
-   * all eases; text that says nothing is an error and changes nothing. Get gives what was set.
-   * Default: empty.
+   * all eases; text that says nothing is an error and changes nothing. Get gives what was set, and
+   * behind it what AddCurveEase() has added. Default: empty.
    */
   void SetCurveEases(const char* text);
   const char* GetCurveEases() const { return this->CurveEasesText.c_str(); }

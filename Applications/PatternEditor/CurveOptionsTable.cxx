@@ -59,10 +59,6 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
   {
     curves.insert(known->GetValue(k));
   }
-  for (const auto& [name, ease] : eases)
-  {
-    curves.insert(name);
-  }
   this->setColumnCount(Options);
   this->setHorizontalHeaderLabels(
     { "Allowance", "Notches at", "Double", "Smooth within", "Dart tip", "Ease", "in piece" });
@@ -98,12 +94,17 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
       FairTolerance, writer->HasCurveFairTolerance(name), writer->GetCurveFairTolerance(name));
     setLength(DartTip, writer->HasCurveDartTip(name), writer->GetCurveDartTip(name));
     const auto eased = eases.find(name);
-    const bool hasPiece = eased != eases.end() && eased->second.piece >= 0;
+    const PieceEase ease = eased == eases.end() ? PieceEase() : eased->second;
     set(Ease,
-      eased == eases.end() ? QString()
-                           : (eased->second.fraction > 0.0 ? "+" : "") +
-          textOf(inPercent * eased->second.fraction) + " %");
-    set(InPiece, hasPiece ? QString::number(eased->second.piece + 1) : QString());
+      ease.fraction == 0.0
+        ? QString()
+        : (ease.fraction > 0.0 ? "+" : "") + textOf(inPercent * ease.fraction) + " %");
+    set(InPiece, ease.piece < 0 ? QString() : QString::number(ease.piece + 1));
+    for (const Option option : { Ease, InPiece })
+    {
+      this->item(row, option)
+        ->setFlags(eased == eases.end() ? Qt::NoItemFlags : this->item(row, option)->flags());
+    }
   }
   this->resizeColumnsToContents();
   const int width = this->verticalHeader()->sizeHint().width() +
@@ -161,7 +162,8 @@ QString CurveOptionsTable::defectOfEase(int row) const
   const QString of = " of " + this->verticalHeaderItem(row)->text() + ": ";
   const QString ease = this->text(row, Ease);
   const QString piece = this->text(row, InPiece);
-  if (!ease.isEmpty() && !fractionOf(ease))
+  const std::optional<double> fraction = fractionOf(ease);
+  if (!ease.isEmpty() && !(fraction && std::abs(*fraction) < 1.0))
   {
     return "Ease" + of + ease + " is no percentage, such as +3 %";
   }

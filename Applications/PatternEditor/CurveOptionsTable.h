@@ -31,6 +31,7 @@ public:
     Options  ///< how many there are
   };
 
+  /// \param eases of all curves that can be eased
   /// \param curves those that can be drawn; those that the writer has options of are shown as well
   CurveOptionsTable(const vtkPatternWriter* writer, const PieceEases& eases,
     std::set<std::string> curves, QWidget* parent = nullptr);
@@ -40,6 +41,7 @@ public:
   QString defect() const;
   /// Makes the fields those of the writer, in place of all it had of single curves.
   void take(vtkPatternWriter* writer) const;
+  /// Those that are not 0.
   PieceEases eases() const;
 
 private:

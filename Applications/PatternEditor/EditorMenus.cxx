@@ -294,15 +294,28 @@ void EditorWindow::askPattern()
 void EditorWindow::askPatternOptions()
 {
   std::set<std::string> curves{ "boundary" };
+  PieceEases eases;
   for (int k = 0; k < this->Curves->GetNumberOfCurves(); ++k)
   {
-    curves.insert(this->Curves->GetCurveName(k));
+    const std::string name = this->Curves->GetCurveName(k);
+    curves.insert(name);
+    eases[name] = { this->Curves->GetCurveEase(k), this->Curves->GetCurveEasedPiece(k) };
   }
-  PatternDialog dialog(this->Pattern, this->Live->eases(), curves, this);
-  if (dialog.exec() == QDialog::Accepted && this->Live->setEases(dialog.eases()) && this->Surface)
+  PatternDialog dialog(this->Pattern, eases, curves, this);
+  if (dialog.exec() == QDialog::Accepted)
   {
-    this->askForPieces(Care::Full);
-    this->expectPieces();
+    const int before = this->Curves->GetNumberOfCommands();
+    eases = dialog.eases();
+    for (int k = 0; k < this->Curves->GetNumberOfCurves(); ++k)
+    {
+      const PieceEase ease = eases[this->Curves->GetCurveName(k)];
+      if (ease.fraction != this->Curves->GetCurveEase(k) ||
+        ease.piece != this->Curves->GetCurveEasedPiece(k))
+      {
+        this->Curves->SetCurveEase(k, ease.fraction, ease.piece);
+      }
+    }
+    this->Curves->JoinCommandsSince(before);
   }
 }
 

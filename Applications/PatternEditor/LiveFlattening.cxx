@@ -4,9 +4,7 @@
 #include "Files.h"
 #include "WindowWords.h"
 
-#include <vtkCellData.h>
 #include <vtkCommand.h>
-#include <vtkStringArray.h>
 
 #include <new>
 #include <utility>
@@ -31,13 +29,6 @@ figures::PolyData copyOf(vtkPolyData* data)
   figures::PolyData copy = figures::PolyData::New();
   copy->DeepCopy(data);
   return copy;
-}
-
-bool hasCurve(vtkPolyData* curves, const std::string& name)
-{
-  auto* const names = vtkStringArray::SafeDownCast(
-    curves ? curves->GetCellData()->GetAbstractArray("CurveName") : nullptr);
-  return names && names->LookupValue(name) >= 0;
 }
 
 /// Ends a run from within, where its progress is told: no other thread may touch the filter.
@@ -91,7 +82,6 @@ void LiveFlattening::setSurface(vtkPolyData* surface)
     this->Useless = this->Running;
   }
   this->Surface = copyOf(surface);
-  this->Eases.clear();
   this->Result = {};
   this->Message.clear();
   this->Refused = false;
@@ -108,17 +98,9 @@ bool LiveFlattening::setCloth(const std::string& material, const std::string& gr
 }
 
 //------------------------------------------------------------------------------
-bool LiveFlattening::setEases(const PieceEases& eases)
-{
-  const bool others = !(eases == this->Eases);
-  this->Eases = eases;
-  return others;
-}
-
-//------------------------------------------------------------------------------
 void LiveFlattening::ask(vtkPolyData* curves, Care care)
 {
-  Order order{ this->Surface, copyOf(curves), care, this->Material, this->Grain, this->Eases };
+  Order order{ this->Surface, copyOf(curves), care, this->Material, this->Grain };
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Waiting = std::move(order);
@@ -236,14 +218,6 @@ std::optional<LiveFlattening::Answer> LiveFlattening::flatten(const Order& order
   plainly ? this->Filter->SetInteriorToLaplacian() : this->Filter->SetInteriorToAsRigidAsPossible();
   this->Filter->SetMaterial(order.material.c_str());
   this->Filter->SetGrain(order.grain.c_str());
-  this->Filter->RemoveAllCurveEases();
-  for (const auto& [name, ease] : order.eases)
-  {
-    if (hasCurve(order.curves, name))
-    {
-      this->Filter->AddCurveEase(name, ease.piece, ease.fraction);
-    }
-  }
   this->Filter->SetAbortExecute(0); // newer versions of VTK keep it
   this->Doing = order.care;
   this->Start = Clock::now();

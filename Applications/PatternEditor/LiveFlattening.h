@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PieceEase.h"
 #include "Pieces.h"
 
 #include <vtkNew.h>
@@ -47,10 +46,6 @@ public:
   /// For what is asked from now on, as vtkWireWarpingFilter has them. \return whether they are
   /// others
   bool setCloth(const std::string& material, const std::string& grain);
-  /// For what is asked from now on; what is eased and not among the curves is left out. Another
-  /// surface has none. \return whether they are others
-  bool setEases(const PieceEases& eases);
-  const PieceEases& eases() const { return this->Eases; }
   void ask(vtkPolyData* curves, Care care);
   /// Makes what was found last result() and message(). \return whether there was something new
   bool take();
@@ -81,7 +76,6 @@ private:
     Care care = Care::Full;
     std::string material;
     std::string grain;
-    PieceEases eases;
   };
   struct Answer
   {
@@ -117,7 +111,6 @@ private:
   figures::PolyData Surface; ///< a copy for the other thread, looked at by no one else
   std::string Material;
   std::string Grain;
-  PieceEases Eases;
   figures::FlatPiece Result;
   std::string Message;
   bool Refused = false;

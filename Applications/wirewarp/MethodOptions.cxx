@@ -165,9 +165,9 @@ void addMethods(CLI::App& app, Options& options)
         }
       },
       "Make a seam or a named edge longer in one piece (numbered from 1; without it the only one "
-      "that "
-      "it is in) than on the surface and than what it is sewn to, -3% shorter. The curve needs a "
-      "--tolerance as large; may be given several times")
+      "that it is in) than on the surface and than what it is sewn to, -3% shorter, in place of "
+      "the "
+      "LengthEase of its file. The curve needs a --tolerance as large; may be given several times")
     ->type_name("NAME[:PIECE]=PERCENT%")
     ->allow_extra_args(false)
     ->group(group);

@@ -3,6 +3,7 @@
 
 #include "Base/Finite.h"
 #include "CurveInput.h"
+#include "EaseArrays.h"
 #include "FarthestCurve.h"
 #include "FieldArrays.h"
 
@@ -76,6 +77,9 @@ void writeTraits(const std::vector<CurveRow>& rows, vtkPolyData* data)
     [&](std::size_t k) { return static_cast<int>(traits(k).keyShape); });
   addRows<vtkDoubleArray>(
     cells, "LengthTolerance", rows.size(), [&](std::size_t k) { return traits(k).tolerance; });
+  addEases(cells, rows.size(), [&](std::size_t k) {
+    return rows[k].imageOf < 0 ? traits(k).ease : easeOfImage(traits(k).ease);
+  });
   addRows<vtkIdTypeArray>(
     cells, imageOf, rows.size(), [&](std::size_t k) { return rows[k].imageOf; });
 }
@@ -265,6 +269,7 @@ EditedCurve curveOf(const Polyline& line, const EditedCurve* nodes, const Drawin
   curve.traits.type = line.type;
   curve.traits.keyShape = line.keyShape;
   curve.traits.tolerance = line.tolerance;
+  curve.traits.ease = line.ease;
   return curve;
 }
 }

@@ -2,6 +2,7 @@
 #include "CurveFractions.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -67,6 +68,16 @@ bool readFractions(const std::string& text, bool ease, std::vector<CurveFraction
     }
   }
   return true;
+}
+
+std::string fractionText(const CurveFraction& fraction)
+{
+  std::array<char, 32> digits{};
+  constexpr int precision = 15;
+  const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(),
+    100.0 * fraction.fraction, std::chars_format::general, precision);
+  return fraction.curve + (fraction.piece < 0 ? "" : ":" + std::to_string(fraction.piece + 1)) +
+    (fraction.fraction > 0.0 ? "=+" : "=") + std::string(digits.data(), end.ptr) + "%";
 }
 }
 }

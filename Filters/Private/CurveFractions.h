@@ -21,5 +21,7 @@ struct CurveFraction
 /// \param ease with pieces and either sign; otherwise from 0 alone, and a colon belongs to the name
 /// \return false where the text is none of it
 bool readFractions(const std::string& text, bool ease, std::vector<CurveFraction>& fractions);
+/// One of them as such text, to 15 digits.
+std::string fractionText(const CurveFraction& fraction);
 }
 }

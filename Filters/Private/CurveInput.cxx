@@ -16,6 +16,7 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -33,12 +34,14 @@ struct Attributes
   std::string name;
   KeyShape keyShape = KeyShape::Surface;
   double tolerance = 0.0;
+  LengthEase ease;
 
-  bool operator<(const Attributes& other) const
+  auto values() const
   {
-    return std::tie(this->type, this->name, this->keyShape, this->tolerance) <
-      std::tie(other.type, other.name, other.keyShape, other.tolerance);
+    return std::tie(this->type, this->name, this->keyShape, this->tolerance, this->ease.fraction,
+      this->ease.piece);
   }
+  bool operator<(const Attributes& other) const { return this->values() < other.values(); }
 };
 
 struct Chain
@@ -101,15 +104,19 @@ private:
     this->Name = cells->GetAbstractArray("CurveName");
     this->Shape = cells->GetAbstractArray("KeyShape");
     this->Tolerance = cells->GetAbstractArray("LengthTolerance");
+    this->Ease = cells->GetAbstractArray("LengthEase");
+    this->EasedPiece = cells->GetAbstractArray("EasedPiece");
     this->Planar = this->Data->GetPointData()->GetAbstractArray("PlanarShape");
-    for (vtkAbstractArray* array : { this->Type, this->Name, this->Shape, this->Tolerance })
+    for (vtkAbstractArray* array :
+      { this->Type, this->Name, this->Shape, this->Tolerance, this->Ease, this->EasedPiece })
     {
       if (!this->hasShape(array, 1, this->Data->GetNumberOfCells(), "cell"))
       {
         return false;
       }
     }
-    for (vtkAbstractArray* array : { this->Shape, this->Tolerance, this->Planar })
+    for (vtkAbstractArray* array :
+      { this->Shape, this->Tolerance, this->Ease, this->EasedPiece, this->Planar })
     {
       if (array && !array->IsNumeric())
       {
@@ -185,6 +192,31 @@ private:
         return this->refuseCell(
           cell, "has a LengthTolerance outside [0, 1)", "a fraction of the length");
       }
+    }
+    return this->readEase(cell, attributes.ease);
+  }
+
+  bool readEase(vtkIdType cell, LengthEase& ease)
+  {
+    if (this->Ease)
+    {
+      ease.fraction = this->Ease->GetVariantValue(cell).ToDouble();
+      if (!(std::abs(ease.fraction) < 1.0))
+      {
+        return this->refuseCell(
+          cell, "has a LengthEase outside (-1, 1)", "a fraction of the length");
+      }
+    }
+    if (this->EasedPiece)
+    {
+      const double piece = this->EasedPiece->GetVariantValue(cell).ToDouble();
+      if (!(piece >= -1.0 && piece < std::numeric_limits<Index>::max() &&
+            piece == std::floor(piece)))
+      {
+        return this->refuseCell(cell, "has an EasedPiece that is no number of a piece",
+          "the number of a piece from 0, or -1 for the only one");
+      }
+      ease.piece = static_cast<Index>(piece);
     }
     return true;
   }
@@ -266,6 +298,7 @@ private:
       polyline.type = chain.attributes.type;
       polyline.keyShape = chain.attributes.keyShape;
       polyline.tolerance = chain.attributes.tolerance;
+      polyline.ease = chain.attributes.ease;
       for (const vtkIdType p : chain.points)
       {
         Point3 point;
@@ -328,6 +361,8 @@ private:
   vtkAbstractArray* Name = nullptr;
   vtkAbstractArray* Shape = nullptr;
   vtkAbstractArray* Tolerance = nullptr;
+  vtkAbstractArray* Ease = nullptr;
+  vtkAbstractArray* EasedPiece = nullptr;
   vtkAbstractArray* Planar = nullptr;
 };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImprintOutput.h"
 
+#include "EaseArrays.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"
@@ -123,6 +124,7 @@ void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData*
     [&](std::size_t c) { return curves[c].keyShape == KeyShape::Straight ? 1 : 0; });
   addRows<vtkDoubleArray>(
     cells, "LengthTolerance", count, [&](std::size_t c) { return curves[c].tolerance; });
+  addEases(cells, count, [&](std::size_t c) { return curves[c].ease; });
   addRows<vtkIdTypeArray>(
     cells, "CurveId", count, [](std::size_t c) { return static_cast<vtkIdType>(c); });
   addRows<vtkDoubleArray>(cells, "RestLength", count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SuggestionOutput.h"
 
+#include "EaseArrays.h"
 #include "FieldArrays.h"
 
 #include "vtkCellArray.h"
@@ -119,6 +120,7 @@ void writeSuggestions(
     [&](std::size_t c) { return rows[c].curve.keyShape == KeyShape::Straight ? 1 : 0; });
   addRows<vtkDoubleArray>(
     cells, "LengthTolerance", count, [&](std::size_t c) { return rows[c].curve.tolerance; });
+  addEases(cells, count, [&](std::size_t c) { return rows[c].curve.ease; });
   addRows<vtkIntArray>(cells, "Rank", count,
     [&](std::size_t c) { return c < first ? -1 : static_cast<int>(c - first) + 1; });
   addNumbers("Length", &SuggestedCurve::length);

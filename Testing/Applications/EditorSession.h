@@ -23,6 +23,7 @@
 #include <QInputDialog>
 #include <QMenuBar>
 #include <QProgressDialog>
+#include <QTableWidget>
 #include <QTest>
 #include <QTimer>
 #include <QToolBar>
@@ -33,6 +34,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <random>
 #include <sstream>
@@ -240,6 +242,27 @@ protected:
       dialog->findChild<QLineEdit*>()->setText(QString::fromStdString(path));
       QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
     });
+  }
+  /// Fills a curve's row in the pattern options, which are accepted then.
+  void fillCurveOptions(
+    const QString& curve, const std::function<void(QDialog*, QTableWidget*, int)>& fill)
+  {
+    QTimer::singleShot(300, [curve, fill] {
+      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      auto* const table = dialog->findChild<QTableWidget*>("CurveOptions");
+      ASSERT_NE(table, nullptr);
+      int row = 0;
+      while (row + 1 < table->rowCount() && table->verticalHeaderItem(row)->text() != curve)
+      {
+        ++row;
+      }
+      fill(dialog, table, row);
+      dialog->accept();
+    });
+    QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QApplication::setActiveWindow(this->window.get()); // the dialog was it
+    this->waitForPieces();
   }
   void waitForPieces()
   {

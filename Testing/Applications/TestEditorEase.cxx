@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A seam that is eased in one of its pieces by the window's table of curves.
 #include "EditorSession.h"
+#include "ReadCurves.h"
 
 #include <vtkIdList.h>
 #include <vtkMath.h>
+#include <vtkWireWarpingFilter.h>
 
 #include <QDialog>
 #include <QDoubleSpinBox>
@@ -11,7 +13,6 @@
 #include <QTableWidget>
 
 #include <array>
-#include <functional>
 
 using namespace session;
 
@@ -48,30 +49,9 @@ protected:
     this->waitForPieces();
   }
 
-  /// Fills the row of the seam in the pattern options, which are accepted then.
-  void ask(const std::function<void(QDialog*, QTableWidget*, int)>& fill)
-  {
-    QTimer::singleShot(300, [fill] {
-      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
-      auto* const table = dialog->findChild<QTableWidget*>("CurveOptions");
-      ASSERT_NE(table, nullptr);
-      int row = 0;
-      while (row + 1 < table->rowCount() && table->verticalHeaderItem(row)->text() != "yoke")
-      {
-        ++row;
-      }
-      fill(dialog, table, row);
-      dialog->accept();
-    });
-    QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-    QApplication::setActiveWindow(this->window.get()); // the dialog was it
-    this->waitForPieces();
-  }
-
   void ease(const QString& percents, const QString& piece)
   {
-    this->ask([&](QDialog*, QTableWidget* table, int row) {
+    this->fillCurveOptions("yoke", [&](QDialog*, QTableWidget* table, int row) {
       table->item(row, easeColumn)->setText(percents);
       table->item(row, pieceColumn)->setText(piece);
     });
@@ -80,8 +60,12 @@ protected:
   /// Of the seam in the plane, in each piece.
   std::array<double, 2> lengths() const
   {
+    return lengthsOf(this->window->flattening().result().wires);
+  }
+
+  static std::array<double, 2> lengthsOf(vtkPolyData* wires)
+  {
     std::array<double, 2> lengths{};
-    vtkPolyData* const wires = this->window->flattening().result().wires;
     auto* const names =
       vtkStringArray::SafeDownCast(wires->GetCellData()->GetAbstractArray("CurveName"));
     vtkDataArray* const pieces = wires->GetCellData()->GetArray("PieceId");
@@ -124,7 +108,7 @@ TEST_F(EditorEase, ASeamIsLongerInThePieceThatIsChosenAndSoItIsExported)
   std::remove(path.c_str());
 
   // The fields show it; in the other piece, and then in none.
-  this->ask([](QDialog*, QTableWidget* table, int row) {
+  this->fillCurveOptions("yoke", [](QDialog*, QTableWidget* table, int row) {
     EXPECT_EQ(table->item(row, easeColumn)->text(), "+3 %");
     EXPECT_EQ(table->item(row, pieceColumn)->text(), "2");
     table->item(row, easeColumn)->setText("-2");
@@ -140,10 +124,51 @@ TEST_F(EditorEase, ASeamIsLongerInThePieceThatIsChosenAndSoItIsExported)
   EXPECT_NEAR(after[1] / before[1], 1.0, 1e-6);
 }
 
+TEST_F(EditorEase, AnEaseIsSavedWithItsCurveAndCanBeUndone)
+{
+  this->drawSeam();
+  this->typeTolerance("4");
+  this->ease("+3%", "2");
+  const std::array<double, 2> eased = this->lengths();
+  ASSERT_NEAR(eased[1] / eased[0], 1.03, 1e-6);
+  const std::string path = testing::TempDir() + "eased_curves.vtp";
+  ASSERT_TRUE(this->window->saveCurves(path)) << this->window->message().toStdString();
+
+  QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
+  this->waitForPieces();
+  EXPECT_NEAR(this->lengths()[1] / this->lengths()[0], 1.0, 1e-6);
+
+  this->open();
+  ASSERT_TRUE(this->window->openCurves(path)) << this->window->message().toStdString();
+  this->waitForPieces();
+  for (std::size_t piece : { 0, 1 })
+  {
+    EXPECT_NEAR(this->lengths().at(piece), eased.at(piece), 1e-9 * eased.at(piece)) << piece;
+  }
+  this->fillCurveOptions("yoke", [](QDialog*, QTableWidget* table, int row) {
+    EXPECT_EQ(table->item(row, easeColumn)->text(), "+3 %");
+    EXPECT_EQ(table->item(row, pieceColumn)->text(), "2");
+  });
+
+  // Any program that reads the file gets the same.
+  vtkNew<vtkWireWarpingFilter> filter;
+  filter->SetInputData(this->surface);
+  filter->SetCurvesData(wirewarp::readCurves(path, this->surface));
+  filter->Update();
+  EXPECT_STREQ(filter->GetStatusName(), "Ok") << filter->GetStatusMessage();
+  vtkPolyData* const wires = filter->GetOutput(1);
+  const std::array<double, 2> others = lengthsOf(wires);
+  for (std::size_t piece : { 0, 1 })
+  {
+    EXPECT_NEAR(others.at(piece), eased.at(piece), 1e-9 * eased.at(piece)) << piece;
+  }
+  std::remove(path.c_str());
+}
+
 TEST_F(EditorEase, WhatCannotBeIsSaid)
 {
   this->drawSeam();
-  this->ask([](QDialog* dialog, QTableWidget* table, int row) {
+  this->fillCurveOptions("yoke", [](QDialog* dialog, QTableWidget* table, int row) {
     const auto said = [&](const char* ease, const char* piece) {
       table->item(row, easeColumn)->setText(ease);
       table->item(row, pieceColumn)->setText(piece);

@@ -223,24 +223,7 @@ TEST_F(PatternEditor, OneCurveCanHaveOptionsOfItsOwn)
 {
   this->drawTutorial();
   vtkPatternWriter* const pattern = this->window->pattern();
-  const auto ask = [&](const std::function<void(QDialog*, QTableWidget*, int)>& fill) {
-    QTimer::singleShot(300, [fill] {
-      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
-      auto* const table = dialog->findChild<QTableWidget*>("CurveOptions");
-      ASSERT_NE(table, nullptr);
-      int row = 0;
-      while (row + 1 < table->rowCount() && table->verticalHeaderItem(row)->text() != "boundary")
-      {
-        ++row;
-      }
-      fill(dialog, table, row);
-      dialog->accept();
-    });
-    QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-    QApplication::setActiveWindow(this->window.get()); // the dialog was it
-  };
-  ask([](QDialog* dialog, QTableWidget* table, int row) {
+  this->fillCurveOptions("boundary", [](QDialog* dialog, QTableWidget* table, int row) {
     EXPECT_GT(table->rowCount(), 2);
     table->item(row, 0)->setText("wide");
     dialog->accept();
@@ -260,7 +243,9 @@ TEST_F(PatternEditor, OneCurveCanHaveOptionsOfItsOwn)
   EXPECT_EQ(pattern->GetCurvesWithOptions()->GetNumberOfValues(), 1);
 
   // The fields show what is set, and what was emptied is as for all again.
-  ask([](QDialog*, QTableWidget* table, int row) {
+  this->fillCurveOptions("boundary", [](QDialog*, QTableWidget* table, int row) {
+    // What is no curve has no ease.
+    EXPECT_FALSE(table->item(row, 5)->flags() & Qt::ItemIsEditable);
     EXPECT_EQ(table->item(row, 0)->text(), "20");
     EXPECT_EQ(table->item(row, 1)->text(), "30 60.5");
     table->item(row, 0)->setText("");

@@ -97,6 +97,37 @@ class Edges(command.CommandTest):
             self.assertAlmostEqual(lengths[1], float(row["to_mm"]) - float(row["from_mm"]), places=4)
             self.assertAlmostEqual(float(row["ease_percent"]), 3.0 if longer > 0 else 100 / 1.03 - 100, places=3)
 
+    def test_a_file_of_curves_brings_its_eases(self):
+        with open(self.path("bulged.obj"), encoding="utf-8") as file:
+            points = [line.split()[1:4] for line in file if line.startswith("v ")]
+        seam = [points[at(4, j)] for j in range(SIZE + 1)]
+        lines = ["# vtk DataFile Version 3.0", "a seam", "ASCII", "DATASET POLYDATA",
+                 f"POINTS {len(seam)} double", *(" ".join(point) for point in seam),
+                 f"LINES 1 {len(seam) + 1}", " ".join(map(str, [len(seam), *range(len(seam))])),
+                 "CELL_DATA 1", "FIELD FieldData 4", "CurveType 1 1 int", "3", "LengthTolerance 1 1 double", "0.05",
+                 "LengthEase 1 1 double", "{}", "EasedPiece 1 1 int", "{}"]
+
+        def ease(fraction, piece):
+            with open(self.path("eased.vtk"), "w", encoding="utf-8") as file:
+                file.write("\n".join(lines).format(fraction, piece) + "\n")
+            return self.path("eased.vtk")
+
+        words = ("--unit", "mm", "--walk")
+        self.flatten("bulged.obj", ease(0.03, 0), *words)
+        with open(self.path("out/walk.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 5)
+        for row in rows:
+            longer = 1 if row["piece_a"].endswith(" 1") else -1
+            lengths = [float(row["length_a_mm"]), float(row["length_b_mm"])][::longer]
+            self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
+        for fraction, piece, says in ((0.06, 0, ["6 %", "5 %"]), (0.03, 2, ["piece 3"]), (0.03, -1, ["1, 2"]),
+                                      (1.0, 0, ["LengthEase", "(-1, 1)"]), (0.03, -2, ["EasedPiece"])):
+            run = self.run_command("bulged.obj", ease(fraction, piece), *words, "--output", "none")
+            self.assertEqual(run.returncode, 3, run.stderr)
+            for word in says:
+                self.assertIn(word, run.stderr)
+
     def test_an_ease_that_cannot_be_is_refused(self):
         seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
         for words, code, says in (

@@ -92,6 +92,30 @@ TEST(CurveEase, AnEdgeOfOnePieceNeedsNoNumber)
   }
 }
 
+TEST(CurveEase, ACurveBringsItsOwnUnlessOneIsGivenForItsName)
+{
+  Surface surface = seamedCushion(0.05);
+  surface.curves[0].ease = { 0.03, 1 };
+  const std::vector<double> own{ 0.0, 0.03 };
+  for (Index piece : { 0, 1 })
+  {
+    for (const double stretch : stretchesOf(flatten(surface, {}), 0, piece))
+    {
+      EXPECT_NEAR(stretch, own[piece], 1e-9);
+    }
+  }
+  const std::vector<double> given{ -0.02, 0.0 };
+  for (Index piece : { 0, 1 })
+  {
+    for (const double stretch : stretchesOf(flatten(surface, { { "seam", 0, -0.02 } }), 0, piece))
+    {
+      EXPECT_NEAR(stretch, given[piece], 1e-9);
+    }
+  }
+  surface.curves[0].ease = { 0.06, 1 };
+  expectRefusal(flatten(surface, {}), { "seam", "6 %", "5 %" });
+}
+
 TEST(CurveEase, MoreThanTheToleranceOfTheCurveIsRefusedWithBoth)
 {
   expectRefusal(flatten(seamedCushion(0.02), { { "seam", 0, 0.03 } }), { "seam", "3 %", "2 %" });

@@ -120,6 +120,24 @@ class Editor(unittest.TestCase):
         for k in range(before.GetNumberOfPoints()):
             self.assertEqual(before.GetPoint(k), after.GetPoint(k))
 
+    def test_eases_come_back_and_images_have_them_where_no_piece_is_named(self):
+        editor = drawn(self.surface)
+        self.assertTrue(editor.SetMirrorPlane((0, 0, 0), (1, 0, 0)))
+        self.assertTrue(editor.SetCurveMirrored(1, True), editor.GetMessage())
+        self.assertIsNone(curves_of(editor).GetCellData().GetArray("LengthEase"))
+        for ease, piece, of_image in ((0.03, 1, 0.0), (-0.02, -1, -0.02)):
+            self.assertTrue(editor.SetCurveEase(1, ease, piece), editor.GetMessage())
+            cells = curves_of(editor).GetCellData()
+            images = [k for k in range(cells.GetNumberOfTuples()) if cells.GetArray("CurveImageOf").GetValue(k) >= 0]
+            self.assertEqual([cells.GetArray("LengthEase").GetValue(k) for k in images], [of_image])
+            again = sf.vtkFeatureCurveEditor()
+            self.assertTrue(again.SetSurface(self.surface))
+            self.assertTrue(again.SetCurves(curves_of(editor)), again.GetMessage())
+            self.assertEqual((again.GetCurveEase(1), again.GetCurveEasedPiece(1)), (ease, piece))
+            self.assertEqual((again.GetCurveEase(0), again.GetCurveEasedPiece(0)), (0.0, -1))
+        editor.Undo()
+        self.assertEqual((editor.GetCurveEase(1), editor.GetCurveEasedPiece(1)), (0.03, 1))
+
     def test_polylines_of_others_get_a_node_at_each_point(self):
         editor = sf.vtkFeatureCurveEditor()
         editor.SetSurface(self.surface)
@@ -136,6 +154,8 @@ class Editor(unittest.TestCase):
                               (lambda: editor.MoveNode(0, -1, (0, 0, 0)), "no node"),
                               (lambda: editor.MoveNode(0, 0, (math.nan, 0, 0)), "finite"),
                               (lambda: editor.SetCurveTolerance(0, 1.5), "1.5"),
+                              (lambda: editor.SetCurveEase(0, 1.0, 0), "ease is 1 "),
+                              (lambda: editor.SetCurveEase(0, 0.1, -2), "piece -2"),
                               (lambda: editor.SetCurveClosed(3, True), "no closed section"),
                               (lambda: editor.SetMirrorPlane((0, 0, 0), (0, 0, 0)), "normal"),
                               (lambda: editor.AddMirrorImage(0), "mirror plane")):

@@ -52,6 +52,24 @@ class Filters(unittest.TestCase):
         self.assertEqual(sf.vtkFeatureCurveAlgorithm.SEAM, 3)
         self.assertEqual(sf.vtkFlatteningAlgorithm.OK, 0)
 
+    def test_eases_come_back_as_text_whether_they_were_set_as_one_or_added(self):
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetCurveEases("side:1=+3%;  cap = 5 %")
+        self.assertEqual(filter_.GetCurveEases(), "side:1=+3%;  cap = 5 %")
+        filter_.AddCurveEase("a=b:c", 1, -0.02)
+        filter_.AddCurveEase("hem", -1, 0.015)
+        text = filter_.GetCurveEases()
+        self.assertEqual(text, "side:1=+3%;  cap = 5 %; a=b:c:2=-2%; hem=+1.5%")
+        again = sf.vtkWireWarpingFilter()
+        again.SetCurveEases(text)
+
+        def eases(one):
+            return [line.strip() for line in str(one).splitlines() if "CurveEase " in line]
+        self.assertEqual(len(eases(filter_)), 4)
+        self.assertEqual(eases(again), eases(filter_))
+        filter_.RemoveAllCurveEases()
+        self.assertEqual(filter_.GetCurveEases(), "")
+
     def test_objects_of_derived_python_classes_are_handed_over(self):
         surface, curves = PolyData(read("pants_front")), PolyData(read("pants_front_curves"))
         expected = sf.vtkWireWarpingFilter()

@@ -5,7 +5,9 @@
 #include "Editing/CurveDrawing.h"
 #include "Editing/CurveNodes.h"
 
+#include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace flattening
 {
@@ -17,6 +19,13 @@ Status checkTraits(const CurveTraits& traits)
   {
     return refusal(
       "a curve's tolerance is " + shortNumber(traits.tolerance) + ", which is not in [0, 1)");
+  }
+  const LengthEase& ease = traits.ease;
+  if (!(std::abs(ease.fraction) < 1.0) || ease.piece < none)
+  {
+    return refusal("a curve's ease is " + shortNumber(ease.fraction) + " in piece " +
+      std::to_string(ease.piece) +
+      ", which is not a fraction between -1 and 1 in a piece from 0, " + "or in -1");
   }
   return {};
 }

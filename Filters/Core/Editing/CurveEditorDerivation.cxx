@@ -98,6 +98,7 @@ Status CurveEditor::addImage(std::size_t c)
       node = this->Surface->pointNear(this->state().mirror->image(node.position));
     }
     image.traits.mirrored = false;
+    image.traits.ease = easeOfImage(image.traits.ease);
     image.segments.clear();
     return this->add(std::move(image));
   });

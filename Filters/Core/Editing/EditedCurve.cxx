@@ -33,7 +33,7 @@ bool identical(const std::vector<SurfacePath>& a, const std::vector<SurfacePath>
 bool identical(const CurveTraits& a, const CurveTraits& b)
 {
   return a.name == b.name && a.type == b.type && a.keyShape == b.keyShape &&
-    a.tolerance == b.tolerance && a.mirrored == b.mirrored;
+    a.tolerance == b.tolerance && a.ease == b.ease && a.mirrored == b.mirrored;
 }
 }
 

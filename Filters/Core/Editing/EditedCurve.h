@@ -25,6 +25,7 @@ struct CurveTraits
   CurveType type = CurveType::Accessory;
   KeyShape keyShape = KeyShape::Surface;
   double tolerance = 0.0;
+  LengthEase ease;
   /// There is the same on the other side of the mirror plane as well.
   bool mirrored = false;
 };
@@ -40,6 +41,13 @@ struct EditedCurve
   std::vector<SurfacePath> segments;
   std::vector<SurfacePath> image; ///< in the mirror, where the curve is mirrored
 };
+
+/// That of a curve's image in the mirror. Which piece an image lies in is not known: none, where
+/// the curve is eased in a piece that is named.
+inline LengthEase easeOfImage(const LengthEase& ease)
+{
+  return ease.piece == none ? ease : LengthEase();
+}
 
 struct MirrorPlane
 {

@@ -19,6 +19,7 @@ struct CurveEase
 /// has the length of the surface in the others. Empty where no ease is asked for.
 using PieceStretches = std::vector<std::vector<std::optional<double>>>;
 
+/// Eases that curves have of their own hold where none is given for their names.
 /// Errors: InvalidOption where a curve is not there or not in the piece, would change by more than
 /// its tolerance, or has both of its sides in the piece.
 Status decideEases(const std::vector<CurveEase>& eases, const std::vector<FeatureCurve>& curves,

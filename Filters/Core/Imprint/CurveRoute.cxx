@@ -46,6 +46,7 @@ FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, c
   curve.type = polyline.type;
   curve.keyShape = polyline.keyShape;
   curve.tolerance = polyline.tolerance;
+  curve.ease = polyline.ease;
   if (route.start == none)
   {
     return curve;

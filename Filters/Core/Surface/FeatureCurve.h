@@ -24,6 +24,18 @@ enum class KeyShape
   Planar = 2,   ///< the turning angles of FeatureCurve::planarShape
 };
 
+/// By how much a curve is longer in one of its pieces than on the surface.
+struct LengthEase
+{
+  double fraction = 0.0; ///< 0: no ease
+  Index piece = none;    ///< none: the only one that the curve is in
+
+  bool operator==(const LengthEase& other) const
+  {
+    return this->fraction == other.fraction && this->piece == other.piece;
+  }
+};
+
 /// A feature curve as a chain of mesh vertices, each two neighbours joined by a mesh edge.
 struct FeatureCurve
 {
@@ -33,6 +45,7 @@ struct FeatureCurve
   /// Elastic curves: how far each length may go from that on the surface, as a fraction; 0 is
   /// rigid.
   double tolerance = 0.0;
+  LengthEase ease;
   Indices vertices;
   /// As many points as vertices, where keyShape is Planar.
   Points2 planarShape;
@@ -52,6 +65,7 @@ struct Polyline
   CurveType type = CurveType::Accessory;
   KeyShape keyShape = KeyShape::Surface;
   double tolerance = 0.0;
+  LengthEase ease;
   Points3 points;
   Points2 planarShape;
   /// Ids of the points in the caller's data, for messages.

@@ -128,7 +128,8 @@ def flatten(
             their own length_tolerance.
         ease: by how much curves are longer in one of their pieces than on the surface, and than what they
             are sewn to: {"cap": 0.03}, or {("cap", 1): 0.03} where the curve lies in several pieces
-            (counted from 0). Each needs a tolerance as large.
+            (counted from 0). Each needs a tolerance as large, and takes the place of what the curve has
+            by cell arrays LengthEase and EasedPiece.
         coincident_points: whether points with equal coordinates are one: "automatic", only where
             hardly any two triangles share a point; "join", always; "keep", never.
         split_triangles: split triangles where a curve does not run along edges; False: refuse it.
