@@ -49,8 +49,8 @@ PatternDialog::PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
     "Borders and curves as splines of the same lengths, at most this far from the points of the "
     "mesh. 0: as the mesh has them.",
     writer->GetFairTolerance(), 100.0, [writer](double mm) { writer->SetFairTolerance(mm); });
-  this->addChoice("Symmetrize", "Symmetric outlines",
-    "Each piece that is symmetric to 0.5 mm as exactly its own mirror image.",
+  this->addChoice("Symmetrize", "Symmetric pieces",
+    "Each piece that is symmetric to 0.5 mm, with its curves, as exactly its own mirror image.",
     writer->GetSymmetrize(), [writer](bool on) { writer->SetSymmetrize(on); });
   this->addLength("DartTip", "Dart tips drawn back", "Of folded darts, their legs with them.",
     writer->GetDartTip(), 1e3, [writer](double mm) { writer->SetDartTip(mm); });

@@ -165,8 +165,9 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_flag("--symmetrize", request.symmetrize,
-      "Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror image; "
-      "sides whose lengths differ by up to 0.1 mm get their mean")
+      "Draw the outline of each piece that is symmetric to 0.5 mm, and the curves and holes in it "
+      "that are, as exactly its own mirror image; sides whose lengths differ by up to 0.1 mm get "
+      "their mean")
     ->group(group);
   app
     .add_flag("--laser-colors", request.laserColours,

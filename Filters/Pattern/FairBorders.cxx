@@ -66,7 +66,7 @@ FairBorders::FairBorders(const DrawingSource& all)
 {
   const std::size_t pieces = all.loops.size();
   FairLimits limits{ std::vector<double>(pieces, 1.0),
-    std::vector<bool>(pieces, all.options.symmetrize) };
+    std::vector<bool>(pieces, all.options.symmetrize), std::vector<bool>(pieces, true) };
   this->WhyNotMirrored.resize(pieces);
   for (bool lowered = true; lowered;)
   {
@@ -112,7 +112,11 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
     // As its own mirror image it is strained by less the nearer it is to its points.
     const bool nearer = limits.mirrored[p] && limits.shares[p] < 1.0;
     const bool far = strained && limits.shares[p] * lessShare < leastMirrored;
-    if (nearer && (left || !report.mirror || far))
+    if (left && fit.mirror(p).goesWithin())
+    {
+      limits.mirroredWithin[p] = false; // the outline alone may be drawn so
+    }
+    else if (nearer && (left || !report.mirror || far))
     {
       this->dropMirror(p, "it would strain the piece by over 0.3 % more", limits);
     }
@@ -241,7 +245,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   {
     FairPieceReport& report = this->Reports[p];
     report.solved = fit.solved(p);
-    this->reportMirror(fit, p);
+    this->reportMirror(all, fit, p);
     report.deviation = fit.largestDeviation(p);
     report.strainBefore = strainQuantile(all, p, before);
     report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
@@ -250,7 +254,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   }
 }
 
-void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
+void FairBorders::reportMirror(const DrawingSource& all, const FairFit& fit, std::size_t piece)
 {
   FairPieceReport& report = this->Reports[piece];
   for (std::size_t c = 0; c < this->plan().size(); ++c)
@@ -270,6 +274,7 @@ void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
     report.lengthDifference = mirror.difference;
     report.mirrorMiss =
       missOfCurves(mirror, this->plan()[mirror.chain], this->spans()[mirror.chain]);
+    report.inner = measureInnerMirror(all, this->Chains, this->Spans, mirror.chain, mirror.axis);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FairFit.h"
+#include "InnerMirror.h"
 
 namespace flattening
 {
@@ -21,6 +22,7 @@ struct FairPieceReport
   bool solved = true;               ///< false: nothing was drawn otherwise
   std::optional<MirrorAxis> mirror; ///< of its outline, which is drawn as its own mirror image
   double mirrorMiss = 0.0;          ///< of the outline that is drawn, millimetres
+  InnerMirror inner;                ///< where it is: curves and holes within it
   double lengthDifference = 0.0; ///< of sides of it that are mirror images, on the surface, at most
   double lengthChange = 0.0;     ///< of a stretch between two corners, from the surface, at most
   std::string whyNotMirrored;    ///< empty: it is, or was not to be
@@ -57,7 +59,7 @@ private:
   /// Where along a chain its smooth curve is so long.
   double placeAt(std::size_t chain, double length) const;
   void report(const DrawingSource& all, const FairFit& fit);
-  void reportMirror(const FairFit& fit, std::size_t piece);
+  void reportMirror(const DrawingSource& all, const FairFit& fit, std::size_t piece);
   /// Draws a piece no longer as its own mirror image, but by all of its tolerances.
   void dropMirror(std::size_t piece, const std::string& why, FairLimits& limits);
   /// Takes from what pieces may do that cannot be drawn so, or are strained by too much. \return

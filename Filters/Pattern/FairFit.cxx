@@ -126,11 +126,13 @@ void FairFit::leave(const Place& place)
       left.tolerance = tolerance;
     }
   }
-  if (this->Now.imageOf(place))
+  const std::size_t piece = this->Chains.chains()[place.chain].piece;
+  if (this->Now.imageOf(place) && place.chain == this->Now.mirror(piece).chain)
   {
-    this->Unmirrored[this->Chains.chains()[place.chain].piece] = left;
+    this->Unmirrored[piece] = left;
     return;
   }
+  this->Now.dropImage(place);
   stretch.form = StretchForm::Raw;
   this->Left.push_back(left);
 }
@@ -193,12 +195,13 @@ void FairFit::coarsen(std::size_t piece)
   for (const Place& place : this->Now.placesOf(piece, StretchForm::Spline))
   {
     const std::optional<Place> image = this->Now.imageOf(place);
-    if (image && image->stretch < place.stretch)
+    const auto key = [](const Place& one) { return std::make_pair(one.chain, one.stretch); };
+    if (image && key(*image) < key(place))
     {
       continue; // with the other
     }
     std::vector<Place> places{ place };
-    if (image && image->stretch != place.stretch)
+    if (image && !(*image == place))
     {
       places.push_back(*image);
     }

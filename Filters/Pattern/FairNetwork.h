@@ -42,13 +42,21 @@ struct FairStretch
   double length() const { return this->intervals.back().end; }
 };
 
-/// An axis and stretches whose curves are to be mirror images of each other, one run forwards, the
-/// other backwards. A stretch with itself is its own mirror image.
+/// Two stretches whose curves are to be mirror images of each other; or one, twice, that is to be
+/// its own.
+struct FairImages
+{
+  std::size_t one = 0;
+  std::size_t other = 0;
+  bool backwards = true; ///< one runs the other way than the image of the other
+};
+
+/// An axis and stretches that are mirrored at it.
 struct FairMirror
 {
   Point2 at = Point2::Zero();
-  Point2 along = Point2(0.0, 1.0);                   ///< of length 1
-  std::vector<std::array<std::size_t, 2>> stretches; ///< with breaks that are mirrored as well
+  Point2 along = Point2(0.0, 1.0);   ///< of length 1
+  std::vector<FairImages> stretches; ///< with breaks that are mirrored as well
 };
 
 /// The borders and feature curves of a flat piece that hang together at nodes.

@@ -11,6 +11,8 @@ namespace pattern
 {
 namespace
 {
+constexpr double seenMiss = 1e-3; ///< of curves from their mirror images, millimetres
+
 void addMirrorNotes(const FairPieceReport& report, PatternPiece& piece)
 {
   const std::string of = "piece " + piece.name + ": ";
@@ -32,12 +34,25 @@ void addMirrorNotes(const FairPieceReport& report, PatternPiece& piece)
         ", and its sides differ by " + formatNumber(report.lengthDifference, 4) + " mm in length";
     }
     piece.notes.push_back({ note, NoteKind::Mirrored });
+    if (report.inner.curves > 0)
+    {
+      const bool one = report.inner.curves == 1;
+      const bool alike = report.inner.miss < seenMiss;
+      const std::string lines =
+        std::to_string(report.inner.curves) + (one ? " line" : " lines") + " of curves and holes ";
+      piece.notes.push_back({ of + lines + "within it " +
+          (alike ? std::string(one ? "is" : "are") + " drawn as mirror images as well, to " +
+                formatNumber(seenMiss, 3) + " mm"
+                 : (one ? "misses its" : "miss their") + std::string(" mirror image by up to ") +
+                formatNumber(report.inner.miss, 3) + " mm (" + report.inner.worst + ")"),
+        NoteKind::Mirrored });
+    }
   }
   if (report.lengthChange > noticedLength)
   {
-    piece.notes.push_back({ of + "stretches of its borders are up to " +
+    piece.notes.push_back({ of + "stretches of its borders and curves are up to " +
         formatNumber(report.lengthChange, 4) +
-        " mm longer or shorter than on the surface, so that sides that are mirror images, and what "
+        " mm longer or shorter than on the surface, so that those that are mirror images, and what "
         "is sewn to them, are equally long",
       NoteKind::Mirrored });
   }

@@ -59,11 +59,24 @@ struct PlannedChain
   std::vector<PlannedStretch> stretches;
 };
 
+/// A stretch of a plan.
+struct StretchPlace
+{
+  std::size_t chain = 0;
+  std::size_t stretch = 0;
+
+  bool operator==(const StretchPlace& other) const
+  {
+    return this->chain == other.chain && this->stretch == other.stretch;
+  }
+};
+
 /// What may be done to each piece.
 struct FairLimits
 {
   std::vector<double> shares; ///< of its tolerances that it may use
   std::vector<bool> mirrored; ///< its outline is to be its own mirror image, where it nearly is
+  std::vector<bool> mirroredWithin; ///< and so are curves and holes within it
 };
 
 /// Into which stretches and intervals the chains fall.

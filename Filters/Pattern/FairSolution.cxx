@@ -2,6 +2,7 @@
 #include "FairSolution.h"
 
 #include "FairWeights.h"
+#include "InnerMirror.h"
 #include "IntervalCurve.h"
 
 #include <algorithm>
@@ -22,6 +23,16 @@ FairSolution::FairSolution(
   {
     this->Mirrors.push_back(
       limits.mirrored[p] ? findOutlineMirror(all, chains, this->Plan, p) : OutlineMirror());
+    if (limits.mirroredWithin[p])
+    {
+      findInnerMirror(all, chains, this->Plan, this->Mirrors.back());
+      this->mirrorPlan(p);
+      const PieceNetwork network = this->networkOf(p);
+      for (const MirroredStretches& pair : network.unlike())
+      {
+        this->dropImage(pair.one);
+      }
+    }
     this->mirrorPlan(p);
     double length = 0.0;
     std::size_t edges = 0;
@@ -39,40 +50,70 @@ std::optional<FairSolution::Place> FairSolution::imageOf(const Place& place) con
 {
   for (const OutlineMirror& mirror : this->Mirrors)
   {
-    for (const auto& [one, other] : mirror.stretches)
+    for (const MirroredStretches& pair : mirror.stretches)
     {
-      if (mirror.chain == place.chain && (one == place.stretch || other == place.stretch))
+      if (pair.has(place))
       {
-        return Place{ place.chain, one == place.stretch ? other : one };
+        return pair.one == place ? pair.other : pair.one;
       }
     }
   }
   return std::nullopt;
 }
 
+void FairSolution::dropImage(const Place& place)
+{
+  for (OutlineMirror& mirror : this->Mirrors)
+  {
+    const auto found = std::find_if(mirror.stretches.begin(), mirror.stretches.end(),
+      [&place](const MirroredStretches& pair) { return pair.has(place); });
+    if (found == mirror.stretches.end())
+    {
+      continue;
+    }
+    for (const Place& one : { found->one, found->other })
+    {
+      PlannedChain& chain = this->Plan[one.chain];
+      const PlannedStretch& stretch = chain.stretches[one.stretch];
+      for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
+      {
+        chain.intervals[k].length = chain.intervals[k].end - chain.intervals[k].start;
+      }
+    }
+    mirror.stretches.erase(found);
+  }
+}
+
 void FairSolution::mirrorPlan(std::size_t piece)
 {
-  const OutlineMirror& mirror = this->Mirrors[piece];
-  pattern::mirrorPlan(mirror, this->Plan[mirror.chain]);
+  pattern::mirrorPlan(this->Mirrors[piece], this->Plan);
 }
 
 void FairSolution::placeIntervals(std::size_t piece)
 {
-  const OutlineMirror& mirror = this->Mirrors[piece];
-  PlannedChain& chain = this->Plan[mirror.chain];
-  for (std::size_t s = 0; mirror.found() && s < chain.stretches.size(); ++s)
+  for (const MirroredStretches& pair : this->Mirrors[piece].stretches)
   {
-    const PlannedStretch& stretch = chain.stretches[s];
-    PlannedInterval whole;
-    whole.places = { stretch.breaks.front(), stretch.breaks.back() };
-    const IntervalCurve curve(this->Spans[mirror.chain], whole);
-    double length = 0.0;
-    for (std::size_t k = stretch.firstInterval; k + 1 < stretch.endInterval; ++k)
+    this->placeIntervals(pair.one);
+    if (!pair.own())
     {
-      length += chain.intervals[k].length;
-      chain.intervals[k].places[1] = chain.intervals[k + 1].places[0] =
-        curve.placeAt(length / curve.length());
+      this->placeIntervals(pair.other);
     }
+  }
+}
+
+void FairSolution::placeIntervals(const Place& place)
+{
+  PlannedChain& chain = this->Plan[place.chain];
+  const PlannedStretch& stretch = this->at(place);
+  PlannedInterval whole;
+  whole.places = { stretch.breaks.front(), stretch.breaks.back() };
+  const IntervalCurve curve(this->Spans[place.chain], whole);
+  double length = 0.0;
+  for (std::size_t k = stretch.firstInterval; k + 1 < stretch.endInterval; ++k)
+  {
+    length += chain.intervals[k].length;
+    chain.intervals[k].places[1] = chain.intervals[k + 1].places[0] =
+      curve.placeAt(length / curve.length());
   }
 }
 

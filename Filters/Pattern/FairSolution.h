@@ -15,12 +15,7 @@ namespace pattern
 class FairSolution
 {
 public:
-  /// A stretch of the plan.
-  struct Place
-  {
-    std::size_t chain = 0;
-    std::size_t stretch = 0;
-  };
+  using Place = StretchPlace;
 
   /// Source and chains stay the caller's.
   FairSolution(const DrawingSource& all, const BorderChains& chains, const FairLimits& limits);
@@ -43,8 +38,10 @@ public:
 
   /// How the outline of a piece is drawn as its own mirror image.
   const OutlineMirror& mirror(std::size_t piece) const { return this->Mirrors[piece]; }
-  /// Of a stretch of the outline of such a piece the one that is its mirror image, maybe itself.
+  /// Of a stretch of such a piece the one that is its mirror image, maybe itself.
   std::optional<Place> imageOf(const Place& place) const;
+  /// Draws a stretch within such a piece, and its image, each by itself.
+  void dropImage(const Place& place);
   /// Gives stretches that are mirror images of each other the same form and breaks.
   void mirrorPlan(std::size_t piece);
   /// Puts the ends of intervals of such stretches where the lengths of the curves say.
@@ -73,6 +70,7 @@ public:
   void drawEdges(std::size_t piece);
 
 private:
+  void placeIntervals(const Place& place);
   bool emphasizeStretch(const Place& place);
 
   const DrawingSource& All;

@@ -66,11 +66,11 @@ FairTrial::FairTrial(
   this->Network.held = true;
   this->Network.mirror = network.mirror;
   this->Network.mirror.stretches.clear();
-  for (const auto& [one, other] : network.mirror.stretches)
+  for (const FairImages& pair : network.mirror.stretches)
   {
-    if (one == parts.front().stretch)
+    if (pair.one == parts.front().stretch)
     {
-      this->Network.mirror.stretches.push_back({ 0, parts.size() - 1 });
+      this->Network.mirror.stretches.push_back({ 0, parts.size() - 1, pair.backwards });
     }
   }
 }
@@ -78,6 +78,11 @@ FairTrial::FairTrial(
 bool FairTrial::isOwnImage() const
 {
   return !this->Network.mirror.stretches.empty() && this->Network.stretches.size() == 1;
+}
+
+bool FairTrial::runsBackwards() const
+{
+  return this->Network.mirror.stretches.empty() || this->Network.mirror.stretches.front().backwards;
 }
 
 std::vector<double> FairTrial::freeOf(std::vector<double> breaks) const
@@ -111,7 +116,7 @@ void FairTrial::setBreaks(const std::vector<double>& freeBreaks)
   for (std::size_t s = 1; s < this->Network.stretches.size(); ++s)
   {
     std::vector<double>& image = this->Network.stretches[s].breaks;
-    image = mirroredBreaks(all, image.front(), image.back());
+    image = mirroredBreaks(all, image.front(), image.back(), this->runsBackwards());
   }
 }
 
@@ -177,7 +182,8 @@ double FairTrial::mostBetween(double start, double end) const
     const FairStretch& stretch = this->Network.stretches[s];
     for (std::size_t p = 0; p < stretch.arc.size(); ++p)
     {
-      const double image = whole - stretch.arc[p] / stretch.length() * whole;
+      const double share = stretch.arc[p] / stretch.length();
+      const double image = (this->runsBackwards() ? 1.0 - share : share) * whole;
       const bool within = s == 0 && stretch.arc[p] >= start && stretch.arc[p] <= end;
       const bool imageWithin = (s > 0 || this->isOwnImage()) && image >= start && image <= end;
       most = within || imageWithin ? std::max(most, this->Shares[s][p + 1]) : most;

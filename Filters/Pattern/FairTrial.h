@@ -45,6 +45,8 @@ private:
   const std::vector<double>& breaks() const { return this->Network.stretches.front().breaks; }
   /// Whether the stretch is to be its own mirror image.
   bool isOwnImage() const;
+  /// Whether the image of the stretch runs the other way.
+  bool runsBackwards() const;
   /// Breaks without those that follow, since they are images of others.
   std::vector<double> freeOf(std::vector<double> breaks) const;
   void setBreaks(const std::vector<double>& freeBreaks);

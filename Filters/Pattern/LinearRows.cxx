@@ -61,15 +61,18 @@ void LinearRows::addMirror(const FairNetwork& network, const std::vector<Stretch
   const Point2 shift = mirror.at - image * mirror.at;
   const Point2 across(mirror.along.y(), -mirror.along.x());
   std::set<std::array<Eigen::Index, 2>> known; // nodes are of two stretches
-  for (const auto& [one, other] : mirror.stretches)
+  for (const FairImages& pair : mirror.stretches)
   {
-    const std::vector<Eigen::Index> forwards = curves[one].unknowns();
-    std::vector<Eigen::Index> backwards = curves[other].unknowns();
-    std::reverse(backwards.begin(), backwards.end());
-    for (std::size_t k = 0; k < forwards.size(); ++k)
+    const std::vector<Eigen::Index> points = curves[pair.one].unknowns();
+    std::vector<Eigen::Index> images = curves[pair.other].unknowns();
+    if (pair.backwards)
     {
-      const Eigen::Index a = std::min(forwards[k], backwards[k]);
-      const Eigen::Index b = std::max(forwards[k], backwards[k]);
+      std::reverse(images.begin(), images.end());
+    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      const Eigen::Index a = std::min(points[k], images[k]);
+      const Eigen::Index b = std::max(points[k], images[k]);
       const bool stays = network.held && a < static_cast<Eigen::Index>(network.nodes.size());
       if (stays || !known.insert({ a, b }).second)
       {

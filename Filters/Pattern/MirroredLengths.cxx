@@ -90,16 +90,17 @@ void equalizeMirroredLengths(
     change = 0.0;
     for (const OutlineMirror& mirror : mirrors)
     {
-      for (const auto& [one, other] : mirror.stretches)
+      for (const MirroredStretches& pair : mirror.stretches)
       {
-        PlannedChain& chain = plan[mirror.chain];
-        const double length = lengthOf(chain, one);
-        const double mean = (length + lengthOf(chain, other)) / 2.0;
-        if (one != other && mean != length)
+        PlannedChain& one = plan[pair.one.chain];
+        PlannedChain& other = plan[pair.other.chain];
+        const double length = lengthOf(one, pair.one.stretch);
+        const double mean = (length + lengthOf(other, pair.other.stretch)) / 2.0;
+        if (!pair.own() && mean != length)
         {
           change = std::max(change, std::abs(mean / length - 1.0));
-          scale(chain, other, mean / (2.0 * mean - length));
-          scale(chain, one, mean / length);
+          scale(other, pair.other.stretch, mean / (2.0 * mean - length));
+          scale(one, pair.one.stretch, mean / length);
         }
       }
     }

@@ -47,7 +47,7 @@ public:
     {
       image.push_back(this->imageOfCorner(stretch.firstPoint));
     }
-    std::vector<MirroredStretches> pairs;
+    std::vector<std::array<std::size_t, 2>> pairs;
     const std::size_t count = this->Stretches.size();
     for (std::size_t s = 0; s < count; ++s)
     {
@@ -66,7 +66,11 @@ public:
     }
     if (this->areAlike(pairs))
     {
-      this->Mirror.stretches = std::move(pairs);
+      for (const auto& [one, other] : pairs)
+      {
+        this->Mirror.stretches.push_back(
+          { { this->Mirror.chain, one }, { this->Mirror.chain, other }, true });
+      }
     }
   }
 
@@ -102,7 +106,7 @@ private:
     return nearest;
   }
 
-  bool areAlike(const std::vector<MirroredStretches>& pairs)
+  bool areAlike(const std::vector<std::array<std::size_t, 2>>& pairs)
   {
     for (const auto& [one, other] : pairs)
     {
@@ -189,25 +193,31 @@ OutlineMirror findOutlineMirror(const DrawingSource& all, const BorderChains& ch
   return mirror;
 }
 
-std::vector<double> mirroredBreaks(const std::vector<double>& breaks, double start, double end)
+std::vector<double> mirroredBreaks(
+  const std::vector<double>& breaks, double start, double end, bool backwards)
 {
   const double first = breaks.front();
   const double last = breaks.back();
-  std::vector<double> image{ start };
-  for (std::size_t k = breaks.size() - 1; k-- > 1;)
+  std::vector<double> image;
+  for (const double at : breaks)
   {
-    image.push_back(start + (last - breaks[k]) / (last - first) * (end - start));
+    image.push_back(start + (backwards ? last - at : at - first) / (last - first) * (end - start));
   }
-  image.push_back(end);
+  if (backwards)
+  {
+    std::reverse(image.begin(), image.end());
+  }
+  image.front() = start;
+  image.back() = end;
   return image;
 }
 
-void mirrorPlan(const OutlineMirror& mirror, PlannedChain& chain)
+void mirrorPlan(const OutlineMirror& mirror, std::vector<PlannedChain>& plan)
 {
-  for (const auto& [first, second] : mirror.stretches)
+  for (const MirroredStretches& pair : mirror.stretches)
   {
-    PlannedStretch& one = chain.stretches[first];
-    PlannedStretch& other = chain.stretches[second];
+    PlannedStretch& one = plan[pair.one.chain].stretches[pair.one.stretch];
+    PlannedStretch& other = plan[pair.other.chain].stretches[pair.other.stretch];
     for (PlannedStretch* const stretch : { &one, &other })
     {
       // One edge is straight however it is meant.
@@ -215,8 +225,13 @@ void mirrorPlan(const OutlineMirror& mirror, PlannedChain& chain)
     }
     const bool straight = one.form == StretchForm::Straight && other.form == StretchForm::Straight;
     one.form = other.form = straight ? StretchForm::Straight : StretchForm::Spline;
-    addBreaks(mirroredBreaks(other.breaks, one.breaks.front(), one.breaks.back()), one.breaks);
-    if (first == second)
+    if (pair.own() && !pair.backwards)
+    {
+      continue; // on the axis
+    }
+    addBreaks(mirroredBreaks(other.breaks, one.breaks.front(), one.breaks.back(), pair.backwards),
+      one.breaks);
+    if (pair.own())
     {
       // Those of the first half, exactly.
       const double sum = one.breaks.front() + one.breaks.back();
@@ -230,7 +245,8 @@ void mirrorPlan(const OutlineMirror& mirror, PlannedChain& chain)
       }
       continue;
     }
-    other.breaks = mirroredBreaks(one.breaks, other.breaks.front(), other.breaks.back());
+    other.breaks =
+      mirroredBreaks(one.breaks, other.breaks.front(), other.breaks.back(), pair.backwards);
   }
 }
 
@@ -238,10 +254,14 @@ double missOfCurves(
   const OutlineMirror& mirror, const PlannedChain& chain, const std::vector<FairSpan>& spans)
 {
   double miss = 0.0;
-  for (const auto& [first, second] : mirror.stretches)
+  for (const MirroredStretches& pair : mirror.stretches)
   {
-    const std::vector<FairSpan> one = spansOf(spans, chain.stretches[first]);
-    std::vector<FairSpan> other = spansOf(spans, chain.stretches[second]);
+    if (pair.one.chain != mirror.chain)
+    {
+      continue;
+    }
+    const std::vector<FairSpan> one = spansOf(spans, chain.stretches[pair.one.stretch]);
+    std::vector<FairSpan> other = spansOf(spans, chain.stretches[pair.other.stretch]);
     std::reverse(other.begin(), other.end());
     if (one.size() != other.size())
     {

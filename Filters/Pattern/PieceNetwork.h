@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FairNetwork.h"
+#include "NodeImages.h"
 #include "OutlineMirror.h"
 
 #include <map>
@@ -21,6 +22,9 @@ public:
   const FairNetwork& network() const { return this->Network; }
   /// The number of a stretch in it, by its chain and first point; it is no raw one.
   std::size_t indexOf(std::size_t chain, std::size_t firstPoint) const;
+  /// Stretches that were to be mirror images of each other and cannot be, since what hangs on other
+  /// curves does not do so at images.
+  const std::vector<MirroredStretches>& unlike() const { return this->Unlike; }
   /// Writes the solution to the chains of this piece: spans along them, deviations of their points.
   void take(const FairCurves& curves, std::vector<std::vector<FairSpan>>& spans,
     std::vector<std::vector<double>>& deviation) const;
@@ -38,12 +42,15 @@ private:
   void add(std::size_t c, const PlannedStretch& planned);
   void addEdges(std::size_t c, const PlannedStretch& planned);
   void addMirror(const OutlineMirror& mirror);
+  /// \return false: they cannot be images of each other, or not yet
+  bool addImages(const MirroredStretches& pair, bool outline, NodeImages& images);
 
   const DrawingSource& All;
   const BorderChains& Chains;
   const std::vector<PlannedChain>& Plan;
   FairNetwork Network;
   std::vector<Origin> Origins;
+  std::vector<MirroredStretches> Unlike;
   std::map<Index, std::size_t> Nodes;
 };
 }
