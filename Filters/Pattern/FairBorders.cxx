@@ -80,6 +80,13 @@ FairBorders::FairBorders(const DrawingSource& all)
       this->Reports[p].share = limits.shares[p];
     }
     lowered = this->lower(all, fit, limits);
+    for (std::size_t p = 0; p < pieces && !lowered; ++p)
+    {
+      FairPieceReport& report = this->Reports[p];
+      report.inner = report.mirror
+        ? measureInnerMirror(all, this->Chains, this->Spans, fit.mirror(p).chain, *report.mirror)
+        : InnerMirror();
+    }
   }
 }
 
@@ -245,7 +252,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   {
     FairPieceReport& report = this->Reports[p];
     report.solved = fit.solved(p);
-    this->reportMirror(all, fit, p);
+    this->reportMirror(fit, p);
     report.deviation = fit.largestDeviation(p);
     report.strainBefore = strainQuantile(all, p, before);
     report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
@@ -254,7 +261,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   }
 }
 
-void FairBorders::reportMirror(const DrawingSource& all, const FairFit& fit, std::size_t piece)
+void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
 {
   FairPieceReport& report = this->Reports[piece];
   for (std::size_t c = 0; c < this->plan().size(); ++c)
@@ -274,7 +281,6 @@ void FairBorders::reportMirror(const DrawingSource& all, const FairFit& fit, std
     report.lengthDifference = mirror.difference;
     report.mirrorMiss =
       missOfCurves(mirror, this->plan()[mirror.chain], this->spans()[mirror.chain]);
-    report.inner = measureInnerMirror(all, this->Chains, this->Spans, mirror.chain, mirror.axis);
   }
 }
 

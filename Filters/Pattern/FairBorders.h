@@ -59,7 +59,7 @@ private:
   /// Where along a chain its smooth curve is so long.
   double placeAt(std::size_t chain, double length) const;
   void report(const DrawingSource& all, const FairFit& fit);
-  void reportMirror(const DrawingSource& all, const FairFit& fit, std::size_t piece);
+  void reportMirror(const FairFit& fit, std::size_t piece);
   /// Draws a piece no longer as its own mirror image, but by all of its tolerances.
   void dropMirror(std::size_t piece, const std::string& why, FairLimits& limits);
   /// Takes from what pieces may do that cannot be drawn so, or are strained by too much. \return

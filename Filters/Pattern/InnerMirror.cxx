@@ -12,7 +12,9 @@ namespace pattern
 {
 namespace
 {
-constexpr double fineSamples = 1e-3; ///< of chords from what is drawn, millimetres
+/// Of chords from what is drawn: millimetres, and of all that is drawn.
+constexpr double fineSamples = 1e-3;
+constexpr double fineShare = 1e-6;
 
 /// How far the image of a point is from lines, at most.
 double missOf(const Points2& points, const MirrorAxis& axis, const Segments& lines)
@@ -35,12 +37,12 @@ Points2 meshPoints(const DrawingSource& all, const BorderChain& chain)
   return points;
 }
 
-Points2 drawnPoints(const std::vector<FairSpan>& spans)
+Points2 drawnPoints(const std::vector<FairSpan>& spans, double distance)
 {
   Points2 points;
   for (const FairSpan& span : spans)
   {
-    sampleSpan(span, fineSamples, points);
+    sampleSpan(span, distance, points);
   }
   points.push_back(spans.back().control[3]);
   return points;
@@ -181,11 +183,16 @@ InnerMirror measureInnerMirror(const DrawingSource& all, const BorderChains& cha
   inner.erase(std::remove_if(inner.begin(), inner.end(), hasNoImage), inner.end());
   InnerMirror mirror;
   mirror.curves = inner.size();
+  double length = 0.0;
+  for (const std::size_t c : inner)
+  {
+    length += chains.chains()[c].length();
+  }
   std::vector<Points2> drawn;
   lines.clear();
   for (const std::size_t c : inner)
   {
-    drawn.push_back(drawnPoints(spans[c]));
+    drawn.push_back(drawnPoints(spans[c], std::max(fineSamples, fineShare * length)));
     addSegments(drawn.back(), false, lines);
   }
   for (std::size_t k = 0; k < inner.size(); ++k)
