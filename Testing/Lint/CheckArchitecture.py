@@ -13,8 +13,6 @@ from Sources import ROOT, cxx_files, read, tracked_files
 # The rooms of Filters/Core, the uppermost first: each includes itself and what stands below.
 ROOMS = ("Suggestion", "Reshaping", "Sewing", "Flattening", "Isometric", "Cloth", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
          "Surface", "Base")
-LINES_OF_A_LONG_FILE = 400
-SHARE_OF_LONG_FILES = 0.1
 
 
 def code_lines(name):
@@ -138,20 +136,6 @@ def every_source_is_built():
             yield f"{name}: in no CMakeLists.txt"
 
 
-def files_are_short():
-    """Most files hold one class or unit in fewer than 400 lines."""
-    files = cxx_files()
-    long_files = []
-    for name in files:
-        lines = read(name).split("\n")
-        if len(lines) > LINES_OF_A_LONG_FILE:
-            long_files.append(f"{name}: {len(lines)} lines")
-    print(f"{len(files)} files, {len(long_files)} with more than {LINES_OF_A_LONG_FILE} lines")
-    print("\n".join(long_files))
-    if len(long_files) > SHARE_OF_LONG_FILES * len(files):
-        yield f"more than {SHARE_OF_LONG_FILES:.0%} of the files are long"
-
-
 def the_paper_is_mapped_to_functions():
     """Every file and function that the table of architecture.md names exists."""
     page = "Documentation/architecture.md"
@@ -185,26 +169,6 @@ def the_paper_is_mapped_to_functions():
         yield f"{page}: only {named} names, the table cannot cover the paper"
 
 
-def architecture_names_every_unit():
-    """The page is the map of the rooms: each unit of Core stands in the row of its room, and what else does is a type
-    of that room."""
-    page = "Documentation/architecture.md"
-    text = read(page) if (ROOT / page).is_file() else ""
-    rows = {room: set(re.findall(r"`(\w+)", row)) for room, row in re.findall(r"^\| (\w+) \|(.*)", text, re.MULTILINE)}
-    rooms = {}
-    for name in cxx_files("Filters/Core/"):
-        path = pathlib.PurePath(name)
-        rooms.setdefault(path.parent.name, {}).setdefault(path.stem, []).append(read(name))
-    for room, units in sorted(rooms.items()):
-        named = rows.get(room, set())
-        for unit in sorted(set(units) - named):
-            yield f"{page}: Filters/Core/{room}/{unit} is missing in the row {room}"
-        code = "\n".join("\n".join(texts) for texts in units.values())
-        for name in sorted(named - set(units)):
-            if not re.search(rf"\b(class|struct|enum|using) {name}\b", code):
-                yield f"{page}: there is no {name} in {room}"
-
-
 CHECKS = {check.__name__: check for check in (
     core_includes_no_vtk,
     floors_are_one_way,
@@ -213,9 +177,7 @@ CHECKS = {check.__name__: check for check in (
     core_neither_prints_nor_throws,
     there_is_one_vtk_module,
     every_source_is_built,
-    files_are_short,
     the_paper_is_mapped_to_functions,
-    architecture_names_every_unit,
 )}
 
 if __name__ == "__main__":

@@ -14,19 +14,18 @@ FILES = {
     "Filters/Core/Surface/Mesh.h": "#pragma once\n",
     "Filters/Core/Surface/Mesh.cxx": '#include "Surface/Mesh.h"\n#include <vtkPolyData.h>\n// throw away\nvoid f() { throw 1; }\n',
     "Filters/Core/Base/Types.h": '#include "Surface/Mesh.h"\n',
-    "Filters/Core/Base/Status.h": '#include "Types.h"\n' + "int i;\n" * 500,
+    "Filters/Core/Base/Status.h": '#include "Types.h"\n',
     "Filters/Core/Attic/Mesh.h": "#pragma once\n",
     "Filters/Core/Sparse/Front.h": '#include "Surface/Mesh.h"\n#include "Sparse/Solver.h"\n',
     "Filters/Core/Sparse/Solver.h": "#pragma once\n",
     "Filters/Core/Sparse/Solver.cxx": '#include "Sparse/Solver.h"\n#include "Sparse/Front.h"\n',
     "Filters/Private/Bridge.h": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
     "Filters/vtkFilter.h": '#include "Bridge.h"\n',
-    "Filters/vtkFilter.cxx": '#include "Bridge.h"\n#include "Mesh.h"\n' + "int i;\n" * 500,
+    "Filters/vtkFilter.cxx": '#include "Bridge.h"\n#include "Mesh.h"\n',
     "Applications/main.cxx": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
     "Documentation/architecture.md":
         "<!-- paper-to-code -->\n| in the paper | in the code |\n|---|---|\n"
-        "| Eq. 1 | `f` in `Mesh.cxx` |\n| Eq. 2 | `noSuchFunction` |\n<!-- /paper-to-code -->\n"
-        "| Attic | old | `Mesh` |\n| Surface | meshes | `Mesh`, `Front` |\n| Sparse | systems | `Solver` |\n",
+        "| Eq. 1 | `f` in `Mesh.cxx` |\n| Eq. 2 | `noSuchFunction` |\n<!-- /paper-to-code -->\n",
 }
 EXPECTED = {
     "core_includes_no_vtk": ["Filters/Core/Surface/Mesh.cxx:2"],
@@ -42,14 +41,9 @@ EXPECTED = {
          "Filters/Core/Sparse/Solver: in or above a circle with Sparse/Front"],
     "every_source_is_built":
         ["Filters/Core/Sparse/Solver.cxx: in no", "Filters/Core/Surface/Mesh.cxx: in no"],
-    "files_are_short": ["more than 10%"],
     "the_paper_is_mapped_to_functions":
         ["Documentation/architecture.md: nothing is called noSuchFunction",
          "Documentation/architecture.md: only 3 names"],
-    "architecture_names_every_unit":
-        [f"Documentation/architecture.md: {fault}" for fault in
-         ("Filters/Core/Base/Status is missing", "Filters/Core/Base/Types is missing",
-          "Filters/Core/Sparse/Front is missing", "there is no Front in Surface")],
 }
 
 with tempfile.TemporaryDirectory() as folder:
