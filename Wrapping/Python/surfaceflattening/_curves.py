@@ -69,20 +69,20 @@ class Curve(ComparedByValue):
         return f"<Curve{f' {self.name!r}' if self.name else ''}: {', '.join(words)}>"
 
 
-def _demand_memory(values: NDArray[Any]) -> None:
-    """MemoryError where VTK, which ends the process for it, would find no memory for a copy."""
-    np.empty(3 * values.nbytes + (1 << 20), np.uint8)
+def demand_memory(size: int) -> None:
+    """MemoryError where VTK, which ends the process for it, would find no memory for so many bytes."""
+    np.empty(3 * size + (1 << 20), np.uint8)
 
 
 def to_vtk(values: NDArray[Any]) -> Any:
     """A copy."""
-    _demand_memory(values)
+    demand_memory(values.nbytes)
     return numpy_to_vtk(values, deep=True)
 
 
 def to_vtk_ids(values: NDArray[np.int64]) -> Any:
     """A copy."""
-    _demand_memory(values)
+    demand_memory(values.nbytes)
     return numpy_to_vtkIdTypeArray(values, deep=True)
 
 

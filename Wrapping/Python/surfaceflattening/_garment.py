@@ -5,17 +5,16 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 from dataclasses import dataclass
-from typing import Any, List, Literal, NamedTuple, Tuple, Union, cast
+from typing import Any, List, Literal, NamedTuple, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._options import index_of
 from ._pattern import text_of, write_parts
 from ._report import values_of
-from ._result import Wire, _rows, _wires
+from ._result import Parts, Wire, _rows, _wires
 from ._types import Part
 from .vtkFiltersFlattening import vtkGarmentCodeReader
 
@@ -78,7 +77,7 @@ class GarmentPattern:
     wires: List[Wire]
     #: As :attr:`Flattening.seam_pairs`.
     seam_pairs: NDArray[np.int64]
-    _parts: Tuple[vtkPolyData, vtkPolyData, vtkPolyData]
+    _parts: Parts
 
     def __repr__(self) -> str:
         return f"<GarmentPattern: {len(self.panels)} panels, {len(self.stitches)} stitches>"
@@ -86,8 +85,7 @@ class GarmentPattern:
     def to_polydata(self, part: Part = "flat") -> vtkPolyData:
         """A vtkPolyData of its own: "flat", the pieces; "wires", their borders; "cut", the pieces placed
         in space; with the arrays of vtkGarmentCodeReader."""
-        copy = vtkPolyData()
-        copy.DeepCopy(self._parts[index_of(part, ("flat", "wires", "cut"), "part")])
+        copy: vtkPolyData = self._parts.copy(part)
         return copy
 
     def write_pattern(self, path: Union[str, os.PathLike[str]], **options: Any) -> None:
@@ -117,7 +115,7 @@ class GarmentPattern:
             names = {wire.name for wire in self.wires} | {"boundary"}
             options["curve_fairs"] = {**dict.fromkeys(sorted(names), options["fair"]),
                                       **(options.get("curve_fairs") or {})}
-        write_parts(self._parts, os.fspath(path), {**known, **options, "unit": "cm"}, stacklevel=3)
+        write_parts(self._parts, os.fspath(path), {**known, **options, "unit": "cm"})
 
 
 def _triple(values: Any) -> Tuple[float, float, float]:
@@ -177,4 +175,4 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         np.array(vtk_to_numpy(flat.GetPolys().GetConnectivityArray()), np.int64).reshape(-1, 3),
         np.array(vtk_to_numpy(flat.GetCellData().GetArray("PieceId")), np.int64),
         np.array(vtk_to_numpy(cut.GetPoints().GetData()), np.float64), _wires(wires),
-        _rows(flat.GetFieldData(), "SeamPairs", 5), cast(Any, (flat, wires, cut)))
+        _rows(flat.GetFieldData(), "SeamPairs", 5), Parts(flat, wires, cut))

@@ -13,7 +13,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ._options import index_of
 from ._pattern import text_of, write_sizes
-from ._polydata import to_polydata
 from ._remedies import make_message
 from ._report import as_text, remedies_of, values_of
 from ._result import Flattening
@@ -120,10 +119,8 @@ def grade(
             set_text(text_of(what, value))
     if len(sizes) < 2:
         raise ValueError(f"there are {len(sizes)} sizes; grading needs two")
-    flats = {}
     for size, result in sizes.items():
-        flats[size] = to_polydata(result, "flat")
-        filter_.AddSize(text_of("a size", size), flats[size], to_polydata(result, "wires"))
+        filter_.AddSize(text_of("a size", size), result._parts.flat, result._parts.wires)
     filter_.Update()
     if filter_.IsRefused():
         message = make_message(as_text(filter_.GetStatusDefect()), remedies_of(filter_))
@@ -139,4 +136,4 @@ def grade(
         GradeRule(piece, point, name, tuple((float(dx), float(dy)) for dx, dy in row.reshape(-1, 2)))
         for piece, point, name, row in zip(
             values_of(field, "RulePiece"), values_of(field, "RulePoint"), rule_names, deltas)]
-    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, flats[chosen], unit)
+    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, sizes[chosen]._parts.flat, unit)

@@ -8,14 +8,12 @@ import warnings
 from typing import Any, List, NamedTuple, Sequence, Union
 
 from numpy.typing import ArrayLike
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, make_curves, make_surface
 from ._errors import FlatteningWarning
 from ._flatten import _update
 from ._options import make_filter, with_options
 from ._report import values_of
-from ._result import make_result
 from .vtkFiltersFlattening import vtkKeyCurvePrices
 
 
@@ -99,7 +97,6 @@ def price_keys(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", FlatteningWarning)
         _update(filter_, options.get("progress"))
-        make_result(filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), vtkPolyData)
     field = filter_.GetOutput(3).GetFieldData()
     curve_of, price_of = values_of(field, "KeyCurve"), values_of(field, "KeyPrice")
     trials = [KeyTrial(status, area, strain, released.split(", ") if released else [])

@@ -2,18 +2,14 @@
 """Results as patterns to cut."""
 
 import warnings
-from typing import TYPE_CHECKING, Any, List, Mapping, Sequence, get_args
+from typing import Any, Mapping, Sequence, get_args
 
 from ._errors import FlatteningWarning
 from ._options import flag, index_of
-from ._polydata import to_polydata
 from ._remedies import make_message
 from ._report import as_text, remedies_of
-from ._types import Paper, Part, Unit
+from ._types import Paper, Unit
 from .vtkFiltersFlattening import vtkPatternWriter
-
-if TYPE_CHECKING:
-    from ._result import Flattening
 
 # Option: property of the writer, least and most, those of the command.
 _NUMBERS = {
@@ -108,15 +104,8 @@ def _refusal(writer: vtkPatternWriter) -> Exception:
     return kinds.get(writer.GetStatusName(), ValueError)(message)
 
 
-def write_pattern(result: "Flattening", path: str, options: Mapping[str, Any]) -> None:
-    """Writes the file, or raises what the writer says."""
-    parts: List[Part] = ["flat", "wires", "cut"]
-    write_parts([to_polydata(result, part) for part in parts], path, options)
-
-
-def write_parts(
-        parts: Sequence[Any], path: str, options: Mapping[str, Any], stacklevel: int = 4) -> None:
-    """The same for flat pieces, wires and cut surface as vtkPolyData."""
+def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> None:
+    """Writes the file of flat pieces, wires and cut surface, or raises what the writer says."""
     writer = vtkPatternWriter()
     _set_options(writer, options)
     writer.SetFileName(text_of("path", path))
@@ -130,10 +119,10 @@ def write_parts(
         raise _refusal(writer)
     for warning in range(writer.GetNumberOfWarnings()):
         warnings.warn(writer.GetWarning(warning) + "; give it key_shape=\"straight\"",
-                      FlatteningWarning, stacklevel=stacklevel)
+                      FlatteningWarning, stacklevel=3)
     if options["unit"] is None:
         warnings.warn("the unit of the surface is taken as cm; state it with unit=\"mm\", \"cm\", \"m\" "
-                      "or \"inch\"", FlatteningWarning, stacklevel=stacklevel)
+                      "or \"inch\"", FlatteningWarning, stacklevel=3)
 
 
 def write_sizes(flat: Any, nest: Any, path: str, format_: str, name: str, unit: Unit) -> None:

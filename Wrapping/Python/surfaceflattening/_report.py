@@ -15,7 +15,7 @@ from ._types import Report
 _Row = Dict[str, Any]
 
 # Name in the report and field data array, one row a piece.
-PIECE_INTEGERS = {
+_PIECE_INTEGERS = {
     "triangles": "Triangles",
     "vertices": "Vertices",
     "wire_patches": "WirePatches",
@@ -28,7 +28,7 @@ PIECE_INTEGERS = {
     "forecast_cut_from": "ForecastCutFrom",
     "forecast_cut_to": "ForecastCutTo",
 }
-PIECE_NUMBERS = {
+_PIECE_NUMBERS = {
     "objective": "Objective",
     "closure_residual": "ClosureResidual",
     "E_len": "EdgeLengthError",
@@ -74,7 +74,7 @@ _ISOMETRIC_HISTORY = {
     "move": "IsometricHistoryMove",
 }
 # With a material.
-CLOTH = {
+_CLOTH = {
     "strain_warp_rms": "StrainWarpRms",
     "strain_weft_rms": "StrainWeftRms",
     "shear_rms": "ShearRms",
@@ -134,7 +134,7 @@ def _add_history(
 
 
 def _add_cloth(field: Any, pieces: List[_Row]) -> None:
-    columns = {key: values_of(field, name) for key, name in CLOTH.items()}
+    columns = {key: values_of(field, name) for key, name in _CLOTH.items()}
     for row, entry in enumerate(pieces):
         entry["cloth"] = {key: column[row] for key, column in columns.items()} if all(
             columns.values()) else None
@@ -151,7 +151,7 @@ def _message(defect: str, remedies: List[Dict[str, str]]) -> str:
 def make_report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
     field, curve_field = flat.GetFieldData(), wires.GetFieldData()
     columns = {key: values_of(field, name)
-               for key, name in {**PIECE_INTEGERS, **PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
+               for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
     columns["overlaps_complete"] = [bool(all_) for all_ in values_of(field, "OverlapsComplete")]
     pieces: List[_Row] = [
         {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "ids": [],

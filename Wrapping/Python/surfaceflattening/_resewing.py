@@ -175,9 +175,8 @@ def resew(
         if not isinstance(body, vtkPolyData):
             raise TypeError(f"body is {type(body).__name__}; it must be a vtkPolyData")
         filter_.SetBodyData(body)
-    # PyVista's meshes are data sets of VTK too.
-    filter_.SetInputData(flattening.to_polydata("flat"))
-    filter_.SetDesignData(flattening.to_polydata("cut"))
+    filter_.SetInputData(flattening._parts.flat)
+    filter_.SetDesignData(flattening._parts.cut)
     _update(filter_, progress)
     sewn, design = filter_.GetOutput(0), filter_.GetOutput(1)
     field, cells = sewn.GetFieldData(), sewn.GetCellData()

@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a flattening gives, as numpy arrays and plain Python."""
+"""What a flattening gives: the meshes of the filter, seen as numpy arrays and plain Python."""
 
 from __future__ import annotations  # help() prints hints as they are written here
 
 import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union, cast
+from typing import (
+    TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union, cast, get_args)
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkUnsignedCharArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_CHAR, vtkBitArray, vtkCharArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES
+from ._curves import CURVE_TYPES, demand_memory
 from ._equality import ComparedByValue, same
+from ._options import word_of
 from ._report import make_report, values_of
 from ._types import Coloring, Paper, Part, Report, Unit, WireType
 
@@ -22,6 +24,29 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._grading import Grading
+
+
+class Parts(NamedTuple):
+    """The outputs of vtkWireWarpingFilter, with all of their arrays."""
+
+    flat: vtkPolyData
+    wires: vtkPolyData
+    cut: vtkPolyData
+
+    def copy(self, part: Part, mesh_class: Type[Any] = vtkPolyData) -> Any:
+        """A deep copy of one, as a vtkPolyData or as an object of a class that derives from it."""
+        mesh: vtkPolyData = getattr(self, word_of(part, get_args(Part), "part"))
+        demand_memory(1024 * mesh.GetActualMemorySize())
+        copy = vtkPolyData()
+        copy.DeepCopy(mesh)
+        if isinstance(copy, mesh_class):
+            return copy
+        try:
+            return mesh_class(copy)
+        except TypeError:  # it takes no data set to begin with
+            other = mesh_class()
+            other.ShallowCopy(copy)
+            return other
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +84,8 @@ class Flattening(ComparedByValue):
     """Flat pieces; n points and m triangles are those of the surface after cuts and imprints.
 
     Two of them are equal where all values but the report's "seconds" are. A notebook shows the picture
-    and the measures.
+    and the measures. The arrays are views of the meshes that to_polydata() copies and write_pattern()
+    draws: what is changed in them is changed there.
 
     Attributes:
         positions: in the plane, unit of length of the surface; float64, shape (n, 2).
@@ -92,15 +118,19 @@ class Flattening(ComparedByValue):
     seam_closed: NDArray[np.bool_]
     overlap_edges: NDArray[np.int64]
     report: Report
+    _parts: Parts
     # Of the surface that was given, for to_polydata().
     _mesh_class: type = field(default=vtkPolyData, repr=False, compare=False)
+
+    def __reduce__(self) -> Any:
+        return _unpickled, (*map(_bytes_of, self._parts), self._mesh_class), {"report": self.report}
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Flattening):
             return NotImplemented
         mine, theirs = (
             {**vars(result), "report": {**cast(Dict[str, Any], result.report), "seconds": None},
-             "_mesh_class": None} for result in (self, other))
+             "_parts": None, "_mesh_class": None} for result in (self, other))
         return same(mine, theirs)
 
     def __repr__(self) -> str:
@@ -127,11 +157,10 @@ class Flattening(ComparedByValue):
 
         Returns:
             A vtkPolyData of its own, or an object of the class of the surface that was given to
-            flatten_polydata(), such as pyvista.PolyData. It has the arrays that vtkWireWarpingFilter
-            documents, but those of texts that came with the surface.
+            flatten_polydata(), such as pyvista.PolyData. It has all arrays of vtkWireWarpingFilter's
+            output, with those that came with the surface.
         """
-        from ._polydata import to_polydata
-        return to_polydata(self, part, self._mesh_class)
+        return self._parts.copy(part, self._mesh_class)
 
     def write_pattern(
         self,
@@ -229,10 +258,10 @@ class Flattening(ComparedByValue):
             OSError: the file cannot be written.
             MemoryError: there is not enough memory to draw it.
         """
-        from ._pattern import write_pattern
+        from ._pattern import write_parts
         options = {key: value for key, value in locals().items()
-                   if key not in ("self", "path", "write_pattern")}
-        write_pattern(self, os.fspath(path), options)
+                   if key not in ("self", "path", "write_parts")}
+        write_parts(self._parts, os.fspath(path), options)
 
     def plot(self, color_by: Optional[Coloring] = "homogeneity", *, ax: Optional[Axes] = None,
              measures: bool = True) -> Axes:
@@ -254,12 +283,12 @@ class Flattening(ComparedByValue):
 
 
 def _as_numpy(array: Any) -> NDArray[Any]:
-    """A copy."""
+    """A view; of bits a copy."""
     if isinstance(array, vtkBitArray):
         bytes_ = vtkUnsignedCharArray()
         bytes_.DeepCopy(array)
         return np.array(vtk_to_numpy(bytes_), np.bool_)
-    return np.array(vtk_to_numpy(array))
+    return np.asarray(vtk_to_numpy(array))
 
 
 def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
@@ -275,7 +304,7 @@ def _rows(field_data: Any, name: str, components: int) -> NDArray[np.int64]:
     array = field_data.GetAbstractArray(name)
     if array is None:
         return np.empty((0, components), np.int64)
-    return np.array(vtk_to_numpy(array), np.int64).reshape(-1, components)
+    return np.asarray(vtk_to_numpy(array), np.int64).reshape(-1, components)
 
 
 def _wires(output: vtkPolyData) -> List[Wire]:
@@ -291,7 +320,7 @@ def _wires(output: vtkPolyData) -> List[Wire]:
     for row, kind in enumerate(columns["CurveType"]):
         other: WireType = "connector" if columns["Connector"][row] else "boundary"
         result.append(Wire(
-            vertices=np.array(connectivity[offsets[row]:offsets[row + 1]], np.int64),
+            vertices=np.asarray(connectivity[offsets[row]:offsets[row + 1]], np.int64),
             type=other if kind < 0 else CURVE_TYPES[kind],
             curve=columns["CurveId"][row],
             name=columns["CurveName"][row],
@@ -307,12 +336,12 @@ def _wires(output: vtkPolyData) -> List[Wire]:
 def make_result(
     flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData, mesh_class: type = vtkPolyData
 ) -> Flattening:
-    """The three outputs of vtkWireWarpingFilter as arrays of their own."""
+    """The three outputs of vtkWireWarpingFilter, seen as arrays."""
     corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray())
     return Flattening(
-        positions=np.array(vtk_to_numpy(flat.GetPoints().GetData())[:, :2], np.float64),
-        triangles=np.array(corners, np.int64).reshape(-1, 3),
-        points=np.array(vtk_to_numpy(cut.GetPoints().GetData()), np.float64),
+        positions=np.asarray(vtk_to_numpy(flat.GetPoints().GetData()), np.float64)[:, :2],
+        triangles=np.asarray(corners, np.int64).reshape(-1, 3),
+        points=np.asarray(vtk_to_numpy(cut.GetPoints().GetData()), np.float64),
         point_arrays=_arrays(flat.GetPointData()),
         cell_arrays=_arrays(flat.GetCellData()),
         wires=_wires(wires),
@@ -320,5 +349,29 @@ def make_result(
         seam_closed=np.array(values_of(flat.GetFieldData(), "SeamClosed"), np.bool_),
         overlap_edges=_rows(flat.GetFieldData(), "OverlapEdges", 5),
         report=make_report(flat, wires),
+        _parts=Parts(flat, wires, cut),
         _mesh_class=mesh_class,
     )
+
+
+def _bytes_of(mesh: vtkPolyData) -> bytes:
+    from vtkmodules.vtkParallelCore import vtkCommunicator
+    named, buffer = vtkPolyData(), vtkCharArray()
+    named.ShallowCopy(mesh)
+    for data in (named.GetPointData(), named.GetCellData()):
+        for k in reversed(range(data.GetNumberOfArrays())):
+            if not data.GetArrayName(k):
+                data.RemoveArray(k)  # it would get a name
+    vtkCommunicator.MarshalDataObject(named, buffer)
+    return vtk_to_numpy(buffer).tobytes()
+
+
+def _unpickled(flat: bytes, wires: bytes, cut: bytes, mesh_class: type) -> Flattening:
+    from vtkmodules.vtkParallelCore import vtkCommunicator
+    meshes = []
+    for content in (flat, wires, cut):
+        meshes.append(vtkPolyData())
+        vtkCommunicator.UnMarshalDataObject(
+            numpy_to_vtk(np.frombuffer(content, np.int8), array_type=VTK_CHAR), meshes[-1])
+    meshes[1].SetPoints(meshes[0].GetPoints())  # as the filter gives them
+    return make_result(meshes[0], meshes[1], meshes[2], mesh_class)
