@@ -62,6 +62,9 @@ void expectTheSame(const Surface& surface, const FlatteningOptions& options, Fla
     EXPECT_EQ(
       with.pieces[p].quality.globalHomogeneity, without.pieces[p].quality.globalHomogeneity);
     EXPECT_EQ(with.pieces[p].quality.areaError, without.pieces[p].quality.areaError);
+    EXPECT_EQ(with.pieces[p].area.loss, without.pieces[p].area.loss);
+    EXPECT_EQ(with.pieces[p].area.lossAfterCut, without.pieces[p].area.lossAfterCut);
+    EXPECT_EQ(with.pieces[p].area.cut, without.pieces[p].area.cut);
   }
 }
 
@@ -170,6 +173,39 @@ TEST(FlatteningCache, CutsAgainOnlyWhereSurfaceOrCutsAreOthers)
   EXPECT_NE(second, first);
   EXPECT_EQ(first->mesh.vertexCount(), surface.mesh.vertexCount()) << "a result stays as it is";
   EXPECT_GT(second->mesh.vertexCount(), surface.mesh.vertexCount());
+}
+
+// Of a deep piece a vertex is named to cut to; its id may be that of no vertex after another cut.
+TEST(FlatteningCache, ForecastsAreOfThePiecesThatAreThere)
+{
+  constexpr Index columns = 12;
+  constexpr Index rows = 9;
+  const std::vector<Scheme> schemes{ Scheme::Isometric, Scheme::Global,
+    Scheme::LeastSquaresConformal };
+  for (const double size : { 1.0, 1e-3, 1e4 })
+  {
+    Surface bag = patch(columns, rows, [=](double i, double j) -> Point3 {
+      const double x = i / columns;
+      const double y = j / rows;
+      return size * Point3(x, y, 3.0 * std::sin(pi * x) * std::sin(pi * y));
+    });
+    Surface cut = bag;
+    cut.curves = { rowCurve(columns, 1) };
+    cut.curves[0].type = CurveType::Seam;
+    Surface turned = bag;
+    turned.curves = { columnCurve(columns, rows, columns - 1) };
+    turned.curves[0].type = CurveType::Seam;
+    FlatteningCache cache;
+    for (const Scheme scheme : schemes)
+    {
+      const FlatteningOptions options = optionsOf(scheme, InteriorMethod::Laplacian);
+      for (const Surface* surface : { &bag, &cut, &turned, &bag, &turned, &cut })
+      {
+        expectTheSame(*surface, options, cache);
+      }
+    }
+    EXPECT_GT(flattenSurface(bag.mesh, {}, {}, {}).pieces.at(0).area.loss, 0.3);
+  }
 }
 
 TEST(FlatteningCache, ServesAfterARefusal)

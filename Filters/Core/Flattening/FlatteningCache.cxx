@@ -47,12 +47,11 @@ void FlatteningCache::renew(const TriangleMesh& surface, CurveLabels labels, boo
   this->pieces.resize(renewed.size());
   for (std::size_t p = 0; p < renewed.size(); ++p)
   {
-    WiredPiece& wired = this->pieces[p];
-    wired.piece = std::move(renewed[p]);
-    wired.disk = this->topology.ok();
-    wired.network.reset();
-    wired.interiors.current = false;
-    wired.measures.reset();
+    // Factors alone may fit another cut: each patch checks its own.
+    InteriorSystems interiors = std::move(this->pieces[p].interiors);
+    interiors.current = false;
+    this->pieces[p] = { std::move(renewed[p]), this->topology.ok(), {}, std::move(interiors), {},
+      {} };
   }
   if (keep)
   {

@@ -32,13 +32,14 @@ PieceContext contextOf(
     wired.network = buildWireNetwork(wired.piece, wired.disk);
   }
   // A conformal map keeps no length that would want room, and a start says that there is some.
-  if (!(wired.area && wired.area->known) && settings.options.start.empty() &&
-    settings.options.scheme != Scheme::LeastSquaresConformal)
+  const bool wanted =
+    settings.options.start.empty() && settings.options.scheme != Scheme::LeastSquaresConformal;
+  if (wanted && !(wired.area && wired.area->known))
   {
     wired.area = forecastArea(wired.piece.mesh, execution);
   }
   return { wired.piece, *wired.network, settings.cut, settings.curves, settings.options, execution,
-    keep ? &wired.interiors : nullptr, wired.area ? &*wired.area : nullptr };
+    keep ? &wired.interiors : nullptr, wanted ? &*wired.area : nullptr };
 }
 
 /// Positions per vertex of the piece before its cuts were closed.
