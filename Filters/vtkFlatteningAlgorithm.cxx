@@ -6,7 +6,12 @@
 #include "FieldArrays.h"
 #include "RemedyWords.h"
 #include "StatusInInput.h"
+#include "Surface/Coordinates.h"
+#include "SurfaceInput.h"
+#include "SurfaceOutput.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -16,6 +21,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -300,6 +306,26 @@ const char* vtkFlatteningAlgorithm::GetRemedyWords(const char* name)
     }
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::Triangulate(vtkPolyData* surface, vtkPolyData* triangles)
+{
+  using namespace flattening;
+  triangles->Initialize();
+  const bridge::SurfaceTriangles read = bridge::readTriangles(surface);
+  const auto exists = [&read](Index p) {
+    return p >= 0 && p < static_cast<Index>(read.points.size()) && isUsable(read.points[p]);
+  };
+  if (std::all_of(read.triangles.begin(), read.triangles.end(),
+        [&exists](const Triangle& t) { return std::all_of(t.begin(), t.end(), exists); }))
+  {
+    triangles->SetPoints(surface->GetPoints());
+    triangles->SetPolys(bridge::makeTriangles(read.triangles));
+    triangles->GetPointData()->ShallowCopy(surface->GetPointData());
+    triangles->GetFieldData()->ShallowCopy(surface->GetFieldData());
+    bridge::copyCellData(surface->GetCellData(), read.cellOfTriangle, triangles);
+  }
 }
 
 //------------------------------------------------------------------------------

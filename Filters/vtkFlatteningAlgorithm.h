@@ -159,6 +159,14 @@ public:
   ///@}
 
   /**
+   * The polygons and strips of a surface as the triangles that the filters divide them into, with
+   * all points and the data of both, and `vtkOriginalCellIds` (id). Faces may touch themselves, as
+   * those with a bridge to a hole. Empty where a cell names a point that does not exist, or one
+   * with a coordinate that is not finite or beyond 1e60.
+   */
+  static void Triangulate(vtkPolyData* surface, vtkPolyData* triangles);
+
+  /**
    * True where the last run gave no result, or there was none.
    */
   bool IsRefused() const;

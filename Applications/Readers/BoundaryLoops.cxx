@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -196,30 +197,14 @@ std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
 }
 
 //------------------------------------------------------------------------------
-UnjoinedEdges unjoinedEdges(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
+std::vector<vtkIdType> boundaryPoints(const TriangleList& list)
 {
-  std::map<std::pair<Place, Place>, std::vector<vtkIdType>> at;
-  for (const BoundaryLoop& loop : loops)
+  std::set<vtkIdType> points;
+  for (const auto& [from, side] : boundarySides(list))
   {
-    for (std::size_t k = 0; k < loop.points.size(); ++k)
-    {
-      Place a;
-      Place b;
-      list.points->GetPoint(loop.points[k], a.data());
-      list.points->GetPoint(loop.points[(k + 1) % loop.points.size()], b.data());
-      at[std::minmax(a, b)].push_back(loop.points[k]);
-    }
+    points.insert(from);
+    points.insert(side.to);
   }
-  UnjoinedEdges unjoined;
-  for (const auto& [edge, points] : at)
-  {
-    if (points.size() > 1)
-    {
-      unjoined.point =
-        unjoined.count == 0 ? points.front() : std::min(unjoined.point, points.front());
-      unjoined.count += points.size();
-    }
-  }
-  return unjoined;
+  return { points.begin(), points.end() };
 }
 }

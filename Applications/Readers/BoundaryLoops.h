@@ -17,12 +17,6 @@ struct BoundaryLoop
 /// All of them, with the surface on the left. In time linear in the triangles.
 std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list);
 
-/// How many edges of the loops lie on another one, between points of their own, and one of these
-/// points.
-struct UnjoinedEdges
-{
-  std::size_t count = 0;
-  vtkIdType point = 0;
-};
-UnjoinedEdges unjoinedEdges(const TriangleList& list, const std::vector<BoundaryLoop>& loops);
+/// Points at sides of triangles that no other triangle shares, whichever way triangles turn.
+std::vector<vtkIdType> boundaryPoints(const TriangleList& list);
 }

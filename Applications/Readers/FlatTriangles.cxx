@@ -77,9 +77,11 @@ Shape shapeOf(vtkPoints* points, const Corners& corners)
   const auto longest =
     static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
   const double length = side[longest];
-  if (length < leastSize)
+  if (length < leastSize) // nothing to compute with
   {
-    return shape; // nothing to compute with
+    shape.flat = true;
+    shape.coincident = 0;
+    return shape;
   }
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -252,7 +254,7 @@ private:
 std::vector<vtkIdType> mendFlatTriangles(TriangleList& list)
 {
   std::vector<std::size_t> flat = findFlat(list);
-  if (flat.empty() || flat.size() * 10 >= list.triangles.size())
+  if (flat.empty() || flat.size() * 2 >= list.triangles.size())
   {
     return {};
   }

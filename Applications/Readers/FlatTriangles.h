@@ -9,7 +9,7 @@ namespace wirewarp
 /// become one point, and a triangle with three corners in a line is divided among the triangle
 /// behind its longest edge, or taken off where that is the boundary.
 ///
-/// Where every tenth triangle or more is without area, or where it cannot be done, the list stays
+/// Where half of the triangles or more are without area, or where it cannot be done, the list stays
 /// as it is.
 /// \return the polygons of the triangles without area
 std::vector<vtkIdType> mendFlatTriangles(TriangleList& list);

@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceMending.h"
 
-#include "BoundaryLoops.h"
+#include "BoundaryWeld.h"
 #include "FlatTriangles.h"
+#include "InputError.h"
 #include "OuterSide.h"
 #include "TriangleList.h"
 #include "VtkMessages.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkPointLocator.h>
 #include <vtkPoints.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 namespace wirewarp
 {
 namespace
 {
-/// Of the surface's diagonal: how near points are that weld.
+/// Of the surface's largest side: how near points are that lie on each other, how near boundaries
+/// run that are named, and how far points may be joined.
 constexpr double weldDistance = 1e-6;
+constexpr double nearDistance = 1e-3;
+constexpr double largestWeld = 0.1;
 /// An opening of so few edges and so small a part of the diagonal looks like missing triangles.
 constexpr std::size_t fewEdges = 6;
 constexpr double smallOpening = 0.05;
@@ -40,57 +43,47 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
-/// \return how many points were joined to another
-std::size_t weld(TriangleList& list)
+/// The largest side of the box around the triangles.
+double sizeOf(const TriangleList& list)
 {
-  const vtkIdType count = list.points->GetNumberOfPoints();
-  vtkNew<vtkPoints> unique;
-  unique->SetDataTypeToDouble();
-  vtkNew<vtkPointLocator> locator;
-  double bounds[6];
-  list.points->GetBounds(bounds);
-  double diagonal = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  vtkBoundingBox box;
+  for (const ListedTriangle& triangle : list.triangles)
   {
-    diagonal = std::max(diagonal, bounds[2 * axis + 1] - bounds[2 * axis]);
-  }
-  locator->SetTolerance(weldDistance * diagonal);
-  locator->InitPointInsertion(unique, bounds, count);
-  std::vector<vtkIdType> firstOf; // by point of `unique`
-  std::vector<vtkIdType> joined(static_cast<std::size_t>(count));
-  for (vtkIdType p = 0; p < count; ++p)
-  {
-    double x[3];
-    list.points->GetPoint(p, x);
-    vtkIdType id = 0;
-    if (locator->InsertUniquePoint(x, id) != 0)
+    for (const vtkIdType corner : triangle.corners)
     {
-      firstOf.push_back(p);
-    }
-    joined[static_cast<std::size_t>(p)] = firstOf[static_cast<std::size_t>(id)];
-  }
-  std::set<vtkIdType> moved;
-  for (ListedTriangle& triangle : list.triangles)
-  {
-    for (vtkIdType& corner : triangle.corners)
-    {
-      const vtkIdType to = joined[static_cast<std::size_t>(corner)];
-      if (to != corner)
-      {
-        moved.insert(corner);
-        corner = to;
-      }
+      box.AddPoint(list.points->GetPoint(corner));
     }
   }
-  return moved.size();
+  return box.GetMaxLength();
 }
 
-std::string weldNote(std::size_t points, bool asked)
+/// The next larger number of two digits.
+double roundedUp(double value)
 {
-  return points == 0
-    ? "--weld found no points that lie on each other"
-    : counted(points, "point is", "points are") + " joined with one that it lies on, as " +
-      (asked ? "--weld asks" : "the format of the file doubles points");
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit * (1.0 - 1e-9)) * unit;
+}
+
+void weld(
+  TriangleList& list, double size, const MendingRequest& request, std::vector<std::string>& notes)
+{
+  const double distance = request.weld.value_or(0.0) / request.millimetres;
+  if (distance > largestWeld * size)
+  {
+    throw InputError("--weld " + number(*request.weld) +
+      " is more than a tenth of the surface, which is " + number(size * request.millimetres) +
+      " mm large; give less, or check --unit");
+  }
+  const WeldedPoints welded = weldBoundary(list, weldDistance * size, distance);
+  if (request.weld || welded.count > 0)
+  {
+    notes.push_back(welded.count == 0
+        ? std::string("--weld found no points of the boundary that lie on each other")
+        : counted(welded.count, "point is", "points are") + " joined with one that it lies " +
+          (distance > 0.0 ? "at most " + number(welded.farthest * request.millimetres) + " mm off"
+                          : std::string("on")) +
+          ", as " + (request.weld ? "--weld asks" : "the format of the file doubles points"));
+  }
 }
 
 void dropFlat(TriangleList& list, std::vector<std::string>& notes)
@@ -152,8 +145,8 @@ void fillHoles(TriangleList& list, double across, std::vector<std::string>& note
       : counted(filled, "opening", "openings") + " filled, as --fill-holes asks");
 }
 
-void noteOpenings(
-  const TriangleList& list, double diagonal, double millimetres, std::vector<std::string>& notes)
+void noteOpenings(const TriangleList& list, double diagonal, double size, double millimetres,
+  std::vector<std::string>& notes)
 {
   const std::vector<BoundaryLoop> loops = boundaryLoops(list);
   std::size_t holes = 0;
@@ -175,14 +168,23 @@ void noteOpenings(
       number(std::ceil(1.01 * largest->across * millimetres)) + " closes " +
       (holes == 1 ? "it" : "them"));
   }
-  const UnjoinedEdges unjoined = unjoinedEdges(list, loops);
-  if (unjoined.count > 0)
+  const UnjoinedBoundary unjoined =
+    unjoinedEdges(list, loops, weldDistance * size, nearDistance * size);
+  if (unjoined.coincident.count > 0)
   {
-    notes.push_back(std::to_string(unjoined.count) +
+    notes.push_back(std::to_string(unjoined.coincident.count) +
       " edges of the boundary lie on each other without being joined, the first at point " +
-      std::to_string(unjoined.point) +
+      std::to_string(unjoined.coincident.point) +
       "; where these are no cuts but doubled points, as texture seams leave them, --weld joins "
       "them");
+  }
+  if (unjoined.near.count > 0)
+  {
+    const double gap = unjoined.near.gap * millimetres;
+    notes.push_back(std::to_string(unjoined.near.count) + " edges of the boundary run up to " +
+      number(gap) + " mm beside another one without being joined, the first at point " +
+      std::to_string(unjoined.near.point) + "; where the surface is to be whole there, --weld " +
+      number(roundedUp(1.01 * gap)) + " joins them");
   }
 }
 
@@ -212,19 +214,16 @@ MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request)
     return mended;
   }
   const bool soup = isSoup(list);
+  const double size = sizeOf(list);
   const auto joinSoup = [&] {
     if (soup && !request.weld)
     {
-      weld(list);
+      weldBoundary(list, weldDistance * size, 0.0);
     }
   };
   if (request.weld || (request.doubled && !soup))
   {
-    const std::size_t points = weld(list);
-    if (request.weld || points > 0)
-    {
-      mended.notes.push_back(weldNote(points, request.weld));
-    }
+    weld(list, size, request, mended.notes);
   }
   dropFlat(list, mended.notes);
   if (request.outerSide || request.fillHoles > 0.0)
@@ -245,7 +244,7 @@ MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request)
     mended.surface = withTriangles(surface, list);
   }
   joinSoup();
-  noteOpenings(list, surface->GetLength(), request.millimetres, mended.notes);
+  noteOpenings(list, surface->GetLength(), size, request.millimetres, mended.notes);
   return mended;
 }
 }

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace wirewarp
 /// What is done to a surface before it is flattened, beside taking out triangles without area.
 struct MendingRequest
 {
-  bool weld = false;        ///< join points that lie on each other
+  /// Join points of the boundary that lie so many millimetres off each other; 0: on each other.
+  std::optional<double> weld = std::nullopt;
   bool doubled = false;     ///< the same, because the file's format doubles points
   double fillHoles = 0.0;   ///< close openings up to so many millimetres across
   double millimetres = 1.0; ///< of the unit of the surface
@@ -26,5 +28,6 @@ struct MendedSurface
   std::vector<std::string> notes;
 };
 
+/// Throws InputError where a length of the request does not fit the surface.
 MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request);
 }

@@ -24,8 +24,8 @@ struct TriangleList
   std::vector<ListedTriangle> triangles;
 };
 
-/// Empty where a cell names a point that does not exist or has no finite place, or where there are
-/// strips: such a surface is taken or refused as it is.
+/// Polygons and strips as the filters divide them. Empty where a cell names a point that does not
+/// exist or has no finite place: such a surface is refused as it is.
 TriangleList listTriangles(vtkPolyData* surface);
 
 /// The surface with these triangles in place of its polygons; each has the data of the polygon that

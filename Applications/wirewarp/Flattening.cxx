@@ -39,7 +39,10 @@ vtkSmartPointer<vtkPolyData> mended(
   const Options& options, const SurfaceContents& contents, Flattening& result)
 {
   MendingRequest request;
-  request.weld = options.weld;
+  if (double distance = 0.0; parseNumber(options.weld, distance))
+  {
+    request.weld = distance;
+  }
   request.doubled = contents.doubled;
   request.fillHoles = options.fillHoles;
   request.millimetres = millimetresOf(result.unit);

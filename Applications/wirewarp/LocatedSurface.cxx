@@ -3,10 +3,7 @@
 
 #include "VtkMessages.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkNew.h>
-#include <vtkTriangleFilter.h>
+#include <vtkFlatteningAlgorithm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,28 +29,9 @@ bool canBeLocated(const std::array<double, 3>& point)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> locatedTriangles(vtkPolyData* surface)
 {
-  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    const vtkIdType* ids = nullptr;
-    vtkIdType count = 0;
-    cells->GetCurrentCell(count, ids);
-    const bool sound = count > 2 && std::all_of(ids, ids + count, [surface](vtkIdType p) {
-      return p >= 0 && p < surface->GetNumberOfPoints() && canBeLocated(pointOf(surface, p));
-    });
-    if (!sound)
-    {
-      return nullptr;
-    }
-  }
-  vtkNew<vtkPolyData> polygons;
-  polygons->SetPoints(surface->GetPoints());
-  polygons->SetPolys(surface->GetPolys());
-  const VtkMessages messages; // of polygons that it cannot divide
-  vtkNew<vtkTriangleFilter> division;
-  division->SetInputData(polygons);
-  division->Update();
-  vtkPolyData* const triangles = division->GetOutput();
+  const VtkMessages messages; // of what the flattening refuses
+  auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  vtkFlatteningAlgorithm::Triangulate(surface, triangles);
   return triangles->GetNumberOfCells() > 0 ? triangles : nullptr;
 }
 }

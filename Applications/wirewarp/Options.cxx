@@ -9,13 +9,17 @@
 #include "NumberOptions.h"
 #include "PlainText.h"
 #include "SuggestionOptions.h"
+#include "TextFile.h"
+#include "Units.h"
 
 #include <vtkVersion.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -65,13 +69,56 @@ triangle, an overlap): files are written.
 
 Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --output shirt)";
 
+/// Puts millimetres in place of a length that may have a unit; without a length 0.
+std::string weldLength(std::string& text)
+{
+  const std::size_t end = text.find_first_not_of("+-.0123456789eE");
+  const std::string_view unit =
+    end == std::string::npos ? std::string_view("mm") : std::string_view(text).substr(end);
+  double value = 0.0;
+  const bool given = text != "true";
+  if (given &&
+    (!parseNumber(text.substr(0, end), value) || !(value >= 0.0) || unitNamed(unit).empty()))
+  {
+    return inQuotes(text) + " is not a length in mm; write a number from 0, as 0.05 or 0.05mm";
+  }
+  std::ostringstream millimetres;
+  millimetres << std::setprecision(17) << value * millimetresOf(unitNamed(unit));
+  text = millimetres.str();
+  return "";
+}
+
+/// The arguments, with a length behind --weld as its value: a file behind it is none.
+std::vector<std::string> argumentsOf(int argc, char** argv)
+{
+  std::vector<std::string> arguments;
+  for (int k = 1; k < argc; ++k)
+  {
+    std::string next(argv[k]);
+    const bool joins = !arguments.empty() && arguments.back() == "--weld" && next != "true" &&
+      weldLength(next).empty();
+    if (joins)
+    {
+      arguments.back() += '=' + next;
+    }
+    else
+    {
+      arguments.emplace_back(argv[k]);
+    }
+  }
+  std::reverse(arguments.begin(), arguments.end()); // as CLI::App takes them
+  return arguments;
+}
+
 void addMending(CLI::App& app, Options& options)
 {
   const std::string group = "Mending SURFACE";
   app
     .add_flag("--weld", options.weld,
-      "Join points that lie on each other, as texture seams leave them, within a millionth of the "
-      "size")
+      "Join points of the boundary that lie on each other, as texture seams leave them, within a "
+      "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to so many "
+      "millimetres apart")
+    ->transform(CLI::Validator(weldLength, ""))
     ->group(group);
   app
     .add_option("--fill-holes", options.fillHoles,
@@ -279,7 +326,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   exitCode = Done;
   try
   {
-    app.parse(argc, argv);
+    app.parse(argumentsOf(argc, argv));
     const std::string idle =
       idleOption(options, [&app](const std::string& option) { return app.count(option) > 0; });
     if (!idle.empty())

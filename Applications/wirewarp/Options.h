@@ -47,7 +47,7 @@ struct Options
   bool closeCuts = false;
   std::string dartLegs;
   bool skipClosed = false;
-  bool weld = false;
+  std::string weld;       ///< millimetres, "0": points that lie on each other; empty: not given
   double fillHoles = 0.0; ///< mm; 0: none
   bool outerSide = false;
   std::map<std::string, double> tolerances; ///< of length, by name of curve

@@ -4,13 +4,17 @@
 #include "Base/Finite.h"
 #include "CellVisit.h"
 #include "StatusInInput.h"
+#include "Surface/PolygonTriangulation.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -51,6 +55,28 @@ bool isSound(const SurfaceTriangles& result, vtkCellArray* cells)
   return sound;
 }
 
+/// Triangles of VTK where they cover their polygon, else those of triangulatePolygon().
+void appendPolygon(
+  SurfaceTriangles& result, vtkIdType cell, const Indices& corners, const Triangles& proposed)
+{
+  if (corners.size() <= 3 || isTriangulationOf(proposed, result.points, corners))
+  {
+    for (const Triangle& t : proposed)
+    {
+      appendTriangle(result, cell, t[0], t[1], t[2]);
+    }
+    return;
+  }
+  for (const Triangle& t : triangulatePolygon(result.points, corners))
+  {
+    // A corner twice joins nothing, but two points in one place may hold parts together.
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    {
+      appendTriangle(result, cell, t[0], t[1], t[2]);
+    }
+  }
+}
+
 void triangulate(
   SurfaceTriangles& result, vtkPolyData* surface, const CellChoice& choice, vtkIdType firstCell)
 {
@@ -62,7 +88,7 @@ void triangulate(
   cellIds->SetName("cell");
   for (vtkIdType k = 0; k < polygons->GetNumberOfCells(); ++k)
   {
-    cellIds->InsertNextValue(firstCell + k);
+    cellIds->InsertNextValue(k);
   }
   polygons->GetCellData()->AddArray(cellIds);
 
@@ -70,35 +96,51 @@ void triangulate(
   triangulation->PassVertsOff();
   triangulation->PassLinesOff();
   triangulation->SetInputData(polygons);
+  // Its warnings are of polygons that are divided below.
+  triangulation->AddObserver(vtkCommand::WarningEvent, vtkSmartPointer<vtkCallbackCommand>::New());
   triangulation->Update();
   vtkPolyData* triangles = triangulation->GetOutput();
   auto* origin = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray("cell"));
+  Triangles divided; // in the order of their polygons
+  std::vector<vtkIdType> polygonOf;
   forEachCell(triangles->GetPolys(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
     // VTK 9.6 hands on a polygon of two points.
-    if (count == 3 && choice.reads(origin->GetValue(k)))
+    if (count == 3)
     {
-      appendTriangle(result, origin->GetValue(k), ids[0], ids[1], ids[2]);
+      divided.push_back({ pointIndex(ids[0]), pointIndex(ids[1]), pointIndex(ids[2]) });
+      polygonOf.push_back(origin->GetValue(k));
     }
   });
 
   std::vector<std::int64_t> lost;
-  std::size_t t = 0;
-  for (vtkIdType cell = firstCell; cell < firstCell + polygons->GetNumberOfCells(); ++cell)
+  std::size_t next = 0;
+  const auto append = [&](vtkIdType k, const Indices& corners) {
+    Triangles proposed;
+    for (; next < divided.size() && polygonOf[next] == k; ++next)
+    {
+      proposed.push_back(divided[next]);
+    }
+    const std::size_t before = result.triangles.size();
+    if (choice.reads(firstCell + k))
+    {
+      appendPolygon(result, firstCell + k, corners, proposed);
+      if (result.triangles.size() == before)
+      {
+        lost.push_back(firstCell + k);
+      }
+    }
+  };
+  forEachCell(polygons->GetPolys(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
+    append(k, Indices(ids, ids + count));
+  });
+  for (vtkIdType k = polygons->GetNumberOfPolys(); k < polygons->GetNumberOfCells(); ++k)
   {
-    if (choice.reads(cell) &&
-      (t == result.cellOfTriangle.size() || result.cellOfTriangle[t] != cell))
-    {
-      lost.push_back(cell);
-    }
-    while (t < result.cellOfTriangle.size() && result.cellOfTriangle[t] == cell)
-    {
-      ++t;
-    }
+    append(k, {}); // a strip
   }
   if (!lost.empty())
   {
     result.outcome = { StatusCode::DegenerateTriangle,
-      "cells " + listIds(lost) + " are polygons without area, which cannot be triangulated",
+      "cells " + listIds(lost) + " are polygons with fewer than three different corners",
       { ElementKind::Cells, lost }, { Remedy::RemeshTriangles } };
   }
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces with the blemishes that modellers and scanners leave: mended with a line, or named with the option
 that mends them."""
+import itertools
 import math
 import re
 
@@ -23,6 +24,10 @@ def dome():
             a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
             triangles += [(a, b, c), (a, c, d)]
     return points, triangles
+
+
+def cross(u, v):
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
 
 
 def middle(points, a, b):
@@ -50,7 +55,8 @@ class Mending(command.CommandTest):
     def flattened(self, points, triangles, *options):
         """The report, and what the command warned of."""
         self.write("bad.obj", command.obj(points, triangles))
-        run = self.run_command("bad.obj", "--unit", "cm", "--output", "out", *options)
+        unit = () if "--unit" in options else ("--unit", "cm")
+        run = self.run_command(*options, "bad.obj", *unit, "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         report = self.report("out")
         self.assertEqual(report["status"], "Ok")
@@ -142,6 +148,88 @@ class Mending(command.CommandTest):
         report, warnings = self.flattened(points, triangles, "--weld")
         self.assertEqual(warnings, ["11 points are joined with one that it lies on, as --weld asks"])
         self.assert_whole(report, 2 * SIZE * SIZE)
+
+    def area(self):
+        """Of the surface as it was flattened."""
+        x = self.array("out/cut.vtp", "Points")
+        ids = self.array("out/cut.vtp", "connectivity", "Polys")
+        corners = [[x[3 * v:3 * v + 3] for v in ids[k:k + 3]] for k in range(0, len(ids), 3)]
+        return sum(0.5 * math.hypot(*cross([q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]))
+                   for a, b, c in corners)
+
+    def strip(self, *, wedge, size=1.0):
+        """Quads of 10 x 10 in rows, with a column of no width, or of quads that open like wedges."""
+        columns = [10.0 * i for i in range(13)]
+        at_bottom, at_top = columns[:7] + columns[6:], columns[:7] + [columns[6] + 2.5 * wedge] + columns[7:]
+        count = len(at_bottom)
+        points = [(size * (x + (y - x) * j / 4), size * 10.0 * j, 0.0)
+                  for j in range(5) for x, y in zip(at_bottom, at_top)]
+        quads = [(j * count + i, j * count + i + 1, (j + 1) * count + i + 1, (j + 1) * count + i)
+                 for j in range(4) for i in range(count - 1)]
+        return points, quads
+
+    def test_quads_without_width_are_taken_out_and_no_area_is_lost(self):
+        for size, wedge, options, turned in itertools.product(
+                (1e-4, 1.0, 1e4), (False, True), ((), ("--weld",)), (False, True)):
+            with self.subTest(size=size, wedge=wedge, options=options, turned=turned):
+                points, quads = self.strip(wedge=wedge, size=size)
+                quads = [quad[2:] + quad[:2] for quad in reversed(quads)] if turned else quads
+                report, warnings = self.flattened(points, quads, *options)
+                self.assertEqual(len(report["pieces"]), 1)
+                self.assertAlmostEqual(self.area() / (120 * 40 * size * size), 1.0, delta=1e-12)
+                mended = [line for line in warnings if "without area taken out" in line]
+                self.assertEqual(len(mended), 1, warnings)
+                self.assertIn(f"{1 if wedge else 8} triangle", mended[0])
+
+    def test_loose_triangles_in_one_place_are_left_out(self):
+        for size, count, first in itertools.product((1e-3, 1.0, 1e3), (1, 2, 40), (False, True)):
+            with self.subTest(size=size, count=count, first=first):
+                points = [tuple(size * x for x in point) for point in self.points]
+                loose = [tuple(len(points) + 3 * k + i for i in range(3)) for k in range(count)]
+                points += [(7.0 * size * k, 9.0 * size, 0.0) for k in range(count) for _ in range(3)]
+                triangles = loose + self.triangles if first else self.triangles + loose
+                report, warnings = self.flattened(points, triangles)
+                self.assertEqual([piece["triangles"] for piece in report["pieces"]], [2 * SIZE * SIZE])
+                words = "1 triangle" if count == 1 else f"{count} triangles"
+                self.assertEqual([line for line in warnings if "area" in line], [
+                    f"{words} without area taken out, the first at polygon {0 if first else len(self.triangles)}"])
+
+    def test_a_face_with_a_bridge_to_a_hole_is_read(self):
+        face = [0, 1, 2, 3, 0, 4, 7, 6, 5, 4]
+        for size, begin, mirrored in itertools.product((0.1, 1.0, 300.0), range(0, 10, 3), (False, True)):
+            with self.subTest(size=size, begin=begin, mirrored=mirrored):
+                points = [(size * x, size * y, 0.0) for x, y in (
+                    (0, 0), (10, 0), (10, 10), (0, 10), (3, 3), (7, 3), (7, 7), (3, 7))]
+                corners = face[begin:] + face[:begin]
+                self.flattened(points, [corners[::-1] if mirrored else corners])
+                self.assertAlmostEqual(self.area() / (84 * size * size), 1.0, delta=1e-12)
+
+    def test_boundaries_that_run_beside_each_other_are_named_with_the_length_that_joins_them(self):
+        points, triangles = self.split_by_a_texture_seam()
+        for unit, millimetres in (("mm", 1.0), ("cm", 10.0), ("m", 1000.0)):
+            for gap in (2e-3, 1e-2):  # in units of the surface, which is 30 large
+                with self.subTest(unit=unit, gap=gap):
+                    apart = points[:len(self.points)] + [(x + gap, y, z) for x, y, z in points[len(self.points):]]
+                    report, warnings = self.flattened(apart, triangles, "--unit", unit)
+                    self.assertEqual(len(report["pieces"]), 2)
+                    (line,) = [row for row in warnings if "beside another one" in row]
+                    length = float(re.search("--weld ([0-9.e+-]+) joins", line)[1])
+                    self.assertGreaterEqual(length, gap * millimetres)
+                    self.assertLess(length, 1.2 * gap * millimetres)
+                    for given in (("--weld", f"{length:.17g}"), ("--weld", f"{length:.17g}mm"),
+                                  (f"--weld={length / 10:.17g}cm",)):
+                        report, warnings = self.flattened(apart, triangles, *given, "--unit", unit)
+                        self.assertEqual([piece["triangles"] for piece in report["pieces"]], [2 * SIZE * SIZE])
+                        self.assertIn("11 points are joined", "".join(warnings))
+                    report, warnings = self.flattened(apart, triangles, "--weld", "--unit", unit)
+                    self.assertEqual(len(report["pieces"]), 2)
+        # What is longer than edges joins no ends of one, and what is longer than the surface nothing.
+        report, _ = self.flattened(self.points, self.triangles, "--weld", "29mm")
+        self.assertEqual(report["pieces"][0]["triangles"], 2 * SIZE * SIZE)
+        for text, code in (("1000", 3), ("-1", 2), ("3furlongs", 2), ("nan", 2)):
+            run = self.run_command(f"--weld={text}", "bad.obj", "--unit", "cm", "--output", "out")
+            self.assertEqual(run.returncode, code, run.stderr)
+            self.assertIn("--weld", run.stderr)
 
     def test_curves_that_name_points_keep_their_meaning(self):
         points, triangles = self.split_by_a_texture_seam()
