@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flattening
 {
@@ -24,7 +25,8 @@ constexpr double timesNeighbour = 1.8;
 /// and by about edge * turn / 16 where it bends at one of them alone.
 constexpr double depthOfRound = 24.0;
 constexpr double depthOfBend = 16.0;
-constexpr double surely = 1.5; ///< so many tolerances are too much
+constexpr double surely = 1.5;     ///< so many tolerances are too much
+constexpr double collapsed = 1e-9; ///< part of a chain that an edge without length takes
 }
 
 BorderChains::BorderChains(const DrawingSource& all)
@@ -115,11 +117,19 @@ void BorderChains::add(
   }
   chain.arc.push_back(0.0);
   const std::size_t edges = points.size() - (closed ? 0 : 1);
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k < edges; ++k)
+  {
+    lengths.push_back((all.at(chain.point(k + 1)) - all.at(chain.point(k))).norm());
+  }
+  // Every edge takes a part of the chain, so that places divide by it, also where it has collapsed.
+  const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const double least = collapsed * (whole > 0.0 ? whole : 1.0);
   for (std::size_t k = 0; k < edges; ++k)
   {
     const Index from = chain.point(k);
     const Index to = chain.point(k + 1);
-    chain.arc.push_back(chain.arc.back() + (all.at(to) - all.at(from)).norm());
+    chain.arc.push_back(chain.arc.back() + std::max(lengths[k], least));
     this->Edges.emplace(
       undirectedKey(from, to), std::array<std::size_t, 2>{ this->Chains.size(), k });
   }

@@ -63,6 +63,15 @@ Status findBorders(DrawingSource& all)
     pieces = std::max(pieces, static_cast<std::size_t>(piece) + 1);
   }
   Status status = findLoops(all.source, pieces, all.loops);
+  for (std::size_t p = 0; status.ok() && p < pieces; ++p)
+  {
+    if (all.loops[p].empty())
+    {
+      status = { StatusCode::InvalidPattern,
+        "piece " + std::to_string(p + 1) + " of the flat surface has no border", {},
+        { Remedy::GiveFlatPieces } };
+    }
+  }
   if (!status.ok())
   {
     return status;

@@ -191,7 +191,11 @@ void FairFit::coarsen(std::size_t piece)
 {
   // Nodes stay from here on, so that the stretches are each by itself.
   const PieceNetwork network = this->Now.networkOf(piece);
-  const Points2 nodes = solveFairNetwork(network.network(), this->Now.wave(piece)).nodes;
+  const FairCurves curves = solveFairNetwork(network.network(), this->Now.wave(piece));
+  if (!curves.converged)
+  {
+    return; // the work is used up
+  }
   for (const Place& place : this->Now.placesOf(piece, StretchForm::Spline))
   {
     const std::optional<Place> image = this->Now.imageOf(place);
@@ -216,7 +220,7 @@ void FairFit::coarsen(std::size_t piece)
         part.tolerances.push_back(this->Now.toleranceAt(one, k));
       }
     }
-    FairTrial trial(network.network(), parts, nodes, this->Now.wave(piece));
+    FairTrial trial(network.network(), parts, curves.nodes, this->Now.wave(piece));
     if (trial.findFewest(this->Now.at(place).leastSpans()))
     {
       trial.smooth();

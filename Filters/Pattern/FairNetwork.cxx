@@ -30,7 +30,8 @@ constexpr double goodLength = 1e-10;
 constexpr double goodStep = 1e-3; ///< what it may leave of what is missing
 constexpr double sliding = 0.01;  ///< weight of what is missing along a curve, to that across it
 constexpr double cornerWeight = 10.0;
-constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
+constexpr double productsOfStep = 3000.0; ///< about, of an unknown
+constexpr double softness = 1e-12;        ///< of constraints, which may depend on each other
 
 class FairSolver
 {
@@ -76,6 +77,10 @@ public:
   {
     FairCurves result;
     result.converged = this->factor() && this->iterate();
+    if (!result.converged)
+    {
+      return result; // there may be no unknowns to read
+    }
     for (std::size_t k = 0; k < this->Network.nodes.size(); ++k)
     {
       result.nodes.emplace_back(this->X.segment<2>(2 * static_cast<Eigen::Index>(k)));
@@ -246,9 +251,21 @@ private:
     }
   }
 
-  /// The same where rows depend on each other so much that softness cannot tell.
+  /// \return whether there was so much work left
+  bool spend(double products) const
+  {
+    return !this->Network.work || (*this->Network.work -= products) >= 0.0;
+  }
+
+  /// The same where rows depend on each other so much that softness cannot tell. Not finite where
+  /// the work is used up.
   Vector leastStepOf(const Rows& rows, const Vector& pull, const Vector& missing) const
   {
+    const auto size = static_cast<double>(rows.rows());
+    if (!this->spend(size * size * static_cast<double>(rows.rows() + rows.cols())))
+    {
+      return Vector::Constant(rows.cols(), std::numeric_limits<double>::quiet_NaN());
+    }
     const Vector free = this->Factor.solve(pull);
     const Matrix spread = this->Factor.solve(Matrix(rows.transpose()));
     return free + spread * leastNormSolution(rows * spread, missing - rows * free);
@@ -314,6 +331,10 @@ private:
       if (last < exactLength)
       {
         return true;
+      }
+      if (!this->spend(productsOfStep * static_cast<double>(missing.size() + this->X.size())))
+      {
+        return false;
       }
       // The first steps look for the minimum, the last ones for the lengths alone.
       const bool towardsMinimum = step < steps / 3;

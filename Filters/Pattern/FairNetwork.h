@@ -66,11 +66,12 @@ struct FairNetwork
   bool held = false; ///< they stay there
   std::vector<FairStretch> stretches;
   FairMirror mirror;
+  double* work = nullptr; ///< products that may still be computed; null: no limit
 };
 
 struct FairCurves
 {
-  bool converged = false; ///< every interval has its length to 1e-10 of it
+  bool converged = false; ///< every interval has its length to 1e-10 of it; else the rest is empty
   Points2 nodes;
   std::vector<std::vector<FairSpan>> spans; ///< of each stretch
   std::vector<std::vector<double>>

@@ -15,6 +15,7 @@ namespace pattern
 namespace
 {
 constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
+constexpr double sameNotch = 1e-6;  ///< of a chain
 
 class FairPlanner
 {
@@ -129,11 +130,14 @@ private:
       firm.push_back(chain.length());
     }
     std::vector<double> stops = firm;
+    const auto isNear = [](const std::vector<double>& places, double notch, double distance) {
+      return std::any_of(places.begin(), places.end(),
+        [=](double place) { return std::abs(place - notch) < distance; });
+    };
     for (const double notch : notches)
     {
-      const bool close = std::any_of(firm.begin(), firm.end(),
-        [notch](double stop) { return std::abs(stop - notch) < closestStop; });
-      if (!close)
+      // Two curves may have a notch at one place. All firm points stay: stretches end there.
+      if (!isNear(firm, notch, closestStop) && !isNear(stops, notch, sameNotch * chain.length()))
       {
         stops.push_back(notch);
       }
@@ -141,11 +145,6 @@ private:
     std::sort(stops.begin(), stops.end());
     for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     {
-      if (stops[k + 1] - stops[k] < 1e-6 * chain.length())
-      {
-        stops[k + 1] = stops[k]; // one notch of two curves
-        continue;
-      }
       PlannedInterval interval;
       interval.start = stops[k];
       interval.end = stops[k + 1];
@@ -187,7 +186,7 @@ private:
       stretch.lastPoint = ends[k + 1];
       stretch.firstInterval = next;
       while (next < planned.intervals.size() &&
-        planned.intervals[next].start < chain.arc[stretch.lastPoint] - 1e-9 * chain.length())
+        planned.intervals[next].start < chain.arc[stretch.lastPoint])
       {
         ++next;
       }

@@ -76,7 +76,8 @@ struct FairLimits
 {
   std::vector<double> shares; ///< of its tolerances that it may use
   std::vector<bool> mirrored; ///< its outline is to be its own mirror image, where it nearly is
-  std::vector<bool> mirroredWithin; ///< and so are curves and holes within it
+  std::vector<bool> mirroredWithin;    ///< and so are curves and holes within it
+  std::vector<double>* work = nullptr; ///< see FairNetwork, for all that is tried; never null
 };
 
 /// Into which stretches and intervals the chains fall.

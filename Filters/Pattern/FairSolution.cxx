@@ -18,6 +18,7 @@ FairSolution::FairSolution(
   , Plan(planFairBorders(all, chains, limits.shares))
   , Spans(this->Plan.size())
   , Deviation(this->Plan.size())
+  , Work(*limits.work)
 {
   for (std::size_t p = 0; p < all.loops.size(); ++p)
   {
@@ -195,7 +196,7 @@ double FairSolution::largestDeviation(std::size_t piece) const
 
 PieceNetwork FairSolution::networkOf(std::size_t piece) const
 {
-  return { this->All, this->Chains, this->Plan, piece, this->Mirrors[piece] };
+  return { this->All, this->Chains, this->Plan, piece, this->Mirrors[piece], this->Work[piece] };
 }
 
 bool FairSolution::solve(std::size_t piece)

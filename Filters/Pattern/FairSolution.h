@@ -80,6 +80,7 @@ private:
   std::vector<std::vector<FairSpan>> Spans;
   std::vector<std::vector<double>> Deviation;
   std::vector<double> Wave;
+  std::vector<double>& Work;
 };
 }
 }

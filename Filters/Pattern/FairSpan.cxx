@@ -8,6 +8,11 @@ namespace flattening
 {
 namespace pattern
 {
+namespace
+{
+constexpr int mostParts = 10000; ///< chords of a span
+}
+
 Point2 FairSpan::at(double arc) const
 {
   const double u = (arc - this->from) / (this->to - this->from);
@@ -50,7 +55,8 @@ void sampleSpan(const FairSpan& span, double distance, Points2& points)
   };
   // A chord over 1 / n of a cubic curve is off by no more than 6 / (8 n^2) of these differences.
   const double most = 0.75 * std::max(bend(0), bend(1));
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(most / distance))));
+  const double wanted = std::ceil(std::sqrt(most / distance));
+  const int parts = wanted < mostParts ? std::max(1, static_cast<int>(wanted)) : mostParts;
   for (int k = 0; k < parts; ++k)
   {
     points.push_back(span.at(span.from + (span.to - span.from) * k / parts));

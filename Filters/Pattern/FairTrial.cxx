@@ -64,6 +64,7 @@ FairTrial::FairTrial(
     this->Network.stretches.push_back(std::move(one));
   }
   this->Network.held = true;
+  this->Network.work = network.work;
   this->Network.mirror = network.mirror;
   this->Network.mirror.stretches.clear();
   for (const FairImages& pair : network.mirror.stretches)
@@ -261,6 +262,7 @@ bool FairTrial::solve(FairCurves& curves)
     const std::vector<double>& own = this->Weights[s];
     this->Network.stretches[s].weights.assign(own.begin() + 1, own.end() - 1);
   }
+  --this->Left;
   curves = solveFairNetwork(this->Network, this->Wave);
   this->Shares.clear();
   for (std::size_t s = 0; curves.converged && s < this->Tolerances.size(); ++s)
@@ -280,7 +282,7 @@ bool FairTrial::fits()
   {
     this->Network.stretches[s].arc = this->Arcs[s];
   }
-  for (int k = 0; this->Left > 0 && k < emphasesOfDivision; ++k, --this->Left)
+  for (int k = 0; this->Left > 0 && k < emphasesOfDivision; ++k)
   {
     FairCurves curves;
     if (!this->solve(curves))

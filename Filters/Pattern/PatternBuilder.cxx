@@ -59,6 +59,16 @@ Status checkSource(const PatternSource& source, std::size_t& pieces)
     area[static_cast<std::size_t>(piece)] += cross(a, b);
   }
   pieces = area.size();
+  for (const SourceWire& wire : source.wires)
+  {
+    if (wire.piece >= static_cast<Index>(pieces))
+    {
+      return { StatusCode::InvalidPattern,
+        "the PieceId of a wire is " + std::to_string(wire.piece) + ", and there are " +
+          std::to_string(pieces) + " pieces",
+        {}, { Remedy::GiveFlatPieces } };
+    }
+  }
   for (std::size_t p = 0; p < pieces; ++p)
   {
     if (!(area[p] > 0.0))

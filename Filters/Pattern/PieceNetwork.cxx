@@ -117,11 +117,13 @@ void addInterval(const PlannedInterval& interval, double start, FairStretch& str
 }
 
 PieceNetwork::PieceNetwork(const DrawingSource& all, const BorderChains& chains,
-  const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror)
+  const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror,
+  double& work)
   : All(all)
   , Chains(chains)
   , Plan(plan)
 {
+  this->Network.work = &work;
   for (std::size_t c = 0; c < plan.size(); ++c)
   {
     if (chains.chains()[c].piece != piece)

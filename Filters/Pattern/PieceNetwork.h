@@ -16,8 +16,10 @@ namespace pattern
 class PieceNetwork
 {
 public:
+  /// \param work see FairNetwork; it stays the caller's
   PieceNetwork(const DrawingSource& all, const BorderChains& chains,
-    const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror);
+    const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror,
+    double& work);
 
   const FairNetwork& network() const { return this->Network; }
   /// The number of a stretch in it, by its chain and first point; it is no raw one.

@@ -334,3 +334,92 @@ TEST(FairBorders, APieceIsDrawnNearerToItsPointsWhereItWouldBeStrained)
   EXPECT_NEAR(lengthOf(smoothed.borders->curveOf(source.wires[0])),
     10 * 2.0 * 50.0 * std::sin(pi / 10), 1e-9);
 }
+
+TEST(FairBorders, AnEdgeOfAnyPartOfTheBorderIsDrawnWithAllLengths)
+{
+  // A rectangle with a chamfer between two corners.
+  for (const double size : { 1e-3, 1.0, 100.0, 1e5 })
+  {
+    for (const double part : { 1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 1e-12, 0.0 })
+    {
+      SCOPED_TRACE(std::to_string(size) + " mm, part " + std::to_string(part));
+      const double cut = part * size;
+      const Points2 corners{ { -size, -size }, { size, -size }, { size, size - cut },
+        { size - cut, size }, { -size, size } };
+      for (const double notches : { 0.0, size / 3.0 })
+      {
+        const double tolerance = 0.002 * size;
+        const Smoothed smoothed(polygon(corners), tolerance, notches);
+        const auto border = smoothed.borders->curveOf(smoothed.source.wires[0]);
+        EXPECT_NEAR(lengthOf(border), (8.0 - (2.0 - std::sqrt(2.0)) * part) * size, 1e-8 * size);
+        for (const Point2& corner : corners)
+        {
+          EXPECT_LE(distanceFrom(border, corner), tolerance + 1e-8 * size);
+        }
+      }
+    }
+  }
+}
+
+TEST(FairBorders, BordersThatHaveCollapsedAreDrawnAsTheyAre)
+{
+  // A ring whose inner border, or a part of one of its borders, lies in one point or on a segment.
+  constexpr Index count = 24;
+  for (const double size : { 1e-2, 50.0, 1e4 })
+  {
+    for (const Index collapsed : { 2, 7, 24 })
+    {
+      for (const bool inner : { true, false })
+      {
+        for (const double width : { 0.0, 1e-6 })
+        {
+          SCOPED_TRACE(std::to_string(size) + " mm, " + std::to_string(collapsed) +
+            (inner ? " inner" : " outer") + " points, " + std::to_string(width));
+          PatternSource source;
+          for (const double radius : { 2.0, 1.0 })
+          {
+            for (Index k = 0; k < count; ++k)
+            {
+              const double angle = 2.0 * pi * k / count;
+              source.positions.emplace_back(
+                size * radius * Point2(std::cos(angle), std::sin(angle)));
+            }
+          }
+          for (Index k = 0; k < count; ++k)
+          {
+            const Index next = (k + 1) % count;
+            source.triangles.push_back({ k, next, count + k });
+            source.triangles.push_back({ next, count + next, count + k });
+          }
+          source.pieceOfTriangle.assign(source.triangles.size(), 0);
+          const Index first = inner ? count : 0;
+          for (Index k = 1; k < (inner ? collapsed : std::min<Index>(collapsed, 12)); ++k)
+          {
+            source.positions[static_cast<std::size_t>(first + k)] =
+              source.positions[static_cast<std::size_t>(first)] +
+              Point2(width * size * (k % 3), 0.0);
+          }
+          for (const Index start : { Index(0), count })
+          {
+            SourceWire border{ {}, WireType::Boundary, none, 0, "boundary" };
+            for (Index k = 0; k <= count; ++k)
+            {
+              border.points.push_back(start + k % count);
+            }
+            source.wires.push_back(border);
+          }
+          for (const double tolerance : { 0.2, 1e3 })
+          {
+            const Smoothed smoothed(source, tolerance);
+            EXPECT_LE(smoothed.borders->reports()[0].deviation, tolerance);
+            for (const Point2& p : smoothed.borders->positions())
+            {
+              EXPECT_TRUE(p.allFinite());
+              EXPECT_LE(p.norm(), 2.0 * size + tolerance);
+            }
+          }
+        }
+      }
+    }
+  }
+}
