@@ -28,9 +28,10 @@ public:
   bool isFolded(Index from, Index to) const;
   /// One polygon a loop but for the loops that are a folded dart, millimetres.
   std::vector<AllowancePolygon> polygons() const;
+  /// Of an edge of a loop, millimetres.
+  double allowanceOf(Index from, Index to) const;
 
 private:
-  double allowanceOf(Index from, Index to) const;
   AllowancePolygon polygonOf(std::size_t l) const;
   bool roof(std::size_t d, Point2& corner) const;
 

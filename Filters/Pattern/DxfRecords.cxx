@@ -123,6 +123,11 @@ void DxfRecords::addHead(const Point2& low, const Point2& high)
   this->beginSection("HEADER");
   this->add(9, "$ACADVER");
   this->add(1, "AC1009");
+  // R12 knows neither, and what reads it takes inches where both are missing.
+  this->add(9, "$INSUNITS");
+  this->add(70, this->Inches ? 1 : 4);
+  this->add(9, "$MEASUREMENT");
+  this->add(70, this->Inches ? 0 : 1);
   this->add(9, "$EXTMIN");
   this->addPoint(low);
   this->add(9, "$EXTMAX");

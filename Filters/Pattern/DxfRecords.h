@@ -35,9 +35,10 @@ bool isDashed(DxfLayer layer);
 class DxfRecords
 {
 public:
-  /// \param perMillimetre what lengths in millimetres are multiplied by
-  explicit DxfRecords(double perMillimetre)
-    : PerMillimetre(perMillimetre)
+  /// \param inches the unit of the drawing, or millimetres
+  explicit DxfRecords(bool inches)
+    : Inches(inches)
+    , PerMillimetre(inches ? 1.0 / 25.4 : 1.0)
   {
   }
 
@@ -67,6 +68,7 @@ private:
   void addLineType(
     const std::string& name, const std::string& words, const std::vector<double>& dashes);
 
+  bool Inches;
   double PerMillimetre;
   unsigned NextHandle = 1;
   std::size_t Seed = 0; ///< where in the text the next free handle is to be told

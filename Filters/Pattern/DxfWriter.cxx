@@ -71,7 +71,7 @@ public:
     : Drawn(pattern)
     , Layout(layOut(pattern, squareWidth(pattern), 0.0))
     , BlockNames(blockNames(pattern))
-    , Records(pattern.unit == Unit::Inch ? 1.0 / 25.4 : 1.0)
+    , Records(pattern.unit == Unit::Inch)
   {
   }
 

@@ -189,6 +189,7 @@ std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
   }
   if (!isWire(line.kind) && line.closed)
   {
+    line.curve.clear();
     line.points = rightHalf(line.points, axis);
     return line.points.size() > 2 ? std::vector<PatternLine>{ std::move(line) }
                                   : std::vector<PatternLine>();

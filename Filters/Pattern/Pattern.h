@@ -33,6 +33,7 @@ struct PatternLine
 {
   LineKind kind = LineKind::Internal;
   bool closed = false;
+  bool isCut = false; ///< a sew line without allowance: the cut line is drawn in its place
   Points2 points; ///< with straight sides, within sampleDistance of the curve where there is one
   std::vector<FairSpan>
     curve;                 ///< the line as it is meant, where it was made smooth; otherwise empty

@@ -80,6 +80,11 @@ public:
     }
     drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
     placeTexts(this->Boundary, this->Drawing);
+    // A cutter would cut twice.
+    std::vector<PatternLine>& lines = this->Drawing.lines;
+    lines.erase(std::remove_if(
+                  lines.begin(), lines.end(), [](const PatternLine& line) { return line.isCut; }),
+      lines.end());
     moveToOrigin(this->Drawing);
     return {};
   }
@@ -97,17 +102,57 @@ private:
       this->Outlines.push_back(std::move(points));
     }
     std::vector<Points2> borders;
-    Status status = addAllowance(this->Cloth.polygons(), this->All.options.mitreLimit, borders);
+    const std::vector<AllowancePolygon> polygons = this->Cloth.polygons();
+    Status status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+    if (status.ok() && this->allowancesMeet(polygons))
+    {
+      this->Drawing.notes.push_back({ "piece " + this->Drawing.name +
+        ": its allowances meet across a gap or a hole, which the cut line closes; give a smaller "
+        "allowance to keep it open" });
+    }
+    // Then the cut line is the sew line, and keeps its curves.
+    const bool bare = !hasAllowance(polygons) && this->Cloth.darts().empty();
     for (std::size_t b = 0; b < borders.size(); ++b)
     {
       addSegments(borders[b], true, this->CutLine);
       PatternLine line;
       line.kind = b == 0 ? LineKind::CutLine : LineKind::CutOut;
       line.closed = true;
-      line.points = this->All.fair ? thinned(borders[b], sampleDistance) : std::move(borders[b]);
+      if (this->All.fair && bare)
+      {
+        SourceWire loop;
+        loop.points = this->Loops[b];
+        loop.points.push_back(loop.points.front());
+        line.curve = this->All.fair->curveOf(loop);
+      }
+      line.points =
+        this->All.fair && !bare ? thinned(borders[b], sampleDistance) : std::move(borders[b]);
       this->Drawing.lines.push_back(std::move(line));
     }
     return status;
+  }
+
+  /// Whether the cut line has another number of loops than the sew line, as it is drawn or with
+  /// less allowance: what a closed gap encloses may be filled as well.
+  bool allowancesMeet(std::vector<AllowancePolygon> polygons) const
+  {
+    std::vector<Points2> borders;
+    for (int halving = 0; halving < 4 && hasAllowance(polygons); ++halving)
+    {
+      const Status status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+      if (status.ok() && borders.size() != polygons.size())
+      {
+        return true;
+      }
+      for (AllowancePolygon& polygon : polygons)
+      {
+        for (double& allowance : polygon.allowance)
+        {
+          allowance /= 2.0;
+        }
+      }
+    }
+    return false;
   }
 
   /// A named edge of the boundary.
@@ -122,6 +167,24 @@ private:
       }
     }
     return true;
+  }
+
+  /// Whether a border is cut along itself, also near borders that have an allowance.
+  bool isOnCutLine(const SourceWire& wire)
+  {
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      Points2 along;
+      this->All.addAlong(wire.points[k], wire.points[k + 1], along);
+      along.push_back(this->All.at(wire.points[k + 1]));
+      if (this->Cloth.allowanceOf(wire.points[k], wire.points[k + 1]) > 0.0 ||
+        std::any_of(along.begin(), along.end(),
+          [this](const Point2& p) { return distance(p, this->CutLine) > 2.0 * sampleDistance; }))
+      {
+        return false;
+      }
+    }
+    return wire.points.size() > 1;
   }
 
   LineKind kindOf(const SourceWire& wire)
@@ -167,9 +230,14 @@ private:
           line.restLength += (line.points[k] - line.points[k - 1]).norm();
         }
       }
+      line.isCut = (line.kind == LineKind::SewLine || line.kind == LineKind::KeyCurve) &&
+        this->isBorder(wire) && this->isOnCutLine(wire);
       if (this->All.fair)
       {
         line.curve = this->All.fair->curveOf(wire);
+      }
+      if (!line.curve.empty()) // it is where a wire has collapsed
+      {
         line.points.clear();
         for (const FairSpan& span : line.curve)
         {

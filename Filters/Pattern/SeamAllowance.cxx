@@ -160,11 +160,7 @@ Status addAllowance(
   const std::vector<AllowancePolygon>& polygons, double mitreLimit, std::vector<Points2>& widened)
 {
   widened.clear();
-  const bool unchanged =
-    std::all_of(polygons.begin(), polygons.end(), [](const AllowancePolygon& p) {
-      return std::all_of(p.allowance.begin(), p.allowance.end(), [](double a) { return a == 0.0; });
-    });
-  if (unchanged)
+  if (!hasAllowance(polygons))
   {
     for (const AllowancePolygon& polygon : polygons)
     {

@@ -4,6 +4,7 @@
 #include "Base/Status.h"
 #include "Base/Types.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace flattening
@@ -17,6 +18,14 @@ struct AllowancePolygon
   Points2 points;
   std::vector<double> allowance;
 };
+
+inline bool hasAllowance(const std::vector<AllowancePolygon>& polygons)
+{
+  return std::any_of(polygons.begin(), polygons.end(), [](const AllowancePolygon& polygon) {
+    return std::any_of(polygon.allowance.begin(), polygon.allowance.end(),
+      [](double allowance) { return allowance > 0.0; });
+  });
+}
 
 /// Widens a piece of cloth by the allowances of its edges: the union of the piece, of the strip
 /// along each edge, and of the mitres at the convex corners. A mitre is cut off where it would be

@@ -3,8 +3,6 @@
 #include "NoFitRegion.h"
 #include "SeamAllowance.h"
 
-#include <algorithm>
-
 namespace flattening
 {
 namespace pattern
@@ -35,15 +33,14 @@ Status addAllowance(
   const std::vector<AllowancePolygon>& polygons, double, std::vector<Points2>& widened)
 {
   widened.clear();
+  if (hasAllowance(polygons))
+  {
+    return { StatusCode::InvalidOption,
+      "this build cannot add a seam allowance, because it was made without Clipper", {},
+      { { Remedy::Give, "an allowance of 0" } } };
+  }
   for (const AllowancePolygon& polygon : polygons)
   {
-    const auto isPositive = [](double allowance) { return allowance > 0.0; };
-    if (std::any_of(polygon.allowance.begin(), polygon.allowance.end(), isPositive))
-    {
-      return { StatusCode::InvalidOption,
-        "this build cannot add a seam allowance, because it was made without Clipper", {},
-        { { Remedy::Give, "an allowance of 0" } } };
-    }
     widened.push_back(polygon.points);
   }
   return {};

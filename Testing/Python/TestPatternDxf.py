@@ -111,6 +111,15 @@ class Layers(pattern.PatternTest):
         self.assertEqual({tuple(circle.dxf.center)[:2] for circle in circles}, set(marks(block, "13")))
         self.assertEqual(len(circles), 2)
 
+    def test_the_header_says_the_unit_as_programs_read_it(self):
+        for unit in pattern.MILLIMETRES:
+            for options in ((), ("--allowance", "0")):
+                self.make("quarter_sphere", "--dxf", *options, unit=unit)
+                document, _ = self.blocks()
+                inches = unit == "inch"
+                self.assertEqual(document.header["$INSUNITS"], 1 if inches else 4)
+                self.assertEqual(document.header["$MEASUREMENT"], 0 if inches else 1)
+
     def test_colours_of_layers_can_be_read_on_black_and_on_white(self):
         self.make("tshirt", "--dxf")
         document, _ = self.blocks()

@@ -93,6 +93,73 @@ class Svg(pattern.PatternTest):
                 self.assertTrue(path in heads or path.get("fill") is None)
 
 
+class BordersWithoutAllowance(pattern.PatternTest):
+    def outlines(self, root, kind):
+        """(piece, points) along all paths of a class, curves sampled."""
+        for piece, element in pattern.svg_elements(root, kind):
+            points = []
+            for curve in pattern.curves_of(element):
+                for k in range(9):
+                    u, v = k / 8, 1 - k / 8
+                    points.append(tuple(v**3 * curve[0] + 3 * u * v**2 * curve[1]
+                                        + 3 * u**2 * v * curve[2] + u**3 * curve[3]))
+            yield piece, points
+
+    def test_a_cutter_cuts_them_once_and_they_keep_their_lengths(self):
+        for piece, unit in (("quarter_sphere", "m"), ("tshirt", "cm"), ("tshirt", "inch"), ("shoe_upper", "mm")):
+            for fair in ("0", "0.2"):
+                with self.subTest(piece, unit=unit, fair=fair):
+                    self.make(piece, "--svg", "--dxf", "--plt", "--allowance", "0", "--fair", fair, unit=unit)
+                    root = pattern.svg_root(self.path("out", "pattern.svg"))
+                    self.assertEqual(pattern.svg_elements(root, "sew-line"), [])
+                    wires = [wire for wire in pattern.wires_in_space(self.path("out"), unit)
+                             if wire.kind in (pattern.BOUNDARY, pattern.SEAM)]
+                    count = 1 + max(wire.piece for wire in wires)
+                    drawn = [0.0] * count
+                    for number, element in pattern.svg_elements(root, "cut-line"):
+                        drawn[number] += sum(map(pattern.bezier_length, pattern.curves_of(element)))
+                    for number, length in enumerate(drawn):
+                        wanted = sum(sum(wire.edges) for wire in wires if wire.piece == number)
+                        self.assertLess(abs(length - wanted), 1e-5 * wanted)
+                    document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
+                    self.assertEqual(audit, [])
+                    for insert in document.modelspace().query("INSERT"):
+                        block = document.blocks.get(insert.dxf.name)
+                        self.assertEqual(pattern.block_lines(block, "14"), [])
+                        ((_, closed),) = pattern.block_lines(block, "1")
+                        self.assertTrue(closed)
+                    lines, _ = read_hpgl(self.content("pattern.plt").decode("ascii"))
+                    cut = {point for pen, points in lines for point in points if pen == 2}
+                    for pen, points in lines:
+                        self.assertFalse(pen == 1 and len(points) > 2 and set(points) <= cut)
+
+    def test_one_border_without_allowance_among_others_is_drawn_once(self):
+        seams = {wire.name for wire in self.wires("tshirt") if wire.kind == pattern.SEAM}
+        for bare in sorted(seams)[:3]:
+            self.make("tshirt", "--svg", "--allowance", "8", "--curve-allowance", bare + "=0")
+            root = pattern.svg_root(self.path("out", "pattern.svg"))
+            cut = {number: points for number, points in self.outlines(root, "cut-line")}
+            names = {element.get("data-curve") for _, element in pattern.svg_elements(root, "sew-line")}
+            self.assertEqual(seams - names, {bare})
+            for number, points in self.outlines(root, "sew-line"):
+                self.assertGreater(max(distance_to(point, cut[number]) for point in points[4::9]), 1.0)
+
+    def wires(self, piece):
+        self.make(piece)
+        return pattern.wires_in_space(self.path("out"), "cm")
+
+
+def distance_to(point, line):
+    """Distance of a point from a closed polyline."""
+    least = math.inf
+    for (ax, ay), (bx, by) in zip(line, line[1:] + line[:1]):
+        square = (bx - ax) ** 2 + (by - ay) ** 2
+        along = ((point[0] - ax) * (bx - ax) + (point[1] - ay) * (by - ay)) / square if square else 0
+        along = min(1.0, max(0.0, along))
+        least = min(least, math.dist(point, (ax + along * (bx - ax), ay + along * (by - ay))))
+    return least
+
+
 class Hpgl(pattern.PatternTest):
     def test_every_line_of_the_svg_is_drawn_at_its_place_and_cut_lines_are_cut_last(self):
         self.make_raw("tshirt", "--svg", "--plt")
