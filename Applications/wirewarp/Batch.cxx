@@ -104,7 +104,7 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
     result.status = "UnwritableOutput";
     result.message = error.what();
   }
-  std::string complaint = warnings(result, entry.folder + ": ");
+  std::string complaint = writeErrors(result) + warnings(result, entry.folder + ": ");
   if (result.refused())
   {
     complaint += "wirewarp: error: " + plainText(result.message) + '\n';
@@ -121,8 +121,9 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
   const double filter = std::max(0.0, total - result.secondsRead - core - write);
   return { { "row",
              { { "surface", entry.surface }, { "curve_files", entry.curves },
-               { "folder", entry.folder }, { "exit_code", result.exitCode },
+               { "folder", entry.folder }, { "exit_code", result.outcome() },
                { "status", result.status }, { "message", result.message },
+               { "unwritten", result.unwritten },
                { "triangles", result.refused() ? 0 : result.flat->GetNumberOfPolys() },
                { "seconds",
                  { { "read", result.secondsRead }, { "core", core }, { "filter", filter },

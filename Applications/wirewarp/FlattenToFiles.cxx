@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlattenToFiles.h"
 
+#include "InputError.h"
 #include "OutputFiles.h"
 #include "Patterns.h"
 #include "Report.h"
@@ -149,6 +150,11 @@ FilesOfFlattening flattenToFiles(const Options& options)
     files.emplace(written.folder);
     files->claim();
   }
+  std::optional<OutputFiles> picture; // before the work, which would be lost
+  if (options.picture.any())
+  {
+    picture.emplace(options.picture.folder(), "--picture");
+  }
   written.result = flattenOne(options);
   if (options.sizes.any() && !written.result.refused())
   {
@@ -169,14 +175,20 @@ FilesOfFlattening flattenToFiles(const Options& options)
   }
   try
   {
-    std::optional<OutputFiles> picture;
-    if (options.picture.any())
+    try
     {
-      picture.emplace(options.picture.folder(), "--picture");
-      addPicture(options, written.result, *picture);
+      if (picture)
+      {
+        addPicture(options, written.result, *picture);
+        written.picture = true;
+      }
+    }
+    catch (const InputError& error)
+    {
+      written.result.unwritten.emplace_back(error.what());
     }
     written.patterns = writeResult(options, written.result, *files);
-    if (picture)
+    if (written.picture)
     {
       picture->publish();
     }

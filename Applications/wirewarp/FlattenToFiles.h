@@ -16,6 +16,7 @@ struct FilesOfFlattening
   Flattening result;
   std::string folder;
   std::vector<std::string> patterns; ///< names of files in the folder
+  bool picture = false;              ///< one was drawn
 };
 
 /// Throws InputError where a file that flattenToFiles() may replace or remove is an input.

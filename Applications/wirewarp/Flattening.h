@@ -53,12 +53,16 @@ struct Flattening
   std::vector<std::string> notes;
   /// What was done to the pieces of a pattern.
   std::vector<std::string> patternNotes;
+  /// Files that were asked for and cannot be written, with the reasons; the others are.
+  std::vector<std::string> unwritten;
 
   double secondsRead = 0.0;
   double secondsWrite = 0.0; ///< of all files but the report itself
   double secondsTotal = 0.0;
 
   bool refused() const { return this->exitCode == InputRefused; }
+  /// The exit code of a run that has written what it can.
+  int outcome() const { return this->unwritten.empty() ? this->exitCode : InputRefused; }
 };
 
 /// A refusal for want of memory.

@@ -114,14 +114,17 @@ void OutputFiles::add(const std::string& name, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void OutputFiles::add(
+std::string OutputFiles::add(
   const std::string& name, const std::function<std::string(const std::string&)>& write)
 {
-  const std::string problem = write(this->addEntry(name).string());
+  std::string problem = write(this->addEntry(name).string());
   if (!problem.empty())
   {
-    throw InputError((this->Folder / name).string(), problem);
+    std::error_code ignored;
+    std::filesystem::remove(this->Entries.back().aside, ignored);
+    this->Entries.pop_back();
   }
+  return problem;
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,13 @@ public:
   /// Throw InputError where the file cannot be written.
   void add(const std::string& name, vtkPolyData* data);
   void add(const std::string& name, const std::string& text);
+  /// Leaves a file out that cannot be written.
   /// \param write writes to a path and returns what went wrong, or nothing
-  void add(const std::string& name, const std::function<std::string(const std::string&)>& write);
+  /// \return what it returned
+  std::string add(
+    const std::string& name, const std::function<std::string(const std::string&)>& write);
+  /// Where publish() puts a file.
+  std::string path(const std::string& name) const { return (this->Folder / name).string(); }
   void publish();
   /// Removes what is not published, as does the end.
   void abandon();

@@ -139,8 +139,9 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   bool quiet, Flattening& result, OutputFiles& files)
 {
   std::vector<std::string> names;
-  std::set<std::string> warnings;   // of all formats alike
-  std::map<std::string, int> notes; // with their kinds
+  std::set<std::string> warnings;              // of all formats alike
+  std::map<std::string, int> notes;            // with their kinds
+  std::map<std::string, std::string> failures; // files by what is wrong with them
   vtkNew<vtkPatternWriter> writer;
   configure(writer, request, surface, result.unit);
   writer->SetInputData(0, result.flat);
@@ -157,10 +158,16 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     }
     const VtkMessages messages;
     writer->SetFileFormat(format);
-    files.add(name, [&writer](const std::string& path) {
+    const std::string problem = files.add(name, [&writer](const std::string& path) {
       writer->SetFileName(path.c_str());
       return writer->Write() == 1 ? std::string() : refusalOf(writer, path);
     });
+    if (!problem.empty())
+    {
+      std::string& failed = failures[problem];
+      failed += (failed.empty() ? "" : ", ") + files.path(name);
+      return;
+    }
     for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
     {
       warnings.insert(writer->GetWarning(k));
@@ -183,6 +190,10 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   writer->SetFabricWidth(request.fabricWidth);
   add(request.fabricWidth > 0.0, "lay.svg", vtkPatternWriter::SVG);
   add(request.fabricWidth > 0.0 && request.plt, "lay.plt", vtkPatternWriter::HPGL);
+  for (const auto& [problem, failed] : failures)
+  {
+    result.unwritten.push_back(failed + ": " + problem);
+  }
   for (const std::string& warning : warnings)
   {
     std::cerr << "wirewarp: warning: " << plainText(warning)
@@ -197,7 +208,7 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     }
     std::cerr << "wirewarp: note: " << plainText(note) << "\n";
   }
-  if (!names.empty() && !result.unitStated)
+  if (!names.empty() && !result.unitStated && sizeWarning(result).empty()) // which tells of it
   {
     std::cerr << "wirewarp: warning: the unit of " << plainText(surface)
               << " is taken as cm; state it with --unit mm, cm, m or inch\n";

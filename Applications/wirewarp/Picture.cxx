@@ -129,17 +129,22 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   figures::PatternPicture picture(pictureWidth, height, samples);
   picture.window()->SetOffScreenRendering(1);
   picture.show(scene);
-  files.add(std::filesystem::path(options.picture.path).filename().string(),
-    [&picture](const std::string& path) {
-      try
-      {
-        picture.write(path);
-      }
-      catch (const std::runtime_error&)
-      {
-        return std::string("cannot be written; name another file with --picture");
-      }
-      return std::string();
-    });
+  const auto write = [&picture](const std::string& path) {
+    try
+    {
+      picture.write(path);
+    }
+    catch (const std::runtime_error&)
+    {
+      return std::string("cannot be written; name another file with --picture");
+    }
+    return std::string();
+  };
+  const std::string problem =
+    files.add(std::filesystem::path(options.picture.path).filename().string(), write);
+  if (!problem.empty())
+  {
+    throw InputError(options.picture.path, problem);
+  }
 }
 }

@@ -289,9 +289,10 @@ std::string sizeWarning(const Flattening& result)
     : least < leastSize     ? format("the smallest piece is %.2g mm long", least)
     : largest > largestSize ? format("the largest piece is %.3g m long", largest / 1000.0)
                             : "";
-  return text.empty() ? text
-                      : text + "; is the unit of the surface " + result.unit +
-      (result.unitStated ? "" : ", as is taken where none is stated") +
-      "? State it with --unit mm, cm, m or inch";
+  return text.empty()   ? text
+    : result.unitStated ? text + " in the stated unit, " + result.unit
+                        : text +
+      ", where the unit is not stated and taken as cm; state it with "
+      "--unit mm, cm, m or inch";
 }
 }

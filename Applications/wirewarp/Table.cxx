@@ -215,6 +215,17 @@ std::string warnings(const Flattening& result, const std::string& where)
 }
 
 //------------------------------------------------------------------------------
+std::string writeErrors(const Flattening& result)
+{
+  std::string text;
+  for (const std::string& error : result.unwritten)
+  {
+    text += "wirewarp: error: " + plainText(error) + '\n';
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 std::string fallbacks(const Flattening& result)
 {
   const FieldRows field(result.flat);

@@ -25,6 +25,9 @@ std::string fallbacks(const Flattening& result);
 /// What was left out of an input that could be used, a line each. \param where stands before each
 std::string warnings(const Flattening& result, const std::string& where = "");
 
+/// A line for each file that could not be written.
+std::string writeErrors(const Flattening& result);
+
 /// Broken promises, a line a piece. \param where stands before each piece
 std::string brokenPromises(const Flattening& result, const std::string& where = "");
 }

@@ -61,7 +61,7 @@ void say(const Options& options, const FilesOfFlattening& written)
             << (written.result.sewn ? "sewn.vtp, " : "");
   std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to "
             << plainText(written.folder) << '\n';
-  if (options.picture.any())
+  if (written.picture)
   {
     std::cout << "picture written to " << plainText(options.picture.path) << '\n';
   }
@@ -89,12 +89,12 @@ int run(const Options& options)
     say(options, written);
   }
   std::cout.flush();
-  std::cerr << warnings(written.result);
+  std::cerr << writeErrors(written.result) << warnings(written.result);
   if (written.result.exitCode == PromiseBroken)
   {
     std::cerr << brokenPromises(written.result);
   }
-  return written.result.exitCode;
+  return written.result.outcome();
 }
 }
 

@@ -71,8 +71,23 @@ class Sizes(command.CommandTest):
             if words:
                 self.assertIn(words, run.stderr)
                 self.assertIn(words, self.report("out")["warnings"][0])
+                self.assertIn(f"in the stated unit, {unit}", run.stderr)
+                self.assertNotIn("--unit", run.stderr)
             else:
                 self.assertEqual((run.stderr, self.report("out")["warnings"]), ("", []))
+
+    def test_the_unit_is_asked_for_once_and_not_where_it_is_stated(self):
+        points, triangles = plate(6, 10)
+        for scale, size in ((0.1, "small"), (5.0, "usual"), (100.0, "large")):
+            self.write("plate.obj", command.obj([tuple(scale * x for x in point) for point in points], triangles))
+            for formats in ((), ("--svg",), ("--svg", "--dxf", "--plt")):
+                with self.subTest(size=size, formats=formats):
+                    run = self.run_command("plate.obj", *formats, "--output", "out")
+                    asked = run.stderr.count("--unit")
+                    self.assertEqual(asked, 1 if formats or size != "usual" else 0, run.stderr)
+                    for unit in ("mm", "cm", "m", "inch"):
+                        run = self.run_command("plate.obj", *formats, "--unit", unit, "--output", "out")
+                        self.assertEqual(run.stderr.count("--unit"), 0, run.stderr)
 
     def test_what_must_be_eased_and_stretched_is_that_of_the_triangles(self):
         self.write("bump.obj", command.obj(*plate(

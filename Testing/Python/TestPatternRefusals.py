@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be a pattern is refused with a message, and nothing half-written is left."""
 
+import json
 import os
 import re
 import unittest
@@ -60,7 +61,7 @@ class Refusals(pattern.PatternTest):
     def test_a_missing_unit_is_told_and_cm_taken(self):
         run = self.run_command(*self.arguments("--svg"))
         self.assertEqual(run.returncode, 0)
-        self.assertRegex(run.stderr, "^wirewarp: warning: .* taken as cm; .*--unit")
+        self.assertRegex(run.stderr, "^wirewarp: warning: .* taken as cm; .*--unit.*\n$")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         wires = pattern.wires_in_space(self.path("out"), "cm")
         boundary = max(sum(wire.edges) for wire in wires)
@@ -104,13 +105,96 @@ class Refusals(pattern.PatternTest):
         self.assertIn("out", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["out"])
 
-    def test_a_refused_pattern_leaves_the_results_of_an_earlier_run(self):
+    def test_of_a_pattern_that_cannot_be_drawn_the_flattening_is_written(self):
         self.run_command(*self.arguments("--svg", "--unit", "cm"))
-        before = {name: self.content(name) for name in os.listdir(self.path("out"))}
         run = self.run_command(*self.arguments("--pdf", "--unit", "m", "--max-pages", "1"))
         self.assertEqual(run.returncode, 3)
-        after = {name: self.content(name) for name in os.listdir(self.path("out"))}
-        self.assertEqual(before, after)
+        self.assertEqual(set(os.listdir(self.path("out"))), {"flat.vtp", "wires.vtp", "cut.vtp", "report.json"})
+
+    def write_plate(self, unit):
+        """A plate of 100 x 80 mm with a fish-eye dart and a hole's curve in its middle."""
+        lines = []
+        for j in range(9):
+            for i in range(11):
+                lines.append(f"v {10 * i / pattern.MILLIMETRES[unit]!r} {10 * j / pattern.MILLIMETRES[unit]!r} 0")
+        for j in range(8):
+            for i in range(10):
+                a = 11 * j + i + 1
+                lines += [f"f {a} {a + 1} {a + 12}", f"f {a} {a + 12} {a + 11}"]
+        with open(self.path("plate.obj"), "w", encoding="ascii") as file:
+            file.write("\n".join(lines) + "\n")
+        with open(self.path("fish.txt"), "w", encoding="ascii") as file:
+            file.write("dart fish " + " ".join(str(44 + i) for i in range(3, 8)) + "\n")
+        return "plate.obj", "fish.txt"
+
+    def test_formats_that_fail_leave_the_others_and_are_named(self):
+        every = ("--svg", "--dxf", "--plt", "--walk")
+        for unit in ("mm", "cm", "inch"):
+            plate = self.write_plate(unit)
+            for asked, failed, words in (
+                (("--garmentcode",), {"pattern.json"}, "hole"),
+                (("--pdf", "--max-pages", "1", "--paper", "A4", "--quantity", "3"), set(), ""),
+                (("--pdf", "--max-pages", "1", "--allowance", "200"), {"pattern.pdf"}, "pages"),
+                (("--fabric-width", "50"), {"lay.svg", "lay.plt"}, "wide across its grain"),
+                (("--pdf", "--paper", "sheet", "--allowance", "3000"), {"pattern.pdf"}, "5.08 m"),
+                (("--garmentcode", "--fabric-width", "50"), {"pattern.json", "lay.svg", "lay.plt"}, "hole"),
+            ):
+                with self.subTest(unit=unit, asked=asked):
+                    run = self.run_command(*plate, *every, *asked, "--unit", unit, "--output", "out")
+                    self.assertEqual(run.returncode, 3 if failed else 0, run.stderr)
+                    with open(self.path("out", "report.json"), encoding="utf-8") as file:
+                        report = json.load(file)
+                    self.assertEqual((report["exit_code"], report["status"]), (run.returncode, "Ok"))
+                    errors = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: error: ")]
+                    self.assertEqual(errors, ["wirewarp: error: " + text for text in report["unwritten"]])
+                    self.assertEqual({name for name in os.listdir(self.path("out")) if name in " ".join(errors)}, set())
+                    for name in failed:
+                        self.assertEqual(sum(os.path.join("out", name) in error for error in errors), 1)
+                    self.assertIn(words, "\n".join(errors))
+                    wanted = {"flat.vtp", "wires.vtp", "cut.vtp", "report.json",
+                              "pattern.svg", "pattern.dxf", "pattern.plt", "walk.csv"}
+                    if "--pdf" in asked:
+                        wanted.add("pattern.pdf")
+                    self.assertEqual(set(os.listdir(self.path("out"))), wanted - failed)
+
+    def test_in_a_batch_a_format_that_fails_leaves_the_others(self):
+        plate = self.write_plate("mm")
+        with open(self.path("list.txt"), "w", encoding="ascii") as file:
+            file.write(" ".join(plate) + "\nplate.obj\n")
+        run = self.run_command("--batch", "list.txt", "--svg", "--garmentcode", "--unit", "mm", "--output", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertEqual(run.stderr.count("wirewarp: error: "), 1)
+        with open(self.path("out", "batch.json"), encoding="utf-8") as file:
+            rows = json.load(file)["surfaces"]
+        self.assertEqual([row["exit_code"] for row in rows], [3, 0])
+        self.assertEqual([len(row["unwritten"]) for row in rows], [1, 0])
+        for folder, json_there in (("plate", False), ("plate_2", True)):
+            files = os.listdir(self.path("out", folder))
+            self.assertIn("pattern.svg", files)
+            self.assertEqual("pattern.json" in files, json_there)
+
+    def test_allowances_that_meet_across_a_gap_are_told_and_both_loops_drawn(self):
+        corners = ((0, 0), (100, 0), (100, 45), (80, 45), (80, 20), (20, 20), (20, 80), (80, 80), (80, 55), (100, 55),
+                   (100, 100), (0, 100))
+        faces = ((2, 3, 4), (2, 4, 5), (1, 2, 5), (1, 5, 6), (12, 1, 6), (12, 6, 7), (12, 7, 8), (8, 9, 10),
+                 (8, 10, 11), (8, 11, 12))
+        for unit in ("mm", "cm", "m"):
+            for allowance, met in (("4.9", False), ("5.1", True), ("6", True), ("40", True), ("0", False)):
+                with self.subTest(unit=unit, allowance=allowance):
+                    with open(self.path("c.obj"), "w", encoding="ascii") as file:
+                        for x, y in corners:
+                            file.write(f"v {x / pattern.MILLIMETRES[unit]!r} {y / pattern.MILLIMETRES[unit]!r} 0\n")
+                        file.writelines("f %d %d %d\n" % face for face in faces)
+                    run = self.run_command("c.obj", "--svg", "--dxf", "--unit", unit, "--allowance", allowance,
+                                           "--output", "out")
+                    self.assertEqual(run.returncode, 0, run.stderr)
+                    self.assertEqual("allowances meet" in run.stderr, met, run.stderr)
+                    root = pattern.svg_root(self.path("out", "pattern.svg"))
+                    holes = len(pattern.svg_paths(root, "cut-out"))
+                    self.assertEqual(holes, 1 if met and allowance != "40" else 0)
+                    document, _ = pattern.read_dxf(self.path("out", "pattern.dxf"))
+                    block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
+                    self.assertEqual(len(pattern.block_lines(block, "11")), holes)
 
     def test_a_pattern_of_an_earlier_run_does_not_survive_a_new_flattening(self):
         self.run_command(*self.arguments("--unit", "cm"))
