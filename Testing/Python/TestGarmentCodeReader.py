@@ -303,7 +303,7 @@ class Reading(pattern.PatternTest):
                 self.read(document)
             for word in words:
                 self.assertIn(word, str(caught.exception))
-        with self.assertRaisesRegex(ValueError, "no file"):
+        with self.assertRaisesRegex(FileNotFoundError, "none.json"):
             sf.read_garmentcode(self.path("none.json"))
         with open(self.path("cut.json"), "w", encoding="utf-8") as file:
             file.write(json.dumps(SKIRT, indent=1)[:500])

@@ -95,11 +95,14 @@ class Materials(unittest.TestCase):
             cloth = flatten(points, triangles, material=path).report["pieces"][0]["cloth"]
         self.assertTrue(cloth["one_way"])
         self.assertEqual(cloth["share_out_of_limit"], 0)  # without limits
-        with self.assertWarnsRegex(sf.FlatteningWarning, "one of isotropic, plain"):
-            unknown = sf.flatten(points, triangles, material="felt")
-        self.assertEqual(unknown.report["status"], "InvalidMaterial")
-        self.assertIsNone(unknown.report["pieces"][0]["cloth"])
-        np.testing.assert_array_equal(unknown.positions, flatten(points, triangles).positions)
+        result = flatten(points, triangles)
+        for call in (lambda name: sf.flatten(points, triangles, material=name), lambda name: sf.suggest(
+                points, triangles, material=name), lambda name: sf.resew(result, material=name)):
+            for name, near in (("felt", None), ("twil", "twill"), ("Demin", "denim"), ("nowhere.json", None)):
+                with self.assertRaisesRegex(ValueError, f"'{name}'; it must be one of isotropic, plain") as caught:
+                    call(name)
+                self.assertEqual("did you mean" in str(caught.exception), near is not None, name)
+                self.assertIn(f"did you mean '{near}'?" if near else "JSON file", str(caught.exception))
         with self.assertRaisesRegex(ValueError, r"grain = 30 is for a material .*, or leave grain out$"):
             sf.flatten(points, triangles, grain=30)
         with self.assertRaisesRegex(TypeError, "name or the path"):

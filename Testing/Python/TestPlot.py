@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 
 os.environ["MPLBACKEND"] = "Agg"
 
@@ -52,13 +53,38 @@ class Plot(unittest.TestCase):
         np.testing.assert_array_equal(
             triangles.get_array(), self.result.point_arrays["Developability"])
 
-    def test_blue_is_ideal_and_red_is_not(self):
-        ax = self.result.plot()
-        (triangles,) = [collection for collection in ax.collections
+    def lightness(self, triangles, values):
+        """Relative luminance after ITU-R BT.709."""
+        colors = np.array(triangles.to_rgba(values))[:, :3]
+        linear = np.where(colors <= 0.04045, colors / 12.92, ((colors + 0.055) / 1.055)**2.4)
+        return linear @ (0.2126, 0.7152, 0.0722)
+
+    def triangles_of(self, result, word):
+        (triangles,) = [collection for collection in result.plot(word).collections
                         if not isinstance(collection, LineCollection)]
-        ideal, poor = triangles.to_rgba([1.0, 0.5])
-        self.assertGreater(ideal[2], ideal[0])
-        self.assertGreater(poor[0], poor[2])
+        return triangles
+
+    def test_maps_are_light_where_nothing_is_changed_and_of_both_signs_diverge_from_there(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            result = sf.flatten_polydata(read("shirt_front"), read("shirt_front_curves"), material="twill")
+        for word, ideal, poor in (("homogeneity", 1.0, 0.5), ("aspect-ratio", 1.0, 0.5), ("stretch", 100.0, 119.9),
+                                  ("developability", 0.0, 1e9)):
+            triangles = self.triangles_of(result, word)
+            values = np.linspace(ideal, min(poor, triangles.get_clim()[1]), 40)
+            light = self.lightness(triangles, values)
+            self.assertTrue((np.diff(light) <= 1e-6).all(), word)
+            self.assertGreater(light[0], 10 * light[-1], word)
+        for word, ideal in (("area", 1.0), ("warp", 0.0), ("weft", 0.0), ("shear", 0.0)):
+            triangles = self.triangles_of(result, word)
+            first, last = triangles.get_clim()
+            self.assertAlmostEqual((first + last) / 2, ideal, delta=1e-12, msg=word)
+            middle, low, high = triangles.to_rgba([ideal, first, last])
+            self.assertLess(np.ptp(middle[:3]), 0.02, word)  # no hue
+            self.assertGreater(low[2] - low[0], 0.3, word)
+            self.assertGreater(high[0] - high[2], 0.3, word)
+            light = self.lightness(triangles, np.linspace(first, last, 41))
+            self.assertEqual(np.argmax(light) in (19, 20, 21), True, word)
 
     def test_pieces_are_numbered_and_measured(self):
         texts = [text.get_text() for text in self.result.plot().texts]

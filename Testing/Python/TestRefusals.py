@@ -48,6 +48,20 @@ class Refused(unittest.TestCase):
         triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
         error = self.refuse(Codes.CLOSED_SURFACE, points, triangles)
         self.assertEqual(error.name, "ClosedSurface")
+        self.assertIn("suggest()", error.message)
+
+    def test_near_misses_name_the_call_that_was_meant(self):
+        points, triangles = grid()
+        mesh = sf.make_surface(points, triangles)
+        for call in (sf.flatten, sf.suggest, sf.make_flattenable):
+            for arguments in ((mesh,), (mesh, [[0, 1]])):
+                with self.assertRaisesRegex(TypeError, "flatten_polydata\\(\\), suggest_polydata\\(\\)"):
+                    call(*arguments)
+            with self.assertRaisesRegex(TypeError, "triangles are missing"):
+                call(points)
+            for curves in ([("dart", [0, 1])], [[[0, 1], "dart"]], ("dart", [0, 1])):
+                with self.assertRaisesRegex(TypeError, "sf.Curve\\(points, \"dart\"\\)"):
+                    call(points, triangles, curves)
 
     def test_what_is_skipped_is_warned_of_and_reported(self):
         points, triangles = grid()

@@ -96,6 +96,19 @@ class Shown(unittest.TestCase):
         self.assertLess(len(repr(result.wires[0])), 120)
         self.assertIn("1 piece,", repr(flattened()))
 
+    def test_other_results_are_shown_in_a_line_too(self):
+        points, triangles, arc = quarter_sphere()
+        sewn = sf.resew(sf.flatten(points, triangles))
+        prices = sf.price_keys(points, triangles, [sf.Curve(arc, "key", "arc")])
+        moved = sf.make_flattenable(points, triangles, bound=0.1)
+        for result, words in ((sewn, ["Resewn: 1 shape", f"{sewn.shapes[0].distance_max:.4g}"]),
+                              (prices, ["KeyPrices", f"arc {prices.keys[0].price:.3g}"]),
+                              (moved, ["Flattenable", f"{moved.shift_max:.4g}", "bound met"])):
+            for word in words:
+                self.assertIn(word, repr(result))
+            self.assertNotIn("array", repr(result))
+            self.assertLess(len(repr(result)), 200)
+
     def test_a_notebook_shows_every_triangle_every_wire_and_the_measures(self):
         result = flattened("tshirt")
         text = result._repr_html_()

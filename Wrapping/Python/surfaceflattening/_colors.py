@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The colours of pictures."""
 
-import colorsys
 from typing import Dict, List
 
 # By the type of a wire, as in the paper.
@@ -11,19 +10,16 @@ WIRE_COLORS: Dict[str, str] = {
 PLAIN = "#e6e6de"
 
 
-def blue_to_red(count: int) -> List[str]:
-    """Colours in steps of their hue, light enough for black lines on them."""
-    result = []
-    for step in range(count):
-        hue = 2 / 3 * (1 - step / max(count - 1, 1))
-        red, green, blue = colorsys.hsv_to_rgb(hue, 0.6, 1.0)
-        result.append(f"#{round(255 * red):02x}{round(255 * green):02x}{round(255 * blue):02x}")
-    return result
+# Viridis, whose lightness rises evenly, from its dark end.
+_VIRIDIS = (
+    "#440154", "#482173", "#433e85", "#38588c", "#2d708e", "#25858e", "#1e9b8a", "#2ab07f", "#52c569", "#86d549",
+    "#c2df23", "#fde725")
 
 
 def homogeneity_colors(count: int) -> List[str]:
-    """From red at 0.5 to blue at 1, the ideal."""
-    return blue_to_red(count)[::-1]
+    """From dark at 0.5 to light at 1, the ideal; at most 12."""
+    last = len(_VIRIDIS) - 1
+    return [_VIRIDIS[round(step * last / max(count - 1, 1))] for step in range(count)]
 
 
-IDEAL = blue_to_red(2)[0]
+IDEAL, POOR = _VIRIDIS[-1], _VIRIDIS[0]

@@ -205,7 +205,7 @@ def _flat_faces(faces: NDArray[np.int64]) -> vtkCellArray:
     return make_cells(list(_polygons(faces)))
 
 
-def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
+def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyData:
     """The surface as vtkPolyData, for the filters.
 
     Args:
@@ -217,6 +217,11 @@ def make_surface(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
         ValueError: another shape, ids that are not whole numbers, masked values, or whole numbers as
             coordinates beyond 2**53.
     """
+    if isinstance(points, vtkDataObject):
+        raise TypeError(f"points is {type(points).__name__}; it must be an array of positions. Meshes are taken by "
+                        "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
+    if triangles is None:
+        raise TypeError("triangles are missing; give the ids of their corners, shape (m, 3)")
     coordinates = _as_numbers(points, "points")
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         hint = "; add a column of zeros for z" if coordinates.shape[1:] == (2,) else ""
@@ -305,6 +310,8 @@ def _demand_list(curves: Any) -> None:
     alone = isinstance(curves, (Curve, str))
     if isinstance(curves, np.ndarray) and curves.dtype != object:
         alone = curves.ndim == 1 and curves.size > 0 or curves.ndim == 2 and curves.dtype.kind == "f"
+    elif isinstance(curves, tuple) and any(isinstance(value, str) for value in curves):
+        raise TypeError(f"curves is {curves!r}; put a curve with a type into brackets: [sf.Curve(points, \"dart\")]")
     elif isinstance(curves, (list, tuple, range)) and len(curves) > 0:
         alone = isinstance(curves[0], (Integral, float))
     if alone:
@@ -329,6 +336,8 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
     shapes: List[NDArray[np.float64]] = []
     names, types, key_shapes, tolerances = [], [], [], []
     for place, given in enumerate(curves):
+        if isinstance(given, (tuple, list)) and any(isinstance(value, str) for value in given):
+            raise TypeError(f"curve {place} is {given!r}; a curve with a type is sf.Curve(points, \"dart\")")
         curve = given if isinstance(given, Curve) else Curve(given)
         # Its name also keeps a curve of two points apart from the next.
         name = _name_of(curve, place) or f"curve {place}"

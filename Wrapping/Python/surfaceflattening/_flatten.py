@@ -69,7 +69,7 @@ def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[s
 @with_options
 def flatten(
     points: ArrayLike,
-    triangles: ArrayLike,
+    triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     **options: Any,
 ) -> Flattening:

@@ -154,8 +154,8 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         A :class:`GarmentPattern`, whose write_pattern() draws it as SVG, PDF, DXF, HPGL or JSON.
 
     Raises:
-        ValueError: the file is missing or cannot be read, or a panel or stitch cannot be; the message
-            names panel and edge.
+        FileNotFoundError: there is no such file.
+        ValueError: it cannot be read, or a panel or stitch cannot be; the message names panel and edge.
         MemoryError: there is not enough memory.
     """
     reader = vtkGarmentCodeReader()
@@ -163,7 +163,8 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
     reader.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
     reader.Update()
     if reader.GetStatusName() != "Ok":
-        kind = MemoryError if reader.GetStatusName() == "OutOfMemory" else ValueError
+        kind = (MemoryError if reader.GetStatusName() == "OutOfMemory"
+                else ValueError if os.path.exists(path) else FileNotFoundError)
         raise kind(reader.GetErrorMessage())
     flat, wires, cut = (reader.GetOutput(port) for port in range(3))
     positions = np.array(vtk_to_numpy(flat.GetPoints().GetData())[:, :2], np.float64)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, List, Sequence, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ._colors import IDEAL, PLAIN, WIRE_COLORS, homogeneity_colors
+from ._colors import IDEAL, PLAIN, POOR, WIRE_COLORS, homogeneity_colors
 
 if TYPE_CHECKING:
     from ._result import Flattening
@@ -101,9 +101,9 @@ def _table(result: "Flattening") -> str:
 
 
 def to_html(result: "Flattening") -> str:
-    """A picture and a table; where triangles are coloured, blue is ideal and red half the area."""
-    legend = (f'Triangles: <span style="color:{IDEAL}">blue</span>, the area kept, to red, half or twice '
-              "of it. " if len(result.triangles) <= _MOST_COLORED else "")
+    """A picture and a table; where triangles are coloured, yellow is ideal and dark half the area."""
+    legend = (f'Triangles: <span style="background:{IDEAL}">yellow</span>, the area kept, to '
+              f'<span style="color:{POOR}">dark</span>, half or twice of it. ' if len(result.triangles) <= _MOST_COLORED else "")
     kinds = sorted({wire.type for wire in result.wires})
     legend += "Wires: " + ", ".join(
         f'<span style="color:{WIRE_COLORS[kind]}">{kind}</span>' for kind in kinds) + "."

@@ -49,6 +49,10 @@ class KeyPrices(NamedTuple):
     none: KeyTrial
     keys: List[KeyPrice]
 
+    def __repr__(self) -> str:
+        prices = ", ".join(f"{key.name} {key.price:.3g}" for key in self.keys)
+        return f"<KeyPrices: E_area {self.all.E_area:.3g} with all keys, {self.none.E_area:.3g} without; {prices}>"
+
     def __str__(self) -> str:
         rows = [("all keys", "", self.all)]
         for key in self.keys:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The materials that flatten() knows by name."""
 
-from typing import Dict, List, Union
+from typing import Any, Dict, List
 
 from vtkmodules.vtkCommonDataModel import vtkTable
 
@@ -14,7 +14,7 @@ _COLUMNS = {
     "one_way": "OneWay", "source": "Source"}
 
 
-def materials() -> List[Dict[str, Union[str, float]]]:
+def materials() -> List[Dict[str, Any]]:
     """The materials that `material` takes by name, as wirewarp --list-materials prints them.
 
     Returns:
@@ -27,7 +27,7 @@ def materials() -> List[Dict[str, Union[str, float]]]:
     vtkWireWarpingFilter.ListMaterials(table)
     result = []
     for row in range(table.GetNumberOfRows()):
-        entry: Dict[str, Union[str, float]] = {}
+        entry: Dict[str, Any] = {}
         for key, column in _COLUMNS.items():
             value = table.GetValueByName(row, column)
             entry[key] = value.ToString() if value.IsString() else value.ToDouble()

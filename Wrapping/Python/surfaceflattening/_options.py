@@ -14,6 +14,7 @@ from typing import (
 
 import numpy as np
 
+from ._materials import materials
 from ._types import CoincidentPoints, DartLegs, Energy, Interior, Options, Scheme, Solver
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
@@ -85,7 +86,8 @@ def with_options(function: Any) -> Any:
     """Shows the options in the signature and the hints of a function that takes them as keywords."""
     hints = get_type_hints(Options)
     signature = inspect.signature(function)
-    own = [parameter for parameter in signature.parameters.values()
+    own = [parameter.replace(default=parameter.empty) if parameter.name == "triangles" else parameter
+           for parameter in signature.parameters.values()
            if parameter.kind is not parameter.VAR_KEYWORD]
     options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default)
                for name, default in DEFAULTS.items()]  # defaults say what a hint would
@@ -216,7 +218,14 @@ def material_text(material: object) -> str:
     """The name or path that the filter reads a material by; empty: none."""
     if not isinstance(material, (str, os.PathLike)) and material is not None:
         raise TypeError(f"material = {material!r} must be a name or the path of a JSON file")
-    return "" if material is None else os.fspath(material)
+    name = "" if material is None else os.fspath(material)
+    known = [preset["name"] for preset in materials()]
+    if name and name.lower() not in known and not os.path.exists(name):
+        near = difflib.get_close_matches(name.lower(), known, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise ValueError(f"material is {material!r}; it must be one of {', '.join(known)}, or the path of a JSON file"
+                         f"{hint}")
+    return name
 
 
 def _texts(options: Mapping[str, Any]) -> Dict[str, str]:

@@ -5,24 +5,25 @@ from typing import TYPE_CHECKING, Any, Optional, get_args
 
 import numpy as np
 
-from ._colors import PLAIN, WIRE_COLORS, blue_to_red
+from ._colors import PLAIN, WIRE_COLORS
 from ._options import word_of
 from ._types import Coloring
 
 if TYPE_CHECKING:
     from ._result import Flattening
 
-# Array, whether of points, title, values of the first and the last colour (blue and red), as wirewarp
-# --picture has them; of the developability the largest value.
+# Array, whether of points, title, values of the first and the last color, as wirewarp --picture has them (of the
+# developability the largest value), and the color map: a uniform one, light where nothing is changed, or of values
+# to both sides of that a diverging one.
 _COLORINGS = {
-    "homogeneity": ("HomogeneityOfDistortion", False, "homogeneity (1 is ideal)", 1.0, 0.5),
-    "aspect-ratio": ("AspectRatio", False, "aspect ratio (1 is ideal)", 1.0, 0.5),
-    "area": ("AreaRatio", False, "area in the plane / on the surface", 0.8, 1.2),
-    "stretch": ("DominantStretch", False, "largest stretch of warp, weft or bias (%)", 100.0, 120.0),
-    "warp": ("StrainWarp", False, "strain of the warp (drawn above 0)", -0.05, 0.05),
-    "weft": ("StrainWeft", False, "strain of the weft (drawn above 0)", -0.05, 0.05),
-    "shear": ("ShearAngle", False, "shear: trellis angle off the right one (degrees)", -15.0, 15.0),
-    "developability": ("Developability", True, "developability: angle defect (rad)", 0.0, None),
+    "homogeneity": ("HomogeneityOfDistortion", False, "homogeneity (1 is ideal)", 0.5, 1.0, "viridis"),
+    "aspect-ratio": ("AspectRatio", False, "aspect ratio (1 is ideal)", 0.5, 1.0, "viridis"),
+    "area": ("AreaRatio", False, "area in the plane / on the surface", 0.8, 1.2, "coolwarm"),
+    "stretch": ("DominantStretch", False, "largest stretch of warp, weft or bias (%)", 100.0, 120.0, "viridis_r"),
+    "warp": ("StrainWarp", False, "strain of the warp (drawn above 0)", -0.05, 0.05, "coolwarm"),
+    "weft": ("StrainWeft", False, "strain of the weft (drawn above 0)", -0.05, 0.05, "coolwarm"),
+    "shear": ("ShearAngle", False, "shear: trellis angle off the right one (degrees)", -15.0, 15.0, "coolwarm"),
+    "developability": ("Developability", True, "developability: angle defect (rad)", 0.0, None, "viridis_r"),
 }
 
 
@@ -36,13 +37,14 @@ def _pyplot() -> Any:
 
 
 def _draw_triangles(result: "Flattening", color_by: Optional[Coloring], ax: Any) -> None:
+    from matplotlib import pyplot
     from matplotlib.colors import ListedColormap
     x, y = result.positions.T
     if color_by is None:
         ax.tripcolor(x, y, result.triangles, facecolors=np.zeros(len(result.triangles)),
                      cmap=ListedColormap([PLAIN]))
         return
-    name, of_points, title, first, last = _COLORINGS[color_by]
+    name, of_points, title, first, last, colors = _COLORINGS[color_by]
     arrays = result.point_arrays if of_points else result.cell_arrays
     if name not in arrays:
         raise ValueError(f"color_by is {color_by!r}, which a result without a material does not have")
@@ -53,9 +55,8 @@ def _draw_triangles(result: "Flattening", color_by: Optional[Coloring], ax: Any)
         cloth = result.report["pieces"][0]["cloth"]
         last = cloth["shear_limit"] if cloth and cloth["shear_limit"] else last
         first = -last
-    colors = blue_to_red(8 if color_by == "stretch" else 256)
-    low, high = min(first, last), max(first, last)
-    options = {"cmap": ListedColormap(colors if first < last else colors[::-1]), "vmin": low, "vmax": high}
+    steps = pyplot.get_cmap(colors, 8 if color_by == "stretch" else 256)
+    options = {"cmap": steps, "vmin": first, "vmax": last}
     if of_points:
         drawn = ax.tripcolor(x, y, result.triangles, values, shading="gouraud", **options)
     else:

@@ -8,6 +8,7 @@ from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 # an option: the filters' words serve for the others.
 WORDS = {
     "WriteAgain": "give the ids of points that are there",
+    "CutOpen": "cut it open by a seam, such as suggest() proposes",
     "SkipClosed": "leave out what cannot be laid flat (skip_closed=True)",
     "DivideInput": "divide it",
     "RaiseImprintTolerance": "raise imprint_tolerance to %",

@@ -102,6 +102,16 @@ class Resewn(NamedTuple):
     #: a material.
     thread_strains: Optional[NDArray[np.float64]] = None
 
+    def __repr__(self) -> str:
+        count = len(self.shapes)
+        words = [f"{count} shape{'' if count == 1 else 's'}", f"{len(self.shape_of_triangle)} triangles"]
+        if count:
+            words += [f"at most {max(shape.distance_max for shape in self.shapes):.4g} from the design",
+                      f"strain p95 {max(shape.strain_p95 for shape in self.shapes):.3g}"]
+        if not all(shape.converged for shape in self.shapes):
+            words.append("not at rest")
+        return f"<Resewn: {', '.join(words)}>"
+
 
 def resew(
     flattening: Flattening,

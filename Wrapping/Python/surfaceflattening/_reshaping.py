@@ -49,11 +49,15 @@ class Flattenable(NamedTuple):
     #: The flat pieces of the moved surface.
     flattening: Flattening
 
+    def __repr__(self) -> str:
+        return (f"<Flattenable: moved by at most {self.shift_max:.4g}, strain {self.strain_before:.3g} -> "
+                f"{self.strain_after:.3g}, bound {'met' if self.bound_met else 'not met'}; {self.flattening!r}>")
+
 
 @with_options
 def make_flattenable(
     points: ArrayLike,
-    triangles: ArrayLike,
+    triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
     bound: float = 0.02,

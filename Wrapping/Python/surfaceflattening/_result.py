@@ -268,7 +268,7 @@ class Flattening(ComparedByValue):
         """Draws pieces, wires and measures with matplotlib (Debian package python3-matplotlib).
 
         Args:
-            color_by: what the colours show, the words of the command: of triangles "homogeneity" and
+            color_by: what the colors show, the words of the command: of triangles "homogeneity" and
                 "area", what flattening does to the area, or "aspect-ratio", to the shape; of points
                 "developability", the surface's angle defect; with a material what its threads do,
                 "stretch", "warp", "weft" or "shear". None: one colour.

@@ -150,7 +150,7 @@ def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
 @with_options
 def suggest(
     points: ArrayLike,
-    triangles: ArrayLike,
+    triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
     cuts: CutChoice = "all",
