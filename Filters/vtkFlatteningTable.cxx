@@ -29,7 +29,16 @@ const Names pieceArrays{ "Status", "StatusMessage", "StatusDefect", "StatusIdKin
   "OverlapsComplete", "Objective", "ClosureResidual", "CutLength", "DistortionEnergy",
   "AngleEnergy", "ReleaseFirst", "ObjectiveWithoutFirst", "SolverUsed", "EnergyUsed", "Repaired",
   "Fallbacks", "ForecastAreaLoss", "ForecastAreaLossAfterCut", "ForecastCutFrom", "ForecastCutTo",
-  "Verdict" };
+  "Verdict", "StrainWarpRms", "StrainWeftRms", "ShearRms", "ShareOutOfLimit", "ShareOver5Percent",
+  "ShareLocked", "ShearLimit", "GrainAngle", "GrainCurve", "OneWay" };
+
+/// What vtkSewnShape gives for each shape.
+const Names shapeArrays{ "Status", "StatusMessage", "Pieces", "Triangles", "Iterations",
+  "Converged", "Size", "DistanceMean", "DistanceRMS", "DistanceP95", "DistanceMax",
+  "RelativeDistanceMean", "RelativeDistanceRMS", "RelativeDistanceP95", "RelativeDistanceMax",
+  "NormalDeviationMean", "StrainMean", "StrainP95", "StrainMax", "CompressedArea", "StrainWarpRms",
+  "StrainWeftRms", "ShearRms", "BodyDepth", "SecondDistanceMean", "SeveralShapes", "MembraneEnergy",
+  "BendingEnergy" };
 
 const Names curveArrays{ "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths",
   "CurveLengthErrors", "CurveTolerances", "CurveClosedLengths", "CurveSensitivities",
@@ -95,7 +104,12 @@ int vtkFlatteningTable::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkTable* const table = vtkTable::GetData(outputVector);
   vtkFieldData* const field = input->GetFieldData();
-  if (vtkAbstractArray* const triangles = field->GetAbstractArray("Triangles"))
+  if (vtkAbstractArray* const shapes = field->GetAbstractArray("DistanceMean"))
+  {
+    addNumbers(table, "Shape", shapes->GetNumberOfTuples());
+    addColumns(table, field, shapeArrays, shapes->GetNumberOfTuples());
+  }
+  else if (vtkAbstractArray* const triangles = field->GetAbstractArray("Triangles"))
   {
     const vtkIdType rows = triangles->GetNumberOfTuples();
     addNumbers(table, "Piece", rows);
@@ -124,7 +138,7 @@ int vtkFlatteningTable::RequestData(vtkInformation* vtkNotUsed(request),
   {
     vtkWarningMacro(
       << "the input has no measures of flat pieces (output 0 of vtkWireWarpingFilter) "
-         "or of their curves (output 1); the table is empty");
+         "or of their curves (output 1), or of vtkSewnShape; the table is empty");
   }
   return 1;
 }

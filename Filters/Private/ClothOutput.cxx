@@ -45,7 +45,8 @@ Dominant dominantOf(const ThreadStrain& strain)
 template <class Value>
 void addPieces(const FlatteningResult& result, vtkFieldData* field, const char* name, Value value)
 {
-  addRows<vtkDoubleArray>(field, name, result.pieces.size(), [&](std::size_t row) {
+  const std::size_t rows = result.threads.empty() ? 0 : result.pieces.size();
+  addRows<vtkDoubleArray>(field, name, rows, [&](std::size_t row) {
     const auto& cloth = result.pieces[row].cloth;
     return cloth ? value(*cloth) : 0.0;
   });
@@ -83,10 +84,9 @@ void writeThreads(const FlatteningResult& result, vtkCellData* cells)
 
 void writeClothReports(const FlatteningResult& result, vtkFieldData* field)
 {
-  if (result.threads.empty())
-  {
-    return;
-  }
+  // Without a material what the field data of the input had is removed: patterns of it would lie on
+  // a cloth.
+  const std::size_t rows = result.threads.empty() ? 0 : result.pieces.size();
   using Report = const ClothReport&;
   addPieces(result, field, "StrainWarpRms", [](Report r) { return r.threads.warpRms; });
   addPieces(result, field, "StrainWeftRms", [](Report r) { return r.threads.weftRms; });
@@ -97,12 +97,12 @@ void writeClothReports(const FlatteningResult& result, vtkFieldData* field)
   addPieces(result, field, "ShareLocked", [](Report r) { return r.threads.shareLocked; });
   addPieces(result, field, "ShearLimit", [](Report r) { return r.shearLimit / degree; });
   addPieces(result, field, "GrainAngle", [](Report r) { return r.grain.angle / degree; });
-  addRows<vtkStringArray>(field, "GrainCurve", result.pieces.size(), [&](std::size_t row) {
+  addRows<vtkStringArray>(field, "GrainCurve", rows, [&](std::size_t row) {
     const auto& cloth = result.pieces[row].cloth;
     return cloth && cloth->grain.curve != none ? result.curves[cloth->grain.curve].name
                                                : std::string();
   });
-  addRows<vtkIntArray>(field, "OneWay", result.pieces.size(), [&](std::size_t row) {
+  addRows<vtkIntArray>(field, "OneWay", rows, [&](std::size_t row) {
     const auto& cloth = result.pieces[row].cloth;
     return cloth && cloth->oneWay ? 1 : 0;
   });

@@ -4,6 +4,7 @@
 #include "FlatteningTesting.h"
 
 #include "vtkFlatteningTable.h"
+#include "vtkSewnShape.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 #include "vtkWireWarpingFilter.h"
@@ -117,6 +118,46 @@ void aRowAPiece(Checks& check)
   expected.insert("Piece");
   check.equal(listed(columnsOf(table->GetOutput())), listed(expected), "columns of pieces");
   compareValues(check, table->GetOutput(), field);
+
+  for (vtkWireWarpingFilter* const filter : { three.GetPointer(), five.GetPointer() })
+  {
+    filter->SetMaterial("twill");
+    filter->Update();
+  }
+  table->Update();
+  expected = arraysPerRow(field, 3, five->GetOutput()->GetFieldData(), 5);
+  expected.insert("Piece");
+  check.that(expected.count("GrainAngle") == 1, "there are arrays of a material");
+  check.equal(listed(columnsOf(table->GetOutput())), listed(expected), "columns of a material");
+  compareValues(check, table->GetOutput(), field);
+}
+
+void aRowASewnShape(Checks& check)
+{
+  const auto sew = [](int sheetCount, const char* material) {
+    vtkNew<vtkWireWarpingFilter> flat;
+    flat->SetInputData(sheets(sheetCount));
+    auto sewn = vtkSmartPointer<vtkSewnShape>::New();
+    sewn->SetInputConnection(flat->GetOutputPort(0));
+    sewn->SetDesignConnection(flat->GetOutputPort(2));
+    sewn->SetMaterial(material);
+    sewn->Update();
+    return sewn;
+  };
+  for (const char* const material : { "", "twill" })
+  {
+    const auto three = sew(3, material);
+    const auto five = sew(5, material);
+    vtkNew<vtkFlatteningTable> table;
+    table->SetInputConnection(three->GetOutputPort());
+    table->Update();
+    vtkFieldData* const field = three->GetOutput()->GetFieldData();
+    std::set<std::string> expected = arraysPerRow(field, 3, five->GetOutput()->GetFieldData(), 5);
+    expected.insert("Shape");
+    check.that(expected.count("DistanceMax") == 1, "there are distances");
+    check.equal(listed(columnsOf(table->GetOutput())), listed(expected), "columns of shapes");
+    compareValues(check, table->GetOutput(), field);
+  }
 }
 
 void aRowACurve(Checks& check)
@@ -179,6 +220,7 @@ int TestFlatteningTable(int, char*[])
 {
   Checks check;
   aRowAPiece(check);
+  aRowASewnShape(check);
   aRowACurve(check);
   aRefusedSurfaceIsARow(check);
   otherDataIsWarnedOf(check);

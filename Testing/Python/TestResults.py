@@ -283,6 +283,16 @@ class Meshes(unittest.TestCase):
         again = sf.flatten_polydata(flat)
         self.assertLess(again.report["pieces"][0]["E_len_max"], 1e-12)
 
+    def test_measures_of_an_earlier_material_do_not_stay(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sf.FlatteningWarning)
+            first = flattened("shirt_front", material="twill", grain="centre_front:45")
+        again = sf.flatten_polydata(first.to_polydata())
+        self.assertIsNotNone(first.report["pieces"][0]["cloth"])
+        self.assertIsNone(again.report["pieces"][0]["cloth"])
+        arrays = set(arrays_of(again.to_polydata().GetFieldData()))
+        self.assertEqual(arrays & {"GrainAngle", "GrainCurve", "OneWay", "ShearLimit", "StrainWarpRms"}, set())
+
     def test_other_parts_are_refused(self):
         with self.assertRaisesRegex(ValueError, "part is 'all'; it must be one of flat, wires, cut"):
             flattened().to_polydata("all")
