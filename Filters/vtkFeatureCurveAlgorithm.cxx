@@ -9,6 +9,7 @@
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
 #include "KeptRun.h"
+#include "ListChanges.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -125,10 +126,8 @@ void vtkFeatureCurveAlgorithm::RemoveAllCurves()
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::AddCurveTolerance(const std::string& curve, double tolerance)
 {
-  const auto [entry, added] = this->CurveTolerances.emplace(curve, tolerance);
-  if (added || entry->second != tolerance)
+  if (flattening::bridge::changeEntry(this->CurveTolerances, curve, tolerance))
   {
-    entry->second = tolerance;
     this->Modified();
   }
 }
@@ -136,9 +135,8 @@ void vtkFeatureCurveAlgorithm::AddCurveTolerance(const std::string& curve, doubl
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
 {
-  if (!this->CurveTolerances.empty())
+  if (flattening::bridge::changeToNone(this->CurveTolerances))
   {
-    this->CurveTolerances.clear();
     this->Modified();
   }
 }

@@ -4,6 +4,7 @@
 #include "CurvedSurface.h"
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
+#include "ListChanges.h"
 #include "Suggestion/CurveSuggestion.h"
 #include "SuggestionOutput.h"
 #include "WeightInput.h"
@@ -39,17 +40,30 @@ const char* vtkFeatureCurveSuggestion::GetSuggestedCutsAsString() const
 }
 
 //------------------------------------------------------------------------------
+void vtkFeatureCurveSuggestion::SetWeightArray(const char* text)
+{
+  if (flattening::bridge::change(this->WeightArray, std::string(text ? text : "")))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFeatureCurveSuggestion::AddPreference(const std::string& curve, double weight)
 {
-  this->Preferences[curve] = weight;
-  this->Modified();
+  if (flattening::bridge::changeEntry(this->Preferences, curve, weight))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkFeatureCurveSuggestion::RemoveAllPreferences()
 {
-  this->Preferences.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->Preferences))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

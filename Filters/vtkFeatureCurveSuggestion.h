@@ -172,7 +172,7 @@ public:
    * there: 0 where it does not at all. Only ratios count. Where the weights are not mirrored
    * neither are the cuts. Of no effect with LINES. Default: empty, everywhere alike.
    */
-  vtkSetStdStringFromCharMacro(WeightArray);
+  void SetWeightArray(const char* text);
   vtkGetCharFromStdStringMacro(WeightArray);
   ///@}
 

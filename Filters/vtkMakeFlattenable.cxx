@@ -6,6 +6,7 @@
 #include "CutEndWords.h"
 #include "FilterExecution.h"
 #include "FlattenableOutput.h"
+#include "ListChanges.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -32,15 +33,19 @@ vtkMakeFlattenable::~vtkMakeFlattenable() = default;
 //------------------------------------------------------------------------------
 void vtkMakeFlattenable::AddKeptCurve(const std::string& curve)
 {
-  this->KeptCurves.insert(curve);
-  this->Modified();
+  if (this->KeptCurves.insert(curve).second)
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkMakeFlattenable::RemoveAllKeptCurves()
 {
-  this->KeptCurves.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->KeptCurves))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

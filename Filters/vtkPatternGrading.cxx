@@ -2,6 +2,7 @@
 #include "vtkPatternGrading.h"
 
 #include "GradingData.h"
+#include "ListChanges.h"
 #include "PatternInput.h"
 
 #include "vtkInformation.h"
@@ -57,12 +58,16 @@ void vtkPatternGrading::SetSizeName(int size, const std::string& name)
     vtkErrorMacro("Sizes are counted from 0, not from " << size << ".");
     return;
   }
+  std::vector<std::string> names = this->SizeNames;
   for (int k = this->GetNumberOfSizeNames(); k <= size; ++k)
   {
-    this->SizeNames.push_back(std::to_string(k + 1));
+    names.push_back(std::to_string(k + 1));
   }
-  this->SizeNames[static_cast<std::size_t>(size)] = name;
-  this->Modified();
+  names[static_cast<std::size_t>(size)] = name;
+  if (flattening::bridge::change(this->SizeNames, std::move(names)))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -76,8 +81,10 @@ const char* vtkPatternGrading::GetSizeName(int size) const
 //------------------------------------------------------------------------------
 void vtkPatternGrading::RemoveAllSizeNames()
 {
-  this->SizeNames.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->SizeNames))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 // as options.
 #include "vtkPatternWriter.h"
 
+#include "ListChanges.h"
 #include "PatternFile.h"
 
 #include "vtkStringArray.h"
@@ -54,8 +55,10 @@ void vtkPatternWriter::SetPieceName(int piece, const std::string& name)
   {
     this->PieceNames.resize(index + 1);
   }
-  this->PieceNames[index] = name;
-  this->Modified();
+  if (flattening::bridge::change(this->PieceNames[index], name))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -72,29 +75,37 @@ void vtkPatternWriter::SetPieceQuantity(int piece, int quantity)
   {
     this->PieceQuantities.resize(index + 1, 0);
   }
-  this->PieceQuantities[index] = quantity;
-  this->Modified();
+  if (flattening::bridge::change(this->PieceQuantities[index], quantity))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceQuantities()
 {
-  this->PieceQuantities.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->PieceQuantities))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceNames()
 {
-  this->PieceNames.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->PieceNames))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowance)
 {
-  this->CurveAllowances[curve] = allowance;
-  this->Modified();
+  if (flattening::bridge::changeEntry(this->CurveAllowances, curve, allowance))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -112,8 +123,10 @@ bool vtkPatternWriter::HasCurveAllowance(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveAllowances()
 {
-  this->CurveAllowances.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->CurveAllowances))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -144,15 +157,19 @@ double vtkPatternWriter::GetCurveNotch(const std::string& curve, int notch) cons
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveNotches()
 {
-  this->CurveNotches.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->CurveNotches))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
 {
-  this->DoubleNotches.insert(curve);
-  this->Modified();
+  if (this->DoubleNotches.insert(curve).second)
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -164,15 +181,19 @@ bool vtkPatternWriter::HasDoubleNotches(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllDoubleNotches()
 {
-  this->DoubleNotches.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->DoubleNotches))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
 {
-  this->CurveFairTolerances[curve] = tolerance;
-  this->Modified();
+  if (flattening::bridge::changeEntry(this->CurveFairTolerances, curve, tolerance))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -190,29 +211,37 @@ bool vtkPatternWriter::HasCurveFairTolerance(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveFairTolerances()
 {
-  this->CurveFairTolerances.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->CurveFairTolerances))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::AddFold(const std::string& curve)
 {
-  this->Folds.insert(curve);
-  this->Modified();
+  if (this->Folds.insert(curve).second)
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllFolds()
 {
-  this->Folds.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->Folds))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance)
 {
-  this->CurveDartTips[curve] = distance;
-  this->Modified();
+  if (flattening::bridge::changeEntry(this->CurveDartTips, curve, distance))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -230,8 +259,10 @@ bool vtkPatternWriter::HasCurveDartTip(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveDartTips()
 {
-  this->CurveDartTips.clear();
-  this->Modified();
+  if (flattening::bridge::changeToNone(this->CurveDartTips))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

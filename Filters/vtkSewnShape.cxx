@@ -4,6 +4,7 @@
 #include "BodyInput.h"
 #include "ClothInput.h"
 #include "FilterExecution.h"
+#include "ListChanges.h"
 #include "Sewing/PieceSewing.h"
 #include "SewnInput.h"
 #include "SewnOutput.h"
@@ -64,6 +65,15 @@ void vtkSewnShape::SetBodyData(vtkPolyData* body)
 vtkPolyData* vtkSewnShape::GetDesignOutput()
 {
   return this->GetOutput(1);
+}
+
+//------------------------------------------------------------------------------
+void vtkSewnShape::SetMaterial(const char* text)
+{
+  if (flattening::bridge::change(this->Material, std::string(text ? text : "")))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

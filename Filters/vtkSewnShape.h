@@ -61,9 +61,8 @@
  * Refused are pieces without area (DEGENERATE_TRIANGLE), inputs that do not belong together
  * (INVALID_OPTION), and with PRODUCT a piece that is sewn to nothing (INVALID_OPTION): with a free
  * boundary it comes to rest as the plane, which says nothing of it. So is pressure in a product
- * that is open, and weight of one without a body. Broken promises: NOT_CONVERGED, and
- * INVALID_MATERIAL of a material that is unknown or without meaning: the cloth is the isotropic
- * sheet.
+ * that is open, weight of one without a body, and a material that is unknown or without meaning.
+ * Broken promise: NOT_CONVERGED.
  *
  * @code
  * vtkNew<vtkWireWarpingFilter> flattening;
@@ -198,7 +197,7 @@ public:
    * What the cloth is made of, as Material of vtkWireWarpingFilter: a name, or a JSON file. The
    * modulus is that of its stiffer thread. Default: empty, the isotropic sheet.
    */
-  vtkSetStdStringFromCharMacro(Material);
+  void SetMaterial(const char* text);
   vtkGetCharFromStdStringMacro(Material);
   ///@}
 

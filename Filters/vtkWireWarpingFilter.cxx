@@ -4,6 +4,7 @@
 #include "ClothInput.h"
 #include "CurveFractions.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "ListChanges.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -90,21 +91,45 @@ const char* vtkWireWarpingFilter::GetDistortionEnergyAsString() const
 }
 
 //------------------------------------------------------------------------------
+void vtkWireWarpingFilter::SetMaterial(const char* text)
+{
+  if (flattening::bridge::change(this->Material, std::string(text ? text : "")))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::SetGrain(const char* text)
+{
+  if (flattening::bridge::change(this->Grain, std::string(text ? text : "")))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkWireWarpingFilter::AddCurveEase(const std::string& curve, int piece, double fraction)
 {
-  this->Eases.push_back({ curve, std::max(piece, -1), fraction });
-  this->CurveEasesText += (this->CurveEasesText.empty() ? "" : "; ") +
-    flattening::bridge::fractionText({ curve, std::max(piece, -1), fraction });
-  this->Modified();
+  const flattening::bridge::CurveFraction added{ curve, std::max(piece, -1), fraction };
+  const auto same = std::find_if(this->Eases.begin(), this->Eases.end(),
+    [&added](const auto& ease) { return ease.curve == added.curve && ease.piece == added.piece; });
+  if (same == this->Eases.end())
+  {
+    this->Eases.push_back(added);
+    this->Modified();
+  }
+  else if (flattening::bridge::change(*same, added))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkWireWarpingFilter::RemoveAllCurveEases()
 {
-  if (!this->Eases.empty())
+  if (flattening::bridge::changeToNone(this->Eases))
   {
-    this->Eases.clear();
-    this->CurveEasesText.clear();
     this->Modified();
   }
 }
@@ -119,12 +144,17 @@ void vtkWireWarpingFilter::SetCurveEases(const char* text)
                        << "100 %, several separated by semicolons.");
     return;
   }
-  this->RemoveAllCurveEases();
-  for (const flattening::bridge::CurveFraction& ease : eases)
+  if (flattening::bridge::change(this->Eases, eases))
   {
-    this->AddCurveEase(ease.curve, ease.piece, ease.fraction);
+    this->Modified();
   }
-  this->CurveEasesText = text ? text : "";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetCurveEases() const
+{
+  this->CurveEasesText = flattening::bridge::fractionsText(this->Eases, true);
+  return this->CurveEasesText.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -137,12 +167,27 @@ void vtkWireWarpingFilter::SetCurveTolerances(const char* text)
                        << "several separated by semicolons.");
     return;
   }
-  this->RemoveAllCurveTolerances();
-  this->CurveTolerancesText = text ? text : "";
+  std::map<std::string, double> byName;
   for (const flattening::bridge::CurveFraction& tolerance : tolerances)
   {
-    this->AddCurveTolerance(tolerance.curve, tolerance.fraction);
+    byName[tolerance.curve] = tolerance.fraction;
   }
+  if (flattening::bridge::change(this->CurveTolerances, byName))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkWireWarpingFilter::GetCurveTolerances() const
+{
+  std::vector<flattening::bridge::CurveFraction> tolerances;
+  for (const auto& [curve, tolerance] : this->CurveTolerances)
+  {
+    tolerances.push_back({ curve, -1, tolerance });
+  }
+  this->CurveTolerancesText = flattening::bridge::fractionsText(tolerances, false);
+  return this->CurveTolerancesText.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -190,9 +235,9 @@ flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
     options.cloth = flattening::bridge::readCloth(this->Material, this->Grain);
   }
   options.closeCuts = this->CloseCuts;
-  for (const Ease& ease : this->Eases)
+  for (const auto& ease : this->Eases)
   {
-    options.eases.push_back({ ease.Curve, ease.Piece, ease.Fraction });
+    options.eases.push_back({ ease.curve, ease.piece, ease.fraction });
   }
   options.dartLegs = static_cast<flattening::DartLegs>(this->DartLegs);
   options.skipClosed = this->SkipClosed;
@@ -241,10 +286,10 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReleaseTrials: " << (this->ReleaseTrials ? "On" : "Off") << "\n";
   os << indent << "CloseCuts: " << (this->CloseCuts ? "On" : "Off") << "\n";
   os << indent << "DartLegs: " << this->GetDartLegsAsString() << "\n";
-  for (const Ease& ease : this->Eases)
+  for (const auto& ease : this->Eases)
   {
-    os << indent << "CurveEase " << ease.Curve << " in piece " << ease.Piece << ": "
-       << ease.Fraction << "\n";
+    os << indent << "CurveEase " << ease.curve << " in piece " << ease.piece << ": "
+       << ease.fraction << "\n";
   }
   os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";

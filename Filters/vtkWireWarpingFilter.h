@@ -182,6 +182,14 @@
 
 class vtkTable;
 
+namespace flattening
+{
+namespace bridge
+{
+struct CurveFraction;
+}
+}
+
 class VTKFILTERSFLATTENING_EXPORT vtkWireWarpingFilter : public vtkFeatureCurveAlgorithm
 {
 public:
@@ -349,21 +357,22 @@ public:
    * The same as a line of text, for programs whose panels hold texts: NAME:PIECE=PERCENT%, or
    * NAME=PERCENT% where a curve lies in one piece alone, several separated by semicolons, as
    * "side:1=+3%; cap:2=5%". Pieces are numbered from 1 here, as in patterns. It takes the place of
-   * all eases; text that says nothing is an error and changes nothing. Get gives what was set, and
-   * behind it what AddCurveEase() has added. Default: empty.
+   * all eases; text of another form is an error and changes nothing. Get gives all eases in this
+   * form, however they were set. Default: empty.
    */
   void SetCurveEases(const char* text);
-  const char* GetCurveEases() const { return this->CurveEasesText.c_str(); }
+  const char* GetCurveEases() const;
   ///@}
 
   ///@{
   /**
    * All length tolerances of curves (AddCurveTolerance()) as a line of text: NAME=PERCENT%, several
-   * separated by semicolons, each from 0 and below 100 %. Text that says nothing is an error and
-   * changes nothing. Get gives what was set. Default: empty.
+   * separated by semicolons, each from 0 and below 100 %. Text of another form is an error and
+   * changes nothing. Get gives all tolerances in this form by name, however they were set. Default:
+   * empty.
    */
   void SetCurveTolerances(const char* text);
-  const char* GetCurveTolerances() const { return this->CurveTolerancesText.c_str(); }
+  const char* GetCurveTolerances() const;
   ///@}
 
   ///@{
@@ -511,11 +520,11 @@ public:
    * with its numbers (see Documentation/materials.md). ISOMETRIC then minimizes the energy of its
    * threads, in the place of DistortionEnergy, and keeps their strains within its limits as far as
    * lengths allow; other schemes, and the material "isotropic", only measure what the threads would
-   * have to do. Of a material that is unknown or without meaning there is nothing to lay pieces on:
-   * they are plain sheets, marked INVALID_MATERIAL; strains that stay beyond the limits on more
-   * than 5 % of a piece's area mark it BEYOND_LIMITS. Default: empty, no material.
+   * have to do. A material that is unknown or without meaning is refused (INVALID_OPTION); strains
+   * that stay beyond the limits on more than 5 % of a piece's area mark it BEYOND_LIMITS. Default:
+   * empty, no material.
    */
-  vtkSetStdStringFromCharMacro(Material);
+  void SetMaterial(const char* text);
   vtkGetCharFromStdStringMacro(Material);
   ///@}
 
@@ -529,7 +538,7 @@ public:
    * it; or "free", the angle at which the material is strained least. A piece without any of the
    * curves is laid by its upright and marked MISSING_GRAIN. Default: empty, upright.
    */
-  vtkSetStdStringFromCharMacro(Grain);
+  void SetGrain(const char* text);
   vtkGetCharFromStdStringMacro(Grain);
   ///@}
 
@@ -632,15 +641,9 @@ private:
   double AngleWeight;
   int IsometricMaximumIterations;
   double IsometricTolerance;
-  struct Ease
-  {
-    std::string Curve;
-    int Piece;
-    double Fraction;
-  };
-  std::vector<Ease> Eases;
-  std::string CurveEasesText;
-  std::string CurveTolerancesText;
+  std::vector<flattening::bridge::CurveFraction> Eases;
+  mutable std::string CurveEasesText;      ///< that Get gave last
+  mutable std::string CurveTolerancesText; ///< that Get gave last
   std::string Material;
   std::string Grain;
   vtkIdType ConformalPins[2];

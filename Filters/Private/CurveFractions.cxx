@@ -70,14 +70,20 @@ bool readFractions(const std::string& text, bool ease, std::vector<CurveFraction
   return true;
 }
 
-std::string fractionText(const CurveFraction& fraction)
+std::string fractionsText(const std::vector<CurveFraction>& fractions, bool ease)
 {
-  std::array<char, 32> digits{};
-  constexpr int precision = 15;
-  const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(),
-    100.0 * fraction.fraction, std::chars_format::general, precision);
-  return fraction.curve + (fraction.piece < 0 ? "" : ":" + std::to_string(fraction.piece + 1)) +
-    (fraction.fraction > 0.0 ? "=+" : "=") + std::string(digits.data(), end.ptr) + "%";
+  std::string text;
+  for (const CurveFraction& fraction : fractions)
+  {
+    std::array<char, 32> digits{};
+    constexpr int precision = 15;
+    const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(),
+      100.0 * fraction.fraction, std::chars_format::general, precision);
+    text += (text.empty() ? "" : "; ") + fraction.curve +
+      (fraction.piece < 0 ? "" : ":" + std::to_string(fraction.piece + 1)) +
+      (ease && fraction.fraction > 0.0 ? "=+" : "=") + std::string(digits.data(), end.ptr) + "%";
+  }
+  return text;
 }
 }
 }

@@ -4,6 +4,7 @@
 import glob
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -55,11 +56,11 @@ class Filters(unittest.TestCase):
     def test_eases_come_back_as_text_whether_they_were_set_as_one_or_added(self):
         filter_ = sf.vtkWireWarpingFilter()
         filter_.SetCurveEases("side:1=+3%;  cap = 5 %")
-        self.assertEqual(filter_.GetCurveEases(), "side:1=+3%;  cap = 5 %")
+        self.assertEqual(filter_.GetCurveEases(), "side:1=+3%; cap=+5%")
         filter_.AddCurveEase("a=b:c", 1, -0.02)
         filter_.AddCurveEase("hem", -1, 0.015)
         text = filter_.GetCurveEases()
-        self.assertEqual(text, "side:1=+3%;  cap = 5 %; a=b:c:2=-2%; hem=+1.5%")
+        self.assertEqual(text, "side:1=+3%; cap=+5%; a=b:c:2=-2%; hem=+1.5%")
         again = sf.vtkWireWarpingFilter()
         again.SetCurveEases(text)
 
@@ -69,6 +70,50 @@ class Filters(unittest.TestCase):
         self.assertEqual(eases(again), eases(filter_))
         filter_.RemoveAllCurveEases()
         self.assertEqual(filter_.GetCurveEases(), "")
+
+    def test_tolerances_come_back_as_text_and_are_forgotten_with_the_list(self):
+        filter_ = sf.vtkWireWarpingFilter()
+        for text in ("a=3%", " b = 4 % ;a=0.5%", "a:1=2.5%"):
+            filter_.SetCurveTolerances(text)
+            again = sf.vtkWireWarpingFilter()
+            again.SetCurveTolerances(filter_.GetCurveTolerances())
+            self.assertEqual(again.GetCurveTolerances(), filter_.GetCurveTolerances())
+            filter_.AddCurveTolerance("z", 0.125)
+            self.assertIn("z=12.5%", filter_.GetCurveTolerances())
+            filter_.RemoveAllCurveTolerances()
+            self.assertEqual(filter_.GetCurveTolerances(), "")
+
+    def test_the_same_value_set_twice_changes_nothing(self):
+        entries = {
+            "AddCurveTolerance": ("a", 0.25), "AddCurveEase": ("a", 0, 0.25), "AddPreference": ("a", 2.0),
+            "AddKeptCurve": ("a",), "AddDoubleNotches": ("a",), "AddFold": ("a",), "SetCurveAllowance": ("a", 3.0),
+            "SetCurveDartTip": ("a", 3.0), "SetCurveFairTolerance": ("a", 3.0), "SetPieceName": (1, "a"),
+            "SetPieceQuantity": (1, 3), "SetSizeName": (1, "a"), "SetCurveTolerances": ("a=3%",),
+            "SetCurveEases": ("a:1=+3%",), "SetMaterial": ("twill",), "SetGrain": ("a:45",)}
+        seen = set()
+        for name, class_ in vars(sf).items():
+            if not (isinstance(class_, type) and issubclass(class_, vtkAlgorithm)):
+                continue
+            try:
+                filter_ = class_()
+            except (TypeError, NotImplementedError):
+                continue  # abstract
+            for method, values in entries.items():
+                if hasattr(filter_, method):
+                    before = filter_.GetMTime()
+                    getattr(filter_, method)(*values)
+                    changed = filter_.GetMTime()
+                    self.assertGreater(changed, before, f"{name}.{method}")
+                    getattr(filter_, method)(*values)
+                    self.assertEqual(filter_.GetMTime(), changed, f"{name}.{method}")
+                    seen.add(method)
+            for method in dir(filter_):
+                if method.startswith("RemoveAll") and not re.search("Input|Observer", method):
+                    getattr(filter_, method)()
+                    changed = filter_.GetMTime()
+                    getattr(filter_, method)()
+                    self.assertEqual(filter_.GetMTime(), changed, f"{name}.{method}")
+        self.assertEqual(seen, set(entries))
 
     def test_objects_of_derived_python_classes_are_handed_over(self):
         surface, curves = PolyData(read("pants_front")), PolyData(read("pants_front_curves"))
