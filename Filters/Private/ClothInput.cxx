@@ -43,7 +43,7 @@ ClothMaterial readMaterial(const std::string& material)
   }
   ClothMaterial unknown;
   unknown.name = material;
-  unknown.status = { StatusCode::InvalidMaterial,
+  unknown.status = { StatusCode::InvalidOption,
     "\"" + material + "\" is neither a material nor a file that can be read", {},
     { { Remedy::Give, "one of " + presetNames() + ", or a JSON file" } } };
   return unknown;

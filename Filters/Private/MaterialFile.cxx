@@ -23,7 +23,7 @@ const char* const example = "an object such as {\"warp\": 2000, \"weft\": 1800, 
 
 Status refusal(const std::string& path, const std::string& defect, const std::string& give)
 {
-  return { StatusCode::InvalidMaterial, "the material file \"" + path + "\" " + defect, {},
+  return { StatusCode::InvalidOption, "the material file \"" + path + "\" " + defect, {},
     { { Remedy::Give, give } } };
 }
 }

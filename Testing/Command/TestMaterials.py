@@ -25,15 +25,11 @@ class Materials(command.CommandTest):
     def cloth(self, *arguments, code=0):
         return self.flatten("lune.obj", "arc.txt", *arguments, code=code)["pieces"][0]["cloth"]
 
-    def marked(self, *arguments):
-        """The message of a piece that is written as a plain sheet."""
-        report = self.flatten("lune.obj", "arc.txt", *arguments, code=4)
-        (piece,) = report["pieces"]
-        self.assertEqual((report["status"], piece["status"], piece["cloth"]),
-                         ("InvalidMaterial", "InvalidMaterial", None))
-        self.assertIn("lies as a plain sheet", piece["message"])
-        self.assertLess(piece["E_len_max"], 1e-12)
-        return piece["message"]
+    def refused(self, *arguments):
+        """The message of a run that is refused for its material."""
+        report = self.flatten("lune.obj", "arc.txt", *arguments, code=3)
+        self.assertEqual((report["status"], report["pieces"]), ("InvalidOption", []))
+        return report["message"]
 
     def test_threads_are_reported_and_strained_less_than_without(self):
         self.assertIsNone(self.cloth())
@@ -80,11 +76,9 @@ class Materials(command.CommandTest):
         self.cloth("--material", "soft.json")
         self.assertEqual(self.array("out/flat.vtp", "Points", "Points"), places)
 
-    def test_materials_without_meaning_are_named_and_the_piece_is_a_plain_sheet(self):
-        self.assertIn("one of isotropic, plain, twill", self.marked("--material", "felt"))
-        places = self.array("out/flat.vtp", "Points", "Points")
-        self.flatten("lune.obj", "arc.txt")
-        self.assertEqual(self.array("out/flat.vtp", "Points", "Points"), places)
+    def test_materials_without_meaning_are_named_and_nothing_is_flattened(self):
+        self.assertIn("one of isotropic, plain, twill", self.refused("--material", "felt"))
+        self.assertEqual(os.listdir(self.path("out")), ["report.json"])
         for change, words in (
                 ({"shear": -1}, "the shear stiffness -1"),
                 ({"warp": "stiff"}, 'has a "warp" that is no number'),
@@ -117,9 +111,9 @@ class Materials(command.CommandTest):
                 ({"name": "x" * 5000}, 'has a "name" that is no text, or a long one'),
                 ({"bending": 3}, 'has a member "bending" that means nothing')):
             self.write("bad.json", json.dumps({**TWILL, **change}))
-            self.assertIn(words, self.marked("--material", "bad.json"), change)
+            self.assertIn(words, self.refused("--material", "bad.json"), change)
         self.write("bad.json", json.dumps({"warp": 2000, "weft": 2000}))
-        self.assertIn('has no "shear"', self.marked("--material", "bad.json"))
+        self.assertIn('has no "shear"', self.refused("--material", "bad.json"))
         run = self.run_command("lune.obj", "--grain", "30")
         self.assertEqual(run.returncode, 2)
         self.assertIn("--material", run.stderr)
@@ -139,14 +133,14 @@ class Materials(command.CommandTest):
                 (b"\x00\xff\xfe" * 100, "is no JSON"), (b'{"name": "\xff"}', "is no JSON"),
                 (" " * 2000000 + "{" + numbers + "}", "has more than a megabyte")):
             self.write("bad.json", text)
-            self.assertIn(words, self.marked("--material", "bad.json"), text[:60])
+            self.assertIn(words, self.refused("--material", "bad.json"), text[:60])
         os.mkdir(self.path("folder"))
         os.mkfifo(self.path("pipe"))
         for name in ("missing.json", "folder", "pipe", "/dev/zero", "", "x" * 5000, "twill\n"):
             if name:
-                self.assertIn("is neither a material nor a file that can be read", self.marked("--material", name))
+                self.assertIn("is neither a material nor a file that can be read", self.refused("--material", name))
 
-    def test_damaged_files_are_materials_or_marked(self):
+    def test_damaged_files_are_materials_or_refused(self):
         random.seed(15)
         whole = json.dumps(TWILL).encode()
         seen = set()
@@ -159,10 +153,11 @@ class Materials(command.CommandTest):
             run = self.run_command("lune.obj", "arc.txt", "--material", "bad.json", "--output", "out")
             report = self.report("out")
             seen.add(report["status"])
-            self.assertIn((run.returncode, report["status"] == "Ok"), ((0, True), (4, False)), text)
-            self.assertEqual(report["pieces"][0]["cloth"] is None, report["status"] == "InvalidMaterial", text)
-            self.assertLess(report["pieces"][0]["E_len_max"], 1e-9, text)
-        self.assertEqual(seen, {"InvalidMaterial", "BeyondLimits"})
+            self.assertEqual(run.returncode, {"Ok": 0, "InvalidOption": 3}.get(report["status"], 4), text)
+            for piece in report["pieces"]:
+                self.assertIsNotNone(piece["cloth"], text)
+                self.assertLess(piece["E_len_max"], 1e-9, text)
+        self.assertEqual(seen, {"InvalidOption", "BeyondLimits"})
 
     def test_a_material_may_be_written_with_capitals_unless_a_file_is_called_so(self):
         points, triangles, _ = command.quarter_sphere()
@@ -176,7 +171,8 @@ class Materials(command.CommandTest):
         self.assertEqual(sewn[1:], sewn[:1] * 2)
         self.write("Denim", "no material")
         run = self.run_command("a.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
-        self.assertEqual(self.report("file")["status"], "InvalidMaterial", run.stderr)
+        self.assertEqual(run.returncode, 3)
+        self.assertIn('the material file "Denim"', run.stderr)
 
     def test_the_list_has_every_material_with_its_source(self):
         run = self.run_command("--list-materials")

@@ -293,7 +293,7 @@ TEST(ClothMaterial, NumbersWithoutMeaningAreRefused)
     EXPECT_TRUE(checkMaterial(material).ok());
     change(material);
     const Status status = checkMaterial(material);
-    EXPECT_EQ(status.code, StatusCode::InvalidMaterial);
+    EXPECT_EQ(status.code, StatusCode::InvalidOption);
     EXPECT_FALSE(status.waysOut.empty());
   };
   const double nothing = std::numeric_limits<double>::quiet_NaN();

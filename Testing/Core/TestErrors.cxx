@@ -335,5 +335,5 @@ TEST(Errors, BrokenPromisesKeepAResult)
   cloth.cloth->grainAngles = { 0.0 };
   EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::MissingGrain);
   cloth.cloth->material.warp = -1.0;
-  EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::InvalidMaterial);
+  EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::InvalidOption);
 }

@@ -298,7 +298,7 @@ TEST(SewnCloth, TurningThePiecesByARightAngleIsSwappingWarpAndWeft)
   EXPECT_TRUE(sheet.threads.empty());
 }
 
-TEST(SewnCloth, WeightThatNothingHoldsIsRefusedAndClothWithoutMeaningIsAPlainSheet)
+TEST(SewnCloth, WeightThatNothingHoldsAndClothWithoutMeaningAreRefused)
 {
   SewingOptions options = product();
   options.gravity = { 0.0, 0.0, -1e-3 };
@@ -313,9 +313,8 @@ TEST(SewnCloth, WeightThatNothingHoldsIsRefusedAndClothWithoutMeaningIsAPlainShe
   }
   options = panel();
   options.material.emplace();
-  const SewingResult plain = sewn(dome(), options);
-  EXPECT_EQ(plain.status.code, StatusCode::InvalidMaterial);
-  EXPECT_NE(plain.status.message.find("plain sheet"), std::string::npos);
-  EXPECT_EQ(plain.points, sewn(dome(), panel()).points);
-  EXPECT_TRUE(plain.threads.empty());
+  const SewingResult refused = sewn(dome(), options);
+  EXPECT_EQ(refused.status.code, StatusCode::InvalidOption);
+  EXPECT_NE(refused.status.message.find("stiffness"), std::string::npos);
+  EXPECT_TRUE(refused.points.empty());
 }

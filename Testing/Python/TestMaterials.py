@@ -103,6 +103,22 @@ class Materials(unittest.TestCase):
                     call(name)
                 self.assertEqual("did you mean" in str(caught.exception), near is not None, name)
                 self.assertIn(f"did you mean '{near}'?" if near else "JSON file", str(caught.exception))
+        surface, curve = sf.make_surface(points, triangles), sf.make_curves([sf.Curve([0, 1], "key", "a")], points)
+        for class_ in (sf.vtkWireWarpingFilter, sf.vtkFeatureCurveSuggestion, sf.vtkKeyCurvePrices,
+                       sf.vtkMakeFlattenable):
+            filter_ = class_()
+            errors = []
+            filter_.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+            filter_.SetInputData(surface)
+            filter_.SetCurvesData(curve)
+            filter_.SetMaterial("felt")
+            filter_.Update()
+            self.assertEqual((filter_.GetStatusName(), len(errors)), ("InvalidOption", 1), class_)
+            self.assertIn("one of isotropic, plain", filter_.GetStatusMessage())
+            self.assertEqual(filter_.GetOutput().GetNumberOfPoints(), 0)
+            filter_.SetMaterial("twill")
+            filter_.Update()
+            self.assertFalse(filter_.IsRefused(), class_)
         with self.assertRaisesRegex(ValueError, r"grain = 30 is for a material .*, or leave grain out$"):
             sf.flatten(points, triangles, grain=30)
         with self.assertRaisesRegex(TypeError, "name or the path"):

@@ -72,9 +72,8 @@ class Resewing(unittest.TestCase):
         self.assertIsNone(sheet.thread_strains)
         self.assertIsNone(sheet.shapes[0].shear_rms)
         self.assertNotAlmostEqual(sheet.shapes[0].distance_mean, shape.distance_mean, 6)
-        with self.assertWarnsRegex(sf.FlatteningWarning, "plain sheet"):
-            felt = sf.resew(flat, material="felt", second_start=False)
-        np.testing.assert_array_equal(felt.points, sheet.points)
+        with self.assertRaisesRegex(ValueError, "'felt'; it must be one of"):
+            sf.resew(flat, material="felt", second_start=False)
         with self.assertRaisesRegex(TypeError, "name or the path"):
             sf.resew(flat, material=3)
 

@@ -18,7 +18,7 @@ constexpr double leastLimit = 1e-6;
 
 Status refusal(const ClothMaterial& material, const std::string& defect, const std::string& give)
 {
-  return { StatusCode::InvalidMaterial, "the material \"" + material.name + "\" has " + defect, {},
+  return { StatusCode::InvalidOption, "the material \"" + material.name + "\" has " + defect, {},
     { { Remedy::Give, give } } };
 }
 

@@ -46,7 +46,7 @@ struct ClothMaterial
   bool limited() const;
 };
 
-/// Its own status, or InvalidMaterial where a number has no meaning: a modulus that is not above 0,
+/// Its own status, or InvalidOption where a number has no meaning: a modulus that is not above 0,
 /// a coupling that makes the sheet unstable, limits that leave out the unstrained sheet.
 Status checkMaterial(const ClothMaterial& material);
 }

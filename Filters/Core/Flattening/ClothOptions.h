@@ -28,8 +28,5 @@ struct ClothOptions
   /// The same from the upright, where that counts. Upright is the first key curve, else the long
   /// side of the smallest rectangle around the piece, as it lies without the material.
   double grainAngle = 0.0;
-
-  /// Pieces are not laid on a material without meaning; their status says so.
-  bool usable() const { return checkMaterial(this->material).ok(); }
 };
 }

@@ -118,12 +118,6 @@ std::vector<Status> brokenClothPromises(const std::vector<FeatureCurve>& curves,
   {
     return broken;
   }
-  Status material = checkMaterial(options.cloth->material);
-  if (!material.ok())
-  {
-    material.message += "; the piece lies as a plain sheet";
-    broken.push_back(std::move(material));
-  }
   const auto& report = result.pieces.back().cloth;
   if (report && report->grain.missing)
   {

@@ -13,7 +13,7 @@ namespace flattening
 constexpr double toleratedShareOutOfLimit = 0.05;
 
 /// What the cloth of the options promised the last piece of a result and did not keep, the worst
-/// first: InvalidMaterial, for which the piece lies as a plain sheet, MissingGrain, BeyondLimits
+/// first: MissingGrain, BeyondLimits
 /// (ids: triangles, the one farthest out first).
 std::vector<Status> brokenClothPromises(const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const FlatteningResult& result);

@@ -224,8 +224,7 @@ private:
 
 void layOnCloth(const PieceContext& context, const WireSolution& wires, PlacedPiece& placed)
 {
-  if (context.options.cloth && context.options.cloth->usable() && !placed.status.refused() &&
-    !placed.positions.empty())
+  if (context.options.cloth && !placed.status.refused() && !placed.positions.empty())
   {
     ClothWarping(context, wires, placed).run();
   }

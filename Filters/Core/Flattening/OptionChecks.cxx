@@ -40,6 +40,6 @@ Status checkOptions(const FlatteningOptions& options)
     return { StatusCode::InvalidOption, "the grain's angle is no number", {},
       { Remedy::GiveGrainAngle } };
   }
-  return {};
+  return options.cloth ? checkMaterial(options.cloth->material) : Status();
 }
 }

@@ -6,7 +6,7 @@
 
 namespace flattening
 {
-/// InvalidOption where a number of the options lies outside its range; those of the interior are
-/// checked where it is placed.
+/// InvalidOption where a number of the options lies outside its range or the material is unknown or
+/// without meaning; numbers of the interior are checked where it is placed.
 Status checkOptions(const FlatteningOptions& options);
 }

@@ -100,8 +100,8 @@ FlatWires finishScheme(const PieceContext& context, PlacedWires placed)
   if (context.options.scheme == Scheme::Isometric && !refused)
   {
     FlatteningOptions start = context.options;
-    start.isometric.rough = context.options.isometric.rough ||
-      (start.cloth && start.cloth->usable() && !start.cloth->material.isotropic);
+    start.isometric.rough =
+      context.options.isometric.rough || (start.cloth && !start.cloth->material.isotropic);
     const PieceContext startContext{ context.piece, context.network, context.cut, context.curves,
       start, context.execution, context.interiors, context.area };
     warpFromBetterStart(startContext, flat);

@@ -168,7 +168,7 @@ void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& cu
   {
     result.triangles.resize(cut.mesh.triangleCount());
   }
-  if (options.cloth && options.cloth->usable())
+  if (options.cloth)
   {
     result.threads.resize(cut.mesh.triangleCount());
   }

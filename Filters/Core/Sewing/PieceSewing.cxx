@@ -53,6 +53,11 @@ Status checked(const CutSurface& cut, const Points2& positions, const SewingOpti
   {
     return invalid("the gap to the body is outside (0, 1]", "a fraction of the size of a piece");
   }
+  if (Status material = options.material ? checkMaterial(*options.material) : Status();
+      !material.ok())
+  {
+    return material;
+  }
   if (cut.mesh.triangleCount() == 0)
   {
     return { StatusCode::EmptySurface, "there are no pieces", {}, { Remedy::GiveTriangles } };
@@ -113,7 +118,7 @@ Status checkedShapes(const SewnTopology& topology, const SewingOptions& options)
 
 bool hasThreads(const SewingOptions& options)
 {
-  return options.material && !options.material->isotropic && checkMaterial(*options.material).ok();
+  return options.material && !options.material->isotropic;
 }
 
 /// The worse of two; the first where they are alike.
@@ -335,12 +340,6 @@ SewingResult sewn(const CutSurface& cut, const Points2& positions, const SewingO
       return refused;
     }
     result.status = worse(result.status, status);
-  }
-  if (options.material && !checkMaterial(*options.material).ok())
-  {
-    Status material = checkMaterial(*options.material);
-    material.message += "; the cloth is a plain sheet";
-    result.status = worse(result.status, material);
   }
   gather(cut, topology, points, result);
   result.seamStrain = seamStrains(cut, positions, result.points);

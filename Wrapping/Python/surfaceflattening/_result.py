@@ -363,7 +363,7 @@ def _bytes_of(mesh: vtkPolyData) -> bytes:
             if not data.GetArrayName(k):
                 data.RemoveArray(k)  # it would get a name
     vtkCommunicator.MarshalDataObject(named, buffer)
-    return vtk_to_numpy(buffer).tobytes()
+    return bytes(vtk_to_numpy(buffer))
 
 
 def _unpickled(flat: bytes, wires: bytes, cut: bytes, mesh_class: type) -> Flattening:
