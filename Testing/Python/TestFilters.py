@@ -9,11 +9,24 @@ import subprocess
 import sys
 import unittest
 
+import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import surfaceflattening as sf
-from surfaces import SOURCE, read
+from surfaces import SOURCE, quarter_sphere, read
+
+
+def table_of(mesh):
+    """Points, cells and all arrays but those of time, as values."""
+    yield [mesh.GetPoint(k) for k in range(mesh.GetNumberOfPoints())]
+    yield [[mesh.GetCell(k).GetPointId(i) for i in range(mesh.GetCell(k).GetNumberOfPoints())]
+           for k in range(mesh.GetNumberOfCells())]
+    for data in (mesh.GetPointData(), mesh.GetCellData(), mesh.GetFieldData()):
+        for k in range(data.GetNumberOfArrays()):
+            array = data.GetAbstractArray(k)
+            if not array.GetName().startswith("Seconds"):
+                yield array.GetName(), [array.GetVariantValue(i).ToString() for i in range(array.GetNumberOfValues())]
 
 
 class PolyData(vtkPolyData):
@@ -114,6 +127,45 @@ class Filters(unittest.TestCase):
                     getattr(filter_, method)()
                     self.assertEqual(filter_.GetMTime(), changed, f"{name}.{method}")
         self.assertEqual(seen, set(entries))
+
+    def test_a_kept_filter_gives_what_a_fresh_one_gives(self):
+        # A lune and a deep cap, whose forecast is told; every ordered pair of settings once.
+        points, triangles, arc = quarter_sphere()
+        rings, sides = 6, 16
+        polar, turn = np.meshgrid(np.linspace(0.2, 1.6, rings), np.arange(sides) * 2 * np.pi / sides, indexing="ij")
+        cap = np.stack([np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar)], -1).reshape(-1, 3)
+        cells = [[a, b, c] for r in range(rings - 1) for s in range(sides)
+                 for a, b, c in ((sides * r + s, sides * (r + 1) + s, sides * (r + 1) + (s + 1) % sides),
+                                 (sides * r + s, sides * (r + 1) + (s + 1) % sides, sides * r + (s + 1) % sides))]
+        cells += [[len(cap), s, (s + 1) % sides] for s in range(sides)]
+        cap = np.vstack([cap, [[0.0, 0.0, 1.0]]])
+        meridian = [sides * r for r in range(rings)]
+        for surface, curve in (((points, triangles), arc), ((cap, np.array(cells)), meridian)):
+            mesh = sf.make_surface(*surface)
+            curves = {None: None, "key": sf.make_curves([sf.Curve(curve, "key", "a")], surface[0]),
+                      "dart": sf.make_curves([sf.Curve(curve[::-1][:4], "dart", "a")], surface[0])}
+            settings = [(scheme, kind, material) for scheme in range(4) for kind, material in (
+                (None, ""), ("key", "twill"), ("dart", ""))]
+
+            def give(filter_, setting):
+                filter_.SetScheme(setting[0])
+                filter_.SetCurvesData(curves[setting[1]])
+                filter_.SetMaterial(setting[2])
+                filter_.Update()
+                return [list(table_of(filter_.GetOutput(port))) for port in range(3)]
+
+            def quiet():
+                filter_ = sf.vtkWireWarpingFilter()
+                for event in ("ErrorEvent", "WarningEvent"):
+                    filter_.AddObserver(event, lambda *_: None)
+                filter_.SetInputData(mesh)
+                return filter_
+            fresh = {setting: give(quiet(), setting) for setting in settings}
+            kept = quiet()
+            for first in settings:
+                for second in settings:
+                    self.assertEqual(give(kept, first), fresh[first], (first, second))
+                    self.assertEqual(give(kept, second), fresh[second], (first, second))
 
     def test_objects_of_derived_python_classes_are_handed_over(self):
         surface, curves = PolyData(read("pants_front")), PolyData(read("pants_front_curves"))
