@@ -6,7 +6,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 import os
 from dataclasses import dataclass, field
 from typing import (
-    TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union, cast, get_args)
+    TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Type, Union, cast, get_args)
 
 import numpy as np
 from numpy.typing import NDArray
