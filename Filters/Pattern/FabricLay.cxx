@@ -355,7 +355,7 @@ Status layOnFabric(const FabricOptions& options, Pattern& pattern)
     fabric.corners.push_back(copy.at);
     area += kind.area;
   }
-  fabric.efficiency = area / (fabric.width * fabric.length);
+  fabric.efficiency = fabric.length > 0.0 ? area / (fabric.width * fabric.length) : 0.0;
   laid.front().notes.push_back({ "the cloth: " + formatNumber(fabric.width, 1) + " mm x " +
     formatNumber(fabric.length, 0) + " mm for " + std::to_string(laid.size()) +
     " pieces, of which " + formatNumber(100.0 * fabric.efficiency, 1) + " % is used" });

@@ -150,8 +150,14 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
       }
     }
   }
+  status = checkGarment(garment); // borders may have collapsed
+  if (!status.ok())
+  {
+    status.waysOut = { Remedy::WriteOtherFormat };
+    return status;
+  }
   json = writeGarment(garment);
-  return {};
+  return status;
 }
 }
 }
