@@ -13,8 +13,8 @@
  * - of output 1, the wires: a row a feature curve, in the order of the ids in the cell array
  *   `CurveId`. Columns: `CurveNames`, `CurveTypes` (0 accessory, 1 key, 2 dart, 3 seam),
  *   `CurveRestLengths`, `CurveFlatLengths`, ...;
- * - of output 3 of vtkKeyCurvePrices: a row a trial, with its columns;
- * - of output 0 of vtkSewnShape: a row a shape. Columns: `Shape` (vtkIdType, counted from 0, as in
+ * - of output 3 of vtkKeyCurvePrices: one row per trial, with its columns;
+ * - of output 0 of vtkSewnShape: one row per shape. Columns: `Shape` (vtkIdType, counted from 0, as in
  *   the cell array `ShapeId`), `DistanceMean`, `StrainP95`, ...
  *
  * A surface that was refused has one row, with the `Piece` -1, its `Status` and `StatusMessage`.

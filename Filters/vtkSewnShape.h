@@ -62,7 +62,7 @@
  * (INVALID_OPTION), and with PRODUCT a piece that is sewn to nothing (INVALID_OPTION): with a free
  * boundary it comes to rest as the plane, which says nothing of it. So is pressure in a product
  * that is open, weight of one without a body, and a material that is unknown or without meaning.
- * Broken promise: NOT_CONVERGED.
+ * Warning: NOT_CONVERGED.
  *
  * @code
  * vtkNew<vtkWireWarpingFilter> flattening;

@@ -13,7 +13,7 @@ namespace wirewarp
 /// What is done to a surface before it is flattened, beside taking out triangles without area.
 struct MendingRequest
 {
-  /// Join points of the boundary that lie so many millimetres off each other; 0: on each other.
+  /// Join points of the boundary up to this distance apart, in mm; 0: those that coincide.
   std::optional<double> weld = std::nullopt;
   bool doubled = false;     ///< the same, because the file's format doubles points
   double fillHoles = 0.0;   ///< close openings up to so many millimetres across

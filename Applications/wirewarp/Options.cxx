@@ -116,8 +116,8 @@ void addMending(CLI::App& app, Options& options)
   app
     .add_flag("--weld", options.weld,
       "Join points of the boundary that lie on each other, as texture seams leave them, within a "
-      "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to so many "
-      "millimetres apart")
+      "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to that "
+      "distance apart")
     ->transform(CLI::Validator(weldLength, ""))
     ->group(group);
   app

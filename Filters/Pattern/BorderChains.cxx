@@ -25,7 +25,7 @@ constexpr double timesNeighbour = 1.8;
 /// and by about edge * turn / 16 where it bends at one of them alone.
 constexpr double depthOfRound = 24.0;
 constexpr double depthOfBend = 16.0;
-constexpr double surely = 1.5;     ///< so many tolerances are too much
+constexpr double surely = 1.5;     ///< tolerances: more is too much
 constexpr double collapsed = 1e-9; ///< part of a chain that an edge without length takes
 }
 

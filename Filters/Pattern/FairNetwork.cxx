@@ -251,7 +251,7 @@ private:
     }
   }
 
-  /// \return whether there was so much work left
+  /// \return whether enough work was left
   bool spend(double products) const
   {
     return !this->Network.work || (*this->Network.work -= products) >= 0.0;

@@ -129,7 +129,7 @@ class Filters(unittest.TestCase):
         self.assertEqual(seen, set(entries))
 
     def test_a_kept_filter_gives_what_a_fresh_one_gives(self):
-        # A lune and a deep cap, whose forecast is told; every ordered pair of settings once.
+        # A lune, and a deep cap with a forecast; every ordered pair of settings once.
         points, triangles, arc = quarter_sphere()
         rings, sides = 6, 16
         polar, turn = np.meshgrid(np.linspace(0.2, 1.6, rings), np.arange(sides) * 2 * np.pi / sides, indexing="ij")

@@ -23,17 +23,6 @@ def ring(count=24):
     return "\n".join(lines) + "\n"
 
 
-def distance_to(point, line):
-    """Distance of a point from a polyline."""
-    least = math.inf
-    for (ax, ay), (bx, by) in zip(line, line[1:] + line[:1]):
-        square = (bx - ax) ** 2 + (by - ay) ** 2
-        along = ((point[0] - ax) * (bx - ax) + (point[1] - ay) * (by - ay)) / square if square else 0
-        along = min(1.0, max(0.0, along))
-        least = min(least, math.dist(point, (ax + along * (bx - ax), ay + along * (by - ay))))
-    return least
-
-
 def marks(block, layer):
     return [tuple(point.dxf.location)[:2] for point in block.query("POINT")
             if point.dxf.layer == layer]
@@ -97,7 +86,7 @@ class Layers(pattern.PatternTest):
             self.assertEqual(len(notches), sum(1 for path in drawn if path[0] == number))
             self.assertGreater(len(notches), 3)
             for notch in notches:
-                self.assertLess(distance_to(notch, cut), 0.01)
+                self.assertLess(pattern.distance_to(notch, cut), 0.01)
 
     def test_who_knows_no_notches_and_drill_holes_sees_lines_and_circles(self):
         self.make("shirt_front", "--dxf")
@@ -167,8 +156,8 @@ class Layers(pattern.PatternTest):
                 # These key curves are straight in the plane, and upright.
                 self.assertLess(abs(start[0] - end[0]), 0.01 * math.dist(start, end))
                 near = min(pattern.block_lines(block, "8"),
-                           key=lambda line: distance_to(start, line[0]))
-                self.assertLess(distance_to(start, near[0]), 1.0)
+                           key=lambda line: pattern.distance_to(start, line[0]))
+                self.assertLess(pattern.distance_to(start, near[0]), 1.0)
 
     def test_sew_lines_are_dashed_and_their_dashes_run_on_over_the_points(self):
         for unit, scale in (("cm", 1.0), ("in", 1 / 25.4)):

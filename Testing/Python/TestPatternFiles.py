@@ -142,22 +142,11 @@ class BordersWithoutAllowance(pattern.PatternTest):
             names = {element.get("data-curve") for _, element in pattern.svg_elements(root, "sew-line")}
             self.assertEqual(seams - names, {bare})
             for number, points in self.outlines(root, "sew-line"):
-                self.assertGreater(max(distance_to(point, cut[number]) for point in points[4::9]), 1.0)
+                self.assertGreater(max(pattern.distance_to(point, cut[number]) for point in points[4::9]), 1.0)
 
     def wires(self, piece):
         self.make(piece)
         return pattern.wires_in_space(self.path("out"), "cm")
-
-
-def distance_to(point, line):
-    """Distance of a point from a closed polyline."""
-    least = math.inf
-    for (ax, ay), (bx, by) in zip(line, line[1:] + line[:1]):
-        square = (bx - ax) ** 2 + (by - ay) ** 2
-        along = ((point[0] - ax) * (bx - ax) + (point[1] - ay) * (by - ay)) / square if square else 0
-        along = min(1.0, max(0.0, along))
-        least = min(least, math.dist(point, (ax + along * (bx - ax), ay + along * (by - ay))))
-    return least
 
 
 class Hpgl(pattern.PatternTest):

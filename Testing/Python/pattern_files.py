@@ -252,3 +252,14 @@ def line_centres(darkness):
                 centres.append(sum(place * value for place, value in run) / weight)
             run = []
     return centres
+
+
+def distance_to(point, line):
+    """Distance of a point from a closed polyline."""
+    least = math.inf
+    for (ax, ay), (bx, by) in zip(line, line[1:] + line[:1]):
+        square = (bx - ax) ** 2 + (by - ay) ** 2
+        along = ((point[0] - ax) * (bx - ax) + (point[1] - ay) * (by - ay)) / square if square else 0
+        along = min(1.0, max(0.0, along))
+        least = min(least, math.dist(point, (ax + along * (bx - ax), ay + along * (by - ay))))
+    return least

@@ -93,7 +93,7 @@ struct SewingResult
 /// Errors: InvalidOption (an option out of its range; Product: a piece that is sewn to nothing,
 /// ids: a triangle of each; pressure in a product that is open, gravity on one without a body),
 /// EmptySurface, DegenerateTriangle
-/// (flat pieces without area), Cancelled, OutOfMemory. Broken promise: NotConverged.
+/// (flat pieces without area), Cancelled, OutOfMemory. Warning: NotConverged.
 SewingResult sewPieces(const CutSurface& cut, const Points2& positions,
   const SewingOptions& options, const Execution& execution);
 }
