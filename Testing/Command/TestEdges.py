@@ -150,7 +150,7 @@ class Edges(command.CommandTest):
         self.assertLess(span[0], 0.6 * span[1])
         self.assertAlmostEqual((fold.dxf.end - fold.dxf.start).magnitude, span[1], delta=30.0)
 
-    def test_a_fold_along_a_curve_about_which_its_piece_is_not_symmetric_leaves_no_file(self):
+    def test_a_fold_along_a_curve_about_which_its_piece_is_not_symmetric_leaves_no_pattern(self):
         middle = "straight middle " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n"
         beside = "straight beside " + " ".join(str(at(3, j)) for j in range(SIZE + 1)) + "\n"
         self.flatten("flat.obj", self.curves(middle), "--unit", "mm", "--dxf", "--fold", "middle")
@@ -161,7 +161,9 @@ class Edges(command.CommandTest):
         self.assertEqual(run.returncode, 3, run.stderr)
         for word in ("front", "beside", "symmetric", "200 mm"):
             self.assertIn(word, run.stderr)
-        self.assertEqual(os.listdir(self.path("none")), [])
+        # The flattening is kept; of the patterns not even a part is.
+        self.assertEqual(
+            sorted(os.listdir(self.path("none"))), ["cut.vtp", "flat.vtp", "report.json", "wires.vtp"])
 
 
 command.main()
