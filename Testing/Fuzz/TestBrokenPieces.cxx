@@ -371,7 +371,7 @@ TEST(BrokenFewPieces, AreDrawnOrRefusedInEveryFormat)
 
 TEST_P(BrokenPieces, AreDrawnOrRefusedInEveryFormat)
 {
-  constexpr unsigned count = 20;
+  constexpr unsigned count = 40;
   trySeeds(1000 + GetParam() * count, count);
 }
 
