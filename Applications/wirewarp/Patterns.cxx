@@ -192,7 +192,8 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   add(request.fabricWidth > 0.0 && request.plt, "lay.plt", vtkPatternWriter::HPGL);
   for (const auto& [problem, failed] : failures)
   {
-    result.unwritten.push_back(failed + ": " + problem);
+    result.unwritten.push_back(failed);
+    result.unwritten.back().append(": ").append(problem);
   }
   for (const std::string& warning : warnings)
   {
