@@ -68,7 +68,6 @@ static_assert(same(vtkFlatteningAlgorithm::INCOMPATIBLE_KEYS, StatusCode::Incomp
 static_assert(same(vtkFlatteningAlgorithm::LENGTH_ERROR, StatusCode::LengthError), "");
 static_assert(same(vtkFlatteningAlgorithm::FLIPPED_TRIANGLES, StatusCode::FlippedTriangles), "");
 static_assert(same(vtkFlatteningAlgorithm::OVERLAP, StatusCode::Overlap), "");
-static_assert(same(vtkFlatteningAlgorithm::INVALID_MATERIAL, StatusCode::InvalidMaterial), "");
 static_assert(same(vtkFlatteningAlgorithm::MISSING_GRAIN, StatusCode::MissingGrain), "");
 static_assert(same(vtkFlatteningAlgorithm::BEYOND_LIMITS, StatusCode::BeyondLimits), "");
 

@@ -399,6 +399,31 @@ TEST(ClothFlattening, AMaterialWithoutMeaningIsRefused)
   }
 }
 
+TEST(ClothFlattening, EachCurveOfTheGrainNeedsAnAngle)
+{
+  const Surface surface = shell();
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const double endless = std::numeric_limits<double>::infinity();
+  const std::string curve = surface.curves.front().name;
+  const std::vector<std::pair<std::vector<std::string>, std::vector<double>>> wrong{ { { curve },
+                                                                                       {} },
+    { { "waist", curve }, { 0.0 } }, { {}, { 0.0 } }, { { curve }, { 0.0, 0.0 } },
+    { { curve }, { nothing } }, { { "waist", curve }, { -endless, 0.0 } } };
+  for (const Scheme scheme : { Scheme::Isometric, Scheme::LeastSquaresConformal })
+  {
+    for (const auto& [curves, angles] : wrong)
+    {
+      FlatteningOptions options = along("twill", curve, 0.0);
+      options.scheme = scheme;
+      options.cloth->grainCurves = curves;
+      options.cloth->grainAngles = angles;
+      const FlatteningResult result = flatten(surface, options);
+      EXPECT_EQ(codeOf(result.status), StatusCode::InvalidOption);
+      EXPECT_TRUE(result.pieces.empty());
+    }
+  }
+}
+
 TEST(ClothFlattening, TheWorstOfSeveralBrokenPromisesIsTheStatusAndTellsTheOthers)
 {
   const Surface surface = shell();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -57,6 +58,32 @@ TEST(CutCandidates, HaveSeamsOverTheTopOfADeepCap)
   }
   EXPECT_LT(shortest, 0.0);
   EXPECT_GT(over, 0.9);
+}
+
+TEST(CutCandidates, LinesTakeNoTimeThatGrowsWithTheMesh)
+{
+  constexpr Index side = 300;
+  const TriangleMesh mesh =
+    patch(side, side, [](double i, double j) { return Point3(i, j, 0.0); }).mesh;
+  const SearchedPiece piece = plainPiece(mesh);
+  constexpr int times = 50;
+  std::clock_t start = std::clock();
+  for (int k = 0; k < times; ++k)
+  {
+    CutPlan plan;
+    plan.base = piece.ruler().placeOf(side / 2 + k);
+    plan.tip = mesh.point(side / 2 + k) + Point3(0.3, 1.2, 0.0);
+    EXPECT_EQ(piece.polylines(plan).size(), 1U);
+  }
+  const std::clock_t lines = std::clock() - start;
+  start = std::clock();
+  double distance = 0.0;
+  for (int k = 0; k < times; ++k)
+  {
+    distance += SnapDistance(mesh, 1e-3).greatest();
+  }
+  EXPECT_GT(distance, 0.0);
+  EXPECT_LT(lines, (std::clock() - start) / 2);
 }
 
 TEST(CutCandidates, DartsAcrossTheirEdgeAreCheapest)

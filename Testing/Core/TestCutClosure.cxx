@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+#include <unordered_map>
+
 using namespace flattening;
 using namespace testmeshes;
 
@@ -112,6 +115,65 @@ TEST(CutClosure, JoiningAllPairsGivesTheSurfaceBeforeTheCut)
     EXPECT_EQ(
       whole.piece.mesh.point(whole.piece.mesh.from(h)), surface.mesh.point(surface.mesh.from(h)));
   }
+}
+
+TEST(CutClosure, TakesTimeInProportionToTheLengthOfTheCut)
+{
+  // A slit along the middle of a strip, every other vertex of one bank across the other.
+  constexpr Index columns = 100000;
+  constexpr Index rows = 4;
+  Surface strip = patch(columns, rows, [](double i, double j) { return Point3(i, j, 0.0); });
+  Indices slit;
+  for (Index i = 1; i <= columns; ++i)
+  {
+    slit.push_back(2 * (columns + 1) + i);
+  }
+  strip.curves = { curveOf(CurveType::Dart, "slit", slit) };
+  const CutSurface cut = cutSurface(strip.mesh, strip.curves);
+  const Piece piece = extractPieces(cut).front();
+  Points2 positions;
+  for (const Point3& p : piece.mesh.points())
+  {
+    positions.emplace_back(p.x(), p.y());
+  }
+  const std::vector<CutBanks> banks = findCutBanks(piece, cut);
+  for (const auto& pair : banks.front().pairs)
+  {
+    Point2& first = positions[pair[0]];
+    Point2& second = positions[pair[1]];
+    const double across = static_cast<Index>(first.x()) % 2 == 0 ? 0.1 : -0.1;
+    first.y() += across;
+    second.y() -= across;
+  }
+
+  const auto seconds = [](const auto& work) {
+    const std::clock_t start = std::clock();
+    work();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  Indices joined;
+  const double whole = seconds([&] {
+    CutClosing closing(piece, cut);
+    joined = *closing.next(&positions);
+  });
+  const double once = seconds([&] { joinVertices(piece, joined); });
+  EXPECT_LT(whole, 30.0 * once);
+
+  // Each vertex of the slit but its mouth is one again, by the smaller of its copies.
+  std::unordered_map<Index, Index> least;
+  for (Index v = 0; v < piece.mesh.vertexCount(); ++v)
+  {
+    const Index place = least.emplace(cut.originalVertex[piece.vertices[v]], v).first->second;
+    ASSERT_TRUE(joined[v] == place || joined[v] == v);
+    ASSERT_TRUE(joined[v] == place || piece.mesh.onBoundary(v));
+  }
+  const auto free = [&](Index v) { return joined[v] == v; };
+  Index copies = 0;
+  for (Index v = 0; v < piece.mesh.vertexCount(); ++v)
+  {
+    copies += free(v) ? 0 : 1;
+  }
+  EXPECT_GE(copies, columns / 2 - 1);
 }
 
 TEST(CutClosure, ASaddleConeCutToItsApexOverlapsUnlessTheCutIsClosed)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/NewtonKkt.h"
+#include "Sparse/PenaltyDescent.h"
 
 #include <gtest/gtest.h>
 
@@ -429,4 +430,31 @@ TEST(NewtonKkt, NearAMinimumEachStepIsTriedOnceThoughTheConstraintBends)
   constexpr std::size_t near = 3; // iterations: what comes before is the way there
   ASSERT_GT(triedBefore.size(), near + 3);
   EXPECT_EQ(triedBefore.back() - triedBefore[near], int(triedBefore.size() - 1 - near));
+}
+
+TEST(PenaltyDescent, GivesTheMultipliersOfItsLastWeightWhereverItEnds)
+{
+  // The point of x + y = 1 that is nearest to (2, 2) has the multiplier 1.5. It starts so near to
+  // the constraint that the first descent settles.
+  for (const bool another : { false, true })
+  {
+    for (const int steps : { 1, 2, 100 })
+    {
+      for (const double offset : { -0.01, 0.0, 0.02 })
+      {
+        SCOPED_TRACE(std::to_string(another) + ", " + std::to_string(steps) + " steps, from " +
+          std::to_string(offset));
+        DenseModel model = nearestTo(Eigen::Vector2d(2.0, 2.0));
+        model.c = [](const Eigen::VectorXd& x) { return x.sum() - 1.0; };
+        model.cGradient = [](const Eigen::VectorXd&) { return Eigen::VectorXd::Ones(2); };
+        model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+        model.whenSettling = [another](const Eigen::VectorXd&) { return another; };
+        PenaltyDescentOptions options;
+        options.mostSteps = steps;
+        const NewtonKktState end = descend(model, Eigen::Vector2d(0.3, 0.7 + offset),
+          LinearSolver(LeadingColumns{ 0 }), options, {});
+        EXPECT_NEAR(end.multipliers[0], 1.5, 1e-3);
+      }
+    }
+  }
 }

@@ -64,7 +64,7 @@ public:
       SparseMatrix regular = kkt;
       for (Eigen::Index row = n; row < n + m; ++row)
       {
-        regular.coeffRef(row, row) -= 1e-9;
+        regular.coeffRef(row, row) -= regularization;
       }
       if (!this->Solver.factorize(regular))
       {

@@ -17,20 +17,18 @@ int severity(StatusCode code)
       return 1;
     case StatusCode::MissingGrain:
       return 2;
-    case StatusCode::InvalidMaterial:
-      return 3;
     case StatusCode::Overlap:
-      return 4;
+      return 3;
     case StatusCode::FlippedTriangles:
-      return 5;
+      return 4;
     case StatusCode::NotConverged:
-      return 6;
+      return 5;
     case StatusCode::IncompatibleKeys:
-      return 7;
+      return 6;
     case StatusCode::LengthError:
-      return 8;
+      return 7;
     default:
-      return 9;
+      return 8;
   }
 }
 
@@ -76,8 +74,6 @@ const char* statusName(StatusCode code)
       return "OutOfMemory";
     case StatusCode::NumericalFailure:
       return "NumericalFailure";
-    case StatusCode::InvalidMaterial:
-      return "InvalidMaterial";
     case StatusCode::MissingGrain:
       return "MissingGrain";
     case StatusCode::BeyondLimits:

@@ -39,7 +39,6 @@ enum class StatusCode
   LengthError,
   FlippedTriangles,
   Overlap,
-  InvalidMaterial,
   MissingGrain,
   BeyondLimits,
   // No pattern.
@@ -51,8 +50,8 @@ enum class StatusCode
 
 /// How bad a code is, for the one place that decides which of several is told: refusals above
 /// broken promises, and of these lengths that are off above shapes of keys that are given up, what
-/// is not at a minimum, flips, overlaps, and what a cloth has to bear: a material without meaning,
-/// a grain without its curve, strains beyond limits. 0 where all is well.
+/// is not at a minimum, flips, overlaps, and what a cloth has to bear: a grain
+/// without its curve, strains beyond limits. 0 where all is well.
 int severity(StatusCode code);
 
 /// Short fixed name of a code ("NonManifoldEdge"), for reports and tests.

@@ -10,7 +10,6 @@ namespace flattening
 {
 namespace
 {
-constexpr double degree = pi / 180.0;
 const char* const allowances =
   "; strain allowances: Zhang, Wang, Ramani, 2016 (leather and textile 1 %, jeans 5 %, neoprene 10 "
   "%), the others and compression assumed";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace flattening
 {
@@ -88,6 +89,7 @@ CutClosing::CutClosing(const Piece& piece, const CutSurface& cut)
   , Joined(piece.mesh.vertexCount())
 {
   std::iota(this->Joined.begin(), this->Joined.end(), 0);
+  this->NextJoined = this->Joined;
 }
 
 const Indices* CutClosing::next(const Points2* positions)
@@ -192,11 +194,16 @@ bool CutClosing::joinPair(const std::array<Index, 2>& pair)
   Indices& joined = this->Joined;
   const Index from = std::max(joined[pair[0]], joined[pair[1]]);
   const Index to = std::min(joined[pair[0]], joined[pair[1]]);
-  if (from != to)
+  if (from == to)
   {
-    std::replace(joined.begin(), joined.end(), from, to);
+    return false;
   }
-  return from != to;
+  for (Index v = from; joined[v] != to; v = this->NextJoined[v])
+  {
+    joined[v] = to;
+  }
+  std::swap(this->NextJoined[from], this->NextJoined[to]);
+  return true;
 }
 
 /// \return whether one of the pairs was not joined yet.

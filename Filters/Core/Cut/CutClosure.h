@@ -76,6 +76,7 @@ private:
   const CutSurface& Cut;
   std::vector<CutBanks> Cuts; ///< with what is joined left out
   Indices Joined;
+  Indices NextJoined;         ///< per vertex the next one of those joined with it, in a ring
   std::vector<char> Crossing; ///< vertices on boundary edges that cross
   bool Closed = false;
 };

@@ -175,7 +175,7 @@ public:
     SparseMatrix regular = this->Normal;
     for (Eigen::Index e = 0; e < edges; ++e)
     {
-      regular.coeffRef(e, e) += 1e-10;
+      regular.coeffRef(e, e) += regularization;
     }
     return this->Solver.factorize(regular);
   }

@@ -23,7 +23,7 @@ struct ClothOptions
   /// Curve: names; of each piece the first that lies in it, from its start to its end. A piece
   /// without any is laid by its upright, and its report says so.
   std::vector<std::string> grainCurves;
-  /// Curve: from each of them to the warp, counter-clockwise in the plane, in radians.
+  /// Curve: one for each of them, from it to the warp, counter-clockwise in the plane, in radians.
   std::vector<double> grainAngles;
   /// The same from the upright, where that counts. Upright is the first key curve, else the long
   /// side of the smallest rectangle around the piece, as it lies without the material.

@@ -10,8 +10,6 @@ namespace flattening
 {
 namespace
 {
-constexpr double degree = pi / 180.0;
-
 std::string quoted(const std::vector<std::string>& names)
 {
   std::string text;

@@ -46,7 +46,7 @@ struct FlatteningOptions
   /// The isometric scheme takes its energy; others only measure what it would have to do. Without a
   /// value pieces lie on nothing and no thread is measured.
   std::optional<ClothOptions> cloth;
-  /// Close cuts as far as their banks would lie over each other (see closeCrossingCuts()).
+  /// Close cuts as far as their banks would lie over each other (see CutClosing).
   bool closeCuts = false;
   /// Whether darts are to fold, leg on leg (see flattenWithFoldingDarts()).
   DartLegs dartLegs = DartLegs::Free;

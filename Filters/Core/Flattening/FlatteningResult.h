@@ -55,7 +55,7 @@ struct PieceReport
   /// not closed.
   double cutLength = 0.0;
   BoundaryOverlaps overlaps; ///< listed: half-edges of the cut surface
-  /// Half-edges of the cut surface on banks of cuts that were closed (see closeCrossingCuts()).
+  /// Half-edges of the cut surface on banks of cuts that were closed (see CutClosing).
   Indices closedEdges;
   /// What was done, which may be another thing than was asked for: then `fallbacks` says why.
   std::optional<AngleMethod> solverUsed;          ///< none in a conformal map

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/OptionChecks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace flattening
 {
@@ -35,10 +37,23 @@ Status checkOptions(const FlatteningOptions& options)
             (range.most < large ? " to " + shortNumber(range.most) : std::string()) } } };
     }
   }
-  if (options.cloth && !std::isfinite(options.cloth->grainAngle))
+  if (options.cloth)
   {
-    return { StatusCode::InvalidOption, "the grain's angle is no number", {},
-      { Remedy::GiveGrainAngle } };
+    std::vector<double> angles = options.cloth->grainAngles;
+    const std::size_t curves = options.cloth->grainCurves.size();
+    if (angles.size() != curves)
+    {
+      return { StatusCode::InvalidOption,
+        "grain curves: " + std::to_string(curves) +
+          ", angles for them: " + std::to_string(angles.size()),
+        {}, { { Remedy::Give, "one angle for each curve of the grain" } } };
+    }
+    angles.push_back(options.cloth->grainAngle);
+    if (!std::all_of(angles.begin(), angles.end(), [](double a) { return std::isfinite(a); }))
+    {
+      return { StatusCode::InvalidOption, "the grain's angle is not a number", {},
+        { Remedy::GiveGrainAngle } };
+    }
   }
   return options.cloth ? checkMaterial(options.cloth->material) : Status();
 }

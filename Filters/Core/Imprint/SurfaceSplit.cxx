@@ -3,6 +3,7 @@
 
 #include "Imprint/ConstrainedDelaunay.h"
 #include "Imprint/SplitNodes.h"
+#include "Surface/SurfacePreparation.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,6 +12,10 @@ namespace flattening
 {
 namespace
 {
+/// Height over longest edge above what prepareSurface() takes for a triangle without area, by more
+/// than the rounding of either.
+constexpr double surelyHigh = 1.01 * flatTriangle;
+
 /// What crosses one triangle of the mesh before.
 struct FaceTask
 {
@@ -221,7 +226,6 @@ private:
     }
   }
 
-  /// Height over longest edge above what prepareSurface() takes for a triangle without area.
   static bool hasArea(const std::array<Point3, 3>& p, const Point3& normal)
   {
     const double longest =
@@ -232,7 +236,7 @@ private:
     }
     const Point3 u = (p[1] - p[0]) / longest;
     const Point3 v = (p[2] - p[0]) / longest;
-    return u.cross(v).norm() > 1.01e-12 && u.cross(v).dot(normal) > 0.0;
+    return u.cross(v).norm() > surelyHigh && u.cross(v).dot(normal) > 0.0;
   }
 
   void collectChains(SplitSurface& result) const

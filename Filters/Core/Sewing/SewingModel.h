@@ -87,7 +87,6 @@ public:
     return this->Unit * this->Contact.leastDistance(x, execution);
   }
   Dissection eliminationOrder() const;
-  /// The three that keep the whole from moving; none where vertices are held.
 
   Index unknownCount() const override { return this->Count; }
   Index constraintCount() const override { return 0; }

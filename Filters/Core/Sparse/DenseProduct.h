@@ -28,7 +28,8 @@ struct DenseProduct
   bool lower = false; ///< entries above the diagonal are not needed, and not right afterwards
 };
 
-/// By tiles that stay in registers, as wide as the processor's. The bits are the same on all of
-/// them: each entry's sum runs over the depth in order, and nothing is fused.
+/// By tiles that stay in registers, as wide as the processor's. Each entry's sum runs over the
+/// depth in order, with any number of threads. With AVX-512, and on ARM, the compiler fuses a
+/// product with its sum, so that last bits differ between processors.
 void subtractProduct(const DenseProduct& product);
 }

@@ -13,6 +13,10 @@ namespace flattening
 {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// On the diagonal of constraints that may depend on each other, with entries about 1: it gives
+/// them a pivot, and is small enough for refinement to take it out again.
+inline constexpr double regularization = 1e-8;
+
 /// Methods that find an order of elimination by themselves.
 enum class LinearMethod
 {

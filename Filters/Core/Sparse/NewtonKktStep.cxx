@@ -11,11 +11,8 @@ namespace flattening
 {
 namespace
 {
-/// delta of the constraint block: it gives redundant constraints a pivot, and is small enough for
-/// refinement to take it out again.
-constexpr double regularization = 1e-8;
-/// Each gains about eight digits, 1 / delta. What one leaves costs less to be taken out by a step
-/// that follows.
+/// Each gains about eight digits, 1 / regularization. What one leaves costs less to be taken out by
+/// a step that follows.
 constexpr int refinements = 2;
 constexpr int refinementsWhereFollowed = 1;
 /// A solution by a factor that is kept in single precision which leaves more of the right-hand side

@@ -48,9 +48,11 @@ public:
     Ending ending = Ending::Exhausted;
     this->Penalty =
       largest(this->Constraints) < this->Options.settleConstraint ? keepingPenalty : firstPenalty;
+    this->UsedPenalty = this->Penalty;
     while (ending == Ending::Exhausted && this->Penalty <= lastPenalty && this->mayGoOn())
     {
       this->goDown();
+      this->UsedPenalty = this->Penalty;
       if (this->Newton.cancelled())
       {
         ending = Ending::Cancelled;
@@ -63,7 +65,7 @@ public:
         this->Penalty *= penaltyGrowth;
       }
     }
-    return { this->X, (this->Penalty / penaltyGrowth) * this->Constraints, ending,
+    return { this->X, this->UsedPenalty * this->Constraints, ending,
       this->Newton.factorizations() };
   }
 
@@ -175,6 +177,7 @@ private:
   Eigen::VectorXd X;
   Eigen::VectorXd Constraints;
   double Penalty = 0.0;
+  double UsedPenalty = 0.0; ///< of the last descent
   int StepsLeft;
   bool Settled = false;
 };

@@ -137,7 +137,7 @@ private:
   /// Looks for each cut anew, given all others, where it may now lie better or be shorter.
   void refit()
   {
-    for (int pass = 0; pass<mostRefits&& this->groups()> 1; ++pass)
+    for (int pass = 0; this->groups() > 1 && pass < mostRefits; ++pass)
     {
       bool better = false;
       for (std::size_t k = this->FirstCount; k < this->Result.cuts.size(); ++k)

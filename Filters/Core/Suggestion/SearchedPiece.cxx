@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/SearchedPiece.h"
 
-#include "Imprint/SurfacePoint.h"
 #include "Paths/StraightPath.h"
 
 #include <algorithm>
@@ -35,6 +34,7 @@ SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::v
   , Ruler(this->Mesh)
   , Locator(this->Mesh)
   , Graph(this->Mesh)
+  , Snap(this->Mesh, snapOfSize)
   , Mirror(mirror)
 {
   if (this->Mirror)
@@ -111,7 +111,7 @@ BoundaryPlace SearchedPiece::mirrored(const BoundaryPlace& place) const
 
 SurfacePoint SearchedPiece::surfacePoint(const Point3& point) const
 {
-  return snapToMesh(this->Mesh, SnapDistance(this->Mesh, snapOfSize), this->Locator.closest(point));
+  return snapToMesh(this->Mesh, this->Snap, this->Locator.closest(point));
 }
 
 Points3 SearchedPiece::straightLine(

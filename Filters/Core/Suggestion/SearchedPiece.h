@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Imprint/SurfaceLocator.h"
+#include "Imprint/SurfacePoint.h"
 #include "Paths/PathGraph.h"
 #include "Quality/ScaleFactor.h"
 #include "Suggestion/CutPlan.h"
@@ -72,6 +73,7 @@ private:
   BoundaryRuler Ruler;
   SurfaceLocator Locator;
   PathGraph Graph;
+  SnapDistance Snap;
   std::optional<SurfaceMirror> Mirror;
   Indices MirrorVertex;
 };

@@ -16,9 +16,6 @@ namespace flattening
 {
 namespace
 {
-/// Height over longest edge below which a triangle has no area in double precision.
-constexpr double flatTriangle = 1e-12;
-
 PreparedSurface refuse(Status status)
 {
   PreparedSurface result;

@@ -19,6 +19,9 @@ struct PreparedSurface
   Status status;
 };
 
+/// Height over longest edge up to which a triangle has no area in double precision.
+inline constexpr double flatTriangle = 1e-12;
+
 enum class CoincidentPoints
 {
   /// Joined where the triangles are separate, each or two by two with points of their own (as STL
@@ -32,10 +35,10 @@ enum class CoincidentPoints
 /// is a manifold surface of finite coordinates and of triangles with area.
 ///
 /// Errors (ids): EmptySurface; InvalidPointId (triangles); NonFinitePoint (points);
-/// DegenerateTriangle (triangles whose height is below 1e-12 of their longest edge, or with a
-/// corner twice); NonManifoldEdge (the triangles at one edge, or those that have the same
-/// corners as another); NonManifoldVertex (points);
-/// NotOrientable (triangles along a one-sided band). Ids are those of the input.
+/// DegenerateTriangle (triangles whose height is below flatTriangle of their longest edge, or with
+/// a corner twice); NonManifoldEdge (the triangles at one edge, or those that have the same corners
+/// as another); NonManifoldVertex (points); NotOrientable (triangles along a one-sided band). Ids
+/// are those of the input.
 PreparedSurface prepareSurface(const Points3& points, const Triangles& triangles,
   CoincidentPoints coincident = CoincidentPoints::Automatic);
 }
