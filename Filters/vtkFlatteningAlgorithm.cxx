@@ -113,10 +113,15 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
 {
   const RunningMark mark(this->Running);
   // Core answers itself where its own memory runs out; here what stands around it does. TBB throws
-  // a std::runtime_error where there is no memory for a thread.
-  const auto ranOut = [this, outputVector]() {
+  // a std::runtime_error where it cannot start a thread.
+  const auto ranOut = [this, outputVector](const char* limit) {
+    flattening::Status status = flattening::outOfMemory(0);
+    if (limit)
+    {
+      status.message += std::string(", or another limit of the system was met (") + limit + ")";
+    }
     this->Begin(outputVector);
-    this->Conclude(flattening::outOfMemory(0));
+    this->Conclude(status);
     this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
     return 1;
   };
@@ -140,11 +145,11 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   }
   catch (const std::bad_alloc&)
   {
-    return ranOut();
+    return ranOut(nullptr);
   }
-  catch (const std::runtime_error&)
+  catch (const std::runtime_error& error)
   {
-    return ranOut();
+    return ranOut(error.what());
   }
 }
 

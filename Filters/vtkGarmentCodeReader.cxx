@@ -5,6 +5,7 @@
 #include "GarmentCodeFile.h"
 #include "GarmentPieces.h"
 #include "PatternOutput.h"
+#include "RemedyWords.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -68,7 +69,7 @@ int vtkGarmentCodeReader::RequestData(vtkInformation* vtkNotUsed(request),
     return made;
   });
   this->StatusName = statusName(pieces.status.code);
-  this->ErrorMessage = pieces.status.message;
+  this->ErrorMessage = bridge::inWords(pieces.status);
   if (!pieces.status.ok())
   {
     vtkErrorMacro(<< this->ErrorMessage);

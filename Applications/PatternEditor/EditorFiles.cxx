@@ -82,18 +82,20 @@ bool EditorWindow::openCurves(const std::string& path)
     {
       throw std::runtime_error("open a surface before its curves");
     }
-    this->showCurves(wirewarp::readCurves(path, this->Surface));
+    const wirewarp::CurveContents read = wirewarp::readCurves(path, this->Surface);
+    this->showCurves(read.curves, read.note);
   });
 }
 
 //------------------------------------------------------------------------------
-void EditorWindow::showCurves(vtkPolyData* lines)
+void EditorWindow::showCurves(vtkPolyData* lines, const std::string& note)
 {
   if (!this->Curves->SetCurves(lines))
   {
     throw std::runtime_error(this->Curves->GetMessage());
   }
-  const std::string odd = this->Curves->GetMessage();
+  std::string odd = this->Curves->GetMessage();
+  odd += (odd.empty() || note.empty() ? "" : "; ") + note;
   this->Saved = this->Curves->GetMTime();
   this->Hand->Choose(-1, -1);
   this->tell(odd, !odd.empty());

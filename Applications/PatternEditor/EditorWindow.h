@@ -118,7 +118,8 @@ private:
   void letGo();
   void resetViews();
   bool mayForgetCurves();
-  void showCurves(vtkPolyData* lines);
+  /// \param note what was left out of them
+  void showCurves(vtkPolyData* lines, const std::string& note = {});
 
   void followCurves();
   void followChoice();

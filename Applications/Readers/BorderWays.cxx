@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wirewarp
 {
@@ -18,6 +19,7 @@ constexpr double alike = 1e-6;
 BorderWays::BorderWays(vtkPolyData* surface)
 {
   const TriangleList list = listTriangles(surface);
+  this->Points = list.points;
   this->Loops = boundaryLoops(list);
   for (std::size_t l = 0; l < this->Loops.size(); ++l)
   {
@@ -65,6 +67,29 @@ std::optional<std::vector<vtkIdType>> BorderWays::through(
     }
   }
   return way;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType BorderWays::nearest(const double place[3], double& distance) const
+{
+  vtkIdType best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BoundaryLoop& loop : this->Loops)
+  {
+    for (const vtkIdType point : loop.points)
+    {
+      double x[3];
+      this->Points->GetPoint(point, x);
+      const double square = vtkMath::Distance2BetweenPoints(place, x);
+      if (square < least)
+      {
+        least = square;
+        best = point;
+      }
+    }
+  }
+  distance = std::sqrt(least);
+  return best;
 }
 
 //------------------------------------------------------------------------------

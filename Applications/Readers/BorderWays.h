@@ -3,7 +3,10 @@
 
 #include "BoundaryLoops.h"
 
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
 
 #include <optional>
 #include <string>
@@ -23,6 +26,9 @@ public:
   std::optional<std::vector<vtkIdType>> through(
     const std::vector<vtkIdType>& points, std::string& fault) const;
 
+  /// The point of the boundary that is nearest to a place, -1 where there is no boundary.
+  vtkIdType nearest(const double place[3], double& distance) const;
+
 private:
   struct Place
   {
@@ -33,6 +39,7 @@ private:
 
   bool add(vtkIdType from, vtkIdType to, std::vector<vtkIdType>& way, std::string& fault) const;
 
+  vtkSmartPointer<vtkPoints> Points; ///< of the surface
   std::vector<BoundaryLoop> Loops;
   std::vector<std::vector<double>> Arc; ///< of the points of each loop, and its length
   std::unordered_map<vtkIdType, Place> Places;

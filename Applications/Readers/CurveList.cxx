@@ -11,23 +11,35 @@
 
 namespace wirewarp
 {
+namespace
+{
+bool isWord(std::string_view known, std::string_view word)
+{
+  return std::equal(known.begin(), known.end(), word.begin(), word.end(), [](char a, char b) {
+    return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
+  });
+}
+}
+
 //------------------------------------------------------------------------------
 std::optional<CurveKind> curveKindOf(std::string_view word)
 {
   static constexpr std::array<std::string_view, 5> words{ "accessory", "key", "dart", "seam",
     "straight" };
   static constexpr CurveKind straight{ 1, 1 };
-  const auto same = [](char a, char b) {
-    return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-  };
-  const auto* const found = std::find_if(words.begin(), words.end(), [&](std::string_view known) {
-    return std::equal(known.begin(), known.end(), word.begin(), word.end(), same);
-  });
+  const auto* const found = std::find_if(
+    words.begin(), words.end(), [word](std::string_view known) { return isWord(known, word); });
   if (found == words.end())
   {
     return std::nullopt;
   }
   return *found == "straight" ? straight : CurveKind{ static_cast<int>(found - words.begin()), 0 };
+}
+
+//------------------------------------------------------------------------------
+bool isEdgeWord(std::string_view word)
+{
+  return isWord("edge", word);
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,15 @@ struct CurveKind
 /// letters of any case; none for another word.
 std::optional<CurveKind> curveKindOf(std::string_view word);
 inline constexpr const char* curveKindWords = "accessory, key, straight, dart or seam";
+/// Whether a word is edge, in letters of any case: an accessory curve along the boundary.
+bool isEdgeWord(std::string_view word);
+
+/// Curves that were read, and what was left out of them; empty where nothing was.
+struct CurveContents
+{
+  vtkSmartPointer<vtkPolyData> curves;
+  std::string note = {};
+};
 
 /// What the name of a group or layer says of a curve.
 struct CurveTitle

@@ -2,6 +2,7 @@
 #include "GuardedProcess.h"
 
 #include "DieWithParent.h"
+#include "TextFile.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -63,6 +64,10 @@ void closeStandardStreams()
   {
     dup2(nothing, stream);
   }
+  if (nothing > STDERR_FILENO)
+  {
+    close(nothing);
+  }
 }
 
 void writeAll(int file, const char* data, std::size_t size)
@@ -106,7 +111,7 @@ public:
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0)
     {
-      throw std::runtime_error("cannot make a process");
+      throw std::runtime_error(noProcess(errno));
     }
     this->Answer = ends[0];
     const pid_t parent = getpid();
@@ -117,11 +122,12 @@ public:
       close(ends[0]);
       work(ends[1], limits, job);
     }
+    const int error = errno;
     close(ends[1]);
     if (this->Process < 0)
     {
       close(this->Answer);
-      throw std::runtime_error("cannot make a process");
+      throw std::runtime_error(noProcess(error));
     }
   }
   ~Child()
@@ -194,6 +200,12 @@ bool unframe(std::string& bytes)
   bytes.resize(length);
   return bytes.size() == size;
 }
+}
+
+//------------------------------------------------------------------------------
+std::string noProcess(int error)
+{
+  return "cannot make a process " + systemReason(error, "close other programs");
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,9 @@ struct ProcessAnswer
   std::string bytes; ///< as they came: a process that has gone astray may send anything
 };
 
+/// What to say where the system makes no process, by its errno, with the way out.
+std::string noProcess(int error);
+
 /// Runs a job in a process of its own, so that neither a crash nor an endless loop nor a hunger for
 /// memory reaches this one. It is waited for, and dies with its parent. What it prints is lost.
 /// \param job gives the answer and must not throw.

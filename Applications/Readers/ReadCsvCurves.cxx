@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadCsvCurves.h"
 
+#include "BorderWays.h"
 #include "CurveList.h"
 #include "InputError.h"
 #include "TextFile.h"
 
+#include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkType.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <sstream>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace wirewarp
 {
@@ -18,64 +27,132 @@ namespace
 {
 constexpr std::size_t nowhere = std::string_view::npos;
 
+/// How far the points of an edge may be from vertices of the boundary, as a fraction of the size of
+/// the surface: coordinates may be rounded.
+constexpr double edgeTolerance = 1e-5;
+
 std::string_view trimmed(std::string_view text)
 {
-  constexpr std::string_view around = " \t\"";
-  const std::size_t begin = text.find_first_not_of(around);
+  constexpr std::string_view blanks = " \t";
+  const std::size_t begin = text.find_first_not_of(blanks);
   return begin == nowhere ? std::string_view()
-                          : text.substr(begin, text.find_last_not_of(around) + 1 - begin);
+                          : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-std::vector<std::string_view> fieldsOf(std::string_view line, char divider)
+/// The fields of a line; none where quotes are not closed, or go on behind their end.
+std::optional<std::vector<std::string>> fieldsOf(std::string_view line, char divider)
 {
-  std::vector<std::string_view> fields;
-  for (std::size_t begin = 0; begin != nowhere;)
+  const std::string_view blanks = divider == '\t' ? " " : " \t";
+  std::vector<std::string> fields;
+  for (;;)
   {
-    const std::size_t end = line.find(divider, begin);
-    fields.push_back(trimmed(line.substr(begin, end == nowhere ? end : end - begin)));
-    begin = end == nowhere ? end : end + 1;
+    std::string_view rest = line.substr(std::min(line.find_first_not_of(blanks), line.size()));
+    if (!rest.empty() && rest.front() == '"')
+    {
+      const std::optional<std::string> field = takeQuoted(rest);
+      rest = rest.substr(std::min(rest.find_first_not_of(blanks), rest.size()));
+      if (!field || (!rest.empty() && rest.front() != divider))
+      {
+        return std::nullopt;
+      }
+      fields.emplace_back(trimmed(*field));
+      line = rest;
+    }
+    else
+    {
+      const std::size_t end = std::min(line.find(divider), line.size());
+      fields.emplace_back(trimmed(line.substr(0, end)));
+      line.remove_prefix(end);
+    }
+    if (line.empty())
+    {
+      return fields;
+    }
+    line.remove_prefix(1);
   }
-  return fields;
 }
+
+/// A line without what stands in quotes.
+std::string unquoted(const std::string& line)
+{
+  std::string text;
+  bool quoted = false;
+  for (const char c : line)
+  {
+    quoted = quoted != (c == '"');
+    text += quoted ? "" : std::string(1, c);
+  }
+  return text;
+}
+
+/// What a row says of its curve.
+struct RowTitle
+{
+  std::string field; ///< of the name
+  CurveTitle curve;
+  bool isEdge = false;
+
+  bool operator==(const RowTitle& other) const
+  {
+    return this->curve.name == other.curve.name && this->curve.kind.type == other.curve.kind.type &&
+      this->curve.kind.keyShape == other.curve.kind.keyShape && this->isEdge == other.isEdge;
+  }
+};
 
 struct CsvReader
 {
-  CsvReader(const std::string& file, const std::string& text)
+  CsvReader(const std::string& file, const std::string& text, vtkPolyData* owner)
     : path(file)
     , lines(text)
+    , surface(owner)
   {
   }
 
   const std::string& path;
   LineReader lines;
+  vtkPolyData* surface;
+  std::optional<BorderWays> ways = std::nullopt; ///< made where an edge asks for them
   char divider = ',';
   std::array<std::size_t, 5> column{}; ///< of name, type, x, y, z
 
   vtkNew<vtkPoints> points;
   CurveList curves;
   std::vector<vtkIdType> ids;
-  CurveTitle title;
+  RowTitle title;
 
   [[noreturn]] void refuse(const std::string& text) const
   {
     throw InputError(this->path, this->lines.number(), text);
   }
 
+  std::vector<std::string> fields(std::string_view line) const
+  {
+    std::optional<std::vector<std::string>> row = fieldsOf(line, this->divider);
+    if (!row)
+    {
+      this->refuse(
+        "a field in quotes does not end with them; write \"...\", and \"\" for a quote in it");
+    }
+    return std::move(*row);
+  }
+
   void readHead(const std::string& line)
   {
+    const std::string dividers = unquoted(line);
     for (const char candidate : { ';', '\t', ',' })
     {
-      this->divider = line.find(candidate) != nowhere ? candidate : this->divider;
+      this->divider = dividers.find(candidate) != nowhere ? candidate : this->divider;
     }
     static constexpr std::array<std::string_view, 5> names{ "name", "type", "x", "y", "z" };
     std::string lower = line;
     std::transform(lower.begin(), lower.end(), lower.begin(),
       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const std::vector<std::string_view> head = fieldsOf(lower, this->divider);
+    const std::vector<std::string> head = this->fields(lower);
     for (std::size_t k = 0; k < names.size(); ++k)
     {
       const auto found = std::find(head.begin(), head.end(), names[k]);
-      this->column[k] = static_cast<std::size_t>(found - head.begin());
+      this->column[k] =
+        found == head.end() ? nowhere : static_cast<std::size_t>(found - head.begin());
       if (found == head.end() && names[k] != "type")
       {
         this->refuse("the first line names no column " + inQuotes(names[k]) +
@@ -84,9 +161,9 @@ struct CsvReader
     }
   }
 
-  std::string_view field(const std::vector<std::string_view>& row, int k) const
+  std::string field(const std::vector<std::string>& row, std::size_t k) const
   {
-    return this->column[k] < row.size() ? row[this->column[k]] : std::string_view();
+    return this->column[k] < row.size() ? row[this->column[k]] : std::string();
   }
 
   /// Tables of countries that write decimals with a comma divide columns otherwise.
@@ -100,69 +177,130 @@ struct CsvReader
     return parseNumber(text, value);
   }
 
-  CurveTitle titleOf(const std::vector<std::string_view>& row) const
+  RowTitle titleOf(const std::vector<std::string>& row) const
   {
-    const std::string_view name = this->field(row, 0);
-    const std::string_view type = this->field(row, 1);
+    const std::string name = this->field(row, 0);
+    const std::string type = this->field(row, 1);
     if (name.empty())
     {
       this->refuse("the point has no curve; give it the name of one");
     }
+    if (type.empty() && !this->ids.empty() && name == this->title.field)
+    {
+      return this->title;
+    }
     if (type.empty())
     {
-      return curveTitle(name);
+      std::string_view rest(name);
+      const bool isEdge = isEdgeWord(takeWord(rest)) && !trimmed(rest).empty();
+      return { name, isEdge ? CurveTitle{ {}, std::string(trimmed(rest)) } : curveTitle(name),
+        isEdge };
     }
-    const auto kind = curveKindOf(type);
+    const bool isEdge = isEdgeWord(type);
+    const auto kind = isEdge ? CurveKind() : curveKindOf(type);
     if (!kind)
     {
-      this->refuse("unknown curve type " + inQuotes(type) + "; use " + curveKindWords);
+      this->refuse(
+        "unknown curve type " + inQuotes(type) + "; use " + curveKindWords + ", or edge");
     }
-    return { *kind, std::string(name) };
+    return { name, { *kind, name }, isEdge };
+  }
+
+  /// The vertex of the boundary at a point of an edge.
+  vtkIdType borderVertex(const double x[3])
+  {
+    if (!this->ways)
+    {
+      this->ways.emplace(this->surface);
+    }
+    double distance = 0.0;
+    const vtkIdType vertex = this->ways->nearest(x, distance);
+    if (vertex < 0)
+    {
+      this->refuse("edge " + inQuotes(this->title.curve.name) +
+        ": the surface has no boundary; make the curve accessory");
+    }
+    if (!(distance <= edgeTolerance * this->surface->GetLength()))
+    {
+      std::ostringstream text;
+      text << "edge " << inQuotes(this->title.curve.name) << ": the point is " << distance
+           << " off vertex " << vertex
+           << ", the nearest of the boundary; give the coordinates of a vertex of the boundary, or "
+              "make the curve accessory";
+      this->refuse(text.str());
+    }
+    return vertex;
+  }
+
+  /// Replaces vertices of the surface by points at the way along the boundary through them.
+  void followBorder()
+  {
+    std::string fault;
+    const std::optional<std::vector<vtkIdType>> way = this->ways->through(this->ids, fault);
+    if (!way)
+    {
+      this->refuse("edge " + inQuotes(this->title.curve.name) + " above this line: " + fault);
+    }
+    std::map<vtkIdType, vtkIdType> pointOf;
+    this->ids.clear();
+    for (const vtkIdType vertex : *way)
+    {
+      const auto [known, isNew] = pointOf.emplace(vertex, this->points->GetNumberOfPoints());
+      if (isNew)
+      {
+        this->points->InsertNextPoint(this->surface->GetPoint(vertex));
+      }
+      this->ids.push_back(known->second);
+    }
   }
 
   void endCurve()
   {
     if (this->ids.size() == 1)
     {
-      this->refuse("curve " + inQuotes(this->title.name) +
+      this->refuse("curve " + inQuotes(this->title.curve.name) +
         " has one point only above this line; it needs two");
     }
     if (!this->ids.empty())
     {
-      this->curves.add(this->ids, this->title);
+      if (this->title.isEdge)
+      {
+        this->followBorder();
+      }
+      this->curves.add(this->ids, this->title.curve);
     }
     this->ids.clear();
   }
 
   void readRow(const std::string& line)
   {
-    const std::vector<std::string_view> row = fieldsOf(line, this->divider);
-    CurveTitle next = this->titleOf(row);
-    if (next.name != this->title.name || next.kind.type != this->title.kind.type ||
-      next.kind.keyShape != this->title.kind.keyShape)
+    const std::vector<std::string> row = this->fields(line);
+    RowTitle next = this->titleOf(row);
+    if (!(next == this->title))
     {
       this->endCurve();
       this->title = std::move(next);
     }
     double x[3];
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const std::string_view word = this->field(row, 2 + k);
+      const std::string word = this->field(row, 2 + k);
       if (!this->readNumber(word, x[k]))
       {
         this->refuse(inQuotes(word) + " is not a coordinate; write a decimal number");
       }
     }
-    this->ids.push_back(this->points->InsertNextPoint(x));
+    this->ids.push_back(
+      this->title.isEdge ? this->borderVertex(x) : this->points->InsertNextPoint(x));
   }
 };
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path)
+vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path, vtkPolyData* surface)
 {
   const std::string text = readWholeFile(path);
-  CsvReader reader(path, text);
+  CsvReader reader(path, text, surface);
   reader.points->SetDataTypeToDouble();
   bool headed = false;
   std::string line;

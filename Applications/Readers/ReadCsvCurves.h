@@ -9,9 +9,12 @@
 namespace wirewarp
 {
 /// Reads feature curves from a table of points, a point a row: columns `name`, `x`, `y`, `z` and,
-/// where it stands, `type` (accessory, key, dart or seam), in any order and letters of any case,
-/// named by the first row and divided by comma, semicolon or tab. Rows of one name and type that
-/// follow each other are a curve. Without a type the name may begin with it (see CurveList.h).
-/// Coordinates are those of the surface. Throws InputError with file and line.
-vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path);
+/// where it stands, `type` (accessory, key, straight, dart, seam or edge), in any order and letters
+/// of any case, named by the first row and divided by comma, semicolon or tab. Fields in double
+/// quotes may hold dividers. Rows of one name and type that follow each other are a curve; an empty
+/// type is that of the row above where the name is the same. Without a type the name may begin with
+/// it (see CurveList.h). Coordinates are those of the surface. The points of an edge are vertices
+/// of the boundary, which it follows the shorter way from each to the next. Throws InputError with
+/// file and line.
+vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path, vtkPolyData* surface);
 }

@@ -10,9 +10,9 @@
 #include "ReadVtk.h"
 #include "TextFile.h"
 
-#include <algorithm>
-#include <cctype>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,12 +20,22 @@ namespace wirewarp
 {
 namespace
 {
-bool isEdgeWord(std::string_view word)
+/// A line up to a comment. Within quotes, which begin a word, there is none.
+std::string_view withoutComment(std::string_view line)
 {
-  const std::string_view edge = "edge";
-  return std::equal(edge.begin(), edge.end(), word.begin(), word.end(), [](char a, char b) {
-    return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-  });
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k)
+  {
+    if (line[k] == '"' && (quoted || k == 0 || line[k - 1] == ' ' || line[k - 1] == '\t'))
+    {
+      quoted = !quoted;
+    }
+    else if (line[k] == '#' && !quoted)
+    {
+      return line.substr(0, k);
+    }
+  }
+  return line;
 }
 
 struct CurveReader
@@ -90,8 +100,7 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
   std::string line;
   while (reader.lines.next(line))
   {
-    std::string_view rest(line);
-    rest = rest.substr(0, rest.find('#'));
+    std::string_view rest = withoutComment(line);
     const std::string_view word = takeWord(rest);
     if (word.empty())
     {
@@ -104,13 +113,17 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
       reader.refuse(
         "unknown curve type " + inQuotes(word) + "; use " + curveKindWords + ", or edge");
     }
-    const std::string name(takeWord(rest));
-    if (name.empty())
+    const std::optional<std::string> name = takeName(rest);
+    if (!name)
+    {
+      reader.refuse("the quotes of the name are not closed; write TYPE \"NAME\" v0 v1 ...");
+    }
+    if (name->find_first_not_of(" \t") == std::string::npos)
     {
       reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
     }
-    std::vector<vtkIdType> ids = reader.readIds(rest, name);
-    curves.add(isEdge ? reader.alongBorder(ids, name) : ids, { *kind, name });
+    std::vector<vtkIdType> ids = reader.readIds(rest, *name);
+    curves.add(isEdge ? reader.alongBorder(ids, *name) : ids, { *kind, *name });
   }
   return curves.polyData(surface->GetPoints());
 }
@@ -127,16 +140,16 @@ vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* surface)
+CurveContents readCurves(const std::string& path, vtkPolyData* surface)
 {
   const std::string extension = lowerCaseExtension(path);
   if (extension == ".obj")
   {
-    return readObjCurves(path);
+    return { readObjCurves(path) };
   }
   if (extension == ".csv")
   {
-    return readCsvCurves(path);
+    return { readCsvCurves(path, surface) };
   }
   if (extension == ".dxf")
   {
@@ -150,13 +163,13 @@ vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* su
   }
   if (extension != ".vtp" && extension != ".vtk")
   {
-    return readCurveText(path, surface);
+    return { readCurveText(path, surface) };
   }
   vtkSmartPointer<vtkPolyData> curves = readVtk(path);
   if (curves->GetNumberOfLines() == 0)
   {
     throw InputError(path, "has no polyline; save the feature curves as line cells");
   }
-  return curves;
+  return { curves };
 }
 }

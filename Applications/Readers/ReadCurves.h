@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CurveList.h"
+
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include <string>
 
@@ -16,7 +17,8 @@ namespace wirewarp
 ///     edge NAME v0 v1 ...      # an accessory curve along the boundary from each vertex to the
 ///     next
 ///
-/// with 0-based vertex ids of the surface's file. Text curves come back as polylines on the
-/// surface's points. Throws InputError.
-vtkSmartPointer<vtkPolyData> readCurves(const std::string& path, vtkPolyData* surface);
+/// with 0-based vertex ids of the surface's file; a NAME with blanks stands in double quotes. Text
+/// curves come back as polylines on the surface's points. The note says what of the file is no
+/// curve that is read. Throws InputError.
+CurveContents readCurves(const std::string& path, vtkPolyData* surface);
 }

@@ -1,30 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadDxfCurves.h"
 
-#include "CurveList.h"
+#include "DxfShapes.h"
 #include "InputError.h"
 #include "TextFile.h"
 
+#include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkType.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <map>
+#include <string_view>
+#include <vector>
 
 namespace wirewarp
 {
 namespace
 {
-using Place = std::array<double, 3>;
+constexpr const char* curveEntities = "LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE";
 
-/// An entity, or a VERTEX of one. Group codes: AutoCAD's "DXF Reference", the section ENTITIES.
-struct Entity
+/// What a drawing says beside its lines.
+bool isAnnotation(const std::string& kind)
 {
-  std::string kind;
-  std::string layer = "0";
-  std::vector<Place> places; ///< from codes 10, 20, 30 and of a LINE also 11, 21, 31
-  double elevation = 0.0;    ///< of an LWPOLYLINE, code 38
-  long long flags = 0;       ///< code 70: 1 is closed, 64 and 128 are vertices of no polyline
-};
+  static constexpr std::array<std::string_view, 11> kinds{ "ATTDEF", "ATTRIB", "DIMENSION",
+    "LEADER", "MTEXT", "MULTILEADER", "POINT", "SEQEND", "TEXT", "VERTEX", "VIEWPORT" };
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+std::string wordOf(const std::string& value)
+{
+  std::string_view rest(value);
+  return std::string(takeWord(rest));
+}
 
 struct DxfReader
 {
@@ -38,12 +49,13 @@ struct DxfReader
   LineReader lines;
 
   vtkNew<vtkPoints> points;
-  std::map<Place, vtkIdType> pointAt;
+  std::map<DxfPlace, vtkIdType> pointAt;
   CurveList curves;
-  Entity entity;
-  Entity polyline; ///< whose vertices are on their way
+  DxfEntity entity;
+  DxfEntity polyline; ///< whose vertices are on their way
   bool inPolyline = false;
   bool inEntities = false;
+  std::map<std::string, std::vector<std::string>> unread; ///< places of entities, by their kinds
 
   [[noreturn]] void refuse(const std::string& text) const
   {
@@ -52,24 +64,27 @@ struct DxfReader
 
   double number(const std::string& value) const
   {
-    std::string_view rest(value);
-    const std::string_view word = takeWord(rest);
     double result = 0.0;
-    if (!parseNumber(word, result))
+    if (!parseNumber(wordOf(value), result) || !std::isfinite(result))
     {
-      this->refuse(inQuotes(value) + " is not a coordinate; save the DXF file as text again");
+      this->refuse(inQuotes(value) + " is not a number; save the DXF file as text again");
     }
     return result;
   }
 
-  void addCurve(const Entity& source)
+  void addCurve(const DxfEntity& source)
   {
-    if (source.places.size() < 2)
+    const DxfCourse course = courseOf(source);
+    if (!course.fault.empty())
+    {
+      throw InputError(this->path, source.line, "the " + source.kind + " " + course.fault);
+    }
+    if (course.places.size() < 2)
     {
       return;
     }
     std::vector<vtkIdType> ids;
-    for (const Place& place : source.places)
+    for (const DxfPlace& place : course.places)
     {
       const auto [known, added] =
         this->pointAt.emplace(place, this->points->GetNumberOfPoints()); // so that lines join
@@ -79,37 +94,34 @@ struct DxfReader
       }
       ids.push_back(known->second);
     }
-    if (source.kind != "LINE" && (source.flags & 1) != 0)
+    if (course.closed)
     {
       ids.push_back(ids.front());
     }
     this->curves.add(ids, curveTitle(source.layer));
   }
 
+  void leaveOut(const DxfEntity& source)
+  {
+    this->unread[source.kind].push_back("line " + std::to_string(source.line) +
+      (source.handle.empty() ? "" : ", handle " + source.handle));
+  }
+
   /// What the next entity's beginning ends.
   void endEntity()
   {
-    if (this->entity.kind == "LINE" || this->entity.kind == "LWPOLYLINE")
+    if (!this->inEntities)
     {
-      for (Place& place : this->entity.places)
-      {
-        place[2] += this->entity.elevation;
-      }
-      this->addCurve(this->entity);
+      this->entity = {};
+      return;
     }
-    else if (this->entity.kind == "POLYLINE")
+    if (this->entity.kind == "VERTEX" && this->inPolyline)
     {
-      // 16 and 64: meshes of polygons. Its own place is that of no vertex.
-      this->inPolyline = (this->entity.flags & (16 | 64)) == 0;
-      this->polyline = this->entity;
-      this->polyline.places.clear();
-    }
-    else if (this->entity.kind == "VERTEX" && this->inPolyline && !this->entity.places.empty())
-    {
+      const std::vector<DxfPlace> places = this->entity.places(10);
       // 16: a point of the frame of a spline, beside the points on the spline.
-      if ((this->entity.flags & 16) == 0)
+      if (!places.empty() && !this->entity.hasFlag(16))
       {
-        this->polyline.places.push_back(this->entity.places.front());
+        this->polyline.vertices.emplace_back(places.front(), this->entity.number(42, 0.0));
       }
     }
     else if (this->entity.kind == "SEQEND" && this->inPolyline)
@@ -117,32 +129,35 @@ struct DxfReader
       this->addCurve(this->polyline);
       this->inPolyline = false;
     }
+    else if (this->entity.kind == "POLYLINE" && isDxfCurve(this->entity))
+    {
+      this->inPolyline = true;
+      this->polyline = this->entity;
+    }
+    else if (isDxfCurve(this->entity))
+    {
+      this->addCurve(this->entity);
+    }
+    else if (this->entity.kind != "SECTION" && !isAnnotation(this->entity.kind))
+    {
+      this->leaveOut(this->entity);
+    }
     this->entity = {};
   }
 
   void readGroup(long long code, const std::string& value)
   {
-    std::vector<Place>& places = this->entity.places;
     if (code == 8)
     {
       this->entity.layer = value;
     }
-    else if (code == 10 || code == 11)
+    else if (code == 5)
     {
-      places.push_back({ this->number(value), 0.0, 0.0 });
+      this->entity.handle = wordOf(value);
     }
-    else if ((code == 20 || code == 21 || code == 30 || code == 31) && !places.empty())
+    else if ((code >= 10 && code < 80) || (code >= 210 && code < 240))
     {
-      places.back()[code / 10 - 1] = this->number(value);
-    }
-    else if (code == 38)
-    {
-      this->entity.elevation = this->number(value);
-    }
-    else if (code == 70)
-    {
-      std::string_view rest(value);
-      parseInteger(takeWord(rest), this->entity.flags);
+      this->entity.numbers.emplace_back(static_cast<int>(code), this->number(value));
     }
   }
 
@@ -152,9 +167,8 @@ struct DxfReader
     std::string value;
     while (this->lines.next(code) && this->lines.next(value))
     {
-      std::string_view rest(code);
       long long group = 0;
-      if (!parseInteger(takeWord(rest), group))
+      if (!parseInteger(wordOf(code), group))
       {
         this->refuse(
           inQuotes(code) + " is no group code; the file may be binary DXF or be damaged");
@@ -162,8 +176,8 @@ struct DxfReader
       if (group == 0)
       {
         this->endEntity();
-        std::string_view word(value);
-        this->entity.kind = takeWord(word);
+        this->entity.kind = wordOf(value);
+        this->entity.line = this->lines.number();
         this->inEntities = this->inEntities && this->entity.kind != "ENDSEC";
       }
       else if (group == 2 && this->entity.kind == "SECTION")
@@ -177,21 +191,44 @@ struct DxfReader
     }
     this->endEntity();
   }
+
+  /// "HATCH (line 12, handle 2F; line 40), INSERT (line 60)"
+  std::string listUnread() const
+  {
+    constexpr std::size_t most = 3; // of a kind
+    std::string text;
+    for (const auto& [kind, places] : this->unread)
+    {
+      text += (text.empty() ? "" : ", ") + kind + " (";
+      for (std::size_t k = 0; k < std::min(most, places.size()); ++k)
+      {
+        text += (k == 0 ? "" : "; ") + places[k];
+      }
+      text +=
+        places.size() > most ? "; and " + std::to_string(places.size() - most) + " more)" : ")";
+    }
+    return text;
+  }
 };
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readDxfCurves(const std::string& path)
+CurveContents readDxfCurves(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   DxfReader reader(path, text);
   reader.points->SetDataTypeToDouble();
   reader.read();
+  const std::string unread = reader.listUnread();
   if (reader.curves.empty())
   {
-    throw InputError(
-      path, "has no LINE, LWPOLYLINE or POLYLINE among its entities; draw the feature curves so");
+    throw InputError(path,
+      std::string("has no ") + curveEntities + " among its entities" +
+        (unread.empty() ? "" : ", but " + unread) + "; draw the feature curves so");
   }
-  return reader.curves.polyData(reader.points);
+  return { reader.curves.polyData(reader.points),
+    unread.empty()
+      ? ""
+      : "not read: " + unread + "; explode blocks, and draw feature curves as " + curveEntities };
 }
 }

@@ -10,6 +10,7 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkErrorCode.h>
 #include <vtkGLTFReader.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSMPTools.h>
@@ -17,6 +18,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
@@ -71,7 +73,12 @@ std::string runReader(const std::string& path, Reader* reader)
 {
   const VtkMessages messages;
   reader->SetFileName(path.c_str());
+  errno = 0;
   reader->Update();
+  if (reader->GetErrorCode() == vtkErrorCode::CannotOpenFileError)
+  {
+    throw InputError("cannot be opened " + systemReason(errno, "check its permissions"));
+  }
   const std::string reason = reasonOf(messages);
   if (!reason.empty() || !messages.errors().empty() || reader->GetErrorCode() != 0)
   {
@@ -222,7 +229,15 @@ std::string failure(const ProcessAnswer& answer, const ProcessLimits& limits)
 vtkSmartPointer<vtkPolyData> readVtk(const std::string& path)
 {
   const ProcessLimits limits = limitsFor(checkedFileSize(path));
-  const ProcessAnswer result = runGuarded(limits, [&path]() { return answer(path); });
+  ProcessAnswer result;
+  try
+  {
+    result = runGuarded(limits, [&path]() { return answer(path); });
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw InputError(path, error.what());
+  }
   if (result.end != ProcessEnd::Answered || result.bytes.empty())
   {
     throw InputError(path, failure(result, limits));

@@ -60,10 +60,20 @@ std::size_t checkedFileSize(const std::string& path)
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
   {
-    throw InputError(path,
-      "cannot be opened (" + std::generic_category().message(errno) + "); check its permissions");
+    throw InputError(path, "cannot be opened " + systemReason(errno, "check its permissions"));
   }
   return static_cast<std::size_t>(size);
+}
+
+//------------------------------------------------------------------------------
+std::string systemReason(int error, const std::string& remedy)
+{
+  const bool files = error == EMFILE || error == ENFILE;
+  return "(" + std::generic_category().message(error) + "); " +
+    (files                ? "raise the limit of open files (ulimit -n)"
+        : error == EAGAIN ? "raise the limit of processes (ulimit -u), or close other programs"
+        : error == ENOMEM ? wayOutOfMemory
+                          : remedy);
 }
 
 //------------------------------------------------------------------------------
@@ -143,6 +153,43 @@ std::string_view takeWord(std::string_view& text)
   const std::string_view word = text.substr(begin, end - begin);
   text.remove_prefix(end);
   return word;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::string> takeQuoted(std::string_view& text)
+{
+  std::string field;
+  for (std::size_t begin = 1;;)
+  {
+    const std::size_t end = text.find('"', begin);
+    if (end == std::string_view::npos)
+    {
+      return std::nullopt;
+    }
+    field.append(text.substr(begin, end - begin));
+    begin = end + 1;
+    if (begin == text.size() || text[begin] != '"')
+    {
+      text.remove_prefix(begin);
+      return field;
+    }
+    field += '"';
+    ++begin;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::string> takeName(std::string_view& text)
+{
+  std::string_view rest = text;
+  const std::string_view word = takeWord(rest);
+  if (word.empty() || word.front() != '"')
+  {
+    text = rest;
+    return std::string(word);
+  }
+  text.remove_prefix(static_cast<std::size_t>(word.data() - text.data()));
+  return takeQuoted(text);
 }
 
 //------------------------------------------------------------------------------

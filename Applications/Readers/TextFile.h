@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,10 @@ namespace wirewarp
 /// How many bytes a file has. Throws InputError where it is missing, no regular file (a pipe would
 /// not end), empty, larger than what can be flattened, or cannot be opened.
 std::size_t checkedFileSize(const std::string& path);
+
+/// Why the system refused something, by its errno, and the way out: "(Too many open files); raise
+/// the limit of open files (ulimit -n)". \param remedy where errno names no limit
+std::string systemReason(int error, const std::string& remedy);
 
 /// The bytes of a file. Throws InputError as checkedFileSize(), and where it cannot be read.
 std::string readWholeFile(const std::string& path);
@@ -47,6 +52,14 @@ private:
 
 /// Takes the next word, divided by blanks, off the front of a text; empty at its end.
 std::string_view takeWord(std::string_view& text);
+
+/// Takes a field in double quotes, which begin the text, off its front; two quotes in it stand for
+/// one. None where the quotes are not closed.
+std::optional<std::string> takeQuoted(std::string_view& text);
+
+/// Takes a word, or a name in double quotes, off the front of a text; empty at its end. None where
+/// the quotes are not closed.
+std::optional<std::string> takeName(std::string_view& text);
 
 /// Reads a whole word as a number, whatever the locale; false where it is none.
 bool parseNumber(std::string_view word, double& value);

@@ -36,25 +36,19 @@ using Json = nlohmann::ordered_json;
 constexpr const char* batchName = "batch.json";
 
 /// The next name off the front of a line; empty at its end or at a comment.
-std::string takeName(std::string_view& rest, const std::string& path, std::size_t line)
+std::string takeEntry(std::string_view& rest, const std::string& path, std::size_t line)
 {
   rest.remove_prefix(std::min(rest.find_first_not_of(" \t\v\f"), rest.size()));
   if (rest.empty() || rest.front() == '#')
   {
     return "";
   }
-  if (rest.front() != '"')
-  {
-    return std::string(takeWord(rest));
-  }
-  const std::size_t end = rest.find('"', 1);
-  if (end == std::string_view::npos || end == 1)
+  const std::optional<std::string> name = takeName(rest);
+  if (!name || name->empty())
   {
     throw InputError(path, line, "a name in quotes has no end or is empty; write \"a name\"");
   }
-  std::string name(rest.substr(1, end - 1));
-  rest.remove_prefix(end + 1);
-  return name;
+  return *name;
 }
 
 Options optionsOf(const Options& options, const BatchEntry& entry)
@@ -173,13 +167,13 @@ std::vector<BatchEntry> readBatch(const std::string& path)
   {
     std::string_view rest(line);
     BatchEntry entry;
-    entry.surface = takeName(rest, path, lines.number());
+    entry.surface = takeEntry(rest, path, lines.number());
     if (entry.surface.empty())
     {
       continue;
     }
-    for (std::string name = takeName(rest, path, lines.number()); !name.empty();
-         name = takeName(rest, path, lines.number()))
+    for (std::string name = takeEntry(rest, path, lines.number()); !name.empty();
+         name = takeEntry(rest, path, lines.number()))
     {
       entry.curves.push_back(std::move(name));
     }

@@ -100,7 +100,12 @@ std::vector<std::string> readInput(
   }
   for (const std::string& path : options.curves)
   {
-    connect(path, readCurves(path, owner));
+    const CurveContents curves = readCurves(path, owner);
+    if (!curves.note.empty())
+    {
+      result.notes.push_back(inQuotes(path) + ": " + curves.note);
+    }
+    connect(path, curves.curves);
   }
   result.curveDistance = largestDistance(contents.surface, read);
   for (const EaseRequest& ease : options.eases)
@@ -168,12 +173,14 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
 }
 
 //------------------------------------------------------------------------------
-Flattening outOfMemory(const std::string& surface)
+Flattening outOfMemory(const std::string& surface, const std::string& limit)
 {
   Flattening result;
   result.exitCode = InputRefused;
   result.status = "OutOfMemory";
-  result.message = surface + ": memory ran out around the flattening; " + wayOutOfMemory;
+  result.message = surface + ": memory ran out around the flattening" +
+    (limit.empty() ? "" : ", or another limit of the system was met (" + limit + ")") + "; " +
+    wayOutOfMemory;
   return result;
 }
 
@@ -213,9 +220,9 @@ Flattening flattenOne(const Options& options, const std::string& base)
   {
     result = outOfMemory(options.surface);
   }
-  catch (const std::runtime_error&) // of TBB: no memory for a thread
+  catch (const std::runtime_error& error) // of TBB: it cannot start a thread
   {
-    result = outOfMemory(options.surface);
+    result = outOfMemory(options.surface, error.what());
   }
   result.secondsTotal = secondsSince(start);
   return result;

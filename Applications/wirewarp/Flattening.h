@@ -66,7 +66,7 @@ struct Flattening
 };
 
 /// A refusal for want of memory.
-Flattening outOfMemory(const std::string& surface);
+Flattening outOfMemory(const std::string& surface, const std::string& limit = {});
 
 /// Reads one surface with its curves and flattens it. Bad input ends in the result, not in an
 /// exception.

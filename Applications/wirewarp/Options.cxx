@@ -36,9 +36,9 @@ const char* const description =
 const char* const footer =
   R"(Curve files: .vtp or .vtk with polylines on the surface (cell arrays CurveType: 0 accessory, 1 key,
 2 dart, 3 seam; CurveName; for more see vtkFeatureCurveAlgorithm); .obj with line elements, .dxf with
-LINE, LWPOLYLINE or POLYLINE, whose group or layer is called TYPE NAME; .csv with the columns name, x, y, z
-and, unless names begin with it, type, an empty row between two of one name; or text, one curve a line,
-'#' starts a comment:
+LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE, whose group or layer is called TYPE NAME; .csv
+with the columns name, x, y, z and, unless names begin with it, type, an empty row between two of one name;
+or text, one curve a line, '#' starts a comment, a NAME with blanks stands in double quotes:
     TYPE NAME v0 v1 ...
     edge NAME v0 v1 ...
 TYPE is accessory (length kept), key (length and shape kept), straight (a key that is straight in the

@@ -2,6 +2,7 @@
 #include "WorkerProcesses.h"
 
 #include "DieWithParent.h"
+#include "GuardedProcess.h"
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -115,7 +116,7 @@ public:
       {
         if (this->Workers.empty())
         {
-          throw std::runtime_error("cannot make a process");
+          throw std::runtime_error(noProcess(errno));
         }
         return;
       }

@@ -153,7 +153,7 @@ TEST_F(EditorEase, AnEaseIsSavedWithItsCurveAndCanBeUndone)
   // Any program that reads the file gets the same.
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetInputData(this->surface);
-  filter->SetCurvesData(wirewarp::readCurves(path, this->surface));
+  filter->SetCurvesData(wirewarp::readCurves(path, this->surface).curves);
   filter->Update();
   EXPECT_STREQ(filter->GetStatusName(), "Ok") << filter->GetStatusMessage();
   vtkPolyData* const wires = filter->GetOutput(1);

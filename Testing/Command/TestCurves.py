@@ -169,6 +169,21 @@ class Curves(command.CommandTest):
             f"arc,{x!r},{y!r},{z!r}\n" for x, y, z in rows[2:4]))
         self.assertEqual([curve["name"] for curve in self.flatten("lune.obj", "i.csv")["curves"]
                           if curve["name"] == "arc"], ["arc", "arc"])
+        # Fields in quotes hold dividers and quotes; a type may stand in the first row of a curve alone.
+        for name, divider, quoting in (("j.csv", ",", csv.QUOTE_MINIMAL), ("k.csv", ";", csv.QUOTE_ALL),
+                                       ("l.csv", "\t", csv.QUOTE_MINIMAL)):
+            table = [["x", "z", "name", "type", "y"]] + [
+                [repr(x), repr(z), 'side, "left"; low', "" if k else "Key", repr(y)]
+                for k, (x, y, z) in enumerate(rows)]
+            with open(self.path(name), "w", encoding="utf-8", newline="") as file:
+                csv.writer(file, delimiter=divider, quoting=quoting).writerows(table)
+            curves = self.flatten("lune.obj", name)["curves"]
+            self.assertEqual([(curve["name"], curve["type"]) for curve in curves], [('side, "left"; low', "key")])
+        self.write("m.csv", 'name,type,x,y,z\n"open,key,0,0,0\n')
+        self.assertIn("m.csv:2: a field in quotes", self.refused("lune.obj", "m.csv"))
+        # No column of types: what stands behind the last one named is none.
+        self.write("n.csv", "name,x,y,z\n" + "".join(f"key arc,{x!r},{y!r},{z!r},dart\n" for x, y, z in rows))
+        self.assert_same_as_text(self.flatten("lune.obj", "n.csv"), "key", "arc")
         for name, text, part in (("c.csv", "x,y,z\n0,0,0\n", "'name'"),
                                  ("d.csv", "name,x,y,z\na,0,0\n", "coordinate"),
                                  ("e.csv", "name,type,x,y,z\na,hem,0,0,0\n", "'hem'"),
@@ -204,6 +219,150 @@ class Curves(command.CommandTest):
         self.assertAlmostEqual(curve["length_3d"], 8.0, delta=1e-12)
         self.write("text.dxf", "name,x\n1,2\n")
         self.assertIn("group code", self.refused("lune.obj", "text.dxf"))
+
+    def sheet_of(self, size, elevation=0.0):
+        """A flat sheet of 20 x 20 squares from -size to size."""
+        count = 20
+        points = [(size * (2 * i / count - 1), size * (2 * j / count - 1), elevation)
+                  for j in range(count + 1) for i in range(count + 1)]
+        triangles = [t for j in range(count) for i in range(count) for a in (j * (count + 1) + i,)
+                     for t in ((a, a + 1, a + count + 2), (a, a + count + 2, a + count + 1))]
+        self.write("sheet.obj", command.obj(points, triangles))
+
+    def drawn_lengths(self, document):
+        """Lengths in space of the curves of a drawing, by their names; the parts of one add up."""
+        document.saveas(self.path("drawn.dxf"))
+        run = self.run_command("sheet.obj", "drawn.dxf", "--unit", "mm", "--output", "out")
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertNotIn("drawn.dxf", run.stderr)
+        lengths = {}
+        for curve in self.report("out")["curves"]:
+            lengths[curve["name"]] = lengths.get(curve["name"], 0.0) + curve["length_3d"]
+        return lengths
+
+    def test_bulges_arcs_circles_and_ellipses_of_a_dxf_file_have_their_lengths(self):
+        def ellipse(a, b, angle, steps=20000):
+            return sum(math.hypot(a * math.sin(t), b * math.cos(t)) for t in
+                       ((k + 0.5) * angle / steps for k in range(steps))) * angle / steps
+
+        def bulged(bulge):
+            return 0.3 * 4 * math.atan(bulge) * (1 + bulge**2) / (4 * bulge)
+
+        for release, size, elevation in (("R2000", 400.0, 0.0), ("R2018", 0.4, 0.1)):
+            self.sheet_of(size, elevation)
+            document = ezdxf.new(release)
+            space = document.modelspace()
+            for name, bulge, y in (("half", 1.0, 0.0), ("flat", -0.1, -0.6), ("most", 2.0, 0.3)):
+                space.add_lwpolyline([(-0.2 * size, y * size, bulge), (0.1 * size, y * size, 0.0)], format="xyb",
+                                     dxfattribs={"layer": name, "elevation": elevation})
+            space.add_circle((0.5 * size, 0.5 * size, elevation), 0.25 * size, dxfattribs={"layer": "circle"})
+            space.add_arc((-0.6 * size, 0.6 * size, elevation), 0.2 * size, 300, 120, dxfattribs={"layer": "key arc"})
+            space.add_ellipse((0.5 * size, -0.5 * size, elevation), (0.1 * size, 0.3 * size, 0), 0.4,
+                              dxfattribs={"layer": "ellipse"})
+            space.add_ellipse((-0.5 * size, -0.95 * size, elevation), (0.3 * size, 0, 0), 0.5, 0.0, math.pi,
+                              dxfattribs={"layer": "half ellipse"})
+            lengths = self.drawn_lengths(document)
+            axis = math.hypot(0.1, 0.3)
+            for name, wanted in (("half", bulged(1.0)), ("flat", bulged(0.1)), ("most", bulged(2.0)),
+                                 ("circle", 0.5 * math.pi), ("arc", 0.2 * math.pi),
+                                 ("half ellipse", ellipse(0.3, 0.15, math.pi)),
+                                 ("ellipse", ellipse(axis, 0.4 * axis, 2 * math.pi))):
+                with self.subTest(release=release, curve=name):
+                    self.assertAlmostEqual(lengths[name] / size, wanted, delta=1e-3 * wanted)
+
+    def test_bulges_of_polylines_of_old_releases_are_arcs(self):
+        self.sheet_of(400.0, 25.0)
+        document = ezdxf.new("R12")
+        document.modelspace().add_polyline2d([(-200, 0, 1.0), (200, 0, 1.0)], format="xyb", close=True,
+                                             dxfattribs={"layer": "ring", "elevation": (0, 0, 25)})
+        self.assertAlmostEqual(self.drawn_lengths(document)["ring"], 400 * math.pi, delta=1.0)
+
+    def test_splines_of_a_dxf_file_follow_their_control_points_knots_and_weights(self):
+        self.sheet_of(400.0)
+        document = ezdxf.new("R2010")
+        space = document.modelspace()
+        # A quarter of a circle is a rational spline of degree 2.
+        space.add_rational_spline([(200, 0, 0), (200, 200, 0), (0, 200, 0)], [1, math.sqrt(0.5), 1], degree=2,
+                                  dxfattribs={"layer": "quarter"})
+        # A straight line at uneven speed.
+        space.add_open_spline([(-300, -300, 0), (-200, -300, 0), (50, -300, 0), (300, -300, 0)],
+                              dxfattribs={"layer": "key line"})
+        control = [(-300, 100, 0), (-250, 300, 0), (-100, 350, 0), (-50, 150, 0), (-150, 50, 0), (-200, 250, 0)]
+        wave = space.add_open_spline(control, degree=3, dxfattribs={"layer": "wave"})
+        lengths = self.drawn_lengths(document)
+        self.assertAlmostEqual(lengths["quarter"], 100 * math.pi, delta=0.3)
+        self.assertAlmostEqual(lengths["line"], 600.0, delta=1e-6)
+        places = list(wave.construction_tool().approximate(5000))
+        wanted = sum(a.distance(b) for a, b in zip(places, places[1:]))
+        self.assertAlmostEqual(lengths["wave"], wanted, delta=1e-3 * wanted)
+
+    def test_entities_whose_plane_looks_down_are_mirrored_as_their_extrusion_says(self):
+        self.sheet_of(400.0, -30.0)
+        down = {"extrusion": (0, 0, -1)}
+        document = ezdxf.new("R2010")
+        space = document.modelspace()
+        # In object coordinates x and z have the other sign.
+        space.add_lwpolyline([(300, 100), (100, 100, 0, 0, 1.0), (100, 300)],
+                             dxfattribs={"layer": "line", "elevation": 30, **down})
+        space.add_circle((-200, 200, 30), 50, dxfattribs={"layer": "circle", **down})
+        space.add_arc((200, -200, 30), 100, 0, 90, dxfattribs={"layer": "arc", **down})
+        lengths = self.drawn_lengths(document)
+        self.assertAlmostEqual(lengths["line"], 200 + 100 * math.pi, delta=0.4)
+        self.assertAlmostEqual(lengths["circle"], 100 * math.pi, delta=0.4)
+        self.assertAlmostEqual(lengths["arc"], 50 * math.pi, delta=0.2)
+        points, wires = self.array("out/cut.vtp", "Points"), self.array("out/wires.vtp", "connectivity", "Lines")
+        for x, y in ((-100, 200), (200, 200), (-200, -200)):  # in space
+            near = [v for v in wires if math.dist((x, y), points[3 * v : 3 * v + 2]) < 101]
+            self.assertGreater(len(near), 20, (x, y))
+
+    def test_a_drawing_that_stands_on_edge_is_turned_into_space(self):
+        points = [(40.0 * i, -7.0, 40.0 * j) for j in range(11) for i in range(11)]
+        self.write("sheet.obj", command.obj(points, [t for j in range(10) for i in range(10) for a in (11 * j + i,)
+                                                     for t in ((a, a + 1, a + 12), (a, a + 12, a + 11))]))
+        document = ezdxf.new("R2010")
+        circle = document.modelspace().add_circle((0, 0, 0), 100, dxfattribs={"layer": "ring", "extrusion": (0, -1, 0)})
+        circle.dxf.center = circle.ocs().from_wcs((200, -7, 200))
+        self.assertAlmostEqual(self.drawn_lengths(document)["ring"], 200 * math.pi, delta=0.6)
+
+    def test_what_of_a_dxf_file_is_not_read_is_named_with_its_line_and_handle(self):
+        self.sheet_of(400.0)
+        document = ezdxf.new("R2010")
+        space = document.modelspace()
+        hem = space.add_lwpolyline([(-100, 0), (100, 0)], dxfattribs={"layer": "hem"})
+        hatch = space.add_hatch()
+        document.blocks.new("dart").add_circle((0, 0), 10)
+        inserted = [space.add_blockref("dart", (k, 0)) for k in range(5)]
+        space.add_text("not a curve")
+        document.saveas(self.path("some.dxf"))
+        run = self.run_command("sheet.obj", "some.dxf", "--unit", "mm", "--output", "out")
+        warning, = [line for line in run.stderr.splitlines() if "some.dxf" in line]
+        with open(self.path("some.dxf"), encoding="utf-8") as file:
+            lines = [line.strip() for line in file]
+        entities = lines.index("ENTITIES")
+        for entity in (hatch, inserted[0], inserted[2]):
+            line = lines.index(entity.dxf.handle, entities) - 1
+            self.assertEqual(lines[line - 1], entity.dxftype())
+            self.assertIn(f"line {line}, handle {entity.dxf.handle}", warning)
+            self.assertIn(entity.dxftype(), warning)
+        self.assertIn("and 2 more", warning)
+        self.assertNotIn("TEXT", warning)
+        self.assertIn(warning.removeprefix("wirewarp: warning: "), self.report("out")["warnings"])
+        space.delete_entity(hem)
+        document.saveas(self.path("none.dxf"))
+        self.assertIn("HATCH (line ", self.refused("sheet.obj", "none.dxf"))
+
+    def test_a_damaged_curve_of_a_dxf_file_is_refused_by_its_line(self):
+        self.sheet_of(400.0)
+        head = "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\nhem\n71\n3\n"
+        for name, groups, part in (("a", "10\n0\n20\n0\n30\n0\n" * 4 + "40\n1\n" * 8, "knots"),
+                                   ("b", "11\n0\n21\n0\n31\n0\n" * 4, "no control points"),
+                                   ("c", "10\n0\n20\n0\n30\n0\n" * 3 + "40\n1\n" * 7, "3 control points"),
+                                   ("d", "10\nnan\n", "'nan'")):
+            with self.subTest(part):
+                self.write(name + ".dxf", head + groups + "0\nENDSEC\n0\nEOF\n")
+                message = self.refused("sheet.obj", name + ".dxf")
+                self.assertIn(part, message)
+                self.assertRegex(message, name + r"\.dxf:(6|12):")
 
     def test_curves_without_a_name_are_known_by_that_of_the_table(self):
         with open(self.path("two.txt"), encoding="utf-8") as file:

@@ -51,6 +51,43 @@ class Edges(command.CommandTest):
         self.assertAlmostEqual(self.length(f"edge hem {at(1, 0)} {at(8, 4)} {at(2, 8)}\n"), 2100.0)
         self.assertAlmostEqual(self.length(f"edge hem {at(3, 0)} {at(3, 0)}\n"), 3200.0)
 
+    def test_an_edge_of_a_table_goes_the_same_way(self):
+        points, triangles = sheet(0.0)
+        for unit, corners, wanted in ((1.0, ((1, 0), (6, 0)), 500.0), (0.1, ((6, 0), (0, 3)), 90.0),
+                                      (1.0, ((1, 0), (8, 4), (2, 8)), 2100.0), (25.4, ((3, 0), (3, 0)), 3200.0 * 25.4)):
+            self.write("flat.obj", command.obj([[unit * x for x in p] for p in points], triangles))
+            rows = [[unit * x for x in points[at(*corner)]] for corner in corners]
+            for text in ("name,type,x,y,z\n" + "".join("hem,Edge,%.7g,%.7g,%.7g\n" % tuple(row) for row in rows),
+                         "z;y;x;name\n" + "".join("%.7g;%.7g;%.7g;edge hem\n" % tuple(row[::-1]) for row in rows)):
+                self.write("hem.csv", text)
+                curve, = self.flatten("flat.obj", "hem.csv", "--unit", "mm")["curves"]
+                self.assertEqual((curve["name"], curve["type"]), ("hem", "accessory"))
+                self.assertAlmostEqual(curve["length_3d"], wanted, delta=1e-9 * wanted)
+        self.write("flat.obj", command.obj(points, triangles))
+        for name, text, words in (
+            ("off.csv", "hem,edge,0,0,0\nhem,edge,400,10,0\n", ("off.csv:3:", "is 10 off", f"vertex {at(4, 0)}")),
+            ("far.csv", "hem,edge,0,0,0\nhem,edge,800,800,0\n\n", ("far.csv:4:", "one length")),
+        ):
+            self.write(name, "name,type,x,y,z\n" + text)
+            run = self.run_command("flat.obj", name, "--output", "none")
+            self.assertEqual(run.returncode, 3, run.stderr)
+            for word in (*words, "'hem'"):
+                self.assertIn(word, run.stderr)
+
+    def test_names_of_curves_in_text_may_be_in_quotes(self):
+        names = ['"left # hem"', '"centre ""front"" x"', "it's\"here\""]
+        text = (f'edge {names[0]} {at(1, 0)} {at(6, 0)} # "a" remark\n'
+                f"key {names[1]} {at(4, 0)} {at(4, 4)}\naccessory {names[2]} {at(2, 2)} {at(2, 4)}\n")
+        report = self.flatten("flat.obj", self.curves(text))
+        self.assertEqual([(curve["name"], curve["type"]) for curve in report["curves"]],
+                         [("left # hem", "accessory"), ('centre "front" x', "key"), ("it's\"here\"", "accessory")])
+        for text, word in ((f'key "centre front {at(4, 0)} {at(4, 4)}\n', "quotes"),
+                           (f'key "" {at(4, 0)} {at(4, 4)}\n', "no name")):
+            run = self.run_command("flat.obj", self.curves(text), "--output", "none")
+            self.assertEqual(run.returncode, 3)
+            self.assertIn("curves.txt:1: ", run.stderr)
+            self.assertIn(word, run.stderr)
+
     def test_an_edge_that_cannot_be_is_refused_by_line_and_name(self):
         for text, *words in (
             (f"edge hem {at(3, 3)} {at(3, 0)}\n", str(at(3, 3)), "not on the boundary"),

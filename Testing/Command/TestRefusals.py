@@ -294,6 +294,27 @@ class Refusals(command.CommandTest):
         self.assertIn("report.json", command.error_lines(run)[0])
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["pattern.svg", "report.json"])
 
+    def test_a_limit_of_open_files_is_named(self):
+        def limit_files(most):
+            resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
+
+        self.write("good.vtp", command.xml_polydata(self.points, self.triangles))
+        for name in ("good.vtp", "good.obj"):
+            refused = 0
+            for most in range(5, 12):
+                with self.subTest(name=name, most=most):
+                    run = self.run_command(name, "--output", "out", preexec_fn=lambda most=most: limit_files(most))
+                    if run.returncode == 127:
+                        continue  # the libraries alone want more
+                    self.assertNotIn("memory", run.stderr)
+                    self.assertNotIn("damaged", run.stderr)
+                    if run.returncode != 0:
+                        refused += 1
+                        self.assertIn("Too many open files", run.stderr)
+                        self.assertIn("ulimit -n", run.stderr)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertGreater(refused, 0 if name == "good.vtp" else -1)
+
     def test_a_full_disk_leaves_no_part_of_a_file(self):
         def limit_files():
             resource.setrlimit(resource.RLIMIT_FSIZE, (1500, 1500))

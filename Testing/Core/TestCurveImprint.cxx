@@ -212,6 +212,33 @@ TEST(CurveImprint, AClosedCurveStaysClosed)
   EXPECT_EQ(different.size() + 1, curve.vertices.size());
 }
 
+TEST(CurveImprint, ASegmentThatEndsBeforeAVertexInItsDirectionDoesNotRunToItAndBack)
+{
+  // The circle of radius 5 passes 12 vertices, such as (10, 9), within triangles that its points
+  // lie in, too.
+  for (const double unit : { 1e-3, 1.0, 40.0 })
+  {
+    const TriangleMesh mesh = mapped(grid(12), [unit](const Point3& p) { return unit * p; });
+    for (const int count : { 100, 128, 256, 512, 1000 })
+    {
+      Points3 circle;
+      for (int i = 0; i <= count; ++i)
+      {
+        const double angle = 2.0 * pi * (i % count) / count;
+        circle.push_back(
+          unit * Point3(6.0 + 5.0 * std::cos(angle), 6.0 + 5.0 * std::sin(angle), 0));
+      }
+      const auto result = imprintCurves(mesh, { polyline(circle) }, {});
+      ASSERT_TRUE(result.status.ok()) << result.status.message;
+      const FeatureCurve& curve = result.curves[0];
+      EXPECT_NEAR(length(result.mesh, curve.vertices), 10.0 * pi * unit, 0.02 * pi * unit)
+        << unit << ", " << count;
+      const std::set<Index> different(curve.vertices.begin(), curve.vertices.end());
+      EXPECT_EQ(different.size() + 1, curve.vertices.size()) << unit << ", " << count;
+    }
+  }
+}
+
 TEST(CurveImprint, PointsNearVerticesAndEdgesMoveOntoThemSoThatNoSliverArises)
 {
   const TriangleMesh mesh = grid(6);

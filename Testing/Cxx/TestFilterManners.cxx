@@ -3,12 +3,16 @@
 // modification times, runs after an abort, and attributes that still mean something in the plane.
 #include "FlatteningTesting.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSurfaceDevelopability.h"
 #include "vtkWireWarpingFilter.h"
 #include "vtkXMLPolyDataReader.h"
+
+#include <new>
+#include <stdexcept>
 
 using namespace flatteningTesting;
 
@@ -54,6 +58,40 @@ void refusalsSetTheErrorCode(Checks& check)
   filter->Update();
   check.equal(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError),
     "error code of the good run after it");
+}
+
+/// What a run throws that is no want of memory, such as that no thread can be started, is in the
+/// message.
+void aLimitOfTheSystemIsNamed(Checks& check)
+{
+  const std::string limit = "no thread: Resource temporarily unavailable";
+  for (std::string what : { limit, std::string() })
+  {
+    vtkNew<vtkWireWarpingFilter> filter;
+    const Messages messages(filter);
+    filter->SetInputData(makeGrid(3, 2));
+    vtkNew<vtkCallbackCommand> thrower;
+    thrower->SetClientData(&what);
+    thrower->SetCallback([](vtkObject*, unsigned long, void* client, void* progress) {
+      const double fraction = *static_cast<double*>(progress);
+      if (fraction <= 0.0 || fraction >= 1.0)
+      {
+        return; // of the executive, outside of the filter's work
+      }
+      const std::string& text = *static_cast<std::string*>(client);
+      if (text.empty())
+      {
+        throw std::bad_alloc();
+      }
+      throw std::runtime_error(text);
+    });
+    filter->AddObserver(vtkCommand::ProgressEvent, thrower);
+    filter->Update();
+    check.equal(filter->GetStatusCode(), static_cast<int>(vtkFlatteningAlgorithm::OUT_OF_MEMORY),
+      "status of a run that a limit ended");
+    check.equal(std::string(filter->GetStatusMessage()).find(limit) != std::string::npos,
+      what == limit, "the limit in the message");
+  }
 }
 
 void sameValuesChangeNothing(Checks& check)
@@ -124,6 +162,7 @@ int TestFilterManners(int, char*[])
   Checks check;
   statusBeforeARunIsNotRun(check);
   refusalsSetTheErrorCode(check);
+  aLimitOfTheSystemIsNamed(check);
   sameValuesChangeNothing(check);
   anAbortedRunIsDoneAgain(check);
   normalsDoNotFollowIntoThePlane(check);

@@ -147,7 +147,10 @@ def dxf_curves():
     text += entity("LINE", (8, "key a"), *place(CHAIN[0]), *place(CHAIN[1], 11))
     text += entity("POLYLINE", (8, "b"), (66, 1), (70, 8))
     text += "".join(entity("VERTEX", (8, "b"), *place(k), (70, 32)) for k in CHAIN[1:])
-    text += entity("SEQEND") + entity("ENDSEC") + entity("EOF")
+    text += entity("SEQEND")
+    text += entity("SPLINE", (5, "2F"), (8, "c"), (71, 2), *((40, k // 3) for k in range(6)),
+                   *(group for k in (1, 4, 7) for group in place(k)))
+    text += entity("ENDSEC") + entity("EOF")
     return text.encode()
 
 

@@ -312,6 +312,14 @@ class Reading(pattern.PatternTest):
         with self.assertRaisesRegex(TypeError, "unit"):
             self.read(SKIRT).write_pattern(self.path("a.svg"), unit="mm")
 
+    def test_the_message_of_the_reader_has_the_remedy(self):
+        for name in (None, ""):
+            reader = sf.vtkGarmentCodeReader()
+            reader.AddObserver("ErrorEvent", lambda *_: None)
+            reader.SetFileName(name)
+            reader.Update()
+            self.assertEqual(reader.GetErrorMessage(), "there is no file name; give FileName")
+
     def test_the_reader_gives_empty_outputs_after_a_refusal(self):
         reader = sf.vtkGarmentCodeReader()
         reader.AddObserver("ErrorEvent", lambda *_: None)

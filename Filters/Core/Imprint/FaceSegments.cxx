@@ -16,14 +16,16 @@ std::array<Index, 2> key(Index a, Index b)
 }
 }
 
-/// True where the vertex lies on the segment within the snap distance, and nearer to its end.
+/// True where the vertex lies on the segment within the snap distance, neither before its start nor
+/// behind its end, and nearer to its end.
 bool ConstrainedDelaunay::passes(Index start, Index end, Index vertex) const
 {
   const Point2& a = this->Positions[start];
   const Point2& v = this->Positions[vertex];
   const Point2 way = this->Positions[end] - a;
   const double length = way.norm();
-  return way.dot(v - a) > 0.0 && (v - this->Positions[end]).norm() < length &&
+  const double along = way.dot(v - a);
+  return along > 0.0 && along < length * length && (v - this->Positions[end]).norm() < length &&
     std::abs(this->orient(start, end, vertex)) <= this->Snap * length;
 }
 
