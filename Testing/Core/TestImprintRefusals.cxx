@@ -3,6 +3,8 @@
 #include "ImprintTesting.h"
 
 #include <limits>
+#include <string>
+#include <utility>
 
 using namespace flattening;
 using namespace imprinttesting;
@@ -94,6 +96,62 @@ TEST(CurveImprintRefusal, ASegmentThatNoSectionOfTheSurfaceJoinsIsRefusedWithIts
   const auto around = imprintCurves(mesh, { polyline({ mesh.point(0), mesh.point(12) }) }, {});
   expectSameSurface(mesh, around);
   EXPECT_NEAR(length(around.mesh, around.curves[0].vertices), 2.5 * 24 * std::sin(pi / 24), 1e-12);
+}
+
+TEST(CurveImprintRefusal, ASegmentBetweenSeparatePartsIsRefusedWithItsPointsAndTheParts)
+{
+  // Grids of three sizes beside each other; by vertices and between them, split or not.
+  Points3 points;
+  Triangles triangles;
+  for (const Index n : { 2, 5, 3 })
+  {
+    const TriangleMesh part = grid(n);
+    const auto first = static_cast<Index>(points.size());
+    for (const Point3& p : part.points())
+    {
+      points.push_back(p + Point3(10.0 * n, 0, 0));
+    }
+    for (const Triangle& t : part.triangles())
+    {
+      triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    }
+  }
+  const TriangleMesh whole = prepareSurface(points, triangles).mesh;
+  for (const double scale : { 1e-3, 1.0, 1e4 })
+  {
+    const TriangleMesh mesh = mapped(whole, [&](const Point3& p) { return Point3(scale * p); });
+    const auto curve = [&](double x, double y) {
+      return polyline({ scale * Point3(20, y, 0), scale * Point3(21, y, 0), scale * Point3(x, y, 0),
+        scale * Point3(x + 1, y, 0) });
+    };
+    for (const bool split : { true, false })
+    {
+      ImprintOptions options;
+      options.split = split;
+      for (const auto& [x, sizes] : { std::pair(31.0, "8 and 18"), std::pair(52.0, "8 and 50") })
+      {
+        for (const double y : { 0.0, 1.0, 0.37 })
+        {
+          if (!split && y == 0.37)
+          {
+            continue; // no vertices
+          }
+          const Status status = imprintCurves(mesh, { curve(x, y) }, options).status;
+          EXPECT_EQ(status.code, StatusCode::CurveLeavesSurface);
+          EXPECT_EQ(status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101, 102 } }));
+          EXPECT_EQ(status.curve, 0);
+          EXPECT_NE(
+            status.message.find("points 101 and 102 lie on separate parts of the surface, of " +
+              std::string(sizes) + " triangles"),
+            std::string::npos)
+            << status.message;
+          ASSERT_EQ(status.waysOut.size(), 2U);
+          EXPECT_EQ(status.waysOut[0].remedy, Remedy::RedrawCurve);
+          EXPECT_EQ(status.waysOut[1].remedy, Remedy::JoinByEdge);
+        }
+      }
+    }
+  }
 }
 
 TEST(CurveImprintRefusal, ACancelledRunGivesNothing)

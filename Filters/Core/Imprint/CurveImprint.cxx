@@ -27,6 +27,31 @@ ImprintedSurface refuse(Status status)
   return result;
 }
 
+/// The triangles of the connected part of the surface that the point lies on, in order.
+Indices partOf(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  std::vector<char> reached(static_cast<std::size_t>(mesh.triangleCount()), 0);
+  Indices part = trianglesAround(mesh, point);
+  for (const Index t : part)
+  {
+    reached[t] = 1;
+  }
+  for (std::size_t next = 0; next < part.size(); ++next)
+  {
+    for (Index h = 3 * part[next]; h < 3 * part[next] + 3; ++h)
+    {
+      const Index twin = mesh.twin(h);
+      if (twin != none && !reached[twin / 3])
+      {
+        reached[twin / 3] = 1;
+        part.push_back(twin / 3);
+      }
+    }
+  }
+  std::sort(part.begin(), part.end());
+  return part;
+}
+
 /// Identity: the mesh as it is.
 ImprintedSurface keepMesh(const TriangleMesh& mesh)
 {
@@ -118,6 +143,14 @@ private:
         this->Mesh.find(vertex, last) == none)
       {
         const Indices ids{ pointId(polyline, before), pointId(polyline, i) };
+        Status apart = this->Options.split
+          ? Status()
+          : this->betweenParts(
+              c, ids, vertexPoint(this->Mesh, last), vertexPoint(this->Mesh, vertex));
+        if (!apart.ok())
+        {
+          return apart;
+        }
         return { StatusCode::CurveNotOnEdges,
           curveName(polyline, c) + ": between points " + std::to_string(ids[0]) + " and " +
             std::to_string(ids[1]) + " the curve is no edge of the mesh",
@@ -230,7 +263,10 @@ private:
         SurfacePath path = traceSegment(this->Mesh, snap, last, here);
         if (!path.arrived)
         {
-          return this->strayed(c, i, path);
+          const Polyline& polyline = this->Polylines[c];
+          Status apart =
+            this->betweenParts(c, { pointId(polyline, i - 1), pointId(polyline, i) }, last, here);
+          return apart.ok() ? this->strayed(c, i, path) : apart;
         }
         paths.push_back(std::move(path));
         route.points.push_back(i);
@@ -238,6 +274,23 @@ private:
       last = here;
     }
     return {};
+  }
+
+  /// Not Ok where two points of a polyline lie on parts of the surface that nothing joins.
+  Status betweenParts(
+    std::size_t c, const Indices& ids, const SurfacePoint& from, const SurfacePoint& to) const
+  {
+    const Indices part = partOf(this->Mesh, from);
+    if (std::binary_search(part.begin(), part.end(), trianglesAround(this->Mesh, to).front()))
+    {
+      return {};
+    }
+    return { StatusCode::CurveLeavesSurface,
+      curveName(this->Polylines[c], c) + ": points " + std::to_string(ids[0]) + " and " +
+        std::to_string(ids[1]) + " lie on separate parts of the surface, of " +
+        std::to_string(part.size()) + " and " + std::to_string(partOf(this->Mesh, to).size()) +
+        " triangles",
+      { ElementKind::CurvePoints, ids }, { Remedy::RedrawCurve, Remedy::JoinByEdge } };
   }
 
   /// The segment that ends at point i cannot be followed.
