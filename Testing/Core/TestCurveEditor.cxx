@@ -2,6 +2,7 @@
 // Curves drawn on surfaces by commands, and undone.
 #include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
+#include "Surface/SurfacePreparation.h"
 
 #include <gtest/gtest.h>
 
@@ -307,6 +308,81 @@ TEST(CurveEditor, AMirroredCurveHasItsImageOnTheOtherSide)
   EXPECT_LT((image.front() - Point3(17, 4, 0)).norm(), 1e-9);
   ASSERT_TRUE(editor.addImage(0).ok());
   EXPECT_NEAR(lengthOf(editor.curve(1)), lengthOf(editor.curve(0)), 1e-9);
+}
+
+TEST(CurveEditor, ImagesOfEndsOnTheBoundaryLieOnItWhereTheSurfaceIsNotQuiteSymmetric)
+{
+  for (const double scale : { 1e-3, 1.0, 2e3 })
+  {
+    // The right side is up to 3 % wider or narrower than the left one, the upper one bent.
+    const auto wide = [](double i, double j) {
+      return i > 10 ? i + 0.06 * (i - 10) * std::sin(1.3 * j) : i;
+    };
+    const auto shape = [&](double i, double j) -> Point3 {
+      const double rise = j + (i > 10 ? 0.004 * j * (i - 10) : 0.0);
+      return scale * Point3(wide(i, j), rise, 2.0 * std::sin(pi * i / 20) * std::sin(pi * j / 20));
+    };
+    for (const SegmentKind kind :
+      { SegmentKind::Geodesic, SegmentKind::Section, SegmentKind::Spline })
+    {
+      CurveEditor editor(drawing(testmeshes::patch(20, 20, shape)));
+      const TriangleMesh& mesh = editor.surface().mesh();
+      const auto onBoundary = [&mesh](const SurfacePoint& point) {
+        return point.carrier == Carrier::Edge
+          ? mesh.twin(point.id) == none
+          : point.carrier == Carrier::Vertex && mesh.onBoundary(point.id);
+      };
+      ASSERT_TRUE(editor.setMirror(MirrorPlane{ scale * Point3(10, 0, 0), Point3::UnitX() }).ok());
+      for (const Point3& start : { Point3(0, 1, 0), Point3(0, 5.37, 0), Point3(0, 9, 0),
+             Point3(0, 12.61, 0), Point3(3.3, 20, 0), Point3(7, 20, 0) })
+      {
+        EditedCurve curve = through(editor.surface(),
+          { scale * start, scale * Point3(5, 0.5 * (start.y() + 9.0), 1),
+            shape(7.0, 0.7 * start.y() + 3.0) },
+          kind);
+        curve.traits.mirrored = true;
+        ASSERT_TRUE(onBoundary(curve.nodes.front()));
+        ASSERT_TRUE(editor.add(curve).ok());
+        const std::size_t own = editor.state().curves.size() - 1;
+        const SurfacePoint image = editor.curve(own).image.front().points.front();
+        EXPECT_TRUE(onBoundary(image)) << scale << ": " << start.transpose();
+        EXPECT_LT(
+          (image.position - scale * Point3(20 - start.x(), start.y(), 0)).norm(), 1.2 * scale);
+        // An end within the surface stays the image that it was.
+        const Point3 tip = editor.curve(own).nodes.back().position;
+        const Point3 place(2.0 * scale * 10 - tip.x(), tip.y(), tip.z());
+        EXPECT_LT(
+          (editor.curve(own).image.back().points.back().position - place).norm(), 0.5 * scale);
+        ASSERT_TRUE(editor.addImage(own).ok());
+        EXPECT_TRUE(onBoundary(editor.curve(own + 1).nodes.front()));
+      }
+    }
+  }
+}
+
+TEST(CurveEditor, AnImageFarFromAnyBoundaryStaysWhereItIs)
+{
+  // A hole at the left alone.
+  const TriangleMesh whole = plane().mesh;
+  Triangles kept;
+  for (const Triangle& t : whole.triangles())
+  {
+    const Point3 middle = (whole.point(t[0]) + whole.point(t[1]) + whole.point(t[2])) / 3.0;
+    if ((middle - Point3(5, 10, 0)).norm() > 2.0)
+    {
+      kept.push_back(t);
+    }
+  }
+  testmeshes::Surface holed;
+  holed.mesh = prepareSurface(whole.points(), kept).mesh;
+  CurveEditor editor(drawing(holed));
+  ASSERT_TRUE(editor.setMirror(MirrorPlane{ { 10, 0, 0 }, Point3::UnitX() }).ok());
+  EditedCurve curve = through(editor.surface(), { { 6.9, 10, 0 }, { 9, 14, 0 } });
+  curve.traits.mirrored = true;
+  ASSERT_TRUE(editor.add(curve).ok());
+  const Point3 start = editor.curve(0).nodes.front().position;
+  const Point3 image = editor.curve(0).image.front().points.front().position;
+  EXPECT_LT((image - Point3(20 - start.x(), start.y(), 0)).norm(), 1e-9);
 }
 
 TEST(CurveEditor, NamesAreTakenOnce)

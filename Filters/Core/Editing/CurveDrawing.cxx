@@ -6,6 +6,8 @@
 #include "Paths/StraightPath.h"
 #include "Paths/SurfaceSpline.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <utility>
 
@@ -13,6 +15,8 @@ namespace flattening
 {
 namespace
 {
+constexpr double imageReach = 0.05; ///< of the box around the boundary
+
 DrawnSegment drawSection(
   const DrawingSurface& surface, const SurfacePoint& from, const SurfacePoint& to)
 {
@@ -104,7 +108,7 @@ Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, Edite
   std::vector<SurfacePoint> nodes;
   for (const SurfacePoint& node : curve.nodes)
   {
-    nodes.push_back(surface.pointNear(mirror.image(node.position)));
+    nodes.push_back(imageOf(surface, mirror, node));
   }
   const WholeCurve whole = drawWhole(surface, curve, nodes);
   if (whole.status.refused())
@@ -135,6 +139,48 @@ Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, Edite
   }
   return {};
 }
+}
+
+bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  return (point.carrier == Carrier::Vertex && mesh.onBoundary(point.id)) ||
+    (point.carrier == Carrier::Edge && mesh.twin(point.id) == none);
+}
+
+SurfacePoint imageOf(
+  const DrawingSurface& surface, const MirrorPlane& mirror, const SurfacePoint& point)
+{
+  const TriangleMesh& mesh = surface.mesh();
+  const Point3 image = mirror.image(point.position);
+  const SurfacePoint near = surface.pointNear(image);
+  if (!atBoundary(mesh, point) || atBoundary(mesh, near))
+  {
+    return near;
+  }
+  Eigen::AlignedBox3d box;
+  ClosestPoint closest;
+  for (const Index h : surface.boundary())
+  {
+    const Point3& from = mesh.point(mesh.from(h));
+    const Point3 side = mesh.point(mesh.to(h)) - from;
+    const double length = side.squaredNorm();
+    const double along = length > 0.0 ? std::clamp(side.dot(image - from) / length, 0.0, 1.0) : 0.0;
+    const Point3 place = from + along * side;
+    const double distance = (image - place).norm();
+    box.extend(from);
+    if (closest.triangle == none || distance < closest.distance)
+    {
+      closest.triangle = h / 3;
+      closest.weights = {};
+      closest.weights[static_cast<std::size_t>(h % 3)] = 1.0 - along;
+      closest.weights[static_cast<std::size_t>(TriangleMesh::next(h) % 3)] = along;
+      closest.position = place;
+      closest.distance = distance;
+    }
+  }
+  return closest.triangle != none && closest.distance < imageReach * box.diagonal().norm()
+    ? snapToMesh(mesh, surface.snap(), closest)
+    : near;
 }
 
 DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const SurfacePoint& from,

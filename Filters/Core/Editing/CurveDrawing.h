@@ -20,6 +20,14 @@ struct DrawnSegment
 DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const SurfacePoint& from,
   const SurfacePoint& to, const SurfacePath* hint = nullptr);
 
+bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point);
+
+/// Where the image of a point lies on the surface. That of a point on the boundary lies on it as
+/// well, where the boundary is within a twentieth of the surface's size: surfaces of bodies and
+/// their scans are nearly symmetric, and cuts would end short of it.
+SurfacePoint imageOf(
+  const DrawingSurface& surface, const MirrorPlane& mirror, const SurfacePoint& point);
+
 /// Draws the curve's segments, and its image where there is a plane. The segments that it holds,
 /// where they are as many as it has, are hints, but for empty ones. What is as in the curve before
 /// is taken over. \param before may be null. Errors: as above.

@@ -95,7 +95,7 @@ Status CurveEditor::addImage(std::size_t c)
     EditedCurve image = this->curve(c);
     for (SurfacePoint& node : image.nodes)
     {
-      node = this->Surface->pointNear(this->state().mirror->image(node.position));
+      node = imageOf(*this->Surface, *this->state().mirror, node);
     }
     image.traits.mirrored = false;
     image.traits.ease = easeOfImage(image.traits.ease);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CurveSnapping.h"
 
+#include "Editing/CurveDrawing.h"
+
 #include <algorithm>
 
 namespace flattening
@@ -40,12 +42,6 @@ private:
   double Least;
   SnappedPoint Found;
 };
-
-bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  return (point.carrier == Carrier::Vertex && mesh.onBoundary(point.id)) ||
-    (point.carrier == Carrier::Edge && mesh.twin(point.id) == none);
-}
 
 void offerNodes(
   const DrawingSurface& surface, const CurveSet& set, const SnapOptions& options, Nearest& nearest)
