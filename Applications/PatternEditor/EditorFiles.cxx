@@ -2,7 +2,9 @@
 // What EditorWindow reads and writes.
 #include "EditorWindow.h"
 
+#include "CurveList.h"
 #include "Files.h"
+#include "InputError.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 #include "WindowWords.h"
@@ -12,11 +14,16 @@
 #include <vtkRenderWindow.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <QDateTime>
 #include <QFileInfo>
 #include <QImage>
+#include <QLocale>
+#include <QMessageBox>
 #include <QPainter>
 
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 
 namespace editor
@@ -29,11 +36,15 @@ bool EditorWindow::attempt(const Work& work)
     work();
     return true;
   }
-  catch (const std::runtime_error& error)
+  catch (const std::bad_alloc&)
+  {
+    this->tell(std::string("memory ran out; ") + wirewarp::wayOutOfMemory, true);
+  }
+  catch (const std::exception& error)
   {
     this->tell(error.what(), true);
-    return false;
   }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +74,7 @@ bool EditorWindow::openSurface(const std::string& path)
     this->Live->setSurface(surface);
     this->Behind = false;
     this->showMeasures();
-    this->setWindowTitle(QString::fromStdString(this->Name + " - PatternEditor"));
+    this->setWindowTitle(QString::fromStdString(this->Name + "[*] - PatternEditor"));
     if (contents.curves)
     {
       this->showCurves(contents.curves);
@@ -71,6 +82,8 @@ bool EditorWindow::openSurface(const std::string& path)
     this->askForPieces(Care::Full);
     this->expectPieces();
     this->followChoice();
+    this->Journal.open(surface);
+    this->offerLeftover();
   });
 }
 
@@ -97,8 +110,63 @@ void EditorWindow::showCurves(vtkPolyData* lines, const std::string& note)
   std::string odd = this->Curves->GetMessage();
   odd += (odd.empty() || note.empty() ? "" : "; ") + note;
   this->Saved = this->Curves->GetMTime();
+  this->followSaving();
   this->Hand->Choose(-1, -1);
   this->tell(odd, !odd.empty());
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::followSaving()
+{
+  const bool unsaved = this->isUnsaved();
+  this->setWindowModified(unsaved);
+  if (!unsaved)
+  {
+    this->Keep->stop();
+    this->Journal.clear();
+  }
+  else if (!this->Keep->isActive()) // a drag goes on
+  {
+    this->Keep->start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::keepUnsaved()
+{
+  this->attempt([&] {
+    vtkNew<vtkPolyData> drawn;
+    this->Curves->GetCurves(drawn);
+    this->Journal.write(drawn);
+  });
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::offerLeftover()
+{
+  const std::string path = this->Journal.leftover();
+  if (path.empty())
+  {
+    return;
+  }
+  const QString when = QLocale().toString(
+    QFileInfo(QString::fromStdString(path)).lastModified(), QLocale::ShortFormat);
+  const QMessageBox::StandardButton answer = QMessageBox::question(this, "PatternEditor",
+    "Curves on this surface were not saved when the program ended (" + when + "). Recover them?",
+    QMessageBox::Yes | QMessageBox::Discard, QMessageBox::Yes);
+  if (answer != QMessageBox::Yes)
+  {
+    this->Journal.clear();
+    return;
+  }
+  this->attempt([&] {
+    const wirewarp::CurveContents left = wirewarp::readCurves(path, this->Surface);
+    if (!this->Curves->SetCurves(left.curves))
+    {
+      throw std::runtime_error(this->Curves->GetMessage());
+    }
+    this->tell("recovered what was not saved", false);
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -109,6 +177,7 @@ bool EditorWindow::saveCurves(const std::string& path)
     this->Curves->GetCurves(drawn);
     figures::writePolyData(path, drawn);
     this->Saved = this->Curves->GetMTime();
+    this->followSaving();
     this->tell("saved " + path, false);
   });
 }

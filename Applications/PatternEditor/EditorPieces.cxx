@@ -30,6 +30,7 @@ void EditorWindow::followCurves()
     return;
   }
   this->tell("", false);
+  this->followSaving();
   const bool atOnce = this->Live->seconds(Care::Full) < quick;
   if (atOnce || this->Live->seconds(Care::Draft) < quickDraft)
   {

@@ -8,6 +8,8 @@
 #include <QInputDialog>
 #include <QProgressDialog>
 
+#include <functional>
+
 namespace editor
 {
 namespace
@@ -96,6 +98,13 @@ void EditorWindow::connectProposals()
     }
     this->Hand->Choose(curve, -1);
     return true;
+  };
+  this->Proposed->onAcceptAll = [this](const std::function<void()>& accept) {
+    this->Hand->Choose(-1, -1); // as above
+    const int before = this->Curves->GetNumberOfCommands();
+    accept();
+    this->Curves->JoinCommandsSince(before);
+    this->followChoice();
   };
   this->Proposed->onChange = [this] {
     this->SpaceScene.showGhosts(linesOf(this->Proposed->cuts()), this->Proposed->chosen());

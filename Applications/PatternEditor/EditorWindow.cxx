@@ -26,6 +26,7 @@ namespace
 {
 constexpr int restMilliseconds = 150;
 constexpr int lateMilliseconds = 100;
+constexpr int keepMilliseconds = 300;
 constexpr int sideWidth = 270;
 constexpr int fewestRows = 3;
 constexpr int messageRows = 2;
@@ -54,6 +55,7 @@ EditorWindow::EditorWindow()
   , Readout(new QLabel)
   , Rest(new QTimer(this))
   , Late(new QTimer(this))
+  , Keep(new QTimer(this))
 {
   figures::silence(this->Pattern);
   auto* const views = new QSplitter(Qt::Horizontal);
@@ -99,6 +101,9 @@ EditorWindow::EditorWindow()
   this->Late->setSingleShot(true);
   this->Late->setInterval(lateMilliseconds);
   QObject::connect(this->Late, &QTimer::timeout, [this] { this->showBehind(); });
+  this->Keep->setSingleShot(true);
+  this->Keep->setInterval(keepMilliseconds);
+  QObject::connect(this->Keep, &QTimer::timeout, [this] { this->keepUnsaved(); });
   this->makeCloth(sideLayout);
   this->connectHand();
   this->makeFileMenu();
@@ -246,9 +251,15 @@ void EditorWindow::resetViews()
 }
 
 //------------------------------------------------------------------------------
+bool EditorWindow::isUnsaved() const
+{
+  return this->Curves->GetNumberOfCurves() > 0 && this->Curves->GetMTime() != this->Saved;
+}
+
+//------------------------------------------------------------------------------
 bool EditorWindow::mayForgetCurves()
 {
-  if (this->Curves->GetNumberOfCurves() == 0 || this->Curves->GetMTime() == this->Saved)
+  if (!this->isUnsaved())
   {
     return true;
   }

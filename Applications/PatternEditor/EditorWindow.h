@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ClothBox.h"
+#include "CurveJournal.h"
 #include "CurvePanel.h"
 #include "LiveFlattening.h"
 #include "PlaneView.h"
@@ -117,7 +118,14 @@ private:
   /// As if the mouse's buttons were released.
   void letGo();
   void resetViews();
+  /// Whether there are curves that no file has.
+  bool isUnsaved() const;
   bool mayForgetCurves();
+  /// Shows in the title whether the curves are saved, and keeps those that are not in the journal.
+  void followSaving();
+  void keepUnsaved();
+  /// Offers the curves that a window on this surface left which ended without closing.
+  void offerLeftover();
   /// \param note what was left out of them
   void showCurves(vtkPolyData* lines, const std::string& note = {});
 
@@ -151,6 +159,7 @@ private:
   PlaneView PlaneScene;
   vtkNew<vtkPatternWriter> Pattern;
   std::unique_ptr<LiveFlattening> Live;
+  CurveJournal Journal;
   figures::PolyData Surface;
   figures::Coloring Coloring = figures::Coloring::Homogeneity;
   std::string Name;
@@ -173,6 +182,7 @@ private:
   QLabel* Readout;
   QTimer* Rest; ///< runs while careful flattening waits for the mouse to rest
   QTimer* Late; ///< runs while pieces that may still come soon are waited for
+  QTimer* Keep; ///< runs while the journal lacks what was changed last
   std::array<QAction*, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> HandActions{};
   std::vector<QAction*> SurfaceActions; ///< need a surface
   std::vector<QAction*> BarActions;     ///< of the File menu, at the bar's end

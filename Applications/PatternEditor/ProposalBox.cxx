@@ -102,14 +102,16 @@ void ProposalBox::acceptChosen()
 void ProposalBox::acceptAll()
 {
   this->Chosen = 0;
-  for (std::size_t left = this->Waiting.cuts.size(); left > 0; --left)
-  {
-    this->acceptChosen();
-    if (this->Waiting.cuts.size() == left) // refused
+  this->onAcceptAll([this] {
+    for (std::size_t left = this->Waiting.cuts.size(); left > 0; --left)
     {
-      return;
+      this->acceptChosen();
+      if (this->Waiting.cuts.size() == left) // refused
+      {
+        return;
+      }
     }
-  }
+  });
 }
 
 //------------------------------------------------------------------------------

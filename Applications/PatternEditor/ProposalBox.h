@@ -33,6 +33,8 @@ public:
 
   /// Adds a curve; false where it is refused, and the proposal stays.
   std::function<bool(const Proposal&)> onAccept;
+  /// Runs what accepts all of them.
+  std::function<void(const std::function<void()>&)> onAcceptAll;
   /// Another one is chosen, or some are gone.
   std::function<void()> onChange;
 

@@ -68,6 +68,8 @@ TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
   EXPECT_NEAR(
     this->measure("StrainP95"), proposed.back().strainAfter, 0.2 * proposed.back().strainAfter);
   this->picture("accepted");
+  QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(curves->GetNumberOfCurves(), 0);
 }
 
 // An array is offered where its numbers can be weights, and the one chosen is taken: of one with an

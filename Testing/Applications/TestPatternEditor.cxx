@@ -9,6 +9,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QTemporaryDir>
+
+#include <memory>
+
 using namespace session;
 
 TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
@@ -360,6 +364,14 @@ int main(int argc, char* argv[])
   if (GTEST_FLAG_GET(list_tests)) // which needs no X server
   {
     return RUN_ALL_TESTS();
+  }
+  // The user's own journal of curves is left alone; a death test's second run shares the first's.
+  std::unique_ptr<QTemporaryDir> home;
+  if (!qEnvironmentVariableIsSet("PATTERN_EDITOR_HOME"))
+  {
+    home = std::make_unique<QTemporaryDir>();
+    qputenv("PATTERN_EDITOR_HOME", home->path().toUtf8());
+    qputenv("XDG_DATA_HOME", home->path().toUtf8());
   }
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLStereoWidget::defaultFormat());
   const QApplication application(argc, argv);
