@@ -10,6 +10,7 @@
 #include "FlatteningOutput.h"
 #include "KeptRun.h"
 #include "ListChanges.h"
+#include "PieceOutput.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -289,6 +290,7 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
       {
         this->Warn({ flattening::bridge::describeLeftOut(*source, result) });
       }
+      this->Warn(flattening::bridge::describeVerdicts(*source, result));
       flattening::bridge::writeFlattening(*source, result, flat,
         vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
     }

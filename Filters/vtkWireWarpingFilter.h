@@ -80,7 +80,8 @@
  * "symmetric-dirichlet", "cloth"), `Repaired` (int; 1 where progressive angles did not close and
  * the nearest that do were taken), `Fallbacks` (what was done in place of what was asked for, and
  * why, and what a last correction of lengths left off by more than MaximumLengthError; else empty),
- * `Verdict` (that the plane has no room for the piece and where it may be cut; else empty).
+ * `Verdict` (that the plane has no room for the piece, where it may be cut, and which other energy
+ * was used; else empty; it is a warning as well).
  * `ForecastAreaLoss`, `ForecastAreaLossAfterCut` (double; known before flattening: the part of the
  * area that is lost where the boundary keeps its lengths, and with that cut; 0 where it is less
  * than 0.3), `ForecastCutFrom`, `ForecastCutTo` (id; points of the input that the cut joins along

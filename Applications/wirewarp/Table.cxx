@@ -232,10 +232,6 @@ std::string fallbacks(const Flattening& result)
   std::string text;
   for (vtkIdType piece = 0; piece < field.count("Fallbacks"); ++piece)
   {
-    if (!field.text("Verdict", piece).empty())
-    {
-      text += "piece " + nameOf(piece) + ": " + field.text("Verdict", piece) + '\n';
-    }
     if (!field.text("Fallbacks", piece).empty())
     {
       text += "piece " + nameOf(piece) + ": " + field.text("Fallbacks", piece) + '\n';

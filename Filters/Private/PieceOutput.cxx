@@ -11,6 +11,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flattening
@@ -111,45 +112,87 @@ void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* fiel
   });
 }
 
-/// Whether the plane has room for the pieces, and a cut that would make some.
+std::string wholePercent(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/// The ends of a cut along edges as points of the input; -1 where one has none there.
+std::array<vtkIdType, 2> endsOf(
+  const CurvedSurface& source, const FlatteningResult& result, const Indices& cut)
+{
+  if (cut.empty())
+  {
+    return { -1, -1 };
+  }
+  const auto end = [&](Index v) { return source.pointOf(result.cut->originalVertex[v]); };
+  return { end(cut.front()), end(cut.back()) };
+}
+
+/// Such as "from point 3 to point 7"; empty where an end is no point of the input.
+std::string wayOf(const std::array<vtkIdType, 2>& ends)
+{
+  return ends[0] < 0 || ends[1] < 0
+    ? ""
+    : "from point " + std::to_string(ends[0]) + " to point " + std::to_string(ends[1]);
+}
+
+/// What opens a tube.
+std::string openingsInWords(
+  const CurvedSurface& source, const FlatteningResult& result, const std::vector<Indices>& openings)
+{
+  std::string text = "this is a tube with " + std::to_string(openings.size() + 1) +
+    " openings, which no plane can hold: cut it open";
+  std::string join = " ";
+  for (const Indices& cut : openings)
+  {
+    const std::string way = wayOf(endsOf(source, result, cut));
+    text += way.empty() ? "" : join + way;
+    join = way.empty() ? join : ", ";
+  }
+  return text + ", or have seams proposed";
+}
+
+/// That the plane has no room for a piece, what would make some, and by which energy it is
+/// flattened then; empty where it has.
+std::string verdictOf(
+  const CurvedSurface& source, const FlatteningResult& result, const PieceReport& piece)
+{
+  const AreaForecast& area = piece.area;
+  std::string text;
+  if (area.tube())
+  {
+    text = openingsInWords(source, result, area.openings);
+  }
+  if (area.deep())
+  {
+    text += std::string(text.empty() ? "a plane cannot hold this piece: " : "; ") +
+      "with the lengths of its boundary it loses about " + wholePercent(area.loss) + " of its area";
+    const std::string way = wayOf(endsOf(source, result, area.cut));
+    text += area.tube() ? "" : "; cut it";
+    if (!area.tube() && !way.empty())
+    {
+      text += ", for example along edges " + way + ", which leaves a loss of about " +
+        wholePercent(area.lossAfterCut);
+    }
+  }
+  return text.empty() || piece.otherEnergy.empty() ? text : text + "; " + piece.otherEnergy;
+}
+
 void writeVerdicts(const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field)
 {
   const std::vector<PieceReport>& pieces = result.pieces;
-  const auto end = [&](std::size_t row, bool last) {
-    const Indices& cut = pieces[row].area.cut;
-    return cut.empty()
-      ? vtkIdType{ -1 }
-      : source.pointOf(result.cut->originalVertex[last ? cut.back() : cut.front()]);
-  };
   const std::size_t rows = pieces.size();
   addRows<vtkDoubleArray>(
     field, "ForecastAreaLoss", rows, [&](std::size_t row) { return pieces[row].area.loss; });
   addRows<vtkDoubleArray>(field, "ForecastAreaLossAfterCut", rows,
     [&](std::size_t row) { return pieces[row].area.lossAfterCut; });
-  addRows<vtkIdTypeArray>(
-    field, "ForecastCutFrom", rows, [&](std::size_t row) { return end(row, false); });
-  addRows<vtkIdTypeArray>(
-    field, "ForecastCutTo", rows, [&](std::size_t row) { return end(row, true); });
-  addRows<vtkStringArray>(field, "Verdict", rows, [&](std::size_t row) {
-    const AreaForecast& area = pieces[row].area;
-    if (!area.deep())
-    {
-      return std::string();
-    }
-    const auto percent = [](double share) {
-      return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
-    };
-    std::string text = "a plane cannot hold this piece: with the lengths of its boundary it loses "
-                       "about " +
-      percent(area.loss) + " of its area; cut it";
-    if (end(row, false) >= 0 && end(row, true) >= 0)
-    {
-      text += ", for example along edges from point " + std::to_string(end(row, false)) +
-        " to point " + std::to_string(end(row, true)) + ", which leaves a loss of about " +
-        percent(area.lossAfterCut);
-    }
-    return text;
-  });
+  addRows<vtkIdTypeArray>(field, "ForecastCutFrom", rows,
+    [&](std::size_t row) { return endsOf(source, result, pieces[row].area.cut)[0]; });
+  addRows<vtkIdTypeArray>(field, "ForecastCutTo", rows,
+    [&](std::size_t row) { return endsOf(source, result, pieces[row].area.cut)[1]; });
+  addRows<vtkStringArray>(field, "Verdict", rows,
+    [&](std::size_t row) { return verdictOf(source, result, pieces[row]); });
 }
 
 /// One kind of iterations of all pieces, and the piece of each.
@@ -238,6 +281,23 @@ void writeReleases(const FlatteningResult& result, vtkFieldData* field)
   add("ReleaseAreaError", &ReleaseTrial::areaError);
   add("ReleaseHomogeneity", &ReleaseTrial::homogeneity);
 }
+}
+
+std::vector<std::string> describeVerdicts(
+  const CurvedSurface& source, const FlatteningResult& result)
+{
+  std::vector<std::string> warnings;
+  for (std::size_t p = 0; p < result.pieces.size(); ++p)
+  {
+    const PieceReport& piece = result.pieces[p];
+    const std::string verdict = verdictOf(source, result, piece);
+    const std::string& said = verdict.empty() ? piece.otherEnergy : verdict;
+    if (!said.empty())
+    {
+      warnings.push_back("piece " + std::to_string(p + 1) + ": " + said);
+    }
+  }
+  return warnings;
 }
 
 void writePieceReports(

@@ -4,6 +4,9 @@
 #include "CurvedSurface.h"
 #include "Flattening/FlatteningResult.h"
 
+#include <string>
+#include <vector>
+
 class vtkFieldData;
 
 namespace flattening
@@ -14,5 +17,10 @@ namespace bridge
 /// and statuses, what was done, iterations, what to release, and pieces that were left out.
 void writePieceReports(
   const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field);
+
+/// A warning for each piece that the plane has no room for, or that was flattened by another energy
+/// than the one asked for.
+std::vector<std::string> describeVerdicts(
+  const CurvedSurface& source, const FlatteningResult& result);
 }
 }

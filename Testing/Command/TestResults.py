@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import math
 import os
+import re
 
 import command
 
@@ -285,8 +286,44 @@ class Results(command.CommandTest):
         self.assertGreater(piece["forecast_cut_from"], 12 * (rings - 1))
         self.assertLess(piece["forecast_area_loss_after_cut"], piece["forecast_area_loss"] - 0.1)
         self.assertIn("a plane cannot hold this piece", piece["verdict"])
-        self.assertIn(piece["verdict"], run.stdout)
+        self.assertNotIn(piece["verdict"], run.stdout)
+        self.assertIn("wirewarp: warning: piece 1: " + piece["verdict"] + "\n", run.stderr)
         self.assertEqual(self.flatten("lune.obj", "arc.txt")["pieces"][0]["verdict"], "")
+
+    def test_a_tube_is_named_with_the_points_between_which_to_cut_it(self):
+        lune = (self.points, self.triangles)
+        for count, rings, bottom, top, height, energy in (
+                (6, 1, 5.0, 5.0, 20.0, ""), (40, 11, 7.0, 3.0, 10.0, "symmetric Dirichlet"),
+                (24, 3, 0.02, 0.02, 0.02, "symmetric Dirichlet")):
+            points = [(radius * math.cos(2 * math.pi * k / count), radius * math.sin(2 * math.pi * k / count),
+                       height * ring / rings)
+                      for ring in range(rings + 1)
+                      for radius in (bottom + (top - bottom) * ring / rings,)
+                      for k in range(count)]
+            triangles = []
+            for first in range(0, count * rings, count):
+                for k in range(count):
+                    a, b = first + k, first + (k + 1) % count
+                    triangles += [(a, b, b + count), (a, b + count, a + count)]
+            for unit, place in (("cm", 0), ("inch", 1)):
+                self.write("tube.obj", command.obj(*command.together(
+                    *([lune] * place + [(points, triangles)]))))
+                run = self.run_command("tube.obj", "--unit", unit, "--output", "out", "--quiet")
+                self.assertIn(run.returncode, (0, 4), run.stderr)
+                report = self.report("out")
+                self.assertEqual(len(report["pieces"]), place + 1)
+                said = report["pieces"][place]["verdict"]
+                self.assertIn(f"wirewarp: warning: piece {place + 1}: {said}\n", run.stderr)
+                self.assertIn(f"piece {place + 1}: {said}", report["warnings"])
+                self.assertIn(energy, said)
+                for told in (run.stderr, report["message"]):
+                    self.assertNotIn("feature curve", told)
+                    self.assertNotIn("dart", told)
+                start, end = map(int, re.search(
+                    r"this is a tube with 2 openings, .*: cut it open from point (\d+) to point (\d+), or",
+                    said).groups())
+                ends = {(p - place * len(self.points)) // count for p in (start, end)}
+                self.assertEqual(ends, {0, rings})
 
     def test_darts_that_cross_are_closed_on_request(self):
         piece = [

@@ -104,6 +104,53 @@ void aRunThatDoesNotConvergeIsMarked(Checks& check)
   check.contains(text(filter->GetOutput(), "StatusMessage"), "2 iterations", "StatusMessage");
 }
 
+// A tube, which no plane can hold, is a warning with the points to cut it open between, although
+// all lengths are kept; a half of it is none.
+void whatAPlaneCannotHoldIsAWarning(Checks& check)
+{
+  for (const int around : { 12, 30 })
+  {
+    for (const bool half : { false, true })
+    {
+      const auto points = vtkSmartPointer<vtkPoints>::New();
+      const auto cells = vtkSmartPointer<vtkCellArray>::New();
+      for (int ring = 0; ring < 3; ++ring)
+      {
+        for (int k = 0; k < around; ++k)
+        {
+          const double turn = 2.0 * vtkMath::Pi() * k / around;
+          points->InsertNextPoint(4.0 * std::cos(turn), 4.0 * std::sin(turn), 0.7 * ring);
+          if (ring > 0 && (!half || 2 * k < around))
+          {
+            const vtkIdType a = around * (ring - 1) + k;
+            const vtkIdType b = around * (ring - 1) + (k + 1) % around;
+            cells->InsertNextCell({ a, b, b + around, a + around });
+          }
+        }
+      }
+      vtkNew<vtkPolyData> tube;
+      tube->SetPoints(points);
+      tube->SetPolys(cells);
+      vtkNew<vtkWireWarpingFilter> filter;
+      const Messages messages(filter);
+      filter->SetInputData(tube);
+      filter->Update();
+      check.that(!filter->IsRefused(), "a tube is flattened");
+      check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-9, "E_len_max");
+      const std::string verdict = half ? "" : text(filter->GetOutput(), "Verdict");
+      const std::size_t broken = filter->GetStatusCode() == vtkWireWarpingFilter::OK ? 0 : 1;
+      check.equal(messages.warnings.size(), broken + (half ? 0 : 1), "warnings");
+      if (!half && !messages.warnings.empty())
+      {
+        check.contains(verdict, "this is a tube with 2 openings", "Verdict");
+        check.contains(verdict, " to point ", "Verdict");
+        check.contains(messages.warnings.back() + messages.warnings.front(), verdict, "warning");
+        check.equal(text(filter->GetOutput(), "RunWarnings"), "piece 1: " + verdict, "RunWarnings");
+      }
+    }
+  }
+}
+
 // Fig. 13: key curves that cannot keep their shapes together are named, and one set free.
 void incompatibleKeysAreNamed(Checks& check, const std::string& data)
 {
@@ -174,6 +221,7 @@ int TestWireWarpingFilterPromises(int argc, char* argv[])
   theRelaxationAgreesWithTheDirectInterior(check);
   theIsometricSchemeKeepsLengths(check);
   aRunThatDoesNotConvergeIsMarked(check);
+  whatAPlaneCannotHoldIsAWarning(check);
   incompatibleKeysAreNamed(check, dataDirectory(argc, argv));
   crossingCutsAreNamedOrClosed(check, dataDirectory(argc, argv));
   return check.result();

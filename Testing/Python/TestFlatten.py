@@ -18,6 +18,57 @@ def edge_lengths(positions, vertices):
     return np.linalg.norm(np.diff(positions[vertices], axis=0), axis=1)
 
 
+def cap(angle, rings, count, size):
+    """The sphere about its pole down to an angle."""
+    points, triangles = [(0.0, 0.0, size)], [(0, 1 + k, 1 + (k + 1) % count) for k in range(count)]
+    for down in angle * np.arange(1, rings + 1) / rings:
+        points += [(size * np.sin(down) * np.cos(turn), size * np.sin(down) * np.sin(turn), size * np.cos(down))
+                   for turn in 2 * np.pi * np.arange(count) / count]
+    for first in range(1, 1 + count * (rings - 1), count):
+        for k in range(count):
+            a, b = first + k, first + (k + 1) % count
+            triangles += [(a, a + count, b + count), (a, b + count, b)]
+    return np.array(points), np.array(triangles)
+
+
+class WhatAPlaneCannotHold(unittest.TestCase):
+    def test_a_deep_piece_is_a_warning_that_names_the_energy_that_was_used(self):
+        for angle, rings, size in ((2.6, 12, 1.0), (2.6, 8, 400.0), (2.0, 8, 0.01)):
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                result = sf.flatten(*cap(angle, rings, 16, size))
+            piece = result.report["pieces"][0]
+            self.assertGreater(piece["E_area"], 0.6)
+            self.assertEqual(piece["energy_used"], "symmetric-dirichlet")
+            self.assertEqual([w.category for w in told], [sf.FlatteningWarning])
+            self.assertEqual(str(told[0].message), "piece 1: " + piece["verdict"])
+            self.assertEqual(result.report["warnings"], ["piece 1: " + piece["verdict"]])
+            self.assertIn("a plane cannot hold this piece", piece["verdict"])
+            self.assertIn("the symmetric Dirichlet energy was used", piece["verdict"])
+
+    def test_what_lies_well_is_no_warning(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for angle in (0.3, 0.9):
+                self.assertEqual(sf.flatten(*cap(angle, 8, 16, 2.0)).report["pieces"][0]["verdict"], "")
+
+    def test_another_energy_than_the_one_that_was_asked_for_is_a_warning(self):
+        diameter = [1 + 12 * ring for ring in range(7, -1, -1)] + [0] + [7 + 12 * ring for ring in range(8)]
+        for size in (0.1, 1.0, 300.0):
+            for energy, used in (("rigid", True), ("dirichlet", False)):
+                with warnings.catch_warnings(record=True) as told:
+                    warnings.simplefilter("always")
+                    piece, = sf.flatten(*cap(1.05, 8, 12, size), [diameter], energy=energy).report["pieces"]
+                self.assertEqual((piece["verdict"], piece["energy_used"]), ("", "symmetric-dirichlet"))
+                self.assertEqual(
+                    ["the symmetric Dirichlet energy was used" in str(w.message) for w in told], [True] * used)
+
+    def test_a_conformal_map_keeps_no_length_that_would_want_room(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            sf.flatten(*cap(2.0, 8, 16, 1.0), scheme="lscm")
+
+
 class QuarterSphere(unittest.TestCase):
     """Fig. 11 and Table 1 of the paper."""
 

@@ -60,8 +60,10 @@ struct PieceReport
   /// What was done, which may be another thing than was asked for: then `fallbacks` says why.
   std::optional<AngleMethod> solverUsed;          ///< none in a conformal map
   std::optional<DistortionEnergyKind> energyUsed; ///< isometric scheme only
-  /// Whether the plane has room for the piece, known before it was flattened; its cut in vertices
-  /// of the cut surface.
+  /// Which energy that is and why, where another one was asked for.
+  std::string otherEnergy;
+  /// Whether the plane has room for the piece, known before it was flattened; its cuts in
+  /// vertices of the cut surface.
   AreaForecast area;
   bool repaired = false; ///< progressive scheme: the angles did not close by themselves
   std::vector<std::string> fallbacks;

@@ -24,6 +24,6 @@ struct PieceContext
   /// Whether the plane has room for the piece; null: not asked for.
   const AreaForecast* area = nullptr;
 
-  bool deep() const { return this->area && this->area->deep(); }
+  bool deep() const { return this->area && (this->area->deep() || this->area->tube()); }
 };
 }

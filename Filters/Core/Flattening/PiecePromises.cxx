@@ -55,9 +55,21 @@ public:
     {
       status.waysOut.emplace_back(Remedy::AllowLengthError);
     }
-    status.waysOut.emplace_back(Remedy::ReleaseCurves,
-      off.empty() ? "a feature curve"
-                  : quotedNames(this->Curves, { off.begin(), off.begin() + this->namedOf(off) }));
+    const PieceReport& piece = this->Result.pieces.back();
+    if (piece.area.tube())
+    {
+      status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
+    }
+    if (piece.wired)
+    {
+      status.waysOut.emplace_back(Remedy::ReleaseCurves,
+        off.empty() ? "a feature curve"
+                    : quotedNames(this->Curves, { off.begin(), off.begin() + this->namedOf(off) }));
+    }
+    else if (status.waysOut.empty())
+    {
+      status.waysOut.emplace_back(Remedy::AddDarts);
+    }
     return status;
   }
 
@@ -130,8 +142,9 @@ private:
 };
 
 /// Flips where an interior that does not look at them, or the scheme, is to blame first.
-Status flippedTriangles(const Indices& flipped, const FlatteningOptions& options)
+Status flippedTriangles(const PieceReport& report, const FlatteningOptions& options)
 {
+  const Indices& flipped = report.quality.flipped;
   Status status{ StatusCode::FlippedTriangles,
     std::to_string(flipped.size()) + " triangle(s) are flipped: " + listIds(flipped),
     { ElementKind::Cells, flipped }, {} };
@@ -144,8 +157,8 @@ Status flippedTriangles(const Indices& flipped, const FlatteningOptions& options
   {
     status.waysOut.emplace_back(Remedy::UseIsometricScheme);
   }
-  status.waysOut.emplace_back(Remedy::AddDarts);
-  if (!conformal)
+  status.waysOut.emplace_back(report.area.tube() ? Remedy::SeamBetweenLoops : Remedy::AddDarts);
+  if (!conformal && report.wired)
   {
     status.waysOut.emplace_back(Remedy::ReleaseCurves, "feature curves there");
   }
@@ -217,7 +230,7 @@ void explain(const FlatteningOptions& options, PieceReport& report)
   {
     status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
   }
-  if (report.area.deep())
+  if (report.area.deep() && !report.area.tube())
   {
     // What keeps it from a minimum is that there is no room; the verdict says where a cut helps.
     status.waysOut.emplace_back(Remedy::AddDarts);
@@ -282,7 +295,7 @@ void judgeLastPiece(const CutSurface& cut, const std::vector<FeatureCurve>& curv
   }
   else if (report.status.ok() && !quality.flipped.empty())
   {
-    report.status = flippedTriangles(quality.flipped, options);
+    report.status = flippedTriangles(report, options);
   }
   else if (report.status.ok() && report.overlaps.count > 0)
   {

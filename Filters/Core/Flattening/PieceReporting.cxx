@@ -40,6 +40,21 @@ double largestLengthError(const PieceContext& context, const FlatWires& flat)
 /// makers tell from the straight grain; a line along mesh edges may waver by as much.
 constexpr double straightGrain = 0.02;
 
+/// See PieceReport::otherEnergy.
+std::string otherEnergy(const PieceContext& context, const FlatWires& flat)
+{
+  if (!flat.placed.isometric || flat.placed.clothSolved ||
+    flat.placed.energyUsed == context.options.isometric.energy.kind)
+  {
+    return {};
+  }
+  return flat.placed.energyUsed == DistortionEnergyKind::SymmetricDirichlet
+    ? "the symmetric Dirichlet energy was used: the one asked for folds triangles, or presses them "
+      "to nothing"
+    : "no energy of the isometric scheme keeps triangles from folding; the piece lies where the "
+      "global scheme has put it";
+}
+
 /// What was done in place of what was asked for.
 std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires& flat)
 {
@@ -61,14 +76,9 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
     all.emplace_back("the patches could not all be closed one after the other; the wires have the "
                      "nearest angles that close");
   }
-  if (flat.placed.isometric && flat.placed.energyUsed != options.isometric.energy.kind)
+  if (const std::string energy = otherEnergy(context, flat); !energy.empty())
   {
-    all.emplace_back(flat.placed.energyUsed == DistortionEnergyKind::SymmetricDirichlet
-        ? "the symmetric Dirichlet energy was used: the one asked for folds triangles, or "
-          "presses them to nothing"
-        : "no energy of the isometric scheme keeps triangles from folding; the piece lies where "
-          "the "
-          "global scheme has put it");
+    all.push_back(energy);
   }
   if (flat.placed.fromConvexStart)
   {
@@ -130,10 +140,14 @@ PieceReport reportPiece(const PieceContext& context, const FlatWires& flat)
   if (context.area)
   {
     report.area = *context.area;
-    for (Index& v : report.area.cut)
-    {
-      v = piece.vertices[v];
-    }
+    const auto onCutSurface = [&piece](Indices& vertices) {
+      for (Index& v : vertices)
+      {
+        v = piece.vertices[v];
+      }
+    };
+    onCutSurface(report.area.cut);
+    std::for_each(report.area.openings.begin(), report.area.openings.end(), onCutSurface);
   }
   report.status = flat.status;
   if (flat.status.refused())
@@ -168,6 +182,7 @@ PieceReport reportPiece(const PieceContext& context, const FlatWires& flat)
   {
     const IsometricSolution& isometric = *flat.placed.isometric;
     report.energyUsed = flat.placed.energyUsed;
+    report.otherEnergy = otherEnergy(context, flat);
     report.iterations = isometric.iterations;
     report.isometricHistory = isometric.history;
     report.distortionEnergy = isometric.distortionEnergy;

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
+#include <vector>
 
 namespace flattening
 {
@@ -74,6 +76,22 @@ double lossBy(const TriangleMesh& mesh, const std::vector<double>& u)
   return 1.0 - flat / area;
 }
 
+/// See AreaForecast::openings.
+std::vector<Indices> cutsOfTube(const TriangleMesh& mesh)
+{
+  const std::vector<Indices> loops = mesh.boundaryLoops();
+  std::vector<Indices> ends;
+  for (const Indices& loop : loops)
+  {
+    const double lost = 1.0 + turnOf(mesh, loop) / (2.0 * pi);
+    if (ends.empty() || lost >= AreaForecast::noticeable)
+    {
+      ends.push_back(loop);
+    }
+  }
+  return ends.size() > 1 ? joiningPaths(mesh, std::move(ends)) : std::vector<Indices>();
+}
+
 ScaleFactorOptions withoutSites(Indices fixed)
 {
   ScaleFactorOptions options;
@@ -86,6 +104,7 @@ ScaleFactorOptions withoutSites(Indices fixed)
 AreaForecast forecastArea(const TriangleMesh& mesh, const Execution& execution)
 {
   AreaForecast forecast;
+  forecast.openings = cutsOfTube(mesh);
   if (risingCurvature(mesh) < harmless)
   {
     forecast.known = true;

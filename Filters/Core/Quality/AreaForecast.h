@@ -17,12 +17,17 @@ struct AreaForecast
   /// surface is deepest. Empty where there is nothing to say.
   Indices cut;
   double lossAfterCut = 0.0;
+  /// Cuts that open a tube: vertices along edges, each from one boundary loop to another. They lead
+  /// to the loops that no plane can hold as holes, since a narrow ring around one loses
+  /// `noticeable` of its width there or more. Empty: none is such.
+  std::vector<Indices> openings;
   /// False where a run was cancelled on the way, or a system could not be solved.
   bool known = false;
 
   /// From here on no seamstress calls it ease.
   static constexpr double noticeable = 0.3;
   bool deep() const { return this->loss >= noticeable; }
+  bool tube() const { return !this->openings.empty(); }
 };
 
 /// One linear system, a second one where the surface is deep, and none where it is plain from the

@@ -4,7 +4,6 @@
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Surface/EdgePaths.h"
-#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <numeric>
@@ -191,83 +190,30 @@ private:
   EdgePaths Paths;
 };
 
-/// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
-/// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
-double turnOf(const TriangleMesh& mesh, const Indices& loop)
-{
-  double turn = 0.0;
-  for (Index h : loop)
-  {
-    turn += pi;
-    for (Index spoke : VertexFan(mesh, mesh.from(h)))
-    {
-      turn -= mesh.angle(spoke);
-    }
-  }
-  return turn;
-}
-
 /// Joins loops that are no mere holes to the longest one, each by the shortest way to what is
 /// joined already, as long as there is one that meets no barred vertex.
 std::vector<Polyline> joinLoops(const TriangleMesh& mesh, const std::vector<char>& barred)
 {
-  const auto isFree = [&](Index v) { return barred.empty() || !barred[v]; };
   const std::vector<Indices> loops = mesh.boundaryLoops();
   const auto lengthOf = [&](const Indices& loop) {
     return std::accumulate(
       loop.begin(), loop.end(), 0.0, [&](double sum, Index h) { return sum + mesh.length(h); });
   };
-  std::vector<std::size_t> apart;
+  std::vector<Indices> joined{ loops.front() };
   for (std::size_t l = 1; l < loops.size(); ++l)
   {
     if (lengthOf(loops[l]) > leastJoined * lengthOf(loops[0]) &&
       turnOf(mesh, loops[l]) > -leastHoleTurn * 2.0 * pi)
     {
-      apart.push_back(l);
+      joined.push_back(loops[l]);
     }
-  }
-  Indices joined;
-  const auto join = [&](const Indices& loop) {
-    for (Index h : loop)
-    {
-      if (isFree(mesh.from(h)))
-      {
-        joined.push_back(mesh.from(h));
-      }
-    }
-  };
-  if (!apart.empty())
-  {
-    join(loops[0]);
   }
   const PathGraph graph(mesh);
   std::vector<Polyline> lines;
-  while (!apart.empty())
+  for (const Indices& path : joiningPaths(mesh, std::move(joined), barred))
   {
-    const EdgePaths paths(mesh, joined, barred);
-    std::size_t nearest = 0;
-    Index end = none;
-    for (std::size_t k = 0; k < apart.size(); ++k)
-    {
-      for (Index h : loops[apart[k]])
-      {
-        if (isFree(mesh.from(h)) &&
-          (end == none || paths.distance(mesh.from(h)) < paths.distance(end)))
-        {
-          end = mesh.from(h);
-          nearest = k;
-        }
-      }
-    }
-    if (end == none || !paths.reaches(end))
-    {
-      break;
-    }
-    const Index start = paths.path(end).front();
-    lines.push_back(
-      seamAlong(straightPath(graph, vertexPoint(mesh, start), vertexPoint(mesh, end)).path));
-    join(loops[apart[nearest]]);
-    apart.erase(apart.begin() + static_cast<std::ptrdiff_t>(nearest));
+    const SurfacePoint start = vertexPoint(mesh, path.front());
+    lines.push_back(seamAlong(straightPath(graph, start, vertexPoint(mesh, path.back())).path));
   }
   return lines;
 }

@@ -80,4 +80,65 @@ Index EdgePaths::farthest() const
   }
   return best;
 }
+
+double turnOf(const TriangleMesh& mesh, const Indices& loop)
+{
+  double turn = 0.0;
+  for (Index h : loop)
+  {
+    turn += pi;
+    for (Index spoke : VertexFan(mesh, mesh.from(h)))
+    {
+      turn -= mesh.angle(spoke);
+    }
+  }
+  return turn;
+}
+
+std::vector<Indices> joiningPaths(
+  const TriangleMesh& mesh, std::vector<Indices> loops, const std::vector<char>& barred)
+{
+  const auto isFree = [&](Index v) { return barred.empty() || !barred[v]; };
+  Indices joined;
+  const auto join = [&](std::size_t l) {
+    for (Index h : loops[l])
+    {
+      if (isFree(mesh.from(h)))
+      {
+        joined.push_back(mesh.from(h));
+      }
+    }
+    loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
+  };
+  std::vector<Indices> found;
+  if (loops.size() > 1)
+  {
+    join(0);
+  }
+  while (!joined.empty() && !loops.empty())
+  {
+    const EdgePaths paths(mesh, joined, barred);
+    std::size_t nearest = 0;
+    Index end = none;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+    {
+      for (Index h : loops[l])
+      {
+        const Index v = mesh.from(h);
+        if (isFree(v) && (end == none || paths.distance(v) < paths.distance(end)))
+        {
+          end = v;
+          nearest = l;
+        }
+      }
+    }
+    if (end == none || !paths.reaches(end))
+    {
+      break;
+    }
+    found.push_back(paths.path(end));
+    join(nearest);
+  }
+  return found;
+}
 }

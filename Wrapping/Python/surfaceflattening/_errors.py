@@ -36,5 +36,6 @@ class FlatteningError(ValueError):
 
 class FlatteningWarning(UserWarning):
     """There is a result, but a promise is broken: not converged, keys that contradict each other, a
-    length error, a flipped triangle or an overlap (the report's "status" says which), or a part of
-    the input was left out (the report's "warnings")."""
+    length error, a flipped triangle or an overlap (the report's "status" says which); or a part of
+    the input was left out, no plane can hold a piece, or another energy was used than the one asked
+    for (the report's "warnings")."""

@@ -203,7 +203,8 @@ class PieceReport(TypedDict):
         solver_used, energy_used: of the method; empty where it has none.
         repaired: whether progressive angles did not close and the nearest that do were taken.
         fallbacks: what was done in place of what was asked for, and why; else empty.
-        verdict: that the plane has no room for the piece, and where to cut it; else empty.
+        verdict: that the plane has no room for the piece, where to cut it, and which other energy was
+            used; else empty. It is a warning as well.
         forecast_area_loss, forecast_area_loss_after_cut: part of the area that is lost where the
             boundary keeps its lengths, as known before flattening, and with that cut; 0 below 0.3.
         forecast_cut_from, forecast_cut_to: points that it joins along edges; -1: none.
@@ -318,7 +319,7 @@ class Report(TypedDict):
         message: what is wrong and the ways out; empty where it is "Ok".
         ids, id_kind: the offending elements, and what they are.
         remedies: the ways out, each a :class:`Remedy`.
-        warnings: what of the input was left out, a sentence each.
+        warnings: what of the input was left out, and verdicts on pieces, a sentence each.
         left_out: pieces that skip_closed left out, each a :class:`LeftOut`.
         pieces: measures of each piece, :class:`PieceReport`: E_len, E_ang, E_h, E_area, ...
         curves: lengths of each feature curve, :class:`CurveReport`.

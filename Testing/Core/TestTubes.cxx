@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sleeves and whole garments, which no plane can hold: what is said of them and what becomes of
+// them.
+#include "Flattening/SurfaceFlattening.h"
+#include "Quality/AreaForecast.h"
+#include "StatusTesting.h"
+#include "WiredSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace flattening;
+using namespace statustesting;
+using namespace testmeshes;
+
+namespace
+{
+/// A ring or tube, `place` by turn up to 2 pi and from 0 to 1 across.
+TriangleMesh rolled(Index around, Index across, const std::function<Point3(double, double)>& place)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index j = 0; j <= across; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      points.push_back(place(2.0 * pi * i / around, static_cast<double>(j) / across));
+      if (j < across)
+      {
+        const Index a = j * around + i;
+        const Index b = j * around + (i + 1) % around;
+        triangles.push_back({ a, b, b + around });
+        triangles.push_back({ a, b + around, a + around });
+      }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// Square arms along the axes around a cube, as many of them open at their ends.
+TriangleMesh garment(Index open, Index length, Index division, double size)
+{
+  const std::array<std::array<Index, 3>, 6> ways{ { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 },
+    { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } } };
+  using Place = std::array<Index, 3>;
+  std::set<Place> cubes{ { 0, 0, 0 } };
+  const auto moved = [](const Place& from, const Place& way, Index by) {
+    return Place{ from[0] + by * way[0], from[1] + by * way[1], from[2] + by * way[2] };
+  };
+  for (const Place& way : ways)
+  {
+    for (Index k = 1; k <= length; ++k)
+    {
+      cubes.insert(moved({ 0, 0, 0 }, way, k));
+    }
+  }
+  std::map<Place, Index> vertexAt;
+  Points3 points;
+  Triangles triangles;
+  const auto vertex = [&](const Place& at) {
+    const auto found = vertexAt.emplace(at, static_cast<Index>(points.size()));
+    if (found.second)
+    {
+      points.push_back(size * Point3(at[0], at[1], at[2]));
+    }
+    return found.first->second;
+  };
+  for (const Place& cube : cubes)
+  {
+    for (std::size_t w = 0; w < ways.size(); ++w)
+    {
+      const bool end = cube == moved({ 0, 0, 0 }, ways[w], length);
+      if (cubes.count(moved(cube, ways[w], 1)) > 0 || (end && static_cast<Index>(w) < open))
+      {
+        continue;
+      }
+      // Along two axes that make a right-handed system with the way outwards.
+      const std::size_t axis = w / 2;
+      std::size_t first = (axis + 1) % 3;
+      std::size_t second = (axis + 2) % 3;
+      if (w % 2 == 1)
+      {
+        std::swap(first, second);
+      }
+      for (Index i = 0; i < division; ++i)
+      {
+        for (Index j = 0; j < division; ++j)
+        {
+          const auto corner = [&](Index p, Index q) {
+            Place at{ 2 * division * cube[0], 2 * division * cube[1], 2 * division * cube[2] };
+            at[axis] += division * ways[w][axis];
+            at[first] += 2 * p - division;
+            at[second] += 2 * q - division;
+            return vertex(at);
+          };
+          const Index a = corner(i, j);
+          const Index c = corner(i + 1, j + 1);
+          triangles.push_back({ a, corner(i + 1, j), c });
+          triangles.push_back({ a, c, corner(i, j + 1) });
+        }
+      }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+FlatteningResult flatten(const TriangleMesh& mesh, const FlatteningOptions& options = {},
+  const std::vector<FeatureCurve>& curves = {})
+{
+  return flattenSurface(mesh, curves, options, {});
+}
+
+/// Every path runs along inner edges from one boundary loop to another.
+void expectPaths(const TriangleMesh& mesh, const std::vector<Indices>& paths)
+{
+  for (const Indices& path : paths)
+  {
+    ASSERT_GE(path.size(), 2U);
+    EXPECT_TRUE(mesh.onBoundary(path.front()));
+    EXPECT_TRUE(mesh.onBoundary(path.back()));
+    for (std::size_t k = 1; k < path.size(); ++k)
+    {
+      const Index h = mesh.find(path[k - 1], path[k]);
+      ASSERT_NE(h, none);
+      EXPECT_NE(mesh.twin(h), none);
+    }
+  }
+}
+}
+
+TEST(Tubes, AreKnownByTheTurnsOfTheirOpenings)
+{
+  for (const double size : { 1e-3, 1.0, 1e4 })
+  {
+    for (const double length : { 0.2, 3.0 })
+    {
+      // The wall's slope against the axis: a narrow ring loses 1 - slope / sqrt(1 + slope^2).
+      for (const auto& [slope, tube] : { std::pair(0.0, true), std::pair(0.9, true),
+             std::pair(1.1, false), std::pair(3.0, false) })
+      {
+        const TriangleMesh mesh = rolled(24, 5, [&, slope = slope](double turn, double across) {
+          const double radius = 1.0 + slope * length * across;
+          return Point3(
+            size * radius * std::cos(turn), size * radius * std::sin(turn), size * length * across);
+        });
+        const AreaForecast forecast = forecastArea(mesh, {});
+        EXPECT_EQ(forecast.tube(), tube) << slope;
+        EXPECT_EQ(forecast.openings.size(), tube ? 1U : 0U);
+        expectPaths(mesh, forecast.openings);
+      }
+    }
+  }
+}
+
+TEST(Tubes, HaveHolesThatAreNoOpenings)
+{
+  const TriangleMesh whole = rolled(24, 16, [](double turn, double across) {
+    return Point3(std::cos(turn), std::sin(turn), 3.2 * across);
+  });
+  Triangles triangles = whole.triangles();
+  triangles.erase(triangles.begin() + 350);
+  const TriangleMesh holed(whole.points(), triangles);
+  ASSERT_EQ(holed.boundaryLoops().size(), 3U);
+  EXPECT_EQ(forecastArea(holed, {}).openings.size(), 1U);
+}
+
+TEST(Tubes, AreDisksOnceTheyAreCutAsProposed)
+{
+  for (const Index open : { 2, 3, 6 })
+  {
+    const TriangleMesh mesh = garment(open, 2, 3, 1.0);
+    std::vector<FeatureCurve> seams;
+    for (const Indices& path : forecastArea(mesh, {}).openings)
+    {
+      seams.push_back(curveOf(CurveType::Seam, "seam " + std::to_string(seams.size()), path));
+    }
+    FlatteningOptions options;
+    options.scheme = Scheme::LeastSquaresConformal;
+    const FlatteningResult result = flatten(mesh, options, seams);
+    ASSERT_EQ(result.pieces.size(), 1U) << result.status.message;
+    EXPECT_EQ(result.pieces.front().boundaryLoops, 1);
+  }
+}
+
+TEST(Tubes, AdviceNamesOnlyWhatIsThere)
+{
+  // With so few triangles some turn over.
+  for (const double length : { 1.0, 4.0 })
+  {
+    for (const Scheme scheme : { Scheme::Isometric, Scheme::Global, Scheme::Progressive })
+    {
+      FlatteningOptions options;
+      options.scheme = scheme;
+      const TriangleMesh mesh = rolled(6, 1, [&](double turn, double across) {
+        return Point3(std::cos(turn), std::sin(turn), length * across);
+      });
+      const Status& status = flatten(mesh, options).status;
+      EXPECT_FALSE(codeOf(status) == StatusCode::Ok);
+      EXPECT_FALSE(has(status, Remedy::ReleaseCurves)) << status.message;
+      EXPECT_FALSE(has(status, Remedy::AddDarts)) << status.message;
+      EXPECT_TRUE(has(status, Remedy::SeamBetweenLoops)) << status.message;
+    }
+  }
+}
