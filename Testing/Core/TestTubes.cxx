@@ -167,6 +167,36 @@ TEST(Tubes, HaveHolesThatAreNoOpenings)
   EXPECT_EQ(forecastArea(holed, {}).openings.size(), 1U);
 }
 
+TEST(Tubes, KeepTheLengthsOfAllTheirOpenings)
+{
+  // Along the longest arms a convex map falls below what rounding leaves of its largest triangles.
+  struct Case
+  {
+    Index open;
+    Index length;
+    double size;
+  };
+  for (const auto& [open, length, size] :
+    { Case{ 2, 1, 0.01 }, Case{ 2, 9, 30.0 }, Case{ 3, 4, 30.0 }, Case{ 3, 9, 0.01 },
+      Case{ 5, 1, 1.0 }, Case{ 5, 7, 1.0 }, Case{ 6, 4, 0.01 }, Case{ 6, 9, 30.0 } })
+  {
+    SCOPED_TRACE(std::to_string(open) + " openings, arms of " + std::to_string(length));
+    const TriangleMesh mesh = garment(open, length, 2, size);
+    ASSERT_EQ(mesh.boundaryLoops().size(), static_cast<std::size_t>(open));
+    const FlatteningResult result = flatten(mesh);
+    const PieceReport& piece = result.pieces.front();
+    EXPECT_LE(piece.quality.maximumEdgeLengthError, 1e-9) << result.status.message;
+    EXPECT_TRUE(piece.quality.flipped.empty());
+    EXPECT_EQ(piece.area.openings.size(), static_cast<std::size_t>(open - 1));
+    if (!result.status.ok())
+    {
+      EXPECT_TRUE(has(result.status, Remedy::SeamBetweenLoops)) << result.status.message;
+      EXPECT_FALSE(has(result.status, Remedy::AddDarts)) << result.status.message;
+      EXPECT_FALSE(has(result.status, Remedy::ReleaseCurves)) << result.status.message;
+    }
+  }
+}
+
 TEST(Tubes, AreDisksOnceTheyAreCutAsProposed)
 {
   for (const Index open : { 2, 3, 6 })

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/ConvexEmbedding.h"
 
+#include "Base/Planar.h"
 #include "Sparse/LinearSolver.h"
 #include "Surface/TriangleFrame.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace flattening
@@ -16,6 +18,10 @@ namespace
 /// would collapse; above, beside slivers, digits are lost.
 constexpr double smallestWeight = 0.05;
 constexpr double largestWeight = 20.0;
+/// Of flat over true area, least over largest: along a tube it falls as an exponential, and lengths
+/// are found late, or not at all, from where little is left of triangles.
+constexpr double smallestRatio = 1e-3;
+constexpr int mostReweightings = 8;
 
 struct WeightedEdge
 {
@@ -81,6 +87,52 @@ void placeOnCircle(const TriangleMesh& mesh, const Indices& loop, Points2& posit
       perimeter / (2.0 * pi) * Point2(std::cos(angle), std::sin(angle));
     along += length[k];
   }
+}
+
+/// Weights by which triangles far from the boundary are larger: each edge's over the roots of how
+/// much too small the triangles at both of its ends are (after S. Yoshizawa, A. Belyaev, H.-P.
+/// Seidel, "A fast and simple stretch-minimizing mesh parameterization", Shape Modeling
+/// International 2004). \return false where the smallest triangles are large enough already
+bool reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const Points2& positions,
+  std::vector<WeightedEdge>& edges)
+{
+  std::vector<double> area(positions.size(), 0.0);
+  std::vector<double> flat(positions.size(), 0.0);
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangle(t);
+    const double there = mesh.area(t);
+    const double here = std::max(std::numeric_limits<double>::min(),
+      0.5 * cross(positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]]));
+    least = std::min(least, here / there);
+    most = std::max(most, here / there);
+    for (Index v : c)
+    {
+      area[v] += there;
+      flat[v] += here;
+    }
+  }
+  for (std::size_t k = 1; k < loops.size(); ++k)
+  {
+    const std::size_t middle = positions.size() - loops.size() + k;
+    for (Index h : loops[k])
+    {
+      area[middle] += area[mesh.from(h)];
+      flat[middle] += flat[mesh.from(h)];
+    }
+  }
+  if (least > smallestRatio * most)
+  {
+    return false;
+  }
+  for (WeightedEdge& edge : edges)
+  {
+    edge.weight /=
+      std::sqrt(area[edge.from] / flat[edge.from]) * std::sqrt(area[edge.to] / flat[edge.to]);
+  }
+  return true;
 }
 
 bool placeInside(const std::vector<WeightedEdge>& edges, const std::vector<char>& fixed,
@@ -164,10 +216,14 @@ Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution)
       edges.push_back({ mesh.from(h), static_cast<Index>(vertices + k - 1), 1.0 });
     }
   }
-  if (!placeInside(edges, fixed, positions, execution))
+  int left = mostReweightings;
+  do
   {
-    return {};
-  }
+    if (!placeInside(edges, fixed, positions, execution))
+    {
+      return {};
+    }
+  } while (left-- > 0 && reweigh(mesh, loops, positions, edges));
   positions.resize(vertices);
   return positions;
 }

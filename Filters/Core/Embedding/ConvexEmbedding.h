@@ -11,7 +11,8 @@ namespace flattening
 /// neighbours by positive weights (W. T. Tutte, "How to draw a graph", Proceedings of the London
 /// Mathematical Society 13, 1963; M. S. Floater, "Parametrization and smooth approximation of
 /// surface triangulations", CAGD 14(3), 1997). Weights are the cotangents where they are positive,
-/// so that angles change little where the surface allows it. A hole is spanned by a vertex.
+/// so that angles change little where the surface allows it; where triangles would be lost to
+/// rounding, as along a tube, weights fall along the surface. A hole is spanned by a vertex.
 /// \return nothing where the system cannot be solved or the run was cancelled.
 Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution);
 }
