@@ -5,6 +5,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
+#include <vector>
+
 namespace flattening
 {
 namespace pattern
@@ -25,8 +28,18 @@ public:
   void addTension(double tension, const Eigen::VectorXd& x, Entries& entries) const;
 
 private:
+  /// What lies in one span of the curve, so that all its places have the same unknowns.
+  struct Part
+  {
+    Terms unknowns;                             ///< of the first place
+    std::vector<std::array<double, 4>> factors; ///< of the slopes at the places of its integral
+    std::vector<double> weights;
+
+    Point2 slope(std::size_t place, const Eigen::VectorXd& x) const;
+  };
+
   double Wanted;
-  std::vector<std::pair<Terms, double>> Slopes; ///< at the places of its integral, with weights
+  std::vector<Part> Parts;
 };
 }
 }

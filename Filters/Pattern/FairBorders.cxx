@@ -198,8 +198,8 @@ void FairBorders::place(const DrawingSource& all)
 double FairBorders::placeAt(std::size_t c, double length) const
 {
   const std::vector<PlannedInterval>& intervals = this->plan()[c].intervals;
-  const auto found = std::find_if(intervals.begin(), intervals.end(),
-    [length](const PlannedInterval& interval) { return length <= interval.end; });
+  const auto found = std::partition_point(intervals.begin(), intervals.end(),
+    [length](const PlannedInterval& interval) { return interval.end < length; });
   if (found == intervals.end())
   {
     return this->Chains.chains()[c].length();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace flattening
 {
@@ -129,20 +130,21 @@ private:
     {
       firm.push_back(chain.length());
     }
-    std::vector<double> stops = firm;
-    const auto isNear = [](const std::vector<double>& places, double notch, double distance) {
-      return std::any_of(places.begin(), places.end(),
-        [=](double place) { return std::abs(place - notch) < distance; });
+    const std::multiset<double> firmStops(firm.begin(), firm.end());
+    std::multiset<double> all = firmStops;
+    const auto isNear = [](const std::multiset<double>& places, double notch, double distance) {
+      const auto after = places.upper_bound(notch - distance);
+      return after != places.end() && *after < notch + distance;
     };
     for (const double notch : notches)
     {
       // Two curves may have a notch at one place. All firm points stay: stretches end there.
-      if (!isNear(firm, notch, closestStop) && !isNear(stops, notch, sameNotch * chain.length()))
+      if (!isNear(firmStops, notch, closestStop) && !isNear(all, notch, sameNotch * chain.length()))
       {
-        stops.push_back(notch);
+        all.insert(notch);
       }
     }
-    std::sort(stops.begin(), stops.end());
+    const std::vector<double> stops(all.begin(), all.end());
     for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     {
       PlannedInterval interval;
@@ -290,14 +292,12 @@ private:
     const double fraction = (middle - chain.arc[edge]) / (chain.arc[edge + 1] - chain.arc[edge]);
     const double there = this->arcAt(place, fraction);
     const std::vector<PlannedInterval>& others = this->Plan[place.chain].intervals;
-    for (std::size_t k = 0; k < others.size(); ++k)
+    const auto found = std::lower_bound(others.begin(), others.end(), there,
+      [](const PlannedInterval& other, double at) { return other.end < at; });
+    if (found != others.end() && found->start <= there)
     {
-      if (others[k].start <= there && there <= others[k].end)
-      {
-        interval.partner = { place.chain, k };
-        interval.reversed = place.backwards;
-        return;
-      }
+      interval.partner = { place.chain, static_cast<std::size_t>(found - others.begin()) };
+      interval.reversed = place.backwards;
     }
   }
 

@@ -144,12 +144,11 @@ double FairSolution::toleranceAt(const Place& place, std::size_t point) const
   const PlannedChain& chain = this->Plan[place.chain];
   const PlannedStretch& stretch = chain.stretches[place.stretch];
   const double arc = this->Chains.chains()[place.chain].arc[point];
-  std::size_t k = stretch.firstInterval;
-  while (k + 1 < stretch.endInterval && arc > chain.intervals[k].end)
-  {
-    ++k;
-  }
-  return chain.intervals[k].tolerance;
+  const auto first = chain.intervals.begin() + static_cast<std::ptrdiff_t>(stretch.firstInterval);
+  const auto last = chain.intervals.begin() + static_cast<std::ptrdiff_t>(stretch.endInterval) - 1;
+  return std::partition_point(first, last, [arc](const PlannedInterval& interval) {
+    return interval.end < arc;
+  })->tolerance;
 }
 
 double FairSolution::excess(const Place& place) const

@@ -76,12 +76,9 @@ FairSpan partOf(const FairSpan& span, double from, double to)
 
 const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc)
 {
-  std::size_t k = 0;
-  while (k + 1 < spans.size() && arc > spans[k].to)
-  {
-    ++k;
-  }
-  return spans[k];
+  const auto found = std::partition_point(
+    spans.begin(), spans.end() - 1, [arc](const FairSpan& span) { return span.to < arc; });
+  return *found;
 }
 }
 }

@@ -13,13 +13,13 @@ IntervalCurve::IntervalCurve(const std::vector<FairSpan>& spans, const PlannedIn
   , End(interval.places[1])
 {
   const double least = sameBreak * (this->End - this->Start);
-  for (const FairSpan& span : spans)
+  const double start = this->Start + least;
+  for (auto span = std::partition_point(
+         spans.begin(), spans.end(), [start](const FairSpan& one) { return one.to <= start; });
+       span != spans.end() && span->from < this->End - least; ++span)
   {
-    if (span.to > this->Start + least && span.from < this->End - least)
-    {
-      this->Parts.push_back(
-        partOf(span, std::max(span.from, this->Start), std::min(span.to, this->End)));
-    }
+    this->Parts.push_back(
+      partOf(*span, std::max(span->from, this->Start), std::min(span->to, this->End)));
   }
   for (const FairSpan& part : this->Parts)
   {

@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import resource
 import unittest
 
 import numpy as np
@@ -50,6 +51,18 @@ class Fair(pattern.PatternTest):
                     if element.get("data-length"):
                         found.append((number, element))
         return root, found
+
+    def test_borders_of_fifty_metres_with_hundreds_of_notches_take_a_bounded_time(self):
+        def seconds():
+            used = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return used.ru_utime + used.ru_stime
+
+        for piece, unit, tolerance, spacing in (("shirt_front", "m", "50", "100"), ("pants_front", "m", "0.2", "60"),
+                                                ("tshirt", "cm", "0.2", "1")):
+            with self.subTest(piece):
+                begin = seconds()
+                self.make(piece, "--svg", "--fair", tolerance, "--notch-spacing", spacing, unit=unit)
+                self.assertLess(seconds() - begin, 40.0)
 
     def test_every_curve_of_the_svg_has_its_length_on_the_surface(self):
         for piece in ("tshirt", "shirt_front", "shoe_upper"):
