@@ -21,6 +21,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkPatternWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -89,6 +90,24 @@ private:
   bool& Running;
   bool Before;
 };
+
+/// The outputs get the unit of the surface, or where that states none, of the first curves that do.
+void passLengthUnit(
+  vtkInformationVector** inputVector, int ports, vtkInformationVector* outputVector)
+{
+  std::string unit;
+  for (int port = 0; port < ports; ++port)
+  {
+    for (int k = 0; unit.empty() && k < inputVector[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      unit = vtkPatternWriter::GetLengthUnitOf(vtkDataObject::GetData(inputVector[port], k));
+    }
+  }
+  for (int port = 0; !unit.empty() && port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkPatternWriter::SetLengthUnitOf(vtkDataObject::GetData(outputVector, port), unit);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +158,10 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     const vtkTypeBool done = this->Superclass::ProcessRequest(request, inputVector, outputVector);
     if (run)
     {
+      if (!this->IsRefused())
+      {
+        passLengthUnit(inputVector, this->GetNumberOfInputPorts(), outputVector);
+      }
       this->FinishData(outputVector);
     }
     return done;

@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPatternWriter.h"
 #include "vtkPolyData.h"
 
 #include <fstream>
@@ -79,6 +80,10 @@ int vtkGarmentCodeReader::RequestData(vtkInformation* vtkNotUsed(request),
   this->SetErrorCode(vtkErrorCode::NoError);
   bridge::writePatternSource(pieces.source, vtkPolyData::GetData(outputVector, 0),
     vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkPatternWriter::SetLengthUnitOf(vtkPolyData::GetData(outputVector, port), "cm");
+  }
   return 1;
 }
 

@@ -147,6 +147,7 @@ Status vtkPatternWriter::WritePattern(int format)
   Status status =
     flattening::bridge::readPattern(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
   pattern::FileOptions options = this->MakeOptions(format);
+  options.pattern.unit = static_cast<pattern::Unit>(this->KnownUnit());
   pattern::Grading grading;
   if (status.ok() && this->GetNumberOfInputConnections(3) > 0)
   {
@@ -225,7 +226,7 @@ void vtkPatternWriter::WriteData()
   {
     vtkWarningMacro(<< warning);
   }
-  if (this->Unit == UNSPECIFIED)
+  if (this->KnownUnit() == UNSPECIFIED)
   {
     vtkWarningMacro("The unit of the surface is not stated: it is taken as cm. Set Unit.");
   }

@@ -111,6 +111,7 @@ struct FileOptions;
 }
 }
 
+class vtkDataObject;
 class vtkPolyData;
 
 class VTKFILTERSFLATTENING_EXPORT vtkPatternWriter : public vtkPatternFileWriter
@@ -134,8 +135,8 @@ public:
 
   ///@{
   /**
-   * Unit of length of the input. UNSPECIFIED is taken as CENTIMETRE, with a warning. Default:
-   * UNSPECIFIED.
+   * Unit of length of the input. UNSPECIFIED: the one that the flat pieces state
+   * (GetLengthUnitOf()); where they state none, CENTIMETRE, with a warning. Default: UNSPECIFIED.
    */
   vtkSetClampMacro(Unit, int, UNSPECIFIED, INCH);
   vtkGetMacro(Unit, int);
@@ -151,6 +152,16 @@ public:
    * nothing.
    */
   bool SetUnitByName(const std::string& name);
+
+  ///@{
+  /**
+   * The unit of length of a data set, "mm", "cm", "m" or "inch", that its field data state as
+   * `LengthUnit` (string); empty where they state none of these. Filters pass on the unit of their
+   * surface, or where that states none, of the first curves that do. Another word takes it out.
+   */
+  static std::string GetLengthUnitOf(vtkDataObject* data);
+  static void SetLengthUnitOf(vtkDataObject* data, const std::string& unit);
+  ///@}
 
   ///@{
   /**
@@ -508,6 +519,8 @@ private:
   flattening::pattern::FileOptions MakeOptions(int format) const;
   /// The data set of a port; null where there is none.
   vtkPolyData* DataOf(int port);
+  /// Unit, or the one that the flat pieces state.
+  int KnownUnit();
   /// Writes the file, from what is connected.
   flattening::Status WritePattern(int format);
 

@@ -3,14 +3,39 @@
 // as options.
 #include "vtkPatternWriter.h"
 
+#include "FieldArrays.h"
 #include "ListChanges.h"
 #include "PatternFile.h"
 
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cctype>
 
 namespace
 {
 namespace pattern = flattening::pattern;
+
+constexpr const char* lengthUnit = "LengthUnit";
+
+/// The unit of a name, in capital letters or not; Unspecified where it is none of these.
+pattern::Unit unitNamed(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const pattern::Unit unit : { pattern::Unit::Millimetre, pattern::Unit::Centimetre,
+         pattern::Unit::Metre, pattern::Unit::Inch })
+  {
+    if (name == pattern::unitName(unit))
+    {
+      return unit;
+    }
+  }
+  return pattern::Unit::Unspecified;
+}
 
 double valueOf(
   const std::map<std::string, double>& ofCurve, const std::string& curve, double common)
@@ -30,16 +55,44 @@ const char* vtkPatternWriter::GetUnitAsString() const
 //------------------------------------------------------------------------------
 bool vtkPatternWriter::SetUnitByName(const std::string& name)
 {
-  for (const int unit : { MILLIMETRE, CENTIMETRE, METRE, INCH })
+  const pattern::Unit unit = unitNamed(name);
+  if (unit != pattern::Unit::Unspecified)
   {
-    if (name == pattern::unitName(static_cast<pattern::Unit>(unit)))
-    {
-      this->SetUnit(unit);
-      return true;
-    }
+    this->SetUnit(static_cast<int>(unit));
+    return true;
   }
   vtkErrorMacro("Unknown unit '" << name << "'; there are mm, cm, m and inch.");
   return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPatternWriter::GetLengthUnitOf(vtkDataObject* data)
+{
+  vtkFieldData* const field = data ? data->GetFieldData() : nullptr;
+  auto* const stated =
+    vtkStringArray::SafeDownCast(field ? field->GetAbstractArray(lengthUnit) : nullptr);
+  const pattern::Unit unit = stated && stated->GetNumberOfValues() > 0
+    ? unitNamed(stated->GetValue(0))
+    : pattern::Unit::Unspecified;
+  return unit == pattern::Unit::Unspecified ? std::string() : pattern::unitName(unit);
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetLengthUnitOf(vtkDataObject* data, const std::string& unit)
+{
+  data->GetFieldData()->RemoveArray(lengthUnit);
+  const pattern::Unit known = unitNamed(unit);
+  if (known != pattern::Unit::Unspecified)
+  {
+    flattening::bridge::addStrings(data->GetFieldData(), lengthUnit, { pattern::unitName(known) });
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::KnownUnit()
+{
+  return this->Unit != UNSPECIFIED ? this->Unit
+                                   : static_cast<int>(unitNamed(GetLengthUnitOf(this->DataOf(0))));
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,10 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPatternWriter.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <QDateTime>
@@ -63,8 +66,8 @@ bool EditorWindow::openSurface(const std::string& path)
     this->Folder = QFileInfo(QString::fromStdString(path)).absolutePath();
     this->Cloth->setFolder(this->Folder);
     this->Saved = this->Curves->GetMTime();
-    const int unit = this->Unit->findText(QString::fromStdString(contents.unit));
-    this->Unit->setCurrentIndex(unit < 0 ? this->Unit->currentIndex() : unit);
+    this->UnitStated = false;
+    this->takeUnit(contents.unit);
     this->showSize();
     this->Hand->SetSurface(surface);
     this->SpaceScene.setSurface(surface);
@@ -97,7 +100,29 @@ bool EditorWindow::openCurves(const std::string& path)
     }
     const wirewarp::CurveContents read = wirewarp::readCurves(path, this->Surface);
     this->showCurves(read.curves, read.note);
+    this->takeUnit(vtkPatternWriter::GetLengthUnitOf(read.curves));
   });
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::takeUnit(const std::string& stated)
+{
+  const int unit = this->Unit->findText(QString::fromStdString(stated));
+  if (unit < 0)
+  {
+    return;
+  }
+  if (!this->UnitStated)
+  {
+    this->Unit->setCurrentIndex(unit);
+    this->UnitStated = true; // also where it is the one that was there
+  }
+  else if (unit != this->Unit->currentIndex())
+  {
+    this->tell("the curves were saved in " + stated + ", the surface is in " +
+        this->Unit->currentText().toStdString() + "; check the unit",
+      true);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -175,6 +200,7 @@ bool EditorWindow::saveCurves(const std::string& path)
   return this->attempt([&] {
     vtkNew<vtkPolyData> drawn;
     this->Curves->GetCurves(drawn);
+    vtkPatternWriter::SetLengthUnitOf(drawn, this->Unit->currentText().toStdString());
     figures::writePolyData(path, drawn);
     this->Saved = this->Curves->GetMTime();
     this->followSaving();
@@ -240,7 +266,10 @@ bool EditorWindow::saveSurface(const std::string& path)
     {
       throw std::runtime_error("there is no surface to save");
     }
-    figures::writePolyData(path, this->Surface);
+    vtkNew<vtkPolyData> saved;
+    saved->ShallowCopy(this->Surface);
+    vtkPatternWriter::SetLengthUnitOf(saved, this->Unit->currentText().toStdString());
+    figures::writePolyData(path, saved);
     this->tell("saved " + path, false);
   });
 }

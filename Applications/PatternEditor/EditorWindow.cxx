@@ -90,8 +90,10 @@ EditorWindow::EditorWindow()
   this->Message->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   this->Unit->addItems({ "cm", "mm", "m", "inch" });
   this->Unit->setToolTip("What a length of 1 means in the pattern.");
-  QObject::connect(this->Unit, QOverload<int>::of(&QComboBox::currentIndexChanged),
-    [this](int) { this->showSize(); });
+  QObject::connect(this->Unit, QOverload<int>::of(&QComboBox::currentIndexChanged), [this](int) {
+    this->UnitStated = true;
+    this->showSize();
+  });
   this->Measures->setToolTip(measureWords);
   this->Plane->SetBackground(1.0, 1.0, 1.0);
 

@@ -128,6 +128,8 @@ private:
   void offerLeftover();
   /// \param note what was left out of them
   void showCurves(vtkPolyData* lines, const std::string& note = {});
+  /// Takes the unit that a file states, "" for none, unless the user or the surface has stated one.
+  void takeUnit(const std::string& stated);
 
   void followCurves();
   void followChoice();
@@ -163,10 +165,11 @@ private:
   figures::PolyData Surface;
   figures::Coloring Coloring = figures::Coloring::Homogeneity;
   std::string Name;
-  QString Folder;         ///< where the next dialog for a file starts: that of the last file
-  std::string Broken;     ///< the last words of the flattening
-  bool Behind = false;    ///< the pieces and numbers shown are of earlier curves
-  vtkMTimeType Saved = 0; ///< of the curves when they were last on disk
+  QString Folder;          ///< where the next dialog for a file starts: that of the last file
+  std::string Broken;      ///< the last words of the flattening
+  bool Behind = false;     ///< the pieces and numbers shown are of earlier curves
+  bool UnitStated = false; ///< by the user or a file; else it is what was there
+  vtkMTimeType Saved = 0;  ///< of the curves when they were last on disk
 
   QVTKOpenGLStereoWidget* SpaceWidget;
   QVTKOpenGLStereoWidget* PlaneWidget;

@@ -10,6 +10,8 @@
 #include "ReadVtk.h"
 #include "TextFile.h"
 
+#include <vtkPatternWriter.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -130,12 +132,13 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
 
 vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
 {
-  vtkSmartPointer<vtkPolyData> curves = readObj(path).curves;
-  if (!curves)
+  const ObjContents contents = readObj(path);
+  if (!contents.curves)
   {
     throw InputError(path, "has no line element ('l'); save the feature curves as lines");
   }
-  return curves;
+  vtkPatternWriter::SetLengthUnitOf(contents.curves, contents.unit);
+  return contents.curves;
 }
 }
 

@@ -10,8 +10,9 @@
 namespace wirewarp
 {
 /// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and
-/// `CurveName`), from the lines of .obj (ReadObj.h), .csv (ReadCsvCurves.h) or .dxf
-/// (ReadDxfCurves.h), or else from text, one curve a line:
+/// `CurveName`, perhaps with a unit: vtkPatternWriter::GetLengthUnitOf()), from the lines of
+/// .obj (ReadObj.h), .csv (ReadCsvCurves.h) or .dxf (ReadDxfCurves.h), or else from text, one curve
+/// a line:
 ///
 ///     TYPE NAME v0 v1 ...      # TYPE is accessory, key, straight, dart or seam, in any case
 ///     edge NAME v0 v1 ...      # an accessory curve along the boundary from each vertex to the

@@ -8,6 +8,8 @@
 #include "ReadVtk.h"
 #include "TextFile.h"
 
+#include <vtkPatternWriter.h>
+
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
@@ -16,7 +18,9 @@ SurfaceContents readSurface(const std::string& path)
   const std::string extension = lowerCaseExtension(path);
   if (extension == ".vtp" || extension == ".vtk" || extension == ".stl")
   {
-    return { readVtk(path), nullptr };
+    SurfaceContents contents{ readVtk(path), nullptr };
+    contents.unit = vtkPatternWriter::GetLengthUnitOf(contents.surface);
+    return contents;
   }
   if (extension == ".obj")
   {

@@ -16,10 +16,12 @@
 #include "VtkMessages.h"
 
 #include <vtkIdTypeArray.h>
+#include <vtkPatternWriter.h>
 #include <vtkTrivialProducer.h>
 #include <vtkWireWarpingFilter.h>
 
 #include <chrono>
+#include <map>
 
 namespace wirewarp
 {
@@ -27,10 +29,38 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/// What --unit says goes before what the file says.
-void setUnit(const Options& options, const SurfaceContents& contents, Flattening& result)
+using CurveFiles = std::map<std::string, CurveContents>;
+
+/// The curves that need no surface to be read, by their files.
+CurveFiles readSavedCurves(const Options& options)
 {
-  const std::string& stated = options.pattern.unit.empty() ? contents.unit : options.pattern.unit;
+  CurveFiles saved;
+  for (const std::string& path : options.curves)
+  {
+    const std::string extension = lowerCaseExtension(path);
+    if (extension == ".vtp" || extension == ".vtk" || extension == ".obj")
+    {
+      saved[path] = readCurves(path, nullptr);
+    }
+  }
+  return saved;
+}
+
+/// What --unit says goes before what the surface says, and that before what curves say.
+void setUnit(const Options& options, const CurveFiles& curves, const SurfaceContents& contents,
+  Flattening& result)
+{
+  std::string stated = options.pattern.unit.empty() ? contents.unit : options.pattern.unit;
+  for (const auto& [path, contentsOfFile] : curves)
+  {
+    const std::string unit = vtkPatternWriter::GetLengthUnitOf(contentsOfFile.curves);
+    stated = stated.empty() ? unit : stated;
+    if (!unit.empty() && unit != stated)
+    {
+      result.notes.push_back(inQuotes(path) + " was saved in " + unit + ", and " +
+        inQuotes(options.surface) + " is taken in " + stated + "; check --unit");
+    }
+  }
   result.unitStated = !stated.empty();
   result.unit = result.unitStated ? stated : result.unit;
 }
@@ -48,16 +78,8 @@ vtkSmartPointer<vtkPolyData> mended(
   request.millimetres = millimetresOf(result.unit);
   request.outerSide = options.outerSide;
   MendedSurface mend = mendSurface(contents.surface, request);
-  result.notes = std::move(mend.notes);
+  result.notes.insert(result.notes.end(), mend.notes.begin(), mend.notes.end());
   return mend.surface;
-}
-
-SurfaceContents readMended(const std::string& path, const Options& options, Flattening& result)
-{
-  SurfaceContents contents = readSurface(path);
-  setUnit(options, contents, result);
-  contents.surface = mended(options, contents, result);
-  return contents;
 }
 
 /// Returns the file of each connection of curves.
@@ -65,12 +87,21 @@ SurfaceContents readMended(const std::string& path, const Options& options, Flat
 std::vector<std::string> readInput(
   const Options& options, const std::string& base, vtkWireWarpingFilter* filter, Flattening& result)
 {
-  SurfaceContents contents = readMended(options.surface, options, result);
+  SurfaceContents contents = readSurface(options.surface);
+  const CurveFiles saved = readSavedCurves(options);
+  setUnit(options, saved, contents, result);
+  contents.surface = mended(options, contents, result);
+  if (result.unitStated)
+  {
+    vtkPatternWriter::SetLengthUnitOf(contents.surface, result.unit);
+  }
   vtkSmartPointer<vtkPolyData> owner = contents.surface; // of the curves
   if (!base.empty())
   {
     Flattening ignored;
-    const SurfaceContents model = readMended(base, options, ignored);
+    SurfaceContents model = readSurface(base);
+    ignored.unit = result.unit;
+    model.surface = mended(options, model, ignored);
     checkConnectivity(model.surface, base, contents.surface, options.surface);
     owner = model.surface;
     contents.curves = model.curves;
@@ -100,7 +131,8 @@ std::vector<std::string> readInput(
   }
   for (const std::string& path : options.curves)
   {
-    const CurveContents curves = readCurves(path, owner);
+    const auto before = saved.find(path);
+    const CurveContents curves = before == saved.end() ? readCurves(path, owner) : before->second;
     if (!curves.note.empty())
     {
       result.notes.push_back(inQuotes(path) + ": " + curves.note);

@@ -51,7 +51,8 @@ Curves without a name are called "curve N", N counted from 0 over all curves. Wh
 name, options that take a NAME mean all of them.
 
 Units: lengths are in the unit of SURFACE, angles in radians, times in seconds; sizes are printed in mm and
-cm, by --unit, or by a comment of OBJ such as "# units: mm", or as if SURFACE were in cm.
+cm, by --unit, or by what SURFACE or CURVES state (the field data LengthUnit of .vtp and .vtk, a comment
+of OBJ such as "# units: mm"), or as if SURFACE were in cm. Files written to DIR keep a unit that is stated.
 Pieces are numbered from 1 where they are read of; PieceId and "piece" of report.json count from 0.
 Coordinates are read in double precision where the file holds them (STL holds single precision).
 

@@ -48,7 +48,7 @@ void addPatternOptions(CLI::App& app, PatternRequest& request)
     ->group(group);
   app
     .add_option("--unit", request.unit,
-      "Unit of SURFACE: mm, cm, m, inch (default: what the file states, or cm)")
+      "Unit of SURFACE: mm, cm, m, inch (default: what the files state, or cm)")
     ->transform(CLI::Validator(unitWord, "{mm,cm,m,inch}"))
     ->group(group);
   app.add_option("--name", request.name, "Name of the pattern (default: that of the file SURFACE)")

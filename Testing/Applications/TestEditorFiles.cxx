@@ -113,6 +113,42 @@ TEST_F(PatternEditor, AnArrayOfTheSurfaceCanSayWhereDistortionMatters)
   EXPECT_GE(this->window->proposals()->cuts().size(), 2U) << this->window->message().toStdString();
 }
 
+TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
+{
+  const std::string lines = testing::TempDir() + "unit_curves.vtp";
+  const std::string saved = testing::TempDir() + "unit_surface.vtp";
+  for (const char* const unit : { "m", "inch", "mm", "cm" })
+  {
+    this->window->unit()->setCurrentText(unit);
+    vtkFeatureCurveEditor* const curves = this->window->curves();
+    if (curves->GetNumberOfCurves() == 0)
+    {
+      ASSERT_TRUE(curves->SetCurves(tutorialLines(this->surface)));
+    }
+    ASSERT_TRUE(this->window->saveCurves(lines)) << this->window->message().toStdString();
+    ASSERT_TRUE(this->window->saveSurface(saved)) << this->window->message().toStdString();
+
+    this->open();
+    ASSERT_EQ(this->window->unit()->currentText(), "cm");
+    ASSERT_TRUE(this->window->openCurves(lines));
+    EXPECT_EQ(this->window->unit()->currentText(), unit);
+    EXPECT_EQ(this->window->message(), "");
+
+    this->open();
+    ASSERT_TRUE(this->window->openSurface(saved));
+    EXPECT_EQ(this->window->unit()->currentText(), unit);
+    ASSERT_TRUE(this->window->openCurves(lines));
+    EXPECT_EQ(this->window->message(), "");
+  }
+  // A unit that was chosen is not changed by curves, but said to be another one.
+  this->open();
+  this->window->unit()->setCurrentText("inch");
+  ASSERT_TRUE(this->window->openCurves(lines));
+  EXPECT_EQ(this->window->unit()->currentText(), "inch");
+  EXPECT_TRUE(this->window->message().contains("saved in cm, the surface is in inch"))
+    << this->window->message().toStdString();
+}
+
 TEST_F(PatternEditor, ASearchForProposalsCanBeStopped)
 {
   QTimer timer;

@@ -89,6 +89,32 @@ class Sizes(command.CommandTest):
                         run = self.run_command("plate.obj", *formats, "--unit", unit, "--output", "out")
                         self.assertEqual(run.stderr.count("--unit"), 0, run.stderr)
 
+    def test_a_stated_unit_is_kept_by_all_files_that_are_written(self):
+        self.write("plate.obj", command.obj(*plate(6, 10)))
+        self.write("line.txt", "accessory line " + " ".join(str(7 * j + 3) for j in range(11)) + "\n")
+        curves = os.path.join("first", "curves.vtp")
+        for unit, name, *inputs in (("m", "m", "plate.obj", curves), ("INCH", "inch", os.path.join("first", "cut.vtp")),
+                                    ("mm", "mm", os.path.join("first", "flat.vtp")),
+                                    ("cm", "cm", "plate.obj", "line.txt", curves)):
+            run = self.run_command("plate.obj", "line.txt", "--unit", unit, "--suggest", "darts", "--output", "first")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with self.subTest(unit=name, inputs=inputs):
+                run = self.run_command(*inputs, "--svg", "--fair", "0", "--output", "out")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertNotIn("--unit", run.stderr + run.stdout)
+                report = self.report("out")
+                self.assertEqual((report["unit"], report["unit_stated"]), (name, True))
+        # What is said last goes before it.
+        run = self.run_command("plate.obj", curves, "--unit", "mm", "--output", "last")
+        self.assertIn("was saved in cm", run.stderr)
+        report = self.flatten(os.path.join("last", "cut.vtp"))
+        self.assertEqual((report["unit"], report["unit_stated"]), ("mm", True))
+        # The surface goes before its curves, and a unit that is taken for granted is not written.
+        self.write("stated.obj", "# units: inch\n" + command.obj(*plate(6, 10)))
+        self.assertEqual(self.flatten("stated.obj", curves)["unit"], "inch")
+        self.run_command("plate.obj", "line.txt", "--output", "bare")
+        self.assertFalse(self.flatten(os.path.join("bare", "cut.vtp"))["unit_stated"])
+
     def test_what_must_be_eased_and_stretched_is_that_of_the_triangles(self):
         self.write("bump.obj", command.obj(*plate(
             12, 12, lambda x, y: 1.5 * math.exp(-((x - 9.5) ** 2 + (y - 10.0) ** 2) / 3.0))))

@@ -7,9 +7,12 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
+import warnings
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -52,6 +55,42 @@ class Filters(unittest.TestCase):
         self.assertIn("PROGRESSIVE", sf.vtkWireWarpingFilter.SetScheme.__doc__)
         for name in ("flatten", "flatten_polydata", "Curve", "Flattening", "FlatteningError"):
             self.assertTrue(getattr(sf, name).__doc__, name)
+
+    def test_the_unit_of_surface_or_curves_goes_with_the_pieces_into_a_pattern(self):
+        points, triangles, arc = quarter_sphere()
+        writer = sf.vtkPatternWriter
+
+        def made(of_surface, of_curves, folder, **options):
+            surface, curves = sf.make_surface(points, triangles), sf.make_curves([sf.Curve(arc)], points)
+            for data, unit in ((surface, of_surface), (curves, of_curves)):
+                word = vtkStringArray()
+                word.SetName("LengthUnit")
+                word.InsertNextValue(unit)
+                data.GetFieldData().AddArray(word)
+            result = sf.flatten_polydata(surface, curves)
+            path = os.path.join(folder, "piece.dxf")
+            result.write_pattern(path, **options)
+            with open(path, "rb") as file:
+                return result, file.read()
+
+        with tempfile.TemporaryDirectory() as folder:
+            for unit in ("mm", "cm", "m", "inch"):
+                with self.subTest(unit), warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    _, wanted = made("", "", folder, unit=unit)
+                    for of_surface, of_curves in ((unit.upper(), ""), ("", unit), (unit, "cm")):
+                        result, pattern = made(of_surface, of_curves, folder)
+                        self.assertEqual(pattern, wanted)
+                        for part in ("flat", "wires", "cut"):
+                            self.assertEqual(writer.GetLengthUnitOf(result.to_polydata(part)), unit)
+                    self.assertEqual([str(warning.message) for warning in caught], [])
+            for word in ("", "furlong"):
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    result, pattern = made(word, "", folder)
+                    self.assertIn("taken as cm", str(caught[0].message))
+                    self.assertEqual(writer.GetLengthUnitOf(result.to_polydata("flat")), "")
+                    self.assertEqual(pattern, made("", "", folder, unit="cm")[1])
 
     def test_the_defect_alone_is_the_message_without_its_way_out(self):
         fresh = sf.vtkWireWarpingFilter()

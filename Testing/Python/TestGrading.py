@@ -103,6 +103,15 @@ class Grading(unittest.TestCase):
             self.assertAlmostEqual(total, wanted, delta=1e-5)
         self.assertEqual(sorted(os.listdir(self.folder)), ["nest.svg", "rules.csv"])
 
+    def test_the_unit_is_that_of_the_surfaces_where_none_is_given(self):
+        centimetres = sf.grade(self.sizes).rules
+        for unit, factor in (("mm", 0.1), ("cm", 1.0), ("m", 100.0), ("inch", 2.54)):
+            for size in list(self.sizes)[1:]:  # the first that states one
+                sf.vtkPatternWriter.SetLengthUnitOf(self.sizes[size]._parts.flat, unit)
+            for rule, wanted in zip(sf.grade(self.sizes).rules, centimetres):
+                self.assertLess(np.abs(np.array(rule.deltas) - factor * np.array(wanted.deltas)).max(), 1e-9 * factor)
+            self.assertEqual(sf.grade(self.sizes, unit="cm").rules, centimetres)
+
     def test_the_rule_table_counts_the_points_of_the_dxf(self):
         grading = sf.grade(self.sizes, unit="cm")
         grading.write_rule_table(self.path("plate.rul"), "plate")

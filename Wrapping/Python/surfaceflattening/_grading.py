@@ -17,7 +17,7 @@ from ._remedies import make_message
 from ._report import as_text, remedies_of, values_of
 from ._result import Flattening
 from ._types import Unit
-from .vtkFiltersFlattening import vtkPatternGrading
+from .vtkFiltersFlattening import vtkPatternGrading, vtkPatternWriter
 
 
 class GradeRule(NamedTuple):
@@ -90,7 +90,7 @@ def grade(
     sizes: Mapping[str, Flattening],
     *,
     base: Optional[str] = None,
-    unit: Unit = "cm",
+    unit: Optional[Unit] = None,
     at: Optional[str] = None,
 ) -> Grading:
     """Grades a pattern by several surfaces: lays the flat pieces of all sizes on each other.
@@ -99,7 +99,8 @@ def grade(
         sizes: flattenings by the name of their size, of surfaces of one connectivity with the same curves, such as
             one garment fitted to several bodies; two at least.
         base: the size that rules count from. None: the one in the middle.
-        unit: unit of length of the surfaces: "mm", "cm", "m" or "inch".
+        unit: unit of length of the surfaces: "mm", "cm", "m" or "inch". None: that of the field data `LengthUnit`
+            of the first surface; where there is none, cm.
         at: name of a curve at whose first point and along whose chord sizes are laid on each other. None: the
             first key curve inside each piece; where there is none, the middle of its wires, turned as they fit
             those of the base best.
@@ -113,6 +114,9 @@ def grade(
     """
     filter_ = vtkPatternGrading()
     filter_.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
+    if unit is None:
+        stated = [vtkPatternWriter.GetLengthUnitOf(result._parts.flat) for result in sizes.values()]
+        unit = next((word for word in stated if word), "cm")
     filter_.SetUnit(1 + index_of(unit, get_args(Unit), "unit"))
     for value, what, set_text in ((base, "base", filter_.SetBaseSize), (at, "at", filter_.SetAlignmentCurve)):
         if value is not None:

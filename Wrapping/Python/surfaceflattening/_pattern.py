@@ -120,7 +120,7 @@ def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> 
     for warning in range(writer.GetNumberOfWarnings()):
         warnings.warn(writer.GetWarning(warning) + "; give it key_shape=\"straight\"",
                       FlatteningWarning, stacklevel=3)
-    if options["unit"] is None:
+    if options["unit"] is None and not vtkPatternWriter.GetLengthUnitOf(parts[0]):
         warnings.warn("the unit of the surface is taken as cm; state it with unit=\"mm\", \"cm\", \"m\" "
                       "or \"inch\"", FlatteningWarning, stacklevel=3)
 

@@ -208,7 +208,8 @@ class Flattening(ComparedByValue):
 
         Args:
             path: the file, which ends in .svg, .pdf, .dxf, .plt, .json or .csv. An earlier one stays where this fails.
-            unit: unit of length of the surface: "mm", "cm", "m" or "inch". None: cm, with a warning.
+            unit: unit of length of the surface: "mm", "cm", "m" or "inch". None: that of the field data `LengthUnit` of the surface;
+                where there is none, cm, with a warning.
             name, size: of the pattern, to be written on it.
             quantity: how many of each piece are cut, 1 to 1,000,000.
             piece_quantities: how many of each piece in place of quantity, in the order of the report's,
