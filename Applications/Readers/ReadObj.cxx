@@ -7,9 +7,16 @@
 #include "Units.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -22,6 +29,11 @@ struct ObjReader
   LineReader lines;
   vtkPoints* points;
   std::vector<vtkIdType> ids;
+  FaceLabels labels = {};
+  std::map<std::string, std::size_t> numbers = { { std::string(), 0 } }; ///< of names
+  std::size_t object = 0;
+  std::size_t group = 0;
+  std::size_t material = 0;
 
   [[noreturn]] void refuse(const std::string& text) const
   {
@@ -44,6 +56,56 @@ struct ObjReader
       }
     }
     this->points->InsertNextPoint(x);
+  }
+
+  void readTexture(std::string_view rest)
+  {
+    std::array<double, 2> texture{}; // one that is no number is one like all others of its kind
+    for (double& coordinate : texture)
+    {
+      parseNumber(takeWord(rest), coordinate);
+    }
+    this->labels.textures.push_back(texture);
+  }
+
+  /// The number of a name, with the blanks around it left out.
+  std::size_t numberOf(std::string_view name)
+  {
+    const std::size_t begin = std::min(name.find_first_not_of(" \t"), name.size());
+    std::string text(name.substr(begin, name.find_last_not_of(" \t") + 1 - begin));
+    std::replace(text.begin(), text.end(), '\0', ' '); // VTK ends a text there when it writes it
+    const auto [entry, isNew] = this->numbers.emplace(text, this->labels.names.size());
+    if (isNew)
+    {
+      this->labels.names.push_back(text);
+    }
+    return entry->second;
+  }
+
+  /// Of the corner of a face, from 1; 0: none, or none that is there.
+  std::size_t textureOf(std::string_view word) const
+  {
+    const std::size_t slash = word.find('/');
+    long long id = 0;
+    if (slash == std::string_view::npos ||
+      !parseInteger(word.substr(slash + 1, word.find('/', slash + 1) - slash - 1), id))
+    {
+      return 0;
+    }
+    const auto count = static_cast<long long>(this->labels.textures.size());
+    const long long at = id > 0 ? id : count + 1 + id;
+    return at > 0 && at <= count ? static_cast<std::size_t>(at) : 0;
+  }
+
+  void labelFace(std::string_view rest)
+  {
+    this->labels.objects.push_back(this->object);
+    this->labels.groups.push_back(this->group);
+    this->labels.materials.push_back(this->material);
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
+    {
+      this->labels.corners.push_back(this->textureOf(word));
+    }
   }
 
   void readIds(std::string_view rest)
@@ -98,6 +160,15 @@ ObjContents readObj(const std::string& path)
         reader.refuse("a face needs three vertices; the file may be truncated");
       }
       polygons->InsertNextCell(static_cast<vtkIdType>(reader.ids.size()), reader.ids.data());
+      reader.labelFace(rest);
+    }
+    else if (keyword == "vt")
+    {
+      reader.readTexture(rest);
+    }
+    else if (keyword == "usemtl")
+    {
+      reader.material = reader.numberOf(rest);
     }
     else if (keyword == "l")
     {
@@ -111,6 +182,7 @@ ObjContents readObj(const std::string& path)
     else if (keyword == "g" || keyword == "o")
     {
       title = curveTitle(rest);
+      (keyword == "o" ? reader.object : reader.group) = reader.numberOf(rest);
     }
     else if (unit.empty() && !keyword.empty() && keyword.front() == '#')
     {
@@ -125,6 +197,18 @@ ObjContents readObj(const std::string& path)
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(points);
   surface->SetPolys(polygons);
-  return { surface, curves.empty() ? nullptr : curves.polyData(points), unit };
+  const std::vector<std::string> names = pieceNames(reader.labels);
+  if (!names.empty())
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName("PieceName");
+    for (const std::string& name : names)
+    {
+      array->InsertNextValue(name);
+    }
+    surface->GetCellData()->AddArray(array);
+  }
+  return { surface, curves.empty() ? nullptr : curves.polyData(points), unit,
+    std::move(reader.labels) };
 }
 }

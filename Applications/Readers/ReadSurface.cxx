@@ -10,6 +10,8 @@
 
 #include <vtkPatternWriter.h>
 
+#include <utility>
+
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
@@ -24,8 +26,8 @@ SurfaceContents readSurface(const std::string& path)
   }
   if (extension == ".obj")
   {
-    const ObjContents contents = readObj(path);
-    return { contents.surface, contents.curves, contents.unit };
+    ObjContents contents = readObj(path);
+    return { contents.surface, contents.curves, contents.unit, std::move(contents.labels) };
   }
   if (extension == ".gltf" || extension == ".glb")
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "FaceSeams.h"
+
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -13,6 +15,7 @@ struct SurfaceContents
   vtkSmartPointer<vtkPolyData> surface; ///< of .vtp and .vtk with the polylines among its cells
   vtkSmartPointer<vtkPolyData> curves;  ///< of .obj, over the same points; null where there is none
   std::string unit = {};                ///< that the file states, as in Units.h; empty: none
+  FaceLabels labels = {};               ///< of the faces of .obj
   bool doubled = false; ///< the format doubles points along texture seams, which are to be joined
 };
 

@@ -82,12 +82,37 @@ vtkSmartPointer<vtkPolyData> mended(
   return mend.surface;
 }
 
+/// What --seams-from asks for; null where there is nothing of it.
+vtkSmartPointer<vtkPolyData> readSeams(const std::string& path, const SurfaceContents& contents,
+  const Options& options, Flattening& result)
+{
+  if (options.seamsFrom == SeamSource::None)
+  {
+    return nullptr;
+  }
+  try
+  {
+    vtkSmartPointer<vtkPolyData> seams =
+      seamsOf(contents.surface, contents.labels, options.seamsFrom);
+    if (!seams)
+    {
+      result.notes.emplace_back("--seams-from found no edge to cut along");
+    }
+    return seams;
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(path, error.what());
+  }
+}
+
 /// Returns the file of each connection of curves.
 /// \param base as flattenOne() has it
 std::vector<std::string> readInput(
   const Options& options, const std::string& base, vtkWireWarpingFilter* filter, Flattening& result)
 {
   SurfaceContents contents = readSurface(options.surface);
+  vtkSmartPointer<vtkPolyData> seams = readSeams(options.surface, contents, options, result);
   const CurveFiles saved = readSavedCurves(options);
   setUnit(options, saved, contents, result);
   contents.surface = mended(options, contents, result);
@@ -100,6 +125,7 @@ std::vector<std::string> readInput(
   {
     Flattening ignored;
     SurfaceContents model = readSurface(base);
+    seams = readSeams(base, model, options, ignored);
     ignored.unit = result.unit;
     model.surface = mended(options, model, ignored);
     checkConnectivity(model.surface, base, contents.surface, options.surface);
@@ -128,6 +154,10 @@ std::vector<std::string> readInput(
   if (contents.curves)
   {
     connect(options.surface, contents.curves);
+  }
+  if (seams)
+  {
+    connect(options.surface, seams);
   }
   for (const std::string& path : options.curves)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "FaceSeams.h"
 #include "FilterOptions.h"
 #include "IdleOptions.h"
 #include "Materials.h"
@@ -22,6 +23,7 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace wirewarp
@@ -131,6 +133,19 @@ void addMending(CLI::App& app, Options& options)
     .add_flag("--outer-side", options.outerSide,
       "Of a closed sheet with thickness take the outer side alone: the larger one within its rim")
     ->group(group);
+}
+
+void addSeams(CLI::App& app, Options& options)
+{
+  static const std::map<std::string, SeamSource> sources{ { "uv", SeamSource::Textures },
+    { "material", SeamSource::Materials }, { "group", SeamSource::Groups } };
+  app
+    .add_option("--seams-from", options.seamsFrom,
+      "Cut an OBJ surface along the seams of its texture (uv), or where two materials (material), "
+      "or two objects or groups (group) meet; pieces are named after objects or groups")
+    ->transform(CLI::CheckedTransformer(sources, CLI::ignore_case).description(""))
+    ->type_name("uv|material|group")
+    ->group("Input");
 }
 
 void addMaterials(CLI::App& app, Options& options)
@@ -295,6 +310,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
     .add_option(
       "CURVES", options.curves, "Files of feature curves: .vtp .vtk .obj .dxf .csv, or text")
     ->type_name("");
+  addSeams(app, options);
   addMending(app, options);
   addMethods(app, options);
   addMaterials(app, options);

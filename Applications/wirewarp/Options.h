@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "FaceSeams.h"
 #include "PatternOptions.h"
 #include "Picture.h"
 #include "Resewing.h"
@@ -50,6 +51,7 @@ struct Options
   std::string weld;       ///< millimetres, "0": points that lie on each other; empty: not given
   double fillHoles = 0.0; ///< mm; 0: none
   bool outerSide = false;
+  SeamSource seamsFrom = SeamSource::None;  ///< of SURFACE's faces
   std::map<std::string, double> tolerances; ///< of length, by name of curve
   std::vector<EaseRequest> eases;
 

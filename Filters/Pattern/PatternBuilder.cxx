@@ -93,6 +93,14 @@ std::string pieceName(
   {
     return cleanText(source.panels.names[piece]);
   }
+  if (piece < source.pieceNames.size() && !source.pieceNames[piece].empty())
+  {
+    const std::vector<std::string>& names = source.pieceNames;
+    const auto last = names.begin() + static_cast<std::ptrdiff_t>(piece);
+    const auto before = std::count(names.begin(), last, *last);
+    const bool several = std::count(names.begin(), names.end(), *last) > 1;
+    return cleanText(*last) + (several ? " " + std::to_string(before + 1) : "");
+  }
   return cleanText(options.name) + (pieces > 1 ? " " + std::to_string(piece + 1) : "");
 }
 }

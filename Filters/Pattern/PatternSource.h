@@ -80,8 +80,10 @@ struct PatternSource
   Indices pieceOfTriangle;
   std::vector<SourceWire> wires;
   std::vector<SewnEdges> sewn;
-  Indices gradePoints;  ///< with the rules 1, 2, ... of a grading, or none
-  SourcePanels panels;  ///< without edges where there were none
+  Indices gradePoints; ///< with the rules 1, 2, ... of a grading, or none
+  SourcePanels panels; ///< without edges where there were none
+  /// By piece, of what was flattened; empty where there is none.
+  std::vector<std::string> pieceNames;
   bool onCloth = false; ///< the pieces lie on their cloth, its warp along y
 };
 

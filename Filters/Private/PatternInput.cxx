@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace flattening
 {
@@ -100,6 +102,21 @@ Status readSurface(vtkPolyData* flat, PatternSource& source)
   {
     return status;
   }
+  auto* const names =
+    vtkStringArray::SafeDownCast(flat->GetCellData()->GetAbstractArray("PieceName"));
+  std::vector<std::optional<std::string>> nameOfPiece;
+  const auto name = [&](vtkIdType cell) {
+    const Index piece = source.pieceOfTriangle.back();
+    if (!names || cell >= names->GetNumberOfTuples() || piece < 0 ||
+      piece >= flat->GetNumberOfCells())
+    {
+      return;
+    }
+    nameOfPiece.resize(std::max(nameOfPiece.size(), static_cast<std::size_t>(piece) + 1));
+    std::optional<std::string>& one = nameOfPiece[static_cast<std::size_t>(piece)];
+    const std::string own = names->GetValue(cell);
+    one = !one || *one == own ? own : std::string(); // cloth of two names has neither
+  };
   if (!flat->GetPolys()->IsValid())
   {
     return invalidPieces("the cells of the flat surface do not fit the list of their corners");
@@ -129,6 +146,11 @@ Status readSurface(vtkPolyData* flat, PatternSource& source)
     }
     source.triangles.push_back(triangle);
     source.pieceOfTriangle.push_back(pieces ? indexOf(pieces->GetComponent(cell, 0)) : 0);
+    name(cell);
+  }
+  for (const std::optional<std::string>& one : nameOfPiece)
+  {
+    source.pieceNames.push_back(one.value_or(""));
   }
   return {};
 }
