@@ -41,6 +41,10 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::cornerAngles(surface.prepared.mesh, flattening::bridge::executionOf(this)));
   output->ShallowCopy(input);
   std::vector<std::string> warnings;
+  if (!surface.loosePoints.empty())
+  {
+    warnings.push_back(flattening::bridge::leftOut(surface));
+  }
   output->GetPointData()->ShallowCopy(flattening::bridge::wholePointArrays(input, warnings));
   output->GetCellData()->ShallowCopy(flattening::bridge::wholeCellArrays(input, warnings));
   output->GetFieldData()->ShallowCopy(flattening::bridge::fieldArrays(input, warnings));

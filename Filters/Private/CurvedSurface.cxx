@@ -51,6 +51,43 @@ bool sameOptions(const ImprintOptions& a, const ImprintOptions& b)
   return a.split == b.split && a.tolerance == b.tolerance && a.snap == b.snap;
 }
 
+/// The cells in which a straight key runs along two edges of a triangle, which keeps no area then.
+std::vector<std::int64_t> cellsPressedFlat(const CurvedSurface& source, const FeatureCurve& curve)
+{
+  const TriangleMesh& mesh = source.imprinted.mesh;
+  std::vector<std::int64_t> cells;
+  for (std::size_t k = 2; k < curve.vertices.size(); ++k)
+  {
+    const Index from = curve.vertices[k - 2];
+    const Index to = curve.vertices[k - 1];
+    for (const Index h : { mesh.find(from, to), mesh.find(to, from) })
+    {
+      if (h != none && mesh.from(TriangleMesh::previous(h)) == curve.vertices[k])
+      {
+        cells.push_back(source.cellOf(h / 3));
+      }
+    }
+  }
+  return cells;
+}
+
+void warnOfStraightKeys(CurvedSurface& source)
+{
+  for (const FeatureCurve& curve : source.imprinted.curves)
+  {
+    const bool straight = curve.type == CurveType::Key && curve.keyShape == KeyShape::Straight;
+    const std::vector<std::int64_t> cells =
+      straight ? cellsPressedFlat(source, curve) : std::vector<std::int64_t>();
+    if (!cells.empty())
+    {
+      source.warnings.push_back("the straight key curve '" + curve.name +
+        "' runs along two edges of a triangle in cells " + listIds(cells) +
+        ", which keeps no area in the plane; draw it through the vertices there, or beside them by "
+        "more than the snap tolerance");
+    }
+  }
+}
+
 /// Whether polylines run through the same points.
 bool samePlaces(const std::vector<Polyline>& a, const std::vector<Polyline>& b)
 {
@@ -143,6 +180,10 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   source.fieldData = fieldArrays(surface, source.warnings);
   source.blamed = nullptr;
   loadSurfaceAnew(coincident, source);
+  if (!source.surface.loosePoints.empty())
+  {
+    source.warnings.push_back(leftOut(source.surface));
+  }
   source.outcome = source.surface.outcome;
   if (!source.outcome.ok())
   {
@@ -178,6 +219,7 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   {
     source.imprintedBy = options;
   }
+  warnOfStraightKeys(source);
   const Status& status = source.imprinted.status;
   source.outcome = outcomeOfImprint(status, source.curves, source.surface.input);
   source.blamed = status.curve == none ? nullptr : source.curves.dataOfPolyline[status.curve];

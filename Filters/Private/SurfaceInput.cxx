@@ -144,6 +144,48 @@ void triangulate(
       { ElementKind::Cells, lost }, { Remedy::RemeshTriangles } };
   }
 }
+
+/// Takes out triangles with all corners in one place that no other triangle has. \return their
+/// cells
+std::vector<std::int64_t> takeLoosePoints(SurfaceTriangles& input)
+{
+  std::vector<int> uses(input.points.size(), 0); // by triangles
+  const auto forEachPoint = [](const Triangle& t, const auto& visit) {
+    visit(t[0]);
+    if (t[1] != t[0])
+    {
+      visit(t[1]);
+    }
+    if (t[2] != t[0] && t[2] != t[1])
+    {
+      visit(t[2]);
+    }
+  };
+  for (const Triangle& t : input.triangles)
+  {
+    forEachPoint(t, [&uses](Index p) { ++uses[p]; });
+  }
+  std::vector<std::int64_t> cells;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < input.triangles.size(); ++k)
+  {
+    const Triangle t = input.triangles[k];
+    bool loose = true;
+    forEachPoint(
+      t, [&](Index p) { loose = loose && uses[p] == 1 && input.points[p] == input.points[t[0]]; });
+    if (loose)
+    {
+      cells.push_back(input.cellOfTriangle[k]);
+      continue;
+    }
+    input.triangles[kept] = t;
+    input.cellOfTriangle[kept] = input.cellOfTriangle[k];
+    ++kept;
+  }
+  input.triangles.resize(kept);
+  input.cellOfTriangle.resize(kept);
+  return cells;
+}
 }
 
 CellChoice::CellChoice(vtkPolyData* data, GhostCells ghosts)
@@ -219,6 +261,15 @@ SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts)
   return result;
 }
 
+std::string leftOut(const LoadedSurface& surface)
+{
+  const std::vector<std::int64_t>& cells = surface.loosePoints;
+  return std::to_string(cells.size()) +
+    (cells.size() == 1 ? " triangle without size, which touches no other, is left out (cell "
+                       : " triangles without size, which touch no others, are left out (cells ") +
+    listIds(cells) + ")";
+}
+
 LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, GhostCells ghosts)
 {
   LoadedSurface result;
@@ -229,6 +280,14 @@ LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, Gho
     return result;
   }
   result.prepared = prepareSurface(result.input.points, result.input.triangles, coincident);
+  if (result.prepared.status.code == StatusCode::DegenerateTriangle)
+  {
+    result.loosePoints = takeLoosePoints(result.input);
+    if (!result.loosePoints.empty())
+    {
+      result.prepared = prepareSurface(result.input.points, result.input.triangles, coincident);
+    }
+  }
   const Status& status = result.prepared.status;
   // Its points are the input's.
   result.outcome =

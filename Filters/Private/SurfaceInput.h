@@ -6,6 +6,10 @@
 
 #include "vtkType.h"
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
@@ -49,9 +53,15 @@ struct LoadedSurface
   SurfaceTriangles input;
   PreparedSurface prepared;
   Status outcome;
+  /// Cells of triangles with all corners in one place that nothing else uses: points rather than
+  /// cloth, which are left out.
+  std::vector<std::int64_t> loosePoints;
 };
 
 LoadedSurface loadSurface(
   vtkPolyData* surface, CoincidentPoints coincident, GhostCells ghosts = GhostCells::LeftOut);
+
+/// What to warn of where there are loose points.
+std::string leftOut(const LoadedSurface& surface);
 }
 }

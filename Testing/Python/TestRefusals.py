@@ -87,6 +87,41 @@ class Refused(unittest.TestCase):
         np.testing.assert_array_equal(result.positions, alone.positions)
         np.testing.assert_array_equal(result.cell_arrays["vtkOriginalCellIds"], np.arange(first))
 
+    def test_triangles_that_are_points_and_touch_no_other_are_left_out(self):
+        points, triangles = grid()
+        wanted = sf.flatten(points, triangles)
+        count = len(points)
+        for scale in (1e-3, 1.0, 1e5):
+            more = np.vstack([points, [[9.0, 0.0, 0.0]] * 3, [[1.0, 1.0, 0.0]] * 3]) * scale
+            three, one = [count, count + 1, count + 2], [count + 3] * 3
+            for place, loose in ((0, [three]), (7, [three, one]), (len(triangles), [one])):
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    result = sf.flatten(more, np.vstack([triangles[:place], loose, triangles[place:]]))
+                ids = ", ".join(str(place + k) for k in range(len(loose)))
+                self.assertIn(f"left out (cell{'s' if len(loose) > 1 else ''} {ids})", str(caught[0].message))
+                self.assertEqual(len(result.triangles), len(triangles))
+                np.testing.assert_allclose(result.positions / scale, wanted.positions, atol=1e-9)
+        for touching in ([0, count, count], [0, 0, 0], [5, 5, 6]):
+            with self.assertRaises(sf.FlatteningError) as caught:
+                sf.flatten(np.vstack([points, points[:1]]), np.vstack([triangles, [touching]]))
+            self.assertEqual(caught.exception.name, "DegenerateTriangle")
+
+    def test_a_straight_key_along_two_edges_of_a_triangle_is_warned_of(self):
+        points, triangles = grid()
+        for scale in (1e-3, 1.0, 300.0):
+            for start, way, warned in ((1.015, "key", True), (1.05, "key", True), (1.015, "accessory", False),
+                                       (1.0, "key", False)):
+                line = np.array([[0, 0, 0], [start, 0, 0], [1.5, 0.9, 0], [2.0, 3.0, 0]]) * scale
+                curve = sf.Curve(line, way, "bent", "straight") if way == "key" else sf.Curve(line, way, "bent")
+                with self.subTest(scale=scale, start=start, way=way), warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    sf.flatten(points * scale, triangles, [curve])
+                    found = [str(one.message) for one in caught if "two edges of a triangle" in str(one.message)]
+                    self.assertEqual(len(found), 1 if warned else 0, [str(one.message) for one in caught])
+                    if warned:
+                        self.assertRegex(found[0], r"'bent' runs along .* in cells 2, ")
+
     def test_an_edge_of_three_triangles(self):
         points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]]
         error = self.refuse(Codes.NON_MANIFOLD_EDGE, points, [[0, 1, 2], [0, 1, 3], [1, 0, 4]])
