@@ -199,8 +199,9 @@ public:
 
   ///@{
   /**
-   * Name of one piece, by its id from 0. Where there is none: PatternName, with the piece's number
-   * where there are several.
+   * Name of one piece, by its id from 0. Where there is none: the one that all its cells have in
+   * the cell array `PieceName` (string), as of objects of an OBJ file, numbered where several
+   * pieces have it; else PatternName, with the piece's number where there are several.
    */
   void SetPieceName(int piece, const std::string& name);
   void RemoveAllPieceNames();
