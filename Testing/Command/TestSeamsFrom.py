@@ -105,7 +105,8 @@ class SeamsFrom(command.CommandTest):
                 self.assertEqual(run.returncode, 3)
                 self.assertIn(file, run.stderr)
                 self.assertIn(word, run.stderr)
-        run = self.run_command(self.sheets(("o Front\n", 1), ("o Back\n", 1)), "--seams-from", "group", "--output", "out")
+        file = self.sheets(("o Front\n", 1), ("o Back\n", 1))
+        run = self.run_command(file, "--seams-from", "group", "--output", "out")
         self.assertIn("found no edge to cut along", run.stderr)
         self.assertEqual(self.run_command("plain.obj", "--seams-from", "colour").returncode, 2)
 

@@ -114,10 +114,10 @@ def grade(
     """
     filter_ = vtkPatternGrading()
     filter_.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
-    if unit is None:
-        stated = [vtkPatternWriter.GetLengthUnitOf(result._parts.flat) for result in sizes.values()]
-        unit = next((word for word in stated if word), "cm")
-    filter_.SetUnit(1 + index_of(unit, get_args(Unit), "unit"))
+    stated = (vtkPatternWriter.GetLengthUnitOf(result._parts.flat) for result in sizes.values())
+    of_surfaces: Any = next((word for word in stated if word), "cm")
+    length_unit: Unit = of_surfaces if unit is None else unit
+    filter_.SetUnit(1 + index_of(length_unit, get_args(Unit), "unit"))
     for value, what, set_text in ((base, "base", filter_.SetBaseSize), (at, "at", filter_.SetAlignmentCurve)):
         if value is not None:
             set_text(text_of(what, value))
@@ -140,4 +140,4 @@ def grade(
         GradeRule(piece, point, name, tuple((float(dx), float(dy)) for dx, dy in row.reshape(-1, 2)))
         for piece, point, name, row in zip(
             values_of(field, "RulePiece"), values_of(field, "RulePoint"), rule_names, deltas)]
-    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, sizes[chosen]._parts.flat, unit)
+    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, sizes[chosen]._parts.flat, length_unit)
