@@ -23,7 +23,7 @@ FABRIC = {"SetFabricWidth", "SetFabricNap", "SetFabricGap"}
 OF_FORMATS = {"pdf": {"SetPaper", "SetPageOverlap", "SetMaximumPages", "SetWalkTable", *FABRIC},
               "svg": {"SetLaserColors", *FABRIC}, "plt": FABRIC}
 BY_NAME = {"SetPieceName", "SetPieceQuantity", "SetCurveAllowance", "SetCurveDartTip",
-           "SetCurveFairTolerance", "SetUnitByName"}
+           "SetCurveFairTolerance", "SetUnitByName", "SetLengthUnitOf"}
 
 
 def own_set_methods(cls):
