@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,9 +18,14 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
+
+extern char** environ; // POSIX declares it in no header
 
 namespace wirewarp
 {
@@ -88,25 +94,12 @@ void writeAll(int file, const char* data, std::size_t size)
   }
 }
 
-[[noreturn]] void work(
-  int answer, const ProcessLimits& limits, const std::function<std::string()>& job)
-{
-  closeStandardStreams();
-  std::signal(SIGXCPU, SIG_DFL);
-  applyLimits(limits);
-  const std::string bytes = job();
-  const std::uint64_t size = bytes.size();
-  writeAll(answer, bytes.data(), bytes.size());
-  writeAll(answer, reinterpret_cast<const char*>(&size), sizeof size);
-  // What this process has inherited is not its own to tear down.
-  std::_Exit(EXIT_SUCCESS);
-}
-
 /// The parent's hold on its child: no way out of it leaves a zombie.
 class Child
 {
 public:
-  Child(const ProcessLimits& limits, const std::function<std::string()>& job)
+  Child(const ProcessLimits& limits, const std::string& program,
+    const std::vector<std::string>& arguments)
   {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0)
@@ -114,20 +107,34 @@ public:
       throw std::runtime_error(noProcess(errno));
     }
     this->Answer = ends[0];
-    const pid_t parent = getpid();
-    this->Process = fork();
-    if (this->Process == 0)
+    for (const int end : ends)
     {
-      dieWithParent(parent);
-      close(ends[0]);
-      work(ends[1], limits, job);
+      fcntl(end, F_SETFD, FD_CLOEXEC);
     }
-    const int error = errno;
+    std::vector<std::string> words{ program, std::to_string(getpid()),
+      std::to_string(limits.cpu.count()), std::to_string(limits.memory) };
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+    {
+      argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t streams;
+    posix_spawn_file_actions_init(&streams);
+    posix_spawn_file_actions_adddup2(&streams, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&streams, STDIN_FILENO, "/dev/null", O_RDWR, 0);
+    posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, "/dev/null", O_RDWR, 0);
+    const int error =
+      posix_spawnp(&this->Process, program.c_str(), &streams, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&streams);
     close(ends[1]);
-    if (this->Process < 0)
+    if (error != 0)
     {
       close(this->Answer);
-      throw std::runtime_error(noProcess(error));
+      throw std::runtime_error(error == ENOENT
+          ? program + " is not there; install it with the program"
+          : noProcess(error));
     }
   }
   ~Child()
@@ -209,10 +216,11 @@ std::string noProcess(int error)
 }
 
 //------------------------------------------------------------------------------
-ProcessAnswer runGuarded(const ProcessLimits& limits, const std::function<std::string()>& job)
+ProcessAnswer runGuarded(const ProcessLimits& limits, const std::string& program,
+  const std::vector<std::string>& arguments)
 {
   ProcessAnswer answer;
-  Child child(limits, job);
+  Child child(limits, program, arguments);
   if (!child.receive(answer.bytes, Clock::now() + limits.wall))
   {
     answer.end = ProcessEnd::TooLong;
@@ -228,6 +236,51 @@ ProcessAnswer runGuarded(const ProcessLimits& limits, const std::function<std::s
   {
     answer.end = ProcessEnd::Answered;
   }
+  answer.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   return answer;
+}
+
+//------------------------------------------------------------------------------
+std::string helperProgram(const std::string& name)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  if (error)
+  {
+    return name; // PATH is left
+  }
+  const fs::path beside = folder / name; // in a build tree
+  return fs::exists(beside, error) ? beside.string()
+                                   : (folder / FLATTENING_HELPERS / name).string();
+}
+
+//------------------------------------------------------------------------------
+int answerGuarded(
+  int argc, char** argv, const std::function<std::string(const std::vector<std::string>&)>& job)
+{
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  std::array<long long, 3> numbers{}; // as Child gives them
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+  {
+    if (k >= words.size() || !parseInteger(words[k], numbers[k]) || numbers[k] < 0)
+    {
+      std::cerr << "This program is run by wirewarp and PatternEditor.\n";
+      return EXIT_FAILURE;
+    }
+  }
+  dieWithParent(static_cast<int>(numbers[0]));
+  const int answer = dup(STDOUT_FILENO);
+  closeStandardStreams();
+  std::signal(SIGXCPU, SIG_DFL);
+  ProcessLimits limits;
+  limits.cpu = std::chrono::seconds(numbers[1]);
+  limits.memory = static_cast<std::size_t>(numbers[2]);
+  applyLimits(limits);
+  const std::string bytes = job({ words.begin() + numbers.size(), words.end() });
+  const std::uint64_t size = bytes.size();
+  writeAll(answer, bytes.data(), bytes.size());
+  writeAll(answer, reinterpret_cast<const char*>(&size), sizeof size);
+  std::_Exit(EXIT_SUCCESS); // whatever a damaged file has left to tear down
 }
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace wirewarp
 {
@@ -28,15 +29,27 @@ struct ProcessAnswer
 {
   ProcessEnd end = ProcessEnd::Silent;
   int signal = 0;    ///< where one ended it
+  int exitCode = 0;  ///< where it ended of itself; 127: its libraries could not be loaded
   std::string bytes; ///< as they came: a process that has gone astray may send anything
 };
 
 /// What to say where the system makes no process, by its errno, with the way out.
 std::string noProcess(int error);
 
-/// Runs a job in a process of its own, so that neither a crash nor an endless loop nor a hunger for
-/// memory reaches this one. It is waited for, and dies with its parent. What it prints is lost.
-/// \param job gives the answer and must not throw.
+/// Runs a program that calls answerGuarded(), so that neither a crash nor an endless loop nor a
+/// hunger for memory reaches this one. It is waited for, and dies with its parent. What it prints
+/// is lost. A program of its own, and not a copy of this process: in a process of many threads a
+/// copy may wait forever for a lock that no thread of it will release.
+/// \param program a path, or a name in PATH
 /// Throws std::runtime_error where no process can be made.
-ProcessAnswer runGuarded(const ProcessLimits& limits, const std::function<std::string()>& job);
+ProcessAnswer runGuarded(const ProcessLimits& limits, const std::string& program,
+  const std::vector<std::string>& arguments);
+
+/// The path of a program that is installed for the use of this one.
+std::string helperProgram(const std::string& name);
+
+/// All that main() of such a program does: answers its parent within the limits that this states.
+/// \param job gets the arguments; it gives the answer and must not throw
+int answerGuarded(
+  int argc, char** argv, const std::function<std::string(const std::vector<std::string>&)>& job);
 }

@@ -2,11 +2,12 @@
 #include "VtkMessages.h"
 
 #include <vtkLogger.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
 #include <algorithm>
+#include <mutex>
+#include <utility>
 
 namespace wirewarp
 {
@@ -37,21 +38,73 @@ std::string strip(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
+/// One for all, and never taken back: another thread may be about to use it.
 class VtkMessages::Window : public vtkOutputWindow
 {
 public:
   static Window* New();
   vtkTypeMacro(Window, vtkOutputWindow)
 
-  void DisplayText(const char*) override {}
-  void DisplayErrorText(const char* text) override { this->Owner->add(this->Owner->Errors, text); }
-  void DisplayWarningText(const char* text) override { this->note(text); }
-  void DisplayGenericWarningText(const char* text) override { this->note(text); }
+  static Window& theOne()
+  {
+    static Window* const window = [] {
+      Window* const made = Window::New();
+      vtkOutputWindow::SetInstance(made);
+      return made;
+    }();
+    return *window;
+  }
 
-  VtkMessages* Owner = nullptr;
+  /// \return the one before
+  VtkMessages* setOwner(VtkMessages* owner)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    return std::exchange(this->Owner, owner);
+  }
+
+  void DisplayText(const char* text) override
+  {
+    if (!this->note(&VtkMessages::Errors, nullptr))
+    {
+      this->Superclass::DisplayText(text);
+    }
+  }
+  void DisplayErrorText(const char* text) override
+  {
+    if (!this->note(&VtkMessages::Errors, text))
+    {
+      this->Superclass::DisplayErrorText(text);
+    }
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    if (!this->note(&VtkMessages::Warnings, text))
+    {
+      this->Superclass::DisplayWarningText(text);
+    }
+  }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    if (!this->note(&VtkMessages::Warnings, text))
+    {
+      this->Superclass::DisplayGenericWarningText(text);
+    }
+  }
 
 private:
-  void note(const char* text) const { this->Owner->add(this->Owner->Warnings, text); }
+  /// \return whether somebody takes messages
+  bool note(std::vector<std::string> VtkMessages::*list, const char* text)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (this->Owner)
+    {
+      add(this->Owner->*list, text);
+    }
+    return this->Owner != nullptr;
+  }
+
+  std::mutex Guard; ///< VTK objects may speak from any thread
+  VtkMessages* Owner = nullptr;
 };
 vtkStandardNewMacro(VtkMessages::Window);
 
@@ -60,20 +113,17 @@ VtkMessages::VtkMessages()
 {
   this->Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  vtkNew<Window> window;
-  window->Owner = this;
-  vtkOutputWindow::SetInstance(window);
+  this->Before = Window::theOne().setOwner(this);
 }
 
 VtkMessages::~VtkMessages()
 {
-  vtkOutputWindow::SetInstance(nullptr);
+  Window::theOne().setOwner(this->Before);
   vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(this->Verbosity));
 }
 
 void VtkMessages::add(std::vector<std::string>& list, const char* text)
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
   const std::string line = strip(text ? text : "");
   if (!line.empty())
   {

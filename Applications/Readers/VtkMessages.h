@@ -3,14 +3,13 @@
 
 #include <vtkObject.h>
 
-#include <mutex>
 #include <string>
 #include <vector>
 
 namespace wirewarp
 {
-/// Takes the errors and warnings of all VTK objects while it lives, instead of VTK's own window,
-/// which would print them with file, line and address.
+/// Takes the errors and warnings of all VTK objects, of all threads, while it lives, instead of
+/// VTK's own window, which would print them with file, line and address.
 class VtkMessages
 {
 public:
@@ -26,11 +25,11 @@ public:
 
 private:
   class Window;
-  void add(std::vector<std::string>& list, const char* text);
+  static void add(std::vector<std::string>& list, const char* text);
 
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
-  int Verbosity = 0; ///< of VTK's log before
-  std::mutex Mutex;  ///< VTK objects may speak from any thread
+  int Verbosity = 0;             ///< of VTK's log before
+  VtkMessages* Before = nullptr; ///< what took them, and will again
 };
 }

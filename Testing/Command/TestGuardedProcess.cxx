@@ -3,14 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <iostream>
-#include <new>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace
 {
@@ -18,6 +25,12 @@ using namespace wirewarp;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using Clock = std::chrono::steady_clock;
+
+ProcessAnswer run(
+  const std::string& task, const std::string& amount, const ProcessLimits& limits = {})
+{
+  return runGuarded(limits, GUARDED_JOB, { task, amount });
+}
 
 bool hasChildren()
 {
@@ -38,7 +51,7 @@ TEST(GuardedProcess, AnAnswerOfAnyLengthComesBack)
     {
       text[k] = static_cast<char>(k * k >> 3);
     }
-    const ProcessAnswer answer = runGuarded({}, [&]() { return text; });
+    const ProcessAnswer answer = run("answer", std::to_string(size));
     EXPECT_EQ(answer.end, ProcessEnd::Answered);
     EXPECT_TRUE(answer.bytes == text) << size;
   }
@@ -49,11 +62,7 @@ TEST(GuardedProcess, ACrashIsToldByItsSignal)
 {
   for (const int signal : { SIGSEGV, SIGABRT, SIGFPE, SIGKILL })
   {
-    const ProcessAnswer answer = runGuarded({}, [signal]() {
-      std::signal(signal, SIG_DFL); // sanitizers have handlers of their own
-      std::raise(signal);
-      return std::string();
-    });
+    const ProcessAnswer answer = run("raise", std::to_string(signal));
     EXPECT_EQ(answer.end, ProcessEnd::Signal);
     EXPECT_EQ(answer.signal, signal);
   }
@@ -62,20 +71,19 @@ TEST(GuardedProcess, ACrashIsToldByItsSignal)
 
 TEST(GuardedProcess, AnEndOfItsOwnIsNoAnswer)
 {
-  const ProcessAnswer answer = runGuarded({}, []() -> std::string { std::_Exit(0); });
-  EXPECT_EQ(answer.end, ProcessEnd::Silent);
+  for (const int code : { 0, 1, 127 })
+  {
+    const ProcessAnswer answer = run("exit", std::to_string(code));
+    EXPECT_EQ(answer.end, ProcessEnd::Silent);
+    EXPECT_EQ(answer.exitCode, code);
+  }
 }
 
 TEST(GuardedProcess, AnEndlessLoopEndsAtTheLimitOfTheProcessor)
 {
   ProcessLimits limits;
   limits.cpu = seconds(1);
-  const ProcessAnswer answer = runGuarded(limits, []() {
-    for (volatile unsigned turn = 0;; turn = turn + 1)
-    {
-    }
-    return std::string();
-  });
+  const ProcessAnswer answer = run("loop", "", limits);
   EXPECT_EQ(answer.end, ProcessEnd::TooLong);
   EXPECT_EQ(answer.signal, SIGXCPU);
   EXPECT_FALSE(hasChildren());
@@ -86,10 +94,7 @@ TEST(GuardedProcess, WaitingForEverEndsAtTheLimitOfTheClock)
   ProcessLimits limits;
   limits.wall = seconds(1);
   const Clock::time_point start = Clock::now();
-  const ProcessAnswer answer = runGuarded(limits, []() {
-    std::this_thread::sleep_for(seconds(600));
-    return std::string();
-  });
+  const ProcessAnswer answer = run("wait", "/dev/null", limits);
   EXPECT_EQ(answer.end, ProcessEnd::TooLong);
   EXPECT_EQ(answer.signal, 0);
   EXPECT_LT(Clock::now() - start, seconds(60));
@@ -98,47 +103,123 @@ TEST(GuardedProcess, WaitingForEverEndsAtTheLimitOfTheClock)
 
 TEST(GuardedProcess, MemoryBeyondTheLimitIsNotToBeHad)
 {
-  const auto take = [](std::size_t size) {
-    return [size]() {
-      // Not by a new-expression, which a compiler may leave out.
-      void* const block = ::operator new(size, std::nothrow);
-      return std::string(block ? "taken" : "refused");
-    };
-  };
   ProcessLimits limits;
   limits.memory = std::size_t(1) << 28;
-  EXPECT_EQ(runGuarded(limits, take(std::size_t(1) << 27)).bytes, "taken");
-  EXPECT_EQ(runGuarded(limits, take(std::size_t(1) << 29)).bytes, "refused");
+  EXPECT_EQ(run("take", std::to_string(std::size_t(1) << 27), limits).bytes, "taken");
+  EXPECT_EQ(run("take", std::to_string(std::size_t(1) << 29), limits).bytes, "refused");
 }
 
 TEST(GuardedProcess, WhatItPrintsIsLost)
 {
   testing::internal::CaptureStderr();
-  runGuarded({}, []() {
-    std::cerr << "malloc(): corrupted top size" << std::endl;
-    return std::string();
-  });
+  testing::internal::CaptureStdout();
+  const ProcessAnswer answer = run("print", "malloc(): corrupted top size");
+  EXPECT_EQ(answer.end, ProcessEnd::Answered);
+  EXPECT_EQ(answer.bytes, "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(GuardedProcess, AProgramThatIsNotThereOrMayNotRunIsNamed)
+{
+  for (const char* program :
+    { "/nowhere/wirewarp-read", "no-such-reader-in-the-path", "/dev/null" })
+  {
+    try
+    {
+      runGuarded({}, program, {});
+      ADD_FAILURE() << program;
+    }
+    catch (const std::runtime_error& error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(program[1] == 'd' ? "Permission denied" : program), std::string::npos)
+        << text;
+    }
+  }
+  EXPECT_FALSE(hasChildren());
+}
+
+TEST(GuardedProcess, ALimitOfOpenFilesIsNamed)
+{
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit none = before;
+  none.rlim_cur = 3;
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  std::string text;
+  try
+  {
+    run("answer", "1");
+  }
+  catch (const std::runtime_error& error)
+  {
+    text = error.what();
+  }
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_NE(text.find("Too many open files"), std::string::npos) << text;
+  EXPECT_NE(text.find("ulimit -n"), std::string::npos) << text;
+}
+
+// A copy of this process would find the lock of malloc or of a stream held by a thread that it does
+// not have, and wait until its limit.
+TEST(GuardedProcess, AnswersWhileOtherThreadsAllocateAndPrint)
+{
+  std::atomic<bool> ended{ false };
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+  {
+    threads.emplace_back([&ended] {
+      while (!ended)
+      {
+        std::vector<std::string> texts;
+        for (int n = 0; n < 50; ++n)
+        {
+          texts.emplace_back(static_cast<std::size_t>(100 * n), 'x');
+        }
+        std::fflush(nullptr);
+      }
+    });
+  }
+  ProcessLimits limits;
+  limits.wall = seconds(20);
+  int answered = 0;
+  for (int k = 0; k < 30; ++k)
+  {
+    const ProcessAnswer answer = run("answer", "100000", limits);
+    answered += answer.end == ProcessEnd::Answered && answer.bytes.size() == 100000 ? 1 : 0;
+    if (answer.end == ProcessEnd::TooLong)
+    {
+      break;
+    }
+  }
+  ended = true;
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(answered, 30);
 }
 
 #ifdef __linux__
 TEST(GuardedProcess, ItDiesWithItsParent)
 {
-  int ends[2];
-  ASSERT_EQ(pipe(ends), 0);
+  const std::string file = testing::TempDir() + "guarded_process_number";
+  std::remove(file.c_str());
   const pid_t parent = fork();
   if (parent == 0)
   {
-    runGuarded({}, [&ends]() {
-      const pid_t own = getpid();
-      EXPECT_EQ(write(ends[1], &own, sizeof own), static_cast<ssize_t>(sizeof own));
-      std::this_thread::sleep_for(seconds(600));
-      return std::string();
-    });
+    run("wait", file);
     std::_Exit(0);
   }
   pid_t guarded = 0;
-  ASSERT_EQ(read(ends[0], &guarded, sizeof guarded), static_cast<ssize_t>(sizeof guarded));
+  const Clock::time_point started = Clock::now();
+  while (guarded == 0 && Clock::now() - started < seconds(20))
+  {
+    std::this_thread::sleep_for(milliseconds(5));
+    std::ifstream(file) >> guarded;
+  }
+  ASSERT_GT(guarded, 0);
   EXPECT_TRUE(isAlive(guarded));
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
@@ -148,8 +229,17 @@ TEST(GuardedProcess, ItDiesWithItsParent)
     std::this_thread::sleep_for(milliseconds(5));
   }
   EXPECT_FALSE(isAlive(guarded));
-  close(ends[0]);
-  close(ends[1]);
+  std::remove(file.c_str());
+}
+
+TEST(GuardedProcess, HasNoEndOfThePipeButTheAnswers)
+{
+  int inherited = 0; // of who runs the test
+  for (int file = 3; file < 200; ++file)
+  {
+    inherited += fcntl(file, F_GETFD) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(run("open", "").bytes, std::to_string(inherited + 1));
 }
 #endif
 }

@@ -2,6 +2,7 @@
 import json
 import os
 import resource
+import shutil
 import subprocess
 
 import command
@@ -293,6 +294,16 @@ class Refusals(command.CommandTest):
         self.assertEqual(run.returncode, 3)
         self.assertIn("report.json", command.error_lines(run)[0])
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["pattern.svg", "report.json"])
+
+    def test_a_program_without_its_reader_says_what_is_missing(self):
+        shutil.copy(command.EXECUTABLE, self.path("alone"))
+        self.write("good.vtp", command.xml_polydata(self.points, self.triangles))
+        for name, code in (("good.vtp", 3), ("good.obj", 0)):
+            run = subprocess.run([self.path("alone"), name, "--output", "out"], cwd=self.folder, capture_output=True,
+                                 text=True, timeout=120, check=False)
+            self.assertEqual(run.returncode, code, run.stderr)
+            if code:
+                self.assertIn("wirewarp-read is not there; install it", run.stderr)
 
     def test_a_limit_of_open_files_is_named(self):
         def limit_files(most):
