@@ -235,3 +235,25 @@ TEST(Tubes, AdviceNamesOnlyWhatIsThere)
     }
   }
 }
+
+TEST(Tubes, AreToldBeforeTheLongWork)
+{
+  for (const bool closed : { true, false })
+  {
+    // A tube, or half of it.
+    const TriangleMesh whole = garment(2, 2, 2, 1.0);
+    const TriangleMesh half = patch(12, 6, [](double i, double j) {
+      return Point3(std::cos(i / 4.0), std::sin(i / 4.0), j);
+    }).mesh;
+    std::vector<std::string> phases;
+    Execution execution;
+    execution.progress = [&phases](double, const char* phase) { phases.emplace_back(phase); };
+    flattenSurface(closed ? whole : half, {}, {}, execution);
+    const auto told =
+      std::find(phases.begin(), phases.end(), "Flattening a piece that no plane can hold");
+    EXPECT_EQ(told != phases.end(), closed);
+    const auto work =
+      std::find(phases.begin(), phases.end(), "Warping wires and interior together");
+    EXPECT_LE(told, closed ? work : phases.end());
+  }
+}

@@ -58,6 +58,7 @@ std::optional<FlatWires> flattenDeepPiece(const PieceContext& context, const Pla
   {
     return std::nullopt;
   }
+  context.execution.report(0.1, "Flattening a piece that no plane can hold");
   std::optional<PlacedPiece> placed = warpFromConvexStart(context, solved.wires);
   const bool good = placed && (placed->status.ok() || !solved.wires.locks()) &&
     countFlipped(context.piece.mesh, placed->positions) == 0;
