@@ -57,8 +57,9 @@ void setUnit(const Options& options, const CurveFiles& curves, const SurfaceCont
     stated = stated.empty() ? unit : stated;
     if (!unit.empty() && unit != stated)
     {
-      result.notes.push_back(inQuotes(path) + " was saved in " + unit + ", and " +
-        inQuotes(options.surface) + " is taken in " + stated + "; check --unit");
+      std::string& note = result.notes.emplace_back(inQuotes(path) + " was saved in " + unit);
+      note.append(", and ").append(inQuotes(options.surface)).append(" is taken in ");
+      note.append(stated).append("; check --unit");
     }
   }
   result.unitStated = !stated.empty();

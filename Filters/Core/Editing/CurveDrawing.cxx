@@ -152,7 +152,7 @@ SurfacePoint imageOf(
 {
   const TriangleMesh& mesh = surface.mesh();
   const Point3 image = mirror.image(point.position);
-  const SurfacePoint near = surface.pointNear(image);
+  SurfacePoint near = surface.pointNear(image);
   if (!atBoundary(mesh, point) || atBoundary(mesh, near))
   {
     return near;
