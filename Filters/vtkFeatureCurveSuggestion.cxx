@@ -99,6 +99,10 @@ int vtkFeatureCurveSuggestion::RequestData(
     options.flattening = this->Settings();
     suggestions = flattening::suggestCurves(source->surface.prepared.mesh, source->curves.polylines,
       options, flattening::bridge::executionOf(this));
+    if (suggestions.end == flattening::SearchEnd::Interrupted)
+    {
+      this->SetAbortExecute(0); // it is heard; the surface is flattened with the cuts found so far
+    }
     done = this->Conclude(source->outcomeOfStage(suggestions.status));
   }
   if (!done)

@@ -35,9 +35,11 @@
  * place of one that ends inside at both ends, by forecast), `AreaErrorBefore` and `AreaErrorAfter`
  * (double; mean change of area), `StrainBefore` and `StrainAfter` (double; the largest
  * `StrainP95`; these four and `Gain` are NaN where the surface cannot be flattened with no more
- * cuts, as a closed one), `MirrorOf` (int; the rank of the cut that it is the mirror image of, or
+ * cuts, as a closed one, or MaximumWork is used up), `MirrorOf` (int; the rank of the cut that it
+ * is the mirror image of, or
  * -1). Point array, where a curve has one: `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double;
- * without and with all cuts), `MirrorPlane` (double; normal and offset, where there is one) or
+ * without and with all cuts), where cuts are mirror images of each other `MirrorPlane` (double;
+ * normal and offset) or
  * `MirrorAxis` (double; the points of the boundary between which the axis runs across which the
  * surface is its own mirror image by its lengths and angles alone, where no plane mirrors it),
  * `Trials` (int; how many flattenings were made), `Work` (double; what they took, see MaximumWork),
@@ -47,9 +49,9 @@
  * much, 0: it breaks a promise, such as that no triangle is turned over).
  *
  * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
- * left, where, and what ended the search: the most cuts or their length, MaximumWork, or that cuts
- * do so little that the bound would take several times MaximumCuts (noise is no nearer to flat
- * after any number of darts). INVALID_OPTION: a preference for a curve that there is not; a
+ * left, where, and what ended the search: the most cuts or their length, MaximumWork, an abort, or
+ * that cuts do so little that the bound would take several times MaximumCuts (noise is no nearer to
+ * flat after any number of darts). INVALID_OPTION: a preference for a curve that there is not; a
  * WeightArray that there is not, or with numbers that are no weights.
  *
  * @code
@@ -65,7 +67,9 @@
  * @endcode
  *
  * @warning Each trial is a flattening of the whole surface: seconds for a garment piece of a thousand
- * triangles, minutes for large ones. Progress is told, and an abort is heard.
+ * triangles, minutes for large ones. Reports progress. An abort ends the search: the surface is
+ * flattened with the best cuts found so far, with a warning; one before the first trial has ended,
+ * or during that flattening, ends in CANCELLED.
  *
  * @sa vtkWireWarpingFilter vtkFeatureCurveImprinter
  */
@@ -136,11 +140,10 @@ public:
 
   ///@{
   /**
-   * The most work that the search may take, in millions of steps of an iteration on one triangle,
-   * and on surfaces of more than 5,000 triangles in proportion more; 0: no limit. A million
-   * takes one to two seconds of one processor. What is under way when it is used up is brought to
-   * its end, and a warning names it. Work is counted, not timed: cuts are the same on every
-   * machine. Default: 25.
+   * The most work that the search may take, in millions of steps of an iteration on one triangle;
+   * 0: no limit. A million takes about a third of a second of one processor. The best cuts that
+   * are found by then are proposed, and a warning names it. Work is counted, not timed: cuts are
+   * the same on every machine. Default: 40.
    */
   vtkSetClampMacro(MaximumWork, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumWork, double);

@@ -86,7 +86,7 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
   proposals.message = watch.stopped ? "" : messageOf(filter);
   vtkPolyData* const found = filter->GetOutput(3);
   vtkDataArray* const ranks = found->GetCellData()->GetArray("Rank");
-  for (vtkIdType cell = 0; ranks && !watch.stopped && cell < found->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; ranks && cell < found->GetNumberOfCells(); ++cell)
   {
     if (ranks->GetComponent(cell, 0) > 0.0)
     {

@@ -2,6 +2,7 @@
 #include "Flattening.h"
 
 #include "CurveDistance.h"
+#include "FieldRows.h"
 #include "FilterOptions.h"
 #include "InputError.h"
 #include "MovedCurves.h"
@@ -15,19 +16,88 @@
 #include "Units.h"
 #include "VtkMessages.h"
 
+#include <vtkCommand.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPatternWriter.h>
 #include <vtkTrivialProducer.h>
 #include <vtkWireWarpingFilter.h>
 
 #include <chrono>
+#include <csignal>
+#include <iomanip>
 #include <map>
+#include <optional>
+#include <sstream>
 
 namespace wirewarp
 {
 namespace
 {
 using Clock = std::chrono::steady_clock;
+
+/// A strain of so many times the bound misses it.
+constexpr double missedBy = 1.5;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// While it lives, Ctrl+C aborts a filter, and pressed once more ends the program.
+class Interruption
+{
+public:
+  explicit Interruption(vtkAlgorithm* filter)
+    : Filter(filter)
+    , Observer(filter->AddObserver(vtkCommand::ProgressEvent, this, &Interruption::look))
+  {
+    interrupted = 0;
+    this->Before = std::signal(SIGINT, [](int) {
+      interrupted = 1;
+      std::signal(SIGINT, SIG_DFL);
+    });
+    if (this->Before == SIG_IGN)
+    {
+      std::signal(SIGINT, SIG_IGN);
+    }
+  }
+  ~Interruption()
+  {
+    std::signal(SIGINT, this->Before);
+    this->Filter->RemoveObserver(this->Observer);
+  }
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+private:
+  void look()
+  {
+    if (interrupted != 0)
+    {
+      interrupted = 0;
+      this->Filter->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Filter;
+  unsigned long Observer;
+  void (*Before)(int) = SIG_DFL;
+};
+
+/// A bound that was asked for and is missed by more than half of it.
+void checkBound(const Options& options, Flattening& result)
+{
+  const FieldRows field(result.curves);
+  if (!options.boundGiven || options.bound == 0.0 || result.exitCode != Done ||
+    field.count("Strain") < 2 || field.number("Strain", 1) <= missedBy * options.bound)
+  {
+    return;
+  }
+  std::ostringstream message;
+  message << std::setprecision(4) << "the proposed cuts leave a strain of "
+          << field.number("Strain", 1) << ", more than half above the bound of " << options.bound
+          << "; allow more cuts (--max-cuts) or work (--max-work), or a larger bound";
+  result.exitCode = PromiseBroken;
+  result.status = "BoundMissed";
+  result.message = message.str();
+}
 
 using CurveFiles = std::map<std::string, CurveContents>;
 
@@ -197,6 +267,11 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   const VtkMessages messages;
   {
     const Progress progress(filter, quiet);
+    std::optional<Interruption> interruption;
+    if (filter->IsA("vtkFeatureCurveSuggestion"))
+    {
+      interruption.emplace(filter);
+    }
     filter->Update();
   }
   result.flat = filter->GetOutput(0);
@@ -261,6 +336,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     const std::vector<std::string> curveFiles = readInput(options, base, filter, result);
     result.secondsRead = secondsSince(start);
     run(filter, options.quiet, result);
+    checkBound(options, result);
     const int curves = filter->GetStatusConnection();
     const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
     sewAgain(options.resewing, options.body, options.material, options.quiet, result);

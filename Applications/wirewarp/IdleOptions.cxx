@@ -70,6 +70,8 @@ std::vector<Scope> scopesOf(const Options& options)
       "for --resew or --flattenable", giveThat },
     { { "--grade" }, options.suggest.empty() && !options.reshaping.any() && !options.priceKeys,
       "for curves that are given, not for --suggest, --price-keys or --flattenable" },
+    { { "--bound", "--max-cuts", "--max-cut-length", "--max-work", "--prefer", "--weights" },
+      options.suggest != "lines", "for cuts, not for --suggest lines" },
     { { "--spacing" }, options.arrange,
       "for pieces that are laid side by side, not for --no-arrange" },
   };

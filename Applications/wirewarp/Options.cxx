@@ -68,7 +68,7 @@ and removed where a run writes none of a kind; curves.vtp and flattenable.vtp st
 
 Exit codes: 0 done; 2 bad usage; 3 input refused, no result, or files or the table cannot be written;
 4 flattened, but a promise is broken (not converged, a length error above --max-length-error, a flipped
-triangle, an overlap): files are written.
+triangle, an overlap), or a given --bound is missed by more than half of it: files are written.
 
 Example: wirewarp shirt_front.vtp shirt_front_curves.vtp --output shirt)";
 

@@ -86,6 +86,7 @@ struct Options
   bool priceKeys = false;
   std::string suggest; ///< which cuts to propose; empty: none
   double bound = 0.0;
+  bool boundGiven = false;
   int maximumCuts = 0;
   double maximumCutLength = 0.0; ///< 0: no limit
   double maximumWork = 0.0;      ///< 0: no limit

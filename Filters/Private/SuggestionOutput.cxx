@@ -162,6 +162,18 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
   const std::string byWork =
     "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
   const bool worked = suggestions.end == SearchEnd::WorkUsedUp;
+  const std::string interrupted =
+    "the search was interrupted after " + std::to_string(suggestions.trials) + " trials";
+  if (suggestions.end == SearchEnd::CutsUsedUp && suggestions.cutsNeeded > 0.0)
+  {
+    return "nothing was tried: the surface takes " +
+      std::to_string(std::lround(suggestions.cutsNeeded)) +
+      " seams to be opened, more than the cuts allowed; allow as many";
+  }
+  if (std::isnan(suggestions.strainAfter) && suggestions.end == SearchEnd::Interrupted)
+  {
+    return interrupted + ", before any cut was found";
+  }
   if (std::isnan(suggestions.strainAfter))
   {
     return "nothing could be tried: the seams that open the surface meet a key curve, or cannot be "
@@ -169,7 +181,9 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
   }
   if (suggestions.boundMet || bound == 0.0)
   {
-    return worked && bound == 0.0 ? byWork + "; allow more work for more cuts" : std::string();
+    return suggestions.end == SearchEnd::Interrupted ? interrupted
+      : worked && bound == 0.0                       ? byWork + "; allow more work for more cuts"
+                                                     : std::string();
   }
   const Point3& p = suggestions.worstPlace;
   const std::string left = "the proposed cuts leave a strain of " +
@@ -180,6 +194,8 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
   {
     case SearchEnd::WorkUsedUp:
       return left + byWork + "; allow more work, or a larger bound";
+    case SearchEnd::Interrupted:
+      return left + interrupted;
     case SearchEnd::GivenUp:
       return left + "the search was given up, since " +
         (suggestions.cutsNeeded > 0.0 && suggestions.cutsNeeded < 1e6

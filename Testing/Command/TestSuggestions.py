@@ -3,6 +3,9 @@
 
 import math
 import os
+import signal
+import subprocess
+import time
 
 import command
 
@@ -174,10 +177,42 @@ class Suggestions(command.CommandTest):
         self.assertEqual(run.returncode, 2)
 
     def test_a_bound_out_of_reach_is_told(self):
-        report = self.flatten("dome.obj", "--suggest", "darts", "--bound", "0.001", "--max-cuts", "1")
-        self.assertEqual(len(report["suggestions"]), 1)
-        self.assertEqual(report["suggestions"][0]["type"], "dart")
-        self.assertTrue(any("above the bound of 0.001" in text for text in report["warnings"]))
+        for unit in ("mm", "m"):
+            options = ("--suggest", "darts", "--max-cuts", "1", "--unit", unit, "--output", "out")
+            run = self.run_command("dome.obj", *options, "--bound", "0.001")
+            self.assertEqual(run.returncode, 4, run.stderr)
+            report = self.report("out")
+            self.assertEqual((report["status"], report["exit_code"]), ("BoundMissed", 4))
+            strain = max(piece["strain_p95"] for piece in report["pieces"])
+            self.assertIn(f"a strain of {strain:.4g}", run.stderr)
+            self.assertEqual([cut["type"] for cut in report["suggestions"]], ["dart"])
+            self.assertTrue(any("above the bound of 0.001" in text for text in report["warnings"]))
+            # One that is missed by less, and the default, are warned of.
+            for bound in (("--bound", str(0.8 * strain)), ()):
+                run = self.run_command("dome.obj", *options, *bound)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertIn("above the bound of", run.stderr)
+
+    def test_a_search_that_is_interrupted_ends_with_the_best_so_far(self):
+        self.write("fine.obj", command.obj(*dome(40, 40, 0.9)))
+        process = subprocess.Popen(
+            [command.EXECUTABLE, "fine.obj", "--suggest", "all", "--bound", "0", "--max-cuts", "30", "--max-work", "0",
+             "--output", "out"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(5)
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertIn(process.returncode, (0, 4), errors)
+        self.assertIn("the search was interrupted after ", errors)
+        report = self.report("out")
+        self.assertTrue(report["suggestions"])
+        self.assertIn("curves.vtp", os.listdir(self.path("out")))
+
+    def test_options_of_cuts_are_not_for_lines(self):
+        for option in (("--bound", "0.1"), ("--max-cuts", "3"), ("--max-work", "1"), ("--weights", "w")):
+            run = self.run_command("dome.obj", "--suggest", "lines", *option)
+            self.assertEqual(run.returncode, 2, run.stdout)
+            self.assertIn(f"{option[0]} is for cuts, not for --suggest lines", run.stderr)
 
     def test_the_same_for_any_number_of_threads(self):
         cuts = [self.flatten("dome.obj", "--suggest", "all", "--bound", "0", "--max-cuts", "2",

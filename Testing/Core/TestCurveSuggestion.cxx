@@ -4,12 +4,14 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/CutTrials.h"
 #include "SuggestionTesting.h"
 #include "TestThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -243,12 +245,158 @@ TEST(CurveSuggestion, EndsWhenItsWorkIsUsedUpWhateverTheThreads)
   EXPECT_EQ(suggestCurves(mesh, {}, options).status.code, StatusCode::InvalidOption);
 }
 
-TEST(CurveSuggestion, EndsWhenItIsCancelled)
+TEST(CurveSuggestion, ItsWorkIsBoundedAtAnySizeAndNoneLeavesMoreStrain)
+{
+  for (Index size : { 10, 30, 80 })
+  {
+    const TriangleMesh mesh = patch(size, size, [size](double i, double j) {
+      const double x = 2.0 * i / size - 1.0;
+      const double y = 2.0 * j / size - 1.0;
+      return Point3(x, y, 0.7 * (1.0 - x * x) * (1.0 - 0.8 * y * y));
+    }).mesh;
+    const double uncut = largestStrain(flattenSurface(mesh, {}, {}, {}));
+    for (double work : { 0.01, 0.6, 3.0 })
+    {
+      SuggestionOptions options = optionsOf(0.01, 6);
+      options.search.maximumWork = work;
+      const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+      ASSERT_TRUE(suggestions.status.ok());
+      // What is under way may end: a batch of trials on a small version.
+      EXPECT_LT(suggestions.work, work + 1.0) << size;
+      EXPECT_LE(suggestions.curves.size(), 6U);
+      if (!std::isnan(suggestions.strainAfter))
+      {
+        EXPECT_LE(suggestions.strainAfter, suggestions.strainBefore);
+        EXPECT_LE(largestStrain(flattened(mesh, {}, suggestions)), uncut + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(CurveSuggestion, TakesNoMoreCutsThanAllowedToOpenASurface)
+{
+  // Around a torus and through it.
+  const Index around = 16;
+  Points3 points;
+  Triangles triangles;
+  for (Index j = 0; j < around; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      const double a = 2.0 * pi * i / around;
+      const double b = 2.0 * pi * j / around;
+      const double radius = 3.0 + std::cos(b);
+      points.emplace_back(radius * std::cos(a), radius * std::sin(a), std::sin(b));
+      const Index right = j * around + (i + 1) % around;
+      const Index up = (j + 1) % around * around + i;
+      const Index across = (j + 1) % around * around + (i + 1) % around;
+      triangles.push_back({ j * around + i, right, across });
+      triangles.push_back({ j * around + i, across, up });
+    }
+  }
+  const TriangleMesh torus(std::move(points), std::move(triangles));
+  for (Index most : { 1, 6 })
+  {
+    SuggestionOptions options = optionsOf(0.1, most);
+    options.search.maximumWork = 4.0;
+    const CurveSuggestions suggestions = suggestCurves(torus, {}, options);
+    EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
+    EXPECT_EQ(suggestions.curves.empty(), most == 1);
+    EXPECT_EQ(suggestions.cutsNeeded > 1.0, most == 1);
+  }
+}
+
+TEST(CurveSuggestion, DartsThatMeetAtTheirTipsAreNoTrial)
+{
+  // From opposite edges, from neighbouring ones, and one that ends on the other's leg.
+  for (double scale : { 0.01, 1.0, 1000.0 })
+  {
+    const Surface surface = patch(16, 16, [scale](double i, double j) {
+      return Point3(scale * i, scale * j, scale * 0.02 * (i * (16.0 - i) + j * (16.0 - j)));
+    });
+    const TriangleMesh& mesh = surface.mesh;
+    const auto dart = [&](Index column, Index row, Index right, Index up, Index count) {
+      Polyline line;
+      line.type = CurveType::Dart;
+      for (Index k = 0; k <= count; ++k)
+      {
+        line.points.push_back(mesh.point((row + k * up) * 17 + column + k * right));
+      }
+      return line;
+    };
+    const CutTrials trials(mesh, {}, {}, {});
+    TrialBudget budget(1e9);
+    const Polyline below = dart(8, 0, 0, 1, 8);
+    EXPECT_TRUE(trials.run({ below, dart(8, 16, 0, -1, 7) }, budget, {}).valid);
+    for (const Polyline& other :
+      { dart(8, 16, 0, -1, 8), dart(0, 8, 1, 0, 8), dart(16, 4, -1, 0, 8) })
+    {
+      EXPECT_TRUE(trials.run({ other }, budget, {}).valid);
+      EXPECT_FALSE(trials.run({ below, other }, budget, {}).valid);
+      EXPECT_FALSE(trials.run({ other, below }, budget, {}).valid);
+    }
+  }
+}
+
+TEST(CurveSuggestion, ItsDartsNeverDivideAPiece)
+{
+  for (int lobes : { 2, 3, 5 })
+  {
+    const TriangleMesh mesh = patch(18, 14, [lobes](double i, double j) {
+      const double x = i / 9.0 - 1.0;
+      const double y = j / 9.0;
+      return Point3(x, y, 0.3 * std::sin(lobes * x) * std::cos(2.0 * y) + 0.2 * x * x * y);
+    }).mesh;
+    for (bool symmetric : { false, true })
+    {
+      SuggestionOptions options = optionsOf(0.005, 8);
+      options.search.cuts = SuggestedCuts::Darts;
+      options.search.symmetric = symmetric;
+      options.search.maximumWork = 2.0;
+      const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+      EXPECT_FALSE(suggestions.curves.empty());
+      EXPECT_EQ(flattened(mesh, {}, suggestions).pieces.size(), 1U);
+    }
+  }
+}
+
+TEST(CurveSuggestion, IsMirroredOnlyWhereCutsAreImagesOfEachOther)
+{
+  for (Index most : { 1, 2, 4 })
+  {
+    SuggestionOptions options = optionsOf(0.0, most);
+    options.search.maximumWork = 3.0;
+    for (const TriangleMesh& mesh : { dome(0.4), twoBumps() })
+    {
+      const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+      const bool pairs = std::any_of(suggestions.curves.begin(), suggestions.curves.end(),
+        [](const SuggestedCurve& cut) { return cut.mirrorOf != none; });
+      EXPECT_EQ(suggestions.mirror.has_value(), pairs) << most;
+    }
+  }
+}
+
+TEST(CurveSuggestion, EndsWhenItIsCancelledWithTheBestSoFar)
 {
   Execution execution;
   execution.cancel = [] { return true; };
   EXPECT_EQ(
     suggestCurves(dome(0.4), {}, optionsOf(0.0, 4), execution).status.code, StatusCode::Cancelled);
+  std::size_t most = 0;
+  for (int asked : { 2000, 20000, 60000 })
+  {
+    int left = asked;
+    execution.cancel = [&left] { return --left < 0; };
+    const CurveSuggestions suggestions =
+      suggestCurves(dome(0.7), {}, optionsOf(0.005, 6), execution);
+    ASSERT_TRUE(suggestions.status.ok()) << asked;
+    EXPECT_EQ(suggestions.end, SearchEnd::Interrupted);
+    EXPECT_GE(suggestions.curves.size(), most);
+    EXPECT_LE(suggestions.strainAfter, suggestions.strainBefore);
+    most = suggestions.curves.size();
+    EXPECT_TRUE(flattened(dome(0.7), {}, suggestions).status.ok());
+  }
+  EXPECT_GT(most, 0U);
 }
 
 TEST(CurveSuggestion, RefusesWhatIsNoOption)

@@ -51,11 +51,11 @@ Adjusted adjusted(const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts,
   const RegionWeights weights;
   CutSet set;
   set.cuts = std::move(cuts);
-  set.outcome =
-    CutTrials(mesh, {}, imprint, flattening, search.goal, weights).run(linesOf(set.cuts), {});
+  TrialBudget budget(1e9);
+  set.outcome = CutTrials(mesh, {}, imprint, flattening, search.goal, weights)
+                  .run(linesOf(set.cuts), budget, {});
   EXPECT_TRUE(set.outcome.valid);
   Adjusted result{ set, set };
-  TrialBudget budget(1e9);
   adjustCuts(
     { mesh, {}, imprint, flattening, search, mirror, weights }, 0, result.after, budget, execution);
   return result;

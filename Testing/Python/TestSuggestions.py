@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """suggest() proposes curves that flatten() takes."""
 
+import time
 import unittest
 import warnings
 
@@ -171,6 +172,25 @@ class Suggestions(unittest.TestCase):
         with self.assertWarnsRegex(sf.FlatteningWarning, "above the bound of 0.001"):
             suggestion = sf.suggest(points, triangles, bound=0.001, max_cuts=1)
         self.assertFalse(suggestion.bound_met)
+
+    def test_a_search_that_is_interrupted_gives_the_best_so_far(self):
+        points, triangles = dome()
+        for late in (False, True):
+            began = time.monotonic()
+
+            def interrupt(_):
+                if not late or time.monotonic() - began > 5:
+                    raise KeyboardInterrupt
+
+            options = {"bound": 0, "max_cuts": 30, "max_work": 0, "progress": interrupt}
+            if not late:  # before anything is known
+                with self.assertRaises(KeyboardInterrupt):
+                    sf.suggest(points, triangles, **options)
+                continue
+            with self.assertWarnsRegex(sf.FlatteningWarning, "the search was interrupted after "):
+                suggestion = sf.suggest(points, triangles, **options)
+            self.assertTrue(suggestion.cuts)
+            self.assertEqual(len(suggestion.flattening.report["curves"]), len(suggestion.cuts))
 
     def test_what_is_wrong_is_raised(self):
         points, triangles = dome()

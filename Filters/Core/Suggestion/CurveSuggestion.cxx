@@ -16,35 +16,21 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace flattening
 {
 namespace
 {
-/// How much better cuts must be that are not mirrored.
-constexpr double mirrorWorth = 1.2;
-/// The least share of the work that the first way to search may take; and where the surface had to
-/// be opened, which takes so many cuts that half the work might end none of the ways.
-constexpr double firstShare = 0.5;
-constexpr double firstShareOpened = 1.0;
-/// The share of the work that searches may take, where their sets are then adjusted, and what of
-/// the rest each of these may take but the last: more sets for a bound, which fewer of them meet.
-constexpr double searchShare = 0.6;
-constexpr double adjustingShare = 0.5;
-constexpr std::size_t mostAdjusted = 3;
-constexpr double adjustingShareForBound = 0.4;
-constexpr std::size_t mostAdjustedForBound = 4;
+/// Of the work that is left, what a search may take; nearly all where the surface had to be opened,
+/// which takes so many cuts that less might end no search.
+constexpr double shareOfSearch = 0.5;
+constexpr double shareOpened = 0.9;
+/// Of all work, what is kept at most for measuring what each cut gives, by so many steps of each.
+constexpr double shareOfMeasuring = 0.3;
+constexpr double stepsOfMeasuring = 40.0;
 /// What searches are of the progress.
 constexpr double searchPart = 0.6;
-/// Larger surfaces may take more work in proportion.
-constexpr double smallSurface = 5000.0;
-
-/// What one way has found.
-struct FoundSet
-{
-  CutSet set;
-  bool mirrored = true;
-};
 
 class Suggesting
 {
@@ -59,6 +45,8 @@ public:
     , Whole(mesh, curves, options.imprint, options.flattening, SearchGoal::Energy, this->Weights)
     , Area(mesh.area())
     , Merit(options.search, this->Area)
+    , Budget(options.search.maximumWork > 0.0 ? 1e6 * options.search.maximumWork
+                                              : std::numeric_limits<double>::infinity())
   {
   }
 
@@ -72,19 +60,35 @@ public:
     if (this->Options.search.symmetric)
     {
       this->findMirror();
-      if (this->Result.mirror && !mirrorsWeights(this->Mesh, this->Weights, *this->Result.mirror))
-      {
-        this->Result.mirror.reset();
-      }
     }
-    CutSet best = this->search(this->openingCutsOf(surface));
+    const std::vector<SuggestedCurve> first = this->openingCutsOf(surface);
+    CutSet uncut;
+    uncut.outcome = this->Whole.run({}, this->Budget, this->Run);
     if (this->Run.cancelled())
     {
-      return refusal({ StatusCode::Cancelled, "cancelled while choosing cuts" });
+      return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
+    this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
+      stepsOfMeasuring * this->Mesh.triangleCount() * this->Options.search.maximumCuts);
+    const auto seams = static_cast<Index>(first.size());
+    if (seams > this->Options.search.maximumCuts && !uncut.outcome.valid)
+    {
+      return refusal({ StatusCode::InvalidOption,
+        "the greatest number of cuts is " + std::to_string(this->Options.search.maximumCuts) +
+          ", and to open the surface takes " + std::to_string(seams) + " seams",
+        {}, { { Remedy::Give, "a number from " + std::to_string(seams) } } });
+    }
+    const CutSet best = this->search(uncut, first);
     this->Result.curves = best.cuts;
+    if (std::all_of(best.cuts.begin(), best.cuts.end(),
+          [](const SuggestedCurve& cut) { return cut.mirrorOf == none; }))
+    {
+      this->Result.mirror.reset();
+    }
     this->nameCuts();
-    this->measureCuts(best);
+    this->measureCuts(uncut.outcome, best.outcome);
+    this->Result.trials = this->Budget.trials();
+    this->Result.work = 1e-6 * this->Budget.work();
     return std::move(this->Result);
   }
 
@@ -105,6 +109,14 @@ private:
     else if (auto intrinsic = IntrinsicMirror::find(this->Mesh, this->Run))
     {
       this->Result.mirror = SurfaceMirror(std::move(intrinsic));
+    }
+    // One that holds only nearly is no reason to keep a single cut to its axis.
+    const bool alone = this->Options.search.maximumCuts == 1 && this->Result.mirror &&
+      this->Result.mirror->intrinsic() && this->Result.mirror->error > SurfaceMirror::exact;
+    if (this->Result.mirror &&
+      (alone || !mirrorsWeights(this->Mesh, this->Weights, *this->Result.mirror)))
+    {
+      this->Result.mirror.reset();
     }
   }
 
@@ -134,118 +146,73 @@ private:
     return cuts;
   }
 
-  CutSet search(const std::vector<SuggestedCurve>& first)
+  /// The best set that is found, which is never worse than no cuts.
+  CutSet search(const CutSet& uncut, const std::vector<SuggestedCurve>& first)
   {
-    std::vector<FoundSet> found = this->searchAllWays(first);
-    if (this->adjusts())
+    const SearchOptions& wanted = this->Options.search;
+    std::vector<CutSet> found;
+    if (static_cast<Index>(first.size()) > wanted.maximumCuts)
     {
-      this->adjust(found, first.size());
+      this->Result.end = SearchEnd::CutsUsedUp;
+      this->Result.cutsNeeded = static_cast<double>(first.size());
+      return uncut;
     }
-    const auto best =
-      std::min_element(found.begin(), found.end(), [this](const FoundSet& a, const FoundSet& b) {
-        return this->Merit.merit(a.set, this->worthOf(a)) <
-          this->Merit.merit(b.set, this->worthOf(b));
-      });
-    const bool limited = std::any_of(found.begin(), found.end(),
-      [](const FoundSet& one) { return one.set.end == SearchEnd::WorkUsedUp; });
-    this->Result.end = limited ? SearchEnd::WorkUsedUp : best->set.end;
-    this->Result.cutsNeeded = best->set.cutsNeeded;
-    return std::move(best->set);
-  }
-
-  std::vector<FoundSet> searchAllWays(const std::vector<SuggestedCurve>& first)
-  {
-    std::vector<FoundSet> found;
-    const std::vector<SearchWay> all = searchWays(this->Options.search, this->Result.mirror);
-    for (std::size_t k = 0; k < all.size() && (k == 0 || !this->Run.cancelled()); ++k)
+    const auto better = [this](const CutSet& a, const CutSet& b) {
+      return this->Merit.merit(a) < this->Merit.merit(b);
+    };
+    const std::vector<SearchWay> ways = searchWays(wanted);
+    for (std::size_t k = 0; k < ways.size() && !this->Run.cancelled(); ++k)
     {
-      SearchOptions options = this->Options.search;
-      options.goal = all[k].goal;
-      options.fixedPrice *= all[k].fixedPrice;
-      options.unsettled = all[k].unsettled;
-      const double least = first.empty() ? firstShare : firstShareOpened;
-      const double share =
-        std::max(1.0 / static_cast<double>(all.size() - k), k == 0 ? least : 0.0);
-      options.maximumWork = share * (this->searchWork() - this->Result.work);
-      const double part = searchPart / static_cast<double>(all.size());
+      SearchOptions options = wanted;
+      options.cuts = ways[k].cuts;
+      options.goal = ways[k].goal;
+      const double left = this->Budget.left() - this->MostMeasuring;
+      TrialBudget budget((first.empty() ? shareOfSearch : shareOpened) * left);
+      const double part = searchPart / static_cast<double>(ways.size());
       found.push_back(
-        { searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                       options, this->mirrorOf(all[k].mirrored), this->Weights },
-            this->start(first, all[k].goal),
-            this->Run.part(part * static_cast<double>(k), part * static_cast<double>(k + 1))),
-          all[k].mirrored });
-      const CutSet& set = found.back().set;
-      this->Result.trials += set.trials;
-      this->Result.work += set.work;
-      const bool nothingToCut =
-        set.cuts.size() == first.size() && this->Merit.withinBound(set.outcome.strainP95);
-      const bool givenUp = found.front().set.end == SearchEnd::GivenUp;
-      if (nothingToCut || givenUp || this->Result.work >= this->searchWork())
+        searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+                     options, this->Result.mirror, this->Weights },
+          this->start(first, options.goal, budget), budget,
+          this->Run.part(part * static_cast<double>(k), part * static_cast<double>(k + 1))));
+      this->Budget.add(budget);
+      const CutSet& set = found.back();
+      const bool met = wanted.bound > 0.0 &&
+        this->Merit.withinBound(
+          std::min_element(found.begin(), found.end(), better)->outcome.strainP95);
+      if ((met && (set.cuts.size() == first.size() || k > 0)) ||
+        found.front().end == SearchEnd::GivenUp || this->Budget.left() <= this->MostMeasuring)
       {
-        break; // nor will other ways get there
+        break; // others will hardly do better
       }
     }
-    return found;
-  }
-
-  std::optional<SurfaceMirror> mirrorOf(bool mirrored) const
-  {
-    return mirrored ? this->Result.mirror : std::nullopt;
-  }
-
-  /// Whether cuts are moved about once they are found: not a few, which are wanted soon.
-  bool adjusts() const { return !searchesOnce(this->Options.search); }
-
-  /// The sets that promise most; one of them as if strain were lowered with ease.
-  void adjust(std::vector<FoundSet>& found, std::size_t firstCount)
-  {
-    const auto promiseMore = [this](double power) {
-      return [this, power](const FoundSet& a, const FoundSet& b) {
-        return this->Merit.promise(a.set, this->worthOf(a), power) <
-          this->Merit.promise(b.set, this->worthOf(b), power);
-      };
-    };
-    std::stable_sort(found.begin(), found.end(), promiseMore(unmetWeight));
-    const auto same = [](const FoundSet& a, const FoundSet& b) {
-      return a.mirrored == b.mirrored && a.set.outcome.paths == b.set.outcome.paths;
-    };
-    found.erase(std::unique(found.begin(), found.end(), same), found.end());
-    const bool bound = this->Options.search.bound > 0.0;
-    const std::size_t most = bound ? mostAdjustedForBound : mostAdjusted;
-    if (bound && found.size() > most)
+    if (found.empty())
     {
-      const auto cheap = std::min_element(found.begin() + 1, found.end(), promiseMore(1.0));
-      std::rotate(found.begin() + 1, cheap, cheap + 1);
+      this->Result.end = SearchEnd::Interrupted;
+      return uncut;
     }
-    const std::size_t count = std::min(found.size(), most);
-    for (std::size_t k = 0; k < count; ++k)
+    const auto best = std::min_element(found.begin(), found.end(), better);
+    if (wanted.maximumCuts > singleSearch && best->end != SearchEnd::GivenUp)
     {
-      if (found[k].set.end == SearchEnd::GivenUp)
-      {
-        continue;
-      }
-      const double share = k + 1 == count ? 1.0 : bound ? adjustingShareForBound : adjustingShare;
-      TrialBudget budget(1e6 * share * (this->mostWork() - this->Result.work));
-      const double part = (1.0 - searchPart) / static_cast<double>(count);
-      const double begin = searchPart + part * static_cast<double>(k);
+      TrialBudget budget(this->Budget.left() - this->MostMeasuring);
       adjustCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                   this->Options.search, this->mirrorOf(found[k].mirrored), this->Weights },
-        firstCount, found[k].set, budget, this->Run.part(begin, begin + part));
-      this->Result.trials += budget.trials();
-      this->Result.work += 1e-6 * budget.work();
+                   wanted, this->Result.mirror, this->Weights },
+        first.size(), *best, budget, this->Run.part(searchPart, 1.0));
+      this->Budget.add(budget);
     }
+    const bool limited = std::any_of(found.begin(), found.end(),
+      [](const CutSet& one) { return one.end == SearchEnd::WorkUsedUp; });
+    this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
+      : limited                              ? SearchEnd::WorkUsedUp
+                                             : best->end;
+    this->Result.cutsNeeded = best->cutsNeeded;
+    const TrialOutcome& with = best->outcome;
+    const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
+                                          : with.energy > uncut.outcome.energy;
+    return uncut.outcome.valid && (worse || !with.valid) ? uncut : std::move(*best);
   }
 
-  double searchWork() const { return (this->adjusts() ? searchShare : 1.0) * this->mostWork(); }
-
-  double mostWork() const
-  {
-    const double most = this->Options.search.maximumWork;
-    return most > 0.0 ? most * std::max(1.0, this->Mesh.triangleCount() / smallSurface)
-                      : std::numeric_limits<double>::infinity();
-  }
-
-  const CutSet& start(const std::vector<SuggestedCurve>& first, SearchGoal goal)
+  const CutSet& start(
+    const std::vector<SuggestedCurve>& first, SearchGoal goal, TrialBudget& budget)
   {
     std::optional<CutSet>& set = this->Start[goal];
     if (!set)
@@ -254,22 +221,16 @@ private:
       set->cuts = first;
       set->outcome = CutTrials(this->Mesh, this->Curves, this->Options.imprint,
         this->Options.flattening, goal, this->Weights)
-                       .run(linesOf(first), this->Run);
+                       .run(linesOf(first), budget, this->Run);
     }
     return *set;
   }
 
-  double worthOf(const FoundSet& found) const
-  {
-    return this->Result.mirror && !found.mirrored ? mirrorWorth : 1.0;
-  }
-
-  /// What each cut gives after those before it, now that some are shorter or gone.
-  void measureCuts(const CutSet& set)
+  /// What each cut gives after those before it, now that some are shorter or gone; not known where
+  /// the work does not allow it.
+  void measureCuts(const TrialOutcome& without, const TrialOutcome& with)
   {
     std::vector<SuggestedCurve>& cuts = this->Result.curves;
-    const TrialOutcome* const start =
-      this->Start[SearchGoal::Energy] ? &this->Start[SearchGoal::Energy]->outcome : nullptr;
     // After each cut or pair but the last, which is known.
     std::vector<std::size_t> ends;
     std::vector<std::vector<Polyline>> lines;
@@ -286,32 +247,29 @@ private:
     {
       lines.back().clear();
     }
-    std::vector<TrialOutcome> after = this->Whole.runAll(lines, this->Run);
-    if (!after.empty())
-    {
-      after.back() = set.outcome;
-    }
-    TrialOutcome before = start && start->paths.empty() ? *start : this->Whole.run({}, this->Run);
+    std::vector<TrialOutcome> after = this->Whole.runAll(lines, this->Budget, this->Run);
+    TrialOutcome before = without;
     this->Result.strainBefore = before.known(before.strainP95);
     this->Result.rigidEnergyBefore = before.known(before.energy / this->Area);
     std::size_t begin = 0;
     for (std::size_t e = 0; e < ends.size(); ++e)
     {
+      const TrialOutcome& now = e + 1 == ends.size() ? with : after[e];
       for (std::size_t j = begin; j < ends[e]; ++j)
       {
         cuts[j].areaErrorBefore = before.known(before.areaError);
-        cuts[j].areaErrorAfter = after[e].known(after[e].areaError);
+        cuts[j].areaErrorAfter = now.known(now.areaError);
         cuts[j].strainBefore = before.known(before.strainP95);
-        cuts[j].strainAfter = after[e].known(after[e].strainP95);
-        cuts[j].gain = (before.known(before.energy) - after[e].known(after[e].energy)) / this->Area;
+        cuts[j].strainAfter = now.known(now.strainP95);
+        cuts[j].gain = (before.known(before.energy) - now.known(now.energy)) / this->Area;
       }
       begin = ends[e];
-      before = after[e];
+      before = now;
     }
-    this->Result.strainAfter = before.known(before.strainP95);
-    this->Result.rigidEnergyAfter = before.known(before.energy / this->Area);
-    this->Result.boundMet = before.valid && this->Merit.withinBound(before.strainP95);
-    this->Result.worstPlace = before.worstPlace;
+    this->Result.strainAfter = with.known(with.strainP95);
+    this->Result.rigidEnergyAfter = with.known(with.energy / this->Area);
+    this->Result.boundMet = with.valid && this->Merit.withinBound(with.strainP95);
+    this->Result.worstPlace = with.worstPlace;
   }
 
   /// Numbers darts and seams in their order, beside the names that there are.
@@ -338,6 +296,8 @@ private:
   double Area;
   CutSetMerit Merit;
   std::map<SearchGoal, std::optional<CutSet>> Start; ///< the cuts that are needed anyway
+  TrialBudget Budget;
+  double MostMeasuring = 0.0; ///< of the budget
   CurveSuggestions Result;
 };
 }

@@ -13,8 +13,10 @@ namespace flattening
 /// ScaleFactor, flattens the best of them with the curves and options to come, moves the best about
 /// while that helps, and keeps it; until every piece's strain is within the bound, the cuts or
 /// their length are used up, or a cut gives too little for its price. Then cuts are taken back that
-/// are not needed. So it is done in several ways; the sets that promise most are adjusted, see
-/// adjustCuts(), and the best is proposed. The same for any number of threads.
+/// are not needed. So it is done in several ways, see searchWays(); the best set is adjusted, see
+/// adjustCuts(). It is never worse than no cuts, and no longer sought once the work is used up or
+/// the run cancelled. The same for any number of threads. Cancelled only where the surface without
+/// cuts is not known yet.
 CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
   const SuggestionOptions& options, const Execution& execution = {});
 }

@@ -29,8 +29,8 @@ struct CurveSuggestions
   std::vector<SuggestedCurve> curves;
   /// Lines that were tried and cost too much.
   std::vector<SuggestedCurve> leftOut;
-  std::optional<SurfaceMirror> mirror;
-  double strainBefore = 0.0; ///< largest p95 strain of a piece; NaN as in SuggestedCurve
+  std::optional<SurfaceMirror> mirror; ///< where some are mirror images of others
+  double strainBefore = 0.0;           ///< largest p95 strain of a piece; NaN as in SuggestedCurve
   double strainAfter = 0.0;
   double rigidEnergyBefore = 0.0;
   double rigidEnergyAfter = 0.0;

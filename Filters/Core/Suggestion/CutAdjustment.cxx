@@ -38,6 +38,10 @@ std::vector<Polyline> withFirst(
   return curves;
 }
 
+/// What a share of strain above the bound weighs against one of the price; within it they weigh
+/// alike.
+constexpr double unmetWeight = 10.0;
+
 /// Closing cuts takes many flattenings: it is left to so many of the moves that promise most
 /// without.
 constexpr std::size_t mostClosed = 2;
@@ -45,7 +49,7 @@ constexpr std::size_t mostClosed = 2;
 FlatteningOptions quickly(FlatteningOptions options)
 {
   options.closeCuts = false;
-  return roughly(std::move(options), false);
+  return roughly(std::move(options));
 }
 
 /// Of the work, what moving may take where cuts are then to be taken back.
@@ -67,7 +71,7 @@ public:
     , FirstCount(firstCount)
     , Set(set)
     , Longest(subject.search.maximumCutLength)
-    , MostMoving((subject.search.bound > 0.0 ? movingShare : 1.0) * budget.most())
+    , LeftToThin(subject.search.bound > 0.0 ? (1.0 - movingShare) * budget.left() : 0.0)
   {
     this->Size = std::sqrt(subject.mesh.area() / pi);
     if (set.outcome.energy > 0.0 && set.outcome.strainP95 > 0.0)
@@ -82,7 +86,7 @@ public:
 
   void run()
   {
-    this->Budget.pay(this->Quick.startUncut(this->Run));
+    this->Quick.startUncut(this->Budget, this->Run);
     for (double step = firstMove; step >= lastMove && this->goesOn();)
     {
       bool better = false;
@@ -107,7 +111,7 @@ public:
   }
 
 private:
-  bool goesOn() const { return this->Budget.work() < this->MostMoving && !this->Run.cancelled(); }
+  bool goesOn() const { return this->Budget.left() > this->LeftToThin && !this->Run.cancelled(); }
 
   void takeLengths()
   {
@@ -286,8 +290,7 @@ private:
         }
       }
     });
-    std::vector<TrialOutcome> outcomes = this->Quick.runAll(sets, this->Run);
-    this->Budget.pay(outcomes);
+    std::vector<TrialOutcome> outcomes = this->Quick.runAll(sets, this->Budget, this->Run);
     for (TrialOutcome& outcome : outcomes)
     {
       const std::vector<double>& all = this->Set.outcome.lengths;
@@ -326,8 +329,7 @@ private:
       return false;
     }
     cuts[k].via = plan.via;
-    TrialOutcome after = this->Trials.run(linesOf(cuts), this->Run);
-    this->Budget.pay(after);
+    TrialOutcome after = this->Trials.run(linesOf(cuts), this->Budget, this->Run);
     if (!this->better(after, false))
     {
       return false;
@@ -349,7 +351,7 @@ private:
   double QuantileOverMean = 1.0; ///< of the strain, at first
   CutSet& Set;
   double Longest;
-  double MostMoving;             ///< of the budget
+  double LeftToThin;             ///< of the budget
   std::vector<char> Shortenable; ///< by cut
   bool Twice = false;            ///< the cut that moves has its image on another piece
 };

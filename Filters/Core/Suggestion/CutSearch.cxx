@@ -57,8 +57,7 @@ std::vector<TriedCut> CutSearch::tryAll(const std::vector<CutPlan>& plans, doubl
       cuts[k] = this->Piece.polylines(plans[k]);
     }
   });
-  std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, execution);
-  budget.pay(outcomes);
+  std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, budget, execution);
   std::vector<TriedCut> tried;
   for (std::size_t k = 0; k < plans.size(); ++k)
   {

@@ -26,7 +26,7 @@ CutSetMerit::CutSetMerit(const SearchOptions& search, double area)
 {
 }
 
-double CutSetMerit::merit(const CutSet& set, double worth) const
+double CutSetMerit::merit(const CutSet& set) const
 {
   if (!set.outcome.valid)
   {
@@ -34,26 +34,10 @@ double CutSetMerit::merit(const CutSet& set, double worth) const
   }
   if (this->Search.bound == 0.0)
   {
-    return worth * distortionOf(set.outcome);
+    return distortionOf(set.outcome);
   }
-  return this->withinBound(set.outcome.strainP95) ? worth * this->price(set)
-                                                  : worth * unmet * (1.0 + set.outcome.strainP95);
-}
-
-double CutSetMerit::promise(const CutSet& set, double worth, double power) const
-{
-  if (!set.outcome.valid)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  if (this->Search.bound > 0.0)
-  {
-    const double above = std::max(1.0, set.outcome.strainP95 / this->Search.bound);
-    return worth * std::pow(above, power) * this->price(set);
-  }
-  const double most = this->Search.maximumCutLength;
-  const double used = std::isfinite(most) ? set.outcome.cutLength() / most : 1.0;
-  return worth * distortionOf(set.outcome) * used * used;
+  return this->withinBound(set.outcome.strainP95) ? this->price(set)
+                                                  : unmet * (1.0 + set.outcome.strainP95);
 }
 
 double CutSetMerit::price(const CutSet& set) const

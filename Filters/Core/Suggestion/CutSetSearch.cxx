@@ -39,13 +39,14 @@ double powerOf(SearchGoal goal)
 class SetSearch
 {
 public:
-  SetSearch(const SearchSubject& subject, CutSet first, const Execution& execution)
+  SetSearch(
+    const SearchSubject& subject, CutSet first, TrialBudget& budget, const Execution& execution)
     : Subject(subject)
     , Search(subject.search)
     , Run(execution)
     , Whole(subject.mesh, subject.curves, subject.imprint, subject.flattening, subject.search.goal,
         subject.weights)
-    , Budget(1e6 * subject.search.maximumWork)
+    , Budget(budget)
     , FirstCount(first.cuts.size())
     , First(first.outcome)
     , Result(std::move(first))
@@ -63,21 +64,19 @@ public:
       this->Run.report(
         static_cast<double>(this->Result.cuts.size()) / this->Search.maximumCuts, "Choosing cuts");
     }
+    if (!this->withinBound(this->now().strainP95) && this->Result.end != SearchEnd::GivenUp)
+    {
+      this->refit();
+    }
     if (this->withinBound(this->now().strainP95))
     {
       this->Result.end = SearchEnd::BoundMet;
       this->thin();
     }
-    else if (this->Result.end != SearchEnd::GivenUp)
-    {
-      this->refit();
-    }
     if (this->Budget.spent() && this->Result.end != SearchEnd::BoundMet)
     {
       this->Result.end = SearchEnd::WorkUsedUp;
     }
-    this->Result.trials = this->Budget.trials();
-    this->Result.work = 1e-6 * this->Budget.work();
     return std::move(this->Result);
   }
 
@@ -142,11 +141,12 @@ private:
       bool better = false;
       for (std::size_t k = this->FirstCount; k < this->Result.cuts.size(); ++k)
       {
-        if (this->Result.cuts[k].mirrorOf == none && !this->Budget.spent() &&
-          !this->Run.cancelled())
+        if (this->withinBound(this->now().strainP95) || this->Budget.spent() ||
+          this->Run.cancelled())
         {
-          better = this->refitCut(k) || better;
+          return;
         }
+        better = (this->Result.cuts[k].mirrorOf == none && this->refitCut(k)) || better;
       }
       if (!better)
       {
@@ -167,8 +167,7 @@ private:
     const std::vector<SuggestedCurve> cuts = this->Result.cuts;
     const TrialOutcome now = this->now();
     this->Result.cuts = withShare(cuts, k, 0.0);
-    this->now() = this->Whole.run(this->chosen(), this->Run);
-    this->Budget.pay(this->now());
+    this->now() = this->Whole.run(this->chosen(), this->Budget, this->Run);
     this->Refitting = true;
     const bool found = this->now().valid && this->addCut() && this->now().soundAfter(now) &&
       this->now().goal < (1.0 - leastProgress) * now.goal &&
@@ -304,8 +303,7 @@ private:
       cut.mirrorOf = k > 0 ? static_cast<Index>(first) : none;
       cuts.push_back(std::move(cut));
     }
-    TrialOutcome after = this->Whole.run(linesOf(cuts), this->Run);
-    this->Budget.pay(after);
+    TrialOutcome after = this->Whole.run(linesOf(cuts), this->Budget, this->Run);
     if (settled.empty() || !after.valid ||
       (this->now().valid && (!after.soundAfter(this->now()) || after.goal >= this->now().goal)))
     {
@@ -330,7 +328,7 @@ private:
   const SearchOptions& Search;
   const Execution& Run;
   CutTrials Whole;
-  TrialBudget Budget;
+  TrialBudget& Budget;
   std::size_t FirstCount;
   TrialOutcome First; ///< of the cuts that there are whatever the bound
   double Area = 0.0;
@@ -339,8 +337,9 @@ private:
 };
 }
 
-CutSet searchCuts(const SearchSubject& subject, CutSet first, const Execution& execution)
+CutSet searchCuts(
+  const SearchSubject& subject, CutSet first, TrialBudget& budget, const Execution& execution)
 {
-  return SetSearch(subject, std::move(first), execution).run();
+  return SetSearch(subject, std::move(first), budget, execution).run();
 }
 }

@@ -15,7 +15,7 @@ struct SearchSubject
   const std::vector<Polyline>& curves;
   const ImprintOptions& imprint;
   const FlatteningOptions& flattening;
-  const SearchOptions& search; ///< maximumWork: of this search, infinite where there is no limit
+  const SearchOptions& search;
   std::optional<SurfaceMirror> mirror; ///< to which cuts keep
   const RegionWeights& weights;        ///< relative ones
 };
@@ -25,8 +25,6 @@ struct CutSet
 {
   std::vector<SuggestedCurve> cuts;
   TrialOutcome outcome;
-  Index trials = 0;
-  double work = 0.0; ///< of the trials
   SearchEnd end = SearchEnd::NothingHelps;
   /// Where it was given up: how many cuts the bound would take if each did as much as those so far.
   double cutsNeeded = 0.0;
@@ -41,5 +39,6 @@ struct CutSet
 /// most cuts: a surface of noise is no nearer to flat after eight darts, and the forecast knows as
 /// little where to lay them. \param first cuts that there are whatever the bound, with what the
 /// surface is with them; they stay
-CutSet searchCuts(const SearchSubject& subject, CutSet first, const Execution& execution);
+CutSet searchCuts(
+  const SearchSubject& subject, CutSet first, TrialBudget& budget, const Execution& execution);
 }

@@ -126,8 +126,7 @@ void thinCuts(const CutTrials& trials, double bound, double least,
         }
       }
     }
-    const std::vector<TrialOutcome> outcomes = trials.runAll(lines, execution);
-    budget.pay(outcomes);
+    const std::vector<TrialOutcome> outcomes = trials.runAll(lines, budget, execution);
     std::size_t best = lines.size();
     for (std::size_t k = 0; k < lines.size(); ++k)
     {

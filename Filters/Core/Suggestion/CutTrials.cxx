@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutTrials.h"
 
+#include "Cut/SurfaceCut.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Quality/StrainMeasures.h"
@@ -16,6 +17,12 @@ namespace
 {
 /// How often a step of an iteration asks whether to go on, in the mean of many flattenings.
 constexpr double askedPerStep = 11.0;
+/// What a trial takes beside its steps, in steps.
+constexpr double besideSteps = 5.0;
+/// After so many trials in parallel the budget is looked at.
+constexpr Index triedTogether = 16;
+/// Of the most steps of a trial, what it may take from where the surface lies uncut.
+constexpr double startShare = 0.4;
 /// Of flattenings that are only compared.
 constexpr double enoughToCompare = 1e-3;
 constexpr double lengthTolerance = 1e-4;
@@ -68,18 +75,6 @@ std::vector<StrainMeasures> strainMeasures(
   return measures;
 }
 
-/// Every triangle counts once beside its piece's steps, which a conformal map has none of.
-double workOf(const FlatteningResult& flat)
-{
-  double work = 0.0;
-  for (const PieceReport& piece : flat.pieces)
-  {
-    work += static_cast<double>(piece.triangles) *
-      static_cast<double>(1 + piece.history.size() + piece.isometricHistory.size());
-  }
-  return work;
-}
-
 /// The points of the curves from `first` on.
 std::vector<Points3> pathsOf(const ImprintedSurface& surface, std::size_t first)
 {
@@ -120,11 +115,24 @@ bool crossesItself(const ImprintedSurface& surface, std::size_t first)
   }
   return false;
 }
+
+/// Whether the darts among the curves from `first` on cut off more than there is without them, as
+/// where two meet at their tips.
+bool dartsDivide(const ImprintedSurface& surface, std::size_t first)
+{
+  std::vector<FeatureCurve> others = surface.curves;
+  const auto dart = [](const FeatureCurve& curve) { return curve.type == CurveType::Dart; };
+  others.erase(
+    std::remove_if(others.begin() + static_cast<std::ptrdiff_t>(first), others.end(), dart),
+    others.end());
+  return others.size() < surface.curves.size() &&
+    cutSurface(surface.mesh, surface.curves).pieceCount !=
+    cutSurface(surface.mesh, others).pieceCount;
+}
 }
 
-FlatteningOptions roughly(FlatteningOptions options, bool unsettled)
+FlatteningOptions roughly(FlatteningOptions options)
 {
-  options.isometric.rough = unsettled;
   options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
   options.isometric.lengthTolerance = lengthTolerance;
   return options;
@@ -142,13 +150,14 @@ double TrialOutcome::cutLength() const
 
 CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
   const ImprintOptions& imprint, const FlatteningOptions& flattening, SearchGoal goal,
-  RegionWeights weights)
+  RegionWeights weights, double mostSteps)
   : Mesh(mesh)
   , Curves(std::move(curves))
   , Imprint(imprint)
   , Flattening(flattening)
   , Goal(goal)
   , Weights(std::move(weights))
+  , MostSteps(mostSteps)
 {
   this->Imprint.split = true;
   this->Flattening.arrange = false;
@@ -162,7 +171,8 @@ ImprintedSurface CutTrials::imprinted(const std::vector<Polyline>& cuts) const
   polylines.insert(polylines.end(), cuts.begin(), cuts.end());
   ImprintedSurface surface = imprintCurves(this->Mesh, polylines, this->Imprint);
   const std::size_t first = this->Curves.size();
-  if (surface.status.ok() && (touchesKey(surface, first) || crossesItself(surface, first)))
+  if (surface.status.ok() &&
+    (touchesKey(surface, first) || crossesItself(surface, first) || dartsDivide(surface, first)))
   {
     surface.status.code = StatusCode::InvalidCurve;
   }
@@ -175,49 +185,71 @@ std::vector<Points3> CutTrials::paths(const std::vector<Polyline>& cuts) const
   return surface.status.ok() ? pathsOf(surface, this->Curves.size()) : std::vector<Points3>{};
 }
 
-TrialOutcome CutTrials::run(const std::vector<Polyline>& cuts, const Execution& execution) const
+CutTrials::Trial CutTrials::tried(
+  const std::vector<Polyline>& cuts, double most, const Execution& execution) const
 {
-  TrialOutcome outcome;
-  outcome.work = this->Mesh.triangleCount(); // of imprinting, whatever comes of it
-  const ImprintedSurface surface = this->imprinted(cuts);
-  if (!surface.status.ok())
+  Trial trial;
+  const auto triangles = static_cast<double>(this->Mesh.triangleCount());
+  // Steps of attempts that were given up are in no report, but all ask whether to go on. On one
+  // thread they ask as often whatever the threads.
+  Index asked = 0;
+  double mostSteps = most / triangles;
+  Execution counting = execution.insideLoop();
+  counting.cancel = [&asked, &execution, &mostSteps] {
+    return ++asked / askedPerStep > mostSteps || execution.cancelled();
+  };
+  trial.surface = this->imprinted(cuts);
+  const bool starts = !this->Start.empty();
+  for (bool fromStart : { true, false })
   {
-    return outcome;
+    if (!trial.surface.status.ok() || fromStart > starts || trial.outcome.valid)
+    {
+      continue;
+    }
+    // Where the surface lies badly uncut a start from there may take longer than a new one.
+    const double steps = cuts.empty() ? std::numeric_limits<double>::infinity()
+      : fromStart                     ? startShare * this->MostSteps
+                                      : this->MostSteps;
+    mostSteps = std::min(most / triangles, asked / askedPerStep + steps);
+    trial.flat = this->flattened(trial.surface, fromStart, counting);
+    if (!trial.flat.status.refused())
+    {
+      trial.outcome = this->measured(trial.surface, trial.flat);
+    }
   }
-  const FlatteningResult flat = this->flattened(surface, execution);
-  return flat.status.refused() ? outcome : this->measured(surface, flat);
+  trial.work = triangles * (besideSteps + asked / askedPerStep);
+  return trial;
 }
 
-TrialOutcome CutTrials::startUncut(const Execution& execution)
+TrialOutcome CutTrials::run(
+  const std::vector<Polyline>& cuts, TrialBudget& budget, const Execution& execution) const
+{
+  Trial trial = this->tried(cuts, budget.left(), execution);
+  budget.pay(trial.work);
+  return std::move(trial.outcome);
+}
+
+TrialOutcome CutTrials::startUncut(TrialBudget& budget, const Execution& execution)
 {
   this->Start.clear();
-  const ImprintedSurface surface = this->imprinted({});
-  TrialOutcome outcome;
-  outcome.work = this->Mesh.triangleCount();
-  if (!surface.status.ok())
-  {
-    return outcome;
-  }
-  const FlatteningResult flat = this->flattened(surface, execution);
-  if (flat.status.refused())
-  {
-    return outcome;
-  }
-  outcome = this->measured(surface, flat);
-  const bool whole = surface.mesh.triangles() == this->Mesh.triangles() && flat.leftOut.empty();
-  for (Index t = 0; t < this->Mesh.triangleCount() && whole && outcome.flipped == 0; ++t)
+  Trial trial = this->tried({}, budget.left(), execution);
+  budget.pay(trial.work);
+  const FlatteningResult& flat = trial.flat;
+  const bool whole = trial.outcome.valid && trial.outcome.flipped == 0 && flat.leftOut.empty() &&
+    trial.surface.mesh.triangles() == this->Mesh.triangles();
+  for (Index t = 0; t < this->Mesh.triangleCount() && whole; ++t)
   {
     const auto& [a, b, c] = flat.cut->mesh.triangle(t);
     this->Start.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
   }
-  return outcome;
+  return std::move(trial.outcome);
 }
 
 FlatteningResult CutTrials::flattened(
-  const ImprintedSurface& surface, const Execution& execution) const
+  const ImprintedSurface& surface, bool fromStart, const Execution& execution) const
 {
   FlatteningOptions options = this->Flattening;
-  options.start = this->startOf(surface);
+  options.start = fromStart ? this->startOf(surface) : std::vector<FlatCorners>();
   Execution silent = execution; // how far a trial is says nothing of how far the search is
   silent.progress = nullptr;
   return flattenSurface(surface.mesh, surface.curves, options, silent);
@@ -274,7 +306,6 @@ TrialOutcome CutTrials::measured(
   }
   outcome.valid = true;
   outcome.severity = severity(flat.status.code);
-  outcome.work = workOf(flat);
   const std::vector<double> counted = this->countedAreas(surface, flat);
   outcome.worstPlace = worstPlace(flat, counted);
   this->measure(flat, counted, outcome);
@@ -343,28 +374,35 @@ void CutTrials::measure(
   outcome.goal = std::accumulate(outcome.pieceGoals.begin(), outcome.pieceGoals.end(), 0.0);
 }
 
-std::vector<TrialOutcome> CutTrials::runAll(
-  const std::vector<std::vector<Polyline>>& cuts, const Execution& execution) const
+std::vector<TrialOutcome> CutTrials::runAll(const std::vector<std::vector<Polyline>>& cuts,
+  TrialBudget& budget, const Execution& execution) const
 {
   std::vector<TrialOutcome> outcomes(cuts.size());
   const Execution inner = execution.insideLoop();
-  execution.parallelFor(static_cast<Index>(cuts.size()), [&](Index begin, Index end) {
-    for (Index k = begin; k < end && !inner.cancelled(); ++k)
-    {
-      if (!cuts[k].empty())
+  const auto count = static_cast<Index>(cuts.size());
+  for (Index first = 0; first < count && !budget.spent(); first += triedTogether)
+  {
+    const Index last = std::min(count, first + triedTogether);
+    std::vector<double> work(last - first, 0.0);
+    execution.parallelFor(last - first, [&](Index begin, Index end) {
+      for (Index k = begin; k < end && !inner.cancelled(); ++k)
       {
-        // Steps of attempts that were given up are in no report, but all ask whether to go on.
-        Index asked = 0;
-        Execution counting = inner;
-        counting.cancel = [&asked, &inner] {
-          ++asked;
-          return inner.cancelled();
-        };
-        outcomes[k] = this->run(cuts[k], counting);
-        outcomes[k].work = (1.0 + asked / askedPerStep) * this->Mesh.triangleCount();
+        if (!cuts[first + k].empty())
+        {
+          Trial trial = this->tried(cuts[first + k], budget.left(), inner);
+          outcomes[first + k] = std::move(trial.outcome);
+          work[k] = trial.work;
+        }
+      }
+    });
+    for (double one : work)
+    {
+      if (one > 0.0)
+      {
+        budget.pay(one);
       }
     }
-  });
+  }
   return outcomes;
 }
 }

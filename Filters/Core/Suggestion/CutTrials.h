@@ -6,6 +6,7 @@
 #include "Imprint/ImprintedSurface.h"
 #include "Suggestion/RegionWeights.h"
 #include "Suggestion/SearchOptions.h"
+#include "Suggestion/TrialBudget.h"
 
 #include <limits>
 
@@ -37,8 +38,6 @@ struct TrialOutcome
     return this->valid ? measure : std::numeric_limits<double>::quiet_NaN();
   }
   int severity = 0; ///< of its status
-  /// Steps of its iterations times the triangles that they were made on.
-  double work = 0.0;
   /// Where the strain is largest of what counts.
   Point3 worstPlace = Point3::Zero();
   /// No promise is broken worse than before: nothing more is folded or lies over another part.
@@ -50,31 +49,42 @@ struct TrialOutcome
 };
 
 /// Options of flattenings that are only compared with each other: energies are known to five digits
-/// long before the last iterations. \param unsettled see SearchOptions
-FlatteningOptions roughly(FlatteningOptions options, bool unsettled);
+/// long before the last iterations.
+FlatteningOptions roughly(FlatteningOptions options);
 
 /// Flattens one surface with the curves that it has anyway and with cuts on trial.
 class CutTrials
 {
 public:
-  /// The mesh must outlive it.
+  /// The mesh must outlive it. \param mostSteps after which a trial with cuts is given up, by far
+  /// more than sound ones take
   CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves, const ImprintOptions& imprint,
     const FlatteningOptions& flattening, SearchGoal goal = SearchGoal::Energy,
-    RegionWeights weights = {});
+    RegionWeights weights = {}, double mostSteps = std::numeric_limits<double>::infinity());
 
-  TrialOutcome run(const std::vector<Polyline>& cuts, const Execution& execution) const;
+  /// Not valid where the budget ends it.
+  TrialOutcome run(
+    const std::vector<Polyline>& cuts, TrialBudget& budget, const Execution& execution) const;
   /// The surface without any cut. From then on trials start from where that has put it.
-  TrialOutcome startUncut(const Execution& execution);
+  TrialOutcome startUncut(TrialBudget& budget, const Execution& execution);
   /// By cut, the points where it crosses the edges of the surface; none where it cannot be made.
   std::vector<Points3> paths(const std::vector<Polyline>& cuts) const;
-  /// Several, in parallel; an empty set of cuts is not tried. Their work counts what was tried in
-  /// vain as well, that of run() does not.
-  std::vector<TrialOutcome> runAll(
-    const std::vector<std::vector<Polyline>>& cuts, const Execution& execution) const;
+  /// Several, in parallel; an empty set of cuts is not tried, and none once the budget is spent.
+  std::vector<TrialOutcome> runAll(const std::vector<std::vector<Polyline>>& cuts,
+    TrialBudget& budget, const Execution& execution) const;
   const std::vector<Polyline>& curves() const { return this->Curves; }
 
 private:
-  FlatteningResult flattened(const ImprintedSurface& surface, const Execution& execution) const;
+  struct Trial
+  {
+    ImprintedSurface surface;
+    FlatteningResult flat;
+    TrialOutcome outcome;
+    double work = 0.0; ///< steps of its iterations times the triangles that they were made on
+  };
+  Trial tried(const std::vector<Polyline>& cuts, double most, const Execution& execution) const;
+  FlatteningResult flattened(
+    const ImprintedSurface& surface, bool fromStart, const Execution& execution) const;
   TrialOutcome measured(const ImprintedSurface& surface, const FlatteningResult& flat) const;
   std::vector<FlatCorners> startOf(const ImprintedSurface& surface) const;
   ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
@@ -88,7 +98,8 @@ private:
   ImprintOptions Imprint;
   FlatteningOptions Flattening;
   SearchGoal Goal;
-  RegionWeights Weights;          ///< of Mesh
+  RegionWeights Weights; ///< of Mesh
+  double MostSteps;
   std::vector<FlatCorners> Start; ///< by triangle of Mesh; empty: trials start anew
 };
 }

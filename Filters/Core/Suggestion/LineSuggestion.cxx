@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace flattening
@@ -85,8 +86,9 @@ private:
       all.push_back(more->curve);
     }
     ++this->Result.trials;
+    TrialBudget unlimited(std::numeric_limits<double>::infinity());
     return CutTrials(this->Mesh, std::move(all), this->Options.imprint, this->Options.flattening)
-      .run({}, this->Run);
+      .run({}, unlimited, this->Run);
   }
 
   void propose(SuggestedCurve line, TrialOutcome& now)

@@ -12,6 +12,8 @@ namespace
 {
 /// Of the version on which cuts are tried.
 constexpr Index coarseTriangles = 500;
+/// Of a trial on it.
+constexpr double mostSteps = 75.0;
 
 /// What a cut is worth that begins or ends on the leg of a dart: nobody likes to sew over one.
 constexpr double worthOfLegs = 0.5;
@@ -78,8 +80,8 @@ PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
   , Mirror(mirror)
   , Options(options)
   , Coarse(coarsened(piece, coarseTriangles))
-  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint,
-      roughly(flattening, options.unsettled), options.goal, this->Coarse.weights)
+  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint, roughly(flattening), options.goal,
+      this->Coarse.weights, mostSteps)
 {
 }
 
@@ -99,8 +101,7 @@ bool PieceSearch::ok(const Execution& execution)
 std::vector<TriedCut> PieceSearch::run(
   double longest, TrialBudget& budget, const Execution& execution)
 {
-  TrialOutcome before = this->Trials.startUncut(execution);
-  budget.pay(before);
+  TrialOutcome before = this->Trials.startUncut(budget, execution);
   if (!before.valid)
   {
     // Nothing could be flattened: whatever can is better.

@@ -51,15 +51,11 @@ struct SearchOptions
   /// What each cut costs beside its length.
   double fixedPrice = 0.2;
   double leastLength = 0.12;
-  /// Choose by flattenings that end before the forces in the wires say how stiff each is: quicker
-  /// ones, by which now better cuts are found and now worse ones.
-  bool unsettled = false;
   /// Real flattenings to choose each cut from, after the forecast has ranked them.
   Index trials = 24;
-  /// Of all real flattenings, in millions of steps of an iteration on one triangle, and on surfaces
-  /// of more than 5,000 triangles in proportion more. What is under way when they are used up is
-  /// brought to its end. 0: no limit.
-  double maximumWork = 25.0;
+  /// Of all real flattenings, in millions of steps of an iteration on one triangle, whatever the
+  /// size of the surface. The best cuts that are found by then are proposed. 0: no limit.
+  double maximumWork = 40.0;
 };
 
 /// Why a search ended.
@@ -69,7 +65,8 @@ enum class SearchEnd
   CutsUsedUp,
   NothingHelps, ///< no cut that the limits allow is worth its price
   GivenUp,      ///< the bound is out of reach, see searchCuts()
-  WorkUsedUp
+  WorkUsedUp,
+  Interrupted ///< by the caller
 };
 
 /// Errors: InvalidOption (a number out of its range, a preference for a curve that there is not).

@@ -3,50 +3,18 @@
 
 namespace flattening
 {
-namespace
+std::vector<SearchWay> searchWays(const SearchOptions& options)
 {
-/// Up to so many cuts are searched for once.
-constexpr Index singleSearch = 2;
-}
-
-bool searchesOnce(const SearchOptions& options)
-{
-  return options.maximumCuts <= singleSearch;
-}
-
-std::vector<SearchWay> searchWays(
-  const SearchOptions& options, const std::optional<SurfaceMirror>& mirror)
-{
-  // A mirror that holds only nearly is no reason to keep a single cut to its axis.
-  const bool alone = options.maximumCuts == 1 && mirror && mirror->intrinsic() &&
-    mirror->error > SurfaceMirror::exact;
-  const bool mirrored = mirror.has_value() && !alone;
-  std::vector<SearchWay> all{ { SearchGoal::Energy, mirrored, 1.0 } };
-  if (searchesOnce(options))
+  std::vector<SearchWay> all;
+  for (SuggestedCuts cuts : { SuggestedCuts::All, SuggestedCuts::Darts, SuggestedCuts::Seams })
   {
-    return all;
-  }
-  if (options.bound > 0.0)
-  {
-    all.push_back({ SearchGoal::Energy, mirrored, 1.0, true });
-    all.push_back({ SearchGoal::Strain, mirrored, 1.0, true });
-    all.push_back({ SearchGoal::Strain, mirrored, 1.0 });
-  }
-  else
-  {
-    all.push_back({ SearchGoal::Area, mirrored, 2.5 });
-    all.push_back({ SearchGoal::Area, mirrored, 1.0 });
-  }
-  all.push_back({ SearchGoal::Energy, mirrored, 2.5 });
-  if (mirrored && mirror->error > SurfaceMirror::exact)
-  {
-    const std::size_t count = all.size();
-    for (std::size_t k = 0; k < count; ++k)
+    if (cuts == options.cuts || options.cuts == SuggestedCuts::All)
     {
-      all.push_back(all[k]);
-      all.back().mirrored = false;
+      all.push_back({ cuts, SearchGoal::Energy });
+      all.push_back({ cuts, options.bound > 0.0 ? SearchGoal::Strain : SearchGoal::Area });
     }
   }
+  all.resize(options.maximumCuts <= singleSearch ? 1 : all.size());
   return all;
 }
 }

@@ -2,25 +2,22 @@
 #pragma once
 
 #include "Suggestion/SearchOptions.h"
-#include "Suggestion/SurfaceMirror.h"
 
-#include <optional>
+#include <vector>
 
 namespace flattening
 {
+/// Up to so many cuts, which are wanted soon, are searched for once.
+constexpr Index singleSearch = 2;
+
 /// One way to search, beside the options.
 struct SearchWay
 {
+  SuggestedCuts cuts = SuggestedCuts::All;
   SearchGoal goal = SearchGoal::Energy;
-  bool mirrored = true;
-  double fixedPrice = 1.0; ///< times that of the options
-  bool unsettled = false;  ///< see SearchOptions
 };
 
-/// Where few cuts may be made, which are wanted soon.
-bool searchesOnce(const SearchOptions& options);
-
-/// The ways to search one after the other: one where that is enough. \param mirror of the surface
-std::vector<SearchWay> searchWays(
-  const SearchOptions& options, const std::optional<SurfaceMirror>& mirror);
+/// The ways to search one after the other, the most promising first: by two goals, and where darts
+/// and seams are wanted also with either alone.
+std::vector<SearchWay> searchWays(const SearchOptions& options);
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Suggestion/CutTrials.h"
-
-#include <vector>
+#include "Base/Types.h"
 
 namespace flattening
 {
@@ -19,22 +17,21 @@ public:
   }
 
   bool spent() const { return this->Paid >= this->Most; }
-  double most() const { return this->Most; }
+  double left() const { return this->Most - this->Paid; }
   /// Paid so far.
   double work() const { return this->Paid; }
   Index trials() const { return this->Trials; }
 
-  void pay(const TrialOutcome& outcome)
+  void pay(double work)
   {
-    this->Paid += outcome.work;
+    this->Paid += work;
     ++this->Trials;
   }
-  void pay(const std::vector<TrialOutcome>& outcomes)
+  /// What another paid.
+  void add(const TrialBudget& other)
   {
-    for (const TrialOutcome& outcome : outcomes)
-    {
-      this->pay(outcome);
-    }
+    this->Paid += other.Paid;
+    this->Trials += other.Trials;
   }
 
 private:

@@ -19,8 +19,11 @@ from ._result import Flattening, make_result
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
 
-def _update(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
-    """Updates the filter; its messages become exceptions and warnings instead of lines on stderr."""
+def _update(filter_: Any, progress: Optional[Callable[[float], Any]], finishes: bool = False) -> None:
+    """Updates the filter; its messages become exceptions and warnings instead of lines on stderr.
+
+    finishes: after KeyboardInterrupt the filter may end with what it has found so far.
+    """
     raised: List[BaseException] = []
 
     def tell(*_: Any) -> None:
@@ -39,7 +42,8 @@ def _update(filter_: Any, progress: Optional[Callable[[float], Any]]) -> None:
     finally:
         for tag in tags:
             filter_.RemoveObserver(tag)  # they refer to the filter
-    if raised:
+    found = finishes and raised and isinstance(raised[0], KeyboardInterrupt) and not filter_.IsRefused()
+    if raised and not found:
         raise raised[0]
 
     name = filter_.GetStatusName()
