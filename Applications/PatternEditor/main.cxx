@@ -29,7 +29,8 @@ int main(int argc, char* argv[])
   editor::EditorWindow window;
   window.show();
   QApplication::processEvents(); // then the views have the size that a surface is to fill
-  if (argc > 1 && window.openSurface(argv[1]) && argc > 2)
+  // Curves that were recovered are not replaced.
+  if (argc > 1 && window.openSurface(argv[1]) && argc > 2 && !window.isWindowModified())
   {
     window.openCurves(argv[2]);
   }
