@@ -261,14 +261,14 @@ std::vector<PieceSize> pieceSizes(const Flattening& result)
 }
 
 //------------------------------------------------------------------------------
-std::string verdicts(const Flattening& result)
+std::string verdicts(const Flattening& result, bool unitAsked)
 {
   const std::vector<PieceSize>& sizes = result.sizes;
   std::string text;
   for (std::size_t piece = 0; piece < sizes.size(); ++piece)
   {
     text += "piece " + std::to_string(piece + 1) + ": " + sizeInWords(sizes[piece]) +
-      (result.unitStated || piece > 0 ? "" : " (lengths taken as cm: --unit)") + "; " +
+      (result.unitStated || unitAsked || piece > 0 ? "" : " (lengths taken as cm: --unit)") + "; " +
       verdictOf(sizes[piece]) + '\n';
   }
   return text;

@@ -28,7 +28,8 @@ struct PieceSize
 std::vector<PieceSize> pieceSizes(const Flattening& result);
 
 /// A line a piece in words: size, what has to be eased in and where most.
-std::string verdicts(const Flattening& result);
+/// \param unitAsked a warning says that the unit is not stated
+std::string verdicts(const Flattening& result, bool unitAsked);
 
 /// Of pieces that are hardly cut so small or large, since the unit may be another; empty for none.
 std::string sizeWarning(const Flattening& result);

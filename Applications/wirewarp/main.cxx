@@ -39,7 +39,8 @@ void finishOutput()
 
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  std::cout << pieceTable(written.result) << verdicts(written.result);
+  const bool unitAsked = !written.patterns.empty() || !sizeWarning(written.result).empty();
+  std::cout << pieceTable(written.result) << verdicts(written.result, unitAsked);
   std::cout << curveDistance(written.result) << fallbacks(written.result)
             << releaseAdvice(written.result) << suggestionTable(written.result)
             << reshapingTable(written.result) << resewingTable(options.resewing, written.result)

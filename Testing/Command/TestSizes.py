@@ -83,11 +83,12 @@ class Sizes(command.CommandTest):
             for formats in ((), ("--svg",), ("--svg", "--dxf", "--plt")):
                 with self.subTest(size=size, formats=formats):
                     run = self.run_command("plate.obj", *formats, "--output", "out")
-                    asked = run.stderr.count("--unit")
-                    self.assertEqual(asked, 1 if formats or size != "usual" else 0, run.stderr)
+                    warned = run.stderr.count("--unit")
+                    self.assertEqual(warned, 1 if formats or size != "usual" else 0, run.stderr)
+                    self.assertEqual(warned + run.stdout.count("--unit"), 1, run.stdout)
                     for unit in ("mm", "cm", "m", "inch"):
                         run = self.run_command("plate.obj", *formats, "--unit", unit, "--output", "out")
-                        self.assertEqual(run.stderr.count("--unit"), 0, run.stderr)
+                        self.assertEqual((run.stderr + run.stdout).count("--unit"), 0, run.stderr)
 
     def test_a_stated_unit_is_kept_by_all_files_that_are_written(self):
         self.write("plate.obj", command.obj(*plate(6, 10)))
