@@ -388,6 +388,30 @@ TEST_F(PatternEditor, CurvesByVertexIdsAreReadAsTheCommandReadsThem)
   EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 5);
 }
 
+TEST_F(PatternEditor, OfADrawingArcsAreReadAndTheRestIsNamed)
+{
+  const std::string surfaceFile = testing::TempDir() + "square.obj";
+  const std::string path = testing::TempDir() + "drawing.dxf";
+  std::ofstream(surfaceFile) << "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
+  const std::string arc = "0\nARC\n8\nkey hem\n10\n5\n20\n4\n40\n3\n50\n10\n51\n190\n";
+  for (const bool hatched : { false, true })
+  {
+    ASSERT_TRUE(this->window->openSurface(surfaceFile)) << this->window->message().toStdString();
+    std::ofstream(path) << "0\nSECTION\n2\nENTITIES\n"
+                        << arc << (hatched ? "0\nHATCH\n5\n2F\n8\nfilled\n" : "")
+                        << "0\nENDSEC\n0\nEOF\n";
+    ASSERT_TRUE(this->window->openCurves(path)) << this->window->message().toStdString();
+    ASSERT_EQ(this->window->curves()->GetNumberOfCurves(), 1);
+    EXPECT_EQ(this->window->curves()->GetCurveName(0), "hem");
+    EXPECT_NEAR(this->window->curves()->GetCurveLength(0), 3.0 * std::acos(-1.0), 1e-3);
+    EXPECT_EQ(this->window->message().contains("HATCH (line 20, handle 2F)"), hatched)
+      << this->window->message().toStdString();
+    EXPECT_EQ(this->window->message().isEmpty(), !hatched);
+  }
+  std::remove(path.c_str());
+  std::remove(surfaceFile.c_str());
+}
+
 TEST_F(PatternEditor, ADamagedFileIsAMessage)
 {
   const std::string path = testing::TempDir() + "damaged.vtp";
