@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sleeves and whole garments, which no plane can hold: what is said of them and what becomes of
 // them.
+#include "Cloth/MaterialPresets.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Quality/AreaForecast.h"
 #include "StatusTesting.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <set>
 
@@ -255,5 +257,35 @@ TEST(Tubes, AreToldBeforeTheLongWork)
     const auto work =
       std::find(phases.begin(), phases.end(), "Warping wires and interior together");
     EXPECT_LE(told, closed ? work : phases.end());
+  }
+}
+
+TEST(Tubes, OfManyTrianglesAreMappedAtOnceAndSaySo)
+{
+  for (const Index open : { 2, 5 })
+  {
+    const TriangleMesh mesh = garment(open, 3, 12, 2.0);
+    ASSERT_GT(mesh.triangleCount(), 20000);
+    for (const bool cloth : { false, true })
+    {
+      FlatteningOptions options;
+      if (cloth)
+      {
+        options.cloth.emplace().material = *findPreset("twill");
+      }
+      const std::clock_t start = std::clock();
+      const FlatteningResult result = flatten(mesh, options);
+      EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10.0);
+      ASSERT_EQ(result.pieces.size(), 1U);
+      const PieceReport& piece = result.pieces.front();
+      EXPECT_EQ(result.status.code, StatusCode::LengthError);
+      EXPECT_NE(result.status.message.find("the piece is a tube"), std::string::npos);
+      EXPECT_TRUE(has(result.status, Remedy::SeamBetweenLoops)) << result.status.message;
+      EXPECT_FALSE(has(result.status, Remedy::ReleaseCurves)) << result.status.message;
+      EXPECT_EQ(piece.area.openings.size(), static_cast<std::size_t>(open - 1));
+      EXPECT_TRUE(piece.quality.flipped.empty());
+      EXPECT_TRUE(piece.isometricHistory.empty());
+      EXPECT_TRUE(piece.fallbacks.empty());
+    }
   }
 }

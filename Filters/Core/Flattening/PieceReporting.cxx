@@ -98,8 +98,10 @@ std::vector<std::string> fallbacks(const PieceContext& context, const FlatWires&
       ", which gives the grain, bends by " + shortNumber(100.0 * flat.placed.grain->bend) +
       " % of its length; the grain follows the line between its ends");
   }
+  // A tube that is only mapped keeps no length.
+  const bool mapped = options.scheme == Scheme::Isometric && !flat.placed.isometric;
   const double error = largestLengthError(context, flat);
-  if (!(error <= options.lengthTolerance))
+  if (!mapped && !(error <= options.lengthTolerance))
   {
     all.emplace_back("the last correction of the wires' lengths ended with an edge off by " +
       shortNumber(error) + " of its length; the piece lies as it left it");

@@ -3,6 +3,7 @@
 
 #include "Angles/WireProblem.h"
 #include "Base/Stopwatch.h"
+#include "Embedding/ConvexEmbedding.h"
 #include "Flattening/ClothWarping.h"
 #include "Flattening/ContinuedWarping.h"
 #include "Flattening/ConvexWarping.h"
@@ -12,6 +13,9 @@ namespace flattening
 {
 namespace
 {
+/// Larger tubes are only mapped: warping one takes minutes, and nothing can be cut by the result.
+constexpr Index mostTubeTriangles = 20000;
+
 FlatWires flattenConformally(const PieceContext& context)
 {
   Stopwatch watch;
@@ -49,6 +53,25 @@ void warpFromBetterStart(const PieceContext& context, FlatWires& flat)
   }
 }
 
+/// A tube without its lengths. Without a value where it cannot be mapped or the run was cancelled.
+std::optional<FlatWires> mapTube(const PieceContext& context, const PlacedWires& solved)
+{
+  FlatWires flat;
+  flat.wires = solved.wires;
+  flat.placed.positions = embedConvexly(context.piece.mesh, context.execution);
+  if (flat.placed.positions.empty())
+  {
+    return std::nullopt;
+  }
+  flat.status = { StatusCode::NotConverged,
+    "the piece is a tube, which no plane can hold; with " +
+      std::to_string(context.piece.mesh.triangleCount()) +
+      " triangles it is only mapped, without its lengths",
+    {}, {} };
+  layOnCloth(context, flat.wires, flat.placed);
+  return flat;
+}
+
 /// A piece for which the plane has no room, from a convex embedding at once: placed by its wires'
 /// angles it would fold, and untangling it would take long and help little. Without a value where
 /// that does not keep what was asked for.
@@ -59,6 +82,10 @@ std::optional<FlatWires> flattenDeepPiece(const PieceContext& context, const Pla
     return std::nullopt;
   }
   context.execution.report(0.1, "Flattening a piece that no plane can hold");
+  if (context.area->tube() && context.piece.mesh.triangleCount() > mostTubeTriangles)
+  {
+    return mapTube(context, solved);
+  }
   std::optional<PlacedPiece> placed = warpFromConvexStart(context, solved.wires);
   const bool good = placed && (placed->status.ok() || !solved.wires.locks()) &&
     countFlipped(context.piece.mesh, placed->positions) == 0;
