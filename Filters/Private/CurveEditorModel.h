@@ -18,7 +18,7 @@ class CurveEditorModel
 {
 public:
   explicit CurveEditorModel(TriangleMesh mesh)
-    : CurveEditorModel(std::make_shared<const DrawingSurface>(std::move(mesh), PathLandmarks::Made))
+    : CurveEditorModel(std::make_shared<const DrawingSurface>(std::move(mesh)))
   {
   }
 

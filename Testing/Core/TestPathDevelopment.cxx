@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathFacts.h"
-#include "Paths/PathDevelopment.h"
+#include "Paths/PathShortening.h"
 #include "Paths/PathGraph.h"
 #include "Paths/PathPoints.h"
 #include "TestMeshes.h"

@@ -3,7 +3,6 @@
 #include "Editing/SegmentPreview.h"
 #include "PathFacts.h"
 #include "Paths/CourseStraightening.h"
-#include "Paths/PathLandmarks.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 
@@ -73,22 +72,18 @@ TEST(PathSearch, ThatGoesOnFindsTheWaysOfOneThatIsNew)
 {
   for (const TriangleMesh& mesh : hardSurfaces())
   {
-    const PathGraph plain(mesh);
-    PathGraph graph(mesh);
-    graph.setLandmarks(landmarkDistances(graph));
+    const PathGraph graph(mesh);
     std::mt19937 random(11);
-    for (const PathWays ways : { PathWays::All, PathWays::Edges })
+    for (const PathArcs arcs : { PathArcs::All, PathArcs::Edges })
     {
       for (int source = 0; source < 6; ++source)
       {
         const SurfacePoint from = randomPoint(mesh, random);
-        PathSearch kept(graph, from, ways);
+        PathSearch kept(graph, from, arcs);
         for (int k = 0; k < 40; ++k)
         {
           const SurfacePoint to = randomPoint(mesh, random);
-          const PathCourse course = PathSearch(plain, from, ways).courseTo(to);
-          expectSame(kept.courseTo(to), course);
-          expectSame(PathSearch(graph, from, ways).courseTo(to), course);
+          expectSame(kept.courseTo(to), PathSearch(graph, from, arcs).courseTo(to));
         }
       }
     }
@@ -99,11 +94,10 @@ TEST(PathSearch, ByEdgesIsAsLongAsAnotherFindsThem)
 {
   for (const TriangleMesh& mesh : hardSurfaces())
   {
-    PathGraph graph(mesh);
-    graph.setLandmarks(landmarkDistances(graph));
+    const PathGraph graph(mesh);
     std::mt19937 random(12);
     const SurfacePoint from = randomPoint(mesh, random);
-    PathSearch search(graph, from, PathWays::Edges);
+    PathSearch search(graph, from, PathArcs::Edges);
     for (int k = 0; k < 40; ++k)
     {
       const SurfacePoint to = randomPoint(mesh, random);
@@ -148,33 +142,9 @@ TEST(PathSearch, TakesTheSameOfEquallyLongWaysInEveryUnit)
   }
 }
 
-TEST(PathLandmarks, BoundTheWaysBetweenNodes)
-{
-  for (const TriangleMesh& mesh : hardSurfaces())
-  {
-    const PathGraph graph(mesh);
-    const std::vector<LandmarkDistances> distances = landmarkDistances(graph);
-    std::size_t tight = 0;
-    for (Index node = 0; node < graph.nodeCount(); ++node)
-    {
-      for (const PathGraph::Way& way : graph.from(node))
-      {
-        for (std::size_t k = 0; k < landmarkCount; ++k)
-        {
-          const WayLength here = distances[node][k];
-          const WayLength there = distances[way.node][k];
-          EXPECT_LE(std::max(here, there) - std::min(here, there), way.length);
-          tight += std::max(here, there) - std::min(here, there) == way.length ? 1 : 0;
-        }
-      }
-    }
-    EXPECT_GT(tight, static_cast<std::size_t>(mesh.vertexCount())); // or they would be no distances
-  }
-}
-
 TEST(SegmentPreview, IsWhatIsDrawnThereWhateverWasShownBefore)
 {
-  const auto surface = std::make_shared<const DrawingSurface>(hill().mesh, PathLandmarks::Made);
+  const auto surface = std::make_shared<const DrawingSurface>(hill().mesh);
   const DrawingSurface plain(hill().mesh);
   SegmentPreview preview(surface);
   std::mt19937 random(4);

@@ -301,7 +301,7 @@ TEST(CourseStraightening, EndsWhereItsTurnsAreUsedUpAndSaysWhereTheCourseIsSharp
   const PathGraph graph(mesh);
   const SurfacePoint from = vertexPoint(mesh, 30);
   const SurfacePoint to = vertexPoint(mesh, mesh.vertexCount() - 90);
-  const PathCourse byEdges = PathSearch(graph, from, PathWays::Edges).courseTo(to);
+  const PathCourse byEdges = PathSearch(graph, from, PathArcs::Edges).courseTo(to);
   double length = lengthOf(pathAlong(mesh, byEdges));
   std::size_t bentBefore = mesh.vertexCount();
   for (const std::size_t turns : { 0, 2, 5, 1000000 })

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/DrawingSurface.h"
 
-#include "Paths/PathLandmarks.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -20,16 +18,12 @@ double turn(const Point3& before, const Point3& after)
 }
 }
 
-DrawingSurface::DrawingSurface(TriangleMesh mesh, PathLandmarks landmarks)
+DrawingSurface::DrawingSurface(TriangleMesh mesh)
   : Mesh(std::move(mesh))
   , Graph(this->Mesh)
   , Locator(this->Mesh)
   , Snap(this->Mesh, snapFraction)
 {
-  if (landmarks == PathLandmarks::Made)
-  {
-    this->Graph.setLandmarks(landmarkDistances(this->Graph));
-  }
   for (const Indices& loop : this->Mesh.boundaryLoops())
   {
     for (std::size_t k = 0; k < loop.size(); ++k)

@@ -7,20 +7,11 @@
 
 namespace flattening
 {
-/// Whether landmarks are made for the searches of paths, as is worth their time where there are
-/// many.
-enum class PathLandmarks
-{
-  None,
-  Made,
-};
-
 /// A surface to draw curves on, with what is made once for it.
 class DrawingSurface
 {
 public:
-  /// \param landmarks change times only
-  explicit DrawingSurface(TriangleMesh mesh, PathLandmarks landmarks = PathLandmarks::None);
+  explicit DrawingSurface(TriangleMesh mesh);
   DrawingSurface(const DrawingSurface&) = delete;
   DrawingSurface& operator=(const DrawingSurface&) = delete;
 

@@ -20,10 +20,10 @@ DrawnSegment SegmentPreview::draw(
     return drawSegment(*this->Surface, kind, from, to);
   }
   DrawnSegment result = withinMemory([&] {
-    const PathWays ways = kind == SegmentKind::Edges ? PathWays::Edges : PathWays::All;
-    if (!this->Search || this->Search->ways() != ways || !samePlace(this->Search->source(), from))
+    const PathArcs arcs = kind == SegmentKind::Edges ? PathArcs::Edges : PathArcs::All;
+    if (!this->Search || this->Search->arcs() != arcs || !samePlace(this->Search->source(), from))
     {
-      this->Search = std::make_unique<PathSearch>(this->Surface->graph(), from, ways);
+      this->Search = std::make_unique<PathSearch>(this->Surface->graph(), from, arcs);
     }
     StraightPath straight =
       kind == SegmentKind::Edges ? pathByEdges(*this->Search, to) : straightPath(*this->Search, to);

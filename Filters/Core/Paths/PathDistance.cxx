@@ -16,14 +16,13 @@ namespace
 constexpr int narrowings = 40;
 constexpr std::size_t mostFeet = 4;
 
-/// Lengths of the ways from places along a path to a point.
-class WaysFrom
+/// Straight paths from places along a path to a point, all by one search from the point.
+class PathsToPoint
 {
 public:
-  WaysFrom(const PathGraph& graph, const SurfacePath& path, const SurfacePoint& point)
-    : Graph(graph)
+  PathsToPoint(const PathGraph& graph, const SurfacePath& path, const SurfacePoint& point)
+    : Search(graph, point)
     , Path(path)
-    , Point(point)
   {
     this->Places.push_back(0.0);
     for (std::size_t i = 0; i < path.triangles.size(); ++i)
@@ -51,15 +50,17 @@ public:
     const double size = this->Places[leg + 1] - this->Places[leg];
     const double along =
       size > 0.0 ? std::clamp((place - this->Places[leg]) / size, 0.0, 1.0) : 0.0;
-    return pointBetween(this->Graph.mesh(), this->Path.triangles[leg], this->Path.points[leg],
-      this->Path.points[leg + 1], along);
+    return pointBetween(this->Search.graph().mesh(), this->Path.triangles[leg],
+      this->Path.points[leg], this->Path.points[leg + 1], along);
   }
-  StraightPath from(double place) const
+  StraightPath from(double place)
   {
-    return straightPath(this->Graph, this->footAt(place), this->Point);
+    StraightPath straight = straightPath(this->Search, this->footAt(place));
+    straight.path = reversed(std::move(straight.path));
+    return straight;
   }
-  /// The place near another from which the way is shortest, by golden sections.
-  double nearest(double place) const
+  /// The place near another from which the path is shortest, by golden sections.
+  double nearest(double place)
   {
     const StraightPath start = this->from(place);
     double low = std::max(place - start.length, 0.0);
@@ -68,17 +69,16 @@ public:
     {
       const double a = high - goldenRatio * (high - low);
       const double b = low + goldenRatio * (high - low);
-      (this->from(a).length <= this->from(b).length ? high : low) =
-        this->from(a).length <= this->from(b).length ? b : a;
+      const bool nearerA = this->from(a).length <= this->from(b).length;
+      (nearerA ? high : low) = nearerA ? b : a;
     }
     const double found = 0.5 * (low + high);
     return this->from(found).length <= start.length ? found : place;
   }
 
 private:
-  const PathGraph& Graph;
+  PathSearch Search;
   const SurfacePath& Path;
-  const SurfacePoint& Point;
   std::vector<double> Places;
 };
 
@@ -134,7 +134,7 @@ PathDistance distanceFrom(
   };
   Outcome outcome = withinMemory([&] {
     Outcome found;
-    const WaysFrom ways(graph, path, point);
+    PathsToPoint ways(graph, path, point);
     std::vector<PathFoot> feet =
       pathFeet(path, point.position, std::numeric_limits<double>::infinity());
     std::sort(

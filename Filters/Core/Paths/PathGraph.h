@@ -3,40 +3,28 @@
 
 #include "Imprint/SurfacePoint.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-
 namespace flattening
 {
-/// Lengths of ways as whole numbers: sums of them are exact, so that ways that are equally long are
-/// so in every unit, and whichever way they are found.
-using WayLength = std::uint64_t;
-
-inline constexpr std::size_t landmarkCount = 16;
-/// See landmarkDistances().
-using LandmarkDistances = std::array<WayLength, landmarkCount>;
-
-/// Short ways from vertex to vertex: along an edge, or straight across one to the vertex on its
-/// other side. What starts of paths are sought in; made once for a surface.
+/// Arcs from vertex to vertex of a mesh: along an edge, or straight across one to the vertex on its
+/// other side. Searches of paths run on them; made once for a surface.
 ///
-/// Its nodes are the vertices in an order in which neighbours are near each other in memory,
-/// however the mesh numbers them: a search waits for memory most of its time.
+/// Lengths are whole numbers kept as doubles. Their sums are exact, so that paths of equal length
+/// compare as equal in every unit, in whatever order their arcs are added.
 class PathGraph
 {
 public:
-  struct Way
+  struct Arc
   {
-    Index node = none;    ///< that it leads to
+    Index to = none;      ///< vertex
     Index crossed = none; ///< the half-edge that it crosses; none along an edge
-    WayLength length = 0;
+    double length = 0.0;  ///< rounded()
   };
-  struct Ways
+  struct Arcs
   {
-    const Way* first;
-    const Way* last;
-    const Way* begin() const { return this->first; }
-    const Way* end() const { return this->last; }
+    const Arc* first;
+    const Arc* last;
+    const Arc* begin() const { return this->first; }
+    const Arc* end() const { return this->last; }
   };
 
   /// The mesh must outlive the graph.
@@ -45,44 +33,23 @@ public:
   const TriangleMesh& mesh() const { return this->Mesh; }
   /// For sections of the surface that go through vertices only where they meet them.
   const SnapDistance& noSnap() const { return this->NoSnap; }
-  Index nodeCount() const { return static_cast<Index>(this->Vertices.size()); }
-  Index vertex(Index node) const { return this->Vertices[node]; }
-  Index node(Index vertex) const { return this->Nodes[vertex]; }
-  const Point3& position(Index node) const { return this->Positions[node]; }
-  Ways from(Index node) const
+  Arcs from(Index vertex) const
   {
-    return { this->All.data() + this->Begin[node], this->All.data() + this->Begin[node + 1] };
+    return { this->All.data() + this->Begin[vertex], this->All.data() + this->Begin[vertex + 1] };
   }
-  /// Lets searches look ahead by them; which ways they find does not change.
-  void setLandmarks(std::vector<LandmarkDistances> distances);
-  /// Of a node; null where there are none.
-  const LandmarkDistances* landmarks(Index node) const
+  /// A length as a whole number of the graph's units, at least 1.
+  double rounded(double length) const;
+  /// The straight line from a vertex to a point in the graph's units, not rounded.
+  double straight(Index vertex, const Point3& point) const
   {
-    return this->Landmarks.empty() ? nullptr : &this->Landmarks[node];
-  }
-  /// A length rounded to a whole number, at least 1.
-  WayLength rounded(double length) const;
-  /// From a node to a point through the air: no way is shorter, but for the last digits of its
-  /// parts.
-  WayLength straight(Index node, const Point3& point) const
-  {
-    // Parts of a surface may lie farther from each other than all ways go.
-    return static_cast<WayLength>(
-      std::min((this->Positions[node] - point).norm() * this->Scale, sumOfAll));
+    return (this->Mesh.point(vertex) - point).norm() * this->Scale;
   }
 
 private:
-  /// What all ways together come to at most, so that no sum of some runs over.
-  static constexpr double sumOfAll = 0x1p61;
-
   const TriangleMesh& Mesh;
   SnapDistance NoSnap;
-  double Scale = 1.0; ///< whole numbers in a unit of length
-  Indices Vertices;   ///< by node
-  Indices Nodes;      ///< by vertex
-  Points3 Positions;  ///< by node
+  double Scale = 1.0; ///< the graph's units in a unit of length
   std::vector<std::size_t> Begin;
-  std::vector<Way> All;
-  std::vector<LandmarkDistances> Landmarks; ///< by node, or none
+  std::vector<Arc> All;
 };
 }

@@ -4,191 +4,135 @@
 #include "Paths/StripUnfolding.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 namespace flattening
 {
 namespace
 {
-/// By how much the distance through the air may seem to be longer than a way of ever so many parts,
-/// each rounded: a hundred thousandth of a mean edge where there are a million.
-constexpr WayLength roundingOfWays = WayLength(1) << 20U;
+/// By how much a straight line may exceed a path of up to a million arcs, each rounded by half a
+/// unit.
+constexpr double roundingOfPaths = 0x1p20;
 
-/// Corners of the triangles around a point as nodes, each once; a vertex is its own only corner.
-Indices nodesAround(const PathGraph& graph, const SurfacePoint& point)
+/// Corners of the triangles around a point, each once; a vertex is its own only corner.
+Indices cornersAround(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   if (point.carrier == Carrier::Vertex)
   {
-    return { graph.node(point.id) };
+    return { point.id };
   }
-  Indices nodes;
-  for (const Index t : trianglesAround(graph.mesh(), point))
+  Indices corners;
+  for (const Index t : trianglesAround(mesh, point))
   {
-    for (const Index v : graph.mesh().triangle(t))
+    for (const Index v : mesh.triangle(t))
     {
-      const Index node = graph.node(v);
-      if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
+      if (std::find(corners.begin(), corners.end(), v) == corners.end())
       {
-        nodes.push_back(node);
+        corners.push_back(v);
       }
     }
   }
-  return nodes;
+  return corners;
 }
 
-WayLength difference(WayLength a, WayLength b)
+double apart(const PathGraph& graph, Index vertex, const SurfacePoint& point)
 {
-  return a > b ? a - b : b - a;
-}
-
-WayLength apart(const PathGraph& graph, Index node, const SurfacePoint& point)
-{
-  return graph.rounded((graph.position(node) - point.position).norm());
+  return graph.rounded((graph.mesh().point(vertex) - point.position).norm());
 }
 }
 
-PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, PathWays ways)
+PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, PathArcs arcs)
   : Graph(graph)
   , Source(source)
-  , Taken(ways)
-  , Pages(graph.nodeCount() / std::tuple_size<Page>::value + 1)
+  , Used(arcs)
+  , States(graph.mesh().vertexCount())
 {
-  for (const Index node : nodesAround(graph, source))
+  for (const Index v : cornersAround(graph.mesh(), source))
   {
-    this->state(node).distance = apart(graph, node, source);
-    this->Open.push_back({ 0, node });
+    this->States[v].distance = apart(graph, v, source);
+    this->Open.push_back({ 0.0, v });
   }
 }
 
-/// No way from a node to the target is shorter.
-WayLength PathSearch::ahead(Index node, const Point3& target) const
+void PathSearch::aimAt(const Point3& target)
 {
-  WayLength least = this->Graph.straight(node, target);
-  for (std::size_t k = 0; k < this->MarkCount; ++k)
-  {
-    const Mark& mark = this->Marks[k];
-    least =
-      std::max(least, difference((*this->Graph.landmarks(node))[mark.landmark], mark.toTarget));
-  }
-  return least;
-}
-
-void PathSearch::chooseMarks(const SurfacePoint& target, const Indices& goals)
-{
-  this->MarkCount = 0;
-  const Index start = nodesAround(this->Graph, this->Source).front();
-  const LandmarkDistances* const fromStart = this->Graph.landmarks(start);
-  if (!fromStart)
-  {
-    return;
-  }
-  LandmarkDistances toTarget;
-  toTarget.fill(std::numeric_limits<WayLength>::max());
-  for (const Index node : goals)
-  {
-    const WayLength last = apart(this->Graph, node, target);
-    for (std::size_t k = 0; k < landmarkCount; ++k)
-    {
-      toTarget[k] = std::min(toTarget[k], (*this->Graph.landmarks(node))[k] + last);
-    }
-  }
-  std::array<std::size_t, landmarkCount> order{};
-  std::iota(order.begin(), order.end(), 0);
-  const auto seemsLonger = [&](std::size_t a, std::size_t b) {
-    return difference((*fromStart)[a], toTarget[a]) > difference((*fromStart)[b], toTarget[b]);
-  };
-  this->MarkCount = this->Marks.size();
-  std::partial_sort(order.begin(), order.begin() + this->Marks.size(), order.end(), seemsLonger);
-  for (std::size_t k = 0; k < this->MarkCount; ++k)
-  {
-    this->Marks[k] = { order[k], toTarget[order[k]] };
-  }
-}
-
-void PathSearch::aimAt(const SurfacePoint& target, const Indices& goals)
-{
-  this->chooseMarks(target, goals);
   std::vector<Entry> open;
   for (const Entry& entry : this->Open)
   {
-    const State& here = this->state(entry.node);
+    const State& here = this->States[entry.vertex];
     if (!here.settled)
     {
-      open.push_back({ here.distance + this->ahead(entry.node, target.position), entry.node });
+      open.push_back({ here.distance + this->Graph.straight(entry.vertex, target), entry.vertex });
     }
   }
   this->Open = std::move(open);
   std::make_heap(this->Open.begin(), this->Open.end());
 }
 
-void PathSearch::lookFrom(Index node, const Point3& target)
+void PathSearch::followArcs(Index vertex, const Point3& target)
 {
-  const WayLength distance = this->state(node).distance;
-  for (const PathGraph::Way& way : this->Graph.from(node))
+  const double distance = this->States[vertex].distance;
+  for (const PathGraph::Arc& arc : this->Graph.from(vertex))
   {
-    if (this->Taken == PathWays::Edges && way.crossed != none)
+    if (this->Used == PathArcs::Edges && arc.crossed != none)
     {
       continue;
     }
-    State& there = this->state(way.node);
-    const WayLength length = distance + way.length;
+    State& there = this->States[arc.to];
+    const double length = distance + arc.length;
     if (length < there.distance)
     {
-      there = { length, node, false };
-      this->Open.push_back({ length + this->ahead(way.node, target), way.node });
+      there = { length, vertex, false };
+      this->Open.push_back({ length + this->Graph.straight(arc.to, target), arc.to });
       std::push_heap(this->Open.begin(), this->Open.end());
     }
-    else if (length == there.distance && there.before != none &&
-      this->Graph.vertex(node) < this->Graph.vertex(there.before))
+    else if (length == there.distance && there.before != none && vertex < there.before)
     {
-      there.before = node;
+      there.before = vertex;
     }
   }
 }
 
-Index PathSearch::lastNode(const SurfacePoint& target)
+Index PathSearch::lastVertex(const SurfacePoint& target)
 {
-  const Indices goals = nodesAround(this->Graph, target);
-  this->aimAt(target, goals);
+  const Indices goals = cornersAround(this->Graph.mesh(), target);
+  this->aimAt(target.position);
   Index last = none;
-  WayLength best = std::numeric_limits<WayLength>::max();
-  const auto offer = [&](Index node) {
-    const State& here = this->state(node);
-    const WayLength length = here.distance + apart(this->Graph, node, target);
-    if (here.settled &&
-      (length < best || (length == best && this->Graph.vertex(node) < this->Graph.vertex(last))))
+  double best = std::numeric_limits<double>::infinity();
+  const auto offer = [&](Index vertex) {
+    const State& here = this->States[vertex];
+    const double length = here.distance + apart(this->Graph, vertex, target);
+    if (here.settled && (length < best || (length == best && vertex < last)))
     {
       best = length;
-      last = node;
+      last = vertex;
     }
   };
   std::for_each(goals.begin(), goals.end(), offer);
-  while (!this->Open.empty() && (last == none || this->Open.front().bound <= best + roundingOfWays))
+  while (!this->Open.empty() && this->Open.front().bound <= best + roundingOfPaths)
   {
-    const Index node = this->Open.front().node;
+    const Index vertex = this->Open.front().vertex;
     std::pop_heap(this->Open.begin(), this->Open.end());
     this->Open.pop_back();
-    State& here = this->state(node);
+    State& here = this->States[vertex];
     if (!here.settled)
     {
       here.settled = true;
-      this->lookFrom(node, target.position);
-      if (std::find(goals.begin(), goals.end(), node) != goals.end())
+      this->followArcs(vertex, target.position);
+      if (std::find(goals.begin(), goals.end(), vertex) != goals.end())
       {
-        offer(node);
+        offer(vertex);
       }
     }
   }
   return last;
 }
 
-Indices PathSearch::chainTo(Index node)
+Indices PathSearch::chainTo(Index vertex)
 {
   Indices chain;
-  for (Index n = node; n != none; n = this->state(n).before)
+  for (Index v = vertex; v != none; v = this->States[v].before)
   {
-    chain.push_back(n);
+    chain.push_back(v);
   }
   std::reverse(chain.begin(), chain.end());
   return chain;
@@ -196,13 +140,13 @@ Indices PathSearch::chainTo(Index node)
 
 Index PathSearch::crossedBetween(Index from, Index to) const
 {
-  const PathGraph::Way* best = nullptr;
-  for (const PathGraph::Way& way : this->Graph.from(from))
+  const PathGraph::Arc* best = nullptr;
+  for (const PathGraph::Arc& arc : this->Graph.from(from))
   {
-    if (way.node == to && (this->Taken == PathWays::All || way.crossed == none) &&
-      (!best || way.length < best->length))
+    if (arc.to == to && (this->Used == PathArcs::All || arc.crossed == none) &&
+      (!best || arc.length < best->length))
     {
-      best = &way;
+      best = &arc;
     }
   }
   return best->crossed;
@@ -211,7 +155,7 @@ Index PathSearch::crossedBetween(Index from, Index to) const
 PathCourse PathSearch::courseTo(const SurfacePoint& target)
 {
   const TriangleMesh& mesh = this->Graph.mesh();
-  const Index last = this->lastNode(target);
+  const Index last = this->lastVertex(target);
   if (last == none)
   {
     return {};
@@ -227,15 +171,14 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target)
     }
   };
   Index before = none;
-  for (const Index node : this->chainTo(last))
+  for (const Index v : this->chainTo(last))
   {
     if (before != none || this->Source.carrier != Carrier::Vertex)
     {
-      const Index crossed = before != none ? this->crossedBetween(before, node) : none;
-      append(vertexPoint(mesh, this->Graph.vertex(node)),
-        crossed != none ? Indices{ crossed } : Indices());
+      const Index crossed = before != none ? this->crossedBetween(before, v) : none;
+      append(vertexPoint(mesh, v), crossed != none ? Indices{ crossed } : Indices());
     }
-    before = node;
+    before = v;
   }
   if (target.carrier != Carrier::Vertex || course.legs.empty())
   {

@@ -3,9 +3,8 @@
 
 #include "Base/Memory.h"
 #include "Paths/CourseStraightening.h"
-#include "Paths/PathDevelopment.h"
 #include "Paths/PathPoints.h"
-#include "Paths/PathRelaxation.h"
+#include "Paths/PathShortening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -222,7 +221,7 @@ StraightPath straightPathNear(
 StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to)
 {
   return withEndsChecked(graph.mesh(), from, to, [&] {
-    PathSearch search(graph, from, PathWays::Edges);
+    PathSearch search(graph, from, PathArcs::Edges);
     return byEdges(search, to);
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Paths/PathDevelopment.h"
+#include "Paths/PathShortening.h"
 
 #include "Paths/PathPoints.h"
 #include "Paths/PointDirections.h"
@@ -12,11 +12,63 @@ namespace flattening
 {
 namespace
 {
+/// The path is relaxed in 2, 4 and 8 parts, as long as each has so many points.
+constexpr std::size_t fewestPoints = 8;
+constexpr int mostRelaxations = 6;
+/// Rounds that gain less are not worth their time.
+constexpr double leastShortening = 1e-6;
+
 /// A path is moved at the points between so many parts of it; more where sections between these do
 /// not arrive or are longer, as between far points of a roll.
 constexpr std::array<std::size_t, 4> partsOfPath{ 8, 16, 32, 64 };
 /// How many times as far as the development says it may be moved.
 constexpr double mostTimes = 128.0;
+
+/// Sections from point to point; not arrived where one of them does not, or they come to be longer
+/// than the limit.
+SurfacePath joined(const TriangleMesh& mesh, const SnapDistance& snap,
+  const std::vector<SurfacePoint>& points, double limit)
+{
+  SurfacePath path;
+  double length = 0.0;
+  path.points = { points.front() };
+  for (const SurfacePoint& point : points)
+  {
+    if (!samePlace(point, path.points.back()))
+    {
+      const SurfacePath section =
+        traceSegment(mesh, snap, path.points.back(), point, limit - length);
+      if (!section.arrived)
+      {
+        return {};
+      }
+      length += lengthOf(section);
+      append(path, section);
+    }
+  }
+  path.arrived = path.points.size() > 1;
+  return path;
+}
+
+/// Points of the path at equal parts of its length, or half-way between these, and its ends.
+std::vector<SurfacePoint> pointsAtParts(
+  const SurfacePath& path, double length, std::size_t parts, bool between)
+{
+  std::vector<SurfacePoint> points{ path.points.front() };
+  double done = 0.0;
+  double next = (between ? 0.5 : 1.0) / static_cast<double>(parts);
+  for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
+  {
+    done += (path.points[i].position - path.points[i - 1].position).norm();
+    if (done >= next * length && next <= 1.0 - 1e-9)
+    {
+      points.push_back(path.points[i]);
+      next += 1.0 / static_cast<double>(parts);
+    }
+  }
+  points.push_back(path.points.back());
+  return points;
+}
 
 /// A direction of a triangle's plane and where it starts.
 struct Ray
@@ -202,33 +254,38 @@ private:
   std::vector<double> Headings; ///< after each point
   double Chord = 0.0;           ///< its direction
 };
-
-/// Sections from point to point; not arrived where one of them does not, or they come to be longer
-/// than the limit.
-SurfacePath joined(const TriangleMesh& mesh, const SnapDistance& snap,
-  const std::vector<SurfacePoint>& points, double limit)
-{
-  SurfacePath path;
-  double length = 0.0;
-  path.points = { points.front() };
-  for (const SurfacePoint& point : points)
-  {
-    if (!samePlace(point, path.points.back()))
-    {
-      const SurfacePath section =
-        traceSegment(mesh, snap, path.points.back(), point, limit - length);
-      if (!section.arrived)
-      {
-        return {};
-      }
-      length += lengthOf(section);
-      append(path, section);
-    }
-  }
-  path.arrived = path.points.size() > 1;
-  return path;
 }
 
+SurfacePath relaxed(const TriangleMesh& mesh, const SnapDistance& snap, SurfacePath path)
+{
+  double length = lengthOf(path);
+  for (const std::size_t parts : { 2, 4, 8 })
+  {
+    int idle = 0;
+    const double before = length;
+    for (int round = 0; round < mostRelaxations && idle < 2; ++round)
+    {
+      if (path.points.size() < parts * fewestPoints)
+      {
+        return path;
+      }
+      SurfacePath next =
+        joined(mesh, snap, pointsAtParts(path, length, parts, round % 2 == 1), length);
+      const double nextLength = lengthOf(next);
+      const bool gained = next.arrived && nextLength < (1.0 - leastShortening) * length;
+      idle = gained ? 0 : idle + 1;
+      if (gained)
+      {
+        path = std::move(next);
+        length = nextLength;
+      }
+    }
+    if (length == before)
+    {
+      break;
+    }
+  }
+  return path;
 }
 
 SurfacePath developed(const TriangleMesh& mesh, const SnapDistance& snap, SurfacePath path)
