@@ -2,18 +2,57 @@
 #include "Paths/PathOffset.h"
 
 #include "Base/Memory.h"
-#include "Paths/OffsetCheck.h"
-#include "Paths/OffsetFamilies.h"
+#include "Imprint/SurfaceTrace.h"
 #include "Paths/OffsetFront.h"
 #include "Paths/OffsetLines.h"
+#include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace flattening
 {
 namespace
 {
+struct OffsetFault
+{
+  Point3 position = Point3::Zero();
+  double distance = 0.0; ///< from the path, in space
+};
+
+constexpr double tooFar = 1.05; ///< of the distance; tangents of an arc's ends meet at 1.001
+
+/// The place of an offset that lies farthest from its path, where that is more than a twentieth
+/// farther than it should. Distances are those in space: none over the surface is shorter, so that
+/// every fault that is found is one. What rounding in thin triangles can do at worst.
+std::optional<OffsetFault> farthestFault(
+  const SurfacePath& path, const std::vector<SurfacePath>& parts, double distance)
+{
+  OffsetFault worst;
+  worst.distance = tooFar * distance;
+  bool found = false;
+  for (const SurfacePath& part : parts)
+  {
+    for (const SurfacePoint& point : part.points)
+    {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t leg = 0; leg + 1 < path.points.size() && nearest > worst.distance; ++leg)
+      {
+        nearest = std::min(nearest, footOnLeg(path, leg, point.position).gap);
+      }
+      if (nearest > worst.distance)
+      {
+        worst = { point.position, nearest };
+        found = true;
+      }
+    }
+  }
+  return found ? std::optional(worst) : std::nullopt;
+}
+
 Status checkOffset(const TriangleMesh& mesh, const SurfacePath& path, double distance)
 {
   if (mesh.triangleCount() == 0)

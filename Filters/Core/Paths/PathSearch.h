@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Paths/PathCourse.h"
 #include "Paths/PathGraph.h"
+#include "Paths/StripUnfolding.h"
 
 #include <limits>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include "Base/Memory.h"
 #include "Paths/CourseStraightening.h"
-#include "Paths/KnotTurn.h"
 #include "Paths/PathPoints.h"
 
 #include <algorithm>
