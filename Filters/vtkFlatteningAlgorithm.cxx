@@ -6,7 +6,7 @@
 #include "FieldArrays.h"
 #include "RemedyWords.h"
 #include "StatusInInput.h"
-#include "Surface/Coordinates.h"
+#include "Surface/SurfacePreparation.h"
 #include "SurfaceInput.h"
 #include "SurfaceOutput.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceCurve.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "CurveEditorData.h"
 #include "CurvedSurface.h"
 #include "Editing/CurveDrawing.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DxfWriter.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "DxfRecords.h"
 #include "Grainlines.h"
 #include "PatternText.h"

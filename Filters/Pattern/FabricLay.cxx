@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FabricLay.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "NoFitRegion.h"
 #include "PatternText.h"
 #include "PlaneGeometry.h"

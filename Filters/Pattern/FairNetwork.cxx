@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FairNetwork.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "CurveLength.h"
 #include "LinearRows.h"
 #include "Sparse/LeastNorm.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FairPlan.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Grainlines.h"
 
 #include <algorithm>

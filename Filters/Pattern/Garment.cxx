@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Garment.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "PatternText.h"
 
 #include <algorithm>

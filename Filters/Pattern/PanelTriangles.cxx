@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PanelTriangles.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Imprint/ConstrainedDelaunay.h"
 #include "PlaneGeometry.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternBuilder.h"
 
-#include "Base/Finite.h"
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "BorderMarks.h"
 #include "ClosedCuts.h"
 #include "FairBorders.h"

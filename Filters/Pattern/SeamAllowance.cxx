@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamAllowance.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Outline.h"
 
 #include <clipper.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamWalk.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "ClosedCuts.h"
 #include "ClothOutline.h"
 #include "FairBorders.h"

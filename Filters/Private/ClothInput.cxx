@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClothInput.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Cloth/MaterialPresets.h"
 #include "FieldArrays.h"
 #include "MaterialFile.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveEditorData.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "CurveInput.h"
 #include "EaseArrays.h"
 #include "FarthestCurve.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "Editing/CurveEditor.h"
 #include "Editing/SegmentPreview.h"
 

@@ -2,7 +2,7 @@
 #include "CurveInput.h"
 
 #include "AttributeArrays.h"
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "CellVisit.h"
 #include "SegmentChains.h"
 #include "SurfaceInput.h"

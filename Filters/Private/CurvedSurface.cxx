@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedSurface.h"
 
-#include "Base/SameBits.h"
+#include "Base/Types.h"
 #include "StatusInInput.h"
 
 #include "vtkPolyData.h"

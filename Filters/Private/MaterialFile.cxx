@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialFile.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 
 #ifdef FLATTENING_WITH_JSON
 #include "JsonKeys.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternInput.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "PanelArrays.h"
 
 #include "vtkCellArray.h"

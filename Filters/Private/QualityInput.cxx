@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QualityInput.h"
 
-#include "Base/Finite.h"
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "CellVisit.h"
 
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 #include "SewnOutput.h"
 
 #include "AttributeArrays.h"
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "FieldArrays.h"
 #include "SurfaceOutput.h"
 

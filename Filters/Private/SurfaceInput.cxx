@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceInput.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "CellVisit.h"
 #include "StatusInInput.h"
 #include "Surface/PolygonTriangulation.h"

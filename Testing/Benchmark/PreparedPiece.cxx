@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PreparedPiece.h"
 
+#include "Angles/WireLayout.h"
 #include "Embedding/InteriorEmbedding.h"
-#include "Embedding/WireLayout.h"
 
 #include <algorithm>
 #include <stdexcept>

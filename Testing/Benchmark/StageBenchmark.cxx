@@ -6,8 +6,8 @@
 #include "GrowthReporter.h"
 #include "PreparedPiece.h"
 
+#include "Angles/WireLayout.h"
 #include "Embedding/InteriorEmbedding.h"
-#include "Embedding/WireLayout.h"
 #include "Isometric/IsometricWarping.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"

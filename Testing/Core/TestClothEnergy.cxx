@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Cloth/ClothEnergy.h"
 #include "Cloth/MaterialPresets.h"
-#include "Cloth/SmoothRamp.h"
+#include "Cloth/ThreadEnergy.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>

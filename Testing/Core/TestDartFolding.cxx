@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 

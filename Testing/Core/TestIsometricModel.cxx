@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Embedding/WireLayout.h"
+#include "Angles/WireLayout.h"
 #include "Isometric/IsometricModel.h"
 #include "ModelDerivatives.h"
 #include "WiredSurface.h"

@@ -30,18 +30,16 @@ Release release(Index count, Works works, Cost cost)
     curves.push_back(curveOf(CurveType::Key, "key" + std::to_string(k), { k, k + 1 }));
     keys.push_back(k);
   }
-  KeyReleaseSearch search(keys);
   Release result;
   std::set<Indices> asked;
-  while (const std::optional<Indices> next = search.next())
-  {
-    EXPECT_TRUE(asked.insert(*next).second) << "asked for the same trial twice";
-    const std::set<Index> released(next->begin(), next->end());
+  const KeyRelease found = releaseKeys(keys, [&](const Indices& next) -> std::optional<double> {
+    EXPECT_TRUE(asked.insert(next).second) << "solved the same trial twice";
+    const std::set<Index> released(next.begin(), next.end());
     ++result.solves;
-    search.tell(*next, works(released) ? std::optional<double>(cost(released)) : std::nullopt);
-  }
-  result.released = search.found();
-  result.status = describeRelease(curves, keys, search);
+    return works(released) ? std::optional<double>(cost(released)) : std::nullopt;
+  });
+  result.released = found.released;
+  result.status = describeRelease(curves, keys, found);
   return result;
 }
 

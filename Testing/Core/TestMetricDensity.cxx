@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/DistortionEnergy.h"
-#include "Sewing/MetricDensity.h"
+#include "Sewing/SheetDensity.h"
 
 #include <gtest/gtest.h>
 

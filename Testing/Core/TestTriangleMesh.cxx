@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Grouping.h"
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Surface/VertexFan.h"
 #include "TestMeshes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Embedding/WireLayout.h"
+#include "Angles/WireLayout.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

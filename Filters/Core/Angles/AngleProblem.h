@@ -87,4 +87,9 @@ double closureResidual(
 
 /// Sum of the lengths of the outer boundary, the measure of closure residuals.
 double perimeter(const AngleProblem& problem);
+
+/// The angle problem of a piece's wires as every scheme, trial and piece of advice poses it: key
+/// curves locked but for the released ones, elastic curves and connectors with their stretches.
+AngleProblem makeWireProblem(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  const std::vector<FeatureCurve>& curves, const CurveRules& rules = {});
 }

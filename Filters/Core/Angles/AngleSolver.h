@@ -3,7 +3,6 @@
 
 #include "Angles/AngleProblem.h"
 #include "Angles/AngleSolution.h"
-#include "Angles/AngleSolverOptions.h"
 #include "Base/Execution.h"
 
 namespace flattening

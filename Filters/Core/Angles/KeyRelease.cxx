@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace flattening
 {
@@ -64,150 +66,116 @@ std::set<Indices> leastSets(const std::vector<Indices>& conflicts)
   }
   return found;
 }
-}
 
-KeyReleaseSearch::KeyReleaseSearch(Indices keys)
-  : Keys(std::move(keys))
+class ReleaseSearch
 {
-  this->Tried[{}] = std::nullopt; // why the search began
-}
-
-std::optional<Indices> KeyReleaseSearch::next()
-{
-  // The search begins anew with all that is known by now, and ends at the first thing that is not.
-  this->Asked.reset();
-  this->Conflicts.clear();
-  this->Used.clear();
-  Indices found = this->search();
-  this->Found = this->Asked ? Indices() : std::move(found);
-  return this->Asked;
-}
-
-void KeyReleaseSearch::tell(const Indices& released, std::optional<double> objective)
-{
-  this->Tried[released] = objective;
-}
-
-Indices KeyReleaseSearch::concerned() const
-{
-  Indices all;
-  for (const Indices& conflict : this->Conflicts)
+public:
+  ReleaseSearch(const Indices& keys, const ReleasedObjective& objective)
+    : Keys(keys)
+    , Objective(objective)
   {
-    all = joined(all, conflict);
+    this->Tried[{}] = std::nullopt; // why the search began
   }
-  return all;
-}
 
-Indices KeyReleaseSearch::search()
-{
-  if (this->Keys.empty() || !this->works(this->Keys))
+  KeyRelease run()
   {
-    return {};
-  }
-  while (!this->Asked && this->Used.size() < mostSolves)
-  {
-    Indices found = this->tryLeastSets();
-    if (!found.empty())
-    {
-      return found;
-    }
-  }
-  return this->Asked ? Indices() : this->keepWhatCanBe();
-}
-
-/// Whether there is a solution without these keys; false where that is not known yet.
-bool KeyReleaseSearch::works(const Indices& released)
-{
-  if (this->Asked)
-  {
-    return false;
-  }
-  const auto known = this->Tried.find(released);
-  if (known == this->Tried.end())
-  {
-    this->Asked = released;
-    return false;
-  }
-  this->Used.insert(released);
-  return known->second.has_value();
-}
-
-bool KeyReleaseSearch::agree(const Indices& kept)
-{
-  return this->works(without(this->Keys, kept));
-}
-
-/// Of the least sets that the known conflicts allow the one with the least objective; empty, and a
-/// conflict more, where none of them helps.
-Indices KeyReleaseSearch::tryLeastSets()
-{
-  Indices best;
-  for (const Indices& set : leastSets(this->Conflicts))
-  {
-    const bool helps = this->works(set);
-    if (this->Asked)
+    if (this->Keys.empty() || !this->works(this->Keys))
     {
       return {};
     }
-    if (helps && (best.empty() || *this->Tried[set] < *this->Tried[best]))
+    Indices released;
+    while (released.empty() && this->Tried.size() < mostSolves)
     {
-      best = set;
+      released = this->tryLeastSets();
     }
-    if (!helps && best.empty())
+    KeyRelease release;
+    release.released = released.empty() ? this->keepWhatCanBe() : std::move(released);
+    for (const Indices& conflict : this->Conflicts)
     {
-      Indices conflict = this->conflictIn({}, false, without(this->Keys, set));
-      if (!this->Asked)
+      release.conflicting = joined(release.conflicting, conflict);
+    }
+    return release;
+  }
+
+private:
+  std::optional<double> objectiveWithout(const Indices& released)
+  {
+    const auto known = this->Tried.find(released);
+    return known != this->Tried.end() ? known->second
+                                      : this->Tried[released] = this->Objective(released);
+  }
+  bool works(const Indices& released) { return this->objectiveWithout(released).has_value(); }
+  bool agree(const Indices& kept) { return this->works(without(this->Keys, kept)); }
+
+  /// Of the least sets that the known conflicts allow the one with the least objective; empty, and
+  /// a conflict more, where none of them helps.
+  Indices tryLeastSets()
+  {
+    Indices best;
+    double least = 0.0;
+    for (const Indices& set : leastSets(this->Conflicts))
+    {
+      const std::optional<double> objective = this->objectiveWithout(set);
+      if (objective && (best.empty() || *objective < least))
       {
-        this->Conflicts.push_back(std::move(conflict));
+        best = set;
+        least = *objective;
       }
-      break;
+      if (!objective && best.empty())
+      {
+        this->Conflicts.push_back(this->conflictIn({}, false, without(this->Keys, set)));
+        break;
+      }
     }
+    return best;
   }
-  return best;
-}
 
-/// A least part of `among` that cannot be kept beside `base` (QuickXplain, U. Junker, AAAI 2004).
-Indices KeyReleaseSearch::conflictIn(const Indices& base, bool grown, const Indices& among)
-{
-  if (this->Asked || (grown && !this->agree(base)))
+  /// A least part of `among` that cannot be kept beside `base` (QuickXplain, U. Junker, AAAI 2004).
+  Indices conflictIn(const Indices& base, bool grown, const Indices& among)
   {
-    return {};
-  }
-  if (among.size() == 1)
-  {
-    return { among.front() }; // gcc 14 warns, falsely, of the bounds of a copy
-  }
-  const std::array<Indices, 2> half = halves(among);
-  const Indices second = this->conflictIn(joined(base, half[0]), true, half[1]);
-  const Indices first = this->conflictIn(joined(base, second), !second.empty(), half[0]);
-  return joined(first, second);
-}
-
-/// Takes keys back, many at a time, until none of the others can be kept.
-Indices KeyReleaseSearch::keepWhatCanBe()
-{
-  Indices kept;
-  std::vector<Indices> open{ this->Keys };
-  while (!open.empty() && !this->Asked)
-  {
-    const Indices next = std::move(open.back());
-    open.pop_back();
-    if (this->agree(joined(kept, next)))
+    if (grown && !this->agree(base))
     {
-      kept = joined(kept, next);
+      return {};
     }
-    else if (next.size() > 1)
+    if (among.size() == 1)
     {
-      const std::array<Indices, 2> half = halves(next);
-      open.push_back(half[1]);
-      open.push_back(half[0]);
+      return { among.front() }; // gcc 14 warns, falsely, of the bounds of a copy
     }
+    const std::array<Indices, 2> half = halves(among);
+    const Indices second = this->conflictIn(joined(base, half[0]), true, half[1]);
+    const Indices first = this->conflictIn(joined(base, second), !second.empty(), half[0]);
+    return joined(first, second);
   }
-  return without(this->Keys, kept);
-}
 
-namespace
-{
+  /// Takes keys back, many at a time, until none of the others can be kept.
+  Indices keepWhatCanBe()
+  {
+    Indices kept;
+    std::vector<Indices> open{ this->Keys };
+    while (!open.empty())
+    {
+      const Indices next = std::move(open.back());
+      open.pop_back();
+      if (this->agree(joined(kept, next)))
+      {
+        kept = joined(kept, next);
+      }
+      else if (next.size() > 1)
+      {
+        const std::array<Indices, 2> half = halves(next);
+        open.push_back(half[1]);
+        open.push_back(half[0]);
+      }
+    }
+    return without(this->Keys, kept);
+  }
+
+  const Indices& Keys;
+  const ReleasedObjective& Objective;
+  std::map<Indices, std::optional<double>> Tried; ///< objective by released keys
+  std::vector<Indices> Conflicts;
+};
+
 std::string clashText(const std::vector<FeatureCurve>& curves, const Indices& clashing)
 {
   return clashing.size() == 1
@@ -217,11 +185,16 @@ std::string clashText(const std::vector<FeatureCurve>& curves, const Indices& cl
 }
 }
 
-Status describeRelease(
-  const std::vector<FeatureCurve>& curves, const Indices& keys, const KeyReleaseSearch& search)
+KeyRelease releaseKeys(const Indices& keys, const ReleasedObjective& objective)
 {
-  const Indices& released = search.found();
-  const Indices clashing = joined(search.concerned(), released);
+  return ReleaseSearch(keys, objective).run();
+}
+
+Status describeRelease(
+  const std::vector<FeatureCurve>& curves, const Indices& keys, const KeyRelease& release)
+{
+  const Indices& released = release.released;
+  const Indices clashing = joined(release.conflicting, released);
   constexpr std::size_t most = 5;
   const Indices kept = without(keys, released);
   std::string text = clashText(curves, clashing) + "; here " + quotedNames(curves, released) +

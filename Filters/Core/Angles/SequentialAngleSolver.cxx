@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/SequentialAngleSolver.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 #include "Sparse/LinearSolver.h"
 
 #include <Eigen/SVD>

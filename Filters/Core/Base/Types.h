@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
-
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace flattening
 {
+/// Raises no floating-point exception, unlike Eigen's allFinite(), which subtracts (version 3.4) or
+/// compares (5.0) numbers that are none.
+template <typename Derived>
+bool isFinite(const Eigen::DenseBase<Derived>& values)
+{
+  for (Eigen::Index column = 0; column < values.cols(); ++column)
+  {
+    for (Eigen::Index row = 0; row < values.rows(); ++row)
+    {
+      if (!std::isfinite(values.derived().coeff(row, column)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Index of a vertex, triangle, half-edge, node, curve ...; -1 means "none".
 using Index = std::int32_t;
 
@@ -25,4 +46,35 @@ inline constexpr double pi = 3.141592653589793238462643383279502884;
 /// The larger part of a golden section.
 inline constexpr double goldenRatio = 0.618033988749894848204586834365638118;
 inline constexpr double degree = pi / 180.0; ///< in radians
+
+/// Whether points are the same to the last bit. Unlike == it tells signed zeros apart, and knows a
+/// NaN again.
+inline bool sameBits(const Points3& a, const Points3& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data()->data(), b.data()->data(), a.size() * sizeof(Point3)) == 0);
+}
+
+/// The cross product of two vectors of the plane: the area that they span, positive where v lies to
+/// the left of u.
+inline double cross(const Point2& u, const Point2& v)
+{
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+/// How far a point of a polyline lies from the segment that joins its ends, at most.
+inline double farthestFromChord(const Points2& line)
+{
+  const Point2& from = line.front();
+  const Point2 chord = line.back() - from;
+  const double square = chord.squaredNorm();
+  double farthest = 0.0;
+  for (const Point2& p : line)
+  {
+    const Point2 q = p - from;
+    const double along = square > 0.0 ? std::clamp(q.dot(chord) / square, 0.0, 1.0) : 0.0;
+    farthest = std::max(farthest, (q - along * chord).norm());
+  }
+  return farthest;
+}
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Cloth/ClothMaterial.h"
-#include "Cloth/ThreadStrain.h"
+#include "Cloth/ThreadEnergy.h"
 #include "Surface/TriangleFrame.h"
 
 #include <vector>

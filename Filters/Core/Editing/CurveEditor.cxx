@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CurveEditor.h"
 
-#include "Editing/CommandStatus.h"
+#include "Base/Memory.h"
+#include "Base/Status.h"
 #include "Editing/CurveDrawing.h"
 #include "Editing/CurveNodes.h"
 
@@ -11,8 +12,79 @@
 
 namespace flattening
 {
+void CurveHistory::push(CurveSet next)
+{
+  if (this->Grouped != Group::Pushed)
+  {
+    this->Past.push_back(this->Present);
+  }
+  if (this->Grouped == Group::Begun)
+  {
+    this->Grouped = Group::Pushed;
+  }
+  this->Future.clear();
+  this->Present = std::move(next);
+}
+
+void CurveHistory::undo()
+{
+  if (this->canUndo())
+  {
+    this->endGroup();
+    this->Future.push_back(this->Present);
+    this->Present = std::move(this->Past.back());
+    this->Past.pop_back();
+  }
+}
+
+void CurveHistory::redo()
+{
+  if (this->canRedo())
+  {
+    this->endGroup();
+    this->Past.push_back(this->Present);
+    this->Present = std::move(this->Future.back());
+    this->Future.pop_back();
+  }
+}
+
+void CurveHistory::beginGroup()
+{
+  this->Grouped = Group::Begun;
+}
+
+void CurveHistory::joinSince(std::size_t depth)
+{
+  this->endGroup();
+  if (depth < this->Past.size())
+  {
+    this->Past.resize(depth + 1);
+    if (identical(this->Past.back(), this->Present))
+    {
+      this->Past.pop_back();
+    }
+  }
+}
+
 namespace
 {
+/// Of a command that asks for what there is not.
+inline Status refusal(const std::string& defect)
+{
+  return { StatusCode::InvalidOption, defect };
+}
+
+/// A command's status, with memory that runs out among them.
+template <typename Command>
+Status guarded(const Command& command)
+{
+  struct Outcome
+  {
+    Status status;
+  };
+  return withinMemory([&command] { return Outcome{ command() }; }).status;
+}
+
 Status checkTraits(const CurveTraits& traits)
 {
   if (!(traits.tolerance >= 0.0 && traits.tolerance < 1.0))
@@ -272,5 +344,144 @@ Status CurveEditor::setMirror(const std::optional<MirrorPlane>& mirror)
     this->History.push(std::move(next));
     return Status();
   });
+}
+
+Status CurveEditor::split(std::size_t c, std::size_t node)
+{
+  return guarded([&] {
+    Status status = this->checkNode(c, node);
+    if (!status.ok())
+    {
+      return status;
+    }
+    const EditedCurve& curve = this->curve(c);
+    if (curve.closed)
+    {
+      return this->replace(c, openedAt(curve, node));
+    }
+    if (node == 0 || node + 1 == curve.nodes.size())
+    {
+      return refusal("curve '" + curve.traits.name + "' ends at node " + std::to_string(node) +
+        "; only inner nodes split it");
+    }
+    auto [first, second] = dividedAt(curve, node);
+    second.traits.name = freeName(this->state(), second.traits.name);
+    for (EditedCurve* part : { &first, &second })
+    {
+      status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), *part);
+      if (status.refused())
+      {
+        return status;
+      }
+    }
+    CurveSet next = this->state();
+    next.curves[c] = std::make_shared<const EditedCurve>(std::move(first));
+    next.curves.push_back(std::make_shared<const EditedCurve>(std::move(second)));
+    this->History.push(std::move(next));
+    return status;
+  });
+}
+
+Status CurveEditor::join(std::size_t first, std::size_t second)
+{
+  return guarded([&] {
+    Status status = this->checkCurve(first);
+    status = status.ok() ? this->checkCurve(second) : status;
+    if (!status.ok())
+    {
+      return status;
+    }
+    if (first == second)
+    {
+      return this->setClosed(first, true);
+    }
+    for (const std::size_t c : { first, second })
+    {
+      if (this->curve(c).closed)
+      {
+        return refusal(
+          "curve '" + this->curve(c).traits.name + "' is closed; only open curves can be joined");
+      }
+    }
+    EditedCurve whole = joined(this->curve(first), this->curve(second));
+    status = drawCurve(*this->Surface, this->state().mirror, nullptr, whole);
+    if (!status.refused())
+    {
+      CurveSet next = this->state();
+      next.curves[first] = std::make_shared<const EditedCurve>(std::move(whole));
+      next.curves.erase(at(next.curves, second));
+      this->History.push(std::move(next));
+    }
+    return status;
+  });
+}
+
+//------------------------------------------------------------------------------
+Status CurveEditor::addImage(std::size_t c)
+{
+  return guarded([&] {
+    Status status = this->checkCurve(c);
+    if (!status.ok())
+    {
+      return status;
+    }
+    if (!this->state().mirror)
+    {
+      return refusal("there is no mirror plane");
+    }
+    EditedCurve image = this->curve(c);
+    for (SurfacePoint& node : image.nodes)
+    {
+      node = imageOf(*this->Surface, *this->state().mirror, node);
+    }
+    image.traits.mirrored = false;
+    image.traits.ease = easeOfImage(image.traits.ease);
+    image.segments.clear();
+    return this->add(std::move(image));
+  });
+}
+
+Status CurveEditor::addOffset(std::size_t c, double distance)
+{
+  return guarded([&] {
+    const Status status = this->checkCurve(c);
+    return status.ok() ? this->addDerived(offsetCurves(*this->Surface, this->curve(c), distance))
+                       : status;
+  });
+}
+
+Status CurveEditor::tighten(std::size_t c)
+{
+  return guarded([&] {
+    Status status = this->checkCurve(c);
+    if (!status.ok())
+    {
+      return status;
+    }
+    DerivedCurves tight = tightCurve(*this->Surface, this->curve(c));
+    if (tight.status.refused())
+    {
+      return tight.status;
+    }
+    EditedCurve changed = std::move(tight.curves.front());
+    status = drawCurve(*this->Surface, this->state().mirror, nullptr, changed);
+    if (!status.refused())
+    {
+      this->put(c, std::move(changed));
+    }
+    return status.ok() ? tight.status : status;
+  });
+}
+
+Status CurveEditor::addStroke(
+  const std::vector<SurfacePoint>& stroke, double tolerance, SegmentKind kind)
+{
+  return guarded(
+    [&] { return this->addDerived(strokeCurve(*this->Surface, stroke, tolerance, kind)); });
+}
+
+Status CurveEditor::addDerived(DerivedCurves derived)
+{
+  return derived.status.refused() ? derived.status : this->addAll(std::move(derived.curves));
 }
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Editing/EditedCurve.h"
-#include "Imprint/SurfaceLocator.h"
 #include "Paths/PathGraph.h"
+#include "Surface/SurfaceLocator.h"
 
 namespace flattening
 {

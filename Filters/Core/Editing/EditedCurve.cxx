@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditedCurve.h"
 
-#include "Base/SameBits.h"
+#include "Base/Types.h"
 #include "Paths/StraightPath.h"
 
 #include <algorithm>

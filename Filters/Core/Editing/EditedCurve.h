@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceTrace.h"
 #include "Surface/FeatureCurve.h"
+#include "Surface/SurfaceTrace.h"
 
 #include <memory>
 #include <optional>

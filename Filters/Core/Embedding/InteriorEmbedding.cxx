@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorEmbedding.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Embedding/InteriorPatch.h"
 #include "Embedding/RigidEmbedding.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorSystem.h"
 
-#include "Base/SameBits.h"
+#include "Base/Types.h"
 
 namespace flattening
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/LeastSquaresConformalMap.h"
 
-#include "Embedding/FarthestPair.h"
 #include "Sparse/LinearSolver.h"
 #include "Surface/TriangleFrame.h"
 
@@ -154,14 +153,40 @@ Indices boundaryHalfedges(const TriangleMesh& mesh)
   return boundary;
 }
 
+/// The two boundary vertices that are farthest apart, of several pairs the one with the smallest
+/// ids. No distance exceeds the sum of both distances from a center, which ends the search early.
 std::array<Index, 2> farthestPins(const TriangleMesh& mesh, const Indices& boundary)
 {
-  Indices vertices;
-  for (Index h : boundary)
+  constexpr double tie = 1e-12;
+  Point3 center = Point3::Zero();
+  for (const Index h : boundary)
   {
-    vertices.push_back(mesh.from(h));
+    center += mesh.point(mesh.from(h)) / static_cast<double>(boundary.size());
   }
-  return FarthestPair(mesh, std::move(vertices)).pair();
+  std::vector<std::pair<double, Index>> vertices;
+  for (const Index h : boundary)
+  {
+    vertices.emplace_back(-(mesh.point(mesh.from(h)) - center).norm(), mesh.from(h));
+  }
+  std::sort(vertices.begin(), vertices.end());
+  double most = 0.0;
+  std::array<Index, 2> pins{ none, none };
+  for (auto a = vertices.begin(); a != vertices.end() && -2.0 * a->first >= most * (1.0 - tie); ++a)
+  {
+    for (auto b = vertices.begin(); b != a && -a->first - b->first >= most * (1.0 - tie); ++b)
+    {
+      const auto [low, high] = std::minmax(a->second, b->second);
+      const std::array<Index, 2> pair{ low, high };
+      const double distance = (mesh.point(low) - mesh.point(high)).norm();
+      if (low != high &&
+        (distance > most * (1.0 + tie) || (distance >= most * (1.0 - tie) && pair < pins)))
+      {
+        most = std::max(most, distance);
+        pins = pair;
+      }
+    }
+  }
+  return pins;
 }
 
 /// Nested dissection of the mesh, without the pins.

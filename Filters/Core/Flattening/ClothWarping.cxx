@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/ClothWarping.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Cloth/ClothMeasures.h"
 #include "Flattening/GrainPlacement.h"
 #include "Quality/FlatteningQuality.h"

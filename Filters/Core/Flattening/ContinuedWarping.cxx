@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/ContinuedWarping.h"
 
-#include "Angles/WireProblem.h"
+#include "Angles/AngleProblem.h"
 #include "Quality/FlatteningQuality.h"
 
 namespace flattening

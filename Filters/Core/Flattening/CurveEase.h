@@ -3,7 +3,7 @@
 
 #include "Cut/SurfaceCut.h"
 #include "Surface/FeatureCurve.h"
-#include "Wires/CurveRules.h"
+#include "Wires/KeyCurveLocks.h"
 
 namespace flattening
 {

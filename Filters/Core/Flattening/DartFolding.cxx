@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/DartFolding.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Quality/FlatteningQuality.h"
 #include "Wires/DartBanks.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Surface/FeatureCurve.h"
-#include "Wires/CurveRules.h"
+#include "Wires/KeyCurveLocks.h"
 #include "Wires/WireNetwork.h"
 
 namespace flattening

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Angles/AngleSolver.h"
+#include "Angles/AngleSolution.h"
 #include "Embedding/InteriorEmbedding.h"
 #include "Embedding/LeastSquaresConformalMap.h"
 #include "Flattening/ClothOptions.h"

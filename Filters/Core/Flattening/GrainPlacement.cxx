@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/GrainPlacement.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Flattening/PieceArrangement.h"
 
 #include <algorithm>

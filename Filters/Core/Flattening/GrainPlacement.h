@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Flattening/ClothReport.h"
+#include "Flattening/FlatteningResult.h"
 #include "Flattening/PieceContext.h"
 
 namespace flattening

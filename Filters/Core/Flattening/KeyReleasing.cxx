@@ -41,11 +41,14 @@ CurveRules withReleased(CurveRules rules, const Indices& released)
 std::optional<PlacedWires> release(
   const PieceContext& context, const CurveRules& rules, const Indices& keys, bool flat)
 {
-  KeyReleaseSearch search(keys);
   std::map<Indices, PlacedWires> good;
-  while (const std::optional<Indices> released = search.next())
-  {
-    PlacedWires trial = solve(context, withReleased(rules, *released));
+  std::optional<PlacedWires> cancelled;
+  const auto objective = [&](const Indices& released) -> std::optional<double> {
+    if (cancelled)
+    {
+      return std::nullopt;
+    }
+    PlacedWires trial = solve(context, withReleased(rules, released));
     bool helps = trial.status.ok();
     if (helps && flat)
     {
@@ -55,27 +58,29 @@ std::optional<PlacedWires> release(
     }
     if (trial.status.code == StatusCode::Cancelled)
     {
-      return trial;
+      cancelled = std::move(trial);
+      return std::nullopt;
     }
-    search.tell(
-      *released, helps ? std::optional<double>(trial.wires.angles.objective) : std::nullopt);
+    const double value = trial.wires.angles.objective;
     if (helps)
     {
-      good[*released] = std::move(trial);
+      good[released] = std::move(trial);
       if (good.size() > mostKept)
       {
         good.erase(good.begin());
       }
     }
-  }
-  if (search.found().empty())
+    return helps ? std::optional<double>(value) : std::nullopt;
+  };
+  const KeyRelease found = releaseKeys(keys, objective);
+  if (cancelled || found.released.empty())
   {
-    return std::nullopt;
+    return cancelled;
   }
-  const auto chosen = good.find(search.found());
+  const auto chosen = good.find(found.released);
   PlacedWires result = chosen != good.end() ? std::move(chosen->second)
-                                            : solve(context, withReleased(rules, search.found()));
-  result.status = describeRelease(context.curves, keys, search);
+                                            : solve(context, withReleased(rules, found.released));
+  result.status = describeRelease(context.curves, keys, found);
   return result;
 }
 }

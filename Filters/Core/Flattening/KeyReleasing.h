@@ -15,7 +15,7 @@ struct PlacedWires
 };
 
 /// Solves a piece's wires. Where the shapes of key curves contradict each other, the least set of
-/// keys is released with which they do not (see KeyReleaseSearch).
+/// keys is released with which they do not (see releaseKeys()).
 PlacedWires solveWithKeys(const PieceContext& context, const CurveRules& rules);
 
 /// Places wires that are solved and not yet placed.

@@ -5,7 +5,7 @@
 #include "Flattening/FlatteningOptions.h"
 #include "Quality/AreaForecast.h"
 #include "Surface/FeatureCurve.h"
-#include "Wires/CurveRules.h"
+#include "Wires/KeyCurveLocks.h"
 #include "Wires/WireNetwork.h"
 
 namespace flattening

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PiecePlacement.h"
 
+#include "Angles/WireLayout.h"
 #include "Base/Stopwatch.h"
 #include "Embedding/Untangling.h"
-#include "Embedding/WireLayout.h"
 #include "Quality/FlatteningQuality.h"
 
 #include <algorithm>

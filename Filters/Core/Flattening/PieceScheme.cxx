@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PieceScheme.h"
 
-#include "Angles/WireProblem.h"
+#include "Angles/AngleProblem.h"
 #include "Base/Stopwatch.h"
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattening/ClothWarping.h"

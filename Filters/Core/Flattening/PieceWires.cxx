@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PieceWires.h"
 
+#include "Angles/AngleProblem.h"
 #include "Angles/AngleSolver.h"
 #include "Angles/ProgressiveWarping.h"
-#include "Angles/WireProblem.h"
 #include "Embedding/ConformalStart.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Angles/AngleProblem.h"
-#include "Angles/AngleSolution.h"
+#include "Angles/AngleSolver.h"
 #include "Flattening/PieceContext.h"
 
 namespace flattening

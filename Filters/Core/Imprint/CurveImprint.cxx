@@ -4,7 +4,7 @@
 #include "Base/Memory.h"
 #include "Imprint/CurvePlacement.h"
 #include "Imprint/SurfaceSplit.h"
-#include "Imprint/SurfaceTrace.h"
+#include "Surface/SurfaceTrace.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Imprint/ImprintedSurface.h"
-#include "Imprint/SurfacePoint.h"
+#include "Surface/SurfacePoint.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricSheet.h"
 
-#include "Base/ComputeAndAdd.h"
+#include "Base/Execution.h"
 
 namespace flattening
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricWarping.h"
 
-#include "Base/Ending.h"
-#include "Embedding/WireLayout.h"
+#include "Angles/WireLayout.h"
 #include "Isometric/IsometricModel.h"
 #include "Sparse/NewtonKkt.h"
 #include "Sparse/PenaltyDescent.h"

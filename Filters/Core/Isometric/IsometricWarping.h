@@ -4,7 +4,7 @@
 #include "Angles/AngleProblem.h"
 #include "Base/Execution.h"
 #include "Cut/SurfaceCut.h"
-#include "Isometric/SheetEnergy.h"
+#include "Isometric/IsometricSheet.h"
 
 #include <optional>
 

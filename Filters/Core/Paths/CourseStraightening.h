@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceTrace.h"
 #include "Paths/StripUnfolding.h"
+#include "Surface/SurfaceTrace.h"
 
 namespace flattening
 {

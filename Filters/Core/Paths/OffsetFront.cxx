@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Paths/OffsetFront.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Paths/PathPoints.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceTrace.h"
 #include "Paths/OffsetWindow.h"
 #include "Paths/PointDirections.h"
+#include "Surface/SurfaceTrace.h"
 
 #include <functional>
 #include <queue>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Paths/OffsetLines.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Paths/OffsetWindow.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
@@ -46,6 +46,24 @@ private:
   double Radius = 0.0; ///< 0: a line
 };
 
+TrackParts intersection(const TrackParts& a, const TrackParts& b)
+{
+  TrackParts parts;
+  for (const SegmentPart& one : a)
+  {
+    for (const SegmentPart& other : b)
+    {
+      const SegmentPart part{ std::max(one.from, other.from), std::min(one.to, other.to) };
+      if (part.to > part.from)
+      {
+        parts.push_back(part);
+      }
+    }
+  }
+  return parts;
+}
+
+/// What is left of the first ones, in order.
 OffsetTrack::OffsetTrack(const OffsetWindow& window)
   : Origin(window.apex)
 {
@@ -124,34 +142,16 @@ TrackParts OffsetTrack::inDisc(const Point2& center, double radius) const
     const Point2 gradient = way / apart;
     return this->where(gradient, 0.5 * (more / apart - apart) - gradient.dot(this->Origin));
   }
-  const double beside = std::abs(cross(this->Way, way));
-  if (!(beside < radius))
+  const double aside = std::abs(cross(this->Way, way));
+  if (!(aside < radius))
   {
     return {};
   }
-  const double half = std::sqrt((radius - beside) * (radius + beside));
+  const double half = std::sqrt((radius - aside) * (radius + aside));
   const double middle = this->Way.dot(way);
   return intersection({ { middle - half, middle + half } }, { this->Whole });
 }
 
-TrackParts intersection(const TrackParts& a, const TrackParts& b)
-{
-  TrackParts parts;
-  for (const SegmentPart& one : a)
-  {
-    for (const SegmentPart& other : b)
-    {
-      const SegmentPart part{ std::max(one.from, other.from), std::min(one.to, other.to) };
-      if (part.to > part.from)
-      {
-        parts.push_back(part);
-      }
-    }
-  }
-  return parts;
-}
-
-/// What is left of the first ones, in order.
 TrackParts difference(const TrackParts& a, const TrackParts& b)
 {
   TrackParts left = a;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Planar.h"
-#include "Imprint/SurfacePoint.h"
+#include "Base/Types.h"
+#include "Surface/SurfacePoint.h"
 
 namespace flattening
 {

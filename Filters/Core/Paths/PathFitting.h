@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Imprint/SurfaceLocator.h"
-#include "Imprint/SurfaceTrace.h"
 #include "Paths/PathGraph.h"
+#include "Surface/SurfaceLocator.h"
+#include "Surface/SurfaceTrace.h"
 
 namespace flattening
 {

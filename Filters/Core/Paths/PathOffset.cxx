@@ -2,11 +2,11 @@
 #include "Paths/PathOffset.h"
 
 #include "Base/Memory.h"
-#include "Imprint/SurfaceTrace.h"
 #include "Paths/OffsetFront.h"
 #include "Paths/OffsetLines.h"
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
+#include "Surface/SurfaceTrace.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Imprint/SurfaceTrace.h"
 #include "Paths/PathGraph.h"
+#include "Surface/SurfaceTrace.h"
 
 namespace flattening
 {

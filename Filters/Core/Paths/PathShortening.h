@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceTrace.h"
+#include "Surface/SurfaceTrace.h"
 
 namespace flattening
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Imprint/SurfaceTrace.h"
+#include "Surface/SurfaceTrace.h"
 
 namespace flattening
 {

@@ -3,8 +3,8 @@
 
 #include "Base/Execution.h"
 #include "Base/Status.h"
-#include "Imprint/SurfaceTrace.h"
 #include "Paths/PathSearch.h"
+#include "Surface/SurfaceTrace.h"
 
 namespace flattening
 {

@@ -2,7 +2,7 @@
 #include "Quality/BoundaryOverlap.h"
 
 #include "Base/Orientation.h"
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>

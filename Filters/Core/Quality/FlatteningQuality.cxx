@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/FlatteningQuality.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Quality/StrainMeasures.h"
 #include "Quality/SurfaceDevelopability.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Base/Execution.h"
-#include "Quality/TriangleQuality.h"
+#include "Quality/StrainMeasures.h"
 #include "Surface/TriangleFrame.h"
 #include "Surface/TriangleMesh.h"
 

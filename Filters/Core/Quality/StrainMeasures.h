@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Quality/TriangleQuality.h"
 #include "Surface/TriangleFrame.h"
 
 #include <vector>
 
 namespace flattening
 {
+/// A measure of a part of a surface, and the area of that.
+struct AreaValue
+{
+  double value = 0.0;
+  double area = 0.0;
+};
+
+/// The least of the values that is not exceeded on 95 % of the area; 0 where there is none.
+double areaQuantile(std::vector<AreaValue> values);
+
+/// Measures of one flat triangle. J maps the triangle's plane in space to the plane, S >= s are its
+/// singular values.
+struct TriangleQuality
+{
+  double areaRatio = 0.0;    ///< a = A2D / A3D, signed
+  double homogeneity = 0.0;  ///< min(a, 1 / a); 0 where a <= 0
+  double aspectRatio = 0.0;  ///< s / S, negative where flipped
+  double angleError = 0.0;   ///< mean of |angle2D - angle3D| / angle3D over its corners
+  double smallStretch = 0.0; ///< s, negative where flipped
+  double largeStretch = 0.0; ///< S
+};
+
 /// No triangle counts as more strained than this, and none as stretched by more than exp of it. A
 /// triangle that is turned over or has collapsed counts as strained by this: on the way there from
 /// its shape on the surface every bound is passed.

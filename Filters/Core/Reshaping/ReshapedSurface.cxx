@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reshaping/ReshapedSurface.h"
 
-#include "Base/Finite.h"
-#include "Quality/AreaQuantile.h"
+#include "Base/Types.h"
+#include "Quality/StrainMeasures.h"
 #include "Sewing/ClothRest.h"
 #include "Sewing/SewnTopology.h"
-#include "Surface/VertexNormals.h"
+#include "Surface/TriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>

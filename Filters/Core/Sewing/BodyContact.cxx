@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/BodyContact.h"
 
-#include "Surface/VertexNormals.h"
+#include "Surface/TriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceLocator.h"
 #include "Sewing/SewnMembrane.h"
+#include "Surface/SurfaceLocator.h"
 
 namespace flattening
 {

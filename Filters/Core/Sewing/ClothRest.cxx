@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/ClothRest.h"
 
-#include "Sewing/MetricDensity.h"
+#include "Sewing/SheetDensity.h"
 
 namespace flattening
 {

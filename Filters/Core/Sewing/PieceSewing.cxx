@@ -3,7 +3,7 @@
 
 #include "Base/Memory.h"
 #include "Sewing/ClothRest.h"
-#include "Sewing/MetricDensity.h"
+#include "Sewing/SheetDensity.h"
 
 #include <algorithm>
 #include <cmath>

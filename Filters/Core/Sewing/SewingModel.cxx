@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SewingModel.h"
 
-#include "Base/Planar.h"
-#include "Sewing/MetricDensity.h"
+#include "Base/Types.h"
+#include "Sewing/SheetDensity.h"
 
 #include <cmath>
 

@@ -3,9 +3,7 @@
 
 #include "Base/Execution.h"
 #include "Sewing/BodyContact.h"
-#include "Sewing/ClothWeight.h"
-#include "Sewing/DesignAnchor.h"
-#include "Sewing/InnerPressure.h"
+#include "Sewing/SewingLoads.h"
 #include "Sewing/SewnMembrane.h"
 #include "Sewing/SheetBending.h"
 #include "Sparse/NewtonKktModel.h"

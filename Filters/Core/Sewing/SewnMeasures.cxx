@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SewnMeasures.h"
 
-#include "Imprint/SurfaceLocator.h"
-#include "Quality/AreaQuantile.h"
 #include "Quality/StrainMeasures.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <Eigen/SVD>
 

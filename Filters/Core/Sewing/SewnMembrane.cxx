@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SewnMembrane.h"
 
-#include "Base/ComputeAndAdd.h"
 #include "Base/ConvexPart.h"
+#include "Base/Execution.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sparse/FactorColumns.h"
+#include "Sparse/FactorBlocks.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/NewtonKkt.h"
 
-#include "Sparse/MeritFunction.h"
 #include "Sparse/NewtonKktStep.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/NewtonKktStep.h"
 
-#include "Base/Finite.h"
+#include "Base/Types.h"
 
 #include <algorithm>
 #include <cmath>

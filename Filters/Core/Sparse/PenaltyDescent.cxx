@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/PenaltyDescent.h"
 
-#include "Sparse/MeritFunction.h"
+#include "Sparse/NewtonKkt.h"
 #include "Sparse/NewtonKktStep.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "Sparse/SupernodalStructure.h"
 
 #include "Base/Memory.h"
-#include "Sparse/FactorColumns.h"
+#include "Sparse/FactorBlocks.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfacePoint.h"
+#include "Surface/SurfacePoint.h"
 
 namespace flattening
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Base/Execution.h"
-#include "Imprint/SurfaceLocator.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/RegionWeights.h"
 
-#include "Imprint/SurfaceLocator.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <algorithm>
 #include <cmath>

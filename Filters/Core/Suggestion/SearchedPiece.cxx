@@ -2,6 +2,7 @@
 #include "Suggestion/SearchedPiece.h"
 
 #include "Paths/StraightPath.h"
+#include "Surface/SurfacePoint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceLocator.h"
-#include "Imprint/SurfacePoint.h"
 #include "Paths/PathGraph.h"
 #include "Quality/ScaleFactor.h"
 #include "Suggestion/CutPlan.h"
 #include "Suggestion/SearchOptions.h"
 #include "Suggestion/SurfaceMirror.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/SymmetryPlane.h"
 
-#include "Imprint/SurfaceLocator.h"
 #include "Suggestion/SurfaceMoments.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <Eigen/Cholesky>
 

@@ -75,4 +75,9 @@ inline Point3 areaVector(const Point3& a, const Point3& b, const Point3& c)
 {
   return (b - a).cross(c - a);
 }
+
+/// The unit normal of each vertex by the angles of its triangles, of length 0 where it has none
+/// (J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle weighted
+/// pseudonormal", 2005).
+Points3 vertexNormals(const TriangleMesh& mesh);
 }

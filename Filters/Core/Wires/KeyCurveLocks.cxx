@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/KeyCurveLocks.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Sparse/LeastNorm.h"
 #include "Wires/DartBanks.h"
 

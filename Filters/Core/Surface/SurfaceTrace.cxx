@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Imprint/SurfaceTrace.h"
+#include "Surface/SurfaceTrace.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Imprint/SurfaceLocator.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <algorithm>
 #include <limits>

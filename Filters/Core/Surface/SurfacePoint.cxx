@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Imprint/SurfacePoint.h"
+#include "Surface/SurfacePoint.h"
 
 #include "Surface/VertexFan.h"
 

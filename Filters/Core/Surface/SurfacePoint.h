@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Imprint/SurfaceLocator.h"
+#include "Surface/SurfaceLocator.h"
 #include "Surface/TriangleMesh.h"
 
 #include <unordered_map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Imprint/CurveRoute.h"
+#include "Imprint/ImprintedSurface.h"
 
-#include "Surface/Coordinates.h"
+#include "Surface/SurfacePreparation.h"
 
 #include <cmath>
 
