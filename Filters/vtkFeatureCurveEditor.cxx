@@ -1,18 +1,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state of vtkFeatureCurveEditor; its commands and what finds things near a point are in files
-// of their own.
 #include "vtkFeatureCurveEditor.h"
 
 #include "CurveEditorData.h"
 #include "CurveEditorModel.h"
+#include "Editing/CurveDrawing.h"
+#include "Editing/CurveSnapping.h"
+#include "Paths/PathDistance.h"
+#include "RemedyWords.h"
+#include "SurfaceInput.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <limits>
+#include <new>
+
 using namespace flattening;
+using bridge::clampedKind;
 using bridge::idOf;
+using bridge::isFinite;
+using bridge::kindOf;
+using bridge::pointOf;
 
 vtkStandardNewMacro(vtkFeatureCurveEditor);
+
+namespace
+{
+const char* const noSurface = "there is no surface to draw on; give one by SetSurface()";
+const char* const notFinite = "a point is not finite";
+
+bool hasFinitePoints(vtkPoints* points)
+{
+  for (vtkIdType k = 0; points && k < points->GetNumberOfPoints(); ++k)
+  {
+    if (!isFinite(points->GetPoint(k)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<SurfacePoint> pointsOn(const DrawingSurface& surface, vtkPoints* points)
+{
+  std::vector<SurfacePoint> places;
+  for (vtkIdType k = 0; points && k < points->GetNumberOfPoints(); ++k)
+  {
+    places.push_back(surface.pointNear(pointOf(points->GetPoint(k))));
+  }
+  return places;
+}
+
+double distanceTo(const SurfacePath& path, const SightMetric& sight, const Point3& point)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < path.points.size(); ++k)
+  {
+    const Point3& a = path.points[k - 1].position;
+    const Point3& b = path.points[k].position;
+    const Point3 nearest = a + sight.nearestFraction(a, b, point) * (b - a);
+    least = std::min(least, sight.distance(nearest, point));
+  }
+  return least;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkFeatureCurveEditor::vtkFeatureCurveEditor() = default;
@@ -179,4 +232,414 @@ bool vtkFeatureCurveEditor::CanUndo() const
 bool vtkFeatureCurveEditor::CanRedo() const
 {
   return this->Drawn && this->Drawn->editor.canRedo();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::Refuse(const std::string& message)
+{
+  this->Message = message;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+template <typename Command>
+bool vtkFeatureCurveEditor::Carry(const Command& command)
+{
+  if (!this->Drawn)
+  {
+    return this->Refuse(noSurface);
+  }
+  const Status status = command(this->Drawn->editor);
+  this->Message = bridge::inWords(status);
+  if (status.refused())
+  {
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetSurface(vtkPolyData* surface)
+{
+  if (!surface)
+  {
+    return this->Refuse(noSurface);
+  }
+  try
+  {
+    bridge::LoadedSurface loaded = bridge::loadSurface(surface, CoincidentPoints::Automatic);
+    if (loaded.outcome.refused() || loaded.prepared.mesh.triangleCount() == 0)
+    {
+      return this->Refuse(bridge::inWords(loaded.outcome));
+    }
+    this->Drawn = std::make_unique<bridge::CurveEditorModel>(std::move(loaded.prepared.mesh));
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Refuse("out of memory");
+  }
+  this->Message.clear();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurves(vtkPolyData* curves)
+{
+  if (!curves)
+  {
+    return this->Refuse("there are no curves");
+  }
+  std::string note;
+  const bool done = this->Carry([&](CurveEditor& editor) {
+    const bridge::CurveSetInput input = bridge::readCurveSet(curves, editor.surface());
+    note = input.note;
+    return input.status.ok() ? editor.restart(input.curves, input.mirror) : input.status;
+  });
+  this->Message = done && this->Message.empty() ? note : this->Message;
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::AddCurve(vtkPoints* nodes, int kind, bool closed)
+{
+  if (!hasFinitePoints(nodes))
+  {
+    return this->Refuse(notFinite);
+  }
+  return this->Carry([&](CurveEditor& editor) {
+    EditedCurve curve;
+    curve.nodes = pointsOn(editor.surface(), nodes);
+    curve.closed = closed;
+    curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kindOf(kind));
+    return editor.add(std::move(curve));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::RemoveCurve(int curve)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.remove(idOf(curve)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::AddOffset(int curve, double distance)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.addOffset(idOf(curve), distance); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::TightenCurve(int curve)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.tighten(idOf(curve)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::AddStroke(vtkPoints* stroke, double tolerance, int kind)
+{
+  if (!hasFinitePoints(stroke))
+  {
+    return this->Refuse(notFinite);
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.addStroke(pointsOn(editor.surface(), stroke), tolerance, kindOf(kind));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::InsertNode(int curve, int node, const double point[3], int kind)
+{
+  if (!isFinite(point))
+  {
+    return this->Refuse(notFinite);
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.insertNode(
+      idOf(curve), idOf(node), editor.surface().pointNear(pointOf(point)), kindOf(kind));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::MoveNode(int curve, int node, const double point[3])
+{
+  if (!isFinite(point))
+  {
+    return this->Refuse(notFinite);
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.moveNode(idOf(curve), idOf(node), editor.surface().pointNear(pointOf(point)));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::RemoveNode(int curve, int node)
+{
+  return this->Carry(
+    [=](CurveEditor& editor) { return editor.removeNode(idOf(curve), idOf(node)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveClosed(int curve, bool closed)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.setClosed(idOf(curve), closed); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SplitCurve(int curve, int node)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.split(idOf(curve), idOf(node)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::JoinCurves(int first, int second)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.join(idOf(first), idOf(second)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::AddMirrorImage(int curve)
+{
+  return this->Carry([=](CurveEditor& editor) { return editor.addImage(idOf(curve)); });
+}
+
+//------------------------------------------------------------------------------
+template <typename Change>
+bool vtkFeatureCurveEditor::Describe(int curve, const Change& change)
+{
+  return this->Carry([&](CurveEditor& editor) {
+    CurveTraits traits;
+    if (const EditedCurve* const found = this->Drawn->curve(curve))
+    {
+      traits = found->traits;
+    }
+    change(traits);
+    return editor.describe(idOf(curve), traits);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveName(int curve, const std::string& name)
+{
+  return this->Describe(curve, [&](CurveTraits& traits) { traits.name = name; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveType(int curve, int type)
+{
+  return this->Describe(
+    curve, [=](CurveTraits& traits) { traits.type = clampedKind(CurveType::Seam, type); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveKeyShape(int curve, int shape)
+{
+  return this->Describe(
+    curve, [=](CurveTraits& traits) { traits.keyShape = clampedKind(KeyShape::Straight, shape); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveTolerance(int curve, double tolerance)
+{
+  return this->Describe(curve, [=](CurveTraits& traits) { traits.tolerance = tolerance; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveEase(int curve, double fraction, int piece)
+{
+  return this->Describe(curve, [=](CurveTraits& traits) { traits.ease = { fraction, piece }; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetCurveMirrored(int curve, bool mirrored)
+{
+  return this->Describe(curve, [=](CurveTraits& traits) { traits.mirrored = mirrored; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetSegmentKind(int curve, int segment, int kind)
+{
+  return this->Carry(
+    [=](CurveEditor& editor) { return editor.setKind(idOf(curve), idOf(segment), kindOf(kind)); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::SetMirrorPlane(const double origin[3], const double normal[3])
+{
+  const double length = vtkMath::Norm(normal);
+  if (!isFinite(origin) || !isFinite(normal) || !(length > 0.0))
+  {
+    return this->Refuse("a mirror plane has a finite origin, and a normal with a length");
+  }
+  return this->Carry([=](CurveEditor& editor) {
+    return editor.setMirror(MirrorPlane{ pointOf(origin), pointOf(normal) / length });
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::RemoveMirrorPlane()
+{
+  return this->Carry([](CurveEditor& editor) { return editor.setMirror({}); });
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::Undo()
+{
+  if (this->CanUndo())
+  {
+    this->Drawn->editor.undo();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::Redo()
+{
+  if (this->CanRedo())
+  {
+    this->Drawn->editor.redo();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::BeginGroup()
+{
+  if (this->Drawn)
+  {
+    this->Drawn->editor.beginGroup();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::EndGroup()
+{
+  if (this->Drawn)
+  {
+    this->Drawn->editor.endGroup();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::JoinCommandsSince(int count)
+{
+  if (this->Drawn)
+  {
+    this->Drawn->editor.joinSince(static_cast<std::size_t>(std::max(count, 0)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveEditor::SetViewDirection(const double direction[3])
+{
+  if (isFinite(direction))
+  {
+    std::copy_n(direction, 3, this->ViewDirection);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureCurveEditor::SnapPoint(
+  const double point[3], double reach, int exceptCurve, double snapped[3]) const
+{
+  std::copy_n(point, 3, snapped);
+  if (!this->Drawn || !isFinite(point))
+  {
+    return NOTHING;
+  }
+  SnapOptions options;
+  options.reach = reach;
+  options.boundary = this->SnapToBoundary;
+  options.corner = this->SnapToCorners;
+  options.vertex = this->SnapToVertices;
+  options.curve = this->SnapToCurves;
+  options.dartTip = this->SnapToDartTips;
+  options.mirrorPlane = this->SnapToMirrorPlane;
+  options.exceptCurve = exceptCurve;
+  options.sight = SightMetric(pointOf(this->ViewDirection));
+  const DrawingSurface& surface = this->Drawn->editor.surface();
+  const SnappedPoint result =
+    snapPoint(surface, this->Drawn->editor.state(), surface.pointNear(pointOf(point)), options);
+  std::copy_n(result.point.position.data(), 3, snapped);
+  return static_cast<int>(result.target);
+}
+
+//------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::PreviewSegment(
+  const double from[3], const double to[3], int kind, vtkPolyData* line) const
+{
+  line->Initialize();
+  if (!this->Drawn || !isFinite(from) || !isFinite(to))
+  {
+    return -1.0;
+  }
+  const DrawingSurface& surface = this->Drawn->editor.surface();
+  const DrawnSegment drawn = this->Drawn->preview.draw(
+    kindOf(kind), surface.pointNear(pointOf(from)), surface.pointNear(pointOf(to)));
+  if (drawn.status.refused())
+  {
+    return -1.0;
+  }
+  bridge::writePath(drawn.path, line);
+  return lengthOf(drawn.path);
+}
+
+//------------------------------------------------------------------------------
+double vtkFeatureCurveEditor::GetDistance(int curve, const double point[3]) const
+{
+  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
+  if (!found || found->segments.empty() || !isFinite(point))
+  {
+    return vtkMath::Nan();
+  }
+  const DrawingSurface& surface = this->Drawn->editor.surface();
+  const PathDistance distance =
+    distanceFrom(surface.graph(), wholePath(*found), surface.pointNear(pointOf(point)));
+  return distance.way.status.refused() ? vtkMath::Nan()
+    : distance.left                    ? distance.way.length
+                                       : -distance.way.length;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::FindNode(const double point[3], double reach, int found[2]) const
+{
+  const SightMetric sight(pointOf(this->ViewDirection));
+  double least = reach;
+  for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
+  {
+    for (int node = 0; node < this->GetNumberOfNodes(curve); ++node)
+    {
+      const double distance =
+        sight.distance(this->Drawn->curve(curve)->nodes[idOf(node)].position, pointOf(point));
+      if (distance < least)
+      {
+        least = distance;
+        found[0] = curve;
+        found[1] = node;
+      }
+    }
+  }
+  return least < reach;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveEditor::FindSegment(const double point[3], double reach, int found[2]) const
+{
+  const SightMetric sight(pointOf(this->ViewDirection));
+  double least = reach;
+  for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
+  {
+    for (int segment = 0; segment < this->GetNumberOfSegments(curve); ++segment)
+    {
+      const double distance =
+        distanceTo(this->Drawn->curve(curve)->segments[idOf(segment)], sight, pointOf(point));
+      if (distance < least)
+      {
+        least = distance;
+        found[0] = curve;
+        found[1] = segment;
+      }
+    }
+  }
+  return least < reach;
 }

@@ -10,8 +10,8 @@ import sys
 
 from Sources import ROOT, cxx_files, read, tracked_files
 
-# The rooms of Filters/Core, the uppermost first: each includes itself and what stands below.
-ROOMS = ("Suggestion", "Reshaping", "Sewing", "Flattening", "Isometric", "Cloth", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
+# The directories of Filters/Core, the uppermost first: each includes itself and what stands below.
+DIRECTORIES = ("Suggestion", "Reshaping", "Sewing", "Flattening", "Isometric", "Cloth", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
          "Surface", "Base")
 
 
@@ -44,7 +44,7 @@ def core_includes_no_vtk():
                 yield f"{name}:{number}: includes {header}"
 
 
-def floors_are_one_way():
+def layers_are_one_way():
     """Each folder includes only what stands below it."""
     core = headers_of("Filters/Core/")
     pattern = headers_of("Filters/Pattern/")
@@ -52,40 +52,40 @@ def floors_are_one_way():
     public = {header for header in headers_of("Filters/") if header.startswith("vtk")} - private
     for name in cxx_files("Filters/", "Figures/", "Interaction/", "Applications/", "Examples/"):
         if name.startswith("Filters/Core/"):
-            forbidden, floor = pattern | private | public, "Core"
+            forbidden, layer = pattern | private | public, "Core"
         elif name.startswith("Filters/Pattern/"):
-            forbidden, floor = private | public, "the drawing of patterns"
+            forbidden, layer = private | public, "the drawing of patterns"
         elif name.startswith("Filters/Private/"):
-            forbidden, floor = public, "the bridge"
+            forbidden, layer = public, "the bridge"
         elif name.startswith("Filters/"):
             # Public headers are installed, what they include has to be as well.
             header_file = name.endswith(".h")
-            forbidden, floor = core | pattern | private if header_file else set(), "a public header"
+            forbidden, layer = core | pattern | private if header_file else set(), "a public header"
         else:
-            forbidden, floor = core | pattern | private, "a user of the library"
+            forbidden, layer = core | pattern | private, "a user of the library"
         for number, quoted, header in includes(name):
             if quoted and pathlib.PurePath(header).name in forbidden:
-                yield f"{name}:{number}: {floor} includes {header}"
+                yield f"{name}:{number}: {layer} includes {header}"
 
 
-def rooms_of_core_are_one_way():
-    """Each room of Core includes only rooms below, written with the room: "Wires/WireNetwork.h"."""
+def directories_of_core_are_one_way():
+    """Each directory of Core includes only directories below, written with the directory: "Wires/WireNetwork.h"."""
     for name in cxx_files("Filters/Core/"):
-        room = pathlib.PurePath(name).relative_to("Filters/Core").parts[0]
-        if room not in ROOMS:
-            yield f"{name}: not in one of the rooms {', '.join(ROOMS)}"
+        directory = pathlib.PurePath(name).relative_to("Filters/Core").parts[0]
+        if directory not in DIRECTORIES:
+            yield f"{name}: not in one of the directories {', '.join(DIRECTORIES)}"
             continue
         for number, quoted, header in includes(name):
             if not quoted:
                 continue
             other = pathlib.PurePath(header).parts[0]
-            if other not in ROOMS or "/" not in header:
-                yield f"{name}:{number}: {header} is written without its room"
-            elif ROOMS.index(other) < ROOMS.index(room):
-                yield f"{name}:{number}: {room} includes {header}, which stands above"
+            if other not in DIRECTORIES or "/" not in header:
+                yield f"{name}:{number}: {header} is written without its directory"
+            elif DIRECTORIES.index(other) < DIRECTORIES.index(directory):
+                yield f"{name}:{number}: {directory} includes {header}, which stands above"
 
 
-def units_of_core_make_no_circles():
+def units_of_core_make_no_cycles():
     """Header and source of a unit together include no unit that includes them."""
     below = {}
     for name in cxx_files("Filters/Core/"):
@@ -103,7 +103,7 @@ def units_of_core_make_no_circles():
             break
         below = {unit: units - lowest for unit, units in below.items() if unit not in lowest}
     for unit, units in sorted(below.items()):
-        yield f"Filters/Core/{unit}: in or above a circle with {', '.join(sorted(units))}"
+        yield f"Filters/Core/{unit}: in or above a cycle with {', '.join(sorted(units))}"
 
 
 def core_neither_prints_nor_throws():
@@ -116,13 +116,6 @@ def core_neither_prints_nor_throws():
             found = pattern.search(line)
             if found:
                 yield f"{name}:{number}: {found.group().strip()}"
-
-
-def there_is_one_vtk_module():
-    """VTK searches a remote module's whole tree for vtk.module files."""
-    modules = [name for name in tracked_files() if pathlib.PurePath(name).name == "vtk.module"]
-    if modules != ["vtk.module"]:
-        yield f"expected vtk.module at the top level only, found {modules}"
 
 
 def every_source_is_built():
@@ -171,11 +164,10 @@ def the_paper_is_mapped_to_functions():
 
 CHECKS = {check.__name__: check for check in (
     core_includes_no_vtk,
-    floors_are_one_way,
-    rooms_of_core_are_one_way,
-    units_of_core_make_no_circles,
+    layers_are_one_way,
+    directories_of_core_are_one_way,
+    units_of_core_make_no_cycles,
     core_neither_prints_nor_throws,
-    there_is_one_vtk_module,
     every_source_is_built,
     the_paper_is_mapped_to_functions,
 )}
