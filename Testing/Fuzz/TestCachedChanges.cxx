@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs with a cache, one after another with other curves, schemes and materials, beside fresh runs.
+#include "Cloth/MaterialPresets.h"
+#include "HostileCase.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+using namespace hostile;
+
+namespace
+{
+/// What a window changes between two updates, as the random number says.
+void change(std::mt19937& random, const std::vector<FeatureCurve>& all,
+  std::vector<FeatureCurve>& curves, FlatteningOptions& options)
+{
+  const auto below = [&random](std::size_t count) { return random() % count; };
+  switch (below(8))
+  {
+    case 0:
+    case 1:
+      options.scheme = static_cast<Scheme>(below(4));
+      break;
+    case 2:
+      options.interior.method = static_cast<InteriorMethod>(below(3));
+      break;
+    case 3:
+      options.cloth.reset();
+      if (below(2) == 0)
+      {
+        options.cloth.emplace();
+        options.cloth->material = materialPresets()[below(materialPresets().size())];
+      }
+      break;
+    case 4:
+      options.closeCuts = !options.closeCuts;
+      options.skipClosed = !options.skipClosed;
+      break;
+    case 5:
+      curves = all;
+      break;
+    case 6:
+      if (!curves.empty())
+      {
+        curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(below(curves.size())));
+      }
+      break;
+    default:
+      if (!curves.empty())
+      {
+        curves[below(curves.size())].type = static_cast<CurveType>(below(4));
+      }
+  }
+}
+
+template <typename Value>
+void expectSameBits(const std::vector<Value>& a, const std::vector<Value>& b, const char* what)
+{
+  ASSERT_EQ(a.size(), b.size()) << what;
+  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0) << what;
+}
+
+void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
+{
+  ASSERT_STREQ(statusName(cached.status.code), statusName(fresh.status.code));
+  EXPECT_EQ(cached.status.message, fresh.status.message);
+  EXPECT_TRUE(cached.cut->mesh.identical(fresh.cut->mesh));
+  expectSameBits(cached.cut->curveOfHalfedge, fresh.cut->curveOfHalfedge, "curves");
+  expectSameBits(cached.positions, fresh.positions, "positions");
+  expectSameBits(cached.patchOfTriangle, fresh.patchOfTriangle, "patches");
+  expectSameBits(cached.developability, fresh.developability, "developability");
+  ASSERT_EQ(cached.leftOut.size(), fresh.leftOut.size());
+  ASSERT_EQ(cached.pieces.size(), fresh.pieces.size());
+  for (std::size_t p = 0; p < fresh.pieces.size(); ++p)
+  {
+    const PieceReport& a = cached.pieces[p];
+    const PieceReport& b = fresh.pieces[p];
+    EXPECT_STREQ(statusName(a.status.code), statusName(b.status.code));
+    EXPECT_EQ(a.status.message, b.status.message);
+    EXPECT_EQ(a.fallbacks, b.fallbacks);
+    EXPECT_EQ(a.iterations, b.iterations);
+    expectSameBits<double>(
+      { a.objective, a.distortionEnergy, a.angleEnergy, a.cutLength, a.quality.areaError,
+        a.quality.angleError, a.area.loss, a.area.lossAfterCut },
+      { b.objective, b.distortionEnergy, b.angleEnergy, b.cutLength, b.quality.areaError,
+        b.quality.angleError, b.area.loss, b.area.lossAfterCut },
+      "report");
+    expectSameBits(a.area.cut, b.area.cut, "cut of the forecast");
+    expectSameBits(a.released, b.released, "released keys");
+  }
+}
+
+void tryChanges(unsigned first, unsigned count)
+{
+  unsigned flattened = 0;
+  for (unsigned seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> input(768);
+    std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    Bytes bytes(input.data(), input.size());
+    const HostileCase given = decodeOrdinaryCase(bytes, {});
+    const PreparedSurface surface = prepareSurface(given.points, given.triangles, given.coincident);
+    if (!surface.status.ok())
+    {
+      continue;
+    }
+    const ImprintedSurface imprinted =
+      imprintCurves(surface.mesh, given.polylines, given.imprint, {});
+    if (!imprinted.status.ok())
+    {
+      continue;
+    }
+    std::vector<FeatureCurve> curves = imprinted.curves;
+    FlatteningOptions options = given.options;
+    FlatteningCache cache;
+    for (int update = 0; update < 5; ++update)
+    {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", update " + std::to_string(update));
+      const FlatteningResult cached = flattenSurface(imprinted.mesh, curves, options, {}, &cache);
+      const FlatteningResult fresh = flattenSurface(imprinted.mesh, curves, options, {});
+      expectSame(cached, fresh);
+      flattened += fresh.status.refused() ? 0 : 1;
+      change(random, imprinted.curves, curves, options);
+    }
+  }
+  EXPECT_GT(flattened, count); // or the changes are of nothing
+}
+}
+
+TEST(OrdinaryFew, ChangesWithACacheGiveWhatFreshRunsGive)
+{
+  tryChanges(0, 60);
+}
+
+TEST(OrdinaryCases, ManyChangesWithACacheGiveWhatFreshRunsGive)
+{
+  tryChanges(1000, 2000);
+}
