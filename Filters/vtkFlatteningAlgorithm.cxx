@@ -387,10 +387,10 @@ void vtkFlatteningAlgorithm::Keep(const flattening::Status& outcome)
   {
     this->StatusIds->InsertNextValue(id);
   }
-  for (const flattening::WayOut& wayOut : outcome.waysOut)
+  for (const flattening::SuggestedRemedy& suggested : outcome.remedies)
   {
-    this->StatusRemedies->InsertNextValue(flattening::remedyName(wayOut.remedy));
-    this->StatusRemedySubjects->InsertNextValue(wayOut.subject);
+    this->StatusRemedies->InsertNextValue(flattening::remedyName(suggested.remedy));
+    this->StatusRemedySubjects->InsertNextValue(suggested.subject);
   }
 }
 

@@ -62,10 +62,10 @@ void vtkPatternFileWriter::Keep(const flattening::Status& status)
   // New arrays: the caller may have kept those of the last run.
   this->StatusRemedies = vtkSmartPointer<vtkStringArray>::New();
   this->StatusRemedySubjects = vtkSmartPointer<vtkStringArray>::New();
-  for (const flattening::WayOut& wayOut : status.waysOut)
+  for (const flattening::SuggestedRemedy& suggested : status.remedies)
   {
-    this->StatusRemedies->InsertNextValue(flattening::remedyName(wayOut.remedy));
-    this->StatusRemedySubjects->InsertNextValue(wayOut.subject);
+    this->StatusRemedies->InsertNextValue(flattening::remedyName(suggested.remedy));
+    this->StatusRemedySubjects->InsertNextValue(suggested.subject);
   }
 }
 

@@ -42,7 +42,7 @@ double squareOf(const Place& a)
 }
 
 /// Most triangles are far from having no area, and from where squares underflow.
-bool isPlump(const std::array<Place, 3>& x)
+bool isWellShaped(const std::array<Place, 3>& x)
 {
   const Place u = minus(x[1], x[0]);
   const Place v = minus(x[2], x[0]);
@@ -66,7 +66,7 @@ Shape shapeOf(vtkPoints* points, const Corners& corners)
   }
   std::array<double, 3> side{}; // from corner k to the next
   Shape shape;
-  if (isPlump(x))
+  if (isWellShaped(x))
   {
     return shape;
   }

@@ -332,7 +332,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
     filter->CachingOff(); // it runs once
     setOptions(options, filter);
-    giveBody(options.body, filter);
+    setBody(options.body, filter);
     const std::vector<std::string> curveFiles = readInput(options, base, filter, result);
     result.secondsRead = secondsSince(start);
     run(filter, options.quiet, result);

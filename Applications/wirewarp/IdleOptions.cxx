@@ -19,7 +19,7 @@ struct Scope
   std::vector<const char*> options;
   bool holds;
   std::string condition;
-  const char* wayOut = leaveOneOut;
+  const char* suggested = leaveOneOut;
 };
 
 bool ofThreads(const std::string& coloring)
@@ -87,7 +87,7 @@ std::string idleOption(const Options& options, const IsGiven& isGiven)
     {
       if (!scope.holds && isGiven(option))
       {
-        return std::string(option) + " is " + scope.condition + scope.wayOut;
+        return std::string(option) + " is " + scope.condition + scope.suggested;
       }
     }
   }

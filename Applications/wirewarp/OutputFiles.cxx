@@ -16,7 +16,7 @@ namespace wirewarp
 //------------------------------------------------------------------------------
 OutputFiles::OutputFiles(const std::string& folder, const std::string& option)
   : Folder(folder)
-  , WayOut("; name another folder with " + option)
+  , SuggestedRemedy("; name another folder with " + option)
 {
   std::error_code error;
   std::filesystem::create_directories(this->Folder, error);
@@ -24,7 +24,8 @@ OutputFiles::OutputFiles(const std::string& folder, const std::string& option)
   if (!std::filesystem::is_directory(this->Folder, ignored))
   {
     const std::string reason = error ? error.message() : "a file of this name is in the way";
-    throw InputError(folder, "cannot make the output folder (" + reason + ")" + this->WayOut);
+    throw InputError(
+      folder, "cannot make the output folder (" + reason + ")" + this->SuggestedRemedy);
   }
   const std::filesystem::path probe = this->addEntry("probe");
   std::ofstream(probe).put('\n');
@@ -33,7 +34,7 @@ OutputFiles::OutputFiles(const std::string& folder, const std::string& option)
   this->Entries.clear();
   if (!writable)
   {
-    throw InputError(folder, "cannot write to the output folder" + this->WayOut);
+    throw InputError(folder, "cannot write to the output folder" + this->SuggestedRemedy);
   }
 }
 
@@ -60,7 +61,8 @@ void OutputFiles::claim()
   if (!this->Lock->held())
   {
     throw InputError(this->Folder.string(),
-      "another run is writing to this folder; wait for its end, or" + this->WayOut.substr(1));
+      "another run is writing to this folder; wait for its end, or" +
+        this->SuggestedRemedy.substr(1));
   }
 }
 
@@ -91,7 +93,7 @@ void OutputFiles::add(const std::string& name, vtkPolyData* data)
     {
       const std::string reason = messages.firstError();
       throw InputError((this->Folder / name).string(),
-        "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->WayOut);
+        "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->SuggestedRemedy);
     }
     text = writer->GetOutputString();
   }
@@ -109,7 +111,7 @@ void OutputFiles::add(const std::string& name, const std::string& text)
   {
     const std::string reason = errno != 0 ? std::generic_category().message(errno) : "";
     throw InputError((this->Folder / name).string(),
-      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->WayOut);
+      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->SuggestedRemedy);
   }
 }
 
@@ -137,7 +139,7 @@ void OutputFiles::publish()
     if (std::filesystem::is_directory(std::filesystem::symlink_status(entry.final, error)))
     {
       throw InputError(entry.final.string(),
-        "cannot be written (a folder of this name is in the way)" + this->WayOut);
+        "cannot be written (a folder of this name is in the way)" + this->SuggestedRemedy);
     }
   }
   if (this->Entries.size() > 1)
@@ -154,8 +156,8 @@ void OutputFiles::publish()
     std::filesystem::rename(entry.aside, entry.final, error);
     if (error)
     {
-      throw InputError(
-        entry.final.string(), "cannot be written (" + error.message() + ")" + this->WayOut);
+      throw InputError(entry.final.string(),
+        "cannot be written (" + error.message() + ")" + this->SuggestedRemedy);
     }
   }
   this->Entries.clear();

@@ -54,7 +54,7 @@ private:
   std::filesystem::path addEntry(const std::string& name);
 
   std::filesystem::path Folder;
-  std::string WayOut;
+  std::string SuggestedRemedy;
   std::optional<FolderLock> Lock;
   std::vector<Entry> Entries;
   std::vector<std::filesystem::path> Outdated;

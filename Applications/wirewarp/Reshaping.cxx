@@ -80,7 +80,7 @@ vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest
 }
 
 //------------------------------------------------------------------------------
-void giveBody(const std::string& body, vtkWireWarpingFilter* filter)
+void setBody(const std::string& body, vtkWireWarpingFilter* filter)
 {
   auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter);
   if (reshaping && !body.empty())

@@ -37,7 +37,7 @@ void addReshapingOptions(CLI::App& app, ReshapingRequest& request);
 vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request);
 
 /// Gives it the body of this file, where it is one that moves the surface. Throws InputError.
-void giveBody(const std::string& body, vtkWireWarpingFilter* filter);
+void setBody(const std::string& body, vtkWireWarpingFilter* filter);
 
 /// Takes over what the filter has beside the flattening, where it is one that moves the surface.
 void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result);

@@ -14,8 +14,8 @@ namespace pattern
 {
 namespace
 {
-constexpr double mostRise = 0.003; ///< of strain
-constexpr double mostWork = 2e10;  ///< of a piece, some seconds: sound ones take far less
+constexpr double maximumIncrease = 0.003; ///< of strain
+constexpr double mostWork = 2e10;         ///< of a piece, some seconds: sound ones take far less
 constexpr double leastShare = 0.1;
 constexpr double lessShare = 0.8;     ///< of the share that was too much
 constexpr double leastMirrored = 0.5; ///< share for which a piece stays its own mirror image
@@ -117,7 +117,7 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
   {
     const FairPieceReport& report = this->Reports[p];
     const std::optional<LeftStretch>& left = fit.unmirrored(p);
-    const bool strained = report.strain - report.strainBefore > mostRise;
+    const bool strained = report.strain - report.strainBefore > maximumIncrease;
     // As its own mirror image it is strained by less the nearer it is to its points.
     const bool nearer = limits.mirrored[p] && limits.shares[p] < 1.0;
     const bool far = strained && limits.shares[p] * lessShare < leastMirrored;

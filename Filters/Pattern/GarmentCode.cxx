@@ -153,7 +153,7 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
   status = checkGarment(garment); // borders may have collapsed
   if (!status.ok())
   {
-    status.waysOut = { Remedy::WriteOtherFormat };
+    status.remedies = { Remedy::WriteOtherFormat };
     return status;
   }
   json = writeGarment(garment);

@@ -120,9 +120,9 @@ void writeNodes(const CurveSet& set, const std::vector<CurveRow>& rows, vtkPolyD
   }
 }
 
-Status refusal(const std::string& defect, const char* wayOut)
+Status refusal(const std::string& defect, const char* suggested)
 {
-  return { StatusCode::InvalidCurve, defect, {}, { { Remedy::Give, wayOut } } };
+  return { StatusCode::InvalidCurve, defect, {}, { { Remedy::Give, suggested } } };
 }
 
 /// A field array with so many components of numbers; null where there is none such.

@@ -77,11 +77,11 @@ private:
     return false;
   }
 
-  bool refuseCell(vtkIdType cell, const std::string& what, const char* wayOut)
+  bool refuseCell(vtkIdType cell, const std::string& what, const char* suggested)
   {
     return this->refuse(
       { StatusCode::InvalidCurve, "cell " + std::to_string(cell) + " of the curves " + what,
-        ofCell(cell), { { Remedy::Give, wayOut } } });
+        ofCell(cell), { { Remedy::Give, suggested } } });
   }
 
   static ElementIds ofCell(vtkIdType cell)

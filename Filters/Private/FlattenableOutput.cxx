@@ -83,7 +83,7 @@ Status findCurves(const std::set<std::string>& names, const CurvedSurface& sourc
     if (curves.size() == before)
     {
       Status missing = noCurveNamed(name, source);
-      missing.waysOut = { { Remedy::Give, "the name of a curve" } };
+      missing.remedies = { { Remedy::Give, "the name of a curve" } };
       return missing;
     }
   }

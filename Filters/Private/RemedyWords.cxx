@@ -136,11 +136,11 @@ std::string inWords(const Status& status)
 {
   std::string text = status.message;
   const char* join = "; ";
-  for (const WayOut& wayOut : status.waysOut)
+  for (const SuggestedRemedy& suggested : status.remedies)
   {
-    std::string words = remedyWords(wayOut.remedy);
+    std::string words = remedyWords(suggested.remedy);
     const std::size_t at = words.find('%');
-    text += join + (at == std::string::npos ? words : words.replace(at, 1, wayOut.subject));
+    text += join + (at == std::string::npos ? words : words.replace(at, 1, suggested.subject));
     join = ", or ";
   }
   return text;

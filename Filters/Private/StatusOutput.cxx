@@ -24,10 +24,10 @@ void writeStatuses(const std::vector<Status>& statuses, vtkFieldData* field)
     messages.push_back(inWords(statuses[p]));
     ids.insert(ids.end(), statuses[p].ids.values.begin(), statuses[p].ids.values.end());
     pieceOfId.resize(ids.size(), static_cast<vtkIdType>(p));
-    for (const WayOut& wayOut : statuses[p].waysOut)
+    for (const SuggestedRemedy& suggested : statuses[p].remedies)
     {
-      remedies.emplace_back(remedyName(wayOut.remedy));
-      subjects.push_back(wayOut.subject);
+      remedies.emplace_back(remedyName(suggested.remedy));
+      subjects.push_back(suggested.subject);
       pieceOfRemedy.push_back(static_cast<vtkIdType>(p));
     }
   }

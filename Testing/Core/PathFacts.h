@@ -27,7 +27,7 @@ inline double sharperAngle(const TriangleMesh& mesh, const SurfacePath& path, st
   const Point3& x = point.position;
   const Point3& before = path.points[i - 1].position;
   const Point3& after = path.points[i + 1].position;
-  if (point.carrier == Carrier::Edge)
+  if (point.type == SurfacePointType::Edge)
   {
     const Point3& from = mesh.point(mesh.from(point.id));
     const Point3& to = mesh.point(mesh.to(point.id));
@@ -35,7 +35,7 @@ inline double sharperAngle(const TriangleMesh& mesh, const SurfacePath& path, st
     const double other = angleAt(x, before, to) + angleAt(x, after, to);
     return path.triangles[i - 1] == path.triangles[i] ? 0.0 : std::min(one, other);
   }
-  if (point.carrier == Carrier::Face)
+  if (point.type == SurfacePointType::Face)
   {
     return angleAt(x, before, after);
   }
@@ -100,20 +100,20 @@ inline SurfacePoint randomPoint(const TriangleMesh& mesh, std::mt19937& random)
     weights[k] /= sum;
     position += weights[k] * mesh.point(mesh.triangle(t)[k]);
   }
-  return { Carrier::Face, t, weights, position };
+  return { SurfacePointType::Face, t, weights, position };
 }
 
 /// Where a point lies in an unrolling of the surface.
 inline Point2 unrolled(const TriangleMesh& mesh, const Points2& flat, const SurfacePoint& point)
 {
-  switch (point.carrier)
+  switch (point.type)
   {
-    case Carrier::Vertex:
+    case SurfacePointType::Vertex:
       return flat[point.id];
-    case Carrier::Edge:
+    case SurfacePointType::Edge:
       return point.weights[0] * flat[mesh.from(point.id)] +
         point.weights[1] * flat[mesh.to(point.id)];
-    case Carrier::Face:
+    case SurfacePointType::Face:
       break;
   }
   const Triangle& corner = mesh.triangle(point.id);

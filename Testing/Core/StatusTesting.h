@@ -16,14 +16,14 @@ using namespace flattening;
 inline StatusCode codeOf(const Status& status)
 {
   EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
-  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.waysOut.empty())
+  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.remedies.empty())
     << status.message;
   return status.code;
 }
 
 inline bool has(const Status& status, Remedy remedy)
 {
-  return std::any_of(status.waysOut.begin(), status.waysOut.end(),
-    [remedy](const WayOut& wayOut) { return wayOut.remedy == remedy; });
+  return std::any_of(status.remedies.begin(), status.remedies.end(),
+    [remedy](const SuggestedRemedy& suggested) { return suggested.remedy == remedy; });
 }
 }

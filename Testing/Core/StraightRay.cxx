@@ -79,24 +79,24 @@ public:
   bool holds(std::size_t k, const SurfacePoint& point) const
   {
     const Index h = this->halfedge(k);
-    return point.carrier == Carrier::Vertex
+    return point.type == SurfacePointType::Vertex
       ? this->Mesh->from(h) == point.id || this->Mesh->to(h) == point.id
-      : point.carrier == Carrier::Edge && edgeOf(*this->Mesh, h) == point.id;
+      : point.type == SurfacePointType::Edge && edgeOf(*this->Mesh, h) == point.id;
   }
 
 private:
   double weight(const SurfacePoint& point, std::size_t k) const
   {
     const Index vertex = this->vertex(k);
-    switch (point.carrier)
+    switch (point.type)
     {
-      case Carrier::Vertex:
+      case SurfacePointType::Vertex:
         return vertex == point.id ? 1.0 : 0.0;
-      case Carrier::Edge:
+      case SurfacePointType::Edge:
         return vertex == this->Mesh->from(point.id) ? point.weights[0]
           : vertex == this->Mesh->to(point.id)      ? point.weights[1]
                                                     : 0.0;
-      case Carrier::Face:
+      case SurfacePointType::Face:
         break;
     }
     return point.weights[static_cast<std::size_t>(this->halfedge(k) % 3)];

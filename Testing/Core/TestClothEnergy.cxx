@@ -294,7 +294,7 @@ TEST(ClothMaterial, NumbersWithoutMeaningAreRefused)
     change(material);
     const Status status = checkMaterial(material);
     EXPECT_EQ(status.code, StatusCode::InvalidOption);
-    EXPECT_FALSE(status.waysOut.empty());
+    EXPECT_FALSE(status.remedies.empty());
   };
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   refused([](ClothMaterial& m) { m.warp = -1.0; });

@@ -332,7 +332,7 @@ TEST(ClothFlattening, ACurveThatIsNoneOfThePieceIsSaid)
   EXPECT_NE(result.status.message.find("\"waist\""), std::string::npos) << result.status.message;
   // The way out names those that would do.
   ASSERT_TRUE(has(result.status, Remedy::NameGrain));
-  EXPECT_EQ(result.status.waysOut.front().subject, "\"column5\" and \"row6\"");
+  EXPECT_EQ(result.status.remedies.front().subject, "\"column5\" and \"row6\"");
   const PieceReport& piece = result.pieces.front();
   EXPECT_TRUE(piece.cloth->grain.missing);
   ASSERT_FALSE(piece.fallbacks.empty());

@@ -111,8 +111,8 @@ TEST(ConvexWarping, ADeepPieceThatIsAtNoMinimumIsAdvisedToBeCut)
   const FlatteningResult result = flatten(sphereCap(170.0 * pi / 180.0, 12, 2));
   const Status& status = result.pieces[0].status;
   ASSERT_FALSE(status.ok());
-  EXPECT_TRUE(std::any_of(status.waysOut.begin(), status.waysOut.end(),
-    [](const WayOut& way) { return way.remedy == Remedy::AddDarts; }));
+  EXPECT_TRUE(std::any_of(status.remedies.begin(), status.remedies.end(),
+    [](const SuggestedRemedy& way) { return way.remedy == Remedy::AddDarts; }));
 }
 
 TEST(ConvexWarping, AWireThatNoPlaneHoldsIsNamedAndNothingFolds)

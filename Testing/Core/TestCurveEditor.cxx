@@ -328,9 +328,9 @@ TEST(CurveEditor, ImagesOfEndsOnTheBoundaryLieOnItWhereTheSurfaceIsNotQuiteSymme
       CurveEditor editor(drawing(testmeshes::patch(20, 20, shape)));
       const TriangleMesh& mesh = editor.surface().mesh();
       const auto onBoundary = [&mesh](const SurfacePoint& point) {
-        return point.carrier == Carrier::Edge
+        return point.type == SurfacePointType::Edge
           ? mesh.twin(point.id) == none
-          : point.carrier == Carrier::Vertex && mesh.onBoundary(point.id);
+          : point.type == SurfacePointType::Vertex && mesh.onBoundary(point.id);
       };
       ASSERT_TRUE(editor.setMirror(MirrorPlane{ scale * Point3(10, 0, 0), Point3::UnitX() }).ok());
       for (const Point3& start : { Point3(0, 1, 0), Point3(0, 5.37, 0), Point3(0, 9, 0),

@@ -340,17 +340,17 @@ TEST(CurveImprint, TakesPicksThatLieALittleOffTheSurface)
   line.points[1].z() = 0.01313 * diagonal;
   const auto refused = imprintCurves(mesh, { line }, {});
   ASSERT_EQ(refused.status.code, StatusCode::CurvePointOffSurface);
-  ASSERT_EQ(refused.status.waysOut.size(), 2U);
-  EXPECT_EQ(refused.status.waysOut[1].remedy, Remedy::RaiseImprintTolerance);
-  EXPECT_EQ(refused.status.waysOut[1].subject, "0.014");
+  ASSERT_EQ(refused.status.remedies.size(), 2U);
+  EXPECT_EQ(refused.status.remedies[1].remedy, Remedy::RaiseImprintTolerance);
+  EXPECT_EQ(refused.status.remedies[1].subject, "0.014");
   ImprintOptions options;
-  options.tolerance = std::stod(refused.status.waysOut[1].subject);
+  options.tolerance = std::stod(refused.status.remedies[1].subject);
   EXPECT_TRUE(imprintCurves(mesh, { line }, options).status.ok());
   // A tenth of the diagonal away none is given: it would lay down curves of another unit.
   EXPECT_EQ(refused.status.message.find("unit"), std::string::npos) << refused.status.message;
   line.points[1].z() = 0.11 * diagonal;
   const auto far = imprintCurves(mesh, { line }, {});
-  EXPECT_EQ(far.status.waysOut.size(), 1U);
+  EXPECT_EQ(far.status.remedies.size(), 1U);
   EXPECT_NE(far.status.message.find("unit"), std::string::npos) << far.status.message;
 }
 

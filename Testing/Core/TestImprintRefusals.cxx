@@ -145,9 +145,9 @@ TEST(CurveImprintRefusal, ASegmentBetweenSeparatePartsIsRefusedWithItsPointsAndT
               std::string(sizes) + " triangles"),
             std::string::npos)
             << status.message;
-          ASSERT_EQ(status.waysOut.size(), 2U);
-          EXPECT_EQ(status.waysOut[0].remedy, Remedy::RedrawCurve);
-          EXPECT_EQ(status.waysOut[1].remedy, Remedy::JoinByEdge);
+          ASSERT_EQ(status.remedies.size(), 2U);
+          EXPECT_EQ(status.remedies[0].remedy, Remedy::RedrawCurve);
+          EXPECT_EQ(status.remedies[1].remedy, Remedy::JoinByEdge);
         }
       }
     }

@@ -56,9 +56,9 @@ TEST(KeyRelease, ReleasesOneCurveWhereOneIsEnough)
   EXPECT_EQ(result.released, (Indices{ 3 }));
   EXPECT_STREQ(statusName(result.status.code), "IncompatibleKeys");
   EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 3 } }));
-  ASSERT_FALSE(result.status.waysOut.empty());
-  EXPECT_EQ(result.status.waysOut.front().remedy, Remedy::MakeAccessory);
-  EXPECT_EQ(result.status.waysOut.front().subject, "\"key3\"");
+  ASSERT_FALSE(result.status.remedies.empty());
+  EXPECT_EQ(result.status.remedies.front().remedy, Remedy::MakeAccessory);
+  EXPECT_EQ(result.status.remedies.front().subject, "\"key3\"");
 }
 
 TEST(KeyRelease, OfSeveralSingleCurvesTakesTheOneWithTheLeastObjective)

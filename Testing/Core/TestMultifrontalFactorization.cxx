@@ -163,11 +163,11 @@ TEST(MultifrontalFactorization, StopsWhenItIsCancelled)
   EXPECT_FALSE(factorization.factorize(system.matrix, execution));
 }
 
-TEST(SteppedTriangle, HasAPlaceForEachEntryOfTheLowerTriangleAndFewAbove)
+TEST(BlockedLowerTriangle, HasAPlaceForEachEntryOfTheLowerTriangleAndFewAbove)
 {
   for (const Index rows : { 0, 1, 63, 64, 65, 200, 640 })
   {
-    SteppedTriangle triangle(rows);
+    BlockedLowerTriangle triangle(rows);
     std::vector<char> taken(triangle.size(), 0);
     for (Index column = 0; column < rows; ++column)
     {
@@ -180,13 +180,13 @@ TEST(SteppedTriangle, HasAPlaceForEachEntryOfTheLowerTriangleAndFewAbove)
         EXPECT_EQ(triangle.diagonal(column)[below], 0.0);
         taken[place] = 1;
       }
-      if (column + 1 < rows && (column + 1) % SteppedTriangle::stepWidth != 0)
+      if (column + 1 < rows && (column + 1) % BlockedLowerTriangle::stepWidth != 0)
       {
         EXPECT_EQ(
           triangle.diagonal(column + 1) - triangle.diagonal(column), triangle.stride(column) + 1);
       }
     }
     const auto unused = static_cast<std::size_t>(std::count(taken.begin(), taken.end(), char(0)));
-    EXPECT_LE(unused, std::size_t(rows) * SteppedTriangle::stepWidth / 2);
+    EXPECT_LE(unused, std::size_t(rows) * BlockedLowerTriangle::stepWidth / 2);
   }
 }

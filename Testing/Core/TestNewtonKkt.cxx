@@ -27,7 +27,7 @@ struct DenseModel : NewtonKktModel
   int matrices = 0; ///< that were made
 
   Index unknownCount() const override { return this->unknowns; }
-  bool settle(const Eigen::VectorXd& multipliers) override
+  bool switchToFinalObjective(const Eigen::VectorXd& multipliers) override
   {
     return this->whenSettling && this->whenSettling(multipliers);
   }
@@ -206,7 +206,7 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
     order.order.push_back(k);
   }
   NewtonKktOptions options;
-  options.stillMove = 0.0;
+  options.stepTolerance = 0.0;
 
   const NewtonKktState end = minimize(model, { Eigen::VectorXd::Zero(n), {} },
     LinearSolver(order, FactorPrecision::Single), options, {});
@@ -373,7 +373,7 @@ TEST(NewtonKkt, StepsByAnEarlierMatrixEndWhereThoseByTheirOwnDoWithFewerMatrices
   // Least of a quartic on the circle, from near and from far.
   for (const double angle : { 0.3, 1.4 })
   {
-    const auto solve = [&](double followed) {
+    const auto solve = [&](double chordReduction) {
       DenseModel model = onTheCircle();
       const Eigen::Vector2d goal(0.3, 2.0);
       model.f = [=](const Eigen::VectorXd& x) {
@@ -387,7 +387,7 @@ TEST(NewtonKkt, StepsByAnEarlierMatrixEndWhereThoseByTheirOwnDoWithFewerMatrices
           Eigen::VectorXd(1.0 + 3.0 * (x - goal).array().square()).asDiagonal());
       };
       NewtonKktOptions options;
-      options.followed = followed;
+      options.chordReduction = followed;
       const NewtonKktState end =
         solved(model, Eigen::Vector2d(std::cos(angle), std::sin(angle)), options);
       EXPECT_TRUE(end.converged());
@@ -418,7 +418,7 @@ TEST(NewtonKkt, NearAMinimumEachStepIsTriedOnceThoughTheConstraintBends)
     return Eigen::MatrixXd(4.0 * Eigen::MatrixXd::Identity(2, 2));
   };
   NewtonKktOptions options;
-  options.followed = 0.1;
+  options.chordReduction = 0.1;
   options.exactWithin = 1.0;
   options.penaltyMargin = 50.0;
   std::vector<int> triedBefore;

@@ -44,7 +44,7 @@ std::vector<TriangleMesh> hardSurfaces(double scale = 1.0)
     scaled(TriangleMesh(points, triangles)) };
 }
 
-void expectSame(const PathCourse& a, const PathCourse& b)
+void expectSame(const GeodesicPath& a, const GeodesicPath& b)
 {
   ASSERT_EQ(a.knots.size(), b.knots.size());
   for (std::size_t k = 0; k < a.knots.size(); ++k)
@@ -130,8 +130,8 @@ TEST(PathSearch, TakesTheSameOfEquallyLongWaysInEveryUnit)
         const SurfacePoint to = randomPoint(meshes[m], random);
         const SurfacePoint otherFrom = randomPoint(scaled[m], again);
         const SurfacePoint otherTo = randomPoint(scaled[m], again);
-        const PathCourse course = PathSearch(graph, from).courseTo(to);
-        const PathCourse otherCourse = PathSearch(other, otherFrom).courseTo(otherTo);
+        const GeodesicPath course = PathSearch(graph, from).courseTo(to);
+        const GeodesicPath otherCourse = PathSearch(other, otherFrom).courseTo(otherTo);
         ASSERT_EQ(course.knots.size(), otherCourse.knots.size());
         for (std::size_t i = 0; i < course.knots.size(); ++i)
         {
@@ -168,7 +168,8 @@ TEST(SegmentPreview, RefusesWhatIsNoPointOfTheSurface)
 {
   SegmentPreview preview(drawing(hill()));
   const SurfacePoint there = drawing(hill())->pointNear(Point3(3.0, 4.0, 0.0));
-  const SurfacePoint nowhere{ Carrier::Vertex, 1000000, { 1.0, 0.0, 0.0 }, Point3::Zero() };
+  const SurfacePoint nowhere{ SurfacePointType::Vertex, 1000000, { 1.0, 0.0, 0.0 },
+    Point3::Zero() };
   for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Edges, SegmentKind::Spline })
   {
     EXPECT_EQ(preview.draw(kind, there, nowhere).status.code, StatusCode::InvalidPointId);

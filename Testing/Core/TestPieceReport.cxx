@@ -315,7 +315,7 @@ TEST(PieceReport, ARelaxationThatRunsOutOfIterationsHasNotConverged)
   EXPECT_TRUE(run().status.ok()) << run().status.message;
   options.interior.maximumIterations = options.interior.minimumIterations;
   EXPECT_EQ(run().status.code, StatusCode::NotConverged);
-  EXPECT_EQ(run().status.waysOut.front().remedy, Remedy::AllowRelaxationIterations);
+  EXPECT_EQ(run().status.remedies.front().remedy, Remedy::AllowRelaxationIterations);
   // The isometric scheme starts there alone, and ends at its minimum.
   options.scheme = Scheme::Isometric;
   EXPECT_TRUE(run().status.ok()) << run().status.message;

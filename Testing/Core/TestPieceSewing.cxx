@@ -144,8 +144,8 @@ TEST(PieceSewing, ALonePanelWithAFreeBoundaryIsRefused)
   const SewingResult result = sewn(dome(), product());
   EXPECT_EQ(result.status.code, StatusCode::InvalidOption);
   EXPECT_NE(result.status.message.find("sewn to nothing"), std::string::npos);
-  ASSERT_EQ(result.status.waysOut.size(), 1U);
-  EXPECT_EQ(result.status.waysOut.front().remedy, Remedy::TestPanels);
+  ASSERT_EQ(result.status.remedies.size(), 1U);
+  EXPECT_EQ(result.status.remedies.front().remedy, Remedy::TestPanels);
   EXPECT_TRUE(result.points.empty());
 }
 

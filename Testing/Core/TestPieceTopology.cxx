@@ -268,9 +268,9 @@ TEST(PieceTopology, WhereNothingWouldRemainTheSurfaceIsRefused)
     flatten(together({ partOf(tetrahedron()), partOf(torusWithAHole()) }), skipping());
   EXPECT_EQ(result.status.code, StatusCode::ClosedSurface);
   EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0, 4 } }));
-  for (const WayOut& wayOut : result.status.waysOut)
+  for (const SuggestedRemedy& suggested : result.status.remedies)
   {
-    EXPECT_NE(wayOut.remedy, Remedy::SkipClosed);
+    EXPECT_NE(suggested.remedy, Remedy::SkipClosed);
   }
 }
 

@@ -185,7 +185,7 @@ TEST(StraightPath, GoesAlongEdgesWhereTheyAreStraight)
   EXPECT_EQ(path.path.points.size(), 21U);
   for (const SurfacePoint& point : path.path.points)
   {
-    EXPECT_EQ(point.carrier, Carrier::Vertex);
+    EXPECT_EQ(point.type, SurfacePointType::Vertex);
   }
 }
 
@@ -195,7 +195,7 @@ TEST(StraightPath, IsTheSegmentWithinATriangle)
   std::mt19937 random(1);
   const SurfacePoint vertex = vertexPoint(surface.mesh, surface.mesh.triangle(7)[1]);
   SurfacePoint inside = randomPoint(surface.mesh, random);
-  while (inside.carrier != Carrier::Face || inside.id != 7)
+  while (inside.type != SurfacePointType::Face || inside.id != 7)
   {
     inside = randomPoint(surface.mesh, random);
   }
@@ -301,12 +301,12 @@ TEST(CourseStraightening, EndsWhereItsTurnsAreUsedUpAndSaysWhereTheCourseIsSharp
   const PathGraph graph(mesh);
   const SurfacePoint from = vertexPoint(mesh, 30);
   const SurfacePoint to = vertexPoint(mesh, mesh.vertexCount() - 90);
-  const PathCourse byEdges = PathSearch(graph, from, PathArcs::Edges).courseTo(to);
+  const GeodesicPath byEdges = PathSearch(graph, from, PathArcs::Edges).courseTo(to);
   double length = lengthOf(pathAlong(mesh, byEdges));
   std::size_t bentBefore = mesh.vertexCount();
   for (const std::size_t turns : { 0, 2, 5, 1000000 })
   {
-    PathCourse course = byEdges;
+    GeodesicPath course = byEdges;
     const Indices bent = straighten(mesh, course, turns);
     const SurfacePath path = pathAlong(mesh, course);
     EXPECT_TRUE(liesOn(mesh, path));
@@ -344,7 +344,7 @@ TEST(StraightPath, ByEdgesIsTheShortestWayByEdges)
     }
     for (std::size_t i = 1; i + 1 < path.path.points.size(); ++i)
     {
-      EXPECT_EQ(path.path.points[i].carrier, Carrier::Vertex);
+      EXPECT_EQ(path.path.points[i].type, SurfacePointType::Vertex);
     }
   }
 }
@@ -359,7 +359,7 @@ TEST(StraightPath, RefusesWhatItCannotJoin)
     StatusCode::CurveLeavesSurface);
   EXPECT_EQ(straightPath(graph, vertexPoint(two, 0), vertexPoint(two, 6)).status.code,
     StatusCode::InvalidPointId);
-  EXPECT_EQ(straightPath(graph, { Carrier::Face, 2 }, vertexPoint(two, 0)).status.code,
+  EXPECT_EQ(straightPath(graph, { SurfacePointType::Face, 2 }, vertexPoint(two, 0)).status.code,
     StatusCode::InvalidPointId);
   const SurfacePath elsewhere{ { vertexPoint(two, 0), vertexPoint(two, 4) }, { 0 } };
   EXPECT_EQ(

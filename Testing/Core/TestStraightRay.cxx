@@ -38,8 +38,8 @@ TEST(StraightRay, IsAStraightPathOfItsLength)
       else
       {
         EXPECT_LT(way.norm(), length);
-        EXPECT_TRUE(ray.end.carrier == Carrier::Vertex ? mesh.onBoundary(ray.end.id)
-                                                       : mesh.twin(ray.end.id) == none);
+        EXPECT_TRUE(ray.end.type == SurfacePointType::Vertex ? mesh.onBoundary(ray.end.id)
+                                                             : mesh.twin(ray.end.id) == none);
       }
     }
     EXPECT_GT(arrived, 300);
@@ -87,7 +87,7 @@ TEST(StraightRay, GoesOnAlongAStraightBoundary)
   const StraightRay ray =
     straightRay(plate.mesh, vertexPoint(plate.mesh, 0), around.at(along), 7.25);
   ASSERT_TRUE(ray.arrived);
-  EXPECT_EQ(ray.end.carrier, Carrier::Edge);
+  EXPECT_EQ(ray.end.type, SurfacePointType::Edge);
   EXPECT_LE((ray.end.position - Point3(7.25, 0.0, 0.0)).norm(), 1e-12);
   const StraightRay far =
     straightRay(plate.mesh, vertexPoint(plate.mesh, 0), around.at(along), 12.0);

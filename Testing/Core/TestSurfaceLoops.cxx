@@ -107,9 +107,9 @@ TEST(PlaneSection, OfAPatchGoesFromBoundaryToBoundary)
     expectInPlane(section.path, start.position, normal);
     for (const SurfacePoint* end : { &section.path.points.front(), &section.path.points.back() })
     {
-      const bool atBoundary = end->carrier == Carrier::Vertex
+      const bool atBoundary = end->type == SurfacePointType::Vertex
         ? surface.mesh.onBoundary(end->id)
-        : end->carrier == Carrier::Edge && surface.mesh.twin(end->id) == none;
+        : end->type == SurfacePointType::Edge && surface.mesh.twin(end->id) == none;
       EXPECT_TRUE(atBoundary);
     }
   }

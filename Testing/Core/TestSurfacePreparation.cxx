@@ -18,7 +18,7 @@ void expectRefusal(const PreparedSurface& prepared, StatusCode code, const Indic
   const bool ofPoints = code == StatusCode::NonFinitePoint || code == StatusCode::NonManifoldVertex;
   EXPECT_EQ(
     prepared.status.ids, (ElementIds{ ofPoints ? ElementKind::Points : ElementKind::Cells, ids }));
-  EXPECT_FALSE(prepared.status.waysOut.empty());
+  EXPECT_FALSE(prepared.status.remedies.empty());
   EXPECT_FALSE(prepared.status.message.empty());
   EXPECT_EQ(prepared.mesh.triangleCount(), 0) << "a refused surface has no mesh";
 }

@@ -120,7 +120,7 @@ TEST(Threads, InsideALoopHearThatTheCallerEndedTheRun)
   Execution execution;
   int asked = 0;
   execution.cancel = [&asked] { return ++asked == 2; };
-  const Execution inner = execution.insideLoop();
+  const Execution inner = execution.nestedExecution();
   const auto heardElsewhere = [&inner] {
     bool heard = false;
     std::thread([&] { heard = inner.cancelled(); }).join();

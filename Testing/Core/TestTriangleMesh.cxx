@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/Grouping.h"
+#include "Base/CompressedRows.h"
 #include "Base/Types.h"
 #include "Surface/VertexFan.h"
 #include "TestMeshes.h"
@@ -194,9 +194,9 @@ TEST(TriangleMesh, TheFanOfAVertexThatNoTriangleUsesIsEmpty)
   }
 }
 
-TEST(Grouping, HoldsTheMembersOfEachGroupInTheOrderInWhichTheyCame)
+TEST(CompressedRows, HoldsTheMembersOfEachGroupInTheOrderInWhichTheyCame)
 {
-  const Grouping grouping = groupBy(4, { 2, 0, 2, 3, 0, 2 });
+  const CompressedRows grouping = groupBy(4, { 2, 0, 2, 3, 0, 2 });
   const std::vector<Indices> expected{ { 1, 4 }, {}, { 0, 2, 5 }, { 3 } };
   for (std::size_t g = 0; g < expected.size(); ++g)
   {

@@ -35,7 +35,7 @@ private:
 void checkStatus(const Status& status, Checks& checks)
 {
   checks.require(!status.ok() || status.message.empty(), "an Ok with a message");
-  checks.require(status.ok() || status.code == StatusCode::Cancelled || !status.waysOut.empty(),
+  checks.require(status.ok() || status.code == StatusCode::Cancelled || !status.remedies.empty(),
     std::string(statusName(status.code)) + " without a way out");
   checks.require(status.ok() || !status.message.empty(),
     std::string(statusName(status.code)) + " without words");

@@ -95,8 +95,8 @@ private:
 
 bool onBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  return (point.carrier == Carrier::Vertex && mesh.onBoundary(point.id)) ||
-    (point.carrier == Carrier::Edge && mesh.twin(point.id) == none);
+  return (point.type == SurfacePointType::Vertex && mesh.onBoundary(point.id)) ||
+    (point.type == SurfacePointType::Edge && mesh.twin(point.id) == none);
 }
 
 bool isClosed(const SurfacePath& path)

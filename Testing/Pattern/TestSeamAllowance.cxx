@@ -173,6 +173,6 @@ TEST(SeamAllowance, APieceBelowTheGridIsToldAsTooSmall)
   std::vector<Points2> widened;
   const Status status = addAllowance({ uniform(rectangle(1e-6, 1e-6), 1e-6) }, 2.0, widened);
   EXPECT_EQ(status.code, StatusCode::NothingToDraw);
-  ASSERT_EQ(status.waysOut.size(), 1U);
-  EXPECT_EQ(status.waysOut.front().remedy, Remedy::CheckUnit);
+  ASSERT_EQ(status.remedies.size(), 1U);
+  EXPECT_EQ(status.remedies.front().remedy, Remedy::CheckUnit);
 }

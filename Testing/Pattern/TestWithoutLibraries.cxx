@@ -17,8 +17,8 @@ TEST(WithoutLibraries, PdfIsRefusedByName)
   const Status status = makePdf({}, {}, pdf);
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message.find("cairo or FriBidi"), std::string::npos) << status.message;
-  ASSERT_EQ(status.waysOut.size(), 1u);
-  EXPECT_EQ(status.waysOut[0].remedy, Remedy::WriteOtherFormat);
+  ASSERT_EQ(status.remedies.size(), 1u);
+  EXPECT_EQ(status.remedies[0].remedy, Remedy::WriteOtherFormat);
   EXPECT_TRUE(pdf.empty());
 }
 
@@ -49,7 +49,7 @@ TEST(WithoutLibraries, ASeamAllowanceIsRefusedByNameAndNoneIsDrawn)
   const Status status = addAllowance({ triangle }, 2.0, widened);
   EXPECT_FALSE(status.ok());
   EXPECT_NE(status.message.find("Clipper"), std::string::npos) << status.message;
-  ASSERT_EQ(status.waysOut.size(), 1u);
-  EXPECT_EQ(status.waysOut[0].subject, "an allowance of 0");
+  ASSERT_EQ(status.remedies.size(), 1u);
+  EXPECT_EQ(status.remedies[0].subject, "an allowance of 0");
   EXPECT_TRUE(widened.empty());
 }

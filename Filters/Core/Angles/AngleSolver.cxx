@@ -28,7 +28,7 @@ NewtonKktState solveAnglesByNewton(const DirectionsForm& form, NewtonKktState st
   newton.maximumIterations = options.maximumIterations;
   newton.constraintTolerance = options.closureTolerance * size;
   newton.optimalityTolerance = options.optimalityTolerance;
-  newton.longestMove = longestTurn;
+  newton.maximumMove = longestTurn;
   newton.observe = [&](const NewtonKktRecord& iteration) {
     IterationRecord record;
     record.phase = phase;
@@ -64,17 +64,17 @@ AngleSolution finish(
   }
   solution.objective = angleObjective(problem, solution.theta);
   solution.closure = closureResidual(*problem.network, solution.theta, solution.length);
-  if (state.ending == Ending::Cancelled)
+  if (state.termination == Termination::Cancelled)
   {
     solution.status = { StatusCode::Cancelled, "cancelled while solving for the wires", {} };
   }
-  else if (state.ending == Ending::Exhausted)
+  else if (state.termination == Termination::IterationLimit)
   {
     solution.status = { StatusCode::NotConverged,
       "the wires' angles did not converge in the iterations that are allowed", {},
       { Remedy::AllowAngleIterations } };
   }
-  else if (state.ending == Ending::Stalled)
+  else if (state.termination == Termination::Stalled)
   {
     solution.status = { StatusCode::NotConverged,
       "the wires' angles stopped short of a solution, and more iterations would change nothing", {},
@@ -107,7 +107,7 @@ NewtonKktState followLengths(const AngleStart& start, const AngleProblem& proble
       rough.closureTolerance = rough.optimalityTolerance = 1e-6;
     }
     state = solveAnglesByNewton(form, std::move(state), rough, execution, "homotopy", history);
-    if (state.ending == Ending::Cancelled)
+    if (state.termination == Termination::Cancelled)
     {
       break;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/DirectionsForm.h"
 
-#include "Base/Grouping.h"
+#include "Base/CompressedRows.h"
 #include "Sparse/LinearSolver.h"
 #include "Wires/ChainOrder.h"
 
@@ -30,7 +30,7 @@ struct Runs
   }
 };
 
-Grouping lockedNodesByEdge(const AngleProblem& problem)
+CompressedRows lockedNodesByEdge(const AngleProblem& problem)
 {
   const WireNetwork& net = *problem.network;
   return groupMembers(net.edgeCount(), [&](const auto& visit) {
@@ -47,7 +47,7 @@ Grouping lockedNodesByEdge(const AngleProblem& problem)
 
 /// Grows the last run from its seed over all edges that locked nodes tie to it.
 void growRun(const AngleProblem& problem, const std::vector<double>& branch,
-  const Grouping& lockedNodes, Index seed, Runs& runs)
+  const CompressedRows& lockedNodes, Index seed, Runs& runs)
 {
   const WireNetwork& net = *problem.network;
   const auto id = static_cast<Index>(runs.size.size()) - 1;
@@ -87,7 +87,7 @@ void growRun(const AngleProblem& problem, const std::vector<double>& branch,
 Runs joinLockedEdges(const AngleProblem& problem, const std::vector<double>& branch)
 {
   const Index edges = problem.network->edgeCount();
-  const Grouping lockedNodes = lockedNodesByEdge(problem);
+  const CompressedRows lockedNodes = lockedNodesByEdge(problem);
   Runs runs;
   runs.ofEdge.assign(edges, none);
   runs.offset.assign(edges, 0.0);

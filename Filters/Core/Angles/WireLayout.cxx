@@ -2,7 +2,7 @@
 #include "Angles/WireLayout.h"
 
 #include "Angles/AngleProblem.h"
-#include "Base/Grouping.h"
+#include "Base/CompressedRows.h"
 #include "Sparse/LinearSolver.h"
 #include "Wires/ChainOrder.h"
 
@@ -32,7 +32,7 @@ Points2 edgeVectors(
 Points2 placeAlongTree(const WireNetwork& network, const Points2& vectors)
 {
   const std::size_t count = network.hostVertices.size();
-  const Grouping incident = groupMembers(count, [&network](const auto& visit) {
+  const CompressedRows incident = groupMembers(count, [&network](const auto& visit) {
     for (Index e = 0; e < network.edgeCount(); ++e)
     {
       visit(network.hostOfVertex[network.edges[e].from], e);

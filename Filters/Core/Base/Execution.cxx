@@ -9,7 +9,7 @@
 
 namespace flattening
 {
-Execution Execution::insideLoop() const
+Execution Execution::nestedExecution() const
 {
   Execution inner;
   inner.factorMemory = this->factorMemory;

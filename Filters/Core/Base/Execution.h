@@ -51,7 +51,7 @@ struct Execution
   /// What the bodies of a parallel loop may hand on and ask: the calling thread asks the caller,
   /// the others hear what it was told. Reports nothing and runs loops on the thread that it is
   /// given to.
-  Execution insideLoop() const;
+  Execution nestedExecution() const;
   /// The same with loops on the thread that it is given to.
   Execution onOneThread() const
   {

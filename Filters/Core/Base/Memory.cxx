@@ -3,7 +3,7 @@
 
 namespace flattening
 {
-void refuseMemory(std::size_t bytes)
+void throwOutOfMemory(std::size_t bytes)
 {
   throw OutOfMemory(bytes);
 }

@@ -10,8 +10,8 @@
 
 namespace flattening
 {
-/// What refuseMemory() ends a run with where it is known how much is wanted; Core's entries turn
-/// it, and every other std::bad_alloc, into StatusCode::OutOfMemory by withinMemory().
+/// What throwOutOfMemory() ends a run with where it is known how much is wanted; Core's entries
+/// turn it, and every other std::bad_alloc, into StatusCode::OutOfMemory by withinMemory().
 class OutOfMemory : public std::bad_alloc
 {
 public:
@@ -27,7 +27,7 @@ private:
 };
 
 /// Ends the run because of so many bytes that are not there.
-[[noreturn]] void refuseMemory(std::size_t bytes);
+[[noreturn]] void throwOutOfMemory(std::size_t bytes);
 
 /// The status of a run that ended by it. \param bytes that were wanted; 0: not known.
 Status outOfMemory(std::size_t bytes);

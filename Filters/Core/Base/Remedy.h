@@ -83,10 +83,10 @@ inline constexpr int remedyCount = static_cast<int>(Remedy::NameAnotherFile) + 1
 const char* remedyName(Remedy remedy);
 
 /// A remedy and what it is to be applied to.
-struct WayOut
+struct SuggestedRemedy
 {
   // NOLINTNEXTLINE(google-explicit-constructor): a list of remedies is a list of ways out
-  WayOut(Remedy which, std::string what = {})
+  SuggestedRemedy(Remedy which, std::string what = {})
     : remedy(which)
     , subject(std::move(what))
   {
@@ -96,5 +96,5 @@ struct WayOut
   std::string subject; ///< names or numbers, where the remedy has one
 };
 
-using WaysOut = std::vector<WayOut>;
+using SuggestedRemedies = std::vector<SuggestedRemedy>;
 }

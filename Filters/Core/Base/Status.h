@@ -101,7 +101,7 @@ struct Status
   StatusCode code = StatusCode::Ok;
   std::string message; ///< the defect alone; the user interface adds the ways out in its words
   ElementIds ids = {};
-  WaysOut waysOut = {};
+  SuggestedRemedies remedies = {};
   Index curve = none; ///< the polyline that is to blame, where it is one
 
   bool ok() const { return this->code == StatusCode::Ok; }

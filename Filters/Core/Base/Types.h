@@ -44,7 +44,7 @@ using Triangles = std::vector<Triangle>;
 inline constexpr Index none = -1;
 inline constexpr double pi = 3.141592653589793238462643383279502884;
 /// The larger part of a golden section.
-inline constexpr double goldenRatio = 0.618033988749894848204586834365638118;
+inline constexpr double inverseGoldenRatio = 0.618033988749894848204586834365638118;
 inline constexpr double degree = pi / 180.0; ///< in radians
 
 /// Whether points are the same to the last bit. Unlike == it tells signed zeros apart, and knows a

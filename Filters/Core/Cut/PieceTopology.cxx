@@ -103,26 +103,26 @@ Status refusalOf(const std::vector<std::optional<PieceDefect>>& defects)
   }
   const auto count = static_cast<Index>(defects.size());
   std::string message;
-  WaysOut waysOut;
+  SuggestedRemedies remedies;
   if (!closed.empty())
   {
     message += counted(static_cast<Index>(closed.size()), count, "has", "have") +
       " no boundary (triangles " + listIds(closed, mostNamed) + ")";
-    waysOut.emplace_back(Remedy::CutOpen);
+    remedies.emplace_back(Remedy::CutOpen);
   }
   if (!handled.empty())
   {
     message += (message.empty() ? "" : ", ") +
       counted(static_cast<Index>(handled.size()), count, "has", "have") + " handles (triangles " +
       listIds(handled, mostNamed) + ")";
-    waysOut.emplace_back(Remedy::OpenHandles);
+    remedies.emplace_back(Remedy::OpenHandles);
   }
   if (all.size() < defects.size())
   {
-    waysOut.emplace_back(Remedy::SkipClosed);
+    remedies.emplace_back(Remedy::SkipClosed);
   }
   return { closed.empty() ? StatusCode::Handle : StatusCode::ClosedSurface, message,
-    { ElementKind::Cells, all }, waysOut };
+    { ElementKind::Cells, all }, remedies };
 }
 
 CutSurface withoutPieces(const CutSurface& cut, const std::vector<char>& leftOut)

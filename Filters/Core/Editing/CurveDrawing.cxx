@@ -143,8 +143,8 @@ Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, Edite
 
 bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  return (point.carrier == Carrier::Vertex && mesh.onBoundary(point.id)) ||
-    (point.carrier == Carrier::Edge && mesh.twin(point.id) == none);
+  return (point.type == SurfacePointType::Vertex && mesh.onBoundary(point.id)) ||
+    (point.type == SurfacePointType::Edge && mesh.twin(point.id) == none);
 }
 
 SurfacePoint imageOf(

@@ -144,7 +144,7 @@ bool passes(const EditedCurve& curve, Index vertex)
   {
     for (const SurfacePoint& point : segment.points)
     {
-      if (point.carrier == Carrier::Vertex && point.id == vertex)
+      if (point.type == SurfacePointType::Vertex && point.id == vertex)
       {
         return true;
       }

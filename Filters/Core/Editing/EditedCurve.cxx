@@ -12,7 +12,7 @@ namespace
 {
 bool identical(const SurfacePoint& a, const SurfacePoint& b)
 {
-  return a.carrier == b.carrier && a.id == b.id &&
+  return a.type == b.type && a.id == b.id &&
     sameBits({ Point3(a.weights.data()), a.position }, { Point3(b.weights.data()), b.position });
 }
 

@@ -225,8 +225,8 @@ private:
 
 Status checkOptions(const InteriorOptions& options)
 {
-  const auto invalid = [](const char* message, WayOut wayOut) {
-    return Status{ StatusCode::InvalidOption, message, {}, { std::move(wayOut) } };
+  const auto invalid = [](const char* message, SuggestedRemedy suggested) {
+    return Status{ StatusCode::InvalidOption, message, {}, { std::move(suggested) } };
   };
   if (options.method == InteriorMethod::Relaxation)
   {
@@ -275,8 +275,8 @@ Status unfinished(InteriorMethod method, const Indices& patches)
         " did not come to rest in the iterations that are allowed"
       : "the inside of wire-patch " + listIds(patches) + " is not yet as rigid as possible",
     { ElementKind::WirePatches, patches },
-    relaxation ? WaysOut{ Remedy::AllowRelaxationIterations }
-               : WaysOut{ Remedy::AllowRigidIterations, Remedy::MendSlivers } };
+    relaxation ? SuggestedRemedies{ Remedy::AllowRelaxationIterations }
+               : SuggestedRemedies{ Remedy::AllowRigidIterations, Remedy::MendSlivers } };
 }
 
 void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorMethod method,

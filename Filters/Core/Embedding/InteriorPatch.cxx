@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorPatch.h"
 
-#include "Base/Grouping.h"
+#include "Base/CompressedRows.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace flattening
 std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const WireNetwork& network)
 {
   const TriangleMesh& mesh = piece.mesh;
-  const Grouping byPatch = groupBy(network.patchCount, network.patchOfTriangle);
+  const CompressedRows byPatch = groupBy(network.patchCount, network.patchOfTriangle);
   std::vector<InteriorPatch> patches;
   Indices local(mesh.vertexCount(), none);
   Indices pinned;
@@ -117,7 +117,7 @@ PatchMatrix::PatchMatrix(const InteriorPatch& patch)
       }
     }
   };
-  Grouping higher = groupMembers(patch.freeCount, [&eachEdge](const auto& visit) {
+  CompressedRows higher = groupMembers(patch.freeCount, [&eachEdge](const auto& visit) {
     eachEdge([&visit](std::size_t, int, Index low, Index high) { visit(low, high); });
   });
   const Indices& begin = higher.begin;

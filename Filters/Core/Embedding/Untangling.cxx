@@ -339,7 +339,7 @@ UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network
   }
   else
   {
-    const Execution inner = execution.insideLoop();
+    const Execution inner = execution.nestedExecution();
     execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
       for (Index k = begin; k < end; ++k)
       {

@@ -114,12 +114,12 @@ std::optional<PlacedPiece> warpFromConvexStart(
   const Execution execution = context.execution.part(1.0, 1.0);
   const std::vector<double> rigid(wires.problem.groups.size(), 0.0);
   const IsometricOptions options = optionsWithBarrier(context.options.isometric);
-  IsometricSolution solution = warpFromAfar(
+  IsometricSolution solution = warpByPenaltyContinuation(
     context.piece, unlocked, bent(context.piece.mesh, start), rigid, options, execution);
   if (!solution.status.refused() && wires.locks())
   {
     const int before = solution.factorizations;
-    solution = warpFromAfar(
+    solution = warpByPenaltyContinuation(
       context.piece, wires.problem, solution.positions, solution.stretch, options, execution);
     solution.factorizations += before;
   }
@@ -131,8 +131,8 @@ std::optional<PlacedPiece> warpFromConvexStart(
   const DistortionEnergyKind asked = context.options.isometric.energy.kind;
   if (asked != barrier && distortion(context, placed) < surelyFolding)
   {
-    IsometricSolution last = warpFromAfar(context.piece, wires.problem, placed.positions,
-      placed.isometric->stretch, context.options.isometric, execution);
+    IsometricSolution last = warpByPenaltyContinuation(context.piece, wires.problem,
+      placed.positions, placed.isometric->stretch, context.options.isometric, execution);
     if (last.status.refused())
     {
       return std::nullopt;

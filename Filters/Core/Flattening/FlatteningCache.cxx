@@ -3,7 +3,7 @@
 
 namespace flattening
 {
-bool FlatteningCache::serves(
+bool FlatteningCache::isValidFor(
   const TriangleMesh& surface, const CurveLabels& labels, bool skip) const
 {
   const bool whole = this->leftOut.empty();

@@ -42,8 +42,8 @@ struct FlatteningCache
 
   /// Whether cut and pieces are those of the surface with these curves. \param skip whether pieces
   /// that cannot be laid flat are to be left out.
-  bool serves(const TriangleMesh& surface, const CurveLabels& labels, bool skip) const;
-  /// Cuts the surface anew. \param keep whether another run will ask serves().
+  bool isValidFor(const TriangleMesh& surface, const CurveLabels& labels, bool skip) const;
+  /// Cuts the surface anew. \param keep whether another run will ask isValidFor().
   void renew(const TriangleMesh& surface, CurveLabels labels, bool skip, bool keep);
 };
 }

@@ -39,10 +39,10 @@ Status missingGrain(
   {
     constexpr std::size_t most = 5;
     const auto named = static_cast<std::ptrdiff_t>(std::min(most, grain.candidates.size()));
-    status.waysOut.emplace_back(Remedy::NameGrain,
+    status.remedies.emplace_back(Remedy::NameGrain,
       quotedNames(curves, { grain.candidates.begin(), grain.candidates.begin() + named }));
   }
-  status.waysOut.emplace_back(Remedy::GiveGrainAngle);
+  status.remedies.emplace_back(Remedy::GiveGrainAngle);
   return status;
 }
 
@@ -107,10 +107,10 @@ Status beyondLimits(const std::vector<FeatureCurve>& curves, const ClothOptions&
     { ElementKind::Cells, report.outOfLimit }, { Remedy::AddDarts, Remedy::DivideBySeam } };
   if (report.limitingCurve != none)
   {
-    status.waysOut.emplace_back(
+    status.remedies.emplace_back(
       Remedy::ReleaseCurves, quotedNames(curves, { report.limitingCurve }));
   }
-  status.waysOut.emplace_back(Remedy::TakeSofterCloth);
+  status.remedies.emplace_back(Remedy::TakeSofterCloth);
   return status;
 }
 
@@ -180,22 +180,22 @@ public:
                              : ElementIds(ElementKind::Curves, off);
     if (this->Worst <= roundingError)
     {
-      status.waysOut.emplace_back(Remedy::AllowLengthError);
+      status.remedies.emplace_back(Remedy::AllowLengthError);
     }
     const PieceReport& piece = this->Result.pieces.back();
     if (piece.area.tube())
     {
-      status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
+      status.remedies.emplace_back(Remedy::SeamBetweenLoops);
     }
     if (piece.wired)
     {
-      status.waysOut.emplace_back(Remedy::ReleaseCurves,
+      status.remedies.emplace_back(Remedy::ReleaseCurves,
         off.empty() ? "a feature curve"
                     : quotedNames(this->Curves, { off.begin(), off.begin() + this->namedOf(off) }));
     }
-    else if (status.waysOut.empty())
+    else if (status.remedies.empty())
     {
-      status.waysOut.emplace_back(Remedy::AddDarts);
+      status.remedies.emplace_back(Remedy::AddDarts);
     }
     return status;
   }
@@ -278,16 +278,16 @@ Status flippedTriangles(const PieceReport& report, const FlatteningOptions& opti
   const bool conformal = options.scheme == Scheme::LeastSquaresConformal;
   if (!conformal && options.interior.method != InteriorMethod::AsRigidAsPossible)
   {
-    status.waysOut.emplace_back(Remedy::UseRigidInterior);
+    status.remedies.emplace_back(Remedy::UseRigidInterior);
   }
   if (options.scheme != Scheme::Isometric)
   {
-    status.waysOut.emplace_back(Remedy::UseIsometricScheme);
+    status.remedies.emplace_back(Remedy::UseIsometricScheme);
   }
-  status.waysOut.emplace_back(report.area.tube() ? Remedy::SeamBetweenLoops : Remedy::AddDarts);
+  status.remedies.emplace_back(report.area.tube() ? Remedy::SeamBetweenLoops : Remedy::AddDarts);
   if (!conformal && report.wired)
   {
-    status.waysOut.emplace_back(Remedy::ReleaseCurves, "feature curves there");
+    status.remedies.emplace_back(Remedy::ReleaseCurves, "feature curves there");
   }
   return status;
 }
@@ -336,13 +336,13 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
   Status status{ StatusCode::Overlap, message, { ElementKind::Cells, triangles }, {} };
   if (!cuts.empty() && !closeCuts)
   {
-    status.waysOut.emplace_back(Remedy::CloseCuts);
+    status.remedies.emplace_back(Remedy::CloseCuts);
   }
   if (report.boundaryLoops > 1)
   {
-    status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
+    status.remedies.emplace_back(Remedy::SeamBetweenLoops);
   }
-  status.waysOut.emplace_back(Remedy::DivideBySeam);
+  status.remedies.emplace_back(Remedy::DivideBySeam);
   return status;
 }
 
@@ -351,24 +351,24 @@ void explain(const FlatteningOptions& options, PieceReport& report)
 {
   Status& status = report.status;
   const bool sequential = options.angles.method == AngleMethod::Sequential;
-  const bool slow = std::any_of(status.waysOut.begin(), status.waysOut.end(),
-    [](const WayOut& way) { return way.remedy == Remedy::AllowRelaxationIterations; });
+  const bool slow = std::any_of(status.remedies.begin(), status.remedies.end(),
+    [](const SuggestedRemedy& way) { return way.remedy == Remedy::AllowRelaxationIterations; });
   if (report.boundaryLoops > 1 && !slow)
   {
-    status.waysOut.emplace_back(Remedy::SeamBetweenLoops);
+    status.remedies.emplace_back(Remedy::SeamBetweenLoops);
   }
   if (report.area.deep() && !report.area.tube())
   {
     // What keeps it from a minimum is that there is no room; the verdict says where a cut helps.
-    status.waysOut.emplace_back(Remedy::AddDarts);
+    status.remedies.emplace_back(Remedy::AddDarts);
   }
   if (report.wired && !sequential && !slow)
   {
-    status.waysOut.emplace_back(Remedy::ReleaseCurves, "a feature curve");
+    status.remedies.emplace_back(Remedy::ReleaseCurves, "a feature curve");
   }
-  if (status.waysOut.empty())
+  if (status.remedies.empty())
   {
-    status.waysOut.emplace_back(Remedy::MendSlivers);
+    status.remedies.emplace_back(Remedy::MendSlivers);
   }
   const Indices& flipped = report.quality.flipped;
   status.ids = { ElementKind::Cells, flipped };
@@ -387,11 +387,11 @@ Status together(Status worse, const Status& other)
     worse.message += "; " + other.message;
     // Of a broken cloth the other defect may be the cause.
     const bool first = severity(other.code) >= severity(StatusCode::Overlap);
-    WaysOut& ways = worse.waysOut;
+    SuggestedRemedies& ways = worse.remedies;
     auto place = first ? ways.begin() : ways.end();
-    for (const WayOut& way : other.waysOut)
+    for (const SuggestedRemedy& way : other.remedies)
     {
-      const bool known = std::any_of(ways.begin(), ways.end(), [&way](const WayOut& one) {
+      const bool known = std::any_of(ways.begin(), ways.end(), [&way](const SuggestedRemedy& one) {
         return one.remedy == way.remedy && one.subject == way.subject;
       });
       if (!known)

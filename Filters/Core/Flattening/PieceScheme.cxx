@@ -108,7 +108,7 @@ std::optional<FlatWires> flattenDeepPiece(const PieceContext& context, const Pla
 /// Angles without a solution were only a start; where there is a way to one it is told.
 void forgetAngles(const PieceContext& context, FlatWires& flat)
 {
-  const bool good = flat.status.waysOut.empty() && flat.placed.status.ok() &&
+  const bool good = flat.status.remedies.empty() && flat.placed.status.ok() &&
     flat.placed.isometric && flat.placed.isometric->status.ok() &&
     countFlipped(context.piece.mesh, flat.placed.positions) == 0;
   if (good && flat.status.code == StatusCode::NotConverged)

@@ -43,7 +43,7 @@ public:
     {
       return refusal(std::move(labels.status));
     }
-    if (!this->Keep || !this->Kept.serves(this->Mesh, labels, this->Options.skipClosed))
+    if (!this->Keep || !this->Kept.isValidFor(this->Mesh, labels, this->Options.skipClosed))
     {
       this->Kept.renew(this->Mesh, std::move(labels), this->Options.skipClosed, this->Keep);
     }

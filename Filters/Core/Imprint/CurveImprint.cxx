@@ -256,8 +256,8 @@ private:
       const Index vertex = this->Placement.vertex(c, i);
       const SurfacePoint here =
         vertex != none ? vertexPoint(this->Mesh, vertex) : snapToMesh(this->Mesh, snap, located[i]);
-      const bool same = i > 0 && here.carrier == last.carrier && here.id == last.id &&
-        (here.carrier == Carrier::Vertex || here.weights == last.weights);
+      const bool same = i > 0 && here.type == last.type && here.id == last.id &&
+        (here.type == SurfacePointType::Vertex || here.weights == last.weights);
       if (i > 0 && !same)
       {
         SurfacePath path = traceSegment(this->Mesh, snap, last, here);
@@ -305,13 +305,13 @@ private:
       " (" + shortNumber(at.x()) + ", " + shortNumber(at.y()) + ", " + shortNumber(at.z()) + ")";
     const char* defect = path.atBoundary ? " the curve leaves the surface at"
                                          : " the curve cannot be followed over the surface from";
-    WaysOut waysOut{ Remedy::AddCurvePoints };
+    SuggestedRemedies remedies{ Remedy::AddCurvePoints };
     if (path.atBoundary)
     {
-      waysOut.emplace_back(Remedy::EndAtBoundary);
+      remedies.emplace_back(Remedy::EndAtBoundary);
     }
     return { StatusCode::CurveLeavesSurface, between + defect + place,
-      { ElementKind::CurvePoints, ids }, std::move(waysOut) };
+      { ElementKind::CurvePoints, ids }, std::move(remedies) };
   }
 
   void fillRoutes(const SplitSurface& surface, std::vector<Route>& routes) const

@@ -282,10 +282,10 @@ void CurvePlacement::keepNearVertices(
   }
 }
 
-WaysOut CurvePlacement::waysFrom(double farthest) const
+SuggestedRemedies CurvePlacement::waysFrom(double farthest) const
 {
   const double fraction = roundedUp(farthest / this->Diagonal);
-  WaysOut ways{ Remedy::ProjectPoints };
+  SuggestedRemedies ways{ Remedy::ProjectPoints };
   if (fraction <= nearby)
   {
     ways.push_back({ Remedy::RaiseImprintTolerance, shortNumber(fraction) });

@@ -29,7 +29,7 @@ public:
 
 private:
   void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const;
-  WaysOut waysFrom(double farthest) const;
+  SuggestedRemedies waysFrom(double farthest) const;
 
   const TriangleMesh& Mesh;
   const std::vector<Polyline>& Polylines;

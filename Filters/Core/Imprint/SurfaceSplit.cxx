@@ -81,7 +81,7 @@ private:
   Indices Alias;                   ///< the node that a node became one with
   Indices VertexOfNode;
   EdgeNodes OnEdge;
-  std::map<std::tuple<Carrier, Index, std::array<double, 3>>, Index> Known;
+  std::map<std::tuple<SurfacePointType, Index, std::array<double, 3>>, Index> Known;
 };
 
 bool before(const NodeOnEdge& node, double fraction)
@@ -160,17 +160,17 @@ Index SplitNodes::add(const SurfacePoint& point)
 
 SplitNodes::Place SplitNodes::place(const SurfacePoint& point)
 {
-  if (point.carrier == Carrier::Vertex)
+  if (point.type == SurfacePointType::Vertex)
   {
     return { point.id, false };
   }
   const auto [known, isUnknown] =
-    this->Known.emplace(std::make_tuple(point.carrier, point.id, point.weights), none);
+    this->Known.emplace(std::make_tuple(point.type, point.id, point.weights), none);
   if (!isUnknown)
   {
     return { known->second, false };
   }
-  if (point.carrier == Carrier::Edge)
+  if (point.type == SurfacePointType::Edge)
   {
     const double near = this->Snap.ofEdge(point.id) / this->Mesh.length(point.id);
     known->second = this->OnEdge.nearest(point.id, point.weights[1], near);
@@ -180,7 +180,7 @@ SplitNodes::Place SplitNodes::place(const SurfacePoint& point)
     }
   }
   known->second = this->add(point);
-  if (point.carrier == Carrier::Edge)
+  if (point.type == SurfacePointType::Edge)
   {
     this->OnEdge.insert(point.id, point.weights[1], known->second);
   }
@@ -207,7 +207,7 @@ std::vector<VertexSource> SplitNodes::numberVertices()
       continue;
     }
     const SurfacePoint& point = this->Nodes[i];
-    const bool onEdge = point.carrier == Carrier::Edge;
+    const bool onEdge = point.type == SurfacePointType::Edge;
     const Index from = onEdge ? this->Mesh.from(point.id) : none;
     this->VertexOfNode[i] = static_cast<Index>(sources.size());
     sources.push_back(
@@ -322,7 +322,7 @@ private:
   Index nodeOf(const SurfacePoint& point)
   {
     const SplitNodes::Place place = this->Nodes.place(point);
-    if (place.isNew && point.carrier == Carrier::Face)
+    if (place.isNew && point.type == SurfacePointType::Face)
     {
       this->Tasks[this->taskOf(point.id)].points.push_back(place.node);
     }
@@ -381,7 +381,7 @@ private:
          ++v)
     {
       task.nodeOfVertex.push_back(
-        this->Nodes.add({ Carrier::Face, t, triangulation.weights(v), Point3::Zero() }));
+        this->Nodes.add({ SurfacePointType::Face, t, triangulation.weights(v), Point3::Zero() }));
     }
     task.triangulation.emplace(std::move(triangulation));
     return ok;
@@ -505,9 +505,9 @@ private:
   double fractionAlong(Index low, Index id) const
   {
     const SurfacePoint point = this->Nodes.point(id);
-    return point.carrier == Carrier::Edge ? point.weights[1]
-      : id == this->Mesh.from(low)        ? 0.0
-                                          : 1.0;
+    return point.type == SurfacePointType::Edge ? point.weights[1]
+      : id == this->Mesh.from(low)              ? 0.0
+                                                : 1.0;
   }
 
   const TriangleMesh& Mesh;

@@ -230,7 +230,7 @@ IsometricModel::Terms IsometricModel::terms(
   return terms;
 }
 
-bool IsometricModel::settle(const Eigen::VectorXd& multipliers)
+bool IsometricModel::switchToFinalObjective(const Eigen::VectorXd& multipliers)
 {
   if (this->KeepsStiffness || this->Settled)
   {

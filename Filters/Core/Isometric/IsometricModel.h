@@ -26,10 +26,10 @@ Dissection dissectVertices(
 /// Unknowns: x and y of every vertex, then the stretch h of each elastic curve. Minimized is
 ///   sum a_t f(J_t) + sum k_i (theta_i - alpha_i)^2 + sum weight_g h_g^2 / 2
 /// with a_t the area of triangle t over the mean area, f the sheet's energy density, theta_i the
-/// planar angle of wire-node i and k_i its stiffness, the same for all forces until settle() is
-/// told them; constraints are the length of each wire edge, |x_a - x_b| = l (1 +
-/// h), the angle of each locked node, and the hold. Edges of connectors are no
-/// constraint here: the triangles beside them hold them, and nodes on them have no angle term.
+/// planar angle of wire-node i and k_i its stiffness, the same for all forces until
+/// switchToFinalObjective() is told them; constraints are the length of each wire edge, |x_a - x_b|
+/// = l (1 + h), the angle of each locked node, and the hold. Edges of connectors are no constraint
+/// here: the triangles beside them hold them, and nodes on them have no angle term.
 class IsometricModel : public NewtonKktModel
 {
 public:
@@ -64,7 +64,7 @@ public:
   Eigen::VectorXd constraints(const Eigen::VectorXd& x) const override;
   /// Takes the multipliers of lengths for the forces in the wires, and makes these as stiff as they
   /// ask for.
-  bool settle(const Eigen::VectorXd& multipliers) override;
+  bool switchToFinalObjective(const Eigen::VectorXd& multipliers) override;
   /// Lets all wires keep the stiffness that they have.
   void keepStiffness() { this->KeepsStiffness = true; }
   /// Per wire-node k_i; 0 for nodes without a term.

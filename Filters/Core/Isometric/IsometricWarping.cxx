@@ -14,8 +14,8 @@ namespace flattening
 namespace
 {
 /// In the model's unit of length.
-constexpr double stillMove = 1e-10;
-constexpr double stillLengthTolerance = 1e-8;
+constexpr double stepTolerance = 1e-10;
+constexpr double stepLengthTolerance = 1e-8;
 /// Far from the minimum the exact Hessian is seldom convex; it pays once no vertex moves by
 /// that unit.
 constexpr double exactWithin = 1.0;
@@ -30,20 +30,20 @@ constexpr double penaltyShare = 0.1;
 constexpr int corrections = 5;
 /// Forces change so little from there on that the piece does not: with 1e-1 and 1e-5 all measures
 /// of 72 pieces are the same to three digits.
-constexpr double settlePromise = 0.1;
-constexpr double settleConstraint = 1e-2;
+constexpr double finalObjectiveReduction = 0.1;
+constexpr double finalObjectiveConstraint = 1e-2;
 /// Threads that are relaid bend the Hessian downwards all the way, not at saddles alone.
-constexpr double clothSaddlePromise = 1e-3;
+constexpr double clothSaddleReduction = 1e-3;
 /// A step by an earlier factorization costs about a tenth of one by its own.
-constexpr double followed = 0.1;
+constexpr double chordReduction = 0.1;
 /// A piece that has not come near a minimum by then may do so with other wires.
-constexpr int settleBy = 30;
+constexpr int finalObjectiveIteration = 30;
 
 /// Factorizations for triangles, so that time is bounded on every mesh: about 0.1 s each for the
 /// first number of triangles on a core of 2024, and no more for the second than anything needs.
 constexpr double triangleFactorizations = 4e6;
 constexpr int fewestFactorizations = 40;
-constexpr int mostFactorizations = 180;
+constexpr int maximumFactorizations = 180;
 /// From so many coordinates on the memory of a factor is what limits solving with it.
 constexpr Index singleFrom = 10000;
 /// Below so many coordinates of a plain sheet threads take longer to start than they save.
@@ -57,41 +57,42 @@ int allowance(const IsometricModel& model, double share)
   const double triangles = 0.5 * static_cast<double>(model.coordinateCount());
   return static_cast<int>(share *
     std::clamp(triangleFactorizations / (2.0 * triangles), double{ fewestFactorizations },
-      double{ mostFactorizations }));
+      double{ maximumFactorizations }));
 }
 
 NewtonKktOptions newtonOptions(const IsometricOptions& options)
 {
   NewtonKktOptions newton;
   newton.maximumIterations = options.maximumIterations;
-  newton.constraintTolerance = options.rough ? settleConstraint : options.lengthTolerance;
+  newton.constraintTolerance = options.rough ? finalObjectiveConstraint : options.lengthTolerance;
   newton.optimalityTolerance = options.tolerance;
-  newton.promiseTolerance = options.rough ? settlePromise : options.tolerance * options.tolerance;
-  newton.stillMove = stillMove;
-  newton.stillConstraintTolerance = stillLengthTolerance;
+  newton.reductionTolerance =
+    options.rough ? finalObjectiveReduction : options.tolerance * options.tolerance;
+  newton.stepTolerance = stepTolerance;
+  newton.stepConstraintTolerance = stepLengthTolerance;
   newton.exactWithin = exactWithin;
   newton.exactBeforeSettling = options.cloth ? clothExactWithin : exactWithin;
   newton.penaltyMargin = penaltyMargin;
   newton.penaltyShare = penaltyShare;
   newton.corrections = corrections;
-  newton.settlePromise = settlePromise;
-  newton.settleConstraint = settleConstraint;
-  newton.settleBy = settleBy;
+  newton.finalObjectiveReduction = finalObjectiveReduction;
+  newton.finalObjectiveConstraint = finalObjectiveConstraint;
+  newton.finalObjectiveIteration = finalObjectiveIteration;
   // Threads come to rest in fewer iterations by them as well, but not sooner.
   newton.correctsAgain = !options.cloth;
-  newton.saddlePromise = options.cloth ? clothSaddlePromise : settlePromise;
+  newton.saddleReduction = options.cloth ? clothSaddleReduction : finalObjectiveReduction;
   newton.phase = "Warping wires and interior together";
   return newton;
 }
 
 /// A piece's problem, and an order of elimination for it.
-struct Posed
+struct IsometricSetup
 {
   std::optional<IsometricModel> model;
   Dissection order;
 
   /// \param start where its vertices lie
-  Posed(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
+  IsometricSetup(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
     const IsometricOptions& options, const Points2& start, const Execution& execution)
   {
     const auto pose = [&](Index part) {
@@ -121,16 +122,16 @@ struct Posed
   }
 };
 
-IsometricSolution minimized(Posed& posed, NewtonKktState start, const IsometricOptions& options,
-  bool fromAfar, const Execution& execution)
+IsometricSolution minimized(IsometricSetup& posed, NewtonKktState start,
+  const IsometricOptions& options, bool fromAfar, const Execution& execution)
 {
   IsometricModel& model = *posed.model;
   IsometricSolution solution;
   NewtonKktOptions newton = newtonOptions(options);
-  newton.mostFactorizations = allowance(model, 1.0);
+  newton.maximumFactorizations = allowance(model, 1.0);
   newton.amongSaddles = fromAfar || options.cloth.has_value();
   // Where little is left of triangles, the matrix of one point says little of the next.
-  newton.followed = fromAfar ? 0.0 : followed;
+  newton.chordReduction = fromAfar ? 0.0 : chordReduction;
   newton.observe = [&](const NewtonKktRecord& record) {
     solution.history.push_back(
       { record.objective, record.violation, record.optimality, record.largestMove, record.exact });
@@ -156,14 +157,16 @@ IsometricSolution minimized(Posed& posed, NewtonKktState start, const IsometricO
   solution.stiffness = model.stiffness();
   if (!end.converged())
   {
-    const bool exhausted = end.ending == Ending::Exhausted;
+    const bool exhausted = end.termination == Termination::IterationLimit;
     const bool mayGoOn = solution.iterations >= options.maximumIterations;
     const std::string iterations = std::to_string(solution.iterations) + " iterations";
     solution.status = { StatusCode::NotConverged,
       exhausted ? "the isometric scheme did not converge in " + iterations
                 : "the isometric scheme stopped short of a minimum after " + iterations +
           ", and more would change nothing",
-      {}, exhausted && mayGoOn ? WaysOut{ Remedy::AllowIsometricIterations } : WaysOut{} };
+      {},
+      exhausted && mayGoOn ? SuggestedRemedies{ Remedy::AllowIsometricIterations }
+                           : SuggestedRemedies{} };
   }
   return solution;
 }
@@ -202,20 +205,20 @@ IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& prob
   const SheetEnergy energy = options.cloth
     ? SheetEnergy(ClothEnergy(options.cloth->material, options.cloth->limitStiffness))
     : SheetEnergy(options.energy);
-  Posed posed(piece, problem, energy, options, start, execution);
+  IsometricSetup posed(piece, problem, energy, options, start, execution);
   IsometricSolution solution =
     minimized(posed, { posed.model->unknowns(start, startStretch), {} }, options, false, execution);
   correctLengths(problem, solution);
   return solution;
 }
 
-IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
+IsometricSolution warpByPenaltyContinuation(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution)
 {
-  Posed posed(piece, problem, options.energy, options, start, execution);
+  IsometricSetup posed(piece, problem, options.energy, options, start, execution);
   PenaltyDescentOptions descent;
-  descent.mostFactorizations = allowance(*posed.model, descentShare);
+  descent.maximumFactorizations = allowance(*posed.model, descentShare);
   NewtonKktState near = descend(*posed.model, posed.model->unknowns(start, startStretch),
     LinearSolver(posed.order), descent, execution);
   IsometricSolution solution;

@@ -81,7 +81,7 @@ IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& prob
 /// knows a barrier, and get none: lengths and locked angles are sought by penalties that grow
 /// (descend()), so that pressed wires have time to give way, before the iteration above ends it.
 /// Its steps alone are counted and recorded.
-IsometricSolution warpFromAfar(const Piece& piece, const AngleProblem& problem,
+IsometricSolution warpByPenaltyContinuation(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
   const Execution& execution);
 }

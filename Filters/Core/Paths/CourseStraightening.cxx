@@ -62,8 +62,8 @@ VertexDirection directionWithin(
   return { h, angleBetween(mesh.point(mesh.to(h)) - apex, other.position - apex), false };
 }
 
-VertexDirection leavingDirection(
-  const TriangleMesh& mesh, const SurfacePoint& vertex, const PathLeg& leg, const SurfacePoint& to)
+VertexDirection leavingDirection(const TriangleMesh& mesh, const SurfacePoint& vertex,
+  const GeodesicSegment& leg, const SurfacePoint& to)
 {
   if (leg.crossed.empty())
   {
@@ -73,7 +73,7 @@ VertexDirection leavingDirection(
 }
 
 VertexDirection arrivingDirection(const TriangleMesh& mesh, const SurfacePoint& from,
-  const PathLeg& leg, const SurfacePoint& vertex)
+  const GeodesicSegment& leg, const SurfacePoint& vertex)
 {
   if (leg.crossed.empty())
   {
@@ -117,8 +117,9 @@ KnotSide sectorBetween(
   return side;
 }
 
-KnotSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before, const PathLeg& arriving,
-  const SurfacePoint& knot, const PathLeg& leaving, const SurfacePoint& after)
+KnotSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before,
+  const GeodesicSegment& arriving, const SurfacePoint& knot, const GeodesicSegment& leaving,
+  const SurfacePoint& after)
 {
   const VertexDirection in = arrivingDirection(mesh, before, arriving, knot);
   const VertexDirection out = leavingDirection(mesh, knot, leaving, after);
@@ -155,7 +156,7 @@ constexpr double atVertex = 1e-13;
 class Straightening
 {
 public:
-  Straightening(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns)
+  Straightening(const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostTurns)
     : Mesh(mesh)
     , Course(course)
     , Left(mostTurns)
@@ -185,7 +186,7 @@ private:
     {
       return false;
     }
-    const PathCourse& c = this->Course;
+    const GeodesicPath& c = this->Course;
     KnotSide side =
       sharperSide(this->Mesh, c.knots[k - 1], c.legs[k - 1], c.knots[k], c.legs[k], c.knots[k + 1]);
     if (!(side.angle < pi - straightAngle))
@@ -206,7 +207,7 @@ private:
   /// Whether the path goes back from knot k along the edge by which it came.
   bool turnsBack(std::size_t k) const
   {
-    const PathCourse& c = this->Course;
+    const GeodesicPath& c = this->Course;
     return k > 0 && k + 1 < c.knots.size() && c.legs[k - 1].crossed.empty() &&
       c.legs[k].crossed.empty() && samePlace(c.knots[k - 1], c.knots[k + 1]);
   }
@@ -214,7 +215,7 @@ private:
   bool pass()
   {
     this->Bent.clear();
-    PathCourse after;
+    GeodesicPath after;
     std::vector<char> fresh{ 0 };
     after.knots.push_back(this->Course.knots.front());
     bool changed = false;
@@ -237,7 +238,7 @@ private:
       }
       else
       {
-        const PathCourse tight = this->ledRound(k, next);
+        const GeodesicPath tight = this->ledRound(k, next);
         fresh.back() = 1;
         after.legs.insert(after.legs.end(), tight.legs.begin(), tight.legs.end());
         after.knots.insert(after.knots.end(), tight.knots.begin() + 1, tight.knots.end());
@@ -264,9 +265,9 @@ private:
   }
 
   /// The tight way from one knot to another on the sharper sides of those between.
-  PathCourse ledRound(std::size_t first, std::size_t last)
+  GeodesicPath ledRound(std::size_t first, std::size_t last)
   {
-    const PathCourse& c = this->Course;
+    const GeodesicPath& c = this->Course;
     Indices crossed;
     double length = 0.0;
     for (std::size_t k = first; k < last; ++k)
@@ -293,7 +294,7 @@ private:
     const SurfacePoint& end = c.knots[last];
     this->Unfolded += crossed.size();
     crossed = reducedStrip(this->Mesh, start, crossed, end);
-    PathCourse tight;
+    GeodesicPath tight;
     if (crossed.empty() && samePlace(start, end))
     {
       tight.knots = { start };
@@ -302,7 +303,7 @@ private:
     {
       tight = shortestInStrip(this->Mesh, start, crossed, end);
     }
-    for (const PathLeg& leg : tight.legs)
+    for (const GeodesicSegment& leg : tight.legs)
     {
       length -= leg.length / leastGain;
     }
@@ -314,7 +315,7 @@ private:
   }
 
   const TriangleMesh& Mesh;
-  PathCourse& Course;
+  GeodesicPath& Course;
   std::size_t Left;                    ///< turns
   std::size_t Unfolded = 0;            ///< half-edges
   std::vector<char> Fresh;             ///< knots whose legs have changed since they were looked at
@@ -336,7 +337,7 @@ Index halfedgeIn(const TriangleMesh& mesh, Index edge, Index triangle)
 
 /// Appends the tight way to the next knot over the half-edges crossed since the last one.
 void appendKnot(
-  const TriangleMesh& mesh, const SurfacePoint& knot, Indices& crossed, PathCourse& course)
+  const TriangleMesh& mesh, const SurfacePoint& knot, Indices& crossed, GeodesicPath& course)
 {
   const SurfacePoint start = course.knots.back();
   const Indices strip = reducedStrip(mesh, start, crossed, knot);
@@ -345,7 +346,7 @@ void appendKnot(
   {
     return;
   }
-  PathCourse tight = shortestInStrip(mesh, start, strip, knot);
+  GeodesicPath tight = shortestInStrip(mesh, start, strip, knot);
   for (std::size_t i = 0; i < tight.legs.size(); ++i)
   {
     course.legs.push_back(std::move(tight.legs[i]));
@@ -354,20 +355,20 @@ void appendKnot(
 }
 }
 
-Indices straighten(const TriangleMesh& mesh, PathCourse& course)
+Indices straighten(const TriangleMesh& mesh, GeodesicPath& course)
 {
   return straighten(mesh, course, enoughTurns(mesh));
 }
 
-Indices straighten(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns)
+Indices straighten(const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostTurns)
 {
   Straightening straightening(mesh, course, mostTurns);
   straightening.run(std::numeric_limits<std::size_t>::max());
   return straightening.bent();
 }
 
-bool straightenAWhile(
-  const TriangleMesh& mesh, PathCourse& course, std::size_t mostUnfolded, Indices& bent)
+bool straightenWithBudget(
+  const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostUnfolded, Indices& bent)
 {
   Straightening straightening(mesh, course, enoughTurns(mesh));
   const bool ended = straightening.run(mostUnfolded);
@@ -375,19 +376,19 @@ bool straightenAWhile(
   return ended;
 }
 
-PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path)
+GeodesicPath courseAlong(const TriangleMesh& mesh, const SurfacePath& path)
 {
-  PathCourse course;
+  GeodesicPath course;
   course.knots.push_back(path.points.front());
   Indices crossed;
   for (std::size_t i = 1; i < path.points.size(); ++i)
   {
     const SurfacePoint& point = path.points[i];
-    if (i + 1 == path.points.size() || point.carrier == Carrier::Vertex)
+    if (i + 1 == path.points.size() || point.type == SurfacePointType::Vertex)
     {
       appendKnot(mesh, point, crossed, course);
     }
-    else if (point.carrier == Carrier::Edge && path.triangles[i - 1] != path.triangles[i])
+    else if (point.type == SurfacePointType::Edge && path.triangles[i - 1] != path.triangles[i])
     {
       crossed.push_back(halfedgeIn(mesh, point.id, path.triangles[i - 1]));
     }
@@ -400,12 +401,12 @@ PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path)
   return course;
 }
 
-SurfacePath pathAlong(const TriangleMesh& mesh, const PathCourse& course)
+SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& course)
 {
   SurfacePath path;
   path.points.push_back(course.knots.front());
   const auto push = [&path](const SurfacePoint& point, Index triangle) {
-    if (!(point.carrier == Carrier::Vertex && samePlace(point, path.points.back())))
+    if (!(point.type == SurfacePointType::Vertex && samePlace(point, path.points.back())))
     {
       path.points.push_back(point);
       path.triangles.push_back(triangle);

@@ -28,10 +28,10 @@ struct KnotSide
 VertexDirection directionWithin(
   const TriangleMesh& mesh, const SurfacePoint& vertex, const SurfacePoint& other);
 /// Direction of a leg that leaves a vertex, and of one that arrives there, seen from the vertex.
-VertexDirection leavingDirection(
-  const TriangleMesh& mesh, const SurfacePoint& vertex, const PathLeg& leg, const SurfacePoint& to);
+VertexDirection leavingDirection(const TriangleMesh& mesh, const SurfacePoint& vertex,
+  const GeodesicSegment& leg, const SurfacePoint& to);
 VertexDirection arrivingDirection(const TriangleMesh& mesh, const SurfacePoint& from,
-  const PathLeg& leg, const SurfacePoint& vertex);
+  const GeodesicSegment& leg, const SurfacePoint& vertex);
 
 /// The sector from one direction anti-clockwise to the other; `crossed` in this order.
 KnotSide sectorBetween(
@@ -39,8 +39,9 @@ KnotSide sectorBetween(
 
 /// The side of a knot with the smaller angle, `crossed` along the path.
 /// \pre The knot between the legs is a vertex.
-KnotSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before, const PathLeg& arriving,
-  const SurfacePoint& knot, const PathLeg& leaving, const SurfacePoint& after);
+KnotSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before,
+  const GeodesicSegment& arriving, const SurfacePoint& knot, const GeodesicSegment& leaving,
+  const SurfacePoint& after);
 
 /// The least angle that a straightened path has on each side of a vertex that it goes through, less
 /// pi.
@@ -52,16 +53,16 @@ inline constexpr double straightAngle = 5e-10;
 /// only gets shorter. Sides where the surface ends are left.
 /// \return the vertices where rounding left a smaller angle than straightAngle allows, and where
 /// the turns were used up, ten for each vertex of the mesh and a thousand more; none as a rule.
-Indices straighten(const TriangleMesh& mesh, PathCourse& course);
+Indices straighten(const TriangleMesh& mesh, GeodesicPath& course);
 /// As above. \param mostTurns how often the course is led round a vertex
-Indices straighten(const TriangleMesh& mesh, PathCourse& course, std::size_t mostTurns);
+Indices straighten(const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostTurns);
 /// As the first, but only until it has unfolded so many half-edges, where it takes more.
 /// \return whether it came to its end
-bool straightenAWhile(
-  const TriangleMesh& mesh, PathCourse& course, std::size_t mostUnfolded, Indices& bent);
+bool straightenWithBudget(
+  const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostUnfolded, Indices& bent);
 
 /// A course along points of which each two neighbours lie in the triangle between them.
-PathCourse courseAlong(const TriangleMesh& mesh, const SurfacePath& path);
+GeodesicPath courseAlong(const TriangleMesh& mesh, const SurfacePath& path);
 /// The points at which a course passes knots and edges.
-SurfacePath pathAlong(const TriangleMesh& mesh, const PathCourse& course);
+SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& course);
 }

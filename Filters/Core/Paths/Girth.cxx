@@ -42,7 +42,7 @@ bool findStation(const TriangleMesh& mesh, SurfacePath& path, const SurfacePoint
   for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
   {
     // An edge may lie in the plane, and be crossed anywhere.
-    if (path.points[i].carrier == Carrier::Edge && point.carrier == Carrier::Edge &&
+    if (path.points[i].type == SurfacePointType::Edge && point.type == SurfacePointType::Edge &&
       path.points[i].id == point.id && std::count(taken.begin(), taken.end(), i) == 0)
     {
       path.points[i] = point;
@@ -161,8 +161,8 @@ PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& po
     double high = best + pi / planes;
     for (int k = 0; k < planeHalvings; ++k)
     {
-      const double a = high - goldenRatio * (high - low);
-      const double b = low + goldenRatio * (high - low);
+      const double a = high - inverseGoldenRatio * (high - low);
+      const double b = low + inverseGoldenRatio * (high - low);
       (tape(a) <= tape(b) ? high : low) = tape(a) <= tape(b) ? b : a;
     }
     const double refined = tape(0.5 * (low + high)) <= shortest ? 0.5 * (low + high) : best;

@@ -161,7 +161,7 @@ void OffsetFront::start(
 {
   for (const SurfacePoint& point : path.points)
   {
-    if (point.carrier == Carrier::Vertex)
+    if (point.type == SurfacePointType::Vertex)
     {
       this->Reached[point.id] = 0.0;
     }

@@ -67,8 +67,8 @@ public:
     double high = std::min(place + start.length, this->length());
     for (int k = 0; k < narrowings && high - low > 1e-9 * this->length(); ++k)
     {
-      const double a = high - goldenRatio * (high - low);
-      const double b = low + goldenRatio * (high - low);
+      const double a = high - inverseGoldenRatio * (high - low);
+      const double b = low + inverseGoldenRatio * (high - low);
       const bool nearerA = this->from(a).length <= this->from(b).length;
       (nearerA ? high : low) = nearerA ? b : a;
     }

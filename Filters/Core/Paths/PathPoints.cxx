@@ -14,12 +14,12 @@ constexpr double leastWeight = 1e-12;
 
 std::array<double, 3> weightsIn(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point)
 {
-  if (point.carrier == Carrier::Face)
+  if (point.type == SurfacePointType::Face)
   {
     return point.weights;
   }
   std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
-  const bool vertex = point.carrier == Carrier::Vertex;
+  const bool vertex = point.type == SurfacePointType::Vertex;
   for (Index k = 0; k < 3; ++k)
   {
     const Index corner = mesh.triangle(triangle)[k];
@@ -37,13 +37,13 @@ std::array<double, 3> weightsIn(const TriangleMesh& mesh, Index triangle, const 
 
 bool liesOn(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  switch (point.carrier)
+  switch (point.type)
   {
-    case Carrier::Vertex:
+    case SurfacePointType::Vertex:
       return point.id >= 0 && point.id < mesh.vertexCount() && mesh.outgoing(point.id) != none;
-    case Carrier::Edge:
+    case SurfacePointType::Edge:
       return point.id >= 0 && point.id < mesh.halfedgeCount() && edgeOf(mesh, point.id) == point.id;
-    case Carrier::Face:
+    case SurfacePointType::Face:
       break;
   }
   return point.id >= 0 && point.id < mesh.triangleCount();
@@ -71,8 +71,8 @@ bool liesOn(const TriangleMesh& mesh, const SurfacePath& path)
 
 bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
 {
-  return a.carrier == b.carrier && a.id == b.id &&
-    (a.carrier == Carrier::Vertex || a.weights == b.weights);
+  return a.type == b.type && a.id == b.id &&
+    (a.type == SurfacePointType::Vertex || a.weights == b.weights);
 }
 
 SurfacePoint pointOf(const TriangleMesh& mesh, Index triangle, const std::array<double, 3>& weights)
@@ -98,7 +98,7 @@ SurfacePoint pointOf(const TriangleMesh& mesh, Index triangle, const std::array<
     const Index low = edgeOf(mesh, h);
     return edgePoint(mesh, low, low == h ? atEnd : 1.0 - atEnd);
   }
-  return { Carrier::Face, triangle, weights, position };
+  return { SurfacePointType::Face, triangle, weights, position };
 }
 
 SurfacePoint pointBetween(

@@ -14,7 +14,7 @@ bool liesOn(const TriangleMesh& mesh, const SurfacePath& path);
 std::array<double, 3> weightsIn(
   const TriangleMesh& mesh, Index triangle, const SurfacePoint& point);
 
-/// Whether two points have the same carrier and weights.
+/// Whether two points have the same type, id and weights.
 bool samePlace(const SurfacePoint& a, const SurfacePoint& b);
 
 /// A point of a triangle by the weights of its corners; on an edge or at a vertex where weights

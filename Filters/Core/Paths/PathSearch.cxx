@@ -16,7 +16,7 @@ constexpr double roundingOfPaths = 0x1p20;
 /// Corners of the triangles around a point, each once; a vertex is its own only corner.
 Indices cornersAround(const TriangleMesh& mesh, const SurfacePoint& point)
 {
-  if (point.carrier == Carrier::Vertex)
+  if (point.type == SurfacePointType::Vertex)
   {
     return { point.id };
   }
@@ -152,7 +152,7 @@ Index PathSearch::crossedBetween(Index from, Index to) const
   return best->crossed;
 }
 
-PathCourse PathSearch::courseTo(const SurfacePoint& target)
+GeodesicPath PathSearch::courseTo(const SurfacePoint& target)
 {
   const TriangleMesh& mesh = this->Graph.mesh();
   const Index last = this->lastVertex(target);
@@ -160,10 +160,10 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target)
   {
     return {};
   }
-  PathCourse course;
+  GeodesicPath course;
   course.knots.push_back(this->Source);
   const auto append = [&](const SurfacePoint& knot, const Indices& crossed) {
-    PathCourse tight = shortestInStrip(mesh, course.knots.back(), crossed, knot);
+    GeodesicPath tight = shortestInStrip(mesh, course.knots.back(), crossed, knot);
     for (std::size_t i = 0; i < tight.legs.size(); ++i)
     {
       course.legs.push_back(std::move(tight.legs[i]));
@@ -173,14 +173,14 @@ PathCourse PathSearch::courseTo(const SurfacePoint& target)
   Index before = none;
   for (const Index v : this->chainTo(last))
   {
-    if (before != none || this->Source.carrier != Carrier::Vertex)
+    if (before != none || this->Source.type != SurfacePointType::Vertex)
     {
       const Index crossed = before != none ? this->crossedBetween(before, v) : none;
       append(vertexPoint(mesh, v), crossed != none ? Indices{ crossed } : Indices());
     }
     before = v;
   }
-  if (target.carrier != Carrier::Vertex || course.legs.empty())
+  if (target.type != SurfacePointType::Vertex || course.legs.empty())
   {
     append(target, {});
   }

@@ -32,7 +32,7 @@ public:
   PathArcs arcs() const { return this->Used; }
   /// The shortest path to a target as a course; no knots where there is none. \pre The target lies
   /// on the graph's mesh.
-  PathCourse courseTo(const SurfacePoint& target);
+  GeodesicPath courseTo(const SurfacePoint& target);
 
 private:
   /// What is known of a vertex, in one place of memory.

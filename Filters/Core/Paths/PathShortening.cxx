@@ -242,9 +242,9 @@ private:
   /// The half-edge of the triangle that a point lies on; none where it is no point of an edge.
   Index edgeIn(const SurfacePoint& point, Index triangle) const
   {
-    return point.carrier != Carrier::Edge ? none
-      : point.id / 3 == triangle          ? point.id
-                                          : this->Mesh.twin(point.id);
+    return point.type != SurfacePointType::Edge ? none
+      : point.id / 3 == triangle                ? point.id
+                                                : this->Mesh.twin(point.id);
   }
 
   const TriangleMesh& Mesh;

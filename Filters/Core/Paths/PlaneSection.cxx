@@ -72,9 +72,9 @@ private:
 
   bool startsOn(Index h) const
   {
-    return this->Start.carrier == Carrier::Vertex
+    return this->Start.type == SurfacePointType::Vertex
       ? this->Mesh.from(h) == this->Start.id || this->Mesh.to(h) == this->Start.id
-      : this->Start.carrier == Carrier::Edge && edgeOf(this->Mesh, h) == this->Start.id;
+      : this->Start.type == SurfacePointType::Edge && edgeOf(this->Mesh, h) == this->Start.id;
   }
 
   SurfacePoint crossing(Index h) const

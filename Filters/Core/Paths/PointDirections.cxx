@@ -11,12 +11,12 @@ namespace flattening
 PointDirections::PointDirections(const TriangleMesh& mesh, const SurfacePoint& point)
   : Apex(point.position)
 {
-  if (point.carrier == Carrier::Face)
+  if (point.type == SurfacePointType::Face)
   {
     this->add(mesh, 3 * point.id, 2.0 * pi);
     return;
   }
-  if (point.carrier == Carrier::Edge)
+  if (point.type == SurfacePointType::Edge)
   {
     const Index twin = mesh.twin(point.id);
     this->add(mesh, point.id, pi);

@@ -72,9 +72,9 @@ private:
   bool moveBase()
   {
     const std::size_t knots = this->Course.knots.size();
-    if (this->Loop.points.front().carrier == Carrier::Vertex)
+    if (this->Loop.points.front().type == SurfacePointType::Vertex)
     {
-      const PathCourse& c = this->Course;
+      const GeodesicPath& c = this->Course;
       const KnotSide side = sharperSide(
         this->Mesh, c.knots[knots - 2], c.legs.back(), c.knots[0], c.legs.front(), c.knots[1]);
       if (!(side.angle < pi - straightAngle))
@@ -87,7 +87,7 @@ private:
     std::size_t base = 0;
     for (std::size_t i = 1; i + 1 < this->Loop.points.size(); ++i)
     {
-      if (this->Loop.points[i].carrier == Carrier::Vertex &&
+      if (this->Loop.points[i].type == SurfacePointType::Vertex &&
         (base == 0 || apart(i, half) < apart(base, half)))
       {
         base = i;
@@ -99,7 +99,7 @@ private:
       return true;
     }
     this->rotate(half);
-    return this->Loop.points.front().carrier == Carrier::Edge && this->slide();
+    return this->Loop.points.front().type == SurfacePointType::Edge && this->slide();
   }
 
   static std::size_t apart(std::size_t a, std::size_t b) { return a < b ? b - a : a - b; }
@@ -126,7 +126,7 @@ private:
     const Index edge = loop.points.front().id;
     loop.points.front() = edgePoint(this->Mesh, edge, fraction);
     loop.points.back() = loop.points.front();
-    PathCourse course = courseAlong(this->Mesh, loop);
+    GeodesicPath course = courseAlong(this->Mesh, loop);
     straighten(this->Mesh, course);
     return pathAlong(this->Mesh, course);
   }
@@ -169,7 +169,7 @@ private:
 
   const TriangleMesh& Mesh;
   SurfacePath Loop;
-  PathCourse Course;
+  GeodesicPath Course;
   Indices Bent;
   double First;
 };

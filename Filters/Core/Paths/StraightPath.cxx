@@ -56,7 +56,7 @@ bool withinTriangle(
   return true;
 }
 
-StraightPath drawnTight(const TriangleMesh& mesh, PathCourse course)
+StraightPath drawnTight(const TriangleMesh& mesh, GeodesicPath course)
 {
   StraightPath result;
   const Indices bent = straighten(mesh, course);
@@ -71,10 +71,10 @@ StraightPath drawnTight(const TriangleMesh& mesh, PathCourse course)
 }
 
 /// Whether a course goes through so many vertices that they hold it, as on the inside of a bend.
-bool isHeld(const PathCourse& course)
+bool isHeld(const GeodesicPath& course)
 {
   std::size_t crossed = 0;
-  for (const PathLeg& leg : course.legs)
+  for (const GeodesicSegment& leg : course.legs)
   {
     crossed += leg.crossed.size();
   }
@@ -83,14 +83,14 @@ bool isHeld(const PathCourse& course)
 
 /// A course that is not far from tight. Drawing tight moves a path by a row of vertices at a time;
 /// one that has farther to go is moved by its development, where that helps.
-PathCourse drawnNearlyTight(
+GeodesicPath drawnNearlyTight(
   const TriangleMesh& mesh, const SnapDistance& snap, const SurfacePath& start)
 {
-  PathCourse course = courseAlong(mesh, start);
+  GeodesicPath course = courseAlong(mesh, start);
   std::size_t patience = fewUnfolded;
   bool first = true;
   Indices bent;
-  while (!straightenAWhile(mesh, course, patience, bent))
+  while (!straightenWithBudget(mesh, course, patience, bent))
   {
     double gain = 0.0;
     if (first || !isHeld(course))
@@ -120,7 +120,7 @@ StraightPath fromSearch(PathSearch& search, const SurfacePoint& to)
 {
   const TriangleMesh& mesh = search.graph().mesh();
   const SnapDistance& snap = search.graph().noSnap();
-  const PathCourse way = search.courseTo(to);
+  const GeodesicPath way = search.courseTo(to);
   if (way.knots.empty())
   {
     return notJoined();
@@ -137,7 +137,7 @@ StraightPath fromSearch(PathSearch& search, const SurfacePoint& to)
 
 StraightPath byEdges(PathSearch& search, const SurfacePoint& to)
 {
-  const PathCourse way = search.courseTo(to);
+  const GeodesicPath way = search.courseTo(to);
   if (way.knots.empty())
   {
     return notJoined();

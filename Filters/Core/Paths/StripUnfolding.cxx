@@ -262,10 +262,10 @@ void pushTouched(const TriangleMesh& mesh, const UnfoldedStrip& strip, const Str
 }
 }
 
-PathCourse shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
+GeodesicPath shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
   const Indices& crossed, const SurfacePoint& end)
 {
-  PathCourse course;
+  GeodesicPath course;
   course.knots.push_back(start);
   if (crossed.empty())
   {
@@ -287,7 +287,7 @@ PathCourse shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
     const StripCorner& b = string[k];
     const SurfacePoint knot = b.vertex == none ? end : vertexPoint(mesh, b.vertex);
     const Complex way = b.place - a.place;
-    PathLeg leg;
+    GeodesicSegment leg;
     leg.length = std::abs(way);
     if (a.last + 1 < b.first)
     {
@@ -317,9 +317,10 @@ Indices reducedStrip(const TriangleMesh& mesh, const SurfacePoint& start, const 
     }
   }
   const auto holds = [&mesh](Index h, const SurfacePoint& point) {
-    return point.carrier == Carrier::Vertex ? mesh.from(h) == point.id || mesh.to(h) == point.id
-      : point.carrier == Carrier::Edge      ? edgeOf(mesh, h) == point.id
-                                            : false;
+    return point.type == SurfacePointType::Vertex
+      ? mesh.from(h) == point.id || mesh.to(h) == point.id
+      : point.type == SurfacePointType::Edge ? edgeOf(mesh, h) == point.id
+                                             : false;
   };
   const auto first =
     std::find_if(strip.begin(), strip.end(), [&](Index h) { return !holds(h, start); });

@@ -7,7 +7,7 @@ namespace flattening
 {
 /// One straight stretch of a path: over a strip of triangles that are unfolded into a plane, within
 /// one triangle, or along an edge.
-struct PathLeg
+struct GeodesicSegment
 {
   /// The half-edges that it leaves triangles by, in order, none of which holds an end of the leg;
   /// empty within one triangle and along an edge.
@@ -20,10 +20,10 @@ struct PathLeg
 };
 
 /// A path as an elastic string lies: legs between knots. Those between the two ends are vertices.
-struct PathCourse
+struct GeodesicPath
 {
   std::vector<SurfacePoint> knots;
-  std::vector<PathLeg> legs; ///< legs[i] joins knots[i] and knots[i + 1]
+  std::vector<GeodesicSegment> legs; ///< legs[i] joins knots[i] and knots[i + 1]
 };
 
 /// The shortest path between two points inside of the strip of triangles that a list of half-edges
@@ -32,7 +32,7 @@ struct PathCourse
 ///
 /// Vertices that a leg passes closer than an angle of 1e-11 become knots as well.
 /// \pre No half-edge holds an end at its end of the strip; the first is in a triangle of the start.
-PathCourse shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
+GeodesicPath shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
   const Indices& crossed, const SurfacePoint& end);
 
 /// The list with steps back taken out, without the half-edges at its ends that hold the ends: the

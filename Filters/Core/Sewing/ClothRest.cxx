@@ -11,9 +11,9 @@ namespace
 /// roots of the mean triangle area.
 constexpr double exactWithin = 0.3;
 /// A step that moves a vertex farther could turn triangles over.
-constexpr double longestMove = 1.0;
+constexpr double maximumMove = 1.0;
 /// Nothing moves any more, in roots of the mean triangle area.
-constexpr double stillMove = 1e-11;
+constexpr double stepTolerance = 1e-11;
 /// Of the body beside that of the cloth, an area, where lengths are in roots of the mean triangle
 /// area: first soft, then, while a vertex is inside, ten times as hard.
 constexpr double firstPush = 1.0;
@@ -27,10 +27,10 @@ NewtonKktState bringToRest(
   NewtonKktOptions newton;
   newton.maximumIterations = options.maximumIterations;
   newton.optimalityTolerance = isotropicModulus * options.forceTolerance;
-  newton.promiseTolerance = options.energyTolerance;
-  newton.stillMove = stillMove;
+  newton.reductionTolerance = options.energyTolerance;
+  newton.stepTolerance = stepTolerance;
   newton.exactWithin = exactWithin;
-  newton.longestMove = longestMove;
+  newton.maximumMove = maximumMove;
   newton.phase = options.phase;
   newton.observe = options.observe;
   const auto minimumFrom = [&](const Eigen::VectorXd& x) {

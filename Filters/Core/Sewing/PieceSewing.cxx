@@ -225,13 +225,13 @@ SewnReport broughtToRest(const SewnShape& shape, const SewingOptions& options, d
   report.converged = end.converged();
   if (!report.converged)
   {
-    const bool exhausted = end.ending == Ending::Exhausted;
+    const bool exhausted = end.termination == Termination::IterationLimit;
     report.status = { StatusCode::NotConverged,
       exhausted ? "the sewn cloth did not come to rest in " + std::to_string(report.iterations) +
           " iterations"
                 : "the sewn cloth stopped short of rest after " +
           std::to_string(report.iterations) + " iterations, and more would change nothing",
-      {}, exhausted ? WaysOut{ Remedy::AllowSewingIterations } : WaysOut{} };
+      {}, exhausted ? SuggestedRemedies{ Remedy::AllowSewingIterations } : SuggestedRemedies{} };
   }
   const SewingModel::Terms energy = model.terms(end.x, execution);
   report.membraneEnergy = energy.membrane * model.unit() * model.unit();

@@ -62,7 +62,7 @@ void SpaceMatrix::finish()
   this->Declared = std::vector<std::uint64_t>();
   if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
   {
-    refuseMemory(count * sizeof(double));
+    throwOutOfMemory(count * sizeof(double));
   }
 
   this->Matrix.resize(this->Size, this->Size);

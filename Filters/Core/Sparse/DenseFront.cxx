@@ -161,10 +161,10 @@ void subtractTiles(const DenseProduct& product, const Execution& execution)
 }
 
 /// What the columns of a front do to the rows below.
-void subtractUpdate(const DenseFront& front, const double* pivots, SteppedTriangle& update,
+void subtractUpdate(const DenseFront& front, const double* pivots, BlockedLowerTriangle& update,
   const Execution& execution)
 {
-  constexpr Index width = SteppedTriangle::stepWidth;
+  constexpr Index width = BlockedLowerTriangle::stepWidth;
   const DenseColumns below{ front.column(0) + front.columns, std::size_t(front.size) };
   const DenseProduct product{ nullptr, 0, front.rows(), front.rows(), below, below, pivots,
     front.columns, true };
@@ -177,7 +177,8 @@ void subtractUpdate(const DenseFront& front, const double* pivots, SteppedTriang
 }
 }
 
-bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Execution& execution)
+bool eliminateFront(
+  const DenseFront& front, BlockedLowerTriangle& update, const Execution& execution)
 {
   std::vector<double> pivots(front.columns);
   for (Index begin = 0; begin < front.columns; begin += blockWidth)

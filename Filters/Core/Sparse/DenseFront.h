@@ -12,14 +12,14 @@ namespace flattening
 {
 /// The lower triangle of a symmetric matrix in steps: some columns at a time have a stride of their
 /// own, and no place above the first of them.
-class SteppedTriangle
+class BlockedLowerTriangle
 {
 public:
   static constexpr Index stepWidth = 64;
 
-  SteppedTriangle() = default;
+  BlockedLowerTriangle() = default;
   /// All 0.
-  explicit SteppedTriangle(Index rows)
+  explicit BlockedLowerTriangle(Index rows)
     : Rows(rows)
     , Values(rows > 0 ? begin(rows - 1) + std::size_t(stride(rows - 1)) : 0, 0.0)
   {
@@ -64,5 +64,6 @@ using DenseFront = FrontColumns<double>;
 
 /// L D L^T of the columns of a front in place, D on the diagonal, and what they do to the rows
 /// below, which is subtracted from `update`. False where a pivot is zero or not finite.
-bool eliminateFront(const DenseFront& front, SteppedTriangle& update, const Execution& execution);
+bool eliminateFront(
+  const DenseFront& front, BlockedLowerTriangle& update, const Execution& execution);
 }

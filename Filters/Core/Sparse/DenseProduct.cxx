@@ -78,8 +78,8 @@ using Tile = void (*)(const double* left, std::size_t leftStride, const double* 
 void tileOfTwo(const double* left, std::size_t leftStride, const double* right, Index depth,
   double* to, std::size_t stride)
 {
-  subtractTile<TwoNumbers, 2>(left, leftStride, right, depth, to, stride);
-  subtractTile<TwoNumbers, 2>(left + 4, leftStride, right, depth, to + 4, stride);
+  subtractTile<Double2, 2>(left, leftStride, right, depth, to, stride);
+  subtractTile<Double2, 2>(left + 4, leftStride, right, depth, to + 4, stride);
 }
 
 #if FLATTENING_X86

@@ -129,7 +129,7 @@ template <typename Value>
 void subtractByTwo(double* to, const Panel<Value>& column, const PanelNumbers& c, Index count)
 {
 #if defined(__GNUC__)
-  subtractOneByOne(to, column, c, subtractRows<TwoNumbers>(to, column, c, 0, count), count);
+  subtractOneByOne(to, column, c, subtractRows<Double2>(to, column, c, 0, count), count);
 #else
   subtractOneByOne(to, column, c, 0, count);
 #endif
@@ -139,8 +139,8 @@ template <typename Value>
 void multiplyByTwo(const Panel<Value>& column, const double* x, Index count, PanelNumbers& products)
 {
 #if defined(__GNUC__)
-  multiply<TwoNumbers, 2>(column.data(), x, count, products.data());
-  multiply<TwoNumbers, 2>(column.data() + 2, x, count, products.data() + 2);
+  multiply<Double2, 2>(column.data(), x, count, products.data());
+  multiply<Double2, 2>(column.data() + 2, x, count, products.data() + 2);
 #else
   multiplyOneByOne(column, x, count, products);
 #endif
@@ -152,7 +152,7 @@ __attribute__((target("avx2"))) void subtractByFour(
   double* to, const Panel<Value>& column, const PanelNumbers& c, Index count)
 {
   const Index next = subtractRows<FourNumbers>(to, column, c, 0, count);
-  subtractOneByOne(to, column, c, subtractRows<TwoNumbers>(to, column, c, next, count), count);
+  subtractOneByOne(to, column, c, subtractRows<Double2>(to, column, c, next, count), count);
 }
 
 template <typename Value>
@@ -168,7 +168,7 @@ __attribute__((target("avx512f"))) void subtractByEight(
 {
   Index next = subtractRows<EightNumbers>(to, column, c, 0, count);
   next = subtractRows<FourNumbers>(to, column, c, next, count);
-  subtractOneByOne(to, column, c, subtractRows<TwoNumbers>(to, column, c, next, count), count);
+  subtractOneByOne(to, column, c, subtractRows<Double2>(to, column, c, next, count), count);
 }
 
 template <typename Value>

@@ -67,7 +67,7 @@ FLATTENING_INLINE bool roundVectors(const double* values, float* to, std::size_t
 
 bool roundByTwo(const double* values, float* to, std::size_t count)
 {
-  return roundVectors<TwoNumbers, TwoSingles>(values, to, count);
+  return roundVectors<Double2, TwoSingles>(values, to, count);
 }
 #else
 bool roundByTwo(const double* values, float* to, std::size_t count)

@@ -37,14 +37,14 @@ public:
     this->Bytes = static_cast<std::size_t>(count) * (sizeof(double) + sizeof(int));
     if (count > std::numeric_limits<int>::max())
     {
-      refuseMemory(this->Bytes);
+      throwOutOfMemory(this->Bytes);
     }
   }
   void demandMemory(const Execution& execution) const
   {
     if (this->Bytes > execution.factorMemory)
     {
-      refuseMemory(this->Bytes);
+      throwOutOfMemory(this->Bytes);
     }
   }
 

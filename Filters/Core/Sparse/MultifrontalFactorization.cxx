@@ -129,7 +129,7 @@ bool MultifrontalFactorization::factorize(
   const std::size_t bytes = this->Blocks.bytes(this->Structure.factorSize());
   if (bytes > execution.factorMemory)
   {
-    refuseMemory(bytes);
+    throwOutOfMemory(bytes);
   }
   try
   {
@@ -137,9 +137,9 @@ bool MultifrontalFactorization::factorize(
   }
   catch (const std::bad_alloc&)
   {
-    refuseMemory(bytes);
+    throwOutOfMemory(bytes);
   }
-  this->Updates.assign(this->Structure.supernodes().size(), SteppedTriangle());
+  this->Updates.assign(this->Structure.supernodes().size(), BlockedLowerTriangle());
   const bool sound = this->eliminateAll(matrix.valuePtr(), execution);
   this->Updates.clear();
   return sound;
@@ -239,7 +239,7 @@ bool MultifrontalFactorization::eliminateAll(const double* values, const Executi
 
 /// Adds what a child left of its rows to the front of its parent.
 void MultifrontalFactorization::addChild(
-  const DenseFront& front, Index child, SteppedTriangle& update)
+  const DenseFront& front, Index child, BlockedLowerTriangle& update)
 {
   const Supernode& below = this->Structure.supernodes()[child];
   const Index size = below.rowCount();
@@ -255,7 +255,7 @@ void MultifrontalFactorization::addChild(
       to[place[a] - place[b]] += values[a - b];
     }
   }
-  this->Updates[child] = SteppedTriangle();
+  this->Updates[child] = BlockedLowerTriangle();
 }
 
 /// \param work a buffer, from one supernode to the next.
@@ -272,7 +272,7 @@ bool MultifrontalFactorization::eliminate(
     const SupernodalStructure::Entry& entry = this->Structure.entries()[k];
     front.values[entry.place] += values[entry.stored];
   }
-  SteppedTriangle update(node.rowCount());
+  BlockedLowerTriangle update(node.rowCount());
   for (Index child : node.children)
   {
     this->addChild(front, child, update);

@@ -41,7 +41,7 @@ private:
   bool eliminateAll(const double* values, const Execution& execution);
   bool eliminate(
     Index s, const double* values, std::vector<double>& work, const Execution& execution);
-  void addChild(const DenseFront& front, Index child, SteppedTriangle& update);
+  void addChild(const DenseFront& front, Index child, BlockedLowerTriangle& update);
   void substitute(Eigen::MatrixXd& x, const Execution& execution) const;
   void substituteForward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed,
     Eigen::MatrixXd& work) const;
@@ -54,8 +54,8 @@ private:
   /// The same by the round of tasks after which they can be eliminated, and by height: those of one
   /// height do not depend on each other.
   std::vector<std::vector<Indices>> TopByRound;
-  FactorBlocks Blocks;                  ///< L below the diagonal, by supernodes
-  std::vector<SteppedTriangle> Updates; ///< of supernodes whose parent has not taken them yet
+  FactorBlocks Blocks;                       ///< L below the diagonal, by supernodes
+  std::vector<BlockedLowerTriangle> Updates; ///< of supernodes whose parent has not taken them yet
   Eigen::VectorXd Diagonal;
 };
 }

@@ -36,13 +36,13 @@ public:
     , Newton(model, std::move(solver), execution)
     , Merit(model.constraintCount(), options.penaltyMargin, options.penaltyShare)
   {
-    if (options.followed > 0.0)
+    if (options.chordReduction > 0.0)
     {
-      this->Newton.expectFollowers();
+      this->Newton.enableChordSteps();
     }
     if (options.amongSaddles)
     {
-      this->Newton.expectSaddles();
+      this->Newton.enableSaddleHandling();
     }
     if (this->State.multipliers.size() != model.constraintCount())
     {
@@ -53,43 +53,45 @@ public:
   NewtonKktState run()
   {
     this->Objective = this->Model.objective(this->State.x, this->Run);
-    Ending ending = Ending::Cancelled;
+    Termination termination = Termination::Cancelled;
     std::vector<double> residuals;
     for (int iteration = 0; !this->Newton.cancelled(); ++iteration)
     {
       this->reportProgress(iteration);
-      Found found = this->look();
+      Found found = this->computeStep();
       const bool rough = this->roughlyThere(found, iteration);
-      if (rough && found != Found::Step && this->settle(this->State.multipliers))
+      if (rough && found != Found::Step && this->switchToFinalObjective(this->State.multipliers))
       {
-        found = this->look();
+        found = this->computeStep();
       }
       this->observe(iteration);
       residuals.push_back(largest(this->Newton.constraints()) +
         this->Optimality / this->Model.gradientScale(this->Objective));
-      ending = found == Found::Minimum ? Ending::Converged : Ending::Stalled;
+      termination = found == Found::Minimum ? Termination::Converged : Termination::Stalled;
       if (found == Found::Step &&
         (iteration >= this->Options.maximumIterations ||
-          this->Newton.factorizations() >= this->Options.mostFactorizations))
+          this->Newton.factorizations() >= this->Options.maximumFactorizations))
       {
-        ending = standsStill(residuals) ? Ending::Stalled : Ending::Exhausted;
+        termination = hasStagnated(residuals) ? Termination::Stalled : Termination::IterationLimit;
         break;
       }
       if (found == Found::Step && this->atSaddle() && this->leaveSaddle())
       {
         continue;
       }
-      if (found != Found::Step || !(this->advance() || this->settle(this->Newton.multipliers())))
+      if (found != Found::Step ||
+        !(this->advance() || this->switchToFinalObjective(this->Newton.multipliers())))
       {
         break;
       }
       if (rough)
       {
-        this->settle(this->Newton.multipliers());
+        this->switchToFinalObjective(this->Newton.multipliers());
       }
     }
-    this->State.ending =
-      ending != Ending::Converged && this->Newton.cancelled() ? Ending::Cancelled : ending;
+    this->State.termination = termination != Termination::Converged && this->Newton.cancelled()
+      ? Termination::Cancelled
+      : termination;
     this->State.factorizations = this->Newton.factorizations();
     return std::move(this->State);
   }
@@ -102,9 +104,9 @@ private:
     Nothing,
   };
 
-  Found look()
+  Found computeStep()
   {
-    Found found = this->lookWithoutFactoring();
+    Found found = this->computeChordStep();
     if (found == Found::Nothing)
     {
       const double within = this->Settled
@@ -113,26 +115,26 @@ private:
       const bool exact = this->Moved && this->LargestMove < within;
       this->linearize(exact ? Curvature::Exact : Curvature::Convex);
       this->Residual = this->residual(this->State.x, this->State.multipliers);
-      found = this->lookAround();
+      found = this->testOptimality();
     }
     return found;
   }
 
   /// With the last factorization, as long as such steps lead on quickly.
-  Found lookWithoutFactoring()
+  Found computeChordStep()
   {
-    if (this->Options.followed == 0.0 || !this->TookStep || !this->TookWholeStep ||
+    if (this->Options.chordReduction == 0.0 || !this->TookStep || !this->TookWholeStep ||
       !this->Newton.follow(this->State.x, this->State.multipliers))
     {
       return Found::Nothing;
     }
     const double residual = this->residual(this->State.x, this->State.multipliers);
-    if (!(residual <= this->Options.followed * this->Residual))
+    if (!(residual <= this->Options.chordReduction * this->Residual))
     {
       return Found::Nothing;
     }
     this->Residual = residual;
-    return this->lookAround();
+    return this->testOptimality();
   }
 
   /// How far the point that was linearized last is from one that meets the conditions of a minimum,
@@ -151,20 +153,21 @@ private:
     {
       return true;
     }
-    return iteration >= this->Options.settleBy ||
-      (largest(this->Newton.constraints()) <= this->Options.settleConstraint &&
-        this->Newton.promised() <= this->Options.settlePromise * this->Objective);
+    return iteration >= this->Options.finalObjectiveIteration ||
+      (largest(this->Newton.constraints()) <= this->Options.finalObjectiveConstraint &&
+        this->Newton.predictedReduction() <=
+          this->Options.finalObjectiveReduction * this->Objective);
   }
 
   /// Goes on with what the model settles for, as from a start.
-  bool settle(const Eigen::VectorXd& multipliers)
+  bool switchToFinalObjective(const Eigen::VectorXd& multipliers)
   {
     if (this->Settled || this->Newton.cancelled())
     {
       return false;
     }
     this->Settled = true;
-    if (!this->Model.settle(multipliers))
+    if (!this->Model.switchToFinalObjective(multipliers))
     {
       return false;
     }
@@ -203,13 +206,14 @@ private:
   /// at their bound leave rounding in the gradient, not in the steps.
   bool still() const
   {
-    return this->TookStep && this->TookWholeStep && this->LargestMove <= this->Options.stillMove;
+    return this->TookStep && this->TookWholeStep &&
+      this->LargestMove <= this->Options.stepTolerance;
   }
 
   bool feasible() const
   {
     return largest(this->Newton.constraints()) <
-      (this->still() ? this->Options.stillConstraintTolerance : this->Options.constraintTolerance);
+      (this->still() ? this->Options.stepConstraintTolerance : this->Options.constraintTolerance);
   }
 
   bool optimal(double optimality) const
@@ -221,7 +225,7 @@ private:
 
   /// Tests the point with the multipliers that the last step left, which spares solving, then with
   /// those of the step from here.
-  Found lookAround()
+  Found testOptimality()
   {
     this->Optimality = this->Newton.optimality(this->State.multipliers);
     const bool feasible = this->feasible();
@@ -238,13 +242,13 @@ private:
       return Found::Step;
     }
     const double optimality = this->Newton.optimality(this->Newton.multipliers());
-    if (this->Newton.promised() > this->Options.promiseTolerance * this->Objective &&
+    if (this->Newton.predictedReduction() > this->Options.reductionTolerance * this->Objective &&
       !this->optimal(optimality))
     {
       return Found::Step;
     }
     this->State.multipliers = this->Newton.multipliers();
-    if (this->Newton.drawnInwards())
+    if (this->Newton.shouldLeaveActiveSet())
     {
       this->linearize(this->Newton.curvature());
       return this->Newton.solve() ? Found::Step : Found::Nothing;
@@ -265,7 +269,7 @@ private:
     const double noise = objectiveRounding * (1.0 + std::abs(before)) +
       this->Merit.largestPenalty() * this->Model.constraintRounding(this->State.x, before);
     const double move = largest(step);
-    double scale = move > this->Options.longestMove ? this->Options.longestMove / move : 1.0;
+    double scale = move > this->Options.maximumMove ? this->Options.maximumMove / move : 1.0;
     this->Shortened = false;
     for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
     {
@@ -285,16 +289,16 @@ private:
   /// goes to saddles as well.
   bool atSaddle() const
   {
-    return this->SaddlesLeft < mostSaddles && this->Newton.bentDownwards() &&
-      largest(this->Newton.constraints()) <= this->Options.settleConstraint &&
-      this->Newton.promised() <= this->Options.saddlePromise * this->Objective;
+    return this->SaddlesLeft < mostSaddles && this->Newton.isIndefinite() &&
+      largest(this->Newton.constraints()) <= this->Options.finalObjectiveConstraint &&
+      this->Newton.predictedReduction() <= this->Options.saddleReduction * this->Objective;
   }
 
   /// Along the direction that bends downwards most, to the side and as far as it falls.
   bool leaveSaddle()
   {
     ++this->SaddlesLeft;
-    const Eigen::VectorXd direction = this->Newton.downwards();
+    const Eigen::VectorXd direction = this->Newton.negativeCurvatureDirection();
     if (direction.size() == 0)
     {
       return false;
@@ -363,14 +367,15 @@ private:
   /// followed: where what is left of the conditions of a minimum falls as much as it has to then.
   bool acceptByResidual(const Eigen::VectorXd& x, double objective)
   {
-    if (this->Options.followed == 0.0 || !this->Newton.nearMinimum() ||
+    if (this->Options.chordReduction == 0.0 || !this->Newton.nearMinimum() ||
       !(largest(this->Newton.step()) < this->Options.exactWithin) ||
       !this->Newton.follow(x, this->Newton.multipliers()))
     {
       return false;
     }
     if (std::isfinite(objective) &&
-      this->residual(x, this->Newton.multipliers()) <= this->Options.followed * this->Residual)
+      this->residual(x, this->Newton.multipliers()) <=
+        this->Options.chordReduction * this->Residual)
     {
       this->take(x, objective, 1.0);
       return true;
@@ -385,7 +390,7 @@ private:
     this->LargestMove = largest(move);
     this->MeanMove =
       move.norm() / std::sqrt(std::max<double>(1.0, static_cast<double>(move.size())));
-    this->Newton.took(scale);
+    this->Newton.updateDamping(scale);
     this->Moved = true;
     this->TookStep = true;
     this->TookWholeStep = scale == 1.0 && this->Newton.shift() == 0.0;

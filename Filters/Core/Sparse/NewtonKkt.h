@@ -13,17 +13,17 @@
 namespace flattening
 {
 /// How an iteration ended.
-enum class Ending
+enum class Termination
 {
   Converged,
-  Exhausted, ///< it ran out of iterations, and was still getting on
-  Stalled,   ///< no step gets nearer to the solution, or none has for long
+  IterationLimit, ///< it ran out of iterations, and was still getting on
+  Stalled,        ///< no step gets nearer to the solution, or none has for long
   Cancelled,
 };
 
 /// Whether an iteration has got no nearer to zero in the second half of its run than in the first.
 /// \param residuals of at least 40 iterations; of fewer nothing is known
-inline bool standsStill(const std::vector<double>& residuals)
+inline bool hasStagnated(const std::vector<double>& residuals)
 {
   constexpr std::size_t fewest = 40;
   constexpr double noticeable = 0.9;
@@ -88,11 +88,11 @@ struct NewtonKktState
 {
   Eigen::VectorXd x;
   Eigen::VectorXd multipliers; ///< of the constraints; empty: zero
-  Ending ending = Ending::Exhausted;
+  Termination termination = Termination::IterationLimit;
   int factorizations = 0; ///< that the way there took
 
-  bool converged() const { return this->ending == Ending::Converged; }
-  bool cancelled() const { return this->ending == Ending::Cancelled; }
+  bool converged() const { return this->termination == Termination::Converged; }
+  bool cancelled() const { return this->termination == Termination::Cancelled; }
 };
 
 /// One iteration, at the point where it starts.
@@ -109,56 +109,62 @@ struct NewtonKktRecord
 
 struct NewtonKktOptions
 {
+  // Termination.
   int maximumIterations = 100;
-  /// Nor is another iteration begun after so many factorizations, which is what takes the time.
-  int mostFactorizations = std::numeric_limits<int>::max();
-  /// The iteration ends where no |c_i| is as large and the point is stationary: no entry of the
-  /// gradient of the Lagrangian, over the model's scale, is as large as the optimality tolerance,
-  /// ...
+  /// No iteration starts after this many factorizations, which take most of the time.
+  int maximumFactorizations = std::numeric_limits<int>::max();
+  /// Converged where every |c_i| is below the first and every entry of the gradient of the
+  /// Lagrangian, over the model's scale, below the second, ...
   double constraintTolerance = 1e-10;
   double optimalityTolerance = 1e-10;
-  /// ... or a further step promises to lower the objective by no more than this fraction of it, ...
-  double promiseTolerance = 0.0;
-  /// ... or a whole step, that of an unshifted Hessian, moved no unknown by more than this. Then
-  /// constraints need only hold to the second tolerance. Less than zero: never.
-  double stillMove = -1.0;
-  double stillConstraintTolerance = 0.0;
-  /// The model is told to settle where a further step promises to lower the objective by no more
-  /// than this fraction of it and no |c_i| is larger than the second; at the latest after so many
-  /// iterations, or where no step is found.
-  double settlePromise = 0.0;
-  double settleConstraint = 0.0;
-  int settleBy = std::numeric_limits<int>::max();
-  /// Where the Hessian bends downwards and a further step promises no more than this fraction of
-  /// the objective, constraints as above, the point counts as a saddle: it is left along the
-  /// direction that bends downwards most, which takes several factorizations.
-  double saddlePromise = 0.0;
-  /// Correct a step again where that helps, and where corrections that cost least leave more of the
-  /// constraints than they take, take those that are shortest, at the price of a factorization.
-  bool correctsAgain = false;
-  /// Longer steps are shortened to one that moves no unknown by more: where the model's equations
-  /// repeat themselves, as those of angles do, longer ones lead to another branch.
-  double longestMove = std::numeric_limits<double>::infinity();
-  /// The exact Hessian is tried where the step before was shorter; far from a minimum it is seldom
-  /// convex. The first step counts as infinite.
+  /// ... or the predicted reduction of the objective is at most this fraction of it, ...
+  double reductionTolerance = 0.0;
+  /// ... or a full step of an unshifted Hessian moved every unknown by at most this. Constraints
+  /// then need the second tolerance only. Below zero: never.
+  double stepTolerance = -1.0;
+  double stepConstraintTolerance = 0.0;
+
+  // The model switches to its final objective where the predicted reduction is at most this
+  // fraction of the objective and every |c_i| at most the second; at the latest in this iteration,
+  // or where no step is found.
+  double finalObjectiveReduction = 0.0;
+  double finalObjectiveConstraint = 0.0;
+  int finalObjectiveIteration = std::numeric_limits<int>::max();
+
+  // Modification of the Hessian.
+  /// The exact Hessian is used where the step before moved every unknown by less; far from a
+  /// minimum it is seldom convex. The first step counts as infinite.
   double exactWithin = std::numeric_limits<double>::infinity();
-  /// The same before the model has settled, if that is less.
+  /// The same before the switch to the final objective, if it is less.
   double exactBeforeSettling = std::numeric_limits<double>::infinity();
-  /// Weight of a constraint in the merit function over its multiplier. Above 1 it is exact; the
-  /// margin keeps it so while multipliers change, and shortens steps.
+  /// Shifts the exact Hessian before its convex part is used, and shifts the next steps after short
+  /// ones: for wires under pressure, which have many saddles.
+  bool amongSaddles = false;
+  /// Where the Hessian is indefinite and the predicted reduction at most this fraction of the
+  /// objective (constraints as above), the point is left along the direction of most negative
+  /// curvature, which takes several factorizations.
+  double saddleReduction = 0.0;
+
+  // Line search on the merit function.
+  /// Weight of a constraint over its multiplier. Above 1 the function is exact; the margin keeps it
+  /// exact while multipliers change, and shortens steps.
   double penaltyMargin = 1.5;
-  /// Least weight of a constraint over the largest one's: 1 gives all the same, less does not hold
+  /// Least weight of a constraint over the largest one: 1 weighs all equally, less does not hold
   /// constraints of one kind by the multipliers of another.
   double penaltyShare = 1.0;
-  /// How many of the step's halvings are tried with second-order correction as well. Each costs a
-  /// solution; where constraints bend much, one that is left out costs a factorization.
+  /// Steps are shortened to this largest move of an unknown: equations in angles repeat themselves,
+  /// and longer steps lead to another branch.
+  double maximumMove = std::numeric_limits<double>::infinity();
+  /// Number of halvings tried with second-order correction as well. Each costs a solution.
   int corrections = 1;
-  /// A factorization serves the next points as well while whole steps by it bring the residual of
-  /// the conditions of a minimum down to this fraction at least. 0: every point has its own.
-  double followed = 0.0;
-  /// Where what is pressed gives way to many sides: the exact Hessian is shifted before it is given
-  /// up for its convex part, and steps that had to be short shift the next ones.
-  bool amongSaddles = false;
+  /// Repeats a correction while it helps, and where the cheapest corrections fail takes the
+  /// shortest ones, at the cost of a factorization.
+  bool correctsAgain = false;
+
+  /// A factorization serves the next points (chord steps) while full steps reduce the residual of
+  /// the optimality conditions to this fraction at most. 0: each point has its own.
+  double chordReduction = 0.0;
+
   /// Name in reports of progress; null: none are made.
   const char* phase = nullptr;
   std::function<void(const NewtonKktRecord&)> observe;

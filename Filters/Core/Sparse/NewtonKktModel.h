@@ -40,7 +40,7 @@ public:
   virtual double gradientRounding(const Eigen::VectorXd&) const { return 0.0; }
   /// Told once, near a minimum, the multipliers there: the model may take on the objective that it
   /// is to end with. \return whether it is another one
-  virtual bool settle(const Eigen::VectorXd&) { return false; }
+  virtual bool switchToFinalObjective(const Eigen::VectorXd&) { return false; }
 
   struct Linearization
   {

@@ -143,12 +143,12 @@ double NewtonKktStep::optimality(const Eigen::VectorXd& multipliers) const
   return g.size() ? g.cwiseAbs().maxCoeff() : 0.0;
 }
 
-double NewtonKktStep::promised() const
+double NewtonKktStep::predictedReduction() const
 {
   return 0.5 * std::abs(this->Point.gradient.dot(this->Step));
 }
 
-bool NewtonKktStep::drawnInwards() const
+bool NewtonKktStep::shouldLeaveActiveSet() const
 {
   const Eigen::VectorXd g = this->lagrangianGradient(this->Multipliers);
   for (std::size_t k = 0; k < this->Held.size(); ++k)
@@ -223,7 +223,7 @@ bool NewtonKktStep::factorize()
   return done;
 }
 
-Eigen::VectorXd NewtonKktStep::downwards()
+Eigen::VectorXd NewtonKktStep::negativeCurvatureDirection()
 {
   this->linearize(this->X, this->OldMultipliers, Curvature::Exact);
   if (this->factorizes() || !this->shiftUntilConvex(smallestShift, mostShifts, largestShift))
@@ -252,7 +252,7 @@ Eigen::VectorXd NewtonKktStep::downwards()
   return rhs.head(this->Unknowns);
 }
 
-void NewtonKktStep::took(double fraction)
+void NewtonKktStep::updateDamping(double fraction)
 {
   if (!this->Saddles)
   {

@@ -14,16 +14,16 @@ public:
   /// \param solver for the model's KKT matrix; it must tell the inertia.
   NewtonKktStep(NewtonKktModel& model, LinearSolver solver, const Execution& execution);
 
-  /// Who has said yes is not asked again.
+  /// Whether the run is cancelled; the caller is not asked again once it is.
   bool cancelled();
 
   /// Constraints are squared terms mu / 2 c^2 of the objective from now on, with mu c for their
   /// multipliers: [H, J'; J, -I / mu] is H + mu J'J.
-  void soften(double mu) { this->Softness = 1.0 / mu; }
-  /// Steps that follow() will take out what rounding leaves of the others.
-  void expectFollowers() { this->Followers = true; }
+  void setPenalty(double mu) { this->Softness = 1.0 / mu; }
+  /// Chord steps, by follow(), will reduce what rounding leaves of the full steps.
+  void enableChordSteps() { this->Followers = true; }
   /// See NewtonKktOptions::amongSaddles.
-  void expectSaddles() { this->Saddles = true; }
+  void enableSaddleHandling() { this->Saddles = true; }
   /// How many there were.
   int factorizations() const { return this->Factorizations; }
   /// Goes to a point.
@@ -41,25 +41,25 @@ public:
   /// Largest entry of the gradient of the Lagrangian over the unknowns that are free to move.
   double optimality(const Eigen::VectorXd& multipliers) const;
 
-  /// Told which fraction of the last step could be taken: where little, the next ones are shortened
-  /// and turned by a shift of the Hessian, until whole ones can be taken again.
-  void took(double fraction);
+  /// \param fraction of the last step that could be taken: where it is small, the next steps are
+  /// shortened and turned by a shift of the Hessian, until whole ones can be taken again.
+  void updateDamping(double fraction);
   /// Finds the step from there and its multipliers; false where there is none.
   bool solve();
   const Eigen::VectorXd& step() const { return this->Step; }
   const Eigen::VectorXd& multipliers() const { return this->Multipliers; }
   /// By how much the step would lower the objective.
-  double promised() const;
+  double predictedReduction() const;
   /// tau that was added to the Hessian.
   double shift() const { return this->Shift; }
   /// Whether the exact Hessian was found to bend downwards somewhere on the constraints' tangent
   /// space, so that no minimum is near.
-  bool bentDownwards() const { return this->Indefinite; }
+  bool isIndefinite() const { return this->Indefinite; }
   /// The direction there in which it bends downwards most, its largest entry one; nothing where
   /// none is found.
-  Eigen::VectorXd downwards();
+  Eigen::VectorXd negativeCurvatureDirection();
   /// Whether the step's multipliers draw an unknown back that is held on its bound.
-  bool drawnInwards() const;
+  bool shouldLeaveActiveSet() const;
 
   /// The point within the bounds next to one.
   Eigen::VectorXd clipped(Eigen::VectorXd x) const;

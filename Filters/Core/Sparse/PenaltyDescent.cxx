@@ -40,50 +40,54 @@ public:
     , Constraints(model.constraints(start))
     , StepsLeft(options.mostSteps)
   {
-    this->Newton.expectSaddles();
+    this->Newton.enableSaddleHandling();
   }
 
   NewtonKktState run()
   {
-    Ending ending = Ending::Exhausted;
-    this->Penalty =
-      largest(this->Constraints) < this->Options.settleConstraint ? keepingPenalty : firstPenalty;
+    Termination termination = Termination::IterationLimit;
+    this->Penalty = largest(this->Constraints) < this->Options.finalObjectiveConstraint
+      ? keepingPenalty
+      : firstPenalty;
     this->UsedPenalty = this->Penalty;
-    while (ending == Ending::Exhausted && this->Penalty <= lastPenalty && this->mayGoOn())
+    while (
+      termination == Termination::IterationLimit && this->Penalty <= lastPenalty && this->mayGoOn())
     {
       this->goDown();
       this->UsedPenalty = this->Penalty;
       if (this->Newton.cancelled())
       {
-        ending = Ending::Cancelled;
+        termination = Termination::Cancelled;
       }
-      else if (!this->settle())
+      else if (!this->switchToFinalObjective())
       {
-        ending = this->Settled && largest(this->Constraints) < this->Options.constraintTolerance
-          ? Ending::Converged
-          : ending;
+        termination =
+          this->Settled && largest(this->Constraints) < this->Options.constraintTolerance
+          ? Termination::Converged
+          : termination;
         this->Penalty *= penaltyGrowth;
       }
     }
-    return { this->X, this->UsedPenalty * this->Constraints, ending,
+    return { this->X, this->UsedPenalty * this->Constraints, termination,
       this->Newton.factorizations() };
   }
 
 private:
   bool mayGoOn() const
   {
-    return this->StepsLeft > 0 && this->Newton.factorizations() < this->Options.mostFactorizations;
+    return this->StepsLeft > 0 &&
+      this->Newton.factorizations() < this->Options.maximumFactorizations;
   }
 
   /// Whether the model is another one than before.
-  bool settle()
+  bool switchToFinalObjective()
   {
-    if (this->Settled || largest(this->Constraints) >= this->Options.settleConstraint)
+    if (this->Settled || largest(this->Constraints) >= this->Options.finalObjectiveConstraint)
     {
       return false;
     }
     this->Settled = true;
-    return this->Model.settle(this->Penalty * this->Constraints);
+    return this->Model.switchToFinalObjective(this->Penalty * this->Constraints);
   }
 
   double merit(const Eigen::VectorXd& x, const Eigen::VectorXd& constraints) const
@@ -94,7 +98,7 @@ private:
   /// To a minimum with the weight as it is.
   void goDown()
   {
-    this->Newton.soften(this->Penalty);
+    this->Newton.setPenalty(this->Penalty);
     const double enough = this->Settled ? nearly : roughly;
     int steps = std::min(this->StepsLeft, this->Settled ? mostStepsNearly : mostStepsRoughly);
     int saddles = mostPenaltySaddles;
@@ -104,7 +108,7 @@ private:
     {
       const double promised = this->step();
       further = promised > enough;
-      if (!further && this->Newton.bentDownwards() && saddles-- > 0)
+      if (!further && this->Newton.isIndefinite() && saddles-- > 0)
       {
         further = this->leaveSaddle();
       }
@@ -140,7 +144,7 @@ private:
   {
     const double before = this->merit(this->X, this->Constraints);
     this->Newton.linearize(this->X, this->Penalty * this->Constraints, Curvature::Exact);
-    const Eigen::VectorXd direction = this->Newton.downwards();
+    const Eigen::VectorXd direction = this->Newton.negativeCurvatureDirection();
     if (direction.size() == 0)
     {
       return false;

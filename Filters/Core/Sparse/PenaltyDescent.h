@@ -10,10 +10,10 @@ struct PenaltyDescentOptions
   /// The largest |c_i| with which the descent ends.
   double constraintTolerance = 1e-3;
   /// The largest |c_i| with which the model is told to settle.
-  double settleConstraint = 0.05;
+  double finalObjectiveConstraint = 0.05;
   int mostSteps = 400;
   /// No other step is begun after so many factorizations.
-  int mostFactorizations = std::numeric_limits<int>::max();
+  int maximumFactorizations = std::numeric_limits<int>::max();
 };
 
 /// Goes down f(x) + mu / 2 |c(x)|^2 with more and more weight mu on the constraints: a way to a

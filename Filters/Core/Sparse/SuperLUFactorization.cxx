@@ -80,7 +80,7 @@ void demandMemory(std::size_t bytes)
   void* const probe = ::operator new(bytes + slack, std::nothrow);
   if (!probe)
   {
-    refuseMemory(bytes);
+    throwOutOfMemory(bytes);
   }
   ::operator delete(probe);
 }
@@ -159,7 +159,7 @@ bool SuperLUFactorization::factorize(Eigen::SparseMatrix<double> matrix)
   if (info > size) // by as many bytes as it had when memory ran out
   {
     freeUnfinished(workspace);
-    refuseMemory(static_cast<std::size_t>(info) - static_cast<std::size_t>(size));
+    throwOutOfMemory(static_cast<std::size_t>(info) - static_cast<std::size_t>(size));
   }
   return info == 0;
 }

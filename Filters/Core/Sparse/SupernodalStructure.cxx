@@ -112,7 +112,7 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
     }
     if (this->Rows.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     {
-      refuseMemory(this->FactorSize * sizeof(double));
+      throwOutOfMemory(this->FactorSize * sizeof(double));
     }
     node.rowsEnd = static_cast<Index>(this->Rows.size());
     std::sort(this->Rows.begin() + node.rowsBegin, this->Rows.end());
@@ -120,7 +120,7 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
     this->FactorSize += FactorColumns<double>::count(node.frontSize(), node.columnCount());
     if (node.blockSize() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     {
-      refuseMemory(this->FactorSize * sizeof(double));
+      throwOutOfMemory(this->FactorSize * sizeof(double));
     }
     this->LargestFront = std::max(this->LargestFront, node.frontSize());
     if (node.rowCount() > 0)

@@ -12,7 +12,7 @@ void SymmetricAssembler::finish()
 {
   if (this->Rows.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
   {
-    refuseMemory(this->Rows.size() * sizeof(double));
+    throwOutOfMemory(this->Rows.size() * sizeof(double));
   }
   const auto count = static_cast<Index>(this->Rows.size());
   Indices begin(this->Size + 1, 0);

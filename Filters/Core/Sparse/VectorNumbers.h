@@ -18,7 +18,7 @@
 namespace flattening
 {
 #if defined(__GNUC__)
-using TwoNumbers = double __attribute__((vector_size(16)));
+using Double2 = double __attribute__((vector_size(16)));
 using FourNumbers = double __attribute__((vector_size(32)));
 using EightNumbers = double __attribute__((vector_size(64)));
 
@@ -28,9 +28,9 @@ FLATTENING_INLINE void load(const double* from, Vector& to)
 {
   std::memcpy(&to, from, sizeof(Vector));
 }
-FLATTENING_INLINE void load(const float* from, TwoNumbers& to)
+FLATTENING_INLINE void load(const float* from, Double2& to)
 {
-  to = TwoNumbers{ double(from[0]), double(from[1]) };
+  to = Double2{ double(from[0]), double(from[1]) };
 }
 FLATTENING_INLINE void load(const float* from, FourNumbers& to)
 {
@@ -45,7 +45,7 @@ FLATTENING_INLINE void load(const float* from, EightNumbers& to)
   to = __builtin_convertvector(singles, EightNumbers);
 }
 #else
-using TwoNumbers = std::array<double, 2>;
+using Double2 = std::array<double, 2>;
 #endif
 
 /// The function for the widest instructions that the processor has.

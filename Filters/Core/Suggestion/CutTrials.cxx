@@ -194,7 +194,7 @@ CutTrials::Trial CutTrials::tried(
   // thread they ask as often whatever the threads.
   Index asked = 0;
   double mostSteps = most / triangles;
-  Execution counting = execution.insideLoop();
+  Execution counting = execution.nestedExecution();
   counting.cancel = [&asked, &execution, &mostSteps] {
     return ++asked / askedPerStep > mostSteps || execution.cancelled();
   };
@@ -378,7 +378,7 @@ std::vector<TrialOutcome> CutTrials::runAll(const std::vector<std::vector<Polyli
   TrialBudget& budget, const Execution& execution) const
 {
   std::vector<TrialOutcome> outcomes(cuts.size());
-  const Execution inner = execution.insideLoop();
+  const Execution inner = execution.nestedExecution();
   const auto count = static_cast<Index>(cuts.size());
   for (Index first = 0; first < count && !budget.spent(); first += triedTogether)
   {

@@ -132,7 +132,7 @@ private:
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     std::vector<KeyTrial> tried(distinct.size());
-    const Execution inner = this->Run.insideLoop();
+    const Execution inner = this->Run.nestedExecution();
     this->Run.parallelFor(static_cast<Index>(distinct.size()), [&](Index begin, Index end) {
       for (Index k = begin; k < end && !inner.cancelled(); ++k)
       {

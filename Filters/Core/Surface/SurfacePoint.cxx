@@ -73,14 +73,14 @@ Index edgeOf(const TriangleMesh& mesh, Index halfedge)
 
 SurfacePoint vertexPoint(const TriangleMesh& mesh, Index vertex)
 {
-  return { Carrier::Vertex, vertex, { 1.0, 0.0, 0.0 }, mesh.point(vertex) };
+  return { SurfacePointType::Vertex, vertex, { 1.0, 0.0, 0.0 }, mesh.point(vertex) };
 }
 
 SurfacePoint edgePoint(const TriangleMesh& mesh, Index halfedge, double fraction)
 {
   const Point3 position =
     (1.0 - fraction) * mesh.point(mesh.from(halfedge)) + fraction * mesh.point(mesh.to(halfedge));
-  return { Carrier::Edge, halfedge, { 1.0 - fraction, fraction, 0.0 }, position };
+  return { SurfacePointType::Edge, halfedge, { 1.0 - fraction, fraction, 0.0 }, position };
 }
 
 SurfacePoint snapToMesh(
@@ -113,7 +113,7 @@ SurfacePoint snapToMesh(
   }
   if (edge == none)
   {
-    return { Carrier::Face, t, closest.weights, closest.position };
+    return { SurfacePointType::Face, t, closest.weights, closest.position };
   }
   const Index low = edgeOf(mesh, edge);
   const SurfacePoint point = edgePoint(mesh, low, low == edge ? fraction : 1.0 - fraction);
@@ -127,11 +127,11 @@ SurfacePoint snapToMesh(
 Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point)
 {
   Indices triangles;
-  if (point.carrier == Carrier::Face)
+  if (point.type == SurfacePointType::Face)
   {
     triangles.push_back(point.id);
   }
-  else if (point.carrier == Carrier::Edge)
+  else if (point.type == SurfacePointType::Edge)
   {
     triangles.push_back(point.id / 3);
     if (mesh.twin(point.id) != none)
@@ -151,14 +151,14 @@ Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point)
 
 bool contains(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point)
 {
-  switch (point.carrier)
+  switch (point.type)
   {
-    case Carrier::Face:
+    case SurfacePointType::Face:
       return point.id == triangle;
-    case Carrier::Edge:
+    case SurfacePointType::Edge:
       return point.id / 3 == triangle ||
         (mesh.twin(point.id) != none && mesh.twin(point.id) / 3 == triangle);
-    case Carrier::Vertex:
+    case SurfacePointType::Vertex:
       break;
   }
   const Triangle& corners = mesh.triangle(triangle);
@@ -167,21 +167,21 @@ bool contains(const TriangleMesh& mesh, Index triangle, const SurfacePoint& poin
 
 Index commonEdge(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
-  if (a.carrier == Carrier::Face || b.carrier == Carrier::Face)
+  if (a.type == SurfacePointType::Face || b.type == SurfacePointType::Face)
   {
     return none;
   }
-  if (a.carrier == Carrier::Vertex && b.carrier == Carrier::Vertex)
+  if (a.type == SurfacePointType::Vertex && b.type == SurfacePointType::Vertex)
   {
     const Index h = mesh.find(a.id, b.id);
     return h != none ? h : mesh.find(b.id, a.id);
   }
-  if (a.carrier == Carrier::Edge && b.carrier == Carrier::Edge)
+  if (a.type == SurfacePointType::Edge && b.type == SurfacePointType::Edge)
   {
     return a.id == b.id ? a.id : none;
   }
-  const Index vertex = a.carrier == Carrier::Vertex ? a.id : b.id;
-  const Index edge = a.carrier == Carrier::Vertex ? b.id : a.id;
+  const Index vertex = a.type == SurfacePointType::Vertex ? a.id : b.id;
+  const Index edge = a.type == SurfacePointType::Vertex ? b.id : a.id;
   return mesh.from(edge) == vertex || mesh.to(edge) == vertex ? edge : none;
 }
 
@@ -209,7 +209,7 @@ Point3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)
   for (Index t : trianglesAround(mesh, point))
   {
     double weight = 1.0;
-    if (point.carrier == Carrier::Vertex)
+    if (point.type == SurfacePointType::Vertex)
     {
       const Triangle& c = mesh.triangle(t);
       const auto corner = std::find(c.begin(), c.end(), point.id) - c.begin();

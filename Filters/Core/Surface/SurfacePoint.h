@@ -9,7 +9,7 @@
 namespace flattening
 {
 /// The smallest element of the mesh that a point of the surface lies on.
-enum class Carrier
+enum class SurfacePointType
 {
   Vertex,
   Edge,
@@ -19,7 +19,7 @@ enum class Carrier
 /// A point of the surface, tied to the mesh by ids, not by coordinates alone.
 struct SurfacePoint
 {
-  Carrier carrier = Carrier::Vertex;
+  SurfacePointType type = SurfacePointType::Vertex;
   /// A vertex; a half-edge, the smaller one of its edge; a triangle.
   Index id = none;
   /// Weights of the vertex; of from() and to() of the half-edge; of the corners of the triangle.
@@ -56,7 +56,7 @@ Index edgeOf(const TriangleMesh& mesh, Index halfedge);
 SurfacePoint vertexPoint(const TriangleMesh& mesh, Index vertex);
 /// \pre halfedge is the smaller one of its edge.
 SurfacePoint edgePoint(const TriangleMesh& mesh, Index halfedge, double fraction);
-/// The point with what lies within the snap distance taken for its carrier.
+/// The point with what lies within the snap distance taken for its type.
 SurfacePoint snapToMesh(
   const TriangleMesh& mesh, const SnapDistance& snap, const ClosestPoint& closest);
 

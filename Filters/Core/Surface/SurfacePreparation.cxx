@@ -4,7 +4,7 @@
 #include "Base/Memory.h"
 #include "Base/Status.h"
 #include "Base/Types.h"
-#include "Surface/EdgeSides.h"
+#include "Surface/HalfedgeKey.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>
@@ -76,13 +76,13 @@ Indices turnOver(Triangles& triangles, const Indices& partner, Indices& reversed
 
 /// Triangles that have the same corners as an earlier one, in either orientation: they share edges,
 /// and the corner opposite to each.
-Indices findDoubled(const Triangles& triangles, const std::vector<EdgeSide>& sides)
+Indices findDoubled(const Triangles& triangles, const std::vector<HalfedgeKey>& sides)
 {
   Indices doubled;
   std::vector<std::pair<Index, Index>> around; // corner opposite to an edge, triangle
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    const EdgeSide& side = sides[i];
+    const HalfedgeKey& side = sides[i];
     const bool first = i == 0 || sides[i - 1].low != side.low || sides[i - 1].high != side.high;
     if (first)
     {
@@ -117,7 +117,7 @@ Indices findDoubled(const Triangles& triangles, const std::vector<EdgeSide>& sid
 Status orientTriangles(
   const Indices& pointIds, Triangles& triangles, Indices& partner, Indices& reversed)
 {
-  const std::vector<EdgeSide> sides = sortedSides(triangles, pointIds.size());
+  const std::vector<HalfedgeKey> sides = sortedSides(triangles, pointIds.size());
   Indices bad = findDoubled(triangles, sides);
   if (!bad.empty())
   {

@@ -174,13 +174,13 @@ private:
 
   bool onBoundary(const SurfacePoint& point) const
   {
-    switch (point.carrier)
+    switch (point.type)
     {
-      case Carrier::Vertex:
+      case SurfacePointType::Vertex:
         return this->Mesh.onBoundary(point.id);
-      case Carrier::Edge:
+      case SurfacePointType::Edge:
         return this->Mesh.twin(point.id) == none;
-      case Carrier::Face:
+      case SurfacePointType::Face:
         break;
     }
     return false;
@@ -235,13 +235,13 @@ private:
 
   bool carries(Index h, const SurfacePoint& point) const
   {
-    switch (point.carrier)
+    switch (point.type)
     {
-      case Carrier::Vertex:
+      case SurfacePointType::Vertex:
         return this->Mesh.from(h) == point.id || this->Mesh.to(h) == point.id;
-      case Carrier::Edge:
+      case SurfacePointType::Edge:
         return edgeOf(this->Mesh, h) == point.id;
-      case Carrier::Face:
+      case SurfacePointType::Face:
         break;
     }
     return false;

@@ -2,7 +2,7 @@
 #include "Surface/TriangleMesh.h"
 
 #include "Base/Types.h"
-#include "Surface/EdgeSides.h"
+#include "Surface/HalfedgeKey.h"
 
 #include <algorithm>
 #include <cmath>

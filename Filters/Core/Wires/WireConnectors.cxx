@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/WireConnectors.h"
 
-#include "Base/Grouping.h"
+#include "Base/CompressedRows.h"
 #include "Surface/VertexFan.h"
 
 #include <functional>
@@ -145,7 +145,7 @@ Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire
       components.join(mesh.from(h), mesh.to(h));
     }
   }
-  const Grouping wires =
+  const CompressedRows wires =
     groupMembers(static_cast<std::size_t>(mesh.vertexCount()), [&](const auto& visit) {
       for (Index v = 0; v < mesh.vertexCount(); ++v)
       {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Wires/WireNetwork.h"
 
-#include "Base/Grouping.h"
+#include "Base/CompressedRows.h"
 #include "Cut/PieceTopology.h"
 #include "Surface/VertexFan.h"
 #include "Wires/WireConnectors.h"
@@ -258,7 +258,7 @@ private:
         net.hostVertices.push_back(net.vertex[i]);
       }
     }
-    Grouping nodes = groupMembers(net.hostVertices.size(), [&net](const auto& visit) {
+    CompressedRows nodes = groupMembers(net.hostVertices.size(), [&net](const auto& visit) {
       for (Index i = 0; i < net.nodeCount(); ++i)
       {
         visit(net.hostOfVertex[net.vertex[i]], i);

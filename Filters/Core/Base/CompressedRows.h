@@ -7,7 +7,7 @@ namespace flattening
 {
 /// Members by group as ranges of one array (compressed rows): those of group g are
 /// members[begin[g]] up to members[begin[g + 1] - 1], in the order in which they came.
-struct Grouping
+struct CompressedRows
 {
   Indices begin{ 0 };
   Indices members;
@@ -31,9 +31,9 @@ struct Grouping
 /// \param forEach calls its argument as visit(group, member) for every member; it is called twice and
 /// must visit the same both times.
 template <class ForEach>
-Grouping groupMembers(std::size_t groups, const ForEach& forEach)
+CompressedRows groupMembers(std::size_t groups, const ForEach& forEach)
 {
-  Grouping result;
+  CompressedRows result;
   result.begin.assign(groups + 1, 0);
   forEach([&](Index group, Index) { ++result.begin[group + 1]; });
   for (std::size_t g = 0; g < groups; ++g)
@@ -47,7 +47,7 @@ Grouping groupMembers(std::size_t groups, const ForEach& forEach)
 }
 
 /// Groups 0, 1, 2, ... by the group that each is in.
-inline Grouping groupBy(std::size_t groups, const Indices& groupOf)
+inline CompressedRows groupBy(std::size_t groups, const Indices& groupOf)
 {
   return groupMembers(groups, [&groupOf](const auto& visit) {
     for (std::size_t k = 0; k < groupOf.size(); ++k)

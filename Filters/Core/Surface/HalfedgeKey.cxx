@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Surface/EdgeSides.h"
+#include "Surface/HalfedgeKey.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace flattening
 {
-std::vector<EdgeSide> sortedSides(const Triangles& triangles, std::size_t vertexCount)
+std::vector<HalfedgeKey> sortedSides(const Triangles& triangles, std::size_t vertexCount)
 {
-  const auto side = [&triangles](std::size_t h) -> EdgeSide {
+  const auto side = [&triangles](std::size_t h) -> HalfedgeKey {
     const Index a = triangles[h / 3][h % 3];
     const Index b = triangles[h / 3][(h + 1) % 3];
     return { std::min(a, b), std::max(a, b), static_cast<Index>(h) };
@@ -21,23 +21,23 @@ std::vector<EdgeSide> sortedSides(const Triangles& triangles, std::size_t vertex
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   Indices place(begin.begin(), begin.end() - 1);
-  std::vector<EdgeSide> sides(count);
+  std::vector<HalfedgeKey> sides(count);
   for (std::size_t h = 0; h < count; ++h)
   {
-    const EdgeSide s = side(h);
+    const HalfedgeKey s = side(h);
     sides[place[s.low]++] = s;
   }
   for (std::size_t v = 0; v < vertexCount; ++v)
   {
     std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1],
-      [](const EdgeSide& a, const EdgeSide& b) {
+      [](const HalfedgeKey& a, const HalfedgeKey& b) {
         return a.high != b.high ? a.high < b.high : a.halfedge < b.halfedge;
       });
   }
   return sides;
 }
 
-Indices pairSides(const std::vector<EdgeSide>& sides)
+Indices pairSides(const std::vector<HalfedgeKey>& sides)
 {
   Indices partner(sides.size(), none);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)

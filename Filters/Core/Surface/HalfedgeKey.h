@@ -6,7 +6,7 @@
 namespace flattening
 {
 /// A half-edge (3 t + k runs in triangle t from corner k) under its two vertices.
-struct EdgeSide
+struct HalfedgeKey
 {
   Index low = none;
   Index high = none;
@@ -15,10 +15,10 @@ struct EdgeSide
 
 /// All half-edges of triangles, those of one edge next to each other in ascending order; by a
 /// counting sort over the lower vertex, which takes linear time.
-std::vector<EdgeSide> sortedSides(const Triangles& triangles, std::size_t vertexCount);
+std::vector<HalfedgeKey> sortedSides(const Triangles& triangles, std::size_t vertexCount);
 
 /// Per half-edge the other one of its edge; none where it is alone. \param sides as sorted.
-Indices pairSides(const std::vector<EdgeSide>& sides);
+Indices pairSides(const std::vector<HalfedgeKey>& sides);
 
 /// The same in less time where the surface is in order: at most two triangles at an edge, which run
 /// along it in opposite directions and have different third corners. Empty where it is not, or
