@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/ConvexEmbedding.h"
 
-#include "Base/Planar.h"
+#include "Base/Types.h"
 #include "Sparse/LinearSolver.h"
 #include "Surface/TriangleFrame.h"
 
