@@ -30,7 +30,7 @@ TriangleMesh dome(double height)
   }).mesh;
 }
 
-double largestStrain(const FlatteningResult& result)
+double largestStrainOf(const FlatteningResult& result)
 {
   double strain = 0.0;
   for (const PieceReport& piece : result.pieces)
@@ -67,7 +67,7 @@ TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
 TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
 {
   const TriangleMesh mesh = dome(0.45);
-  const double before = largestStrain(flattenSurface(mesh, {}, {}, {}));
+  const double before = largestStrainOf(flattenSurface(mesh, {}, {}, {}));
   ASSERT_GT(before, 0.06);
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.035, 10));
   EXPECT_TRUE(suggestions.boundMet);
@@ -77,8 +77,8 @@ TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
   const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_EQ(suggestions.curves.back().strainAfter, suggestions.strainAfter);
-  EXPECT_LE(largestStrain(result), 0.035);
-  EXPECT_NEAR(largestStrain(result), suggestions.strainAfter, 1e-9);
+  EXPECT_LE(largestStrainOf(result), 0.035);
+  EXPECT_NEAR(largestStrainOf(result), suggestions.strainAfter, 1e-9);
 }
 
 TEST(CurveSuggestion, ItsDartsAreNoLongerThanTheBoundAsks)
@@ -97,7 +97,7 @@ TEST(CurveSuggestion, ItsDartsAreNoLongerThanTheBoundAsks)
       EXPECT_GT(cut.length, 0.1);
       CurveSuggestions shorter;
       shorter.curves = withShare(suggestions.curves, k, 0.95);
-      EXPECT_GT(largestStrain(flattened(mesh, {}, shorter)), 0.035) << cut.curve.name;
+      EXPECT_GT(largestStrainOf(flattened(mesh, {}, shorter)), 0.035) << cut.curve.name;
     }
   }
   EXPECT_GT(darts, 0);
@@ -420,7 +420,7 @@ TEST(CurveSuggestion, CutsABallIntoPiecesThatFlatten)
   EXPECT_TRUE(suggestions.boundMet);
   const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
-  EXPECT_LE(largestStrain(result), 0.25);
+  EXPECT_LE(largestStrainOf(result), 0.25);
   EXPECT_GT(result.pieces.size(), 1u);
 }
 

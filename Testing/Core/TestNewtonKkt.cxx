@@ -387,7 +387,7 @@ TEST(NewtonKkt, StepsByAnEarlierMatrixEndWhereThoseByTheirOwnDoWithFewerMatrices
           Eigen::VectorXd(1.0 + 3.0 * (x - goal).array().square()).asDiagonal());
       };
       NewtonKktOptions options;
-      options.chordReduction = followed;
+      options.chordReduction = chordReduction;
       const NewtonKktState end =
         solved(model, Eigen::Vector2d(std::cos(angle), std::sin(angle)), options);
       EXPECT_TRUE(end.converged());
