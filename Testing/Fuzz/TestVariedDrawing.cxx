@@ -235,9 +235,7 @@ void expectPaths(Sheet& sheet)
     EXPECT_LE(worstBend(sheet.mesh(), dragged.path), exactly);
     for (const SurfacePoint* end : { &from, &to })
     {
-      // Lengths of a path from either end differ by rounding.
-      EXPECT_LE(
-        distance.way.length, straightPath(sheet.graph(), *end, other).length * (1.0 + exactly));
+      EXPECT_LE(distance.way.length, straightPath(sheet.graph(), *end, other).length);
     }
   }
 }

@@ -16,13 +16,14 @@ namespace
 constexpr int narrowings = 40;
 constexpr std::size_t mostFeet = 4;
 
-/// Straight paths from places along a path to a point, all by one search from the point.
-class PathsToPoint
+/// Lengths of the ways from places along a path to a point.
+class WaysFrom
 {
 public:
-  PathsToPoint(const PathGraph& graph, const SurfacePath& path, const SurfacePoint& point)
-    : Search(graph, point)
+  WaysFrom(const PathGraph& graph, const SurfacePath& path, const SurfacePoint& point)
+    : Graph(graph)
     , Path(path)
+    , Point(point)
   {
     this->Places.push_back(0.0);
     for (std::size_t i = 0; i < path.triangles.size(); ++i)
@@ -50,17 +51,15 @@ public:
     const double size = this->Places[leg + 1] - this->Places[leg];
     const double along =
       size > 0.0 ? std::clamp((place - this->Places[leg]) / size, 0.0, 1.0) : 0.0;
-    return pointBetween(this->Search.graph().mesh(), this->Path.triangles[leg],
-      this->Path.points[leg], this->Path.points[leg + 1], along);
+    return pointBetween(this->Graph.mesh(), this->Path.triangles[leg], this->Path.points[leg],
+      this->Path.points[leg + 1], along);
   }
-  StraightPath from(double place)
+  StraightPath from(double place) const
   {
-    StraightPath straight = straightPath(this->Search, this->footAt(place));
-    straight.path = reversed(std::move(straight.path));
-    return straight;
+    return straightPath(this->Graph, this->footAt(place), this->Point);
   }
-  /// The place near another from which the path is shortest, by golden sections.
-  double nearest(double place)
+  /// The place near another from which the way is shortest, by golden sections.
+  double nearest(double place) const
   {
     const StraightPath start = this->from(place);
     double low = std::max(place - start.length, 0.0);
@@ -77,8 +76,9 @@ public:
   }
 
 private:
-  PathSearch Search;
+  const PathGraph& Graph;
   const SurfacePath& Path;
+  const SurfacePoint& Point;
   std::vector<double> Places;
 };
 
@@ -134,7 +134,7 @@ PathDistance distanceFrom(
   };
   Outcome outcome = withinMemory([&] {
     Outcome found;
-    PathsToPoint ways(graph, path, point);
+    const WaysFrom ways(graph, path, point);
     std::vector<PathFoot> feet =
       pathFeet(path, point.position, std::numeric_limits<double>::infinity());
     std::sort(
