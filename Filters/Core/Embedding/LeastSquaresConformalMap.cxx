@@ -171,9 +171,11 @@ std::array<Index, 2> farthestPins(const TriangleMesh& mesh, const Indices& bound
   std::sort(vertices.begin(), vertices.end());
   double most = 0.0;
   std::array<Index, 2> pins{ none, none };
-  for (auto a = vertices.begin(); a != vertices.end() && -2.0 * a->first >= most * (1.0 - tie); ++a)
+  const auto mayBeFarthest = [&most](double a, double b) { return -a - b >= most * (1.0 - tie); };
+  for (auto a = vertices.begin();
+       a != vertices.end() && mayBeFarthest(a->first, vertices.front().first); ++a)
   {
-    for (auto b = vertices.begin(); b != a && -a->first - b->first >= most * (1.0 - tie); ++b)
+    for (auto b = vertices.begin(); b != a && mayBeFarthest(a->first, b->first); ++b)
     {
       const auto [low, high] = std::minmax(a->second, b->second);
       const std::array<Index, 2> pair{ low, high };
