@@ -57,7 +57,7 @@ Status CurveEditor::checkNode(std::size_t c, std::size_t node) const
 
 Status CurveEditor::replace(std::size_t c, EditedCurve changed)
 {
-  Status status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), changed);
+  Status status = drawCurve(*this->Surface, this->state(), &this->curve(c), changed);
   if (!status.refused())
   {
     this->put(c, std::move(changed));
@@ -118,7 +118,7 @@ Status CurveEditor::addAll(std::vector<EditedCurve> curves)
       curve.closed = curve.closed && canBeClosed(curve);
       curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
       curve.traits.name = freeName(next, curve.traits.name);
-      own = drawCurve(*this->Surface, next.mirror, nullptr, curve);
+      own = drawCurve(*this->Surface, next, nullptr, curve);
       if (own.refused())
       {
         return own;
@@ -262,7 +262,7 @@ Status CurveEditor::setMirror(const std::optional<MirrorPlane>& mirror)
     for (const auto& curve : this->state().curves)
     {
       EditedCurve changed = *curve;
-      Status status = drawCurve(*this->Surface, mirror, curve.get(), changed);
+      Status status = drawCurve(*this->Surface, next, curve.get(), changed);
       if (status.refused())
       {
         return status;

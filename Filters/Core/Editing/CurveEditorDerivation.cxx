@@ -31,7 +31,7 @@ Status CurveEditor::split(std::size_t c, std::size_t node)
     second.traits.name = freeName(this->state(), second.traits.name);
     for (EditedCurve* part : { &first, &second })
     {
-      status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), *part);
+      status = drawCurve(*this->Surface, this->state(), &this->curve(c), *part);
       if (status.refused())
       {
         return status;
@@ -67,7 +67,7 @@ Status CurveEditor::join(std::size_t first, std::size_t second)
       }
     }
     EditedCurve whole = joined(this->curve(first), this->curve(second));
-    status = drawCurve(*this->Surface, this->state().mirror, nullptr, whole);
+    status = drawCurve(*this->Surface, { {}, this->state().mirror }, nullptr, whole);
     if (!status.refused())
     {
       CurveSet next = this->state();
@@ -95,7 +95,7 @@ Status CurveEditor::addImage(std::size_t c)
     EditedCurve image = this->curve(c);
     for (SurfacePoint& node : image.nodes)
     {
-      node = imageOf(*this->Surface, *this->state().mirror, node);
+      node = imageOf(*this->Surface, this->state(), &this->curve(c), node);
     }
     image.traits.mirrored = false;
     image.traits.ease = easeOfImage(image.traits.ease);
@@ -127,7 +127,7 @@ Status CurveEditor::tighten(std::size_t c)
       return tight.status;
     }
     EditedCurve changed = std::move(tight.curves.front());
-    status = drawCurve(*this->Surface, this->state().mirror, nullptr, changed);
+    status = drawCurve(*this->Surface, { {}, this->state().mirror }, nullptr, changed);
     if (!status.refused())
     {
       this->put(c, std::move(changed));
