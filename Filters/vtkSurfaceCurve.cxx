@@ -117,7 +117,7 @@ Status drawCurveOf(const DrawingSurface& surface, const Points3& points,
       {}, { { Remedy::Give, more } } };
   }
   curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kind);
-  return drawCurve(surface, mirror, nullptr, curve);
+  return drawCurve(surface, { {}, mirror }, nullptr, curve);
 }
 
 /// Puts what follows from a curve, the last one, in its place.
@@ -132,7 +132,7 @@ Status replaceCurve(const DrawingSurface& surface, const std::optional<MirrorPla
     if (!status.refused())
     {
       part.traits = drawn.traits;
-      status = drawCurve(surface, mirror, nullptr, part);
+      status = drawCurve(surface, { {}, mirror }, nullptr, part);
       curves.push_back(std::move(part));
     }
   }

@@ -103,7 +103,7 @@ struct CsvReader
 {
   CsvReader(const std::string& file, const std::string& text, vtkPolyData* owner)
     : path(file)
-    , lines(text)
+    , lines(text, false)
     , surface(owner)
   {
   }

@@ -41,7 +41,7 @@ struct DxfReader
 {
   DxfReader(const std::string& file, const std::string& text)
     : path(file)
-    , lines(text)
+    , lines(text, false)
   {
   }
 

@@ -125,7 +125,7 @@ bool LineReader::next(std::string& line)
   }
   this->Number = this->Lines;
   line.assign(part);
-  while (!line.empty() && line.back() == '\\')
+  while (this->Joins && !line.empty() && line.back() == '\\')
   {
     line.back() = ' ';
     if (!this->nextPhysical(part))

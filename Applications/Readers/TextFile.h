@@ -22,14 +22,15 @@ std::string readWholeFile(const std::string& path);
 /// Lower-case extension with its dot, ".vtp"; empty where there is none.
 std::string lowerCaseExtension(const std::string& path);
 
-/// Walks the lines of a text and counts them. A backslash at the end of a line joins it to the
-/// next.
+/// Walks the lines of a text and counts them.
 class LineReader
 {
 public:
   /// \param text may begin with the byte order mark that some editors put before UTF-8.
-  explicit LineReader(std::string_view text)
+  /// \param joins whether a backslash at the end of a line joins it to the next
+  explicit LineReader(std::string_view text, bool joins = true)
     : Rest(text)
+    , Joins(joins)
   {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     if (text.substr(0, mark.size()) == mark)
@@ -46,6 +47,7 @@ private:
   bool nextPhysical(std::string_view& line);
 
   std::string_view Rest;
+  bool Joins;
   std::size_t Number = 0;
   std::size_t Lines = 0;
 };

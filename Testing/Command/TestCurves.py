@@ -179,6 +179,8 @@ class Curves(command.CommandTest):
                 csv.writer(file, delimiter=divider, quoting=quoting).writerows(table)
             curves = self.flatten("lune.obj", name)["curves"]
             self.assertEqual([(curve["name"], curve["type"]) for curve in curves], [('side, "left"; low', "key")])
+        self.write("o.csv", "x,y,z,name\n" + "".join(f"{x!r},{y!r},{z!r},key arc\\\n" for x, y, z in rows))
+        self.assert_same_as_text(self.flatten("lune.obj", "o.csv"), "key", "arc\\")
         self.write("m.csv", 'name,type,x,y,z\n"open,key,0,0,0\n')
         self.assertIn("m.csv:2: a field in quotes", self.refused("lune.obj", "m.csv"))
         # No column of types: what stands behind the last one named is none.
@@ -332,7 +334,7 @@ class Curves(command.CommandTest):
         hatch = space.add_hatch()
         document.blocks.new("dart").add_circle((0, 0), 10)
         inserted = [space.add_blockref("dart", (k, 0)) for k in range(5)]
-        space.add_text("not a curve")
+        space.add_text("C:\\texts that end in a backslash\\")
         document.saveas(self.path("some.dxf"))
         run = self.run_command("sheet.obj", "some.dxf", "--unit", "mm", "--output", "out")
         warning, = [line for line in run.stderr.splitlines() if "some.dxf" in line]

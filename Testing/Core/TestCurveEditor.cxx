@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace flattening;
@@ -356,6 +357,52 @@ TEST(CurveEditor, ImagesOfEndsOnTheBoundaryLieOnItWhereTheSurfaceIsNotQuiteSymme
         ASSERT_TRUE(editor.addImage(own).ok());
         EXPECT_TRUE(onBoundary(editor.curve(own + 1).nodes.front()));
       }
+    }
+  }
+}
+
+TEST(CurveEditor, ImagesOfEndsOnAMirroredCurveLieOnItsImage)
+{
+  for (const double scale : { 1e-2, 1.0, 500.0 })
+  {
+    // The right half has a bump more.
+    const auto shape = [&](double i, double j) -> Point3 {
+      const double bump = i > 10 ? 0.8 * std::sin(pi * (i - 10) / 10) * std::sin(pi * j / 20) : 0.0;
+      return scale * Point3(i, j + 0.5 * bump, 1.5 * std::sin(pi * i / 20) + bump);
+    };
+    CurveEditor editor(drawing(testmeshes::patch(20, 20, shape)));
+    ASSERT_TRUE(editor.setMirror(MirrorPlane{ scale * Point3(10, 0, 0), Point3::UnitX() }).ok());
+    EditedCurve seam = through(editor.surface(), { shape(0, 9), shape(8.3, 9.4) });
+    seam.traits.mirrored = true;
+    ASSERT_TRUE(editor.add(seam).ok());
+    const auto distance = [](const Points3& line, const Point3& point) {
+      double least = 1e300;
+      for (std::size_t k = 1; k < line.size(); ++k)
+      {
+        const Point3 side = line[k] - line[k - 1];
+        const double along = side.dot(point - line[k - 1]) / side.squaredNorm();
+        least = std::min(least, (line[k - 1] + std::clamp(along, 0.0, 1.0) * side - point).norm());
+      }
+      return least;
+    };
+    const Points3 whole = pointsAlong(editor.curve(0).segments);
+    for (const std::size_t at : { whole.size() / 4, whole.size() / 2, whole.size() - 3 })
+    {
+      const Point3 start = 0.5 * (whole[at] + whole[at + 1]);
+      EditedCurve dart =
+        through(editor.surface(), { start, start + scale * Point3(0.4, 3.7, 0.0) });
+      dart.traits.mirrored = true;
+      ASSERT_TRUE(editor.add(dart).ok());
+      const std::size_t own = editor.state().curves.size() - 1;
+      const Point3 image = editor.curve(own).image.front().points.front().position;
+      EXPECT_LT(distance(pointsAlong(editor.curve(0).image), image), 1e-6 * scale) << scale;
+      EXPECT_LT((image - Point3(2 * scale * 10 - start.x(), start.y(), start.z())).norm(), scale);
+      // Moved off the curve its image follows it alone.
+      const SurfacePoint off = editor.surface().pointNear(start + scale * Point3(0.3, 1.2, 0.0));
+      ASSERT_TRUE(editor.moveNode(own, 0, off).ok());
+      const Point3 place(2 * scale * 10 - off.position.x(), off.position.y(), off.position.z());
+      EXPECT_EQ(editor.curve(own).image.front().points.front().position,
+        editor.surface().pointNear(place).position);
     }
   }
 }

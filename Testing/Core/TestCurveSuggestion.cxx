@@ -208,7 +208,9 @@ TEST(CurveSuggestion, ItsProgressNeverFallsAndIsThatOfTheWhole)
     fractions.push_back(fraction);
     doneBefore = doneBefore || (fraction < 1.0 && std::string(phase) == "Done");
   };
-  ASSERT_TRUE(suggestCurves(dome(0.5), {}, optionsOf(0.0, 4), execution).status.ok());
+  SuggestionOptions options = optionsOf(0.0, 4);
+  options.search.maximumWork = 5.0;
+  ASSERT_TRUE(suggestCurves(dome(0.5), {}, options, execution).status.ok());
   ASSERT_GT(fractions.size(), 1U);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_FALSE(doneBefore);
@@ -255,7 +257,7 @@ TEST(CurveSuggestion, ItsWorkIsBoundedAtAnySizeAndNoneLeavesMoreStrain)
       return Point3(x, y, 0.7 * (1.0 - x * x) * (1.0 - 0.8 * y * y));
     }).mesh;
     const double uncut = largestStrainOf(flattenSurface(mesh, {}, {}, {}));
-    for (double work : { 0.01, 0.6, 3.0 })
+    for (double work : { 0.01, 0.8 })
     {
       SuggestionOptions options = optionsOf(0.01, 6);
       options.search.maximumWork = work;
@@ -302,8 +304,9 @@ TEST(CurveSuggestion, TakesNoMoreCutsThanAllowedToOpenASurface)
     const CurveSuggestions suggestions = suggestCurves(torus, {}, options);
     EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
     EXPECT_EQ(suggestions.curves.empty(), most == 1);
-    EXPECT_EQ(suggestions.status.code, most == 1 ? StatusCode::InvalidOption : StatusCode::Ok)
-      << suggestions.status.message;
+    EXPECT_EQ(suggestions.status.code, most == 1 ? StatusCode::InvalidOption : StatusCode::Ok);
+    EXPECT_EQ(
+      suggestions.status.message.find("to open the surface takes") == std::string::npos, most > 1);
   }
 }
 
@@ -341,7 +344,7 @@ TEST(CurveSuggestion, DartsThatMeetAtTheirTipsAreNoTrial)
 
 TEST(CurveSuggestion, ItsDartsNeverDivideAPiece)
 {
-  for (int lobes : { 2, 3, 5 })
+  for (int lobes : { 2, 5 })
   {
     const TriangleMesh mesh = patch(18, 14, [lobes](double i, double j) {
       const double x = i / 9.0 - 1.0;
@@ -366,7 +369,7 @@ TEST(CurveSuggestion, IsMirroredOnlyWhereCutsAreImagesOfEachOther)
   for (Index most : { 1, 2, 4 })
   {
     SuggestionOptions options = optionsOf(0.0, most);
-    options.search.maximumWork = 3.0;
+    options.search.maximumWork = 1.0;
     for (const TriangleMesh& mesh : { dome(0.4), twoBumps() })
     {
       const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);

@@ -2,6 +2,9 @@
 #include "Sewing/PieceSewing.h"
 #include "SuggestionTesting.h"
 
+#include <array>
+#include <map>
+
 using namespace flattening;
 using namespace testmeshes;
 
@@ -147,5 +150,143 @@ TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
   for (const Polyline& dart : sewn.darts)
   {
     EXPECT_LT(missOf(dart, suggestions), 0.1 * size) << dart.name;
+  }
+}
+
+namespace
+{
+/// A box, each face in so many squares along each side; turned, so that no face lies along an axis.
+TriangleMesh box(const Point3& size, Index divisions, double scale)
+{
+  std::map<std::array<Index, 3>, Index> ids;
+  Points3 points;
+  Triangles triangles;
+  const auto vertex = [&](std::array<Index, 3> at) {
+    const auto found = ids.emplace(at, static_cast<Index>(points.size()));
+    if (found.second)
+    {
+      const Point3 p =
+        scale / static_cast<double>(divisions) * size.cwiseProduct(Point3(at[0], at[1], at[2]));
+      points.emplace_back(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y(), p.z());
+    }
+    return found.first->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (Index side : { 0, divisions })
+    {
+      for (Index i = 0; i < divisions; ++i)
+      {
+        for (Index j = 0; j < divisions; ++j)
+        {
+          const auto corner = [&](Index a, Index b) {
+            std::array<Index, 3> at{};
+            at[axis] = side;
+            at[(axis + 1) % 3] = i + a;
+            at[(axis + 2) % 3] = j + b;
+            return vertex(at);
+          };
+          const std::array<Index, 4> square{ corner(0, 0), corner(1, 0), corner(1, 1),
+            corner(0, 1) };
+          for (Triangle t : { Triangle{ square[0], square[1], square[2] },
+                 Triangle{ square[0], square[2], square[3] } })
+          {
+            if (side == 0)
+            {
+              std::swap(t[1], t[2]);
+            }
+            triangles.push_back(t);
+          }
+        }
+      }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// A pyramid without its base.
+TriangleMesh pyramid(Index sides, double height)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index k = 0; k < sides; ++k)
+  {
+    const double angle = 2.0 * pi * k / sides;
+    points.emplace_back(std::cos(angle), 1.3 * std::sin(angle), 0.0);
+    triangles.push_back({ k, (k + 1) % sides, sides });
+  }
+  points.emplace_back(0.1, 0.2, height);
+  return { std::move(points), std::move(triangles) };
+}
+
+/// A closed can of so many sides.
+TriangleMesh can(Index sides, double height)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index k = 0; k < sides; ++k)
+  {
+    const double angle = 2.0 * pi * k / sides;
+    const Index next = (k + 1) % sides;
+    points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    triangles.push_back({ k, next, sides + next });
+    triangles.push_back({ k, sides + next, sides + k });
+    triangles.push_back({ next, k, 2 * sides });
+    triangles.push_back({ sides + k, sides + next, 2 * sides + 1 });
+  }
+  for (Index k = 0; k < sides; ++k)
+  {
+    points.push_back(points[k] + Point3(0.0, 0.0, height));
+  }
+  points.emplace_back(0.0, 0.0, 0.0);
+  points.emplace_back(0.0, 0.0, height);
+  return { std::move(points), std::move(triangles) };
+}
+
+void expectExact(const TriangleMesh& mesh, SuggestedCuts cuts, std::size_t count)
+{
+  SuggestionOptions options = optionsOf(0.01, 8);
+  options.search.cuts = cuts;
+  options.search.maximumWork = 5.0;
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
+  EXPECT_TRUE(suggestions.boundMet);
+  EXPECT_EQ(suggestions.curves.size(), count);
+  EXPECT_LT(suggestions.strainAfter, 1e-9);
+  EXPECT_TRUE(flattened(mesh, {}, suggestions).status.ok());
+}
+}
+
+TEST(SuggestedSets, SharpEdgesOfABoxBecomeItsNet)
+{
+  for (Index divisions : { 1, 2, 3 })
+  {
+    for (double scale : { 1e-3, 1.0, 500.0 })
+    {
+      expectExact(box({ 2.0, 3.0, 1.2 }, divisions, scale), SuggestedCuts::All, 7);
+    }
+  }
+  expectExact(box({ 2.0, 3.0, 1.2 }, 2, 1.0), SuggestedCuts::Darts, 7);
+  expectExact(box({ 2.0, 3.0, 1.2 }, 2, 1.0), SuggestedCuts::Seams, 7);
+}
+
+TEST(SuggestedSets, APyramidIsCutFromItsBaseToItsApex)
+{
+  for (Index sides : { 3, 4, 7 })
+  {
+    for (double height : { 0.5, 1.5 })
+    {
+      expectExact(pyramid(sides, height), SuggestedCuts::All, 1);
+      expectExact(pyramid(sides, height), SuggestedCuts::Darts, 1);
+    }
+  }
+}
+
+TEST(SuggestedSets, ACanIsCutAlongItsRims)
+{
+  for (Index sides : { 16, 40 })
+  {
+    expectExact(can(sides, 1.0), SuggestedCuts::All, 3);
+    expectExact(can(sides, 3.0), SuggestedCuts::All, 3);
   }
 }

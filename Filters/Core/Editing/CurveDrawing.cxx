@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace flattening
@@ -16,6 +17,39 @@ namespace flattening
 namespace
 {
 constexpr double imageReach = 0.05; ///< of the box around the boundary
+
+/// The nearest of the places offered.
+struct NearestPlace
+{
+  explicit NearestPlace(const Point3& to)
+    : point(to)
+  {
+  }
+
+  void offer(const Point3& a, const Point3& b)
+  {
+    const Point3 side = b - a;
+    const double length = side.squaredNorm();
+    const double along = length > 0.0 ? std::clamp(side.dot(point - a) / length, 0.0, 1.0) : 0.0;
+    const Point3 candidate = a + along * side;
+    if ((point - candidate).norm() < distance)
+    {
+      distance = (point - candidate).norm();
+      place = candidate;
+    }
+  }
+  void offer(const Points3& line)
+  {
+    for (std::size_t k = 1; k < line.size(); ++k)
+    {
+      this->offer(line[k - 1], line[k]);
+    }
+  }
+
+  Point3 point;
+  Point3 place = Point3::Zero();
+  double distance = std::numeric_limits<double>::infinity();
+};
 
 DrawnSegment drawSection(
   const DrawingSurface& surface, const SurfacePoint& from, const SurfacePoint& to)
@@ -103,12 +137,13 @@ bool isOfWhole(const WholeCurve& whole, const EditedCurve& curve, std::size_t s)
   return !whole.path.triangles.empty() && (!spline || curve.kinds[s] == SegmentKind::Spline);
 }
 
-Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, EditedCurve& curve)
+Status drawImage(
+  const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* own, EditedCurve& curve)
 {
   std::vector<SurfacePoint> nodes;
   for (const SurfacePoint& node : curve.nodes)
   {
-    nodes.push_back(imageOf(surface, mirror, node));
+    nodes.push_back(imageOf(surface, curves, own, node));
   }
   const WholeCurve whole = drawWhole(surface, curve, nodes);
   if (whole.status.refused())
@@ -126,7 +161,7 @@ Status drawImage(const DrawingSurface& surface, const MirrorPlane& mirror, Edite
     Points3 points = pointsAlong({ curve.segments[s] });
     for (Point3& point : points)
     {
-      point = mirror.image(point);
+      point = curves.mirror->image(point);
     }
     const SurfacePath hint = surface.pathThrough(points);
     DrawnSegment drawn = drawSegment(surface, curve.kinds[s], nodes[s],
@@ -147,40 +182,42 @@ bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
     (point.type == SurfacePointType::Edge && mesh.twin(point.id) == none);
 }
 
-SurfacePoint imageOf(
-  const DrawingSurface& surface, const MirrorPlane& mirror, const SurfacePoint& point)
+SurfacePoint imageOf(const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* own,
+  const SurfacePoint& point)
 {
   const TriangleMesh& mesh = surface.mesh();
-  const Point3 image = mirror.image(point.position);
+  const Point3 image = curves.mirror->image(point.position);
   SurfacePoint near = surface.pointNear(image);
-  if (!atBoundary(mesh, point) || atBoundary(mesh, near))
+  const bool ofBoundary = atBoundary(mesh, point);
+  if (ofBoundary && atBoundary(mesh, near))
   {
     return near;
   }
   Eigen::AlignedBox3d box;
-  ClosestPoint closest;
+  NearestPlace nearest(image);
   for (const Index h : surface.boundary())
   {
-    const Point3& from = mesh.point(mesh.from(h));
-    const Point3 side = mesh.point(mesh.to(h)) - from;
-    const double length = side.squaredNorm();
-    const double along = length > 0.0 ? std::clamp(side.dot(image - from) / length, 0.0, 1.0) : 0.0;
-    const Point3 place = from + along * side;
-    const double distance = (image - place).norm();
-    box.extend(from);
-    if (closest.triangle == none || distance < closest.distance)
+    box.extend(mesh.point(mesh.from(h)));
+    if (ofBoundary)
     {
-      closest.triangle = h / 3;
-      closest.weights = {};
-      closest.weights[static_cast<std::size_t>(h % 3)] = 1.0 - along;
-      closest.weights[static_cast<std::size_t>(TriangleMesh::next(h) % 3)] = along;
-      closest.position = place;
-      closest.distance = distance;
+      nearest.offer(mesh.point(mesh.from(h)), mesh.point(mesh.to(h)));
     }
   }
-  return closest.triangle != none && closest.distance < imageReach * box.diagonal().norm()
-    ? snapToMesh(mesh, surface.snap(), closest)
-    : near;
+  for (const auto& curve : curves.curves)
+  {
+    if (ofBoundary || curve.get() == own || curve->image.empty())
+    {
+      continue;
+    }
+    NearestPlace onCurve(point.position);
+    onCurve.offer(pointsAlong(curve->segments));
+    if (onCurve.distance <= surface.snap().greatest())
+    {
+      nearest.offer(pointsAlong(curve->image));
+    }
+  }
+  return nearest.distance < imageReach * box.diagonal().norm() ? surface.pointNear(nearest.place)
+                                                               : near;
 }
 
 DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const SurfacePoint& from,
@@ -196,8 +233,8 @@ DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const 
   return { std::move(straight.path), std::move(straight.status) };
 }
 
-Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
-  const EditedCurve* before, EditedCurve& curve)
+Status drawCurve(const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* before,
+  EditedCurve& curve)
 {
   const std::size_t count = segmentCount(curve.nodes.size(), curve.closed);
   std::vector<SurfacePath> hints = std::exchange(curve.segments, {});
@@ -231,6 +268,7 @@ Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>
     }
     curve.segments.push_back(std::move(drawn.path));
   }
-  return curve.traits.mirrored && mirror ? drawImage(surface, *mirror, curve) : Status();
+  return curve.traits.mirrored && curves.mirror ? drawImage(surface, curves, before, curve)
+                                                : Status();
 }
 }

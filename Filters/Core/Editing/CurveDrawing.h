@@ -23,14 +23,17 @@ DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const 
 bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point);
 
 /// Where the image of a point lies on the surface. That of a point on the boundary lies on it as
-/// well, where the boundary is within a twentieth of the surface's size: surfaces of bodies and
-/// their scans are nearly symmetric, and cuts would end short of it.
-SurfacePoint imageOf(
-  const DrawingSurface& surface, const MirrorPlane& mirror, const SurfacePoint& point);
+/// well, that of a point on a mirrored curve on the curve's image, where these are within a
+/// twentieth of the surface's size: surfaces of bodies and their scans are nearly symmetric, and
+/// cuts would end short of it. \param curves those that there are; their mirror is the plane
+/// \param own of them the one that the point is a node of, or null
+SurfacePoint imageOf(const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* own,
+  const SurfacePoint& point);
 
-/// Draws the curve's segments, and its image where there is a plane. The segments that it holds,
+/// Draws the curve's segments, and its image where there is a plane, beside the curves that there
+/// are, with their mirror. The segments that it holds,
 /// where they are as many as it has, are hints, but for empty ones. What is as in the curve before
 /// is taken over. \param before may be null. Errors: as above.
-Status drawCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
-  const EditedCurve* before, EditedCurve& curve);
+Status drawCurve(const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* before,
+  EditedCurve& curve);
 }

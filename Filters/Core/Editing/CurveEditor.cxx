@@ -129,7 +129,7 @@ Status CurveEditor::checkNode(std::size_t c, std::size_t node) const
 
 Status CurveEditor::replace(std::size_t c, EditedCurve changed)
 {
-  Status status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), changed);
+  Status status = drawCurve(*this->Surface, this->state(), &this->curve(c), changed);
   if (!status.refused())
   {
     this->put(c, std::move(changed));
@@ -190,7 +190,7 @@ Status CurveEditor::addAll(std::vector<EditedCurve> curves)
       curve.closed = curve.closed && canBeClosed(curve);
       curve.kinds.resize(segmentCount(curve.nodes.size(), curve.closed), SegmentKind::Geodesic);
       curve.traits.name = freeName(next, curve.traits.name);
-      own = drawCurve(*this->Surface, next.mirror, nullptr, curve);
+      own = drawCurve(*this->Surface, next, nullptr, curve);
       if (own.refused())
       {
         return own;
@@ -334,7 +334,7 @@ Status CurveEditor::setMirror(const std::optional<MirrorPlane>& mirror)
     for (const auto& curve : this->state().curves)
     {
       EditedCurve changed = *curve;
-      Status status = drawCurve(*this->Surface, mirror, curve.get(), changed);
+      Status status = drawCurve(*this->Surface, next, curve.get(), changed);
       if (status.refused())
       {
         return status;
@@ -368,7 +368,7 @@ Status CurveEditor::split(std::size_t c, std::size_t node)
     second.traits.name = freeName(this->state(), second.traits.name);
     for (EditedCurve* part : { &first, &second })
     {
-      status = drawCurve(*this->Surface, this->state().mirror, &this->curve(c), *part);
+      status = drawCurve(*this->Surface, this->state(), &this->curve(c), *part);
       if (status.refused())
       {
         return status;
@@ -404,7 +404,7 @@ Status CurveEditor::join(std::size_t first, std::size_t second)
       }
     }
     EditedCurve whole = joined(this->curve(first), this->curve(second));
-    status = drawCurve(*this->Surface, this->state().mirror, nullptr, whole);
+    status = drawCurve(*this->Surface, { {}, this->state().mirror }, nullptr, whole);
     if (!status.refused())
     {
       CurveSet next = this->state();
@@ -432,7 +432,7 @@ Status CurveEditor::addImage(std::size_t c)
     EditedCurve image = this->curve(c);
     for (SurfacePoint& node : image.nodes)
     {
-      node = imageOf(*this->Surface, *this->state().mirror, node);
+      node = imageOf(*this->Surface, this->state(), &this->curve(c), node);
     }
     image.traits.mirrored = false;
     image.traits.ease = easeOfImage(image.traits.ease);
@@ -464,7 +464,7 @@ Status CurveEditor::tighten(std::size_t c)
       return tight.status;
     }
     EditedCurve changed = std::move(tight.curves.front());
-    status = drawCurve(*this->Surface, this->state().mirror, nullptr, changed);
+    status = drawCurve(*this->Surface, { {}, this->state().mirror }, nullptr, changed);
     if (!status.refused())
     {
       this->put(c, std::move(changed));

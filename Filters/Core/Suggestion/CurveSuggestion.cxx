@@ -29,6 +29,10 @@ constexpr double shareOpened = 0.9;
 /// Of all work, what is kept at most for measuring what each cut gives, by so many steps of each.
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
+/// More sharp edges than these are no edges of a body, but of a coarse mesh.
+constexpr std::size_t mostSharp = 48;
+/// A strain that is as good as none.
+constexpr double nearlyFlat = 1e-3;
 /// What searches are of the progress.
 constexpr double searchPart = 0.6;
 
@@ -61,7 +65,7 @@ public:
     {
       this->findMirror();
     }
-    const std::vector<SuggestedCurve> first = this->openingCutsOf(surface);
+    const std::vector<SuggestedCurve> first = this->neededCuts(surface, false);
     CutSet uncut;
     uncut.outcome = this->Whole.run({}, this->Budget, this->Run);
     if (this->Run.cancelled())
@@ -70,15 +74,18 @@ public:
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
       stepsOfMeasuring * this->Mesh.triangleCount() * this->Options.search.maximumCuts);
+    const bool flat = uncut.outcome.valid && this->Merit.withinBound(uncut.outcome.strainP95);
+    const std::optional<CutSet> sharp =
+      flat ? std::nullopt : this->sharpSet(surface, !uncut.outcome.valid);
     const auto seams = static_cast<Index>(first.size());
-    if (seams > this->Options.search.maximumCuts && !uncut.outcome.valid)
+    if (seams > this->Options.search.maximumCuts && !uncut.outcome.valid && !sharp)
     {
       return refusal({ StatusCode::InvalidOption,
         "the greatest number of cuts is " + std::to_string(this->Options.search.maximumCuts) +
           ", and to open the surface takes " + std::to_string(seams) + " seams",
         {}, { { Remedy::Give, "a number from " + std::to_string(seams) } } });
     }
-    const CutSet best = this->search(uncut, first);
+    const CutSet best = this->search(uncut, first, sharp);
     this->Result.curves = best.cuts;
     if (std::all_of(best.cuts.begin(), best.cuts.end(),
           [](const SuggestedCurve& cut) { return cut.mirrorOf == none; }))
@@ -120,8 +127,8 @@ private:
     }
   }
 
-  /// Cuts without which a piece cannot be laid flat at all.
-  std::vector<SuggestedCurve> openingCutsOf(const ImprintedSurface& surface) const
+  /// Cuts without which a piece cannot be laid flat at all, or those along its sharp edges.
+  std::vector<SuggestedCurve> neededCuts(const ImprintedSurface& surface, bool sharp) const
   {
     std::vector<SuggestedCurve> cuts;
     const CutSurface cutAlready = cutSurface(surface.mesh, surface.curves);
@@ -134,8 +141,9 @@ private:
         barred.push_back(marks.barred[cutAlready.originalVertex[v]]);
       }
       const bool plane = this->Result.mirror && this->Result.mirror->plane();
-      for (Polyline& line :
-        openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
+      for (Polyline& line : sharp
+          ? sharpEdges(piece.mesh, barred)
+          : openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
       {
         SuggestedCurve cut;
         cut.length = lengthOf(line.points);
@@ -146,21 +154,114 @@ private:
     return cuts;
   }
 
+  /// All sharp edges as cuts, with what then opens the pieces, less what the bound does not need.
+  /// None where they do not meet it, or are too many.
+  /// \param opens whether the surface cannot be laid flat without cuts, which may then be of any kind
+  std::optional<CutSet> sharpSet(const ImprintedSurface& surface, bool opens)
+  {
+    const SearchOptions& wanted = this->Options.search;
+    CutSet set;
+    set.cuts = this->neededCuts(surface, true);
+    if (set.cuts.empty() || set.cuts.size() > mostSharp)
+    {
+      return {};
+    }
+    std::vector<Polyline> all = this->Curves;
+    for (const SuggestedCurve& cut : set.cuts)
+    {
+      all.push_back(cut.curve);
+    }
+    const ImprintedSurface parted = imprintCurves(this->Mesh, all, this->Options.imprint);
+    if (!parted.status.ok())
+    {
+      return {};
+    }
+    for (SuggestedCurve& cut : this->neededCuts(parted, false))
+    {
+      set.cuts.push_back(std::move(cut));
+    }
+    const double bound = wanted.bound > 0.0 ? wanted.bound : nearlyFlat;
+    set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
+    if (!set.outcome.valid || set.outcome.strainP95 > bound)
+    {
+      return {};
+    }
+    thinCuts(this->Whole, bound, std::numeric_limits<double>::infinity(), set.cuts, set.outcome,
+      this->Budget, this->Run);
+    this->makeDarts(surface, set);
+    set.end = wanted.bound > 0.0 ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
+    const auto is = [&](CurveType type) {
+      return std::any_of(set.cuts.begin(), set.cuts.end(),
+        [type](const SuggestedCurve& cut) { return cut.curve.type == type; });
+    };
+    const bool kinds = opens ||
+      !is(wanted.cuts == SuggestedCuts::Darts   ? CurveType::Seam
+          : wanted.cuts == SuggestedCuts::Seams ? CurveType::Dart
+                                                : CurveType::Accessory);
+    return kinds && static_cast<Index>(set.cuts.size()) <= wanted.maximumCuts &&
+        set.outcome.cutLength() <= wanted.maximumCutLength
+      ? std::optional<CutSet>(set)
+      : std::nullopt;
+  }
+
+  /// Cuts that end inside at one end are darts. Last, since they may begin on the others.
+  void makeDarts(const ImprintedSurface& surface, CutSet& set)
+  {
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    std::vector<SuggestedCurve> cuts;
+    std::vector<SuggestedCurve> darts;
+    for (std::size_t k = 0; k < set.cuts.size(); ++k)
+    {
+      const auto ends = [&](const Point3& point) {
+        for (Index v = 0; v < cut.mesh.vertexCount(); ++v)
+        {
+          if (cut.mesh.onBoundary(v) && cut.mesh.point(v) == point)
+          {
+            return true;
+          }
+        }
+        for (std::size_t j = 0; j < set.cuts.size(); ++j)
+        {
+          const Points3& other = set.cuts[j].curve.points;
+          if (j != k && std::find(other.begin(), other.end(), point) != other.end())
+          {
+            return true;
+          }
+        }
+        return false;
+      };
+      Points3& points = set.cuts[k].curve.points;
+      const bool first = ends(points.front());
+      const bool dart = points.front() != points.back() && first != ends(points.back());
+      if (dart && !first)
+      {
+        std::reverse(points.begin(), points.end());
+      }
+      (dart ? darts : cuts).push_back(set.cuts[k]);
+      (dart ? darts : cuts).back().curve.type = dart ? CurveType::Dart : CurveType::Seam;
+    }
+    cuts.insert(cuts.end(), darts.begin(), darts.end());
+    set.cuts = std::move(cuts);
+    set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
+  }
+
   /// The best set that is found, which is never worse than no cuts.
-  CutSet search(const CutSet& uncut, const std::vector<SuggestedCurve>& first)
+  CutSet search(const CutSet& uncut, const std::vector<SuggestedCurve>& first,
+    const std::optional<CutSet>& sharp)
   {
     const SearchOptions& wanted = this->Options.search;
     std::vector<CutSet> found;
     if (static_cast<Index>(first.size()) > wanted.maximumCuts)
     {
       this->Result.end = SearchEnd::CutsUsedUp;
-      this->Result.cutsNeeded = static_cast<double>(first.size());
-      return uncut;
+      this->Result.cutsNeeded = sharp ? 0.0 : static_cast<double>(first.size());
+      return sharp ? *sharp : uncut;
     }
     const auto better = [this](const CutSet& a, const CutSet& b) {
       return this->Merit.merit(a) < this->Merit.merit(b);
     };
-    const std::vector<SearchWay> ways = searchWays(wanted);
+    std::vector<SearchWay> ways = searchWays(wanted);
+    ways.resize(sharp ? 1 : ways.size());
     for (std::size_t k = 0; k < ways.size() && !this->Run.cancelled(); ++k)
     {
       SearchOptions options = wanted;
@@ -191,7 +292,11 @@ private:
       return uncut;
     }
     const auto best = std::min_element(found.begin(), found.end(), better);
-    if (wanted.maximumCuts > singleSearch && best->end != SearchEnd::GivenUp)
+    if (sharp && better(*sharp, *best))
+    {
+      *best = *sharp;
+    }
+    else if (wanted.maximumCuts > singleSearch && best->end != SearchEnd::GivenUp)
     {
       TrialBudget budget(this->Budget.left() - this->MostMeasuring);
       adjustCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,

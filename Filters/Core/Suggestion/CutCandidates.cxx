@@ -21,6 +21,8 @@ constexpr double mostOverlap = 4e-3;
 constexpr double longestDart = 2.0;
 constexpr double leastSeamArc = 0.35;
 constexpr Index mostBases = 80;
+/// Where fewer stay clear of corners these are bases as well.
+constexpr std::size_t leastBases = 8;
 /// Seams run over so many of the places that are farthest from flat, and turn there by less than
 /// the angle whose cosine this is.
 constexpr std::size_t mostPeaks = 6;
@@ -50,7 +52,12 @@ public:
       around += piece.ruler().length(l);
     }
     const double spacing = std::max(baseSpacing * piece.size(), around / mostBases);
-    for (Index v : piece.ruler().spread(spacing, clearOfCorner * piece.size()))
+    Indices bases = piece.ruler().spread(spacing, clearOfCorner * piece.size());
+    if (bases.size() < leastBases) // all may be corners
+    {
+      bases = piece.ruler().spread(spacing, 0.0);
+    }
+    for (Index v : bases)
     {
       if (piece.worth(piece.ruler().placeOf(v)) > 0.0 && !piece.barred()[v])
       {

@@ -4,6 +4,7 @@
 #include "Quality/VertexClusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace flattening
@@ -13,6 +14,9 @@ namespace
 constexpr Index mostTips = 140;
 /// Darts inside join the places with most curvature.
 constexpr std::size_t mostSites = 24;
+/// Tips are also the vertices with most curvature, in radians.
+constexpr double apexDefect = 0.3;
+constexpr std::size_t mostApexes = 16;
 
 std::vector<double> angleDefects(const TriangleMesh& mesh)
 {
@@ -61,6 +65,19 @@ CutPlaces cutPlaces(const TriangleMesh& mesh, const std::vector<char>& barred)
     curved[cluster[v]].second = tips[cluster[v]];
   }
   std::sort(curved.begin(), curved.end());
+  // Where curvature is concentrated a dart has to end exactly there.
+  Indices apexes = inside;
+  const auto sharper = [&](
+                         Index a, Index b) { return std::abs(defects[a]) > std::abs(defects[b]); };
+  std::stable_sort(apexes.begin(), apexes.end(), sharper);
+  apexes.resize(std::min(apexes.size(), mostApexes));
+  for (Index v : apexes)
+  {
+    if (std::abs(defects[v]) > apexDefect && std::find(tips.begin(), tips.end(), v) == tips.end())
+    {
+      tips.push_back(v);
+    }
+  }
   CutPlaces places;
   for (const auto& [defect, tip] : curved)
   {
