@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/OpeningCuts.h"
 
-#include "Imprint/SurfacePoint.h"
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Surface/EdgePaths.h"
+#include "Surface/SurfacePoint.h"
 
 #include <algorithm>
 #include <numeric>
