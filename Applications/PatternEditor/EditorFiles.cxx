@@ -9,6 +9,7 @@
 #include "ReadSurface.h"
 #include "WindowWords.h"
 
+#include <vtkFeatureCurveEditor.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPatternWriter.h>
@@ -23,6 +24,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPainter>
+#include <QString>
 
 #include <exception>
 #include <filesystem>
@@ -31,6 +33,18 @@
 
 namespace editor
 {
+namespace
+{
+/// The curves as they are written, with the unit of the surface.
+vtkSmartPointer<vtkPolyData> curvesIn(const QString& unit, vtkFeatureCurveEditor* curves)
+{
+  auto drawn = vtkSmartPointer<vtkPolyData>::New();
+  curves->GetCurves(drawn);
+  vtkPatternWriter::SetLengthUnitOf(drawn, unit.toStdString());
+  return drawn;
+}
+}
+
 template <typename Work>
 bool EditorWindow::attempt(const Work& work)
 {
@@ -159,11 +173,7 @@ void EditorWindow::followSaving()
 //------------------------------------------------------------------------------
 void EditorWindow::keepUnsaved()
 {
-  this->attempt([&] {
-    vtkNew<vtkPolyData> drawn;
-    this->Curves->GetCurves(drawn);
-    this->Journal.write(drawn);
-  });
+  this->attempt([&] { this->Journal.write(curvesIn(this->Unit->currentText(), this->Curves)); });
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +201,7 @@ void EditorWindow::offerLeftover()
       throw std::runtime_error(this->Curves->GetMessage());
     }
     this->tell("recovered what was not saved", false);
+    this->takeUnit(vtkPatternWriter::GetLengthUnitOf(left.curves));
   });
 }
 
@@ -198,10 +209,7 @@ void EditorWindow::offerLeftover()
 bool EditorWindow::saveCurves(const std::string& path)
 {
   return this->attempt([&] {
-    vtkNew<vtkPolyData> drawn;
-    this->Curves->GetCurves(drawn);
-    vtkPatternWriter::SetLengthUnitOf(drawn, this->Unit->currentText().toStdString());
-    figures::writePolyData(path, drawn);
+    figures::writePolyData(path, curvesIn(this->Unit->currentText(), this->Curves));
     this->Saved = this->Curves->GetMTime();
     this->followSaving();
     this->tell("saved " + path, false);

@@ -4,6 +4,7 @@
 
 #include <vtkPoints.h>
 
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QMessageBox>
@@ -150,6 +151,7 @@ TEST_F(PatternEditor, CurvesOfAWindowThatEndedWithoutClosingAreOfferedOnTheSameS
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto drawAndCrash = [this] {
+    this->window->unit()->setCurrentText("m");
     addLine(this->window.get(), 6, 7);
     addLine(this->window.get(), 6, 60);
     this->window->curves()->SetCurveType(1, 2);
@@ -178,6 +180,7 @@ TEST_F(PatternEditor, CurvesOfAWindowThatEndedWithoutClosingAreOfferedOnTheSameS
   EXPECT_EQ(curves->GetCurveName(1), "left dart");
   EXPECT_EQ(curves->GetCurveType(1), 2);
   EXPECT_EQ(curves->GetNumberOfNodes(1), 2); // with their nodes, to go on from
+  EXPECT_EQ(this->window->unit()->currentText(), "m");
   EXPECT_TRUE(this->window->isWindowModified());
   QTest::qWait(1000);
   EXPECT_EQ(journals().size(), 1);
