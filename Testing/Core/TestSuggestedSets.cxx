@@ -138,6 +138,31 @@ TEST(SuggestedSets, HalvesOfAClosedBodyAreCutAlike)
   EXPECT_TRUE(result.status.ok()) << result.status.message;
 }
 
+TEST(SuggestedSets, HalvesAreImagesWhereCoordinatesHaveSixDigits)
+{
+  for (double turn : { 0.4, 1.1 })
+  {
+    for (double scale : { 1.0, 80.0 })
+    {
+      const TriangleMesh body = pear();
+      Points3 points;
+      for (const Point3& p : body.points())
+      {
+        const Point3 turned(p.x() * std::cos(turn) - p.y() * std::sin(turn),
+          p.x() * std::sin(turn) + p.y() * std::cos(turn), p.z());
+        points.push_back((1e5 * turned).array().round().matrix() * 1e-5 * scale);
+      }
+      SuggestionOptions options = optionsOf(0.15, 9);
+      options.search.maximumWork = 3.0;
+      const CurveSuggestions suggestions =
+        suggestCurves({ std::move(points), body.triangles() }, {}, options);
+      EXPECT_TRUE(suggestions.mirror.has_value()) << turn << ' ' << scale;
+      EXPECT_TRUE(std::any_of(suggestions.curves.begin(), suggestions.curves.end(),
+        [](const SuggestedCurve& cut) { return cut.mirrorOf != none; }));
+    }
+  }
+}
+
 TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
 {
   const Skirt sewn = skirt();

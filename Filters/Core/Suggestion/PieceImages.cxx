@@ -9,7 +9,7 @@ namespace
 {
 /// How near the middle of a piece's area is to that of its image, in sqrt(area / pi) of the
 /// surface, and how much areas may differ.
-constexpr double sameMiddle = 1e-7;
+constexpr double sameMiddle = 1e-5;
 }
 
 Indices pieceImages(

@@ -22,8 +22,9 @@ public:
   {
   }
 
-  /// Mirror images this near to the surface, in sqrt(area / pi), are taken as they are.
-  static constexpr double exact = 1e-9;
+  /// Mirror images this near to the surface, in sqrt(area / pi), are taken as they are: coordinates
+  /// of files have six digits.
+  static constexpr double exact = 1e-5;
 
   /// Nothing where the mirror is an intrinsic one.
   const std::optional<SymmetryPlane>& plane() const { return this->Plane; }
