@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 using namespace hostile;
 
@@ -92,6 +93,50 @@ void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
   }
 }
 
+/// Ends ordinary runs at some of their questions. \return how many of them were cancelled
+unsigned cancelRuns(unsigned first, unsigned count)
+{
+  unsigned cancelled = 0;
+  for (unsigned seed = first; seed < first + count; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> input(768);
+    std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    Bytes bytes(input.data(), input.size());
+    const HostileCase given = decodeOrdinaryCase(bytes, {});
+    const PreparedSurface surface = prepareSurface(given.points, given.triangles, given.coincident);
+    const ImprintedSurface imprinted =
+      imprintCurves(surface.mesh, given.polylines, given.imprint, {});
+    if (!surface.status.ok() || !imprinted.status.ok())
+    {
+      continue;
+    }
+    FlatteningOptions options = given.options;
+    options.scheme = Scheme::Isometric;
+    Index questions = 0;
+    Index last = std::numeric_limits<Index>::max();
+    Execution execution;
+    execution.cancel = [&] { return questions++ >= last; };
+    const auto run = [&] {
+      return flattenSurface(imprinted.mesh, imprinted.curves, options, execution);
+    };
+    run();
+    const Index all = questions;
+    for (int k = 0; k < 12; ++k)
+    {
+      last = static_cast<Index>(random() % static_cast<unsigned>(all + 1));
+      questions = 0;
+      const FlatteningResult result = run();
+      const bool ended = result.status.code == StatusCode::Cancelled;
+      EXPECT_TRUE(ended || result.status.refused() ||
+        result.positions.size() == static_cast<std::size_t>(result.cut->mesh.vertexCount()));
+      cancelled += ended ? 1 : 0;
+    }
+  }
+  return cancelled;
+}
+
 void tryChanges(unsigned first, unsigned count)
 {
   unsigned flattened = 0;
@@ -138,4 +183,14 @@ TEST(OrdinaryFew, ChangesWithACacheGiveWhatFreshRunsGive)
 TEST(OrdinaryCases, ManyChangesWithACacheGiveWhatFreshRunsGive)
 {
   tryChanges(1000, 2000);
+}
+
+TEST(OrdinaryFew, RunsThatAreCancelledAnywhereEndSo)
+{
+  EXPECT_GT(cancelRuns(0, 60), 100U);
+}
+
+TEST(OrdinaryCases, ManyRunsThatAreCancelledAnywhereEndSo)
+{
+  EXPECT_GT(cancelRuns(1000, 1500), 2500U);
 }

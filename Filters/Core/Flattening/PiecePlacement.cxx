@@ -52,9 +52,12 @@ IsometricSolution warpWithoutFolding(
     still.maximumIterations = 0;
     still.energy.kind = DistortionEnergyKind::AsRigidAsPossible;
     solution = warp(still);
-    solution.status = { StatusCode::NotConverged,
-      "the isometric scheme found nothing better than where the wires' own angles put the piece",
-      {}, { Remedy::MendSlivers } };
+    if (!solution.status.refused()) // as where the run was cancelled there
+    {
+      solution.status = { StatusCode::NotConverged,
+        "the isometric scheme found nothing better than where the wires' own angles put the piece",
+        {}, { Remedy::MendSlivers } };
+    }
   }
   return solution;
 }
