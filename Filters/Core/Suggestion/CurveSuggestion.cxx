@@ -313,7 +313,7 @@ private:
     const TrialOutcome& with = best->outcome;
     const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
                                           : with.energy > uncut.outcome.energy;
-    return uncut.outcome.valid && (worse || !with.valid) ? uncut : std::move(*best);
+    return uncut.outcome.valid && (worse || !with.valid) ? uncut : *best;
   }
 
   const CutSet& start(
