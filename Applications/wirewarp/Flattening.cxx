@@ -16,6 +16,7 @@
 #include "Units.h"
 #include "VtkMessages.h"
 
+#include <cmath>
 #include <vtkCommand.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPatternWriter.h>
@@ -90,10 +91,20 @@ void checkBound(const Options& options, Flattening& result)
   {
     return;
   }
+  const double strain = field.number("Strain", 1);
   std::ostringstream message;
-  message << std::setprecision(4) << "the proposed cuts leave a strain of "
-          << field.number("Strain", 1) << ", more than half above the bound of " << options.bound
-          << "; allow more cuts (--max-cuts) or work (--max-work), or a larger bound";
+  message << std::setprecision(4);
+  if (std::isnan(strain))
+  {
+    message << "no cuts are found with which the surface can be flattened, so that the bound of "
+            << options.bound << " is not met; draw seams that open the surface";
+  }
+  else
+  {
+    message << "the proposed cuts leave a strain of " << strain
+            << ", more than half above the bound of " << options.bound
+            << "; allow more cuts (--max-cuts) or work (--max-work), or a larger bound";
+  }
   result.exitCode = PromiseBroken;
   result.status = "BoundMissed";
   result.message = message.str();
