@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathFacts.h"
-#include "Paths/PathShortening.h"
 #include "Paths/PathGraph.h"
 #include "Paths/PathPoints.h"
+#include "Paths/PathShortening.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Proposals of cuts on surfaces of every shape: solids of few triangles, balls, tori, tubes, sheets.
+// Proposals of cuts on surfaces of every shape: solids of few triangles, balls, tori, tubes,
+// sheets.
 #include "Suggestion/CurveSuggestion.h"
 #include "Surface/SurfacePreparation.h"
 #include "VariedSurface.h"
