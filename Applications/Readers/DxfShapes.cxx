@@ -81,8 +81,8 @@ struct Chords
   }
 };
 
-/// Appends the chords of a function from one end of an interval to the other, in so many parts that
-/// no part turns so far that its quarters could lie on one chord.
+/// Appends the chords of a function from one end of an interval to the other, divided
+/// so that no part turns so far that its quarters could lie on one chord.
 void addChords(
   const Function& function, double begin, double end, int parts, double tolerance, Places& places)
 {

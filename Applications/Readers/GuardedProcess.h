@@ -33,7 +33,7 @@ struct ProcessAnswer
   std::string bytes; ///< as they came: a process that has gone astray may send anything
 };
 
-/// What to say where the system makes no process, by its errno, with the way out.
+/// Message for a process that the system could not start, by its errno, with a remedy.
 std::string noProcess(int error);
 
 /// Runs a program that calls answerGuarded(), so that neither a crash nor an endless loop nor a

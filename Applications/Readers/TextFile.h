@@ -12,7 +12,7 @@ namespace wirewarp
 /// not end), empty, larger than what can be flattened, or cannot be opened.
 std::size_t checkedFileSize(const std::string& path);
 
-/// Why the system refused something, by its errno, and the way out: "(Too many open files); raise
+/// Reason of a failed system call, by its errno, and a remedy: "(Too many open files); raise
 /// the limit of open files (ulimit -n)". \param remedy where errno names no limit
 std::string systemReason(int error, const std::string& remedy);
 

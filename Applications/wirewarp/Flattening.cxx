@@ -36,7 +36,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/// A strain of so many times the bound misses it.
+/// A strain above this multiple of the bound misses it.
 constexpr double missedBy = 1.5;
 
 volatile std::sig_atomic_t interrupted = 0;

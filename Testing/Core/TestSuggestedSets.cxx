@@ -180,7 +180,7 @@ TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
 
 namespace
 {
-/// A box, each face in so many squares along each side; turned, so that no face lies along an axis.
+/// A box whose faces are divided along each side; turned, so that no face lies along an axis.
 TriangleMesh box(const Point3& size, Index divisions, double scale)
 {
   std::map<std::array<Index, 3>, Index> ids;
@@ -244,7 +244,7 @@ TriangleMesh pyramid(Index sides, double height)
   return { std::move(points), std::move(triangles) };
 }
 
-/// A closed can of so many sides.
+/// A closed can with a polygon for its rim.
 TriangleMesh can(Index sides, double height)
 {
   Points3 points;

@@ -60,8 +60,7 @@ void refusalsSetTheErrorCode(Checks& check)
     "error code of the good run after it");
 }
 
-/// What a run throws that is no want of memory, such as that no thread can be started, is in the
-/// message.
+/// An exception that is not bad_alloc, such as a thread that cannot be started, is in the message.
 void aLimitOfTheSystemIsNamed(Checks& check)
 {
   const std::string limit = "no thread: Resource temporarily unavailable";

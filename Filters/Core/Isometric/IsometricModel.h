@@ -27,7 +27,7 @@ Dissection dissectVertices(
 ///   sum a_t f(J_t) + sum k_i (theta_i - alpha_i)^2 + sum weight_g h_g^2 / 2
 /// with a_t the area of triangle t over the mean area, f the sheet's energy density, theta_i the
 /// planar angle of wire-node i and k_i its stiffness, the same for all forces until
-/// switchToFinalObjective() is told them; constraints are the length of each wire edge, |x_a - x_b|
+/// switchToFinalObjective() gets them; constraints are the length of each wire edge, |x_a - x_b|
 /// = l (1 + h), the angle of each locked node, and the hold. Edges of connectors are no constraint
 /// here: the triangles beside them hold them, and nodes on them have no angle term.
 class IsometricModel : public NewtonKktModel

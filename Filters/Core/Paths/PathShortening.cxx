@@ -12,7 +12,7 @@ namespace flattening
 {
 namespace
 {
-/// The path is relaxed in 2, 4 and 8 parts, as long as each has so many points.
+/// The path is relaxed in 2, 4 and 8 parts while each has this many points.
 constexpr std::size_t fewestPoints = 8;
 constexpr int mostRelaxations = 6;
 /// Rounds that gain less are not worth their time.

@@ -22,11 +22,11 @@ namespace flattening
 {
 namespace
 {
-/// Of the work that is left, what a search may take; nearly all where the surface had to be opened,
-/// which takes so many cuts that less might end no search.
+/// Share of the remaining work for a search; nearly all where the surface had to be opened, which
+/// takes many cuts.
 constexpr double shareOfSearch = 0.5;
 constexpr double shareOpened = 0.9;
-/// Of all work, what is kept at most for measuring what each cut gives, by so many steps of each.
+/// Largest share of all work kept for measuring what each cut gains, by this many steps each.
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
 /// More sharp edges than these are no edges of a body, but of a coarse mesh.

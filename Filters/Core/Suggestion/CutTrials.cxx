@@ -19,7 +19,7 @@ namespace
 constexpr double askedPerStep = 11.0;
 /// What a trial takes beside its steps, in steps.
 constexpr double besideSteps = 5.0;
-/// After so many trials in parallel the budget is looked at.
+/// The budget is checked after this many trials in parallel.
 constexpr Index triedTogether = 16;
 /// Of the most steps of a trial, what it may take from where the surface lies uncut.
 constexpr double startShare = 0.4;
