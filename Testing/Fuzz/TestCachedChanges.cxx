@@ -93,6 +93,21 @@ void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
   }
 }
 
+/// An ordinary surface with its curves on edges, and its options; its status where there is none.
+ImprintedSurface makeCase(std::mt19937& random, FlatteningOptions& options)
+{
+  std::vector<std::uint8_t> input(768);
+  std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
+  Bytes bytes(input.data(), input.size());
+  const HostileCase given = decodeOrdinaryCase(bytes, {});
+  options = given.options;
+  const PreparedSurface surface = prepareSurface(given.points, given.triangles, given.coincident);
+  ImprintedSurface imprinted;
+  imprinted.status = surface.status;
+  return surface.status.ok() ? imprintCurves(surface.mesh, given.polylines, given.imprint, {})
+                             : imprinted;
+}
+
 /// Ends ordinary runs at some of their questions. \return how many of them were cancelled
 unsigned cancelRuns(unsigned first, unsigned count)
 {
@@ -101,18 +116,12 @@ unsigned cancelRuns(unsigned first, unsigned count)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    std::vector<std::uint8_t> input(768);
-    std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
-    Bytes bytes(input.data(), input.size());
-    const HostileCase given = decodeOrdinaryCase(bytes, {});
-    const PreparedSurface surface = prepareSurface(given.points, given.triangles, given.coincident);
-    const ImprintedSurface imprinted =
-      imprintCurves(surface.mesh, given.polylines, given.imprint, {});
-    if (!surface.status.ok() || !imprinted.status.ok())
+    FlatteningOptions options;
+    const ImprintedSurface imprinted = makeCase(random, options);
+    if (!imprinted.status.ok())
     {
       continue;
     }
-    FlatteningOptions options = given.options;
     options.scheme = Scheme::Isometric;
     Index questions = 0;
     Index last = std::numeric_limits<Index>::max();
@@ -143,23 +152,13 @@ void tryChanges(unsigned first, unsigned count)
   for (unsigned seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed)
   {
     std::mt19937 random(seed);
-    std::vector<std::uint8_t> input(768);
-    std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
-    Bytes bytes(input.data(), input.size());
-    const HostileCase given = decodeOrdinaryCase(bytes, {});
-    const PreparedSurface surface = prepareSurface(given.points, given.triangles, given.coincident);
-    if (!surface.status.ok())
-    {
-      continue;
-    }
-    const ImprintedSurface imprinted =
-      imprintCurves(surface.mesh, given.polylines, given.imprint, {});
+    FlatteningOptions options;
+    const ImprintedSurface imprinted = makeCase(random, options);
     if (!imprinted.status.ok())
     {
       continue;
     }
     std::vector<FeatureCurve> curves = imprinted.curves;
-    FlatteningOptions options = given.options;
     FlatteningCache cache;
     for (int update = 0; update < 5; ++update)
     {

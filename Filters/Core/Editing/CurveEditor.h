@@ -32,8 +32,7 @@ public:
   void endGroup() { this->Grouped = Group::None; }
   /// How many edits undo() can take back.
   std::size_t depth() const { return this->Past.size(); }
-  /// What was pushed since there were so many is undone as one from now on, and not at all where it
-  /// came to nothing.
+  /// Makes all that was pushed above this depth one step of undo, or none where nothing changed.
   void joinSince(std::size_t depth);
 
 private:

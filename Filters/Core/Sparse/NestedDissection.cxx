@@ -394,13 +394,13 @@ private:
     return halved ? Halves{ right, separator } : this->halveByPlane(begin, end);
   }
 
-  /// In parts of so many vertices on the fewest that separate are looked for, among those that are
-  /// nearest to the plane: on each side of it this share of the part, and no more than some rows,
-  /// since the time that the search takes grows faster than what it gains.
+  /// In parts of at least this many vertices the fewest that separate are looked for, among those
+  /// that are nearest to the plane: on each side of it this share of the part, and no more than
+  /// some rows, since the time that the search takes grows faster than what it gains.
   static constexpr Index worthFlow = 100;
   static constexpr double nearPlane = 0.1;
   static constexpr double rowsNearPlane = 4.0;
-  /// A separator of more vertices than so many times the root of the part's is a bad one.
+  /// A separator of more vertices than this multiple of the root of the part's is a bad one.
   static constexpr double manyInSeparator = 2.0;
 
   const Points3& Positions;

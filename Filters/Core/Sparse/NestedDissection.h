@@ -42,9 +42,9 @@ struct Dissection
   }
 };
 
-/// From how many neighbours on a vertex among so many is a hub: to eliminate it before them would
-/// couple them all. Dense rows of minimum degree orders are told so as well (P. R. Amestoy, T. A.
-/// Davis, I. S. Duff, "Algorithm 837: AMD", 2004).
+/// Number of neighbors from which a vertex among `count` is a hub: to eliminate it before them
+/// would couple them all. Minimum degree orders treat dense rows in the same way (P. R. Amestoy, T.
+/// A. Davis, I. S. Duff, "Algorithm 837: AMD", 2004).
 inline Index hubValence(Index count)
 {
   return static_cast<Index>(10.0 * std::sqrt(static_cast<double>(count)));

@@ -7,7 +7,7 @@
 
 namespace flattening
 {
-/// Up to so many cuts, which are wanted soon, are searched for once.
+/// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
 /// One way to search, beside the options.
