@@ -4,7 +4,7 @@
 #include "Base/Types.h"
 #include "CurveLength.h"
 #include "LinearRows.h"
-#include "Sparse/LeastNorm.h"
+#include "Sparse/LinearSolver.h"
 #include "StretchCurve.h"
 
 #include <Eigen/SparseCholesky>

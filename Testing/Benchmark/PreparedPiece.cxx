@@ -40,7 +40,7 @@ PreparedPiece::PreparedPiece(RefinedPiece source, const Execution& execution)
   locks.locked.assign(this->network.nodeCount(), 0);
   locks.angle.assign(this->network.nodeCount(), 0.0);
   this->problem = makeAngleProblem(this->network, std::move(locks));
-  this->angles = solveAngles(this->problem, {}, execution);
+  this->angles = solveAnglesByNewton(this->problem, {}, execution);
   require(this->angles.status);
   const WireLayout layout = layOutWires(this->network, this->angles.theta, this->angles.length);
   this->wires = layout.positions;

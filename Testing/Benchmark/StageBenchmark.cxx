@@ -118,7 +118,7 @@ void addStages(const Settings& settings, int division)
   });
   add("network", triangles, [p] { benchmark::DoNotOptimize(buildWireNetwork(p->piece)); });
   add("wires", triangles,
-    [p, execution] { benchmark::DoNotOptimize(solveAngles(p->problem, {}, execution)); });
+    [p, execution] { benchmark::DoNotOptimize(solveAnglesByNewton(p->problem, {}, execution)); });
   add("layout", triangles,
     [p] { benchmark::DoNotOptimize(layOutWires(p->network, p->angles.theta, p->angles.length)); });
   add("interior, Laplacian", triangles,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/AngleSolver.h"
+#include "Reference/SequentialAngleSolver.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "Angles/DirectionsKkt.h"
 #include "WiredSurface.h"
 
+#include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -216,5 +217,32 @@ TEST(DirectionsForm, KeysThatEncloseACurvedRegionContradictEachOther)
   for (const Index node : contradictions)
   {
     EXPECT_TRUE(problem.locks.locked[node]);
+  }
+}
+
+TEST(DirectionsForm, FactorsTakeLittleMoreThanMinimumDegreeHoweverManyPatchesThereAre)
+{
+  for (Index side : { 12, 40, 80 })
+  {
+    Surface surface = cushion(side, side, 0.3);
+    for (Index k = 4; k < side; k += 4)
+    {
+      surface.curves.push_back(rowCurve(side, k));
+      surface.curves.push_back(columnCurve(side, side, k));
+    }
+    const WiredSurface wired(surface);
+    SCOPED_TRACE(std::to_string(wired.network.loopCount()) + " patches");
+    const AngleProblem problem = wired.problem();
+    const DirectionsForm form(problem);
+    DirectionsKkt kkt(form);
+    kkt.linearize(form.unknowns(form.projectedAngles()),
+      Eigen::VectorXd::Zero(form.constraintCount()), Curvature::Exact, regularization);
+    kkt.shift(1.0);
+    const Eigen::SimplicialLDLT<SparseMatrix> minimumDegree(kkt.kkt());
+    Execution execution;
+    execution.factorMemory = static_cast<std::size_t>(
+      1.2 * SparseMatrix(minimumDegree.matrixL()).nonZeros() * (sizeof(double) + sizeof(int)));
+    LinearSolver solver(LeadingColumns{ form.rotationsAlongWires() });
+    EXPECT_NO_THROW(EXPECT_TRUE(solver.factorize(kkt.kkt(), execution)));
   }
 }

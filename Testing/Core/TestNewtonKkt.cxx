@@ -138,7 +138,7 @@ DenseModel nearestTo(const Eigen::VectorXd& goal)
 NewtonKktState solved(
   DenseModel& model, const Eigen::VectorXd& start, const NewtonKktOptions& options = {})
 {
-  return minimize(model, { start, {} }, LinearSolver(LeadingColumns{ 0 }), options, {});
+  return minimize(model, { start, {} }, LinearSolver(), options, {});
 }
 }
 
@@ -359,8 +359,8 @@ TEST(NewtonKkt, SaysWhereIterationsRunOutOrTheRunIsCancelled)
   EXPECT_FALSE(early.cancelled());
   Execution execution;
   execution.cancel = [] { return true; };
-  const NewtonKktState stopped = minimize(
-    model, { Eigen::Vector2d(1.0, -0.5), {} }, LinearSolver(LeadingColumns{ 0 }), {}, execution);
+  const NewtonKktState stopped =
+    minimize(model, { Eigen::Vector2d(1.0, -0.5), {} }, LinearSolver(), {}, execution);
   EXPECT_FALSE(stopped.converged());
   EXPECT_TRUE(stopped.cancelled());
   const NewtonKktState end = solved(model, Eigen::Vector2d(1.0, -0.5));
@@ -451,8 +451,8 @@ TEST(PenaltyDescent, GivesTheMultipliersOfItsLastWeightWhereverItEnds)
         model.whenSettling = [another](const Eigen::VectorXd&) { return another; };
         PenaltyDescentOptions options;
         options.mostSteps = steps;
-        const NewtonKktState end = descend(model, Eigen::Vector2d(0.3, 0.7 + offset),
-          LinearSolver(LeadingColumns{ 0 }), options, {});
+        const NewtonKktState end =
+          descend(model, Eigen::Vector2d(0.3, 0.7 + offset), LinearSolver(), options, {});
         EXPECT_NEAR(end.multipliers[0], 1.5, 1e-3);
       }
     }

@@ -2,7 +2,7 @@
 // Memory that runs out is a status of its own, whatever wanted it.
 #include "Base/Memory.h"
 #include "Flattening/SurfaceFlattening.h"
-#include "Sparse/LinearSolver.h"
+#include "Reference/SuperLUFactorization.h"
 #include "Surface/SurfacePreparation.h"
 #include "TestThreads.h"
 #include "WiredSurface.h"
@@ -64,7 +64,7 @@ int flattenWithMoreAndMoreMemory(const Surface& surface, const FlatteningOptions
 }
 
 /// The five-point matrix of a grid, which is positive definite.
-SparseMatrix gridMatrix(Index side)
+Eigen::SparseMatrix<double> gridMatrix(Index side)
 {
   std::vector<Eigen::Triplet<double>> entries;
   for (Index i = 0; i < side * side; ++i)
@@ -80,7 +80,7 @@ SparseMatrix gridMatrix(Index side)
       }
     }
   }
-  SparseMatrix matrix(side * side, side * side);
+  Eigen::SparseMatrix<double> matrix(side * side, side * side);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -130,10 +130,10 @@ TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
   {
     Status status;
   };
-  const SparseMatrix matrix = gridMatrix(120);
+  const Eigen::SparseMatrix<double> matrix = gridMatrix(120);
   const Eigen::MatrixXd rightHandSides = Eigen::MatrixXd::Ones(matrix.rows(), 2);
   const auto solve = [&]() -> Result {
-    LinearSolver solver(LinearMethod::SuperLU);
+    SuperLUFactorization solver;
     const bool solved =
       solver.factorize(matrix) && solver.solve(rightHandSides).rows() == matrix.rows();
     return { solved ? Status() : Status{ StatusCode::NumericalFailure, "not solved", {} } };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Angles/ProgressiveWarping.h"
 #include "Flattening/PieceWires.h"
+#include "Reference/ProgressiveWarping.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every sparse routine against a dense one, on graphs of every shape.
-#include "Sparse/LeadingElimination.h"
+#include "Reference/SuperLUFactorization.h"
 #include "Sparse/LinearSolver.h"
 #include "Sparse/MultifrontalFactorization.h"
 #include "Sparse/SymmetricAssembler.h"
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace flattening;
 using namespace testgraphs;
@@ -150,14 +151,13 @@ TEST(SparseShapes, SymmetricFactorsSolveAndTellTheSignsOfTheEigenvalues)
   }
 }
 
-TEST(SparseShapes, CholeskyAndSuperLUSolveAsDenseEliminationDoes)
+TEST(SparseShapes, SuperLUSolvesAsDenseEliminationDoes)
 {
   std::mt19937 generator(5);
   for (const Graph& graph : graphs())
   {
     SCOPED_TRACE(graph.name);
     const System definite = makeSystem(graph, 0, generator);
-    expectSolves(LinearSolver(LinearMethod::Cholesky), definite, Truth(definite), "Cholesky");
     // Of no symmetry, and with a diagonal that only pivoting avoids.
     Eigen::MatrixXd general = definite.dense;
     general.triangularView<Eigen::StrictlyUpper>() *= -0.7;
@@ -168,29 +168,28 @@ TEST(SparseShapes, CholeskyAndSuperLUSolveAsDenseEliminationDoes)
     const Eigen::MatrixXd rhs = Eigen::MatrixXd::Ones(graph.count, 2);
     const Eigen::FullPivLU<Eigen::MatrixXd> dense(general);
     ASSERT_TRUE(dense.isInvertible());
-    LinearSolver solver(LinearMethod::SuperLU);
+    SuperLUFactorization solver;
     ASSERT_TRUE(solver.factorize(general.sparseView()));
     const Eigen::MatrixXd expected = dense.solve(rhs);
     EXPECT_LT((solver.solve(rhs) - expected).norm(), 1e-8 * expected.norm());
-    EXPECT_EQ(solver.positive(), none);
   }
 }
 
-TEST(SparseShapes, LeadingEliminationKeepsTheFirstColumnsAndNamesEachOnce)
+TEST(SparseShapes, SuperLURefusesWhatItCannotFactor)
 {
-  std::mt19937 generator(6);
-  for (const Graph& graph : graphs())
+  using Matrix = Eigen::SparseMatrix<double>;
+  Matrix singular(16, 16);
+  Matrix notFinite(16, 16);
+  for (Index k = 0; k < 16; ++k)
   {
-    const System system = makeSystem(graph, 0, generator);
-    for (Index leading : { Index{ 0 }, Index{ 1 }, graph.count / 2, graph.count })
-    {
-      Indices order = leadingColumnsFirst(system.assembler.matrix(), leading);
-      Indices all(graph.count);
-      std::iota(all.begin(), all.end(), 0);
-      EXPECT_TRUE(std::equal(all.begin(), all.begin() + leading, order.begin())) << graph.name;
-      std::sort(order.begin(), order.end());
-      EXPECT_EQ(order, all) << graph.name;
-    }
+    singular.insert(k, k) = k == 5 ? 0.0 : 1.0;
+    notFinite.insert(k, k) = k == 3 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+  }
+  singular.makeCompressed();
+  notFinite.makeCompressed();
+  for (const Matrix& matrix : { singular, notFinite, Matrix(4, 5), Matrix(16, 16) })
+  {
+    EXPECT_FALSE(SuperLUFactorization().factorize(matrix));
   }
 }
 

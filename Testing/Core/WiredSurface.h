@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Angles/AngleSolver.h"
+#include "Reference/SequentialAngleSolver.h"
 #include "TestMeshes.h"
 #include "Wires/KeyCurveLocks.h"
 

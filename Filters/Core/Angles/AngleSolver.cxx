@@ -3,7 +3,6 @@
 
 #include "Angles/DirectionsForm.h"
 #include "Angles/DirectionsKkt.h"
-#include "Angles/SequentialAngleSolver.h"
 #include "Base/Execution.h"
 #include "Sparse/NewtonKkt.h"
 
@@ -19,7 +18,7 @@ constexpr double longestTurn = 1.0;
 
 /// Exact Newton method on the directions form.
 /// \param phase name in the records, which are appended to history.
-NewtonKktState solveAnglesByNewton(const DirectionsForm& form, NewtonKktState start,
+NewtonKktState minimizeChange(const DirectionsForm& form, NewtonKktState start,
   const AngleSolverOptions& options, const Execution& execution, const char* phase,
   std::vector<IterationRecord>& history)
 {
@@ -106,7 +105,7 @@ NewtonKktState followLengths(const AngleStart& start, const AngleProblem& proble
       rough.maximumIterations = std::min(options.maximumIterations, 20);
       rough.closureTolerance = rough.optimalityTolerance = 1e-6;
     }
-    state = solveAnglesByNewton(form, std::move(state), rough, execution, "homotopy", history);
+    state = minimizeChange(form, std::move(state), rough, execution, "homotopy", history);
     if (state.termination == Termination::Cancelled)
     {
       break;
@@ -141,8 +140,9 @@ void close(
       { { Remedy::MakeAccessory, "key curves" } } };
   }
 }
+}
 
-AngleSolution solveByNewton(
+AngleSolution solveAnglesByNewton(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
 {
   const DirectionsForm form(problem);
@@ -150,24 +150,9 @@ AngleSolution solveByNewton(
   NewtonKktState start;
   start.x = form.unknowns(form.projectedAngles());
   AngleSolution solution =
-    finish(problem, form, solveAnglesByNewton(form, start, options, execution, "newton", history));
+    finish(problem, form, minimizeChange(form, start, options, execution, "newton", history));
   close(form, std::move(history), solution);
   return solution;
-}
-}
-
-AngleSolution solveAngles(
-  const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
-{
-  if (options.method == AngleMethod::Sequential && problem.groups.empty())
-  {
-    AngleSolution solution = problem.network->loopCount() == 1
-      ? solveLoopSequentially(problem, options, execution)
-      : solveAnglesSequentially(problem, options, execution);
-    solution.method = AngleMethod::Sequential;
-    return solution;
-  }
-  return solveByNewton(problem, options, execution);
 }
 
 bool wantsAnotherStart(const AngleProblem& problem, const AngleSolution& solution)

@@ -7,10 +7,9 @@
 
 namespace flattening
 {
-/// Solves Eq. 13. Sequential starts from theta = alpha as the paper does, Newton from the angles
-/// nearest to alpha that meet all turning and 2 pi constraints. Problems with stretch groups are
-/// solved by Newton, whatever the options say (see AngleSolution::method).
-AngleSolution solveAngles(
+/// Solves Eq. 13 by the exact Newton method in the directions form, from the angles nearest to
+/// alpha that meet all turning and 2 pi constraints.
+AngleSolution solveAnglesByNewton(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution);
 
 /// Whether Newton's method should try from elsewhere: it has failed, or ended with an angle outside

@@ -3,7 +3,6 @@
 
 #include "Base/CompressedRows.h"
 #include "Sparse/LinearSolver.h"
-#include "Wires/ChainOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,21 +104,42 @@ Runs joinLockedEdges(const AngleProblem& problem, const std::vector<double>& bra
   return runs;
 }
 
-/// All but single edges along wires: they are eliminated last, see ChainOrder.
-std::vector<char> lateRuns(const WireNetwork& net, const Runs& runs, Index fixed)
+/// Ranks of the runs in their order. Single edges along wires come first: edges follow each other
+/// along a wire by their numbers, so that each in turn leaves one neighbor only. Larger runs, edges
+/// at junctions of wires and the fixed run come last.
+struct RunOrder
 {
-  const ChainOrder order(net);
-  std::vector<char> late(runs.size.size(), 0);
-  for (Index e = 0; e < net.edgeCount(); ++e)
+  RunOrder(const WireNetwork& net, const Runs& runs, Index fixed)
+    : rank(runs.size.size(), none)
   {
-    if (runs.size[runs.ofEdge[e]] > 1 || order.atJunction[e])
+    Indices degree(net.hostVertices.size(), 0);
+    for (const WireEdge& edge : net.edges)
     {
-      late[runs.ofEdge[e]] = 1;
+      ++degree[net.hostOfVertex[edge.from]];
+      ++degree[net.hostOfVertex[edge.to]];
+    }
+    std::vector<char> along(this->rank.size(), 0);
+    for (Index e = 0; e < net.edgeCount(); ++e)
+    {
+      const Index run = runs.ofEdge[e];
+      along[run] = run != fixed && runs.size[run] == 1 &&
+          degree[net.hostOfVertex[net.edges[e].from]] == 2 &&
+          degree[net.hostOfVertex[net.edges[e].to]] == 2
+        ? 1
+        : 0;
+    }
+    this->alongWires = static_cast<Index>(std::count(along.begin(), along.end(), 1));
+    Index next = 0;
+    Index nextLate = this->alongWires;
+    for (std::size_t run = 0; run < along.size(); ++run)
+    {
+      this->rank[run] = along[run] ? next++ : nextLate++;
     }
   }
-  late[fixed] = 1;
-  return late;
-}
+
+  Indices rank;
+  Index alongWires = 0;
+};
 }
 
 DirectionsForm::DirectionsForm(const AngleProblem& problem)
@@ -156,33 +176,24 @@ double DirectionsForm::signedLength(Index side) const
 void DirectionsForm::projectAngles()
 {
   // Least squares: theta = alpha + C' y with C C' y = b - C alpha; C holds the loops and the
-  // interior vertices, two ones a column at the most. Vertices go first: eliminating them fills in
-  // between loops alone. But hubs of wires go last, since they would couple all their loops.
+  // interior vertices, two ones a column at the most.
   const WireNetwork& net = *this->Problem->network;
-  const Index loops = net.loopCount();
+  Index rows = net.loopCount();
   Indices vertexRow(net.hostVertices.size(), none);
-  Index rows = 0;
-  const auto numberVertices = [&](bool hubs) {
-    for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
+  {
+    if (net.interior[host])
     {
-      const Index nodes = net.vertexNodeBegin[host + 1] - net.vertexNodeBegin[host];
-      if (net.interior[host] && (nodes > hubValence(loops)) == hubs)
-      {
-        vertexRow[host] = rows++;
-      }
+      vertexRow[host] = rows++;
     }
-  };
-  numberVertices(false);
-  const Index loopRow = rows;
-  rows += loops;
-  numberVertices(true);
+  }
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(rows);
   std::vector<Eigen::Triplet<double>> entries;
-  for (Index loop = 0; loop < loops; ++loop)
+  for (Index loop = 0; loop < net.loopCount(); ++loop)
   {
     const Index count = net.loopBegin[loop + 1] - net.loopBegin[loop];
-    missing[loopRow + loop] = (count - 2) * pi;
-    entries.emplace_back(loopRow + loop, loopRow + loop, count);
+    missing[loop] = (count - 2) * pi;
+    entries.emplace_back(loop, loop, count);
   }
   for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
   {
@@ -196,17 +207,16 @@ void DirectionsForm::projectAngles()
   for (Index i = 0; i < net.nodeCount(); ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
-    missing[loopRow + net.loop[i]] -= net.alpha[i];
+    missing[net.loop[i]] -= net.alpha[i];
     if (row != none)
     {
       missing[row] -= net.alpha[i];
-      const Index loopAt = loopRow + net.loop[i];
-      entries.emplace_back(std::max(loopAt, row), std::min(loopAt, row), 1.0);
+      entries.emplace_back(row, net.loop[i], 1.0);
     }
   }
   SparseMatrix normal(rows, rows);
   normal.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LeadingColumns{ loopRow });
+  LinearSolver solver;
   this->Projected = net.alpha;
   if (!solver.factorize(normal))
   {
@@ -217,7 +227,7 @@ void DirectionsForm::projectAngles()
   for (Index i = 0; i < net.nodeCount() && this->HasProjection; ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
-    this->Projected[i] += y(loopRow + net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
+    this->Projected[i] += y(net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
   }
 }
 
@@ -239,9 +249,8 @@ void DirectionsForm::formRuns(const std::vector<double>& psi)
   this->Offset = std::move(runs.offset);
   this->Contradictions = std::move(runs.contradictions);
   const Index fixed = runs.largest();
-  const std::vector<char> late = lateRuns(net, runs, fixed);
-  const Indices rank = markedLast(late);
-  this->RotationsAlong = static_cast<Index>(std::count(late.begin(), late.end(), 0));
+  const RunOrder order(net, runs, fixed);
+  this->RotationsAlong = order.alongWires;
   this->Rotations = static_cast<Index>(runs.size.size()) - 1;
   this->UnknownOfEdge.assign(net.edgeCount(), none);
   double rotation = 0.0;
@@ -254,14 +263,14 @@ void DirectionsForm::formRuns(const std::vector<double>& psi)
   }
   for (Index e = 0; e < net.edgeCount(); ++e)
   {
-    const Index place = rank[runs.ofEdge[e]];
+    const Index place = order.rank[runs.ofEdge[e]];
     if (runs.ofEdge[e] == fixed)
     {
       this->Offset[e] += rotation;
     }
     else
     {
-      this->UnknownOfEdge[e] = place < rank[fixed] ? place : place - 1;
+      this->UnknownOfEdge[e] = place < order.rank[fixed] ? place : place - 1;
     }
   }
 }

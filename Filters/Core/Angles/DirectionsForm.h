@@ -24,7 +24,7 @@ public:
   Index unknownCount() const { return this->Rotations + this->groupCount(); }
   Index rotationCount() const { return this->Rotations; }
   /// The first so many rotations are those of single edges along wires, in an order in which each
-  /// is soon eliminated (ChainOrder).
+  /// leaves one neighbor only where it is eliminated.
   Index rotationsAlongWires() const { return this->RotationsAlong; }
   Index groupCount() const { return static_cast<Index>(this->Problem->groups.size()); }
   Index constraintCount() const { return 2 * this->Problem->network->loopCount(); }

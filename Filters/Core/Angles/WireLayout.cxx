@@ -4,7 +4,6 @@
 #include "Angles/AngleProblem.h"
 #include "Base/CompressedRows.h"
 #include "Sparse/LinearSolver.h"
-#include "Wires/ChainOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,26 +75,25 @@ double largestMiss(const WireNetwork& network, const Points2& positions, const P
 }
 
 /// Positions whose edges come nearest to the vectors in the least squares sense; the first stays.
-void spreadMisses(
-  const WireNetwork& network, const Points2& vectors, const ChainOrder& order, Points2& positions)
+void spreadMisses(const WireNetwork& network, const Points2& vectors, Points2& positions)
 {
   const auto count = static_cast<Eigen::Index>(positions.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
-    const Index a = order.rankOfHost[network.hostOfVertex[network.edges[e].from]];
-    const Index b = order.rankOfHost[network.hostOfVertex[network.edges[e].to]];
+    const Index a = network.hostOfVertex[network.edges[e].from];
+    const Index b = network.hostOfVertex[network.edges[e].to];
     entries.emplace_back(a, a, 1.0);
     entries.emplace_back(b, b, 1.0);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
     rhs.row(b) += vectors[e].transpose();
     rhs.row(a) -= vectors[e].transpose();
   }
-  entries.emplace_back(order.rankOfHost[0], order.rankOfHost[0], 1.0);
+  entries.emplace_back(0, 0, 1.0);
   SparseMatrix laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LeadingColumns{ order.hostsAlong });
+  LinearSolver solver;
   if (!solver.factorize(laplacian))
   {
     return;
@@ -103,7 +101,7 @@ void spreadMisses(
   const Eigen::MatrixXd x = solver.solveRefined(laplacian, rhs);
   for (Eigen::Index k = 0; k < count && x.rows() == count; ++k)
   {
-    positions[k] = x.row(order.rankOfHost[k]).transpose();
+    positions[k] = x.row(k).transpose();
   }
 }
 
@@ -122,36 +120,49 @@ double largestLengthError(
   return worst;
 }
 
-/// Newton's method on all lengths with the least change of the positions. A small block on the
-/// normal matrix serves networks that carry a self-stress. The edges at a hub of wires would all be
-/// coupled there; its changes stay unknowns of their own.
+/// Newton's method on all lengths with the least change d of the positions, [I, J'; J, 0]
+/// [d; y] = [0; r]. A small block in the corner serves networks that carry a self-stress. To
+/// eliminate the changes first leaves J J', in which all edges at a hub of wires would be coupled:
+/// the changes of hubs are ordered among the edges.
 class LengthCorrection
 {
 public:
-  LengthCorrection(
-    const WireNetwork& network, const std::vector<double>& length, const ChainOrder& order)
+  LengthCorrection(const WireNetwork& network, const std::vector<double>& length)
     : Network(network)
     , Length(length)
-    , RankOfEdge(order.rankOfEdge)
-    , HubColumn(network.hostVertices.size(), none)
-    , Solver(LeadingColumns{ order.edgesAlong })
+    , FirstColumn(network.hostVertices.size(), 0)
   {
-    const Index enough = hubValence(network.edgeCount());
-    for (std::size_t host = 0; host < this->HubColumn.size(); ++host)
+    for (const WireEdge& edge : network.edges)
     {
-      if (order.degree[host] > enough)
-      {
-        this->HubColumn[host] = this->HubColumns;
-        this->HubColumns += 2;
-      }
+      ++this->FirstColumn[network.hostOfVertex[edge.from]];
+      ++this->FirstColumn[network.hostOfVertex[edge.to]];
     }
+    const auto middle = [enough = hubValence(network.edgeCount())](
+                          Index degree) { return degree <= enough; };
+    const auto hosts = static_cast<Index>(this->FirstColumn.size());
+    const auto others =
+      static_cast<Index>(std::count_if(this->FirstColumn.begin(), this->FirstColumn.end(), middle));
+    this->Solver = LinearSolver(LeadingColumns{ 2 * others });
+    Index next = 0;
+    Index nextHub = 2 * others;
+    for (Index& column : this->FirstColumn)
+    {
+      Index& place = middle(column) ? next : nextHub;
+      column = place;
+      place += 2;
+    }
+    this->FirstRow = 2 * hosts;
   }
 
   /// Takes the derivatives at positions, which then serve for steps from all places nearby.
   bool linearize(const Points2& positions)
   {
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * this->Length.size());
+    entries.reserve(5 * this->Length.size() + static_cast<std::size_t>(this->FirstRow));
+    for (Index k = 0; k < this->FirstRow; ++k)
+    {
+      entries.emplace_back(k, k, 1.0);
+    }
     for (std::size_t e = 0; e < this->Length.size(); ++e)
     {
       const auto [a, b] = this->ends(e);
@@ -161,88 +172,47 @@ public:
       {
         return false;
       }
+      const Index row = this->FirstRow + static_cast<Index>(e);
       for (int k = 0; k < 2; ++k)
       {
-        entries.emplace_back(this->RankOfEdge[e], 2 * a + k, -d[k] / l);
-        entries.emplace_back(this->RankOfEdge[e], 2 * b + k, d[k] / l);
+        entries.emplace_back(row, this->FirstColumn[a] + k, -d[k] / l);
+        entries.emplace_back(row, this->FirstColumn[b] + k, d[k] / l);
       }
+      entries.emplace_back(row, row, 0.0);
     }
-    const auto edges = static_cast<Eigen::Index>(this->Length.size());
-    this->Jacobian.resize(edges, 2 * static_cast<Eigen::Index>(positions.size()));
-    this->Jacobian.setFromTriplets(entries.begin(), entries.end());
-    this->Normal = this->HubColumns == 0 ? SparseMatrix(this->Jacobian * this->Jacobian.transpose())
-                                         : this->normalWithHubs();
-    SparseMatrix regular = this->Normal;
-    for (Eigen::Index e = 0; e < edges; ++e)
+    const Index size = this->FirstRow + this->Network.edgeCount();
+    this->Kkt.resize(size, size);
+    this->Kkt.setFromTriplets(entries.begin(), entries.end());
+    SparseMatrix regular = this->Kkt;
+    for (Index row = this->FirstRow; row < size; ++row)
     {
-      regular.coeffRef(e, e) += regularization;
+      regular.coeffRef(row, row) = -regularization;
     }
     return this->Solver.factorize(regular);
   }
 
   bool step(Points2& positions) const
   {
-    Eigen::VectorXd residual(static_cast<Eigen::Index>(this->Length.size()));
+    Eigen::VectorXd rightHandSide = Eigen::VectorXd::Zero(this->Kkt.rows());
     for (std::size_t e = 0; e < this->Length.size(); ++e)
     {
       const auto [a, b] = this->ends(e);
-      residual[this->RankOfEdge[e]] = this->Length[e] - (positions[b] - positions[a]).norm();
+      rightHandSide[this->FirstRow + static_cast<Index>(e)] =
+        this->Length[e] - (positions[b] - positions[a]).norm();
     }
-    Eigen::VectorXd rightHandSide = Eigen::VectorXd::Zero(residual.size() + this->HubColumns);
-    rightHandSide.head(residual.size()) = residual;
-    const Eigen::MatrixXd y = this->Solver.solveRefined(this->Normal, rightHandSide);
-    if (y.rows() != rightHandSide.size())
+    const Eigen::MatrixXd change = this->Solver.solveRefined(this->Kkt, rightHandSide);
+    if (change.rows() != rightHandSide.size())
     {
       return false;
     }
-    const Eigen::VectorXd change = this->Jacobian.transpose() * y.col(0).head(residual.size());
     for (std::size_t k = 0; k < positions.size(); ++k)
     {
-      positions[k] += change.segment<2>(2 * static_cast<Eigen::Index>(k));
+      positions[k] += change.block<2, 1>(this->FirstColumn[k], 0);
     }
     return true;
   }
 
 private:
-  /// [N N', H; H', -I], lower triangle, where N and H are the columns of the other hosts and of the
-  /// hubs: the second rows say that a hub's change is H' y, as that of every host is.
-  SparseMatrix normalWithHubs() const
-  {
-    const auto edges = static_cast<Index>(this->Jacobian.rows());
-    SparseMatrix others = this->Jacobian;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Index column = 0; column < others.cols(); ++column)
-    {
-      const Index hub = this->HubColumn[column / 2];
-      for (SparseMatrix::InnerIterator entry(others, column); hub != none && entry; ++entry)
-      {
-        entries.emplace_back(
-          edges + hub + column % 2, static_cast<Index>(entry.row()), entry.value());
-        entry.valueRef() = 0.0;
-      }
-    }
-    others.prune(0.0);
-    const SparseMatrix normal = others * others.transpose();
-    for (Index column = 0; column < edges; ++column)
-    {
-      for (SparseMatrix::InnerIterator entry(normal, column); entry; ++entry)
-      {
-        if (entry.row() >= column)
-        {
-          entries.emplace_back(static_cast<Index>(entry.row()), column, entry.value());
-        }
-      }
-      entries.emplace_back(column, column, 0.0); // an edge between hubs
-    }
-    for (Index k = 0; k < this->HubColumns; ++k)
-    {
-      entries.emplace_back(edges + k, edges + k, -1.0);
-    }
-    SparseMatrix result(edges + this->HubColumns, edges + this->HubColumns);
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
   std::array<Index, 2> ends(std::size_t e) const
   {
     return { this->Network.hostOfVertex[this->Network.edges[e].from],
@@ -251,21 +221,19 @@ private:
 
   const WireNetwork& Network;
   const std::vector<double>& Length;
-  const Indices& RankOfEdge;
-  Indices HubColumn; ///< per host: of the first of its two unknowns behind the edges, or none
-  Index HubColumns = 0;
-  SparseMatrix Jacobian;
-  SparseMatrix Normal;
+  Indices FirstColumn; ///< per host, of its two
+  Index FirstRow = 0;  ///< of the edges'
+  SparseMatrix Kkt;
   LinearSolver Solver;
 };
 
 /// \param positions per host vertex. \return the largest relative error that is left.
-double makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
-  const ChainOrder& order, Points2& positions)
+double makeLengthsExact(
+  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
 {
   // Below it one step with the derivatives of a place nearby leaves nothing but rounding.
   constexpr double near = 1e-7;
-  LengthCorrection correction(network, length, order);
+  LengthCorrection correction(network, length);
   double error = largestLengthError(network, positions, length);
   bool linearized = false;
   for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
@@ -300,7 +268,6 @@ WireLayout layOutWires(
 {
   WireLayout layout;
   const Points2 vectors = edgeVectors(network, theta, length);
-  const ChainOrder order(network);
   Points2 positions = placeAlongTree(network, vectors);
   double size = 0.0;
   for (double l : length)
@@ -309,9 +276,9 @@ WireLayout layOutWires(
   }
   if (largestMiss(network, positions, vectors) > 1e-14 * size)
   {
-    spreadMisses(network, vectors, order, positions);
+    spreadMisses(network, vectors, positions);
   }
-  const double error = makeLengthsExact(network, length, order, positions);
+  const double error = makeLengthsExact(network, length, positions);
   layout.maximumLengthError = error;
   layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
   for (std::size_t k = 0; k < positions.size(); ++k)
@@ -329,7 +296,7 @@ double correctWireLengths(
   {
     hosts[k] = positions[network.hostVertices[k]];
   }
-  const double error = makeLengthsExact(network, length, ChainOrder(network), hosts);
+  const double error = makeLengthsExact(network, length, hosts);
   for (std::size_t k = 0; k < hosts.size(); ++k)
   {
     positions[network.hostVertices[k]] = hosts[k];

@@ -172,8 +172,8 @@ bool placeInside(const std::vector<WeightedEdge>& edges, const std::vector<char>
   }
   SparseMatrix matrix(rows, rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LinearMethod::Cholesky);
-  if (!solver.factorize(matrix, execution))
+  LinearSolver solver;
+  if (!solver.factorize(matrix, execution) || solver.positive() != rows)
   {
     return false;
   }

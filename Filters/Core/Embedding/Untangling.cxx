@@ -298,7 +298,7 @@ private:
   std::vector<TriangleFrame> Frames;
   SymmetricAssembler Assembler;
   std::vector<SymmetricBlock<6>> Blocks; ///< of the triangles, without what is pinned
-  LinearSolver Solver{ LinearMethod::Cholesky };
+  LinearSolver Solver;
   Execution Run;
 };
 }

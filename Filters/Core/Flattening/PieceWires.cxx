@@ -3,8 +3,9 @@
 
 #include "Angles/AngleProblem.h"
 #include "Angles/AngleSolver.h"
-#include "Angles/ProgressiveWarping.h"
 #include "Embedding/ConformalStart.h"
+#include "Reference/ProgressiveWarping.h"
+#include "Reference/SequentialAngleSolver.h"
 
 #include <cmath>
 

@@ -120,7 +120,7 @@ LinearSolver factorLaplacian(
   if (solver.factorize(assemble(triangulation, number, count), execution) &&
     solver.positive() != count)
   {
-    return LinearSolver(LinearMethod::Cholesky);
+    return LinearSolver();
   }
   return solver;
 }

@@ -4,65 +4,85 @@
 #include "Base/Execution.h"
 #include "Base/Memory.h"
 #include "Base/Types.h"
-#include "Sparse/LeadingElimination.h"
 #include "Sparse/MultifrontalFactorization.h"
-#include "Sparse/SuperLUFactorization.h"
 
+#include <Eigen/OrderingMethods>
+#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace flattening
 {
-/// A factorization of Eigen that knows how much memory its factor takes. Eigen counts the entries
-/// of a factor in int, and writes beyond its arrays where they are more.
-template <typename Factorization>
-class SimplicialFactorization : public Factorization
-{
-public:
-  void analyzePattern(const Eigen::SparseMatrix<double>& matrix)
-  {
-    this->Factorization::analyzePattern(matrix);
-    // Where columns start is counted in int and may have wrapped; how long each is has not.
-    const int* starts = this->m_matrix.outerIndexPtr();
-    std::int64_t count = 0;
-    for (Eigen::Index column = 0; column < this->cols(); ++column)
-    {
-      count +=
-        static_cast<std::uint32_t>(starts[column + 1]) - static_cast<std::uint32_t>(starts[column]);
-    }
-    this->Bytes = static_cast<std::size_t>(count) * (sizeof(double) + sizeof(int));
-    if (count > std::numeric_limits<int>::max())
-    {
-      throwOutOfMemory(this->Bytes);
-    }
-  }
-  void demandMemory(const Execution& execution) const
-  {
-    if (this->Bytes > execution.factorMemory)
-    {
-      throwOutOfMemory(this->Bytes);
-    }
-  }
-
-private:
-  std::size_t Bytes = 0;
-};
-
 namespace
 {
-/// The matrix with every diagonal entry stored, zero or not. SuperLU (up to 7.0) writes out of
-/// bounds where elimination leaves a column without any stored entry to choose as pivot; a stored
-/// diagonal rules that out for every matrix, and one that is singular is then told from the values.
-SparseMatrix withDiagonal(const SparseMatrix& matrix)
+/// The first columns, then the others in the order of minimum degree of what is left of the graph
+/// without the first: their elimination couples all neighbors of each connected part of them.
+Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> leadingColumnsFirst(
+  const SparseMatrix& lower, Index leading)
 {
-  SparseMatrix diagonal(matrix.rows(), matrix.cols());
-  diagonal.setIdentity();
-  diagonal.coeffs().setZero();
-  return matrix + diagonal;
+  const auto size = static_cast<Index>(lower.cols());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(size);
+  place.setIdentity();
+  if (leading >= size)
+  {
+    return place;
+  }
+  Indices parent(leading); // of a forest with a tree for each part
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](Index k) {
+    while (parent[k] != k)
+    {
+      k = parent[k] = parent[parent[k]];
+    }
+    return k;
+  };
+  std::vector<Eigen::Triplet<double>> couplings;
+  const auto forEntries = [&lower](Index begin, Index end, const auto& visit) {
+    for (Index column = begin; column < end; ++column)
+    {
+      for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+      {
+        if (entry.row() >= column)
+        {
+          visit(static_cast<Index>(entry.row()), column);
+        }
+      }
+    }
+  };
+  forEntries(0, leading, [&](Index row, Index column) {
+    if (row < leading)
+    {
+      parent[root(row)] = root(column);
+    }
+  });
+  forEntries(0, leading, [&](Index row, Index column) {
+    if (row >= leading)
+    {
+      couplings.emplace_back(root(column), row - leading, 1.0);
+    }
+  });
+  SparseMatrix neighbors(leading, size - leading);
+  neighbors.setFromTriplets(couplings.begin(), couplings.end());
+  couplings.clear();
+  forEntries(leading, size, [&](Index row, Index column) {
+    couplings.emplace_back(row - leading, column - leading, 1.0);
+    couplings.emplace_back(column - leading, row - leading, 1.0);
+  });
+  SparseMatrix rest(size - leading, size - leading);
+  rest.setFromTriplets(couplings.begin(), couplings.end());
+  rest += SparseMatrix(neighbors.transpose() * neighbors);
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(rest, order);
+  for (Index k = leading; k < size; ++k)
+  {
+    place.indices()[leading + order.indices()[k - leading]] = k;
+  }
+  return place;
 }
 }
 
@@ -74,43 +94,78 @@ struct LinearSolver::Backend
   virtual bool factorize(const SparseMatrix& matrix, const Execution& execution) = 0;
   virtual Eigen::MatrixXd solve(
     const Eigen::MatrixXd& rightHandSide, const Execution& execution) const = 0;
-  /// Entries of D, or nothing.
-  virtual Eigen::VectorXd diagonal() const { return {}; }
+  /// Entries of D.
+  virtual Eigen::VectorXd diagonal() const = 0;
   virtual FactorPrecision precision() const { return FactorPrecision::Double; }
   virtual void keepDouble() {}
 };
 
-struct LinearSolver::CholeskyBackend : LinearSolver::Backend
+/// Eigen counts the entries of a factor in int, and would write beyond its arrays where they are
+/// more.
+struct LinearSolver::SimplicialBackend : LinearSolver::Backend
 {
-  SimplicialFactorization<Eigen::SimplicialLLT<SparseMatrix>> solver;
+  explicit SimplicialBackend(Index leadingColumns)
+    : Leading(leadingColumns)
+  {
+  }
 
-  void analyze(const SparseMatrix& matrix) override { this->solver.analyzePattern(matrix); }
+  void analyze(const SparseMatrix& matrix) override
+  {
+    this->PlaceOfColumn = leadingColumnsFirst(matrix, this->Leading);
+    this->Solver.analyzePattern(this->permuted(matrix));
+    const std::int64_t entries = this->Solver.factorEntries();
+    this->Bytes = static_cast<std::size_t>(entries) * (sizeof(double) + sizeof(int));
+    if (entries > std::numeric_limits<int>::max())
+    {
+      throwOutOfMemory(this->Bytes);
+    }
+  }
   bool factorize(const SparseMatrix& matrix, const Execution& execution) override
   {
-    this->solver.demandMemory(execution);
-    this->solver.factorize(matrix);
-    return this->solver.info() == Eigen::Success;
+    if (this->Bytes > execution.factorMemory)
+    {
+      throwOutOfMemory(this->Bytes);
+    }
+    this->Solver.factorize(this->permuted(matrix));
+    return this->Solver.info() == Eigen::Success;
   }
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
   {
-    return this->solver.solve(rightHandSide);
+    return this->PlaceOfColumn.transpose() *
+      Eigen::MatrixXd(this->Solver.solve(this->PlaceOfColumn * rightHandSide));
   }
-  Eigen::VectorXd diagonal() const override { return Eigen::VectorXd::Ones(this->solver.rows()); }
-};
+  Eigen::VectorXd diagonal() const override { return this->Solver.vectorD(); }
 
-struct LinearSolver::SuperLUBackend : LinearSolver::Backend
-{
-  SuperLUFactorization solver;
+private:
+  struct Factorization
+    : Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>
+  {
+    std::int64_t factorEntries() const
+    {
+      // Where columns start may have wrapped; how long each is has not.
+      const int* const starts = this->m_matrix.outerIndexPtr();
+      std::int64_t count = 0;
+      for (Eigen::Index column = 0; column < this->cols(); ++column)
+      {
+        count += static_cast<std::uint32_t>(starts[column + 1]) -
+          static_cast<std::uint32_t>(starts[column]);
+      }
+      return count;
+    }
+  };
 
-  void analyze(const SparseMatrix& /*matrix*/) override {}
-  bool factorize(const SparseMatrix& matrix, const Execution& /*execution*/) override
+  SparseMatrix permuted(const SparseMatrix& matrix) const
   {
-    return this->solver.factorize(withDiagonal(matrix));
+    SparseMatrix result(matrix.rows(), matrix.cols());
+    result.selfadjointView<Eigen::Lower>() =
+      matrix.selfadjointView<Eigen::Lower>().twistedBy(this->PlaceOfColumn);
+    return result;
   }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
-  {
-    return this->solver.solve(rightHandSide);
-  }
+
+  Index Leading;
+  Factorization Solver;
+  std::size_t Bytes = 0; ///< of the factor
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> PlaceOfColumn;
 };
 
 struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
@@ -139,62 +194,6 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
   void keepDouble() override { this->solver.setPrecision(FactorPrecision::Double); }
 };
 
-struct LinearSolver::LeadingBackend : LinearSolver::Backend
-{
-  /// So few columns cost less than to order them, even where they all become coupled.
-  static constexpr Index fewColumns = 128;
-
-  Index leading = 0;
-  SimplicialFactorization<
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>>
-    solver;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> placeOfColumn; ///< empty: identity
-
-  void analyze(const SparseMatrix& matrix) override
-  {
-    this->placeOfColumn.resize(0);
-    if (matrix.cols() - this->leading > fewColumns)
-    {
-      const Indices order = leadingColumnsFirst(matrix, this->leading);
-      this->placeOfColumn.resize(static_cast<Eigen::Index>(order.size()));
-      for (std::size_t k = 0; k < order.size(); ++k)
-      {
-        this->placeOfColumn.indices()[order[k]] = static_cast<Index>(k);
-      }
-    }
-    this->solver.analyzePattern(this->permuted(matrix));
-  }
-  bool factorize(const SparseMatrix& matrix, const Execution& execution) override
-  {
-    this->solver.demandMemory(execution);
-    this->solver.factorize(this->permuted(matrix));
-    return this->solver.info() == Eigen::Success;
-  }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
-  {
-    if (this->placeOfColumn.size() == 0)
-    {
-      return this->solver.solve(rightHandSide);
-    }
-    return this->placeOfColumn.transpose() *
-      Eigen::MatrixXd(this->solver.solve(this->placeOfColumn * rightHandSide));
-  }
-  Eigen::VectorXd diagonal() const override { return this->solver.vectorD(); }
-
-private:
-  SparseMatrix permuted(const SparseMatrix& matrix) const
-  {
-    if (this->placeOfColumn.size() == 0)
-    {
-      return matrix;
-    }
-    SparseMatrix result(matrix.rows(), matrix.cols());
-    result.selfadjointView<Eigen::Lower>() =
-      matrix.selfadjointView<Eigen::Lower>().twistedBy(this->placeOfColumn);
-    return result;
-  }
-};
-
 namespace
 {
 bool allFinite(const SparseMatrix& matrix)
@@ -213,33 +212,16 @@ bool allFinite(const SparseMatrix& matrix)
 }
 }
 
-LinearSolver::LinearSolver(LinearMethod method)
-  : Symmetric(method == LinearMethod::Cholesky)
+LinearSolver::LinearSolver(LeadingColumns leading)
+  : Solver(std::make_unique<SimplicialBackend>(leading.count))
 {
-  if (method == LinearMethod::SuperLU)
-  {
-    this->Solver = std::make_unique<SuperLUBackend>();
-  }
-  else
-  {
-    this->Solver = std::make_unique<CholeskyBackend>();
-  }
 }
 
 LinearSolver::LinearSolver(Dissection order, FactorPrecision precision)
-  : Symmetric(true)
 {
   auto backend = std::make_unique<MultifrontalBackend>();
   backend->solver.setPrecision(precision);
   backend->dissection = std::move(order);
-  this->Solver = std::move(backend);
-}
-
-LinearSolver::LinearSolver(LeadingColumns leading)
-  : Symmetric(true)
-{
-  auto backend = std::make_unique<LeadingBackend>();
-  backend->leading = leading.count;
   this->Solver = std::move(backend);
 }
 
@@ -316,15 +298,8 @@ Eigen::MatrixXd LinearSolver::solveRefined(
   {
     return solution;
   }
-  Eigen::MatrixXd residual = rightHandSide;
-  if (this->Symmetric)
-  {
-    residual -= matrix.selfadjointView<Eigen::Lower>() * solution;
-  }
-  else
-  {
-    residual -= matrix * solution;
-  }
+  const Eigen::MatrixXd residual =
+    rightHandSide - matrix.selfadjointView<Eigen::Lower>() * solution;
   const Eigen::MatrixXd correction = this->solve(residual);
   if (correction.rows() > 0)
   {
@@ -335,7 +310,7 @@ Eigen::MatrixXd LinearSolver::solveRefined(
 
 Index LinearSolver::count(int sign) const
 {
-  if (!this->Factorized || !this->Symmetric)
+  if (!this->Factorized)
   {
     return none;
   }
@@ -346,5 +321,10 @@ Index LinearSolver::count(int sign) const
   const Eigen::VectorXd diagonal = this->Solver->diagonal();
   return static_cast<Index>(std::count_if(
     diagonal.begin(), diagonal.end(), [sign](double d) { return (d > 0.0) - (d < 0.0) == sign; }));
+}
+
+Eigen::VectorXd leastNormSolution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right)
+{
+  return matrix.completeOrthogonalDecomposition().solve(right);
 }
 }

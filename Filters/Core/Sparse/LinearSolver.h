@@ -17,35 +17,27 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// them a pivot, and is small enough for refinement to take it out again.
 inline constexpr double regularization = 1e-8;
 
-/// Methods that find an order of elimination by themselves.
-enum class LinearMethod
-{
-  SuperLU,  ///< LU with partial pivoting by the SuperLU library; any square matrix
-  Cholesky, ///< L L^T; symmetric positive definite
-};
-
-/// How many columns an LDLT eliminates first, in the order that the caller has chosen well; the
-/// others follow in the order of minimum degree of what is left.
+/// How many columns are eliminated first, in their order. The others follow in the order of minimum
+/// degree of what is left: where the first are unknowns of a saddle point system, each constraint
+/// comes after some of its unknowns, and its pivot is not its small regularization.
 struct LeadingColumns
 {
-  Index count;
+  Index count = 0;
 };
 
-/// One face for the direct solvers of sparse linear systems.
+/// L D L^T without pivoting of sparse symmetric matrices that are definite or quasi-definite.
 ///
-/// The symmetric methods read the lower triangle of the matrix only. analyze() is the symbolic
-/// part, which one sparsity pattern needs once (SuperLU redoes it in every factorize());
-/// factorize() calls it where it has not been called yet. Where memory runs out, std::bad_alloc or
-/// OutOfMemory is thrown; nothing else throws.
+/// Only the lower triangle of a matrix is read. analyze() is the symbolic part, which one sparsity
+/// pattern needs once; factorize() calls it where it has not been called yet. Where memory runs
+/// out, std::bad_alloc or OutOfMemory is thrown; nothing else throws.
 class LinearSolver
 {
 public:
-  explicit LinearSolver(LinearMethod method);
-  /// L D L^T without pivoting by dense blocks on several threads, for large symmetric systems that
-  /// are quasi-definite or definite. \param order of elimination of all columns of the matrix.
+  /// Column by column, for small systems.
+  explicit LinearSolver(LeadingColumns leading = {});
+  /// By dense blocks on several threads, for large systems. \param order of elimination of all
+  /// columns of the matrix.
   explicit LinearSolver(Dissection order, FactorPrecision precision = FactorPrecision::Double);
-  /// The same column by column, for small systems.
-  explicit LinearSolver(LeadingColumns leading);
   ~LinearSolver();
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
@@ -53,7 +45,7 @@ public:
   /// Finds an elimination order for the pattern of the matrix. False where it is not square.
   bool analyze(const SparseMatrix& matrix);
   /// Factors a matrix of the pattern given to analyze(). False where a pivot is zero, an entry not
-  /// finite, or for Cholesky not positive definite, or the run is cancelled.
+  /// finite, or the run is cancelled.
   bool factorize(const SparseMatrix& matrix, const Execution& execution = {});
   bool ok() const { return this->Factorized; }
   /// How factors are kept.
@@ -72,20 +64,16 @@ public:
     const SparseMatrix& matrix, const Eigen::MatrixXd& rightHandSide) const;
 
   /// Inertia: how many eigenvalues are positive, negative and zero, by the signs of D (Sylvester's
-  /// law of inertia). Cholesky: all are positive. none where the method does not tell (LU) or there
-  /// is no factorization.
+  /// law of inertia). none where there is no factorization.
   Index positive() const { return this->count(1); }
   Index negative() const { return this->count(-1); }
   Index zero() const { return this->count(0); }
 
 private:
   struct Backend;
-  struct CholeskyBackend;
-  struct SuperLUBackend;
+  struct SimplicialBackend;
   struct MultifrontalBackend;
-  struct LeadingBackend;
 
-  bool Symmetric;
   std::unique_ptr<Backend> Solver;
   Eigen::Index Size = 0;
   bool Analyzed = false;
@@ -93,4 +81,8 @@ private:
 
   Index count(int sign) const;
 };
+
+/// Of all x for which |matrix x - right| is least the shortest, by a complete orthogonal
+/// decomposition: rows may depend on each other and contradict each other.
+Eigen::VectorXd leastNormSolution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 }

@@ -2,7 +2,7 @@
 #include "Wires/KeyCurveLocks.h"
 
 #include "Base/Types.h"
-#include "Sparse/LeastNorm.h"
+#include "Sparse/LinearSolver.h"
 #include "Wires/DartBanks.h"
 
 #include <algorithm>

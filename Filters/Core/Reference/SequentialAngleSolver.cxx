@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Angles/SequentialAngleSolver.h"
+#include "Reference/SequentialAngleSolver.h"
 
+#include "Angles/AngleSolver.h"
 #include "Base/Types.h"
+#include "Reference/SuperLUFactorization.h"
 #include "Sparse/LinearSolver.h"
 
 #include <Eigen/SVD>
@@ -58,7 +60,7 @@ public:
     kkt.setFromTriplets(entries.begin(), entries.end());
     Eigen::VectorXd rhs(n + m);
     rhs << -gradient, -residual;
-    if (!this->Solver.factorize(kkt))
+    if (!this->Factors.factorize(kkt))
     {
       // Dependent constraints: a small block makes the system regular, refinement takes it out.
       SparseMatrix regular = kkt;
@@ -66,21 +68,23 @@ public:
       {
         regular.coeffRef(row, row) -= regularization;
       }
-      if (!this->Solver.factorize(regular))
+      if (!this->Factors.factorize(regular))
       {
         return {};
       }
     }
-    const Eigen::MatrixXd x = this->Solver.solveRefined(kkt, rhs);
-    if (x.rows() != n + m)
+    Eigen::VectorXd x = this->Factors.solve(rhs);
+    if (!isFinite(x))
     {
       return {};
     }
-    return { x.col(0).head(n), x.col(0).tail(m) };
+    const Eigen::VectorXd left = rhs - kkt * x;
+    x += this->Factors.solve(left);
+    return { x.head(n), x.tail(m) };
   }
 
 private:
-  LinearSolver Solver{ LinearMethod::SuperLU };
+  SuperLUFactorization Factors;
 };
 
 /// Eqs. 6 and 7 by singular value decomposition.
@@ -197,12 +201,18 @@ AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& opt
 AngleSolution solveAnglesSequentially(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
 {
-  return iterate(problem, options, execution, GlobalStep());
+  AngleSolution solution = problem.network->loopCount() == 1
+    ? iterate(problem, options, execution, loopStep)
+    : iterate(problem, options, execution, GlobalStep());
+  solution.method = AngleMethod::Sequential;
+  return solution;
 }
 
-AngleSolution solveLoopSequentially(
+AngleSolution solveAngles(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
 {
-  return iterate(problem, options, execution, loopStep);
+  return options.method == AngleMethod::Sequential && problem.groups.empty()
+    ? solveAnglesSequentially(problem, options, execution)
+    : solveAnglesByNewton(problem, options, execution);
 }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sparse/SuperLUFactorization.h"
+#include "Reference/SuperLUFactorization.h"
 
 #include "Base/Memory.h"
+#include "Base/Types.h"
 
 #include <slu_ddefs.h>
 
@@ -104,6 +105,17 @@ std::size_t bytesOfFactors(std::size_t size, std::size_t entries)
   return guess + integers + numbers;
 }
 
+/// The matrix with every diagonal entry stored, zero or not. SuperLU (up to 7.0) writes out of
+/// bounds where elimination leaves a column without any stored entry to choose as pivot; a stored
+/// diagonal rules that out for every matrix, and one that is singular is then told from the values.
+Eigen::SparseMatrix<double> withDiagonal(const Eigen::SparseMatrix<double>& matrix)
+{
+  Eigen::SparseMatrix<double> diagonal(matrix.rows(), matrix.cols());
+  diagonal.setIdentity();
+  diagonal.coeffs().setZero();
+  return matrix + diagonal;
+}
+
 /// What dgstrf() leaves where its memory ran out: the factors so far.
 void freeUnfinished(GlobalLU_t& factors)
 {
@@ -121,9 +133,15 @@ void freeUnfinished(GlobalLU_t& factors)
 SuperLUFactorization::SuperLUFactorization() = default;
 SuperLUFactorization::~SuperLUFactorization() = default;
 
-bool SuperLUFactorization::factorize(Eigen::SparseMatrix<double> matrix)
+bool SuperLUFactorization::factorize(const Eigen::SparseMatrix<double>& given)
 {
-  matrix.makeCompressed();
+  this->Held.reset();
+  if (given.rows() != given.cols() ||
+    !isFinite(Eigen::Map<const Eigen::VectorXd>(given.valuePtr(), given.nonZeros())))
+  {
+    return false;
+  }
+  Eigen::SparseMatrix<double> matrix = withDiagonal(given);
   const auto size = static_cast<int>(matrix.rows());
   const auto entries = static_cast<std::size_t>(matrix.nonZeros());
   demandMemory(bytesOfOrder(static_cast<std::size_t>(size), entries) +

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Angles/ProgressiveWarping.h"
+#include "Reference/ProgressiveWarping.h"
+
+#include "Angles/AngleProblem.h"
+#include "Reference/SequentialAngleSolver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Angles/AngleSolver.h"
+#include "Angles/AngleProblem.h"
+#include "Angles/AngleSolution.h"
+#include "Base/Execution.h"
 
 namespace flattening
 {

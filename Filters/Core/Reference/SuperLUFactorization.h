@@ -20,8 +20,9 @@ public:
   SuperLUFactorization(const SuperLUFactorization&) = delete;
   SuperLUFactorization& operator=(const SuperLUFactorization&) = delete;
 
-  /// False where the matrix is singular.
-  bool factorize(Eigen::SparseMatrix<double> matrix);
+  /// False where the matrix is singular, not square or an entry not finite.
+  /// \pre the matrix is compressed.
+  bool factorize(const Eigen::SparseMatrix<double>& matrix);
   /// \pre factorize() has succeeded.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide) const;
 
