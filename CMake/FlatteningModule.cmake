@@ -1,6 +1,6 @@
-# Builds the module of vtk.module from the root of the project.
+# Builds the modules of the project: the filters', whose vtk.module stands at the root, and the optional ones.
 #
-# vtk_module_build adds the folder of a module as a subdirectory of CMAKE_SOURCE_DIR. Here that folder
+# vtk_module_build adds the folder of a module as a subdirectory of CMAKE_SOURCE_DIR. The filters' folder
 # IS the source directory, and CMake refuses to enter a directory twice with the same binary directory.
 # Seen from the parent folder it is a subdirectory like any other, so the parent is what the function
 # is told. This leans on VTK's internals, and so does the test of _vtk_build_module in CMakeLists.txt:
@@ -10,10 +10,16 @@ function (flattening_build_module)
   if (BUILD_TESTING)
     set(with_tests ON)
   endif ()
+  set(files "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module")
+  set(names SurfaceFlattening::FiltersFlattening)
+  if (SURFACEFLATTENING_BUILD_PATTERN)
+    list(APPEND files "${CMAKE_CURRENT_SOURCE_DIR}/IO/vtk.module")
+    list(APPEND names SurfaceFlattening::IOPattern)
+  endif ()
   vtk_module_scan(
-    MODULE_FILES      "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+    MODULE_FILES      ${files}
     PROVIDES_MODULES  modules
-    REQUEST_MODULES   SurfaceFlattening::FiltersFlattening
+    REQUEST_MODULES   ${names}
     ENABLE_TESTS      "${with_tests}"
     HIDE_MODULES_FROM_CACHE ON)
 

@@ -7,10 +7,10 @@ vtk_fetch_module(SurfaceFlattening
   GIT_REPOSITORY "${SURFACEFLATTENING_REPOSITORY}"
   GIT_TAG "${SURFACEFLATTENING_TAG}")
 
-# VTK exports all its modules under one namespace, so inside VTK the module's is VTK's.
-set(module_file "${CMAKE_CURRENT_LIST_DIR}/SurfaceFlattening/vtk.module")
-if (EXISTS "${module_file}")
+# VTK exports all its modules under one namespace, so inside VTK it is that of these modules.
+file(GLOB_RECURSE module_files "${CMAKE_CURRENT_LIST_DIR}/SurfaceFlattening/vtk.module")
+foreach (module_file IN LISTS module_files)
   file(READ "${module_file}" text)
-  string(REPLACE "SurfaceFlattening::FiltersFlattening" "VTK::FiltersFlattening" text "${text}")
+  string(REPLACE "SurfaceFlattening::" "VTK::" text "${text}")
   file(WRITE "${module_file}" "${text}")
-endif ()
+endforeach ()

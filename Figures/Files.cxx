@@ -4,7 +4,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
-#include <vtkPatternWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cstdio>
@@ -40,29 +39,6 @@ void writePolyData(const std::string& path, vtkPolyData* data)
   {
     std::remove(aside.c_str());
     throw std::runtime_error("cannot write " + path);
-  }
-}
-
-//------------------------------------------------------------------------------
-void writePattern(const std::string& path, const FlatPiece& piece, const std::string& unit)
-{
-  vtkNew<vtkPatternWriter> writer;
-  silence(writer);
-  writer->SetUnitByName(unit);
-  writePattern(path, piece, writer);
-}
-
-//------------------------------------------------------------------------------
-void writePattern(const std::string& path, const FlatPiece& piece, vtkPatternWriter* writer,
-  const std::function<std::string(const vtkPatternWriter*)>& words)
-{
-  writer->SetInputData(0, piece.flat);
-  writer->SetInputData(1, piece.wires);
-  writer->SetInputData(2, piece.cut);
-  writer->SetFileName(path.c_str());
-  if (writer->Write() != 1)
-  {
-    throw std::runtime_error(words ? words(writer) : writer->GetErrorMessage());
   }
 }
 }

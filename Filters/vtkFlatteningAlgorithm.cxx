@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlatteningAlgorithm.h"
 
+#include "Base/LengthUnit.h"
 #include "Base/Memory.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
@@ -21,7 +22,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkPatternWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -100,14 +100,38 @@ void passLengthUnit(
   {
     for (int k = 0; unit.empty() && k < inputVector[port]->GetNumberOfInformationObjects(); ++k)
     {
-      unit = vtkPatternWriter::GetLengthUnitOf(vtkDataObject::GetData(inputVector[port], k));
+      unit = vtkFlatteningAlgorithm::GetLengthUnitOf(vtkDataObject::GetData(inputVector[port], k));
     }
   }
   for (int port = 0; !unit.empty() && port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
-    vtkPatternWriter::SetLengthUnitOf(vtkDataObject::GetData(outputVector, port), unit);
+    vtkFlatteningAlgorithm::SetLengthUnitOf(vtkDataObject::GetData(outputVector, port), unit);
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFlatteningAlgorithm::GetLengthUnitOf(vtkDataObject* data)
+{
+  vtkFieldData* const field = data ? data->GetFieldData() : nullptr;
+  auto* const stated =
+    vtkStringArray::SafeDownCast(field ? field->GetAbstractArray("LengthUnit") : nullptr);
+  const flattening::Unit unit = stated && stated->GetNumberOfValues() > 0
+    ? flattening::unitNamed(stated->GetValue(0))
+    : flattening::Unit::Unspecified;
+  return unit == flattening::Unit::Unspecified ? std::string() : flattening::unitName(unit);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetLengthUnitOf(vtkDataObject* data, const std::string& unit)
+{
+  data->GetFieldData()->RemoveArray("LengthUnit");
+  const flattening::Unit known = flattening::unitNamed(unit);
+  if (known != flattening::Unit::Unspecified)
+  {
+    flattening::bridge::addStrings(
+      data->GetFieldData(), "LengthUnit", { flattening::unitName(known) });
+  }
 }
 
 //------------------------------------------------------------------------------

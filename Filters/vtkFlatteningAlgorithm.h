@@ -77,6 +77,16 @@ public:
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  ///@{
+  /**
+   * The unit of length of a data set, "mm", "cm", "m" or "inch", that its field data state as
+   * `LengthUnit` (string); empty where they state none of these. Filters pass on the unit of their
+   * surface, or where that states none, of the first curves that do. Another word takes it out.
+   */
+  static std::string GetLengthUnitOf(vtkDataObject* data);
+  static void SetLengthUnitOf(vtkDataObject* data, const std::string& unit);
+  ///@}
+
   /**
    * What a run can end with. Up to NUMERICAL_FAILURE, but for OK, there is no result; later codes
    * mark a result with a broken promise.

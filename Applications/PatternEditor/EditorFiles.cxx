@@ -10,9 +10,9 @@
 #include "WindowWords.h"
 
 #include <vtkFeatureCurveEditor.h>
+#include <vtkFlatteningAlgorithm.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPatternWriter.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> curvesIn(const QString& unit, vtkFeatureCurveEditor
 {
   auto drawn = vtkSmartPointer<vtkPolyData>::New();
   curves->GetCurves(drawn);
-  vtkPatternWriter::SetLengthUnitOf(drawn, unit.toStdString());
+  vtkFlatteningAlgorithm::SetLengthUnitOf(drawn, unit.toStdString());
   return drawn;
 }
 }
@@ -114,7 +114,7 @@ bool EditorWindow::openCurves(const std::string& path)
     }
     const wirewarp::CurveContents read = wirewarp::readCurves(path, this->Surface);
     this->showCurves(read.curves, read.note);
-    this->takeUnit(vtkPatternWriter::GetLengthUnitOf(read.curves));
+    this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(read.curves));
   });
 }
 
@@ -201,7 +201,7 @@ void EditorWindow::offerLeftover()
       throw std::runtime_error(this->Curves->GetMessage());
     }
     this->tell("recovered what was not saved", false);
-    this->takeUnit(vtkPatternWriter::GetLengthUnitOf(left.curves));
+    this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(left.curves));
   });
 }
 
@@ -231,8 +231,15 @@ bool EditorWindow::savePattern(const std::string& path)
     }
     this->Pattern->SetUnitByName(this->Unit->currentText().toStdString());
     this->Pattern->SetPatternName(this->Name);
-    figures::writePattern(path, this->Live->result(), this->Pattern,
-      [](const vtkPatternWriter* writer) { return messageOf(writer); });
+    const figures::FlatPiece& result = this->Live->result();
+    this->Pattern->SetInputData(0, result.flat);
+    this->Pattern->SetInputData(1, result.wires);
+    this->Pattern->SetInputData(2, result.cut);
+    this->Pattern->SetFileName(path.c_str());
+    if (this->Pattern->Write() != 1)
+    {
+      throw std::runtime_error(messageOf(this->Pattern));
+    }
     this->tell(savedWords(path, this->Pattern), false);
   });
 }
@@ -276,7 +283,7 @@ bool EditorWindow::saveSurface(const std::string& path)
     }
     vtkNew<vtkPolyData> saved;
     saved->ShallowCopy(this->Surface);
-    vtkPatternWriter::SetLengthUnitOf(saved, this->Unit->currentText().toStdString());
+    vtkFlatteningAlgorithm::SetLengthUnitOf(saved, this->Unit->currentText().toStdString());
     figures::writePolyData(path, saved);
     this->tell("saved " + path, false);
   });

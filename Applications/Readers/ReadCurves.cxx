@@ -10,7 +10,7 @@
 #include "ReadVtk.h"
 #include "TextFile.h"
 
-#include <vtkPatternWriter.h>
+#include <vtkFlatteningAlgorithm.h>
 
 #include <cstddef>
 #include <optional>
@@ -137,7 +137,7 @@ vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
   {
     throw InputError(path, "has no line element ('l'); save the feature curves as lines");
   }
-  vtkPatternWriter::SetLengthUnitOf(contents.curves, contents.unit);
+  vtkFlatteningAlgorithm::SetLengthUnitOf(contents.curves, contents.unit);
   return contents.curves;
 }
 }

@@ -10,7 +10,7 @@
 namespace wirewarp
 {
 /// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and
-/// `CurveName`, perhaps with a unit: vtkPatternWriter::GetLengthUnitOf()), from the lines of
+/// `CurveName`, perhaps with a unit: vtkFlatteningAlgorithm::GetLengthUnitOf()), from the lines of
 /// .obj (ReadObj.h), .csv (ReadCsvCurves.h) or .dxf (ReadDxfCurves.h), or else from text, one curve
 /// a line:
 ///

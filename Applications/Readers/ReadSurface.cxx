@@ -8,7 +8,7 @@
 #include "ReadVtk.h"
 #include "TextFile.h"
 
-#include <vtkPatternWriter.h>
+#include <vtkFlatteningAlgorithm.h>
 
 #include <utility>
 
@@ -21,7 +21,7 @@ SurfaceContents readSurface(const std::string& path)
   if (extension == ".vtp" || extension == ".vtk" || extension == ".stl")
   {
     SurfaceContents contents{ readVtk(path), nullptr };
-    contents.unit = vtkPatternWriter::GetLengthUnitOf(contents.surface);
+    contents.unit = vtkFlatteningAlgorithm::GetLengthUnitOf(contents.surface);
     return contents;
   }
   if (extension == ".obj")

@@ -18,8 +18,8 @@
 
 #include <cmath>
 #include <vtkCommand.h>
+#include <vtkFlatteningAlgorithm.h>
 #include <vtkIdTypeArray.h>
-#include <vtkPatternWriter.h>
 #include <vtkTrivialProducer.h>
 #include <vtkWireWarpingFilter.h>
 
@@ -134,7 +134,7 @@ void setUnit(const Options& options, const CurveFiles& curves, const SurfaceCont
   std::string stated = options.pattern.unit.empty() ? contents.unit : options.pattern.unit;
   for (const auto& [path, contentsOfFile] : curves)
   {
-    const std::string unit = vtkPatternWriter::GetLengthUnitOf(contentsOfFile.curves);
+    const std::string unit = vtkFlatteningAlgorithm::GetLengthUnitOf(contentsOfFile.curves);
     stated = stated.empty() ? unit : stated;
     if (!unit.empty() && unit != stated)
     {
@@ -200,7 +200,7 @@ std::vector<std::string> readInput(
   contents.surface = mended(options, contents, result);
   if (result.unitStated)
   {
-    vtkPatternWriter::SetLengthUnitOf(contents.surface, result.unit);
+    vtkFlatteningAlgorithm::SetLengthUnitOf(contents.surface, result.unit);
   }
   vtkSmartPointer<vtkPolyData> owner = contents.surface; // of the curves
   if (!base.empty())

@@ -2,8 +2,8 @@
 // Flat pieces that no flattening should give, through every writer: each is drawn or refused with
 // words.
 #include "DataSpecimens.h"
+#include "Formats/PatternFile.h"
 #include "OrdinarySurface.h"
-#include "PatternFile.h"
 #include "Sewing/PieceSewing.h"
 
 #include <gtest/gtest.h>

@@ -13,6 +13,10 @@ from Sources import ROOT, cxx_files, read, tracked_files
 # The directories of Filters/Core, the uppermost first: each includes itself and what stands below.
 DIRECTORIES = ("Suggestion", "Reshaping", "Sewing", "Flattening", "Reference", "Isometric", "Cloth", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
          "Surface", "Base")
+# Those of IO/Pattern, which stand above Core.
+PATTERN_DIRECTORIES = ("Formats", "Nesting", "Grading", "Drawing", "Fairing", "Outlines")
+# Folder, its directories, and those of other folders that it includes as well.
+LAYERED = (("Filters/Core", DIRECTORIES, ()), ("IO/Pattern", PATTERN_DIRECTORIES, DIRECTORIES))
 
 
 def code_lines(name):
@@ -38,7 +42,7 @@ def headers_of(folder):
 
 def core_includes_no_vtk():
     """Core, and the drawing of patterns beside it, build and run without VTK."""
-    for name in cxx_files("Filters/Core/", "Filters/Pattern/"):
+    for name in cxx_files("Filters/Core/", "IO/Pattern/"):
         for number, _, header in includes(name):
             if re.match(r"(vtk|pq|pv)\w*", header):
                 yield f"{name}:{number}: includes {header}"
@@ -47,20 +51,28 @@ def core_includes_no_vtk():
 def layers_are_one_way():
     """Each folder includes only what stands below it."""
     core = headers_of("Filters/Core/")
-    pattern = headers_of("Filters/Pattern/")
-    private = headers_of("Filters/Private/")
-    public = {header for header in headers_of("Filters/") if header.startswith("vtk")} - private
-    for name in cxx_files("Filters/", "Figures/", "Interaction/", "Applications/", "Examples/"):
+    pattern = headers_of("IO/Pattern/")
+    pattern_bridge = headers_of("IO/Private/")
+    private = headers_of("Filters/Private/") | pattern_bridge
+    public = {header for header in headers_of("Filters/") | headers_of("IO/") if header.startswith("vtk")} - private
+    for name in cxx_files("Filters/", "IO/", "Figures/", "Interaction/", "Applications/", "Examples/"):
+        if name.startswith("IO/Testing/"):
+            continue
         if name.startswith("Filters/Core/"):
             forbidden, layer = pattern | private | public, "Core"
-        elif name.startswith("Filters/Pattern/"):
+        elif name.startswith("IO/Pattern/"):
             forbidden, layer = private | public, "the drawing of patterns"
         elif name.startswith("Filters/Private/"):
-            forbidden, layer = public, "the bridge"
-        elif name.startswith("Filters/"):
+            forbidden, layer = public | pattern | pattern_bridge, "the bridge"
+        elif name.startswith("IO/Private/"):
+            forbidden, layer = public, "the bridge of patterns"
+        elif name.startswith(("Filters/", "IO/")) and name.endswith(".h"):
             # Public headers are installed, what they include has to be as well.
-            header_file = name.endswith(".h")
-            forbidden, layer = core | pattern | private if header_file else set(), "a public header"
+            forbidden, layer = core | pattern | private, "a public header"
+        elif name.startswith("Filters/"):
+            forbidden, layer = pattern | pattern_bridge, "the filters"
+        elif name.startswith("IO/"):
+            continue
         else:
             forbidden, layer = core | pattern | private, "a user of the library"
         for number, quoted, header in includes(name):
@@ -68,28 +80,34 @@ def layers_are_one_way():
                 yield f"{name}:{number}: {layer} includes {header}"
 
 
-def directories_of_core_are_one_way():
-    """Each directory of Core includes only directories below, written with the directory: "Wires/WireNetwork.h"."""
-    for name in cxx_files("Filters/Core/"):
-        directory = pathlib.PurePath(name).relative_to("Filters/Core").parts[0]
-        if directory not in DIRECTORIES:
-            yield f"{name}: not in one of the directories {', '.join(DIRECTORIES)}"
-            continue
-        for number, quoted, header in includes(name):
-            if not quoted:
+def directories_are_one_way():
+    """Each directory includes only directories below, written with the directory: "Wires/WireNetwork.h"."""
+    for folder, directories, below in LAYERED:
+        for name in cxx_files(folder + "/"):
+            directory = pathlib.PurePath(name).relative_to(folder).parts[0]
+            if directory not in directories:
+                yield f"{name}: not in one of the directories {', '.join(directories)}"
                 continue
-            other = pathlib.PurePath(header).parts[0]
-            if other not in DIRECTORIES or "/" not in header:
-                yield f"{name}:{number}: {header} is written without its directory"
-            elif DIRECTORIES.index(other) < DIRECTORIES.index(directory):
-                yield f"{name}:{number}: {directory} includes {header}, which stands above"
+            for number, quoted, header in includes(name):
+                if not quoted:
+                    continue
+                other = pathlib.PurePath(header).parts[0]
+                if other not in directories + below or "/" not in header:
+                    yield f"{name}:{number}: {header} is written without its directory"
+                elif other in directories and directories.index(other) < directories.index(directory):
+                    yield f"{name}:{number}: {directory} includes {header}, which stands above"
 
 
-def units_of_core_make_no_cycles():
+def units_make_no_cycles():
     """Header and source of a unit together include no unit that includes them."""
+    for folder, _, _ in LAYERED[:1]:
+        yield from cycles_of(folder)
+
+
+def cycles_of(folder):
     below = {}
-    for name in cxx_files("Filters/Core/"):
-        unit = str(pathlib.PurePath(name).relative_to("Filters/Core").with_suffix(""))
+    for name in cxx_files(folder + "/"):
+        unit = str(pathlib.PurePath(name).relative_to(folder).with_suffix(""))
         below.setdefault(unit, set()).update(
             header.removesuffix(".h") for _, quoted, header in includes(name) if quoted)
     for units in below.values():
@@ -103,7 +121,7 @@ def units_of_core_make_no_cycles():
             break
         below = {unit: units - lowest for unit, units in below.items() if unit not in lowest}
     for unit, units in sorted(below.items()):
-        yield f"Filters/Core/{unit}: in or above a cycle with {', '.join(sorted(units))}"
+        yield f"{folder}/{unit}: in or above a cycle with {', '.join(sorted(units))}"
 
 
 def core_neither_prints_nor_throws():
@@ -123,7 +141,7 @@ def every_source_is_built():
     lists = "\n".join(read(name) for name in tracked_files()
                       if pathlib.PurePath(name).name == "CMakeLists.txt")
     named = set(re.findall(r"[\w.]+", lists))
-    for name in cxx_files("Filters/", "Figures/", "Interaction/", "Examples/", "Testing/"):
+    for name in cxx_files("Filters/", "IO/", "Figures/", "Interaction/", "Examples/", "Testing/"):
         path = pathlib.PurePath(name)
         if path.suffix == ".cxx" and not {path.name, path.stem} & named:
             yield f"{name}: in no CMakeLists.txt"
@@ -142,7 +160,7 @@ def the_paper_is_mapped_to_functions():
         return
     rows = [line for line in found.group(1).split("\n") if line.startswith("|")][2:]
     code = {}
-    for name in cxx_files("Filters/", "Figures/", "Interaction/", "Applications/", "Examples/"):
+    for name in cxx_files("Filters/", "IO/", "Figures/", "Interaction/", "Applications/", "Examples/"):
         code[name] = "\n".join(line for _, line in code_lines(name))
     everything = "\n".join(code.values())
     named = 0
@@ -165,8 +183,8 @@ def the_paper_is_mapped_to_functions():
 CHECKS = {check.__name__: check for check in (
     core_includes_no_vtk,
     layers_are_one_way,
-    directories_of_core_are_one_way,
-    units_of_core_make_no_cycles,
+    directories_are_one_way,
+    units_make_no_cycles,
     core_neither_prints_nor_throws,
     every_source_is_built,
     the_paper_is_mapped_to_functions,

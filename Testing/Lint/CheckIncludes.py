@@ -16,7 +16,7 @@ from CompileCommands import Passed, commands_of, compiler_of, options_of
 from Sources import ROOT
 
 BUILD = pathlib.Path(sys.argv[1])
-FOLDERS = ("Filters/", "Figures/", "Applications/")
+FOLDERS = ("Filters/", "IO/", "Figures/", "Applications/")
 
 
 def check(name):

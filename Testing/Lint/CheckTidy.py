@@ -21,7 +21,7 @@ from CompileCommands import Passed, commands_of, options_of
 from Sources import ROOT, read
 
 CLANG_TIDY, BUILD = sys.argv[1], pathlib.Path(sys.argv[2])
-FOLDERS = ("Filters/", "Interaction/", "Applications/", "Examples/")
+FOLDERS = ("Filters/", "IO/", "Interaction/", "Applications/", "Examples/")
 TOGETHER = 8  # files in one source
 
 

@@ -115,10 +115,11 @@ class Types(unittest.TestCase):
         self.assertEqual(found, set(range(first, first + len(WRONG))))
 
     def test_every_class_and_method_of_the_filters_has_types(self):
-        with open(os.path.join(PACKAGES, "surfaceflattening", "vtkFiltersFlattening.pyi"),
-                  encoding="utf-8") as file:
-            text = file.read()
-        for header in glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h")):
+        text = ""
+        for name in glob.glob(os.path.join(PACKAGES, "surfaceflattening", "vtk*.pyi")):
+            with open(name, encoding="utf-8") as file:
+                text += file.read()
+        for header in glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h")) + glob.glob(os.path.join(SOURCE, "IO", "vtk*.h")):
             class_ = os.path.splitext(os.path.basename(header))[0]
             part = re.search(rf"^class {class_}\(\w+\):\n((?: .*\n)+)", text, re.MULTILINE)
             self.assertIsNotNone(part, class_)

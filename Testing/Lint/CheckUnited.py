@@ -17,7 +17,7 @@ from CompileCommands import Passed, commands_of, compiler_of, options_of
 from Sources import ROOT
 
 BUILD = pathlib.Path(sys.argv[1]).resolve()
-FOLDERS = ("Filters/", "Figures/", "Applications/")
+FOLDERS = ("Filters/", "IO/", "Figures/", "Applications/")
 # Headers of X and of JSON define macros and aliases that are theirs alone.
 ALONE = {"Display.cxx", "GarmentCodeFile.cxx", "MaterialFile.cxx"}
 

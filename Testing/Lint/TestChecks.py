@@ -32,10 +32,10 @@ EXPECTED = {
     "layers_are_one_way":
         ["Applications/main.cxx:1", "Filters/Private/Bridge.h:2", "Filters/vtkFilter.h:1"],
     "core_neither_prints_nor_throws": ["Filters/Core/Surface/Mesh.cxx:4"],
-    "directories_of_core_are_one_way":
+    "directories_are_one_way":
         ["Filters/Core/Attic/Mesh.h: not in one", "Filters/Core/Base/Status.h:1: Types.h is written without",
          "Filters/Core/Base/Types.h:1: Base includes Surface/Mesh.h, which stands above"],
-    "units_of_core_make_no_cycles":
+    "units_make_no_cycles":
         ["Filters/Core/Sparse/Front: in or above a cycle with Sparse/Solver",
          "Filters/Core/Sparse/Solver: in or above a cycle with Sparse/Front"],
     "every_source_is_built":

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FairBorders.h"
+#include "Fairing/FairBorders.h"
 
 #include <gtest/gtest.h>
 

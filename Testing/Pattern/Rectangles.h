@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Pattern.h"
+#include "Outlines/Pattern.h"
 
 /// Pieces of the given extents.
 inline flattening::pattern::PatternPiece rectangle(const flattening::Point2& extent)

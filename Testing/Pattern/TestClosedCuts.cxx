@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A square with a dart that was closed at its mouth, or all along.
-#include "ClosedCuts.h"
-#include "PatternBuilder.h"
+#include "Drawing/PatternBuilder.h"
+#include "Outlines/ClosedCuts.h"
 
-#include "Outline.h"
+#include "Outlines/Outline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveNames.h"
-#include "PatternText.h"
-#include "PieceTexts.h"
+#include "Drawing/CurveNames.h"
+#include "Drawing/PieceTexts.h"
+#include "Outlines/PatternText.h"
 
 #include <gtest/gtest.h>
 

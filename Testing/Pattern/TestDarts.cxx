@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A strip with one dart, whose numbers are known by construction.
-#include "Darts.h"
-#include "PatternBuilder.h"
+#include "Drawing/PatternBuilder.h"
+#include "Outlines/Darts.h"
 
-#include "Outline.h"
+#include "Outlines/Outline.h"
 
 #include <gtest/gtest.h>
 

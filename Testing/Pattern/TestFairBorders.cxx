@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Smooth borders of known shapes, measured by rules of their own.
+#include "Drawing/SeamWalk.h"
 #include "FairShapes.h"
-#include "SeamWalk.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FileAside.h"
+#include "Formats/FileAside.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Halves of shapes whose axis and lengths are known by construction.
-#include "HalfPiece.h"
-#include "PatternBuilder.h"
+#include "Drawing/HalfPiece.h"
+#include "Drawing/PatternBuilder.h"
 
 #include <gtest/gtest.h>
 

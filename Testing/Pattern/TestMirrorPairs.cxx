@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shapes turned over, turned and moved, and shapes that are not quite that.
-#include "MirrorPairs.h"
+#include "Outlines/MirrorPairs.h"
 
 #include <gtest/gtest.h>
 

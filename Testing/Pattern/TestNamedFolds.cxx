@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Folds along curves with names, on pieces whose numbers are known by construction.
-#include "PatternBuilder.h"
+#include "Drawing/PatternBuilder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "NoFitRegion.h"
-#include "PlaneGeometry.h"
+#include "Nesting/NoFitRegion.h"
+#include "Outlines/PlaneGeometry.h"
 
 #include <gtest/gtest.h>
 

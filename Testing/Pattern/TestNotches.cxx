@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatternBuilder.h"
+#include "Drawing/PatternBuilder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outlines that are drawn as their own mirror images, measured on what is drawn.
+#include "Drawing/PatternBuilder.h"
 #include "FairShapes.h"
-#include "PatternBuilder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatternText.h"
+#include "Outlines/PatternText.h"
 
-#include "PatternStrokes.h"
+#include "Drawing/PatternStrokes.h"
 
 #include <gtest/gtest.h>
 

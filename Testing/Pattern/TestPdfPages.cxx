@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PdfPages.h"
+#include "Formats/PdfPages.h"
 
 #include "Rectangles.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PieceShifts.h"
+#include "Formats/PieceShifts.h"
 
-#include "PageMarks.h"
+#include "Formats/PageMarks.h"
 #include "Rectangles.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cut line against areas known by geometry and against Clipper's own offset.
-#include "SeamAllowance.h"
+#include "Drawing/SeamAllowance.h"
 
-#include "Outline.h"
-#include "PlaneGeometry.h"
+#include "Outlines/Outline.h"
+#include "Outlines/PlaneGeometry.h"
 
 #include <clipper.hpp>
 #include <gtest/gtest.h>

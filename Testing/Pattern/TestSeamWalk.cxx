@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks whose lengths and angles are known by construction.
-#include "SeamWalk.h"
+#include "Drawing/SeamWalk.h"
 
 #include <gtest/gtest.h>
 

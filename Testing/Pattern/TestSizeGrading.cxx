@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sizes of rectangles, whose corners go by half of what their sides differ.
-#include "GradeFiles.h"
+#include "Grading/GradeFiles.h"
 
 #include <gtest/gtest.h>
 

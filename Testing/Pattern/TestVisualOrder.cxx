@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VisualOrder.h"
+#include "Formats/VisualOrder.h"
 
 #include <gtest/gtest.h>
 

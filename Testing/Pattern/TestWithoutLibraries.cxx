@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A build without cairo, FriBidi, qpdf and Clipper says so where they are asked for, and does the
 // rest.
-#include "NoFitRegion.h"
-#include "PdfLayers.h"
-#include "PdfWriter.h"
-#include "SeamAllowance.h"
+#include "Drawing/SeamAllowance.h"
+#include "Formats/PdfLayers.h"
+#include "Formats/PdfWriter.h"
+#include "Nesting/NoFitRegion.h"
 
 #include <gtest/gtest.h>
 

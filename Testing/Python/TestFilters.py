@@ -82,14 +82,14 @@ class Filters(unittest.TestCase):
                         result, pattern = made(of_surface, of_curves, folder)
                         self.assertEqual(pattern, wanted)
                         for part in ("flat", "wires", "cut"):
-                            self.assertEqual(writer.GetLengthUnitOf(result.to_polydata(part)), unit)
+                            self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata(part)), unit)
                     self.assertEqual([str(warning.message) for warning in caught], [])
             for word in ("", "furlong"):
                 with warnings.catch_warnings(record=True) as caught:
                     warnings.simplefilter("always")
                     result, pattern = made(word, "", folder)
                     self.assertIn("taken as cm", str(caught[0].message))
-                    self.assertEqual(writer.GetLengthUnitOf(result.to_polydata("flat")), "")
+                    self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata("flat")), "")
                     self.assertEqual(pattern, made("", "", folder, unit="cm")[1])
 
     def test_the_defect_alone_is_the_message_without_its_way_out(self):

@@ -10,11 +10,11 @@ import surfaceflattening as sf
 from surfaces import SOURCE
 
 XML = os.path.join(SOURCE, "Plugin", "SurfaceFlattening.xml")
-# Set methods of a filter that are inputs of its proxy, or set what another one sets.
+# Set methods of a filter that are inputs of its proxy, set what another one sets, or are of a data set.
 INPUTS = {"SetCurvesConnection", "SetCurvesData", "SetFlatConnection", "SetFlatData",
           "SetEdgesConnection", "SetEdgesData", "SetDesignConnection", "SetDesignData", "SetBodyConnection", "SetBodyData",
           "SetControlPointsConnection", "SetControlPointsData",
-          "SetNumberOfControlPoints", "SetFileName", "SetFileFormat"}
+          "SetNumberOfControlPoints", "SetFileName", "SetFileFormat", "SetLengthUnitOf"}
 # What ParaView's users want and other programs do not: pieces beside the surface in one view, every
 # process of the server at work, and one input of a writer.
 OTHER_DEFAULTS = {"BesideSurface": (1.0,), "Distributed": (1.0,), "FollowPipeline": (1.0,)}
@@ -23,7 +23,7 @@ FABRIC = {"SetFabricWidth", "SetFabricNap", "SetFabricGap"}
 OF_FORMATS = {"pdf": {"SetPaper", "SetPageOverlap", "SetMaximumPages", "SetWalkTable", *FABRIC},
               "svg": {"SetLaserColors", *FABRIC}, "plt": FABRIC}
 BY_NAME = {"SetPieceName", "SetPieceQuantity", "SetCurveAllowance", "SetCurveDartTip",
-           "SetCurveFairTolerance", "SetUnitByName", "SetLengthUnitOf"}
+           "SetCurveFairTolerance", "SetUnitByName"}
 
 
 def own_set_methods(cls):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the type stubs of the wrapped filters, from the signatures in their docstrings.
 
-Usage: make_stubs.py MODULE FILE.so FILE.pyi. The package around the module is not imported, so that no more
-is needed than VTK. VTK's own generator, which Debian's packages leave out, does the same for VTK.
+Usage: make_stubs.py FILE.pyi MODULE FILE.so [MODULE FILE.so]..., the others being modules of the package that the
+first needs. The package around them is not imported, so that no more is needed than VTK. VTK's own generator, which Debian's packages leave out, does the same for VTK.
 """
 
 import importlib
@@ -42,8 +42,9 @@ def split(text):
 class Stubs:
     """The text of a stub file, and what it needs of other modules."""
 
-    def __init__(self, module):
+    def __init__(self, module, others):
         self.module = module
+        self.others = others
         self.imports = {}
         self.classes = [value for _, value in inspect.getmembers(module, inspect.isclass)]
         self.names = {class_.__name__ for class_ in self.classes}
@@ -66,9 +67,13 @@ class Stubs:
             return word
         if word.split(".")[0] in self.names:
             return "int"  # enumerations are
+        for other in self.others:
+            if hasattr(other, word):
+                self.imports.setdefault(f".{other.__name__.split('.')[-1]}", set()).add(word)
+                return word
         for module in VTK_MODULES:
             if re.fullmatch(r"vtk\w+", word) and hasattr(self.vtk(module), word):
-                self.imports.setdefault(module, set()).add(word)
+                self.imports.setdefault(f"vtkmodules.{module}", set()).add(word)
                 return word
         return "Any"
 
@@ -104,7 +109,7 @@ class Stubs:
     def class_(self, class_):
         base = class_.__mro__[1]
         if base.__name__ not in self.names:
-            self.imports.setdefault(base.__module__.split(".")[-1], set()).add(base.__name__)
+            self.name(base.__name__)
         lines = [f"class {class_.__name__}({base.__name__}):"]
         doc = (class_.__doc__ or "").split("\n")[0].strip()
         if doc:
@@ -127,7 +132,7 @@ class Stubs:
         classes = [line for class_ in self.in_order() for line in ["", "", *self.class_(class_)]]
         head = ["# Made by make_stubs.py from the module of the same name.",
                 "from typing import Any, Optional, Sequence, Tuple, Union, overload", ""]
-        head += [f"from vtkmodules.{module} import {', '.join(sorted(names))}"
+        head += [f"from {module} import {', '.join(sorted(names))}"
                  for module, names in sorted(self.imports.items())]
         return "\n".join(head + classes) + "\n"
 
@@ -137,11 +142,14 @@ class Stubs:
 
 
 def main():
-    name, library, path = sys.argv[1:]
-    spec = importlib.util.spec_from_file_location(name, library)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    text = Stubs(module).text()
+    path, *rest = sys.argv[1:]
+    modules = []
+    for name, library in reversed(list(zip(rest[::2], rest[1::2]))):
+        spec = importlib.util.spec_from_file_location(name, library)
+        modules.append(importlib.util.module_from_spec(spec))
+        sys.modules[name] = modules[-1]
+        spec.loader.exec_module(modules[-1])
+    text = Stubs(modules[-1], modules[:-1]).text()
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 

@@ -29,6 +29,8 @@ The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
 approach with length-preserved feature curves", Computer-Aided Design 40(3), 2008.
 """
 
+import importlib.util as _import
+
 from ._version import BUILT_FOR, BUILT_WITH_VTK, __version__
 
 try:
@@ -37,8 +39,9 @@ try:
     if _vtk.GetVTKVersion().split(".")[:2] != BUILT_WITH_VTK.split(".")[:2]:
         raise ImportError(f"this is VTK {_vtk.GetVTKVersion()}")
     from .vtkFiltersFlattening import *  # noqa: F401,F403
+    if _import.find_spec(".vtkIOPattern", __name__):  # built without patterns there is none
+        from .vtkIOPattern import *  # noqa: F401,F403
 except ImportError as _error:
-    import importlib.util as _import
     import sys as _sys
     _paraview = (
         ". ParaView's Python has a VTK of its own: there its plugin's filters are those of paraview.simple, such as "

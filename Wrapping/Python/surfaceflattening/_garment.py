@@ -16,7 +16,6 @@ from ._pattern import text_of, write_parts
 from ._report import values_of
 from ._result import Parts, Wire, _rows, _wires
 from ._types import Part
-from .vtkFiltersFlattening import vtkGarmentCodeReader
 
 EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
 _SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
@@ -158,6 +157,8 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         ValueError: it cannot be read, or a panel or stitch cannot be; the message names panel and edge.
         MemoryError: there is not enough memory.
     """
+    from .vtkIOPattern import vtkGarmentCodeReader  # a build without patterns has none
+
     reader = vtkGarmentCodeReader()
     reader.SetFileName(text_of("path", os.fspath(path)))
     reader.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr

@@ -17,7 +17,7 @@ from ._remedies import make_message
 from ._report import as_text, remedies_of, values_of
 from ._result import Flattening
 from ._types import Unit
-from .vtkFiltersFlattening import vtkPatternGrading, vtkPatternWriter
+from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 
 class GradeRule(NamedTuple):
@@ -112,9 +112,11 @@ def grade(
         ValueError: fewer than two sizes, a base, unit or curve that is not there, or sizes that differ in more than
             where their points are; the message names the size and the curve.
     """
+    from .vtkIOPattern import vtkPatternGrading  # a build without patterns has none
+
     filter_ = vtkPatternGrading()
     filter_.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
-    stated = (vtkPatternWriter.GetLengthUnitOf(result._parts.flat) for result in sizes.values())
+    stated = (vtkFlatteningAlgorithm.GetLengthUnitOf(result._parts.flat) for result in sizes.values())
     of_surfaces: Any = next((word for word in stated if word), "cm")
     length_unit: Unit = of_surfaces if unit is None else unit
     filter_.SetUnit(1 + index_of(length_unit, get_args(Unit), "unit"))

@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Results as patterns to cut."""
 
+from __future__ import annotations  # hints name a class of a module that may be missing
+
 import warnings
-from typing import Any, Mapping, Sequence, get_args
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, get_args
 
 from ._errors import FlatteningWarning
 from ._options import flag, index_of
 from ._remedies import make_message
 from ._report import as_text, remedies_of
 from ._types import Paper, Unit
-from .vtkFiltersFlattening import vtkPatternWriter
+from .vtkFiltersFlattening import vtkFlatteningAlgorithm
+
+if TYPE_CHECKING:
+    from .vtkIOPattern import vtkPatternWriter
 
 # Option: property of the writer, least and most, those of the command.
 _NUMBERS = {
@@ -106,6 +111,8 @@ def _refusal(writer: vtkPatternWriter) -> Exception:
 
 def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> None:
     """Writes the file of flat pieces, wires and cut surface, or raises what the writer says."""
+    from .vtkIOPattern import vtkPatternWriter  # a build without patterns has none
+
     writer = vtkPatternWriter()
     _set_options(writer, options)
     writer.SetFileName(text_of("path", path))
@@ -120,13 +127,15 @@ def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> 
     for warning in range(writer.GetNumberOfWarnings()):
         warnings.warn(writer.GetWarning(warning) + "; give it key_shape=\"straight\"",
                       FlatteningWarning, stacklevel=3)
-    if options["unit"] is None and not vtkPatternWriter.GetLengthUnitOf(parts[0]):
+    if options["unit"] is None and not vtkFlatteningAlgorithm.GetLengthUnitOf(parts[0]):
         warnings.warn("the unit of the surface is taken as cm; state it with unit=\"mm\", \"cm\", \"m\" "
                       "or \"inch\"", FlatteningWarning, stacklevel=3)
 
 
 def write_sizes(flat: Any, nest: Any, path: str, format_: str, name: str, unit: Unit) -> None:
     """Writes a file of the output of vtkPatternGrading, whose base has these flat pieces."""
+    from .vtkIOPattern import vtkPatternWriter  # a build without patterns has none
+
     writer = vtkPatternWriter()
     writer.SetFileName(text_of("path", path))
     getattr(writer, "SetFileFormatTo" + format_)()

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/ClothOutline.h"
+
+#include "Fairing/FairBorders.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace pattern
+{
+ClothOutline::ClothOutline(const DrawingSource& all, const std::vector<Indices>& loops)
+  : All(all)
+  , Loops(loops)
+{
+  if (all.options.darts == DartStyle::Folded)
+  {
+    this->Darts = findDarts(all.source, loops, all.wires, all.partners);
+  }
+  for (std::size_t d = 0; d < this->Darts.size(); ++d)
+  {
+    const Dart& dart = this->Darts[d];
+    const Indices& loop = loops[dart.loop];
+    this->Placements.emplace_back(all, loop, dart);
+    for (std::size_t k = dart.firstEdge; k < dart.firstEdge + dart.edges; ++k)
+    {
+      this->Folded.emplace(edgeKey(loop[k % loop.size()], loop[(k + 1) % loop.size()]), d);
+    }
+  }
+}
+
+bool ClothOutline::isFolded(Index from, Index to) const
+{
+  return this->placementAlong(from, to) != nullptr;
+}
+
+const DartPlacement* ClothOutline::placementAlong(Index from, Index to) const
+{
+  auto found = this->Folded.find(edgeKey(from, to));
+  found = found == this->Folded.end() ? this->Folded.find(edgeKey(to, from)) : found;
+  return found == this->Folded.end() ? nullptr : &this->Placements[found->second];
+}
+
+std::vector<AllowancePolygon> ClothOutline::polygons() const
+{
+  std::vector<AllowancePolygon> polygons;
+  for (std::size_t l = 0; l < this->Loops.size(); ++l)
+  {
+    const bool isDart = std::any_of(this->Darts.begin(), this->Darts.end(),
+      [l](const Dart& dart) { return dart.loop == l && dart.otherTip != none; });
+    if (!isDart)
+    {
+      polygons.push_back(this->polygonOf(l));
+    }
+  }
+  return polygons;
+}
+
+double ClothOutline::allowanceOf(Index from, Index to) const
+{
+  const PatternOptions& options = this->All.options;
+  if (this->All.isFoldEdge(from, to))
+  {
+    return 0.0;
+  }
+  return this->All.valueAlong(from, to, options.allowanceOfCurve, options.allowance);
+}
+
+AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
+{
+  const Indices& loop = this->Loops[l];
+  const std::size_t count = loop.size();
+  const auto point = [&loop, count](std::size_t k) { return loop[k % count]; };
+  AllowancePolygon polygon;
+  const auto add = [&polygon](const Point2& p, double allowance) {
+    polygon.points.push_back(p);
+    polygon.allowance.push_back(allowance);
+  };
+  std::size_t start = 0; // outside the darts
+  while (start < count && this->isFolded(point(start), point(start + 1)))
+  {
+    ++start;
+  }
+  for (std::size_t k = start; k < start + count;)
+  {
+    const auto dart = std::find_if(this->Darts.begin(), this->Darts.end(),
+      [&](const Dart& d) { return d.loop == l && d.firstEdge == k % count; });
+    if (dart == this->Darts.end())
+    {
+      Points2 along;
+      addDrawnEdge(this->All, point(k), point(k + 1), along);
+      for (const Point2& p : along)
+      {
+        add(p, this->allowanceOf(point(k), point(k + 1)));
+      }
+      ++k;
+      continue;
+    }
+    const std::size_t end = k + dart->edges;
+    const double before = this->allowanceOf(point(k + count - 1), point(k));
+    const double after = this->allowanceOf(point(end), point(end + 1));
+    Point2 corner;
+    add(this->All.at(point(k)), before);
+    if (this->roof(static_cast<std::size_t>(dart - this->Darts.begin()), corner))
+    {
+      add(corner, after);
+    }
+    k = end;
+  }
+  return polygon;
+}
+
+bool ClothOutline::roof(std::size_t d, Point2& corner) const
+{
+  const Dart& dart = this->Darts[d];
+  const Indices& loop = this->Loops[dart.loop];
+  const std::size_t count = loop.size();
+  const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
+  const std::size_t end = dart.firstEdge + dart.edges;
+  return dartRoof(this->Placements[d].at(this->All.at(dart.tip)), { at(dart.firstEdge), at(end) },
+    { at(dart.firstEdge + count - 1), at(end + 1) }, corner);
+}
+}
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/CurveNames.h"
+
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double largestName = 3.0; // mm
+constexpr double leastReadable = 1.5;
+constexpr double gap = 0.5;   // between name and line, in heights of the name
+constexpr int outside = 1000; // as bad as so many crossed lines
+
+/// A rectangle around a text.
+struct TextBox
+{
+  Point2 center;
+  Point2 along; ///< unit vector
+  double halfWidth;
+  double halfHeight;
+
+  Point2 across() const { return { -this->along.y(), this->along.x() }; }
+
+  bool meets(const Segment& segment) const
+  {
+    // The part of the segment between the sides, first along, then across the text.
+    double enter = 0.0;
+    double leave = 1.0;
+    const Point2 axes[2] = { this->along, this->across() };
+    const double halves[2] = { this->halfWidth, this->halfHeight };
+    for (int k = 0; k < 2; ++k)
+    {
+      const double from = axes[k].dot(segment.from - this->center);
+      const double step = axes[k].dot(segment.to - segment.from);
+      if (step == 0.0)
+      {
+        if (std::abs(from) > halves[k])
+        {
+          return false;
+        }
+        continue;
+      }
+      const double a = (-halves[k] - from) / step;
+      const double b = (halves[k] - from) / step;
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+  }
+
+  void addTo(Segments& segments) const
+  {
+    const Point2 u = this->halfWidth * this->along;
+    const Point2 v = this->halfHeight * this->across();
+    const Points2 corners{ this->center - u - v, this->center + u - v, this->center + u + v,
+      this->center - u + v };
+    addSegments(corners, true, segments);
+    segments.push_back({ corners[0], corners[2] });
+    segments.push_back({ this->center - u, this->center + u });
+  }
+};
+
+TextBox boxOf(const PatternText& text)
+{
+  return { text.position, { std::cos(text.angle), std::sin(text.angle) },
+    0.5 * textWidth(text.text, text.height), 0.5 * text.height };
+}
+
+double lengthOf(const Points2& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    length += (line[k + 1] - line[k]).norm();
+  }
+  return length;
+}
+
+/// The points of a line from one arc length to another, both ends included.
+Points2 partOf(const Points2& line, double from, double to)
+{
+  Points2 part;
+  double arc = 0.0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    const Point2 way = line[k + 1] - line[k];
+    const double edge = way.norm();
+    if (edge == 0.0)
+    {
+      continue;
+    }
+    if (part.empty() && from <= arc + edge)
+    {
+      part.push_back(line[k] + std::max(0.0, from - arc) / edge * way);
+    }
+    if (!part.empty())
+    {
+      part.push_back(line[k] + std::min(1.0, (to - arc) / edge) * way);
+      if (to <= arc + edge)
+      {
+        return part;
+      }
+    }
+    arc += edge;
+  }
+  return part;
+}
+
+class NamePlacer
+{
+public:
+  NamePlacer(const Segments& boundary, PatternPiece& piece)
+    : Boundary(boundary)
+    , Piece(piece)
+    , Obstacles{ { piece.grain.from, piece.grain.to } }
+  {
+    for (const PatternLine& line : piece.lines)
+    {
+      addSegments(line.points, line.closed, this->Obstacles);
+    }
+    for (const Notch& notch : piece.notches)
+    {
+      this->Obstacles.push_back({ notch.from, notch.to });
+    }
+    for (const PatternText& text : piece.texts)
+    {
+      boxOf(text).addTo(this->Obstacles);
+    }
+  }
+
+  /// \param preferred where on the line to try first, as a fraction of its length
+  /// \param onCloth within the sew lines
+  void place(const std::string& name, const Points2& line, double preferred, bool onCloth = true)
+  {
+    const double length = lengthOf(line);
+    PatternText text;
+    text.role = TextRole::Curve;
+    text.text = name;
+    text.height = std::min(largestName, 0.5 * length / textWidth(name, 1.0));
+    if (text.height < leastReadable)
+    {
+      return;
+    }
+    int best = std::numeric_limits<int>::max();
+    for (int step = 0; step <= 20 && best > 0; ++step)
+    {
+      const int steps = (step + 1) / 2; // alternately before and behind
+      const double where = preferred + 0.04 * (step % 2 == 0 ? steps : -steps);
+      for (const double side : { 1.0, -1.0 })
+      {
+        this->tryAt(line, where * length, side, onCloth, text, best);
+      }
+    }
+    boxOf(text).addTo(this->Obstacles);
+    this->Piece.texts.push_back(std::move(text));
+  }
+
+private:
+  /// Takes the place where it crosses fewer lines than the best so far.
+  void tryAt(
+    const Points2& line, double arc, double side, bool onCloth, PatternText& text, int& best) const
+  {
+    TextBox box = boxOf(text);
+    const Points2 part = partOf(line, arc - box.halfWidth, arc + box.halfWidth);
+    if (part.size() < 2 || (part.back() - part.front()).norm() == 0.0)
+    {
+      return;
+    }
+    box.along = (part.back() - part.front()).normalized();
+    const Point2 out = side * box.across();
+    double bulge = 0.0;
+    for (const Point2& point : part)
+    {
+      bulge = std::max(bulge, out.dot(point - part.front()));
+    }
+    box.center =
+      0.5 * (part.front() + part.back()) + (bulge + box.halfHeight + gap * text.height) * out;
+    int crossed = !onCloth || inside(box.center, this->Boundary) ? 0 : outside;
+    for (const Segment& obstacle : this->Obstacles)
+    {
+      crossed += box.meets(obstacle) ? 1 : 0;
+    }
+    if (crossed < best)
+    {
+      best = crossed;
+      text.position = box.center;
+      // Readable from below or from the right.
+      text.angle = std::atan2(box.along.y(), box.along.x());
+      if (text.angle > 0.5 * pi + 1e-6)
+      {
+        text.angle -= pi;
+      }
+      else if (text.angle < -0.5 * pi + 1e-6)
+      {
+        text.angle += pi;
+      }
+    }
+  }
+
+  const Segments& Boundary;
+  PatternPiece& Piece;
+  Segments Obstacles;
+};
+}
+
+//------------------------------------------------------------------------------
+void placeCurveNames(const Segments& boundary, PatternPiece& piece)
+{
+  NamePlacer placer(boundary, piece);
+  for (const PatternLine& line : piece.lines)
+  {
+    if (!line.name.empty() && line.points.size() > 1 && line.kind != LineKind::DartLeg)
+    {
+      // Off the middle, where curves like to cross each other and notches are.
+      const bool sewn = line.kind == LineKind::SewLine;
+      const bool fold = line.kind == LineKind::DartFold; // lies between the legs
+      const double where = fold ? 0.55 : sewn ? 0.4 : 0.3;
+      placer.place(line.name, line.points, where, !fold);
+    }
+  }
+  const Grainline& grain = piece.grain;
+  if (grain.from != grain.to)
+  {
+    placer.place(grain.known ? "grain" : "upright", { grain.from, grain.to }, 0.15);
+  }
+}
+}
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Outlines/Pattern.h"
+#include "Outlines/PlaneGeometry.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// Adds the names of seams, darts, feature curves and the grainline, each beside its line and,
+/// where there is room, across no other line and no text. The piece's other texts are placed
+/// already.
+/// \param boundary the sew lines as segments
+void placeCurveNames(const Segments& boundary, PatternPiece& piece);
+}
+}

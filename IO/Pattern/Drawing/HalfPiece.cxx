@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/HalfPiece.h"
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double onAxis = 1e-7; // mm
+constexpr int probes = 16;      // of a Bezier curve, between which it crosses the axis once at most
+
+double rightOf(const MirrorAxis& axis, const Point2& p)
+{
+  return -cross(axis.along, p - axis.at);
+}
+
+Point2 ontoAxis(const MirrorAxis& axis, const Point2& p)
+{
+  return axis.at + axis.along.dot(p - axis.at) * axis.along;
+}
+
+Point2 crossingOf(const Point2& a, const Point2& b, double atA, double atB)
+{
+  return a + atA / (atA - atB) * (b - a);
+}
+
+double lengthOf(const PatternLine& line)
+{
+  double length = 0.0;
+  for (const FairSpan& span : line.curve)
+  {
+    length += span.length();
+  }
+  for (std::size_t k = 0; line.curve.empty() && k + 1 < line.points.size(); ++k)
+  {
+    length += (line.points[k + 1] - line.points[k]).norm();
+  }
+  return length;
+}
+
+/// A line without its form.
+PatternLine namesake(const PatternLine& line)
+{
+  PatternLine part;
+  part.kind = line.kind;
+  part.name = line.name;
+  return part;
+}
+
+/// The parts of an open polyline on the right.
+std::vector<PatternLine> rightParts(const PatternLine& line, const MirrorAxis& axis)
+{
+  std::vector<PatternLine> parts;
+  bool going = false;
+  const auto add = [&](const Point2& p) {
+    if (!going)
+    {
+      parts.push_back(namesake(line));
+    }
+    going = true;
+    parts.back().points.push_back(p);
+  };
+  for (std::size_t k = 0; k < line.points.size(); ++k)
+  {
+    const double here = rightOf(axis, line.points[k]);
+    const double last = k > 0 ? rightOf(axis, line.points[k - 1]) : here;
+    if ((here > onAxis && last < -onAxis) || (here < -onAxis && last > onAxis))
+    {
+      add(crossingOf(line.points[k - 1], line.points[k], last, here));
+    }
+    if (here >= -onAxis)
+    {
+      add(line.points[k]);
+    }
+    else
+    {
+      going = false;
+    }
+  }
+  return parts;
+}
+
+/// Where a Bezier curve crosses the axis, between its ends and these included.
+std::vector<double> stopsOf(const FairSpan& span, const MirrorAxis& axis)
+{
+  std::vector<double> stops{ span.from };
+  const auto place = [&span](int k) { return span.from + (span.to - span.from) * k / probes; };
+  for (int k = 0; k < probes; ++k)
+  {
+    double low = place(k);
+    double high = place(k + 1);
+    const bool right = rightOf(axis, span.at(low)) > 0.0;
+    if ((rightOf(axis, span.at(high)) > 0.0) == right)
+    {
+      continue;
+    }
+    for (int step = 0; step < 60; ++step)
+    {
+      const double middle = (low + high) / 2.0;
+      ((rightOf(axis, span.at(middle)) > 0.0) == right ? low : high) = middle;
+    }
+    stops.push_back((low + high) / 2.0);
+  }
+  stops.push_back(span.to);
+  return stops;
+}
+
+/// The same of a line of Bezier curves.
+std::vector<PatternLine> rightCurves(const PatternLine& line, const MirrorAxis& axis)
+{
+  std::vector<PatternLine> parts;
+  bool going = false;
+  for (const FairSpan& span : line.curve)
+  {
+    const std::vector<double> stops = stopsOf(span, axis);
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k)
+    {
+      const double middle = (stops[k] + stops[k + 1]) / 2.0;
+      if (stops[k] == stops[k + 1])
+      {
+        continue;
+      }
+      const bool right = rightOf(axis, span.at(middle)) >= -onAxis;
+      if (right && !going)
+      {
+        parts.push_back(namesake(line));
+      }
+      going = right;
+      if (right)
+      {
+        parts.back().curve.push_back(partOf(span, stops[k], stops[k + 1]));
+      }
+    }
+  }
+  for (PatternLine& part : parts)
+  {
+    for (const FairSpan& span : part.curve)
+    {
+      sampleSpan(span, sampleDistance, part.points);
+    }
+    part.points.push_back(part.curve.back().control[3]);
+  }
+  return parts;
+}
+
+/// What goes on over the first point of a line that was closed is one part.
+void joinEnds(std::vector<PatternLine>& parts)
+{
+  if (parts.size() < 2 || parts.front().points.front() != parts.back().points.back())
+  {
+    return;
+  }
+  PatternLine& last = parts.back();
+  PatternLine& first = parts.front();
+  last.points.insert(last.points.end(), first.points.begin() + 1, first.points.end());
+  last.curve.insert(last.curve.end(), first.curve.begin(), first.curve.end());
+  first = std::move(last);
+  parts.pop_back();
+}
+
+std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
+{
+  double most = 0.0;
+  for (const Point2& p : line.points)
+  {
+    most = std::max(most, std::abs(rightOf(axis, p)));
+  }
+  if (most <= mirrorTolerance)
+  {
+    for (Point2& p : line.points)
+    {
+      p = ontoAxis(axis, p);
+    }
+    for (FairSpan& span : line.curve)
+    {
+      for (Point2& p : span.control)
+      {
+        p = ontoAxis(axis, p);
+      }
+    }
+    return { std::move(line) };
+  }
+  if (!isWire(line.kind) && line.closed)
+  {
+    line.curve.clear();
+    line.points = rightHalf(line.points, axis);
+    return line.points.size() > 2 ? std::vector<PatternLine>{ std::move(line) }
+                                  : std::vector<PatternLine>();
+  }
+  if (line.closed)
+  {
+    line.points.push_back(line.points.front());
+  }
+  const double length = lengthOf(line);
+  std::vector<PatternLine> parts =
+    line.curve.empty() ? rightParts(line, axis) : rightCurves(line, axis);
+  if (line.closed)
+  {
+    joinEnds(parts);
+  }
+  const auto nothing = [](const PatternLine& part) { return lengthOf(part) < onAxis; };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), nothing), parts.end());
+  for (PatternLine& part : parts)
+  {
+    part.restLength = line.restLength * lengthOf(part) / length;
+    if (part.points.front() == part.points.back())
+    {
+      part.closed = true;
+      part.points.pop_back();
+    }
+  }
+  return parts;
+}
+
+}
+
+Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis)
+{
+  // I. E. Sutherland, G. W. Hodgman, Communications of the ACM 17(1), 1974.
+  Points2 half;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+  {
+    const Point2& a = polygon[k];
+    const Point2& b = polygon[(k + 1) % polygon.size()];
+    const double atA = rightOf(axis, a);
+    const double atB = rightOf(axis, b);
+    if (atA >= 0.0)
+    {
+      half.push_back(a);
+    }
+    if ((atA > 0.0 && atB < 0.0) || (atA < 0.0 && atB > 0.0))
+    {
+      half.push_back(crossingOf(a, b, atA, atB));
+    }
+  }
+  return half;
+}
+
+PatternLine foldLine(const std::vector<PatternLine>& lines, const MirrorAxis& axis)
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const PatternLine& line : lines)
+  {
+    for (const Point2& p : line.points)
+    {
+      if (line.kind == LineKind::CutLine && std::abs(rightOf(axis, p)) < 1e-3)
+      {
+        const double along = axis.along.dot(p - axis.at);
+        low = std::min(low, along);
+        high = std::max(high, along);
+      }
+    }
+  }
+  PatternLine fold;
+  fold.kind = LineKind::Fold;
+  fold.name = "cut on fold";
+  fold.points = { axis.at + low * axis.along, axis.at + high * axis.along };
+  return fold;
+}
+
+void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
+{
+  std::vector<PatternLine> lines;
+  for (PatternLine& line : piece.lines)
+  {
+    for (PatternLine& part : halfOf(std::move(line), axis))
+    {
+      lines.push_back(std::move(part));
+    }
+  }
+  lines.push_back(foldLine(lines, axis));
+  piece.lines = std::move(lines);
+  const auto isLeft = [&axis](const Point2& p) { return rightOf(axis, p) < -onAxis; };
+  piece.notches.erase(std::remove_if(piece.notches.begin(), piece.notches.end(),
+                        [&isLeft](const Notch& notch) { return isLeft(notch.foot); }),
+    piece.notches.end());
+  piece.gradePoints.erase(
+    std::remove_if(piece.gradePoints.begin(), piece.gradePoints.end(),
+      [&axis](const GradePoint& point) { return rightOf(axis, point.place) < -mirrorTolerance; }),
+    piece.gradePoints.end());
+  piece.drillHoles.erase(
+    std::remove_if(piece.drillHoles.begin(), piece.drillHoles.end(),
+      [&axis](const Point2& p) { return rightOf(axis, p) < -mirrorTolerance; }),
+    piece.drillHoles.end());
+}
+}
+}

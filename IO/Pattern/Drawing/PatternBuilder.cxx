@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/PatternBuilder.h"
+
+#include "Base/Types.h"
+#include "Drawing/BorderMarks.h"
+#include "Drawing/NamedFolds.h"
+#include "Drawing/PatternChecks.h"
+#include "Drawing/PieceDrawing.h"
+#include "Fairing/FairBorders.h"
+#include "Fairing/FairCache.h"
+#include "Fairing/FairNotes.h"
+#include "Outlines/ClosedCuts.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+Status checkSource(const PatternSource& source, std::size_t& pieces)
+{
+  pieces = 0;
+  if (source.triangles.empty())
+  {
+    return { StatusCode::NothingToDraw,
+      "there is no piece to draw: the flat surface has no triangles", {},
+      { Remedy::ReadTheFlattening } };
+  }
+  for (std::size_t v = 0; v < source.positions.size(); ++v)
+  {
+    if (!isFinite(source.positions[v]))
+    {
+      return { StatusCode::InvalidPattern,
+        "point " + std::to_string(v) + " of the flat surface is not finite", {},
+        { Remedy::GiveFlatPieces } };
+    }
+  }
+  std::vector<double> area;
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    const Index piece = source.pieceOfTriangle[t];
+    if (piece < 0 || static_cast<std::size_t>(piece) >= source.triangles.size())
+    {
+      return { StatusCode::InvalidPattern,
+        "the PieceId of cell " + std::to_string(t) + " is " + std::to_string(piece) +
+          ", and pieces are counted from 0",
+        {}, { Remedy::GiveFlatPieces } };
+    }
+    area.resize(std::max(area.size(), static_cast<std::size_t>(piece) + 1), 0.0);
+    const Triangle& corners = source.triangles[t];
+    const Point2 a = source.positions[corners[1]] - source.positions[corners[0]];
+    const Point2 b = source.positions[corners[2]] - source.positions[corners[0]];
+    area[static_cast<std::size_t>(piece)] += cross(a, b);
+  }
+  pieces = area.size();
+  for (const SourceWire& wire : source.wires)
+  {
+    if (wire.piece >= static_cast<Index>(pieces))
+    {
+      return { StatusCode::InvalidPattern,
+        "the PieceId of a wire is " + std::to_string(wire.piece) + ", and there are " +
+          std::to_string(pieces) + " pieces",
+        {}, { Remedy::GiveFlatPieces } };
+    }
+  }
+  for (std::size_t p = 0; p < pieces; ++p)
+  {
+    if (!(area[p] > 0.0))
+    {
+      return { StatusCode::NothingToDraw,
+        "piece " + std::to_string(p + 1) + " of " + std::to_string(pieces) +
+          " has no area, or is turned over: its triangles must be counter-clockwise",
+        {}, { Remedy::GiveFlatPieces } };
+    }
+  }
+  return {};
+}
+
+std::string pieceName(
+  const PatternSource& source, const PatternOptions& options, std::size_t piece, std::size_t pieces)
+{
+  if (piece < options.pieceNames.size() && !options.pieceNames[piece].empty())
+  {
+    return cleanText(options.pieceNames[piece]);
+  }
+  if (piece < source.panels.names.size())
+  {
+    return cleanText(source.panels.names[piece]);
+  }
+  if (piece < source.pieceNames.size() && !source.pieceNames[piece].empty())
+  {
+    const std::vector<std::string>& names = source.pieceNames;
+    const auto last = names.begin() + static_cast<std::ptrdiff_t>(piece);
+    const auto before = std::count(names.begin(), last, *last);
+    const bool several = std::count(names.begin(), names.end(), *last) > 1;
+    return cleanText(*last) + (several ? " " + std::to_string(before + 1) : "");
+  }
+  return cleanText(options.name) + (pieces > 1 ? " " + std::to_string(piece + 1) : "");
+}
+}
+
+namespace
+{
+std::vector<PieceShape> shapesOf(const DrawingSource& all)
+{
+  std::vector<PieceShape> shapes(all.loops.size());
+  const auto add = [&all](const Indices& points, Points2& line) {
+    for (const Index v : points)
+    {
+      line.push_back(all.at(v));
+    }
+  };
+  for (std::size_t p = 0; p < shapes.size(); ++p)
+  {
+    add(all.loops[p].front(), shapes[p].outline);
+  }
+  for (const SourceWire& wire : all.source.wires)
+  {
+    if (wire.piece != none)
+    {
+      std::vector<Points2>& lines = shapes[static_cast<std::size_t>(wire.piece)].lines;
+      add(wire.points, lines.emplace_back());
+    }
+  }
+  return shapes;
+}
+
+/// Along a curve that the options name, or where the piece is symmetric.
+Status findFold(const DrawingSource& all, std::size_t piece, const std::string& name,
+  const PieceShape& shape, std::optional<NamedFold>& fold)
+{
+  Status status = findNamedFold(all, piece, name, shape, fold);
+  if (!status.ok() || fold || !all.options.cutOnFold || all.options.oneLayer)
+  {
+    return status;
+  }
+  std::optional<MirrorAxis> axis = findMirrorAxis(shape, mirrorTolerance);
+  if (axis && all.fair && all.fair->reports()[piece].mirror)
+  {
+    *axis = *all.fair->reports()[piece].mirror;
+    axis->miss = mirrorMiss(shape, *axis);
+  }
+  if (axis)
+  {
+    fold.emplace();
+    fold->axis = *axis;
+  }
+  return status;
+}
+
+std::string plural(int count, const std::string& what)
+{
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+}
+
+bool isWire(LineKind kind)
+{
+  return kind != LineKind::CutLine && kind != LineKind::CutOut && kind != LineKind::DartFold &&
+    kind != LineKind::Fold;
+}
+
+Status buildPattern(
+  const PatternSource& source, const PatternOptions& options, Pattern& pattern, FairCache* cache)
+{
+  std::size_t pieces = 0;
+  Status status = checkSource(source, pieces);
+  if (status.ok())
+  {
+    status = checkPatternOptions(source, options);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  for (std::size_t p = pieces; p < options.pieceQuantities.size(); ++p)
+  {
+    if (options.pieceQuantities[p] > 0)
+    {
+      return { StatusCode::InvalidOption,
+        "there is a quantity for piece " + std::to_string(p + 1) + ", and there are " +
+          plural(static_cast<int>(pieces), "piece") };
+    }
+  }
+  const PatternSource whole = withoutClosedCuts(source);
+  DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
+  status = findBorders(all);
+  if (!status.ok())
+  {
+    return status;
+  }
+  const std::shared_ptr<const FairBorders> fair = drawFair(all, cache);
+  const std::vector<BorderMark> marks = findBorderMarks(all);
+
+  pattern.name = cleanText(options.name);
+  pattern.unit = options.unit;
+  const std::vector<PieceShape> shapes = shapesOf(all);
+  const std::vector<std::size_t> mirrored = findMirrorPairs(shapes, mirrorTolerance);
+  pattern.pieces.clear();
+  pattern.names.clear();
+  for (std::size_t p = 0; p < pieces; ++p)
+  {
+    pattern.names.push_back(pieceName(source, options, p, pieces));
+  }
+  for (std::size_t p = 0; p < pieces && status.ok(); ++p)
+  {
+    const std::size_t second =
+      static_cast<std::size_t>(std::find(mirrored.begin(), mirrored.end(), p) - mirrored.begin());
+    const bool isSecond = mirrored[p] != noPair;
+    if (options.pairs && isSecond)
+    {
+      continue;
+    }
+    PatternPiece& piece = pattern.pieces.emplace_back();
+    piece.name = pattern.names[p];
+    piece.size = cleanText(options.size);
+    const bool own = p < options.pieceQuantities.size() && options.pieceQuantities[p] > 0;
+    piece.quantity = own ? options.pieceQuantities[p] : options.quantity;
+    piece.number = static_cast<int>(p) + 1;
+    const auto addText = [&piece](TextRole role, const std::string& text) {
+      PatternText line;
+      line.role = role;
+      line.text = text;
+      piece.texts.push_back(std::move(line));
+    };
+    addText(TextRole::Title, piece.name);
+    std::optional<NamedFold> fold;
+    status = findFold(all, p, piece.name, shapes[p], fold);
+    if (!status.ok())
+    {
+      break;
+    }
+    const std::string onFold = fold ? " on fold" : "";
+    if (!piece.size.empty())
+    {
+      addText(TextRole::Label, "size " + piece.size);
+    }
+    if (options.pairs && second < pieces)
+    {
+      addText(TextRole::Label,
+        "cut " + plural(piece.quantity, "pair") + onFold + ", one of each turned over");
+      piece.turnedOver = piece.quantity;
+      piece.quantity *= 2;
+    }
+    else
+    {
+      addText(TextRole::Label, "cut " + std::to_string(piece.quantity) + onFold);
+      if (isSecond || second < pieces)
+      {
+        const std::size_t other = isSecond ? mirrored[p] : second;
+        addText(TextRole::Label, "mirror image of piece " + std::to_string(other + 1));
+      }
+    }
+    if (fair && fair->reports()[p].mirror)
+    {
+      addText(TextRole::Label, "drawn as its own mirror image");
+    }
+    addText(
+      TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
+    status = drawPiece(all, p, marks, fold, piece);
+    if (fold && !fold->isBorder)
+    {
+      piece.notes.push_back(
+        { "piece " + piece.name + ": a half, to be cut on the fold; the halves " + "differed by " +
+          formatNumber(fold->axis.miss, 2) + " mm" });
+    }
+    else if (!fold && options.cutOnFold && !options.oneLayer)
+    {
+      piece.notes.push_back({ "piece " + piece.name + ": not symmetric to " +
+        formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole" });
+    }
+    if (fair)
+    {
+      addFairNotes(fair->reports()[p], piece);
+    }
+  }
+  return status;
+}
+}
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Outlines/Pattern.h"
+#include "Outlines/PatternSource.h"
+
+namespace flattening
+{
+namespace pattern
+{
+class FairCache;
+
+/// Draws a flattening as a pattern to cut at true scale. The lines that are wires have their points
+/// exactly where the flattening has them, scaled to millimetres and moved, or are smooth.
+/// \param cache of smooth borders, for other files of the same flattening; null: none
+Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern,
+  FairCache* cache = nullptr);
+}
+}

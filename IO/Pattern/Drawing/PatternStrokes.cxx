@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/PatternStrokes.h"
+
+#include "Outlines/Grainlines.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr Colour black{ 0.0, 0.0, 0.0 };
+constexpr Colour red{ 0.8, 0.0, 0.0 };
+constexpr Colour green{ 0.0, 0.5, 0.1 };
+constexpr Colour blue{ 0.0, 0.2, 0.8 };
+
+StrokeRole roleOf(LineKind kind)
+{
+  switch (kind)
+  {
+    case LineKind::CutLine:
+      return StrokeRole::CutLine;
+    case LineKind::CutOut:
+      return StrokeRole::CutOut;
+    case LineKind::SewLine:
+      return StrokeRole::SewLine;
+    case LineKind::DartLeg:
+      return StrokeRole::DartLeg;
+    case LineKind::DartFold:
+      return StrokeRole::DartFold;
+    case LineKind::Fold:
+      return StrokeRole::Fold;
+    case LineKind::KeyCurve:
+      return StrokeRole::KeyCurve;
+    default:
+      return StrokeRole::Internal;
+  }
+}
+
+void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
+{
+  const auto add = [&strokes](const Points2& points) {
+    Stroke stroke;
+    stroke.role = StrokeRole::Grain;
+    stroke.closed = stroke.filled = points.size() > 2;
+    stroke.points = points;
+    strokes.push_back(std::move(stroke));
+  };
+  if (piece.grain.from != piece.grain.to)
+  {
+    add({ piece.grain.from, piece.grain.to });
+  }
+  for (const std::array<Point2, 3>& head : arrowHeads(piece.grain))
+  {
+    add({ head.begin(), head.end() });
+  }
+}
+}
+
+bool isCut(StrokeRole role)
+{
+  return role == StrokeRole::CutLine || role == StrokeRole::CutOut;
+}
+
+StrokeStyle styleOf(StrokeRole role)
+{
+  switch (role)
+  {
+    case StrokeRole::CutLine:
+      return { "cut-line", black, 0.5, {} };
+    case StrokeRole::CutOut:
+      return { "cut-out", black, 0.5, {} };
+    case StrokeRole::SewLine:
+      return { "sew-line", black, 0.25, { 4.0, 2.0 } };
+    case StrokeRole::DartLeg:
+      return { "dart-leg", blue, 0.3, { 4.0, 2.0 } };
+    case StrokeRole::DartFold:
+      return { "dart-fold", blue, 0.25, { 1.0, 1.5 } };
+    case StrokeRole::Fold:
+      return { "fold", black, 0.35, { 12.0, 2.0, 2.0, 2.0 } };
+    case StrokeRole::KeyCurve:
+      return { "key-curve", red, 0.25, { 8.0, 1.5, 1.0, 1.5 } };
+    case StrokeRole::Notch:
+      return { "notch", black, 0.4, {} };
+    case StrokeRole::DartMark:
+      return { "dart-mark", black, 0.4, {} };
+    case StrokeRole::DrillHole:
+      return { "drill-hole", black, 0.25, {} };
+    case StrokeRole::Grain:
+      return { "grain", black, 0.35, {} };
+    default:
+      return { "internal", green, 0.25, {} };
+  }
+}
+
+Colour laserColour(StrokeRole role)
+{
+  switch (role)
+  {
+    case StrokeRole::CutLine:
+      return { 1.0, 0.0, 0.0 };
+    case StrokeRole::CutOut:
+      return { 1.0, 0.5, 0.0 };
+    case StrokeRole::SewLine:
+      return { 0.0, 0.0, 1.0 };
+    case StrokeRole::DartLeg:
+      return { 0.0, 0.5, 1.0 };
+    case StrokeRole::DartFold:
+      return { 0.5, 0.0, 1.0 };
+    case StrokeRole::Fold:
+      return { 0.5, 0.5, 0.5 };
+    case StrokeRole::KeyCurve:
+      return { 1.0, 0.0, 1.0 };
+    case StrokeRole::Notch:
+      return { 0.0, 1.0, 0.0 };
+    case StrokeRole::DartMark:
+      return { 0.0, 0.5, 0.0 };
+    case StrokeRole::DrillHole:
+      return { 0.0, 1.0, 1.0 };
+    case StrokeRole::Grain:
+      return { 0.0, 0.0, 0.0 };
+    default:
+      return { 0.5, 0.5, 0.0 };
+  }
+}
+
+std::vector<Stroke> strokesOf(const PatternPiece& piece)
+{
+  std::vector<Stroke> strokes;
+  for (const PatternLine& line : piece.lines)
+  {
+    Stroke stroke;
+    stroke.role = roleOf(line.kind);
+    stroke.closed = line.closed;
+    stroke.points = line.points;
+    stroke.smooth = line.curve;
+    stroke.curve = line.name;
+    stroke.measure = line.restLength;
+    stroke.isWire = isWire(line.kind);
+    strokes.push_back(std::move(stroke));
+  }
+  for (const Notch& notch : piece.notches)
+  {
+    Stroke stroke;
+    stroke.role = notch.onCutLine ? StrokeRole::Notch : StrokeRole::DartMark;
+    stroke.points = { notch.from, notch.to };
+    stroke.curve = notch.name;
+    stroke.measure = notch.arcLength;
+    stroke.isNotch = true;
+    strokes.push_back(std::move(stroke));
+  }
+  const double arm = std::min(3.0, 0.03 * piece.extent.maxCoeff());
+  for (const Point2& hole : piece.drillHoles)
+  {
+    for (const Point2& way : { Point2(arm, 0.0), Point2(0.0, arm) })
+    {
+      Stroke stroke;
+      stroke.role = StrokeRole::DrillHole;
+      stroke.points = { hole - way, hole + way };
+      strokes.push_back(std::move(stroke));
+    }
+  }
+  addGrain(piece, strokes);
+  std::stable_sort(strokes.begin(), strokes.end(),
+    [](const Stroke& a, const Stroke& b) { return a.role < b.role; });
+  return strokes;
+}
+
+std::string fitText(const std::string& text, double height, double width)
+{
+  if (textWidth(text, height) <= width)
+  {
+    return text;
+  }
+  const std::string dots = "...";
+  const double room = width / textWidth(".", height) - static_cast<double>(dots.size());
+  std::size_t end = 0;
+  for (double characters = 1.0; characters <= room && end < text.size(); characters += 1.0)
+  {
+    // The byte that starts a character and those that go on with it.
+    do
+    {
+      ++end;
+    } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
+  }
+  return text.substr(0, end) + dots;
+}
+}
+}

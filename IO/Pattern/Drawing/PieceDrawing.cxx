@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/PieceDrawing.h"
+
+#include "Drawing/ClothOutline.h"
+#include "Drawing/HalfPiece.h"
+#include "Drawing/NotchMarks.h"
+#include "Drawing/PieceOrigin.h"
+#include "Drawing/PieceTexts.h"
+#include "Drawing/SeamAllowance.h"
+#include "Fairing/FairBorders.h"
+#include "Outlines/Grainlines.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+/// Legs of a dart that miss each other by more are told of; millimetres.
+constexpr double worthSaying = 0.1;
+
+/// One piece while it is drawn.
+class PieceDrawer
+{
+public:
+  PieceDrawer(const DrawingSource& all, std::size_t piece, PatternPiece& drawing)
+    : All(all)
+    , Piece(piece)
+    , Loops(all.loops[piece])
+    , Cloth(all, all.loops[piece])
+    , Drawing(drawing)
+    , Marks(all, this->CutLine, drawing)
+  {
+  }
+
+  Status draw(const std::vector<BorderMark>& marks, const std::optional<NamedFold>& fold)
+  {
+    Status status = this->drawCutLine();
+    if (!status.ok())
+    {
+      return status;
+    }
+    this->drawWires();
+    for (std::size_t d = 0; d < this->Cloth.darts().size() && status.ok(); ++d)
+    {
+      status = this->Cloth.placement(d).check(this->Cloth.darts()[d].name, this->Drawing.name);
+      this->drawDart(d);
+    }
+    this->noteMisses();
+    if (!status.ok())
+    {
+      return status;
+    }
+    this->drawNotches();
+    this->addGradePoints();
+    for (const BorderMark& mark : marks)
+    {
+      if (mark.piece == this->Piece)
+      {
+        this->Marks.add(mark);
+      }
+    }
+    const bool half = fold && !fold->isBorder;
+    if (half)
+    {
+      keepRightHalf(fold->axis, this->Drawing);
+    }
+    else if (fold)
+    {
+      this->Drawing.lines.push_back(foldLine(this->Drawing.lines, fold->axis));
+    }
+    for (const Points2& outline : this->Outlines)
+    {
+      addSegments(half ? rightHalf(outline, fold->axis) : outline, true, this->Boundary);
+    }
+    drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
+    placeTexts(this->Boundary, this->Drawing);
+    // A cutter would cut twice.
+    std::vector<PatternLine>& lines = this->Drawing.lines;
+    lines.erase(std::remove_if(
+                  lines.begin(), lines.end(), [](const PatternLine& line) { return line.isCut; }),
+      lines.end());
+    moveToOrigin(this->Drawing);
+    return {};
+  }
+
+private:
+  Status drawCutLine()
+  {
+    for (const Indices& loop : this->Loops)
+    {
+      Points2 points;
+      for (std::size_t k = 0; k < loop.size(); ++k)
+      {
+        addDrawnEdge(this->All, loop[k], loop[(k + 1) % loop.size()], points);
+      }
+      this->Outlines.push_back(std::move(points));
+    }
+    std::vector<Points2> borders;
+    const std::vector<AllowancePolygon> polygons = this->Cloth.polygons();
+    Status status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+    if (status.ok() && this->allowancesMeet(polygons))
+    {
+      this->Drawing.notes.push_back({ "piece " + this->Drawing.name +
+        ": its allowances meet across a gap or a hole, which the cut line closes; give a smaller "
+        "allowance to keep it open" });
+    }
+    // Then the cut line is the sew line, and keeps its curves.
+    const bool bare = !hasAllowance(polygons) && this->Cloth.darts().empty();
+    for (std::size_t b = 0; b < borders.size(); ++b)
+    {
+      addSegments(borders[b], true, this->CutLine);
+      PatternLine line;
+      line.kind = b == 0 ? LineKind::CutLine : LineKind::CutOut;
+      line.closed = true;
+      if (this->All.fair && bare)
+      {
+        SourceWire loop;
+        loop.points = this->Loops[b];
+        loop.points.push_back(loop.points.front());
+        line.curve = this->All.fair->curveOf(loop);
+      }
+      line.points =
+        this->All.fair && !bare ? thinned(borders[b], sampleDistance) : std::move(borders[b]);
+      this->Drawing.lines.push_back(std::move(line));
+    }
+    return status;
+  }
+
+  /// Whether the cut line has another number of loops than the sew line, as it is drawn or with
+  /// less allowance: what a closed gap encloses may be filled as well.
+  bool allowancesMeet(std::vector<AllowancePolygon> polygons) const
+  {
+    std::vector<Points2> borders;
+    for (int halving = 0; halving < 4 && hasAllowance(polygons); ++halving)
+    {
+      const Status status = addAllowance(polygons, this->All.options.mitreLimit, borders);
+      if (status.ok() && borders.size() != polygons.size())
+      {
+        return true;
+      }
+      for (AllowancePolygon& polygon : polygons)
+      {
+        for (double& allowance : polygon.allowance)
+        {
+          allowance /= 2.0;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// A named edge of the boundary.
+  bool isBorder(const SourceWire& wire)
+  {
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      if (!this->isOnLoop(wire.points[k], wire.points[k + 1]) &&
+        !this->isOnLoop(wire.points[k + 1], wire.points[k]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether a border is cut along itself, also near borders that have an allowance.
+  bool isOnCutLine(const SourceWire& wire)
+  {
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      Points2 along;
+      addDrawnEdge(this->All, wire.points[k], wire.points[k + 1], along);
+      along.push_back(this->All.at(wire.points[k + 1]));
+      if (this->Cloth.allowanceOf(wire.points[k], wire.points[k + 1]) > 0.0 ||
+        std::any_of(along.begin(), along.end(),
+          [this](const Point2& p) { return distance(p, this->CutLine) > 2.0 * sampleDistance; }))
+      {
+        return false;
+      }
+    }
+    return wire.points.size() > 1;
+  }
+
+  LineKind kindOf(const SourceWire& wire)
+  {
+    switch (wire.type)
+    {
+      case WireType::Dart:
+        return this->Cloth.isFolded(wire.points[0], wire.points[1]) ? LineKind::DartLeg
+                                                                    : LineKind::SewLine;
+      case WireType::Key:
+        return LineKind::KeyCurve;
+      case WireType::Accessory:
+        return this->isBorder(wire) && this->All.options.foldsAlong.count(wire.name) == 0
+          ? LineKind::SewLine
+          : LineKind::Internal;
+      default:
+        return LineKind::SewLine;
+    }
+  }
+
+  void drawWires()
+  {
+    const PatternSource& source = this->All.source;
+    for (const SourceWire& wire : source.wires)
+    {
+      if (wire.piece != static_cast<Index>(this->Piece) || wire.points.size() < 2)
+      {
+        continue;
+      }
+      PatternLine line;
+      line.kind = this->kindOf(wire);
+      line.name = wire.type == WireType::Boundary ? "" : wire.name;
+      for (std::size_t k = 0; k < wire.points.size(); ++k)
+      {
+        line.points.push_back(this->All.at(wire.points[k]));
+        if (k > 0 && !source.inSpace.empty())
+        {
+          line.restLength += this->All.scale() *
+            (source.inSpace[wire.points[k]] - source.inSpace[wire.points[k - 1]]).norm();
+        }
+        else if (k > 0)
+        {
+          line.restLength += (line.points[k] - line.points[k - 1]).norm();
+        }
+      }
+      line.isCut = (line.kind == LineKind::SewLine || line.kind == LineKind::KeyCurve) &&
+        this->isBorder(wire) && this->isOnCutLine(wire);
+      if (this->All.fair)
+      {
+        line.curve = this->All.fair->curveOf(wire);
+      }
+      if (!line.curve.empty()) // it is where a wire has collapsed
+      {
+        line.points.clear();
+        for (const FairSpan& span : line.curve)
+        {
+          sampleSpan(span, sampleDistance, line.points);
+        }
+        line.points.push_back(line.curve.back().control[3]);
+      }
+      if (line.kind == LineKind::DartLeg)
+      {
+        this->Cloth.placementAlong(wire.points[0], wire.points[1])->place(line);
+      }
+      if (wire.points.front() == wire.points.back())
+      {
+        line.closed = true;
+        line.points.pop_back();
+      }
+      this->Drawing.lines.push_back(std::move(line));
+    }
+  }
+
+  void drawDart(std::size_t d)
+  {
+    const Dart& dart = this->Cloth.darts()[d];
+    const DartPlacement& placement = this->Cloth.placement(d);
+    const Indices& loop = this->Loops[dart.loop];
+    const std::size_t count = loop.size();
+    const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
+    const Point2 tip = placement.at(this->All.at(dart.tip));
+    this->noteMiss(d);
+    PatternLine fold;
+    fold.kind = LineKind::DartFold;
+    fold.name = dart.name;
+    if (dart.otherTip != none)
+    {
+      fold.points = { tip, placement.at(this->All.at(dart.otherTip)) };
+      this->addDrill(tip, fold.points[1]);
+      this->addDrill(fold.points[1], tip);
+    }
+    else
+    {
+      const std::size_t end = dart.firstEdge + dart.edges;
+      const Point2 middle = (at(dart.firstEdge) + at(end)) / 2.0;
+      const Point2 direction = middle - tip;
+      Point2 border = middle;
+      for (const double s : crossings(tip, direction, this->CutLine))
+      {
+        if (s > 0.5)
+        {
+          border = tip + s * direction;
+          break;
+        }
+      }
+      fold.points = { tip, border };
+      this->addDrill(tip, middle);
+      double length = 0.0;
+      for (std::size_t k = end - dart.edges / 2; k < end; ++k)
+      {
+        length += (at(k + 1) - at(k)).norm();
+      }
+      this->Marks.add(at(dart.firstEdge),
+        (at(dart.firstEdge) - at(dart.firstEdge + 1)).normalized(), length, dart.name);
+      this->Marks.add(at(end), (at(end) - at(end - 1)).normalized(), length, dart.name);
+    }
+    this->Drawing.lines.push_back(std::move(fold));
+  }
+
+  /// Legs that are not mirror images fit when they are sewn, and not when they are folded.
+  void noteMiss(std::size_t d)
+  {
+    const Dart& dart = this->Cloth.darts()[d];
+    const DartPlacement& placement = this->Cloth.placement(d);
+    const Indices& loop = this->Loops[dart.loop];
+    Points2 legs;
+    for (std::size_t k = dart.firstEdge; k <= dart.firstEdge + dart.edges; ++k)
+    {
+      legs.push_back(placement.at(this->All.at(loop[k % loop.size()])));
+    }
+    if (placement.back() > 0.0)
+    {
+      this->Drawing.notes.push_back({ "piece " + this->Drawing.name + ": the tip of " + dart.name +
+        " is drawn back by " + formatNumber(placement.back(), 1) + " mm, of a depth of " +
+        formatNumber(placement.depth(), 1) + " mm" });
+    }
+    const double miss = foldMiss(legs);
+    if (miss > worthSaying)
+    {
+      this->Misses += (this->Misses.empty() ? "the legs of " : ", of ") + dart.name +
+        (this->Misses.empty() ? " miss each other by up to " : " by ") + formatNumber(miss, 1) +
+        " mm";
+    }
+  }
+  /// Of all darts in one sentence, which would be read as often as there are darts.
+  void noteMisses()
+  {
+    if (!this->Misses.empty())
+    {
+      this->Drawing.notes.push_back({ "piece " + this->Drawing.name + ": folded, " + this->Misses +
+        "; legs that are straight or mirrored do not" });
+    }
+  }
+
+  /// The hole stands back from the tip, so that the sewn dart hides it.
+  void addDrill(const Point2& tip, const Point2& towards)
+  {
+    const double length = (towards - tip).norm();
+    const double back = length > 0.0 ? std::min(10.0, 0.2 * length) / length : 0.0;
+    this->Drawing.drillHoles.emplace_back(tip + back * (towards - tip));
+  }
+
+  void drawNotches()
+  {
+    const PatternSource& source = this->All.source;
+    for (const NotchPlace& place : this->All.notches)
+    {
+      const Index from = place.edge[0];
+      const Index to = place.edge[1];
+      if (!place.isDrawn || !this->isOnLoop(from, to))
+      {
+        continue;
+      }
+      Point2 outward;
+      const Point2 foot = pointOnDrawnEdge(this->All, from, to, place.fraction, outward);
+      const std::string& name = source.wires[place.wire].name;
+      const double arcLength = this->All.scale() * place.arcLength;
+      if (!this->Cloth.isFolded(from, to))
+      {
+        this->Marks.add(foot, outward, arcLength, name);
+        continue;
+      }
+      const DartPlacement& dart = *this->Cloth.placementAlong(from, to);
+      const Point2 placed = dart.at(foot);
+      this->Marks.addAcross(
+        placed, (dart.at(foot + outward) - placed).normalized(), arcLength, name);
+    }
+  }
+
+  void addGradePoints()
+  {
+    const Indices& graded = this->All.source.gradePoints;
+    for (const Indices& loop : this->Loops)
+    {
+      for (std::size_t k = 0; k < graded.size(); ++k)
+      {
+        if (std::find(loop.begin(), loop.end(), graded[k]) != loop.end())
+        {
+          this->Drawing.gradePoints.push_back(
+            { this->placeOf(graded[k]), static_cast<int>(k) + 1 });
+        }
+      }
+    }
+  }
+
+  /// Where a point of a loop is drawn.
+  Point2 placeOf(Index point)
+  {
+    for (std::size_t d = 0; d < this->Cloth.darts().size(); ++d)
+    {
+      const Dart& dart = this->Cloth.darts()[d];
+      if (dart.tip == point || dart.otherTip == point)
+      {
+        return this->Cloth.placement(d).at(this->All.at(point));
+      }
+    }
+    return this->All.at(point);
+  }
+
+  bool isOnLoop(Index from, Index to)
+  {
+    if (this->Edges.empty())
+    {
+      for (const Indices& loop : this->Loops)
+      {
+        for (std::size_t k = 0; k < loop.size(); ++k)
+        {
+          this->Edges.insert(edgeKey(loop[k], loop[(k + 1) % loop.size()]));
+        }
+      }
+    }
+    return this->Edges.count(edgeKey(from, to)) > 0;
+  }
+
+  const DrawingSource& All;
+  std::size_t Piece;
+  const std::vector<Indices>& Loops;
+  ClothOutline Cloth;
+  PatternPiece& Drawing;
+  std::unordered_set<std::uint64_t> Edges; ///< of the loops
+  std::vector<Points2> Outlines;           ///< along the sew lines
+  Segments Boundary;                       ///< of what is drawn
+  Segments CutLine;
+  NotchMarks Marks;
+  std::string Misses; ///< how far legs miss each other
+};
+}
+
+Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<BorderMark>& marks,
+  const std::optional<NamedFold>& fold, PatternPiece& drawing)
+{
+  return PieceDrawer(all, piece, drawing).draw(marks, fold);
+}
+}
+}

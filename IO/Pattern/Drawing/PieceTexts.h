@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Outlines/Pattern.h"
+#include "Outlines/PlaneGeometry.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// Adds the texts of a piece whose lines, notches and grainline are there: name, size, quantity and
+/// count (PatternPiece::texts comes with these lines, unplaced) at the widest free place, the names
+/// of the feature curves beside them.
+/// \param boundary the sew lines as segments
+void placeTexts(const Segments& boundary, PatternPiece& piece);
+}
+}

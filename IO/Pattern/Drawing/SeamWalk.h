@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Outlines/Pattern.h"
+#include "Outlines/PatternSource.h"
+
+namespace flattening
+{
+namespace pattern
+{
+class FairCache;
+
+/// One interval of a seam or dart between two notches, or a notch and an end, as one who walks the
+/// two sides along each other measures them. Lengths in millimetres, angles in degrees.
+struct WalkInterval
+{
+  std::string curve;
+  WireType type = WireType::Seam;
+  std::array<std::size_t, 2> piece{}; ///< of the two sides
+  int number = 1;                     ///< along the curve, from 1
+  double from = 0.0;                  ///< along the curve, on the surface
+  double to = 0.0;
+  std::array<double, 2> length{}; ///< of the two sides, measured on what is drawn
+  /// Sums of the angles that the cloth of both sides has at the start and at the end of the
+  /// interval: 180 where what is sewn together runs on smoothly over the seam. At the tip of a dart
+  /// both sides are one point, whose angle counts once.
+  std::array<double, 2> angleSum{};
+
+  /// By how much the first side is longer than the second, in percent of that.
+  double ease() const
+  {
+    return this->length[1] > 0.0 ? 100.0 * (this->length[0] / this->length[1] - 1.0) : 0.0;
+  }
+};
+
+/// Walks all sides that are sewn to each other, in the order of the wires, along what is drawn.
+/// \param cache of smooth borders; null: none
+Status walkSeams(const PatternSource& source, const PatternOptions& options,
+  std::vector<WalkInterval>& walk, FairCache* cache = nullptr);
+
+/// The walk as a table of comma-separated values: a head, and a row an interval.
+std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern);
+
+/// The same for people to read: a head and a row an interval.
+std::vector<std::vector<std::string>> walkRows(
+  const std::vector<WalkInterval>& walk, const Pattern& pattern);
+}
+}

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fairing/FairBorders.h"
+
+#include "Fairing/FairStrain.h"
+#include "Fairing/IntervalCurve.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double maximumIncrease = 0.003; ///< of strain
+constexpr double mostWork = 2e10;         ///< of a piece, some seconds: sound ones take far less
+constexpr double leastShare = 0.1;
+constexpr double lessShare = 0.8;     ///< of the share that was too much
+constexpr double leastMirrored = 0.5; ///< share for which a piece stays its own mirror image
+
+/// The parts of a chain between two places, as they are met from the first to the second.
+void addParts(
+  const std::vector<FairSpan>& spans, double from, double to, std::vector<FairSpan>& parts)
+{
+  const double low = std::min(from, to);
+  const double high = std::max(from, to);
+  const double least = 1e-9 * std::max(spans.back().to, high - low);
+  std::vector<FairSpan> found;
+  for (const FairSpan& span : spans)
+  {
+    const double start = std::max(low, span.from);
+    const double end = std::min(high, span.to);
+    if (end - start > least)
+    {
+      found.push_back(from <= to ? partOf(span, start, end) : partOf(span, end, start));
+    }
+  }
+  if (from > to)
+  {
+    std::reverse(found.begin(), found.end());
+  }
+  parts.insert(parts.end(), found.begin(), found.end());
+}
+
+std::string nameOf(const DrawingSource& all, const BorderChain& chain, std::size_t point)
+{
+  return all.nameAlong(chain.point(point), chain.point(point + 1));
+}
+
+/// How much longer or shorter a stretch is to be drawn than it is.
+double lengthChange(const PlannedChain& chain, const PlannedStretch& stretch)
+{
+  double change = 0.0;
+  for (std::size_t k = stretch.firstInterval; k < stretch.endInterval; ++k)
+  {
+    const PlannedInterval& interval = chain.intervals[k];
+    change += interval.length - (interval.end - interval.start);
+  }
+  return std::abs(change);
+}
+}
+
+FairBorders::FairBorders(const DrawingSource& all)
+  : Chains(all)
+{
+  const std::size_t pieces = all.loops.size();
+  std::vector<double> work(pieces, mostWork);
+  FairLimits limits{ std::vector<double>(pieces, 1.0),
+    std::vector<bool>(pieces, all.options.symmetrize), std::vector<bool>(pieces, true), &work };
+  this->WhyNotMirrored.resize(pieces);
+  for (bool lowered = true; lowered;)
+  {
+    const FairFit fit(all, this->Chains, limits);
+    this->Plan = fit.plan();
+    this->Spans = fit.spans();
+    this->place(all);
+    this->report(all, fit);
+    for (std::size_t p = 0; p < pieces; ++p)
+    {
+      this->Reports[p].share = limits.shares[p];
+    }
+    lowered = this->lower(all, fit, limits);
+    for (std::size_t p = 0; p < pieces && !lowered; ++p)
+    {
+      FairPieceReport& report = this->Reports[p];
+      report.inner = report.mirror
+        ? measureInnerMirror(all, this->Chains, this->Spans, fit.mirror(p).chain, *report.mirror)
+        : InnerMirror();
+    }
+  }
+}
+
+void FairBorders::dropMirror(std::size_t piece, const std::string& why, FairLimits& limits)
+{
+  limits.mirrored[piece] = false;
+  limits.shares[piece] = 1.0;
+  this->WhyNotMirrored[piece] = why;
+}
+
+bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits& limits)
+{
+  bool lowered = false;
+  bool rough = false; // a stretch whose other side was to be of another length
+  for (std::size_t c = 0; c < this->plan().size(); ++c)
+  {
+    for (const PlannedStretch& stretch : this->plan()[c].stretches)
+    {
+      const double length = stretch.breaks.back() - stretch.breaks.front();
+      rough = rough ||
+        (stretch.form == StretchForm::Raw && !fit.unmirrored(this->Chains.chains()[c].piece) &&
+          lengthChange(this->plan()[c], stretch) > sameLength * length);
+    }
+  }
+  for (std::size_t p = 0; p < limits.shares.size(); ++p)
+  {
+    const FairPieceReport& report = this->Reports[p];
+    const std::optional<LeftStretch>& left = fit.unmirrored(p);
+    const bool strained = report.strain - report.strainBefore > maximumIncrease;
+    // As its own mirror image it is strained by less the nearer it is to its points.
+    const bool nearer = limits.mirrored[p] && limits.shares[p] < 1.0;
+    const bool far = strained && limits.shares[p] * lessShare < leastMirrored;
+    if (left && fit.mirror(p).goesWithin())
+    {
+      limits.mirroredWithin[p] = false; // the outline alone may be drawn so
+    }
+    else if (nearer && (left || !report.mirror || far))
+    {
+      this->dropMirror(p, "it would strain the piece by over 0.3 % more", limits);
+    }
+    else if (left)
+    {
+      const BorderChain& chain = this->Chains.chains()[left->chain];
+      this->dropMirror(p,
+        left->needed > 0.0
+          ? nameOf(all, chain, left->firstPoint) + " would be " + formatNumber(left->needed, 2) +
+            " mm from its points, more than " + formatNumber(left->tolerance, 3) + " mm"
+          : "no such curves of these lengths were found",
+        limits);
+    }
+    else if (report.mirror && rough && report.lengthDifference > noticedLength)
+    {
+      this->dropMirror(p,
+        "its sides differ by " + formatNumber(report.lengthDifference, 3) +
+          " mm, and what stays as the mesh has it cannot be as long as their mean",
+        limits);
+    }
+    else if (limits.shares[p] > 0.0 && strained)
+    {
+      if (!report.mirror)
+      {
+        limits.mirrored[p] = false;
+        this->WhyNotMirrored[p] = report.whyNotMirrored;
+      }
+      limits.shares[p] = limits.shares[p] > leastShare ? lessShare * limits.shares[p] : 0.0;
+    }
+    else
+    {
+      continue;
+    }
+    lowered = true;
+  }
+  return lowered;
+}
+
+void FairBorders::place(const DrawingSource& all)
+{
+  this->Positions.clear();
+  for (std::size_t v = 0; v < all.source.positions.size(); ++v)
+  {
+    this->Positions.push_back(all.at(static_cast<Index>(v)));
+  }
+  this->Places.clear();
+  for (std::size_t c = 0; c < this->plan().size(); ++c)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    std::vector<double>& places = this->Places.emplace_back();
+    std::size_t k = 0;
+    for (const PlannedInterval& interval : this->plan()[c].intervals)
+    {
+      const IntervalCurve curve(this->spans()[c], interval);
+      for (; k < chain.arc.size() && chain.arc[k] <= interval.end; ++k)
+      {
+        places.push_back(
+          curve.placeAt((chain.arc[k] - interval.start) / (interval.end - interval.start)));
+      }
+    }
+    places.resize(chain.arc.size(), chain.length());
+    for (std::size_t p = 0; p < chain.points.size(); ++p)
+    {
+      this->Positions[static_cast<std::size_t>(chain.points[p])] =
+        spanAt(this->spans()[c], places[p]).at(places[p]);
+    }
+  }
+}
+
+double FairBorders::placeAt(std::size_t c, double length) const
+{
+  const std::vector<PlannedInterval>& intervals = this->plan()[c].intervals;
+  const auto found = std::partition_point(intervals.begin(), intervals.end(),
+    [length](const PlannedInterval& interval) { return interval.end < length; });
+  if (found == intervals.end())
+  {
+    return this->Chains.chains()[c].length();
+  }
+  return IntervalCurve(this->spans()[c], *found)
+    .placeAt((length - found->start) / (found->end - found->start));
+}
+
+void FairBorders::report(const DrawingSource& all, const FairFit& fit)
+{
+  this->Reports.assign(all.loops.size(), {});
+  for (std::size_t c = 0; c < this->plan().size(); ++c)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    FairPieceReport& report = this->Reports[chain.piece];
+    report.edges += chain.edges();
+    const std::size_t ends = chain.closed ? 0 : 1;
+    for (std::size_t k = ends; k + ends < chain.points.size(); ++k)
+    {
+      if (chain.bends[k] > 0.0)
+      {
+        const double tolerance = all.fairToleranceAlong(chain.point(k), chain.point(k + 1));
+        report.wantedOfWorst = chain.bends[k] > report.worstLeft ? tolerance : report.wantedOfWorst;
+        report.worstLeft = std::max(report.worstLeft, chain.bends[k]);
+        report.left.push_back(nameOf(all, chain, k));
+      }
+    }
+    for (const PlannedStretch& stretch : this->plan()[c].stretches)
+    {
+      const double length = chain.arc[stretch.lastPoint] - chain.arc[stretch.firstPoint];
+      report.splines += stretch.form == StretchForm::Spline ? stretch.spans() : 0;
+      report.segments += stretch.form == StretchForm::Straight ? 1
+        : stretch.form == StretchForm::Raw                     ? stretch.edges()
+                                                               : 0;
+      report.straightened +=
+        stretch.form == StretchForm::Straight && stretch.bend > inexact * length ? 1 : 0;
+    }
+  }
+  Points2 before;
+  for (const Point2& p : all.source.positions)
+  {
+    before.emplace_back(all.scale() * p);
+  }
+  for (const LeftStretch& left : fit.left())
+  {
+    FairPieceReport& report = this->Reports[this->Chains.chains()[left.chain].piece];
+    report.wantedOfWorst = left.needed > report.worstLeft ? left.tolerance : report.wantedOfWorst;
+    report.worstLeft = std::max(report.worstLeft, left.needed);
+    report.left.push_back(nameOf(all, this->Chains.chains()[left.chain], left.firstPoint));
+  }
+  for (std::size_t p = 0; p < this->Reports.size(); ++p)
+  {
+    FairPieceReport& report = this->Reports[p];
+    report.solved = fit.solved(p);
+    this->reportMirror(fit, p);
+    report.deviation = fit.largestDeviation(p);
+    report.strainBefore = strainQuantile(all, p, before);
+    report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
+    std::sort(report.left.begin(), report.left.end());
+    report.left.erase(std::unique(report.left.begin(), report.left.end()), report.left.end());
+  }
+}
+
+void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
+{
+  FairPieceReport& report = this->Reports[piece];
+  for (std::size_t c = 0; c < this->plan().size(); ++c)
+  {
+    for (const PlannedStretch& stretch : this->plan()[c].stretches)
+    {
+      const double change = lengthChange(this->plan()[c], stretch);
+      const bool isOwn = this->Chains.chains()[c].piece == piece;
+      report.lengthChange = isOwn ? std::max(report.lengthChange, change) : report.lengthChange;
+    }
+  }
+  const OutlineMirror& mirror = fit.mirror(piece);
+  report.whyNotMirrored = mirror.why.empty() ? this->WhyNotMirrored[piece] : mirror.why;
+  if (mirror.found())
+  {
+    report.mirror = mirror.axis;
+    report.lengthDifference = mirror.difference;
+    report.mirrorMiss =
+      missOfCurves(mirror, this->plan()[mirror.chain], this->spans()[mirror.chain]);
+  }
+}
+
+std::vector<FairSpan> FairBorders::curveOf(const SourceWire& wire) const
+{
+  // Runs of edges that follow each other in one chain, so that its splines come whole.
+  std::vector<FairSpan> parts;
+  ChainEdge run;
+  double from = 0.0;
+  double to = 0.0;
+  bool any = false;
+  const auto end = [&] {
+    if (any)
+    {
+      addParts(this->spans()[run.chain], from, to, parts);
+    }
+    any = false;
+  };
+  for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+  {
+    ChainEdge place;
+    this->Chains.find(wire.points[k], wire.points[k + 1], place); // all wires are in chains
+    const std::vector<double>& arc = this->Places[place.chain];
+    const double start = arc[place.edge + (place.backwards ? 1 : 0)];
+    if (!any || place.chain != run.chain || place.backwards != run.backwards || start != to)
+    {
+      end();
+      from = start;
+    }
+    to = arc[place.edge + (place.backwards ? 0 : 1)];
+    run = place;
+    any = true;
+  }
+  end();
+  return parts;
+}
+
+std::vector<FairSpan> FairBorders::alongEdge(
+  Index from, Index to, double fromFraction, double toFraction) const
+{
+  std::vector<FairSpan> parts;
+  ChainEdge place;
+  if (!this->Chains.find(from, to, place))
+  {
+    return parts;
+  }
+  const std::vector<double>& arc = this->Chains.chains()[place.chain].arc;
+  const std::vector<double>& places = this->Places[place.chain];
+  const auto at = [&](double given) {
+    const double fraction = place.backwards ? 1.0 - given : given;
+    return fraction == 0.0 ? places[place.edge]
+      : fraction == 1.0    ? places[place.edge + 1]
+                           : this->placeAt(place.chain,
+                               arc[place.edge] + fraction * (arc[place.edge + 1] - arc[place.edge]));
+  };
+  addParts(this->spans()[place.chain], at(fromFraction), at(toFraction), parts);
+  return parts;
+}
+
+void addDrawnEdge(const DrawingSource& all, Index from, Index to, Points2& points)
+{
+  const std::size_t before = points.size();
+  if (all.fair)
+  {
+    for (const FairSpan& span : all.fair->alongEdge(from, to))
+    {
+      sampleSpan(span, sampleDistance, points);
+    }
+  }
+  if (points.size() == before)
+  {
+    points.push_back(all.at(from));
+  }
+}
+
+Point2 pointOnDrawnEdge(
+  const DrawingSource& all, Index from, Index to, double fraction, Point2& outward)
+{
+  Point2 along = all.at(to) - all.at(from);
+  Point2 place = all.at(from) + fraction * along;
+  if (all.fair)
+  {
+    const std::vector<FairSpan> parts = all.fair->alongEdge(from, to, 0.0, fraction);
+    const std::vector<FairSpan> whole = all.fair->alongEdge(from, to);
+    if (!whole.empty())
+    {
+      const FairSpan& last = parts.empty() ? whole.front() : parts.back();
+      const double at = parts.empty() ? last.from : last.to;
+      place = last.at(at);
+      // A part that runs back has its slope by descending length.
+      along = (last.to > last.from ? 1.0 : -1.0) * last.slope(at);
+    }
+  }
+  outward = Point2(along.y(), -along.x()).normalized();
+  return place;
+}
+}
+}

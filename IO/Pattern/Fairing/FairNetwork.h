@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Outlines/FairSpan.h"
+
+#include <cstddef>
+
+namespace flattening
+{
+namespace pattern
+{
+/// A part of a stretch whose length is prescribed: from notch to notch, say.
+struct FairInterval
+{
+  double end = 0.0;     ///< along the stretch
+  double length = 0.0;  ///< that it must have
+  bool follows = false; ///< it has that if others have theirs, whose mirror image it is
+};
+
+/// A node that a stretch runs through.
+struct FairHook
+{
+  double at = 0.0; ///< along the stretch
+  std::size_t node = 0;
+};
+
+/// What is to be drawn as one smooth curve, between two nodes or, closed, from a node to itself.
+struct FairStretch
+{
+  std::size_t from = 0;
+  std::size_t to = 0;
+  bool smoothEnds = false; ///< from == to, and the curve is smooth there
+  bool straight = false;   ///< a segment; its intervals divide it by their lengths
+  std::vector<double> arc; ///< along the stretch, ascending from 0, of the points within its ends
+  Points2 points;          ///< where it ran before
+  std::vector<double> weights; ///< of the points, 1 for what is usual
+  std::array<double, 2> endWeights{ 1.0, 1.0 };
+  std::vector<double> breaks; ///< along it, between which it is one cubic curve, its ends included
+  std::vector<FairInterval> intervals; ///< the last one ends where the stretch does
+  std::vector<FairHook> hooks;
+
+  double length() const { return this->intervals.back().end; }
+};
+
+/// Two stretches whose curves are to be mirror images of each other; or one, twice, that is to be
+/// its own.
+struct FairImages
+{
+  std::size_t one = 0;
+  std::size_t other = 0;
+  bool backwards = true; ///< one runs the other way than the image of the other
+};
+
+/// An axis and stretches that are mirrored at it.
+struct FairMirror
+{
+  Point2 at = Point2::Zero();
+  Point2 along = Point2(0.0, 1.0);   ///< of length 1
+  std::vector<FairImages> stretches; ///< with breaks that are mirrored as well
+};
+
+/// The borders and feature curves of a flat piece that hang together at nodes.
+struct FairNetwork
+{
+  Points2 nodes;     ///< where they were before
+  bool held = false; ///< they stay there
+  std::vector<FairStretch> stretches;
+  FairMirror mirror;
+  double* work = nullptr; ///< products that may still be computed; null: no limit
+};
+
+struct FairCurves
+{
+  bool converged = false; ///< every interval has its length to 1e-10 of it; else the rest is empty
+  Points2 nodes;
+  std::vector<std::vector<FairSpan>> spans; ///< of each stretch
+  std::vector<std::vector<double>>
+    deviation; ///< of the points of each stretch across it, its ends included
+  std::vector<std::vector<double>> nearest; ///< along each stretch, to its points within its ends
+};
+
+/// Smooth curves of prescribed lengths near given points: least bending (the integral of the
+/// squared second derivative) and least squared distance, weighed by a length of waves that are
+/// smoothed away, under exact lengths, by Newton's method on the Lagrangian without the curvature
+/// of the constraints.
+/// \param wave the longest wave that is smoothed away, in the unit of the points
+FairCurves solveFairNetwork(const FairNetwork& network, double wave);
+}
+}

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fairing/FairPlan.h"
+
+#include "Base/Types.h"
+#include "Outlines/Grainlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
+constexpr double sameNotch = 1e-6;  ///< of a chain
+
+class FairPlanner
+{
+public:
+  FairPlanner(
+    const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
+    : All(all)
+    , Chains(chains)
+    , Shares(shares)
+  {
+  }
+
+  std::vector<PlannedChain> plan()
+  {
+    this->findFirmPoints();
+    this->Plan.resize(this->Chains.chains().size());
+    std::vector<std::vector<double>> notches(this->Plan.size());
+    for (const NotchPlace& notch : this->All.notches)
+    {
+      ChainEdge place;
+      if (notch.isStop && this->Chains.find(notch.edge[0], notch.edge[1], place))
+      {
+        notches[place.chain].push_back(this->arcAt(place, notch.fraction));
+      }
+    }
+    for (std::size_t c = 0; c < this->Plan.size(); ++c)
+    {
+      this->addIntervals(c, notches[c]);
+      this->addStretches(c);
+    }
+    this->findPartners();
+    return std::move(this->Plan);
+  }
+
+private:
+  double arcAt(const ChainEdge& place, double fraction) const
+  {
+    const BorderChain& chain = this->Chains.chains()[place.chain];
+    const double along = place.backwards ? 1.0 - fraction : fraction;
+    return chain.arc[place.edge] + along * (chain.arc[place.edge + 1] - chain.arc[place.edge]);
+  }
+
+  std::size_t edgeAt(std::size_t c, double arc) const
+  {
+    const std::vector<double>& arcs = this->Chains.chains()[c].arc;
+    return static_cast<std::size_t>(
+             std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin()) -
+      1;
+  }
+
+  /// \param end 0: the point at which the edge starts as it was asked for, 1: that at which it ends
+  std::size_t pointOf(const ChainEdge& place, int end) const
+  {
+    const std::size_t k = place.edge + ((end == 1) != place.backwards ? 1U : 0U);
+    const BorderChain& chain = this->Chains.chains()[place.chain];
+    return chain.closed ? k % chain.points.size() : k;
+  }
+
+  /// Points at which intervals end on both sides of a seam.
+  void findFirmPoints()
+  {
+    for (const BorderChain& chain : this->Chains.chains())
+    {
+      this->Firm.push_back(chain.corner);
+      this->Firm.back().front() = true; // where a ring is opened
+    }
+    ChainEdge place;
+    for (const SourceWire& wire : this->All.source.wires)
+    {
+      const std::size_t last = wire.points.size() - 1;
+      if (wire.points.size() > 1 && this->Chains.find(wire.points[0], wire.points[1], place))
+      {
+        this->Firm[place.chain][this->pointOf(place, 0)] = true;
+      }
+      if (wire.points.size() > 1 &&
+        this->Chains.find(wire.points[last - 1], wire.points[last], place))
+      {
+        this->Firm[place.chain][this->pointOf(place, 1)] = true;
+      }
+    }
+    for (const SewnEdges& pair : this->All.source.sewn)
+    {
+      ChainEdge a;
+      ChainEdge b;
+      if (!this->Chains.find(pair.a[0], pair.a[1], a) ||
+        !this->Chains.find(pair.b[0], pair.b[1], b))
+      {
+        continue;
+      }
+      for (const int end : { 0, 1 })
+      {
+        auto one = this->Firm[a.chain][this->pointOf(a, end)];
+        auto other = this->Firm[b.chain][this->pointOf(b, end)];
+        one = other = one || other;
+      }
+    }
+  }
+
+  void addIntervals(std::size_t c, const std::vector<double>& notches)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    std::vector<double> firm;
+    for (std::size_t k = 0; k < chain.points.size(); ++k)
+    {
+      if (this->Firm[c][k])
+      {
+        firm.push_back(chain.arc[k]);
+      }
+    }
+    if (chain.closed)
+    {
+      firm.push_back(chain.length());
+    }
+    const std::multiset<double> firmStops(firm.begin(), firm.end());
+    std::multiset<double> all = firmStops;
+    const auto isNear = [](const std::multiset<double>& places, double notch, double distance) {
+      const auto after = places.upper_bound(notch - distance);
+      return after != places.end() && *after < notch + distance;
+    };
+    for (const double notch : notches)
+    {
+      // Two curves may have a notch at one place. All firm points stay: stretches end there.
+      if (!isNear(firmStops, notch, closestStop) && !isNear(all, notch, sameNotch * chain.length()))
+      {
+        all.insert(notch);
+      }
+    }
+    const std::vector<double> stops(all.begin(), all.end());
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k)
+    {
+      PlannedInterval interval;
+      interval.start = stops[k];
+      interval.end = stops[k + 1];
+      interval.places = { interval.start, interval.end };
+      interval.length = interval.end - interval.start;
+      const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
+      interval.tolerance = this->Shares[chain.piece] *
+        this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
+      this->Plan[c].intervals.push_back(interval);
+    }
+  }
+
+  void addStretches(std::size_t c)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    std::vector<std::size_t> ends;
+    for (std::size_t k = 0; k < chain.points.size(); ++k)
+    {
+      if (chain.corner[k])
+      {
+        ends.push_back(k);
+      }
+    }
+    const bool ring = ends.empty();
+    if (ring)
+    {
+      ends.push_back(0);
+    }
+    if (chain.closed)
+    {
+      ends.push_back(chain.points.size());
+    }
+    PlannedChain& planned = this->Plan[c];
+    std::size_t next = 0;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    {
+      PlannedStretch stretch;
+      stretch.firstPoint = ends[k];
+      stretch.lastPoint = ends[k + 1];
+      stretch.firstInterval = next;
+      while (next < planned.intervals.size() &&
+        planned.intervals[next].start < chain.arc[stretch.lastPoint])
+      {
+        ++next;
+      }
+      stretch.endInterval = next;
+      stretch.smoothEnds = ring;
+      double tolerance = std::numeric_limits<double>::infinity();
+      for (std::size_t i = stretch.firstInterval; i < next; ++i)
+      {
+        tolerance = std::min(tolerance, planned.intervals[i].tolerance);
+      }
+      if (tolerance == 0.0)
+      {
+        stretch.form = StretchForm::Raw;
+      }
+      else if (!ring)
+      {
+        this->straighten(chain, stretch, tolerance);
+      }
+      this->divide(chain, stretch);
+      planned.stretches.push_back(stretch);
+    }
+  }
+
+  /// Each length and each crossing takes away from what a spline can do: a span for three of them.
+  void divide(const BorderChain& chain, PlannedStretch& stretch) const
+  {
+    std::size_t conditions = stretch.endInterval - stretch.firstInterval - 1;
+    for (std::size_t k = stretch.firstPoint + 1; k < stretch.lastPoint; ++k)
+    {
+      conditions += this->Chains.chainsAt(chain.point(k)) > 1 ? 1 : 0;
+    }
+    const std::size_t spans = std::max(stretch.leastSpans(), 1 + conditions / 3);
+    const double start = chain.arc[stretch.firstPoint];
+    const double length = chain.arc[stretch.lastPoint] - start;
+    for (std::size_t k = 0; k < spans; ++k)
+    {
+      stretch.breaks.push_back(
+        start + length * static_cast<double>(k) / static_cast<double>(spans));
+    }
+    stretch.breaks.push_back(chain.arc[stretch.lastPoint]);
+    stretch.weights.assign(stretch.edges() + 1, 1.0);
+  }
+
+  void straighten(const BorderChain& chain, PlannedStretch& stretch, double tolerance) const
+  {
+    const Point2 from = this->All.at(chain.point(stretch.firstPoint));
+    const Point2 chord = this->All.at(chain.point(stretch.lastPoint)) - from;
+    const double length = chord.norm();
+    for (std::size_t k = stretch.firstPoint + 1; k < stretch.lastPoint; ++k)
+    {
+      const Point2 way = this->All.at(chain.point(k)) - from;
+      const bool beside = way.dot(chord) < 0.0 || way.dot(chord) > chord.squaredNorm();
+      stretch.bend = std::max(
+        stretch.bend, beside || length == 0.0 ? way.norm() : std::abs(cross(chord, way)) / length);
+    }
+    if (stretch.bend <= std::min(tolerance, straightness * length))
+    {
+      stretch.form = StretchForm::Straight;
+    }
+  }
+
+  void findPartners()
+  {
+    for (std::size_t c = 0; c < this->Plan.size(); ++c)
+    {
+      for (PlannedInterval& interval : this->Plan[c].intervals)
+      {
+        this->findPartner(c, interval);
+      }
+    }
+    for (PlannedChain& chain : this->Plan)
+    {
+      for (PlannedInterval& interval : chain.intervals)
+      {
+        if (interval.partner[0] == PlannedInterval::none)
+        {
+          continue;
+        }
+        PlannedInterval& other = this->Plan[interval.partner[0]].intervals[interval.partner[1]];
+        const double mean = (interval.length + other.length) / 2.0;
+        if (std::abs(interval.length - other.length) < sameLength * mean)
+        {
+          interval.length = other.length = mean;
+        }
+      }
+    }
+  }
+
+  void findPartner(std::size_t c, PlannedInterval& interval) const
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    const double middle = (interval.start + interval.end) / 2.0;
+    const std::size_t edge = this->edgeAt(c, middle);
+    const auto sewn = this->All.partners.find(edgeKey(chain.point(edge), chain.point(edge + 1)));
+    ChainEdge place;
+    if (sewn == this->All.partners.end() ||
+      !this->Chains.find(sewn->second[0], sewn->second[1], place))
+    {
+      return;
+    }
+    const double fraction = (middle - chain.arc[edge]) / (chain.arc[edge + 1] - chain.arc[edge]);
+    const double there = this->arcAt(place, fraction);
+    const std::vector<PlannedInterval>& others = this->Plan[place.chain].intervals;
+    const auto found = std::lower_bound(others.begin(), others.end(), there,
+      [](const PlannedInterval& other, double at) { return other.end < at; });
+    if (found != others.end() && found->start <= there)
+    {
+      interval.partner = { place.chain, static_cast<std::size_t>(found - others.begin()) };
+      interval.reversed = place.backwards;
+    }
+  }
+
+  const DrawingSource& All;
+  const BorderChains& Chains;
+  const std::vector<double>& Shares;
+  std::vector<std::vector<bool>> Firm; ///< points of the chains
+  std::vector<PlannedChain> Plan;
+};
+}
+
+std::vector<PlannedChain> planFairBorders(
+  const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
+{
+  return FairPlanner(all, chains, shares).plan();
+}
+}
+}

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/DxfWriter.h"
+
+#include "Base/Types.h"
+#include "Formats/DxfRecords.h"
+#include "Formats/SheetLayout.h"
+#include "Outlines/Grainlines.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+/// A corner turns by more than this, in radians; a lesser turn belongs to a curve.
+constexpr double turnAngle = 0.3;
+constexpr std::size_t longestText = 250;
+constexpr std::size_t longestSymbol = 31; // R12's limit
+constexpr double drillRadius = 1.5;
+// Of a polyline.
+constexpr int closedLine = 1;
+constexpr int dashesRunOn = 128;
+constexpr double gradeTextHeight = 3.0;
+
+DxfLayer layerOf(LineKind kind)
+{
+  switch (kind)
+  {
+    case LineKind::CutLine:
+      return DxfLayer::Boundary;
+    case LineKind::CutOut:
+      return DxfLayer::CutOuts;
+    case LineKind::SewLine:
+    case LineKind::DartLeg:
+      return DxfLayer::SewLines;
+    case LineKind::Fold:
+      return DxfLayer::MirrorLine;
+    default:
+      return DxfLayer::InternalLines;
+  }
+}
+
+/// Those of the pieces; a number tells apart what would be the same in DXF.
+std::vector<std::string> blockNames(const Pattern& pattern)
+{
+  std::vector<std::string> names;
+  for (const PatternPiece& piece : pattern.pieces)
+  {
+    std::string name = dxfSymbol(piece.name, longestSymbol);
+    if (name.find_first_not_of('_') == std::string::npos ||
+      std::find(names.begin(), names.end(), name) != names.end())
+    {
+      const std::string number = "_" + std::to_string(piece.number);
+      name = name.substr(0, longestSymbol - number.size());
+      name += number;
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+class DxfDrawing
+{
+public:
+  explicit DxfDrawing(const Pattern& pattern)
+    : Drawn(pattern)
+    , Layout(layOut(pattern, squareWidth(pattern), 0.0))
+    , BlockNames(blockNames(pattern))
+    , Records(pattern.unit == Unit::Inch)
+  {
+  }
+
+  std::string make()
+  {
+    this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 });
+    this->Records.beginSection("BLOCKS");
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->addBlock(p);
+    }
+    this->Records.add(0, "ENDSEC");
+    this->Records.beginSection("ENTITIES");
+    this->addStyleTexts();
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->Records.begin("INSERT", DxfLayer::Boundary);
+      this->Records.add(2, this->BlockNames[p]);
+      // Rows from the top of the drawing, y up.
+      this->Records.addPoint({ this->Layout.corners[p].x(),
+        -this->Layout.corners[p].y() - this->Drawn.pieces[p].extent.y() });
+    }
+    this->Records.add(0, "ENDSEC");
+    return this->Records.finish();
+  }
+
+private:
+  void addText(
+    DxfLayer layer, const Point2& at, double height, double angle, const std::string& text)
+  {
+    // Cutting an escape in two would leave a broken one.
+    std::string escaped = escapeDxf(text);
+    if (escaped.size() > longestText)
+    {
+      escaped = escaped.substr(0, longestText);
+      const std::size_t escape = escaped.rfind("\\U+");
+      if (escape != std::string::npos && escape + 7 > escaped.size())
+      {
+        escaped.erase(escape);
+      }
+    }
+    this->Records.begin("TEXT", layer);
+    this->Records.addPoint(at);
+    this->Records.addLength(40, height);
+    this->Records.add(1, escaped);
+    if (angle != 0.0)
+    {
+      this->Records.addNumber(50, angle * 180.0 / pi);
+    }
+  }
+
+  void addMark(DxfLayer layer, const Point2& at)
+  {
+    this->Records.begin("POINT", layer);
+    this->Records.addPoint(at);
+  }
+
+  void addLine(DxfLayer layer, const Point2& from, const Point2& to)
+  {
+    this->Records.begin("LINE", layer);
+    this->Records.addPoint(from);
+    this->Records.addPoint(to, 1);
+  }
+
+  void addPolyline(const PatternLine& line)
+  {
+    const DxfLayer layer = layerOf(line.kind);
+    this->Records.begin("POLYLINE", layer);
+    this->Records.add(66, 1);
+    this->Records.addPoint(Point2::Zero());
+    // Dashes run on over the points, which are nearer to each other than dashes are long.
+    const int flags = (line.closed ? closedLine : 0) | (isDashed(layer) ? dashesRunOn : 0);
+    this->Records.add(70, flags);
+    for (const Point2& p : line.points)
+    {
+      this->Records.begin("VERTEX", layer);
+      this->Records.addPoint(p);
+    }
+    this->Records.begin("SEQEND", layer);
+    this->addPointMarks(line);
+  }
+
+  /// Turn points and curve points, the two kinds of vertices that pattern systems tell apart.
+  /// Of a smooth line only what its curves hang on.
+  void addPointMarks(const PatternLine& line)
+  {
+    if (!line.curve.empty())
+    {
+      this->addCurveMarks(line);
+      return;
+    }
+    const std::size_t count = line.points.size();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      bool turn = !line.closed && (k == 0 || k + 1 == count);
+      if (!turn)
+      {
+        const Point2 before = line.points[k] - line.points[(k + count - 1) % count];
+        const Point2 after = line.points[(k + 1) % count] - line.points[k];
+        const double sine = cross(before, after);
+        turn = std::abs(std::atan2(sine, before.dot(after))) > turnAngle;
+      }
+      this->addMark(turn ? DxfLayer::TurnPoints : DxfLayer::CurvePoints, line.points[k]);
+    }
+  }
+
+  void addCurveMarks(const PatternLine& line)
+  {
+    for (std::size_t k = 0; k < line.curve.size(); ++k)
+    {
+      const bool isEnd = k == 0 && !line.closed;
+      const FairSpan& after = line.curve[k];
+      const FairSpan& before = line.curve[(k + line.curve.size() - 1) % line.curve.size()];
+      const Point2 in = before.control[3] - before.control[2];
+      const Point2 out = after.control[1] - after.control[0];
+      const bool turn = isEnd || std::abs(std::atan2(cross(in, out), in.dot(out))) > turnAngle;
+      this->addMark(turn ? DxfLayer::TurnPoints : DxfLayer::CurvePoints, after.control[0]);
+    }
+    if (!line.closed)
+    {
+      this->addMark(DxfLayer::TurnPoints, line.curve.back().control[3]);
+    }
+  }
+
+  void addBlock(std::size_t p)
+  {
+    const PatternPiece& piece = this->Drawn.pieces[p];
+    this->Records.begin("BLOCK", DxfLayer::Boundary);
+    this->Records.add(2, this->BlockNames[p]);
+    this->Records.add(70, 0);
+    this->Records.addPoint(Point2::Zero());
+    this->Records.add(3, this->BlockNames[p]);
+    for (const PatternLine& line : piece.lines)
+    {
+      if (line.kind == LineKind::DartFold || line.kind == LineKind::Fold)
+      {
+        this->addLine(layerOf(line.kind), line.points.front(), line.points.back());
+      }
+      else
+      {
+        this->addPolyline(line);
+      }
+    }
+    for (const Notch& notch : piece.notches)
+    {
+      if (notch.onCutLine)
+      {
+        this->addMark(DxfLayer::Notches, notch.from);
+        const Point2 way = notch.to - notch.from;
+        this->Records.addNumber(50, std::atan2(way.y(), way.x()) * 180.0 / pi);
+        // A point is all that pattern systems want, and too little to be seen in others.
+        this->addLine(DxfLayer::Notches, notch.from, notch.to);
+      }
+      else
+      {
+        this->addLine(DxfLayer::InternalLines, notch.from, notch.to);
+      }
+    }
+    for (const Point2& hole : piece.drillHoles)
+    {
+      this->addMark(DxfLayer::DrillHoles, hole);
+      this->Records.begin("CIRCLE", DxfLayer::DrillHoles);
+      this->Records.addPoint(hole);
+      this->Records.addLength(40, drillRadius);
+    }
+    for (const GradePoint& point : piece.gradePoints)
+    {
+      this->addText(
+        DxfLayer::TurnPoints, point.place, gradeTextHeight, 0.0, "# " + std::to_string(point.rule));
+    }
+    this->addGrain(piece.grain);
+    this->addPieceTexts(piece);
+    this->Records.begin("ENDBLK", DxfLayer::Boundary);
+  }
+
+  /// Pattern systems want one line; its heads, which plain CAD shows, are none.
+  void addGrain(const Grainline& grain)
+  {
+    this->addLine(DxfLayer::GrainLine, grain.from, grain.to);
+    for (const std::array<Point2, 3>& head : arrowHeads(grain))
+    {
+      this->Records.begin("SOLID", DxfLayer::GrainLine);
+      for (int corner = 0; corner < 4; ++corner) // a triangle has its last one twice
+      {
+        this->Records.addPoint(head[static_cast<std::size_t>(std::min(corner, 2))], corner);
+      }
+    }
+  }
+
+  void addPieceTexts(const PatternPiece& piece)
+  {
+    std::vector<std::string> system{ "Piece Name: " + piece.name };
+    if (!piece.size.empty())
+    {
+      system.push_back("Size: " + piece.size);
+    }
+    system.push_back("Quantity: " + std::to_string(piece.quantity));
+    std::size_t next = 0;
+    for (const PatternText& text : piece.texts)
+    {
+      // The system texts stand where the drawing has name, size and quantity; the rest is
+      // annotation.
+      const bool isSystem = text.role != TextRole::Curve && next < system.size();
+      const std::string& content = isSystem ? system[next++] : text.text;
+      const double height = text.role == TextRole::Title ? 0.7 * text.height : text.height;
+      const double half = textWidth(content, height) / 2.0;
+      const Point2 along(std::cos(text.angle), std::sin(text.angle));
+      const Point2 up(-along.y(), along.x());
+      this->addText(isSystem ? DxfLayer::Boundary : DxfLayer::Annotation,
+        text.position - half * along - 0.5 * height * up, height, text.angle, content);
+    }
+  }
+
+  void addStyleTexts()
+  {
+    std::vector<std::string> texts{ "Style Name: " + this->Drawn.name };
+    if (!this->Drawn.date.empty())
+    {
+      texts.push_back("Creation Date: " + this->Drawn.date);
+      texts.push_back("Creation Time: " + this->Drawn.time);
+    }
+    texts.emplace_back("Author: SurfaceFlattening");
+    const std::string& size = this->Drawn.pieces.front().size;
+    if (!size.empty())
+    {
+      texts.push_back("Sample Size: " + size);
+    }
+    texts.push_back(
+      std::string("Units: ") + (this->Drawn.unit == Unit::Inch ? "ENGLISH" : "METRIC"));
+    double y = 10.0 * static_cast<double>(texts.size());
+    for (const std::string& text : texts)
+    {
+      this->addText(DxfLayer::Boundary, { 0.0, y }, 5.0, 0.0, text);
+      y -= 10.0;
+    }
+  }
+
+  const Pattern& Drawn;
+  SheetLayout Layout;
+  std::vector<std::string> BlockNames;
+  DxfRecords Records;
+};
+}
+
+std::string makeDxf(const Pattern& pattern)
+{
+  return DxfDrawing(pattern).make();
+}
+}
+}

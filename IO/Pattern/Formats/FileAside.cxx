@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/FileAside.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <system_error>
+
+namespace flattening
+{
+namespace pattern
+{
+FileAside::FileAside(const std::string& path)
+  : Path(path)
+{
+  const std::filesystem::path file(path);
+  std::random_device random; // two runs may write to one folder
+  const std::string name =
+    "." + file.filename().string() + "." + std::to_string(random()) + ".part";
+  this->Aside = (file.parent_path() / name).string();
+}
+
+FileAside::~FileAside()
+{
+  std::error_code ignored;
+  std::filesystem::remove(this->Aside, ignored);
+}
+
+Status FileAside::write(const std::string& content) const
+{
+  errno = 0;
+  std::ofstream file(this->Aside, std::ios::binary);
+  file << content;
+  file.close();
+  return file ? Status() : this->failure(errno != 0 ? std::strerror(errno) : "");
+}
+
+Status FileAside::publish()
+{
+  std::error_code error;
+  if (std::filesystem::is_directory(this->Path, error))
+  {
+    return this->failure("a folder of this name is in the way");
+  }
+  std::filesystem::rename(this->Aside, this->Path, error);
+  return error ? this->failure(error.message()) : Status();
+}
+
+Status FileAside::failure(const std::string& reason) const
+{
+  return { StatusCode::FileNotWritten,
+    this->Path + " cannot be written" + (reason.empty() ? "" : " (" + reason + ")"), {},
+    { Remedy::NameAnotherFile } };
+}
+}
+}

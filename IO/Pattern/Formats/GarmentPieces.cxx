@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/GarmentPieces.h"
+
+#include "Formats/PanelTriangles.h"
+#include "Outlines/FairSpan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double chordDistance = 0.1 * sampleDistance; // centimetres per millimetre
+
+/// The edges of all panels by one number each.
+class EdgeNumbers
+{
+public:
+  explicit EdgeNumbers(const Garment& garment)
+  {
+    for (const GarmentPanel& panel : garment.panels)
+    {
+      this->First.push_back(this->First.back() + panel.edges.size());
+    }
+  }
+  std::size_t of(const GarmentSide& side) const { return this->First[side.panel] + side.edge; }
+  std::size_t count() const { return this->First.back(); }
+
+private:
+  std::vector<std::size_t> First{ 0 };
+};
+
+/// Makes the pieces of one garment.
+class PieceMaking
+{
+public:
+  PieceMaking(const Garment& garment, PatternSource& source)
+    : Panels(garment)
+    , Source(source)
+    , Numbers(garment)
+    , Chains(this->Numbers.count())
+    , StitchOf(this->Numbers.count(), garment.stitches.size())
+  {
+  }
+
+  Status make()
+  {
+    for (std::size_t s = 0; s < this->Panels.stitches.size(); ++s)
+    {
+      for (const GarmentSide& side : this->Panels.stitches[s].sides)
+      {
+        this->StitchOf[this->Numbers.of(side)] = s;
+      }
+    }
+    for (std::size_t p = 0; p < this->Panels.panels.size(); ++p)
+    {
+      this->addPoints(p);
+      Status status = this->addTriangles(p);
+      if (!status.ok())
+      {
+        return status;
+      }
+    }
+    this->addSeams();
+    this->addBoundary();
+    this->keepPanels();
+    return {};
+  }
+
+private:
+  const GarmentEdge& edgeAt(const GarmentSide& side) const
+  {
+    return this->Panels.panels[side.panel].edges[side.edge];
+  }
+  bool isSewn(const GarmentSide& side) const
+  {
+    return this->StitchOf[this->Numbers.of(side)] < this->Panels.stitches.size();
+  }
+  /// Chords that an edge needs; both of a stitch have as many.
+  std::size_t chordsOf(const GarmentSide& side) const
+  {
+    const auto ofOne = [this](const GarmentSide& one) {
+      return pointsAlong(this->Panels.panels[one.panel], this->edgeAt(one), chordDistance, 1)
+               .size() -
+        1;
+    };
+    if (!this->isSewn(side))
+    {
+      return ofOne(side);
+    }
+    const GarmentStitch& stitch = this->Panels.stitches[this->StitchOf[this->Numbers.of(side)]];
+    return std::max(ofOne(stitch.sides[0]), ofOne(stitch.sides[1]));
+  }
+
+  Index addPoint(const GarmentPanel& panel, const Point2& point)
+  {
+    this->Source.positions.push_back(point);
+    this->Source.inSpace.push_back(placedPoint(panel, point));
+    return static_cast<Index>(this->Source.positions.size()) - 1;
+  }
+
+  void addPoints(std::size_t p)
+  {
+    const GarmentPanel& panel = this->Panels.panels[p];
+    std::set<std::size_t> used;
+    for (const GarmentEdge& edge : panel.edges)
+    {
+      used.insert(edge.ends[0]);
+    }
+    std::map<std::size_t, Index> vertex;
+    for (const std::size_t v : used)
+    {
+      vertex[v] = this->addPoint(panel, panel.vertices[v]);
+    }
+    for (std::size_t k = 0; k < panel.edges.size(); ++k)
+    {
+      const GarmentSide side{ p, k };
+      const Points2 along = pointsAlong(panel, panel.edges[k], chordDistance, this->chordsOf(side));
+      Indices& chain = this->Chains[this->Numbers.of(side)];
+      chain.push_back(vertex[panel.edges[k].ends[0]]);
+      for (std::size_t n = 1; n + 1 < along.size(); ++n)
+      {
+        chain.push_back(this->addPoint(panel, along[n]));
+      }
+      chain.push_back(vertex[panel.edges[k].ends[1]]);
+    }
+  }
+
+  Status addTriangles(std::size_t p)
+  {
+    const GarmentPanel& panel = this->Panels.panels[p];
+    Indices points;
+    Points2 outline;
+    std::vector<std::size_t> edgeOf;
+    for (std::size_t k = 0; k < panel.edges.size(); ++k)
+    {
+      const Indices& chain = this->Chains[this->Numbers.of({ p, k })];
+      points.insert(points.end(), chain.begin(), chain.end() - 1);
+      edgeOf.resize(points.size(), k);
+    }
+    for (const Index point : points)
+    {
+      outline.push_back(this->Source.positions[static_cast<std::size_t>(point)]);
+    }
+    Triangles triangles;
+    std::size_t bad = 0;
+    if (!triangulatePolygon(outline, triangles, bad))
+    {
+      return { StatusCode::InvalidPattern,
+        edgeName(panel, edgeOf[bad]) + " crosses or touches the panel's border elsewhere" };
+    }
+    for (Triangle triangle : triangles)
+    {
+      for (Index& corner : triangle)
+      {
+        corner = points[static_cast<std::size_t>(corner)];
+      }
+      this->Source.triangles.push_back(triangle);
+      this->Source.pieceOfTriangle.push_back(static_cast<Index>(p));
+    }
+    return {};
+  }
+
+  /// The edge before or behind one on its panel.
+  GarmentSide beside(const GarmentSide& side, bool behind) const
+  {
+    const std::size_t count = this->Panels.panels[side.panel].edges.size();
+    return { side.panel, (side.edge + (behind ? 1 : count - 1)) % count };
+  }
+
+  /// Whether what is sewn to an edge goes on behind it: the stitch of the next edge, under the same
+  /// labels, to the next edge of the other side.
+  bool goesOn(std::size_t s, std::size_t first, GarmentSide& next, GarmentSide& other) const
+  {
+    const GarmentStitch& stitch = this->Panels.stitches[s];
+    next = this->beside(stitch.sides[first], true);
+    other = this->beside(stitch.sides[1 - first], stitch.rightToWrong);
+    if (!this->isSewn(next) || !this->isSewn(other))
+    {
+      return false;
+    }
+    const std::size_t t = this->StitchOf[this->Numbers.of(next)];
+    const std::size_t u = this->StitchOf[this->Numbers.of(other)];
+    return t == u && t != s && !(next == other) &&
+      this->Panels.stitches[t].rightToWrong == stitch.rightToWrong &&
+      this->edgeAt(next).label == this->edgeAt(stitch.sides[first]).label &&
+      this->edgeAt(other).label == this->edgeAt(stitch.sides[1 - first]).label;
+  }
+
+  void addSeams()
+  {
+    std::vector<char> done(this->Panels.stitches.size(), 0);
+    for (std::size_t s = 0; s < this->Panels.stitches.size(); ++s)
+    {
+      if (done[s])
+      {
+        continue;
+      }
+      // Back to where the seam begins, unless it is a ring.
+      std::size_t start = s;
+      std::size_t first = 0;
+      for (;;)
+      {
+        const GarmentStitch& stitch = this->Panels.stitches[start];
+        const GarmentSide before = this->beside(stitch.sides[first], false);
+        if (!this->isSewn(before))
+        {
+          break;
+        }
+        const std::size_t t = this->StitchOf[this->Numbers.of(before)];
+        const GarmentStitch& earlier = this->Panels.stitches[t];
+        const std::size_t side = earlier.sides[0] == before ? 0 : 1;
+        GarmentSide next;
+        GarmentSide other;
+        if (t == s || done[t] || !this->goesOn(t, side, next, other) ||
+          this->StitchOf[this->Numbers.of(next)] != start)
+        {
+          break;
+        }
+        start = t;
+        first = side;
+      }
+      this->addSeam(start, first, done);
+    }
+  }
+
+  /// Adds the two sides of a seam and what is sewn together along it.
+  void addSeam(std::size_t s, std::size_t first, std::vector<char>& done)
+  {
+    const Index curve = this->Curves++;
+    GarmentSide one = this->Panels.stitches[s].sides[first];
+    GarmentSide two = this->Panels.stitches[s].sides[1 - first];
+    std::array<SourceWire, 2> wires;
+    const std::string& label = this->edgeAt(one).label;
+    const bool named = !label.empty() && label == this->edgeAt(two).label;
+    for (;;)
+    {
+      done[s] = 1;
+      Indices a = this->Chains[this->Numbers.of(one)];
+      Indices b = this->Chains[this->Numbers.of(two)];
+      if (!this->Panels.stitches[s].rightToWrong)
+      {
+        std::reverse(b.begin(), b.end());
+      }
+      for (std::size_t k = 0; k + 1 < a.size(); ++k)
+      {
+        this->Source.sewn.push_back({ { a[k], a[k + 1] }, { b[k], b[k + 1] }, false });
+      }
+      const auto append = [](Indices& points, const Indices& chain) {
+        points.insert(points.end(), chain.begin() + (points.empty() ? 0 : 1), chain.end());
+      };
+      append(wires[0].points, a);
+      append(wires[1].points, b);
+      const std::size_t side = this->Panels.stitches[s].sides[0] == one ? 0 : 1;
+      GarmentSide next;
+      GarmentSide other;
+      if (!this->goesOn(s, side, next, other) || done[this->StitchOf[this->Numbers.of(next)]])
+      {
+        break;
+      }
+      s = this->StitchOf[this->Numbers.of(next)];
+      one = next;
+      two = other;
+    }
+    // The legs of a dart end in one point.
+    const bool fold = wires[0].points.back() == wires[1].points.back() ||
+      wires[0].points.front() == wires[1].points.front();
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      wires[k].type = fold ? WireType::Dart : WireType::Seam;
+      wires[k].curve = curve;
+      wires[k].piece = static_cast<Index>(k == 0 ? one.panel : two.panel);
+      wires[k].name = named ? label : "stitch " + std::to_string(curve + 1);
+      this->Source.wires.push_back(std::move(wires[k]));
+    }
+  }
+
+  /// Adds what is not sewn: chains of edges with one label.
+  void addBoundary()
+  {
+    for (std::size_t p = 0; p < this->Panels.panels.size(); ++p)
+    {
+      const std::vector<GarmentEdge>& edges = this->Panels.panels[p].edges;
+      const std::size_t count = edges.size();
+      const auto joined = [&](std::size_t k) {
+        const GarmentSide side{ p, k % count };
+        const GarmentSide before = this->beside(side, false);
+        return !this->isSewn(side) && !this->isSewn(before) &&
+          this->edgeAt(side).label == this->edgeAt(before).label;
+      };
+      std::size_t start = 0;
+      while (start < count && joined(start))
+      {
+        ++start;
+      }
+      start = start < count ? start : 0; // a ring of one label begins at its first edge
+      for (std::size_t k = start; k < start + count;)
+      {
+        const GarmentSide side{ p, k % count };
+        SourceWire wire;
+        wire.points = this->Chains[this->Numbers.of(side)];
+        for (++k; k < start + count && joined(k); ++k)
+        {
+          const Indices& chain = this->Chains[this->Numbers.of({ p, k % count })];
+          wire.points.insert(wire.points.end(), chain.begin() + 1, chain.end());
+        }
+        if (this->isSewn(side))
+        {
+          continue;
+        }
+        const std::string& label = edges[side.edge].label;
+        wire.piece = static_cast<Index>(p);
+        wire.type = label.empty() ? WireType::Boundary : WireType::Accessory;
+        wire.curve = label.empty() ? none : this->Curves++;
+        wire.name = label.empty() ? "boundary" : label;
+        this->Source.wires.push_back(std::move(wire));
+      }
+    }
+  }
+
+  void keepPanels()
+  {
+    SourcePanels& panels = this->Source.panels;
+    for (std::size_t p = 0; p < this->Panels.panels.size(); ++p)
+    {
+      const GarmentPanel& panel = this->Panels.panels[p];
+      panels.names.push_back(panel.name);
+      panels.labels.push_back(panel.label);
+      panels.placements.push_back({ panel.translation, panel.rotation });
+      for (std::size_t k = 0; k < panel.edges.size(); ++k)
+      {
+        const GarmentEdge& edge = panel.edges[k];
+        const Indices& chain = this->Chains[this->Numbers.of({ p, k })];
+        panels.edges.push_back({ static_cast<Index>(p), { chain.front(), chain.back() },
+          static_cast<int>(edge.shape), edge.parameters, edge.label });
+      }
+    }
+    for (const GarmentStitch& stitch : this->Panels.stitches)
+    {
+      panels.stitches.push_back({ { static_cast<Index>(this->Numbers.of(stitch.sides[0])),
+                                    static_cast<Index>(this->Numbers.of(stitch.sides[1])) },
+        stitch.rightToWrong });
+    }
+  }
+
+  const Garment& Panels;
+  PatternSource& Source;
+  EdgeNumbers Numbers;
+  std::vector<Indices> Chains; ///< the points along each edge
+  std::vector<std::size_t> StitchOf;
+  Index Curves = 0;
+};
+}
+
+Status makePieces(const Garment& garment, PatternSource& source)
+{
+  source = PatternSource();
+  Status status = checkGarment(garment);
+  return status.ok() ? PieceMaking(garment, source).make() : status;
+}
+}
+}

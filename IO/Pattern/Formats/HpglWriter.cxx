@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/HpglWriter.h"
+
+#include "Drawing/PatternStrokes.h"
+#include "Formats/SheetLayout.h"
+#include "Outlines/PatternText.h"
+
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double unitsPerMillimetre = 40.0;
+constexpr char endOfLabel = '\003';
+/// Of a character beside its height: HPGL's own face keeps half as much again between characters.
+constexpr double widthOfCharacter = 0.4;
+
+class HpglDrawing
+{
+public:
+  explicit HpglDrawing(const Pattern& pattern)
+    : Drawn(pattern)
+    , Layout(layOut(pattern, squareWidth(pattern), 0.0))
+  {
+  }
+
+  std::string make()
+  {
+    this->Text = "IN;SP1;\n";
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->addStrokes(p, false);
+      for (const PatternText& text : this->Drawn.pieces[p].texts)
+      {
+        this->addText(p, text);
+      }
+    }
+    this->Text += "SP2;\n";
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->addStrokes(p, true);
+    }
+    this->Text += "PU0,0;SP0;\n";
+    return std::move(this->Text);
+  }
+
+private:
+  std::string at(std::size_t piece, const Point2& p) const
+  {
+    const Point2 onSheet = this->Layout.place(this->Drawn, piece, p);
+    const auto units = [](double millimetres) {
+      return std::to_string(std::lround(unitsPerMillimetre * millimetres));
+    };
+    return units(onSheet.x()) + "," + units(this->Layout.extent.y() - onSheet.y());
+  }
+
+  void addStrokes(std::size_t piece, bool cutLines)
+  {
+    const std::vector<Stroke> strokes = strokesOf(this->Drawn.pieces[piece]);
+    // Holes fall out of the cloth before the piece does.
+    for (auto stroke = strokes.rbegin(); stroke != strokes.rend(); ++stroke)
+    {
+      if (isCut(stroke->role) != cutLines)
+      {
+        continue;
+      }
+      this->Text += "PU" + this->at(piece, stroke->points.front()) + ";PD";
+      for (std::size_t k = 1; k < stroke->points.size(); ++k)
+      {
+        this->Text += (k > 1 ? "," : "") + this->at(piece, stroke->points[k]);
+      }
+      this->Text += stroke->closed ? "," + this->at(piece, stroke->points.front()) + ";\n" : ";\n";
+    }
+  }
+
+  void addText(std::size_t piece, const PatternText& text)
+  {
+    std::string plain;
+    for (const char c : cleanText(text.text))
+    {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte < 0x80U)
+      {
+        plain += c;
+      }
+      else if ((byte & 0xC0U) == 0xC0U) // the first byte of a character
+      {
+        plain += '?';
+      }
+    }
+    const double width = 1.5 * widthOfCharacter * text.height * static_cast<double>(plain.size());
+    const Point2 along(std::cos(text.angle), std::sin(text.angle));
+    const Point2 up(-along.y(), along.x());
+    this->Text += "PU" +
+      this->at(piece, text.position - 0.5 * width * along - 0.35 * text.height * up) + ";DI" +
+      formatNumber(along.x(), 4) + "," + formatNumber(along.y(), 4) + ";SI" +
+      formatNumber(0.1 * widthOfCharacter * text.height, 4) + "," +
+      formatNumber(0.07 * text.height, 4) + ";LB" + plain + endOfLabel + ";\n";
+  }
+
+  const Pattern& Drawn;
+  SheetLayout Layout;
+  std::string Text;
+};
+}
+
+std::string makeHpgl(const Pattern& pattern)
+{
+  return HpglDrawing(pattern).make();
+}
+}
+}

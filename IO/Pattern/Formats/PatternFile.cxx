@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/PatternFile.h"
+
+#include "Drawing/PatternBuilder.h"
+#include "Drawing/SeamWalk.h"
+#include "Fairing/FairCache.h"
+#include "Formats/DxfWriter.h"
+#include "Formats/GarmentCode.h"
+#include "Formats/HpglWriter.h"
+#include "Formats/PdfWriter.h"
+#include "Formats/SvgWriter.h"
+#include "Grading/GradeFiles.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+struct Extension
+{
+  const char* text;
+  FileFormat format;
+};
+constexpr Extension extensions[] = { { ".svg", FileFormat::Svg }, { ".pdf", FileFormat::Pdf },
+  { ".dxf", FileFormat::Dxf }, { ".csv", FileFormat::Walk }, { ".plt", FileFormat::Hpgl },
+  { ".json", FileFormat::GarmentCode }, { ".rul", FileFormat::RuleTable } };
+
+Status makeGradeFile(const FileOptions& options, const Pattern& drawing, std::string& content)
+{
+  if (!options.grading)
+  {
+    return { StatusCode::InvalidOption,
+      std::string("there are no sizes to write as ") + formatName(options.format), {},
+      { { Remedy::Give, "the sizes" } } };
+  }
+  const Grading& grading = *options.grading;
+  content = options.format == FileFormat::Nest ? makeNest(grading, options.pattern.name)
+    : options.format == FileFormat::GradeList  ? makeRuleList(grading)
+                                               : makeRuleTable(grading, options.pattern.name,
+                                                   options.pattern.unit, drawing.date, drawing.time);
+  return {};
+}
+
+/// The points with rules among those of the base size.
+Status addGradePoints(const Grading& grading, PatternSource& source)
+{
+  if (grading.positions[grading.base].size() != source.positions.size())
+  {
+    return { StatusCode::InvalidPattern,
+      "the sizes have " + std::to_string(grading.positions[grading.base].size()) +
+        " points and the flat surface " + std::to_string(source.positions.size()),
+      {}, { Remedy::GiveFlatPieces } };
+  }
+  for (const GradeRule& rule : grading.rules)
+  {
+    source.gradePoints.push_back(rule.point);
+  }
+  return {};
+}
+}
+
+const char* formatName(FileFormat format)
+{
+  switch (format)
+  {
+    case FileFormat::Svg:
+      return "SVG";
+    case FileFormat::Pdf:
+      return "PDF";
+    case FileFormat::Dxf:
+      return "DXF";
+    case FileFormat::Walk:
+      return "Walk";
+    case FileFormat::Hpgl:
+      return "HPGL";
+    case FileFormat::GarmentCode:
+      return "GarmentCode";
+    case FileFormat::Nest:
+      return "Nest";
+    case FileFormat::GradeList:
+      return "GradeList";
+    case FileFormat::RuleTable:
+      return "RuleTable";
+    default:
+      return "Automatic";
+  }
+}
+
+FileFormat formatOf(const std::string& path)
+{
+  const std::size_t dot = path.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : path.substr(dot);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  for (const Extension& extension : extensions)
+  {
+    if (ending == extension.text)
+    {
+      return extension.format;
+    }
+  }
+  return FileFormat::Automatic;
+}
+
+std::string knownExtensions()
+{
+  std::string list;
+  for (const Extension& extension : extensions)
+  {
+    list += (list.empty() ? "" : ", ") + std::string(extension.text);
+  }
+  return list;
+}
+
+Status makePatternFile(
+  const PatternSource& source, const FileOptions& options, Pattern& drawing, std::string& content)
+{
+  if (options.format >= FileFormat::Nest)
+  {
+    return makeGradeFile(options, drawing, content);
+  }
+  if (options.grading && source.gradePoints.empty())
+  {
+    PatternSource graded = source;
+    FileOptions base = options;
+    base.grading = nullptr;
+    Status status = addGradePoints(*options.grading, graded);
+    return status.ok() ? makePatternFile(graded, base, drawing, content) : status;
+  }
+  const bool onFabric = options.fabric.width != 0.0 &&
+    (options.format == FileFormat::Svg || options.format == FileFormat::Pdf ||
+      options.format == FileFormat::Hpgl);
+  PatternOptions drawn = options.pattern;
+  drawn.oneLayer = onFabric;
+  FairCache own;
+  FairCache* const fair = options.fair ? options.fair : &own;
+  Status status = buildPattern(source, drawn, drawing, fair);
+  if (status.ok() && onFabric)
+  {
+    status = layOnFabric(options.fabric, drawing);
+  }
+  if (!status.ok())
+  {
+    return status;
+  }
+  switch (options.format)
+  {
+    case FileFormat::Pdf:
+      if (options.walkTable)
+      {
+        std::vector<WalkInterval> walk;
+        status = walkSeams(source, options.pattern, walk, fair);
+        drawing.walk = walkRows(walk, drawing);
+      }
+      return status.ok() ? makePdf(drawing, options.pages, content) : status;
+    case FileFormat::Dxf:
+      content = makeDxf(drawing);
+      return {};
+    case FileFormat::Walk:
+    {
+      std::vector<WalkInterval> walk;
+      status = walkSeams(source, options.pattern, walk, fair);
+      content = makeWalkTable(walk, drawing);
+      return status;
+    }
+    case FileFormat::Hpgl:
+      content = makeHpgl(drawing);
+      return {};
+    case FileFormat::GarmentCode:
+      return makeGarmentCode(source, options.pattern, drawing, content, fair);
+    default:
+      content = makeSvg(drawing, options.laserColours);
+      return {};
+  }
+}
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Formats/PdfPages.h"
+#include "Grading/SizeGrading.h"
+#include "Nesting/FabricLay.h"
+#include "Outlines/Pattern.h"
+#include "Outlines/PatternSource.h"
+
+namespace flattening
+{
+namespace pattern
+{
+class FairCache;
+
+/// What a flattening can be written as.
+enum class FileFormat
+{
+  Automatic, ///< what the extension says
+  Svg,
+  Pdf,
+  Dxf,
+  Walk,
+  Hpgl,
+  GarmentCode,
+  Nest,      ///< SVG of all sizes
+  GradeList, ///< comma-separated values
+  RuleTable, ///< after ASTM D6673
+};
+
+/// "SVG", "Walk", ...
+const char* formatName(FileFormat format);
+
+/// What the extension of a path says, in either case; Automatic where it says nothing.
+FileFormat formatOf(const std::string& path);
+
+/// The extensions that say a format, for a message: ".svg, .pdf, ...".
+std::string knownExtensions();
+
+struct FileOptions
+{
+  FileFormat format = FileFormat::Svg;
+  PatternOptions pattern;
+  PageOptions pages;         ///< of PDF
+  FabricOptions fabric;      ///< of SVG, PDF and HPGL: lay the pieces on cloth
+  bool walkTable = false;    ///< of PDF: on pages after the pattern
+  bool laserColours = false; ///< of SVG
+  const Grading* grading =
+    nullptr;                 ///< of a pattern of several sizes, of which the source is the base
+  FairCache* fair = nullptr; ///< smooth borders are kept there for other files; null: for this one
+};
+
+/// Draws a flattening and makes the file's bytes.
+/// \param drawing what was drawn; its date and time are kept, its warnings are for the user
+Status makePatternFile(
+  const PatternSource& source, const FileOptions& options, Pattern& drawing, std::string& content);
+}
+}

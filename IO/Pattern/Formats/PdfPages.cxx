@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/PdfPages.h"
+
+#include "Formats/PageMarks.h"
+#include "Formats/PieceShifts.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double largestPage = 5080.0; // 14400 points, the limit of PDF viewers
+constexpr double legendGap = 10.0;
+
+Point2 paperExtent(PaperSize paper)
+{
+  switch (paper)
+  {
+    case PaperSize::Letter:
+      return { 215.9, 279.4 };
+    case PaperSize::A3:
+      return { 297.0, 420.0 };
+    case PaperSize::A0:
+      return { 841.0, 1189.0 };
+    default:
+      return { 210.0, 297.0 };
+  }
+}
+
+void findPages(const Pattern& pattern, PagePlan& plan)
+{
+  PageMarks used = pagesOfLegend(plan);
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+  {
+    const PageMarks own = pagesOf(pattern, plan, p);
+    std::transform(used.begin(), used.end(), own.begin(), used.begin(), std::bit_or<>());
+  }
+  plan.pages.clear();
+  for (int row = 0; row < plan.rows; ++row)
+  {
+    for (int column = 0; column < plan.columns; ++column)
+    {
+      if (used[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
+            static_cast<std::size_t>(column)] != 0)
+      {
+        plan.pages.push_back({ row, column });
+      }
+    }
+  }
+}
+
+/// The number of tiles along one axis, as a double because it may be huge.
+double tilesAlong(double extent, double step, double overlap)
+{
+  return std::max(1.0, std::ceil((extent - overlap) / step - 1e-9));
+}
+
+std::string metres(const Point2& extent)
+{
+  return formatNumber(extent.x() / 1000.0, 3) + " m x " + formatNumber(extent.y() / 1000.0, 3) +
+    " m";
+}
+
+const PatternPiece& largestPiece(const Pattern& pattern)
+{
+  return *std::max_element(
+    pattern.pieces.begin(), pattern.pieces.end(), [](const PatternPiece& a, const PatternPiece& b) {
+      return a.extent.maxCoeff() < b.extent.maxCoeff();
+    });
+}
+
+Status tooLarge(const Pattern& pattern, const std::string& reason, Remedy remedy)
+{
+  const PatternPiece& piece = largestPiece(pattern);
+  return { StatusCode::PatternTooLarge,
+    "the largest piece, " + piece.name + ", measures " + metres(piece.extent) + " if the unit is " +
+      unitName(pattern.unit) + ": " + reason,
+    {}, { Remedy::CheckUnit, remedy } };
+}
+
+/// A plan for one way to hold the paper and one number of columns to fill.
+PagePlan planFor(const Pattern& pattern, const PageOptions& options, const Point2& paper,
+  double columns, bool withMap)
+{
+  PagePlan plan;
+  plan.paper = paper;
+  plan.overlap = options.overlap;
+  plan.hasMap = withMap;
+  plan.printable = paper - Point2::Constant(2.0 * pageMargin);
+  plan.step = plan.printable - Point2::Constant(options.overlap);
+  const double width = columns * plan.step.x() + plan.overlap;
+  // The outer bands stay free, so that the legend keeps clear of the crosses.
+  plan.origin = Point2::Constant(options.overlap);
+  plan.layout = layOut(pattern, width - options.overlap, legendExtent(withMap).y() + legendGap);
+  plan.layout.extent = plan.layout.extent.cwiseMax(legendExtent(withMap)) + plan.origin;
+  for (Point2& corner : plan.layout.corners)
+  {
+    corner += plan.origin;
+  }
+  return plan;
+}
+
+Status planSheet(const Pattern& pattern, PagePlan& plan)
+{
+  plan = PagePlan();
+  plan.tiled = false;
+  plan.layout = layOut(pattern, squareWidth(pattern), legendExtent(false).y() + legendGap);
+  plan.layout.extent = plan.layout.extent.cwiseMax(legendExtent(false));
+  plan.printable = plan.step = plan.layout.extent;
+  plan.paper = plan.printable + Point2::Constant(2.0 * pageMargin);
+  plan.pages = { Tile() };
+  if (plan.paper.maxCoeff() > largestPage)
+  {
+    return tooLarge(pattern,
+      "the page would measure " + metres(plan.paper) + ", and PDF ends at 5.08 m",
+      Remedy::PrintOnPages);
+  }
+  return {};
+}
+}
+
+const char* paperName(PaperSize paper)
+{
+  static const char* const names[] = { "A4", "Letter", "A3", "A0", "Sheet" };
+  return names[static_cast<int>(paper)];
+}
+
+Point2 legendExtent(bool withMap)
+{
+  // On A4 no wider than what the next page does not show as well.
+  return { 169.5, withMap ? 105.0 : 50.0 };
+}
+
+std::string tileName(const Tile& tile)
+{
+  std::string letters;
+  for (int row = tile.row; row >= 0; row = row / 26 - 1)
+  {
+    letters.insert(letters.begin(), static_cast<char>('A' + row % 26));
+  }
+  return letters + std::to_string(tile.column + 1);
+}
+
+bool hasPage(const PagePlan& plan, const Tile& tile)
+{
+  return std::any_of(plan.pages.begin(), plan.pages.end(),
+    [&tile](const Tile& page) { return page.row == tile.row && page.column == tile.column; });
+}
+
+Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
+{
+  if (options.paper == PaperSize::Sheet)
+  {
+    return planSheet(pattern, plan);
+  }
+  if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)
+  {
+    return { StatusCode::InvalidOption,
+      "the overlap of pages must be from 0 to 50 mm, and one page allowed at least" };
+  }
+  const Point2 upright = paperExtent(options.paper);
+  double widest = 0.0;
+  for (const PatternPiece& piece : pattern.pieces)
+  {
+    widest = std::max(widest, piece.extent.x());
+  }
+  double fewest = 1e300;
+  bool found = false;
+  for (const bool withMap : { false, true })
+  {
+    for (const bool landscape : { false, true })
+    {
+      const Point2 paper = landscape ? Point2(upright.y(), upright.x()) : upright;
+      const double step = paper.x() - 2.0 * pageMargin - options.overlap;
+      const double least = tilesAlong(widest + options.overlap, step, options.overlap);
+      const double most =
+        std::max(least, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap));
+      // Counted apart: adding one to a huge number leaves it as it is.
+      for (int more = 0; more < 12 && least + more <= most; ++more)
+      {
+        PagePlan next = planFor(pattern, options, paper, least + more, withMap);
+        const double across = tilesAlong(next.layout.extent.x(), next.step.x(), options.overlap);
+        const double down = tilesAlong(next.layout.extent.y(), next.step.y(), options.overlap);
+        const double most_pages = across * down;
+        // Blank pages are left out, but hardly more than nine in ten.
+        if (!(most_pages <= 10.0 * options.maximumPages))
+        {
+          fewest = std::min(fewest, most_pages);
+          continue;
+        }
+        next.columns = static_cast<int>(across);
+        next.rows = static_cast<int>(down);
+        findPages(pattern, next);
+        const double pages = static_cast<double>(next.pages.size());
+        // The map is for those that have pages to join.
+        if (withMap != (pages > 1.0) || pages > options.maximumPages)
+        {
+          fewest = withMap == (pages > 1.0) ? std::min(fewest, pages) : fewest;
+          continue;
+        }
+        if (!found || next.pages.size() < plan.pages.size())
+        {
+          plan = next;
+          found = true;
+        }
+      }
+    }
+  }
+  if (found && plan.pages.size() > 1)
+  {
+    saveByShifts(pattern, plan);
+    findPages(pattern, plan);
+  }
+  if (!found)
+  {
+    return tooLarge(pattern,
+      "the pattern would need about " + formatNumber(fewest, 0) + " pages " +
+        paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
+      Remedy::TakeLargerPaper);
+  }
+  return {};
+}
+}
+}

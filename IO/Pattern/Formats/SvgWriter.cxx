@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/SvgWriter.h"
+
+#include "Drawing/PatternStrokes.h"
+#include "Formats/SheetLayout.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double margin = 10.0;
+constexpr double legendHeight = 50.0;
+constexpr double legendWidth = 200.0;
+constexpr double laserWidth = 0.1;
+constexpr int digits = 9; // a wire of a millimetre still keeps its length to 1e-8
+
+std::string number(double value)
+{
+  return formatNumber(value, digits);
+}
+
+std::string attribute(const std::string& name, const std::string& value)
+{
+  return " " + name + "=\"" + escapeXml(value) + "\"";
+}
+
+/// What makes a group a layer to Inkscape; other readers pass over it.
+std::string layerAttributes(const std::string& label)
+{
+  return attribute("inkscape:groupmode", "layer") + attribute("inkscape:label", label);
+}
+
+std::string hexOf(const Colour& colour)
+{
+  std::string hex = "#";
+  for (const double part : colour)
+  {
+    char buffer[8];
+    std::snprintf(buffer, sizeof buffer, "%02x", static_cast<unsigned>(std::lround(255.0 * part)));
+    hex += buffer;
+  }
+  return hex;
+}
+
+std::string styleAttributes(const StrokeStyle& style)
+{
+  std::string dashes;
+  for (const double dash : style.dashes)
+  {
+    if (dash > 0.0)
+    {
+      dashes += (dashes.empty() ? "" : " ") + formatNumber(dash, 3);
+    }
+  }
+  return attribute("fill", "none") + attribute("stroke", hexOf(style.colour)) +
+    attribute("stroke-width", formatNumber(style.width, 3)) +
+    (dashes.empty() ? "" : attribute("stroke-dasharray", dashes));
+}
+
+std::string textElement(const PatternText& text, const Point2& at, const char* anchor)
+{
+  const Point2 down = 0.35 * text.height * Point2(std::sin(text.angle), std::cos(text.angle));
+  const Point2 base = at + down;
+  std::string element = "<text" + attribute("x", formatNumber(base.x(), 3)) +
+    attribute("y", formatNumber(base.y(), 3)) +
+    attribute("font-size", formatNumber(text.height, 3)) + attribute("text-anchor", anchor);
+  if (text.angle != 0.0)
+  {
+    element += attribute("transform",
+      "rotate(" + formatNumber(-text.angle * 180.0 / pi, 3) + " " + formatNumber(base.x(), 3) +
+        " " + formatNumber(base.y(), 3) + ")");
+  }
+  return element + ">" + escapeXml(text.text) + "</text>\n";
+}
+
+class SvgDrawing
+{
+public:
+  SvgDrawing(const Pattern& pattern, bool laserColours)
+    : Drawn(pattern)
+    , LaserColours(laserColours)
+    , Layout(layOut(pattern, squareWidth(pattern), legendHeight + margin))
+  {
+  }
+
+  std::string make()
+  {
+    const Point2 sheet =
+      this->Layout.extent.cwiseMax(Point2(legendWidth, 0.0)) + Point2::Constant(2.0 * margin);
+    this->Text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                 "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" "
+                 "font-family=\"sans-serif\"" +
+      attribute("width", number(sheet.x()) + "mm") + attribute("height", number(sheet.y()) + "mm") +
+      attribute("viewBox", "0 0 " + number(sheet.x()) + " " + number(sheet.y())) + ">\n<title>" +
+      escapeXml(this->Drawn.name) +
+      "</title>\n<desc>Pattern to cut at scale 1:1. The user unit is the millimetre; the surface "
+      "was "
+      "in " +
+      unitName(this->Drawn.unit) + ".</desc>\n";
+    this->addLegend();
+    if (this->Drawn.fabric)
+    {
+      this->addFabric();
+    }
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      this->addPiece(p);
+    }
+    this->Text += "</svg>\n";
+    return std::move(this->Text);
+  }
+
+private:
+  Point2 at(std::size_t piece, const Point2& p) const
+  {
+    return Point2::Constant(margin) + this->Layout.place(this->Drawn, piece, p);
+  }
+
+  void addLegend()
+  {
+    this->Text += "<g id=\"scale-check\"" + layerAttributes("scale check") +
+      "><rect x=\"10\" y=\"10\" width=\"100\" height=\"50\" "
+      "fill=\"none\" stroke=\"#000000\" stroke-width=\"0.25\"/>\n";
+    const std::vector<std::string> lines{ "100 mm x 50 mm",
+      "Print at 100 % and measure this rectangle." };
+    for (std::size_t k = 0; k < lines.size(); ++k)
+    {
+      PatternText text;
+      text.text = lines[k];
+      text.height = 4.0;
+      this->Text += textElement(text, Point2(60.0, 30.0 + 8.0 * static_cast<double>(k)), "middle");
+    }
+    PatternText title;
+    title.height = 7.0;
+    title.text = fitText(this->Drawn.name, title.height, legendWidth - 106.0);
+    this->Text += textElement(title, Point2(116.0, 15.0), "start");
+    PatternText unit;
+    unit.height = 4.0;
+    unit.text = std::string("scale 1:1; unit of the surface: ") + unitName(this->Drawn.unit);
+    this->Text += textElement(unit, Point2(116.0, 24.0), "start") + "</g>\n";
+  }
+
+  void addFabric()
+  {
+    const Fabric& fabric = *this->Drawn.fabric;
+    const double top = margin + this->Layout.extent.y() - fabric.length;
+    PatternText words;
+    words.height = 4.0;
+    words.text = "cloth " + formatNumber(fabric.width, 1) + " mm x " +
+      formatNumber(fabric.length, 0) + " mm, " + formatNumber(100.0 * fabric.efficiency, 1) +
+      " % used";
+    this->Text += "<g id=\"fabric\"" + layerAttributes("fabric") + "><rect" +
+      attribute("x", number(margin)) + attribute("y", number(top)) +
+      attribute("width", number(fabric.width)) + attribute("height", number(fabric.length)) +
+      " fill=\"none\" stroke=\"#808080\" stroke-width=\"0.25\"/>\n" +
+      textElement(words, Point2(116.0, 33.0), "start") + "</g>\n";
+  }
+
+  void addPiece(std::size_t p)
+  {
+    const PatternPiece& piece = this->Drawn.pieces[p];
+    const std::string copy = this->Drawn.fabric ? "-" + std::to_string(p + 1) : std::string();
+    this->Text += "<g id=\"piece-" + std::to_string(piece.number) + copy + "\"" +
+      layerAttributes(piece.name) + attribute("data-name", piece.name) +
+      attribute("data-size", piece.size) +
+      attribute("data-quantity", std::to_string(piece.quantity)) + ">\n";
+    const std::vector<Stroke> strokes = strokesOf(piece);
+    for (std::size_t k = 0; k < strokes.size(); ++k)
+    {
+      if (k == 0 || strokes[k].role != strokes[k - 1].role)
+      {
+        this->Text += k == 0 ? "" : "</g>\n";
+        this->openRole(strokes[k].role);
+      }
+      this->addStroke(p, strokes[k]);
+    }
+    this->Text += strokes.empty() ? "" : "</g>\n";
+    this->Text += "<g class=\"text\"" + layerAttributes("text") + ">\n";
+    for (const PatternText& text : piece.texts)
+    {
+      this->Text += textElement(text, this->at(p, text.position), "middle");
+    }
+    this->Text += "</g>\n</g>\n";
+  }
+
+  void openRole(StrokeRole role)
+  {
+    StrokeStyle style = styleOf(role);
+    std::string label = style.name;
+    std::replace(label.begin(), label.end(), '-', ' ');
+    if (this->LaserColours)
+    {
+      style.colour = laserColour(role);
+      style.width = laserWidth;
+      style.dashes = {};
+    }
+    this->Text += "<g" + attribute("class", style.name) + layerAttributes(label) +
+      styleAttributes(style) + ">\n";
+  }
+
+  void addStroke(std::size_t p, const Stroke& stroke)
+  {
+    this->Text += "<path";
+    if (!stroke.curve.empty())
+    {
+      this->Text += attribute("data-curve", stroke.curve);
+    }
+    if (stroke.isWire)
+    {
+      this->Text += attribute("data-length", number(stroke.measure));
+    }
+    if (stroke.filled && !this->LaserColours) // a laser would engrave the area
+    {
+      this->Text += attribute("fill", hexOf(styleOf(stroke.role).colour));
+    }
+    if (stroke.isNotch)
+    {
+      this->Text += attribute("data-arc-length", number(stroke.measure));
+    }
+    this->Text += " d=\"";
+    if (!stroke.smooth.empty())
+    {
+      this->addSmooth(p, stroke);
+      return;
+    }
+    for (std::size_t k = 0; k < stroke.points.size(); ++k)
+    {
+      const Point2 q = this->at(p, stroke.points[k]);
+      this->Text += (k == 0 ? "M" : " L") + number(q.x()) + "," + number(q.y());
+    }
+    this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
+  }
+
+  void addSmooth(std::size_t p, const Stroke& stroke)
+  {
+    const auto add = [&](const char* command, const Point2& to) {
+      const Point2 q = this->at(p, to);
+      this->Text += command + number(q.x()) + "," + number(q.y());
+    };
+    add("M", stroke.smooth.front().control[0]);
+    for (const FairSpan& span : stroke.smooth)
+    {
+      if (span.straight())
+      {
+        add(" L", span.control[3]);
+        continue;
+      }
+      add(" C", span.control[1]);
+      add(" ", span.control[2]);
+      add(" ", span.control[3]);
+    }
+    this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
+  }
+
+  const Pattern& Drawn;
+  const bool LaserColours;
+  SheetLayout Layout;
+  std::string Text;
+};
+}
+
+std::string makeSvg(const Pattern& pattern, bool laserColours)
+{
+  return SvgDrawing(pattern, laserColours).make();
+}
+}
+}

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grading/SizeGrading.h"
+
+#include "Base/Types.h"
+#include "Grading/SizeChecks.h"
+#include "Outlines/Outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <unordered_set>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double cornerAngle = pi / 6.0; ///< a sharper turn of the boundary has a rule
+
+/// Where pieces of one size are laid on those of the others.
+struct Frame
+{
+  Point2 origin = Point2::Zero();
+  Point2 along = Point2::UnitY(); ///< the grain, of length 1
+};
+
+std::vector<std::uint64_t> borderEdges(const PatternSource& source)
+{
+  std::unordered_set<std::uint64_t> edges;
+  for (const Triangle& triangle : source.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.insert(edgeKey(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+  std::vector<std::uint64_t> border;
+  for (const Triangle& triangle : source.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Index from = triangle[k];
+      const Index to = triangle[(k + 1) % 3];
+      if (edges.count(edgeKey(to, from)) == 0)
+      {
+        border.push_back(edgeKey(from, to));
+      }
+    }
+  }
+  return border;
+}
+
+class SizeLaying
+{
+public:
+  SizeLaying(const PatternSource& model, const GradingOptions& options)
+    : Model(model)
+    , Options(options)
+  {
+    for (const std::uint64_t edge : borderEdges(model))
+    {
+      this->Border.insert(edge);
+      this->OnBorder.insert(static_cast<Index>(edge >> 32));
+    }
+    for (const Index piece : model.pieceOfTriangle)
+    {
+      this->Pieces = std::max(this->Pieces, static_cast<std::size_t>(piece) + 1);
+    }
+  }
+
+  bool onBorder(Index point) const { return this->OnBorder.count(point) > 0; }
+
+  std::vector<Frame> frames(const PatternSource& size) const
+  {
+    std::vector<Frame> frames(this->Pieces);
+    for (std::size_t p = 0; p < this->Pieces; ++p)
+    {
+      const SourceWire* wire = this->aligning(static_cast<Index>(p));
+      const Point2 way = wire
+        ? Point2(size.positions[wire->points.back()] - size.positions[wire->points.front()])
+        : Point2(Point2::Zero());
+      if (way.norm() > 0.0)
+      {
+        frames[p].origin = size.positions[wire->points.front()];
+        frames[p].along = (way.y() >= 0.0 ? 1.0 : -1.0) * way.normalized();
+        continue;
+      }
+      frames[p] = this->fit(size, static_cast<Index>(p));
+    }
+    return frames;
+  }
+
+  /// The points of a size in the frames of its pieces.
+  Points2 lay(const PatternSource& size, const std::vector<Frame>& frames) const
+  {
+    const double scale = millimetresPer(this->Options.unit);
+    Points2 laid(size.positions.size(), Point2::Zero());
+    for (std::size_t t = 0; t < size.triangles.size(); ++t)
+    {
+      const Frame& frame = frames[static_cast<std::size_t>(size.pieceOfTriangle[t])];
+      for (const Index point : size.triangles[t])
+      {
+        const Point2 way = scale * (size.positions[point] - frame.origin);
+        laid[point] = { -cross(frame.along, way), frame.along.dot(way) };
+      }
+    }
+    return laid;
+  }
+
+  /// Points with rules, without their deltas.
+  std::vector<GradeRule> points() const
+  {
+    std::map<std::pair<Index, Index>, std::vector<std::string>> places;
+    for (const SourceWire& wire : this->Model.wires)
+    {
+      const bool closed = wire.points.front() == wire.points.back();
+      for (const Index end : { wire.points.front(), wire.points.back() })
+      {
+        if (!closed && this->onBorder(end))
+        {
+          std::vector<std::string>& names = places[{ wire.piece, end }];
+          if (std::find(names.begin(), names.end(), wire.name) == names.end())
+          {
+            names.push_back(wire.name);
+          }
+        }
+      }
+      if (wire.type == WireType::Boundary)
+      {
+        for (const Index corner : this->corners(wire, closed))
+        {
+          places.insert({ { wire.piece, corner }, { wire.name } });
+        }
+      }
+    }
+    std::vector<GradeRule> rules;
+    for (const auto& [place, names] : places)
+    {
+      GradeRule rule;
+      rule.piece = place.first;
+      rule.point = place.second;
+      for (const std::string& name : names)
+      {
+        rule.name += (rule.name.empty() ? "" : ", ") + name;
+      }
+      rules.push_back(std::move(rule));
+    }
+    return rules;
+  }
+
+private:
+  /// The middle of the wires of a piece, turned as they fit those of the base best.
+  Frame fit(const PatternSource& size, Index piece) const
+  {
+    std::set<Index> points;
+    for (const SourceWire& wire : this->Model.wires)
+    {
+      if (wire.piece == piece)
+      {
+        points.insert(wire.points.begin(), wire.points.end());
+      }
+    }
+    Frame frame;
+    Point2 middle = Point2::Zero(); // of the base
+    for (const Index point : points)
+    {
+      frame.origin += size.positions[point] / static_cast<double>(points.size());
+      middle += this->Model.positions[point] / static_cast<double>(points.size());
+    }
+    double sine = 0.0;
+    double cosine = 0.0;
+    for (const Index point : points)
+    {
+      const Point2 here = size.positions[point] - frame.origin;
+      const Point2 there = this->Model.positions[point] - middle;
+      sine += cross(here, there);
+      cosine += here.dot(there);
+    }
+    const double length = std::hypot(sine, cosine);
+    if (length > 0.0 && &size != &this->Model)
+    {
+      frame.along = Point2(sine, cosine) / length;
+    }
+    return frame;
+  }
+
+  bool bounds(const SourceWire& wire) const
+  {
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      if (this->Border.count(edgeKey(wire.points[k], wire.points[k + 1])) == 0 &&
+        this->Border.count(edgeKey(wire.points[k + 1], wire.points[k])) == 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The wire along which a piece is laid; null where there is none.
+  const SourceWire* aligning(Index piece) const
+  {
+    for (const SourceWire& wire : this->Model.wires)
+    {
+      const bool chosen = this->Options.alignment.empty()
+        ? wire.type == WireType::Key && !this->bounds(wire)
+        : wire.name == this->Options.alignment;
+      if (wire.piece == piece && chosen)
+      {
+        return &wire;
+      }
+    }
+    return nullptr;
+  }
+
+  Indices corners(const SourceWire& wire, bool closed) const
+  {
+    Indices found;
+    const std::size_t count = wire.points.size();
+    for (std::size_t k = 1; k + (closed ? 0 : 1) < count; ++k)
+    {
+      const Point2& at = this->Model.positions[wire.points[k]];
+      const Point2& next = this->Model.positions[wire.points[k + 1 < count ? k + 1 : 1]];
+      const Point2 in = at - this->Model.positions[wire.points[k - 1]];
+      const Point2 out = next - at;
+      if (std::abs(std::atan2(cross(in, out), in.dot(out))) > cornerAngle)
+      {
+        found.push_back(wire.points[k]);
+      }
+    }
+    return found;
+  }
+
+  const PatternSource& Model;
+  const GradingOptions& Options;
+  std::unordered_set<std::uint64_t> Border; ///< directed edges
+  std::unordered_set<Index> OnBorder;
+  std::size_t Pieces = 0;
+};
+}
+
+Status gradeSizes(
+  const std::vector<PatternSize>& sizes, const GradingOptions& options, Grading& grading)
+{
+  grading = Grading();
+  Status status = checkSizes(sizes, options, grading.base);
+  if (!status.ok())
+  {
+    return status;
+  }
+  const PatternSource& model = sizes[grading.base].source;
+  const SizeLaying laying(model, options);
+  grading.wires = model.wires;
+  grading.rules = laying.points();
+  for (const PatternSize& size : sizes)
+  {
+    const std::vector<Frame> frames = laying.frames(size.source);
+    grading.sizes.push_back(size.name);
+    grading.positions.push_back(laying.lay(size.source, frames));
+    for (std::size_t p = 0; &size.source == &model && p < frames.size(); ++p)
+    {
+      grading.grains.push_back(frames[p].along);
+    }
+  }
+  for (GradeRule& rule : grading.rules)
+  {
+    const Point2 from = grading.positions[grading.base][rule.point];
+    for (const Points2& laid : grading.positions)
+    {
+      rule.deltas.emplace_back(laid[rule.point] - from);
+    }
+  }
+  return status;
+}
+}
+}

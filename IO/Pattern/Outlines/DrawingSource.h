@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Outlines/Darts.h"
+#include "Outlines/Notches.h"
+#include "Outlines/Pattern.h"
+#include "Outlines/PlaneGeometry.h"
+
+namespace flattening
+{
+namespace pattern
+{
+class FairBorders;
+
+/// What the drawing of each piece needs to know of the whole flattening.
+struct DrawingSource
+{
+  const PatternSource& source;
+  const PatternOptions& options;
+  PieceLoops loops;
+  SewnPartners partners;
+  WireOfEdge wires;
+  std::vector<NotchPlace> notches;
+  const FairBorders* fair = nullptr; ///< null: borders are drawn as the mesh has them
+  const Points2* moved = nullptr;    ///< where the points are then, millimetres
+
+  /// How far points of an edge may be from its smooth curve, millimetres; 0: it stays as it is.
+  double fairToleranceAlong(Index from, Index to) const;
+  /// The name of the curve that an edge is of, or "boundary".
+  std::string nameAlong(Index from, Index to) const;
+  /// The value of a curve, the boundary's where an edge is of none, or the common one.
+  double valueAlong(
+    Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const;
+  /// Whether an edge is of a curve that lies on the fold of the cloth.
+  bool isFoldEdge(Index from, Index to) const;
+  double scale() const { return millimetresPer(this->options.unit); }
+  Point2 at(Index point) const
+  {
+    return this->moved ? (*this->moved)[static_cast<std::size_t>(point)]
+                       : Point2(this->scale() * this->source.positions[point]);
+  }
+};
+
+/// Finds loops, partners, wires and notches of a source.
+Status findBorders(DrawingSource& all);
+}
+}

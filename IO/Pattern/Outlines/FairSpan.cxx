@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outlines/FairSpan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr int mostParts = 10000; ///< chords of a span
+}
+
+Point2 FairSpan::at(double arc) const
+{
+  const double u = (arc - this->from) / (this->to - this->from);
+  const double v = 1.0 - u;
+  return v * v * v * this->control[0] + 3.0 * u * v * v * this->control[1] +
+    3.0 * u * u * v * this->control[2] + u * u * u * this->control[3];
+}
+
+Point2 FairSpan::slope(double arc) const
+{
+  const double u = (arc - this->from) / (this->to - this->from);
+  const double v = 1.0 - u;
+  const Point2 byParameter = 3.0 *
+    (v * v * (this->control[1] - this->control[0]) +
+      2.0 * u * v * (this->control[2] - this->control[1]) +
+      u * u * (this->control[3] - this->control[2]));
+  return byParameter / (this->to - this->from);
+}
+
+bool FairSpan::straight() const
+{
+  const Point2 third = (this->control[3] - this->control[0]) / 3.0;
+  const double off = std::max((this->control[1] - this->control[0] - third).norm(),
+    (this->control[3] - this->control[2] - third).norm());
+  return off < 1e-6 * third.norm();
+}
+
+double FairSpan::length() const
+{
+  double length = 0.0;
+  integrate(this->from, this->to,
+    [&](double t, double weight) { length += weight * this->slope(t).norm(); });
+  return std::abs(length); // the way back has a negative one
+}
+
+void sampleSpan(const FairSpan& span, double distance, Points2& points)
+{
+  const auto bend = [&span](std::size_t k) {
+    return (span.control[k] - 2.0 * span.control[k + 1] + span.control[k + 2]).norm();
+  };
+  // A chord over 1 / n of a cubic curve is off by no more than 6 / (8 n^2) of these differences.
+  const double most = 0.75 * std::max(bend(0), bend(1));
+  const double wanted = std::ceil(std::sqrt(most / distance));
+  const int parts = wanted < mostParts ? std::max(1, static_cast<int>(wanted)) : mostParts;
+  for (int k = 0; k < parts; ++k)
+  {
+    points.push_back(span.at(span.from + (span.to - span.from) * k / parts));
+  }
+}
+
+FairSpan partOf(const FairSpan& span, double from, double to)
+{
+  FairSpan part;
+  part.from = from;
+  part.to = to;
+  const double third = (to - from) / 3.0;
+  part.control = { span.at(from), span.at(from) + third * span.slope(from),
+    span.at(to) - third * span.slope(to), span.at(to) };
+  return part;
+}
+
+const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc)
+{
+  const auto found = std::partition_point(
+    spans.begin(), spans.end() - 1, [arc](const FairSpan& span) { return span.to < arc; });
+  return *found;
+}
+}
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outlines/Grainlines.h"
+
+#include "Base/Types.h"
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+constexpr double longestHead = 5.0;  ///< of an arrow, millimetres
+constexpr double headOfShort = 0.15; ///< of the whole arrow
+constexpr double widthOfHead = 0.3;  ///< on either side, of its length
+
+/// The largest distance of a line's points from its chord, as a fraction of the chord.
+double bendOf(const PatternLine& line)
+{
+  return farthestFromChord(line.points) / (line.points.back() - line.points.front()).norm();
+}
+
+/// The first straight key curve, or none.
+const PatternLine* straightKey(PatternPiece& piece)
+{
+  const PatternLine* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PatternLine& line : piece.lines)
+  {
+    if (line.kind != LineKind::KeyCurve || line.closed || line.points.front() == line.points.back())
+    {
+      continue;
+    }
+    const double bend = bendOf(line);
+    if (bend <= straightness)
+    {
+      return &line;
+    }
+    if (bend < least)
+    {
+      best = &line;
+      least = bend;
+    }
+  }
+  if (best)
+  {
+    const double chord = (best->points.back() - best->points.front()).norm();
+    piece.warnings.push_back("piece " + piece.name + ": the key curve " + best->name +
+      " bends by " + formatNumber(least * chord, 1) +
+      " mm, so the grainline is drawn upright, not along it");
+  }
+  return nullptr;
+}
+}
+
+void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece)
+{
+  double room = 0.0;
+  Point2 anchor = widestPlace(boundary, {}, room);
+  Point2 direction(0.0, 1.0);
+  double length = std::numeric_limits<double>::infinity();
+  const PatternLine* key = onCloth ? nullptr : straightKey(piece);
+  piece.grain.known = key || onCloth;
+  if (key)
+  {
+    const Point2 chord = key->points.back() - key->points.front();
+    direction = chord.normalized();
+    length = 0.8 * chord.norm();
+    // A key curve on the border leaves no place for an arrow: it moves inwards, in parallel.
+    const Point2 middle = (key->points.front() + key->points.back()) / 2.0;
+    if (inside(middle, boundary) && distance(middle, boundary) > 0.2 * room)
+    {
+      anchor = middle;
+    }
+  }
+  double low = -0.4 * room;
+  double high = 0.4 * room;
+  const std::vector<double> borders = crossings(anchor, direction, boundary);
+  for (std::size_t k = 0; k + 1 < borders.size(); ++k)
+  {
+    if (borders[k] < 0.0 && borders[k + 1] > 0.0)
+    {
+      const double margin = 0.1 * (borders[k + 1] - borders[k]);
+      low = borders[k] + margin;
+      high = borders[k + 1] - margin;
+    }
+  }
+  piece.grain.from = anchor + std::max(low, -length / 2.0) * direction;
+  piece.grain.to = anchor + std::min(high, length / 2.0) * direction;
+}
+
+std::vector<std::array<Point2, 3>> arrowHeads(const Grainline& grain)
+{
+  std::vector<std::array<Point2, 3>> heads;
+  const double length = (grain.to - grain.from).norm();
+  if (length == 0.0)
+  {
+    return heads;
+  }
+  const double head = std::min(longestHead, headOfShort * length);
+  const Point2 unit = (grain.to - grain.from) / length;
+  const Point2 side(-unit.y(), unit.x());
+  const auto add = [&](const Point2& tip, double direction) {
+    const Point2 back = tip - direction * head * unit;
+    heads.push_back({ back + widthOfHead * head * side, tip, back - widthOfHead * head * side });
+  };
+  add(grain.to, 1.0);
+  if (!grain.known)
+  {
+    add(grain.from, -1.0);
+  }
+  return heads;
+}
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Outlines/Pattern.h"
+#include "Outlines/PlaneGeometry.h"
+
+#include <array>
+#include <vector>
+
+namespace flattening
+{
+namespace pattern
+{
+/// How far a line may leave its chord, as a fraction of the chord, and still be straight to whoever
+/// lays cloth: 1.5 mm on 30 cm.
+inline constexpr double straightness = 0.005;
+
+/// Draws the grain of a piece: of one that lies on its cloth upright, else along the first of its
+/// key curves that is straight in the plane, and upright where none is. A piece whose key curves
+/// all bend gets a warning that names the one that bends least and by how much.
+/// \param boundary of the cloth, in which the arrow stays
+void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece);
+
+/// The heads of its arrow, as triangles: one where the grain is known, else one at either end; none
+/// where it has no length.
+std::vector<std::array<Point2, 3>> arrowHeads(const Grainline& grain);
+}
+}

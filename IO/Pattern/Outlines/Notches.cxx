@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outlines/Notches.h"
+
+#include "Outlines/PatternText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_set>
+
+namespace flattening
+{
+namespace pattern
+{
+double lengthOnSurface(const PatternSource& source, Index a, Index b)
+{
+  return source.inSpace.empty() ? (source.positions[b] - source.positions[a]).norm()
+                                : (source.inSpace[b] - source.inSpace[a]).norm();
+}
+
+Status notchStations(
+  const std::string& curve, double length, double spacing, std::vector<double>& stations)
+{
+  stations.clear();
+  if (!(spacing > 0.0))
+  {
+    return {};
+  }
+  if (!(length / spacing < 10000.0))
+  {
+    return { StatusCode::InvalidOption,
+      "notches so close give more than 10000 of them on the curve " + curve, {},
+      { Remedy::CheckUnit, Remedy::WidenNotches } };
+  }
+  // The last one keeps some distance from the end, which is a mark of its own.
+  for (int k = 1; k * spacing < length - 0.25 * spacing; ++k)
+  {
+    stations.push_back(k * spacing);
+  }
+  if (stations.empty())
+  {
+    stations.push_back(length / 2.0);
+  }
+  return {};
+}
+
+namespace
+{
+/// Turns a place so that its edge has the cloth on its left.
+NotchPlace onBoundary(const std::unordered_set<std::uint64_t>& boundary, NotchPlace place)
+{
+  if (boundary.count(edgeKey(place.edge[0], place.edge[1])) == 0)
+  {
+    std::swap(place.edge[0], place.edge[1]);
+    place.fraction = 1.0 - place.fraction;
+  }
+  return place;
+}
+
+/// A notch or a mark of a double one.
+struct Mark
+{
+  double at = 0.0;
+  bool isDrawn = true;
+  bool isStop = true;
+};
+
+/// What the stations of a curve become, in their order.
+std::vector<Mark> marksOf(
+  const std::vector<double>& stations, bool twice, double half, double length)
+{
+  std::vector<Mark> marks;
+  for (const double at : stations)
+  {
+    marks.push_back({ at, !twice, true });
+    if (twice)
+    {
+      marks.push_back({ std::max(at - half, 0.0), true, false });
+      marks.push_back({ std::min(at + half, length), true, false });
+    }
+  }
+  std::stable_sort(
+    marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.at < b.at; });
+  return marks;
+}
+}
+
+Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
+  double scale, std::vector<double>& stations)
+{
+  const auto own = options.notchesOfCurve.find(wire.name);
+  if (own == options.notchesOfCurve.end())
+  {
+    const bool cut = wire.type == WireType::Seam || wire.type == WireType::Dart;
+    return notchStations(wire.name, length, cut ? options.notchSpacing / scale : 0.0, stations);
+  }
+  stations.clear();
+  for (const double distance : own->second)
+  {
+    // The ends are marks of their own.
+    if (distance > 0.0 && distance / scale < length)
+    {
+      stations.push_back(distance / scale);
+    }
+  }
+  std::sort(stations.begin(), stations.end());
+  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
+  return {};
+}
+
+Status placeNotches(const PatternSource& source, const PieceLoops& loops,
+  const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places)
+{
+  places.clear();
+  const double scale = millimetresPer(options.unit);
+  std::map<std::string, double> longest; // wires that have notches of their own
+  std::unordered_set<std::uint64_t> boundary;
+  for (const auto& ofPiece : loops)
+  {
+    for (const Indices& loop : ofPiece)
+    {
+      for (std::size_t k = 0; k < loop.size(); ++k)
+      {
+        boundary.insert(edgeKey(loop[k], loop[(k + 1) % loop.size()]));
+      }
+    }
+  }
+  std::unordered_set<std::uint64_t> done; // edges whose partners have been walked
+  for (std::size_t w = 0; w < source.wires.size(); ++w)
+  {
+    const SourceWire& wire = source.wires[w];
+    std::vector<double> arc{ 0.0 };
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      arc.push_back(arc.back() + lengthOnSurface(source, wire.points[k], wire.points[k + 1]));
+    }
+    if (options.notchesOfCurve.count(wire.name) > 0)
+    {
+      longest[wire.name] = std::max(longest[wire.name], scale * arc.back());
+    }
+    std::vector<double> stations;
+    Status status = stationsOf(wire, arc.back(), options, scale, stations);
+    if (!status.ok())
+    {
+      return status;
+    }
+    const std::vector<Mark> marks = marksOf(stations, options.doubleNotches.count(wire.name) > 0,
+      doubleNotchDistance / 2.0 / scale, arc.back());
+    std::size_t next = 0;
+    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    {
+      const Index from = wire.points[k];
+      const Index to = wire.points[k + 1];
+      const auto partner = partners.find(edgeKey(from, to));
+      const bool sewn = partner != partners.end();
+      const bool isBorder =
+        boundary.count(edgeKey(from, to)) + boundary.count(edgeKey(to, from)) > 0;
+      const bool walked = !isBorder || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
+      for (; next < marks.size() && marks[next].at <= arc[k + 1]; ++next)
+      {
+        if (walked)
+        {
+          continue;
+        }
+        const Mark& mark = marks[next];
+        const double fraction = (mark.at - arc[k]) / (arc[k + 1] - arc[k]);
+        places.push_back(
+          onBoundary(boundary, { { from, to }, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
+        if (sewn)
+        {
+          places.push_back(onBoundary(
+            boundary, { partner->second, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
+        }
+      }
+      if (sewn)
+      {
+        done.insert(edgeKey(partner->second[0], partner->second[1]));
+      }
+    }
+  }
+  for (const auto& [name, length] : longest)
+  {
+    const std::vector<double>& wanted = options.notchesOfCurve.at(name);
+    const auto farthest = std::max_element(wanted.begin(), wanted.end());
+    if (farthest != wanted.end() && *farthest > length)
+    {
+      return { StatusCode::InvalidOption,
+        "a notch is to be " + formatNumber(*farthest, 1) + " mm along the curve " + name +
+          ", which is " + formatNumber(length, 1) + " mm long",
+        {}, { Remedy::CheckUnit, { Remedy::Give, "a distance within the curve" } } };
+    }
+  }
+  return {};
+}
+}
+}

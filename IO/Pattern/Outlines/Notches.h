@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Outlines/Outline.h"
+
+namespace flattening
+{
+namespace pattern
+{
+/// Where a notch lies: on the boundary edge from one point to the next, the cloth on the left.
+struct NotchPlace
+{
+  std::array<Index, 2> edge{ none, none };
+  double fraction = 0.0; ///< of the edge
+  double arcLength =
+    0.0; ///< on the surface, from the start of its wire, in the unit of the surface
+  std::size_t wire = 0;
+  bool isDrawn = true; ///< false: two marks beside it are drawn in its place
+  bool isStop = true;  ///< false: such a mark, where no interval of the curve ends
+};
+
+/// Distance of the two marks of a double notch along the border, millimetres: a quarter of an inch,
+/// as on printed patterns.
+constexpr double doubleNotchDistance = 6.35;
+
+/// Of an edge on the surface; in the plane where its points in space are not known.
+double lengthOnSurface(const PatternSource& source, Index a, Index b);
+
+/// Lengths from the start of a curve at which it is notched: multiples of the spacing, up to a
+/// quarter of it before the end, or the middle where there is none of these.
+/// \param spacing 0: none
+Status notchStations(
+  const std::string& curve, double length, double spacing, std::vector<double>& stations);
+
+/// Those of a wire: the distances that the options have for its name, as far as it is so long, or
+/// those of notchStations(), which seams and darts have alone.
+/// \param scale millimetres per unit of the lengths
+Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
+  double scale, std::vector<double>& stations);
+
+/// Places on both banks of every seam and dart, and on the edges of the boundary that have notches
+/// of their own, at the lengths on the surface that stationsOf() says. A place and its partner lie
+/// on the same point of the curve before the cut. A double notch is a place that is not drawn and
+/// two marks beside it. Error: InvalidOption where a notch is farther out than any wire of its name
+/// is long.
+Status placeNotches(const PatternSource& source, const PieceLoops& loops,
+  const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places);
+}
+}

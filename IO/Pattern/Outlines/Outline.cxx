@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outlines/Outline.h"
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flattening
+{
+namespace pattern
+{
+namespace
+{
+double areaOf(const PatternSource& source, const Indices& loop)
+{
+  Points2 polygon;
+  for (const Index v : loop)
+  {
+    polygon.push_back(source.positions[v]);
+  }
+  return doubleArea(polygon);
+}
+}
+
+double doubleArea(const Points2& polygon)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+  {
+    const Point2 a = polygon[k] - polygon.front();
+    const Point2 b = polygon[(k + 1) % polygon.size()] - polygon.front();
+    sum += cross(a, b);
+  }
+  return sum;
+}
+
+Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops)
+{
+  std::unordered_map<std::uint64_t, Index> pieceOfEdge;
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    const Triangle& corners = source.triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      pieceOfEdge[edgeKey(corners[k], corners[(k + 1) % 3])] = source.pieceOfTriangle[t];
+    }
+  }
+  std::unordered_map<Index, Index> next;
+  Indices starts; // in the order of the triangles, so that the result does not depend on hashing
+  for (const Triangle& corners : source.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index from = corners[k];
+      const Index to = corners[(k + 1) % 3];
+      if (pieceOfEdge.count(edgeKey(to, from)) > 0)
+      {
+        continue;
+      }
+      if (!next.emplace(from, to).second)
+      {
+        return { StatusCode::InvalidPattern,
+          "the boundary of the flat surface branches at point " + std::to_string(from), {},
+          { Remedy::GiveFlatPieces } };
+      }
+      starts.push_back(from);
+    }
+  }
+
+  loops.assign(pieces, {});
+  for (const Index start : starts)
+  {
+    auto at = next.find(start);
+    if (at == next.end())
+    {
+      continue;
+    }
+    const std::size_t piece = static_cast<std::size_t>(pieceOfEdge.at(edgeKey(start, at->second)));
+    Indices loop;
+    while (at != next.end())
+    {
+      loop.push_back(at->first);
+      const Index to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+    loops[piece].push_back(std::move(loop));
+  }
+  for (std::vector<Indices>& ofPiece : loops)
+  {
+    const auto outer =
+      std::max_element(ofPiece.begin(), ofPiece.end(), [&](const Indices& a, const Indices& b) {
+        return std::abs(areaOf(source, a)) < std::abs(areaOf(source, b));
+      });
+    if (outer != ofPiece.end())
+    {
+      std::iter_swap(ofPiece.begin(), outer);
+    }
+  }
+  return {};
+}
+
+SewnPartners sewnPartners(const PatternSource& source)
+{
+  SewnPartners partners;
+  for (const SewnEdges& pair : source.sewn)
+  {
+    partners[edgeKey(pair.a[0], pair.a[1])] = pair.b;
+    partners[edgeKey(pair.a[1], pair.a[0])] = { pair.b[1], pair.b[0] };
+    partners[edgeKey(pair.b[0], pair.b[1])] = pair.a;
+    partners[edgeKey(pair.b[1], pair.b[0])] = { pair.a[1], pair.a[0] };
+  }
+  return partners;
+}
+}
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Status.h"
+#include "Outlines/PatternSource.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace flattening
+{
+namespace pattern
+{
+/// Directed edges as keys of a hash map.
+inline std::uint64_t edgeKey(Index from, Index to)
+{
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32) |
+    static_cast<std::uint32_t>(to);
+}
+/// The same for both directions.
+inline std::uint64_t undirectedKey(Index a, Index b)
+{
+  return edgeKey(std::min(a, b), std::max(a, b));
+}
+
+/// Boundary loops of each piece as point ids, the cloth on the left; the outer loop first, that is
+/// the one that encloses the largest area.
+using PieceLoops = std::vector<std::vector<Indices>>;
+
+/// \return InvalidInput where the boundary of a piece does not fall into loops.
+Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops);
+
+/// Which points an edge is sewn to: the directed edge (a, b) to its partner, in the same direction
+/// of the curve. Both banks are keys, in both directions.
+using SewnPartners = std::unordered_map<std::uint64_t, std::array<Index, 2>>;
+SewnPartners sewnPartners(const PatternSource& source);
+
+/// Twice the signed area of a closed polygon.
+double doubleArea(const Points2& polygon);
+}
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+#include "Base/LengthUnit.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+namespace pattern
+{
+enum class WireType
+{
+  Boundary,
+  Accessory,
+  Key,
+  Dart,
+  Seam,
+};
+
+/// A flat wire as point ids; both banks of a cut run in the direction of their curve.
+struct SourceWire
+{
+  Indices points;
+  WireType type = WireType::Boundary;
+  Index curve = none;
+  Index piece = none;
+  std::string name;
+};
+
+/// The edge a is sewn to the edge b, first end to first end.
+struct SewnEdges
+{
+  std::array<Index, 2> a{ none, none };
+  std::array<Index, 2> b{ none, none };
+  bool closed = false; ///< they lie on each other: the cut was closed, the cloth is whole there
+};
+
+/// The borders of pieces that were panels of GarmentCode: their edges one after the other, between
+/// points of the pieces, with shapes that are the same in any unit but the radius of a circle.
+struct SourcePanels
+{
+  struct Edge
+  {
+    Index piece = none;
+    std::array<Index, 2> ends{ none, none };
+    int shape = 0; ///< as EdgeShape
+    std::array<double, 4> parameters{};
+    std::string label;
+  };
+  struct Stitch
+  {
+    std::array<Index, 2> edges{ none, none };
+    bool rightToWrong = false;
+  };
+  struct Placement
+  {
+    Point3 translation = Point3::Zero();
+    Point3 rotation = Point3::Zero();
+  };
+  std::vector<Edge> edges;
+  std::vector<Stitch> stitches;
+  std::vector<Placement> placements; ///< by piece, as are names and labels
+  std::vector<std::string> names;
+  std::vector<std::string> labels;
+};
+
+/// A flattening, in the unit of its surface.
+struct PatternSource
+{
+  Points2 positions;
+  Points3 inSpace; ///< the same points on the cut surface, or empty
+  Triangles triangles;
+  Indices pieceOfTriangle;
+  std::vector<SourceWire> wires;
+  std::vector<SewnEdges> sewn;
+  Indices gradePoints; ///< with the rules 1, 2, ... of a grading, or none
+  SourcePanels panels; ///< without edges where there were none
+  /// By piece, of what was flattened; empty where there is none.
+  std::vector<std::string> pieceNames;
+  bool onCloth = false; ///< the pieces lie on their cloth, its warp along y
+};
+
+enum class DartStyle
+{
+  Folded, ///< the cloth of the dart stays: legs, fold line, notches at the mouth, a roof on the cut
+          ///< line
+  CutOut, ///< the cloth of the dart is cut away: its legs are seams with allowance
+};
+
+/// How to make a pattern of a flattening. Lengths in millimetres whatever the unit of the surface.
+struct PatternOptions
+{
+  Unit unit = Unit::Centimetre;
+  std::string name = "pattern";
+  std::string size;
+  int quantity = 1;
+  std::vector<int> pieceQuantities;    ///< by piece; where missing or 0: quantity
+  std::vector<std::string> pieceNames; ///< by piece; where missing: the name, numbered if need be
+  double allowance = 10.0;
+  std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
+  double mitreLimit = 2.0;                        ///< longest mitre, in allowances
+  double notchSpacing = 100.0; ///< along the curve, on the surface; 0: at mouths of darts alone
+  std::map<std::string, std::vector<double>>
+    notchesOfCurve; ///< by curve name, distances from its start in place of the spacing
+  std::set<std::string> doubleNotches; ///< names of curves whose notches are two marks
+  bool notchCorners = false;           ///< notches where the sew lines of a corner end
+  bool notchCurveEnds = false;         ///< notches where curves meet the border
+  double notchLength = 5.0;
+  DartStyle darts = DartStyle::Folded;
+  /// Of smooth borders and curves from the flat pieces, but panels, which are smooth; 0: as these
+  /// are.
+  double fairTolerance = 0.0;
+  std::map<std::string, double> fairToleranceOfCurve; ///< by curve name; "boundary" for the rest
+  bool symmetrize = false; ///< smooth outlines of symmetric pieces are their own mirror images
+  double dartTip = 0.0;    ///< how far tips of folded darts are drawn back
+  std::map<std::string, double> dartTipOfCurve; ///< by name of the dart
+  bool cutOnFold = false;                       ///< of symmetric pieces draw a half
+  std::set<std::string> foldsAlong; ///< names of curves along which pieces are cut on the fold
+  bool oneLayer = false;            ///< the cloth is not folded: pieces are drawn whole
+  bool pairs =
+    false; ///< of two pieces that are mirror images draw the first alone, to be cut twice
+
+  /// What is common to lines of a source that have no tolerance of their own.
+  double fairToleranceOf(const PatternSource& source) const
+  {
+    return source.panels.edges.empty() ? this->fairTolerance : 0.0;
+  }
+  /// Whether any line is to be smooth.
+  bool isFair(const PatternSource& source) const
+  {
+    return this->fairToleranceOf(source) > 0.0 ||
+      std::any_of(this->fairToleranceOfCurve.begin(), this->fairToleranceOfCurve.end(),
+        [](const auto& ofCurve) { return ofCurve.second > 0.0; });
+  }
+};
+}
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outlines/PlaneGeometry.h"
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace pattern
+{
+void addSegments(const Points2& points, bool closed, Segments& segments)
+{
+  const std::size_t count = points.size();
+  for (std::size_t k = 0; k + (closed ? 0 : 1) < count; ++k)
+  {
+    segments.push_back({ points[k], points[(k + 1) % count] });
+  }
+}
+
+std::vector<double> crossings(const Point2& from, const Point2& direction, const Segments& segments)
+{
+  std::vector<double> found;
+  for (const Segment& segment : segments)
+  {
+    const Point2 side = segment.to - segment.from;
+    const Point2 start = segment.from - from;
+    const double sine = cross(direction, side);
+    if (sine == 0.0)
+    {
+      continue;
+    }
+    const double along = cross(start, side) / sine;
+    const double across = cross(start, direction) / sine;
+    if (across >= 0.0 && across <= 1.0)
+    {
+      found.push_back(along);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Point2 nearestPoint(const Point2& point, const Segments& segments)
+{
+  double least = std::numeric_limits<double>::infinity();
+  Point2 nearest = point;
+  for (const Segment& segment : segments)
+  {
+    const Point2 side = segment.to - segment.from;
+    const double length = side.squaredNorm();
+    const double at =
+      length > 0.0 ? std::clamp((point - segment.from).dot(side) / length, 0.0, 1.0) : 0.0;
+    const Point2 place = segment.from + at * side;
+    const double squared = (place - point).squaredNorm();
+    if (squared < least)
+    {
+      least = squared;
+      nearest = place;
+    }
+  }
+  return nearest;
+}
+
+double distance(const Point2& point, const Segments& segments)
+{
+  return segments.empty() ? 1e150 : (nearestPoint(point, segments) - point).norm();
+}
+
+bool inside(const Point2& point, const Segments& borders)
+{
+  bool within = false;
+  for (const Segment& side : borders)
+  {
+    if ((side.from.y() > point.y()) != (side.to.y() > point.y()))
+    {
+      const double x = side.from.x() +
+        (point.y() - side.from.y()) / (side.to.y() - side.from.y()) * (side.to.x() - side.from.x());
+      within = within != (point.x() < x);
+    }
+  }
+  return within;
+}
+
+Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& clearance)
+{
+  Box box;
+  for (const Segment& side : borders)
+  {
+    box.add(side.from);
+    box.add(side.to);
+  }
+  Point2 best = box.low;
+  clearance = 0.0;
+  Point2 center = (box.low + box.high) / 2.0;
+  Point2 half = box.extent() / 2.0;
+  // A grid, and finer ones around the best place found.
+  constexpr int steps = 24;
+  for (int level = 0; level < 4; ++level)
+  {
+    for (int i = 0; i <= steps; ++i)
+    {
+      for (int j = 0; j <= steps; ++j)
+      {
+        const Point2 place =
+          center + Point2((2.0 * i / steps - 1.0) * half.x(), (2.0 * j / steps - 1.0) * half.y());
+        if (!inside(place, borders))
+        {
+          continue;
+        }
+        const double room = std::min(distance(place, borders), distance(place, obstacles));
+        if (room > clearance)
+        {
+          clearance = room;
+          best = place;
+        }
+      }
+    }
+    center = best;
+    half *= 2.0 / steps;
+  }
+  return best;
+}
+
+namespace
+{
+void keepFarthest(
+  const Points2& polygon, std::size_t first, std::size_t last, double most, std::vector<bool>& kept)
+{
+  const Point2& from = polygon[first];
+  const Point2& to = polygon[last % polygon.size()];
+  std::size_t farthest = first;
+  double distance = most;
+  for (std::size_t k = first + 1; k < last; ++k)
+  {
+    const double off = pattern::distance(polygon[k], { { from, to } });
+    if (off > distance)
+    {
+      farthest = k;
+      distance = off;
+    }
+  }
+  if (farthest > first)
+  {
+    kept[farthest] = true;
+    keepFarthest(polygon, first, farthest, most, kept);
+    keepFarthest(polygon, farthest, last, most, kept);
+  }
+}
+}
+
+Points2 thinned(const Points2& polygon, double distance)
+{
+  if (polygon.size() < 4)
+  {
+    return polygon;
+  }
+  std::size_t opposite = 0;
+  for (std::size_t k = 1; k < polygon.size(); ++k)
+  {
+    const double way = (polygon[k] - polygon[0]).squaredNorm();
+    opposite = way > (polygon[opposite] - polygon[0]).squaredNorm() ? k : opposite;
+  }
+  std::vector<bool> kept(polygon.size(), false);
+  kept[0] = kept[opposite] = true;
+  keepFarthest(polygon, 0, opposite, distance, kept);
+  keepFarthest(polygon, opposite, polygon.size(), distance, kept);
+  Points2 result;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+  {
+    if (kept[k])
+    {
+      result.push_back(polygon[k]);
+    }
+  }
+  return result;
+}
+
+Points2 simplified(const Points2& polygon, double distance)
+{
+  const std::size_t count = polygon.size();
+  const auto skips = [&](std::size_t first, std::size_t last) {
+    const Segments chord{ { polygon[first], polygon[last % count] } };
+    for (std::size_t k = first + 1; k < last; ++k)
+    {
+      if (pattern::distance(polygon[k], chord) > distance)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  Points2 result;
+  for (std::size_t k = 0; k < count;)
+  {
+    result.push_back(polygon[k]);
+    std::size_t next = k + 1;
+    while (next < count && skips(k, next + 1))
+    {
+      ++next;
+    }
+    k = next;
+  }
+  return result.size() < 3 ? polygon : result;
+}
+}
+}

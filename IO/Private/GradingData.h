@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Grading/SizeGrading.h"
+
+class vtkPolyData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// Writes what vtkPatternGrading documents.
+void writeGrading(const pattern::Grading& grading, vtkPolyData* output);
+
+/// Reads it again.
+/// \return InvalidPattern where arrays are missing, too short, or name what is not there
+flattening::Status readGrading(vtkPolyData* data, pattern::Grading& grading);
+}
+}

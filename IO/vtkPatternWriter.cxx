@@ -1,0 +1,634 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPatternWriter.h"
+
+#include "Base/Memory.h"
+#include "Fairing/FairCache.h"
+#include "FieldArrays.h"
+#include "Formats/FileAside.h"
+#include "Formats/PatternFile.h"
+#include "GradingData.h"
+#include "ListChanges.h"
+#include "PatternInput.h"
+#include "RemedyWords.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkFeatureCurveAlgorithm.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <ctime>
+
+vtkStandardNewMacro(vtkPatternWriter);
+
+namespace
+{
+namespace pattern = flattening::pattern;
+using flattening::Status;
+using flattening::StatusCode;
+
+/// The day and minute, UTC. SOURCE_DATE_EPOCH makes files that can be made again bit for bit.
+void setTime(pattern::Pattern& drawing)
+{
+  std::time_t now = std::time(nullptr);
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"))
+  {
+    now = static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10));
+  }
+  std::tm parts{};
+#ifdef _WIN32
+  const bool known = gmtime_s(&parts, &now) == 0;
+#else
+  const bool known = gmtime_r(&now, &parts) != nullptr;
+#endif
+  char text[32];
+  if (known && std::strftime(text, sizeof text, "%Y-%m-%d%H:%M", &parts) == 15)
+  {
+    drawing.date.assign(text, 10);
+    drawing.time.assign(text + 10, 5);
+  }
+}
+
+/// The filter whose first output came here unchanged; null where there is none.
+vtkAlgorithm* flatteningBehind(vtkAlgorithmOutput* connection)
+{
+  while (connection)
+  {
+    vtkAlgorithm* const producer = connection->GetProducer();
+    if (vtkFeatureCurveAlgorithm::SafeDownCast(producer))
+    {
+      return producer->GetNumberOfOutputPorts() >= 3 && connection->GetIndex() == 0 ? producer
+                                                                                    : nullptr;
+    }
+    const bool handsOn =
+      producer->GetNumberOfInputPorts() == 1 && producer->GetNumberOfInputConnections(0) == 1;
+    connection = handsOn ? producer->GetInputConnection(0, 0) : nullptr;
+  }
+  return nullptr;
+}
+
+unsigned long errorCodeOf(StatusCode code)
+{
+  return code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError
+                                            : vtkErrorCode::UserError;
+}
+
+double valueOf(
+  const std::map<std::string, double>& ofCurve, const std::string& curve, double common)
+{
+  const auto found = ofCurve.find(curve);
+  return found == ofCurve.end() ? common : found->second;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPatternWriter::vtkPatternWriter()
+  : Fair(std::make_unique<pattern::FairCache>())
+{
+  this->SetNumberOfInputPorts(4);
+}
+
+//------------------------------------------------------------------------------
+vtkPatternWriter::~vtkPatternWriter() = default;
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetWarning(int warning) const
+{
+  return warning >= 0 && warning < this->GetNumberOfWarnings()
+    ? this->Warnings[static_cast<std::size_t>(warning)].c_str()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetNote(int note) const
+{
+  return note >= 0 && note < this->GetNumberOfNotes()
+    ? this->Notes[static_cast<std::size_t>(note)].first.c_str()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::GetNoteKind(int note) const
+{
+  return note >= 0 && note < this->GetNumberOfNotes()
+    ? this->Notes[static_cast<std::size_t>(note)].second
+    : static_cast<int>(DRAWN);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkPatternWriter::DataOf(int port)
+{
+  if (this->GetNumberOfInputConnections(port) > 0)
+  {
+    return vtkPolyData::SafeDownCast(this->GetInput(port));
+  }
+  vtkAlgorithm* const flattening = this->FollowPipeline && this->GetNumberOfInputConnections(0) > 0
+    ? flatteningBehind(this->GetInputConnection(0, 0))
+    : nullptr;
+  auto* const flat = vtkPolyData::SafeDownCast(flattening ? this->GetInput(0) : nullptr);
+  auto* const made =
+    vtkPolyData::SafeDownCast(flattening ? flattening->GetOutputDataObject(0) : nullptr);
+  // Ids of points hold only as long as nobody has changed these.
+  const bool same = flat && made && flat->GetPoints() == made->GetPoints() &&
+    flat->GetNumberOfCells() == made->GetNumberOfCells();
+  return same ? vtkPolyData::SafeDownCast(flattening->GetOutputDataObject(port)) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+Status vtkPatternWriter::WritePattern(int format)
+{
+  pattern::PatternSource source;
+  Status status =
+    flattening::bridge::readPattern(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
+  pattern::FileOptions options = this->MakeOptions(format);
+  options.pattern.unit = static_cast<flattening::Unit>(this->KnownUnit());
+  pattern::Grading grading;
+  if (status.ok() && this->GetNumberOfInputConnections(3) > 0)
+  {
+    status = flattening::bridge::readGrading(vtkPolyData::SafeDownCast(this->GetInput(3)), grading);
+    options.grading = &grading;
+  }
+  options.fair = this->Fair.get();
+  pattern::Pattern drawing;
+  setTime(drawing);
+  std::string content;
+  if (status.ok())
+  {
+    status = pattern::makePatternFile(source, options, drawing, content);
+  }
+  if (status.ok())
+  {
+    pattern::FileAside file(this->FileName);
+    status = file.write(content);
+    if (status.ok())
+    {
+      status = file.publish();
+    }
+  }
+  if (status.ok())
+  {
+    this->FabricLength = drawing.fabric ? drawing.fabric->length : 0.0;
+    this->FabricEfficiency = drawing.fabric ? drawing.fabric->efficiency : 0.0;
+    for (const pattern::PatternPiece& piece : drawing.pieces)
+    {
+      this->Warnings.insert(this->Warnings.end(), piece.warnings.begin(), piece.warnings.end());
+      for (const pattern::PatternNote& note : piece.notes)
+      {
+        this->Notes.emplace_back(note.text, static_cast<int>(note.kind));
+      }
+    }
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::WriteData()
+{
+  this->Keep({});
+  this->Warnings.clear();
+  this->Notes.clear();
+  this->FabricLength = 0.0;
+  this->FabricEfficiency = 0.0;
+  if (!this->FileName || !*this->FileName)
+  {
+    this->Refuse(vtkErrorCode::NoFileNameError,
+      { StatusCode::InvalidOption, "there is no file name", {},
+        { { flattening::Remedy::Give, "FileName" } } });
+    return;
+  }
+  const int format = this->ChosenFormat();
+  if (format == AUTOMATIC)
+  {
+    this->Refuse(vtkErrorCode::UnrecognizedFileTypeError,
+      { StatusCode::InvalidOption,
+        std::string(this->FileName) + " ends with none of " + pattern::knownExtensions(), {},
+        { flattening::Remedy::NameAnotherFile } });
+    return;
+  }
+  struct Ending
+  {
+    Status status;
+  };
+  const Status status =
+    flattening::withinMemory([&] { return Ending{ this->WritePattern(format) }; }).status;
+  if (!status.ok())
+  {
+    this->Refuse(errorCodeOf(status.code), status);
+    return;
+  }
+  for (const std::string& warning : this->Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (this->KnownUnit() == UNSPECIFIED)
+  {
+    vtkWarningMacro("The unit of the surface is not stated: it is taken as cm. Set Unit.");
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetUnitAsString() const
+{
+  static const char* const names[] = { "Unspecified", "Millimetre", "Centimetre", "Metre", "Inch" };
+  return names[this->Unit];
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::SetUnitByName(const std::string& name)
+{
+  const flattening::Unit unit = flattening::unitNamed(name);
+  if (unit != flattening::Unit::Unspecified)
+  {
+    this->SetUnit(static_cast<int>(unit));
+    return true;
+  }
+  vtkErrorMacro("Unknown unit '" << name << "'; there are mm, cm, m and inch.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::KnownUnit()
+{
+  return this->Unit != UNSPECIFIED ? this->Unit
+                                   : static_cast<int>(flattening::unitNamed(
+                                       vtkFlatteningAlgorithm::GetLengthUnitOf(this->DataOf(0))));
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetPieceName(int piece, const std::string& name)
+{
+  if (piece < 0 || piece > 1000000)
+  {
+    vtkErrorMacro("There can be no piece " << piece << "; pieces are counted from 0.");
+    return;
+  }
+  const std::size_t index = static_cast<std::size_t>(piece);
+  if (this->PieceNames.size() <= index)
+  {
+    this->PieceNames.resize(index + 1);
+  }
+  if (flattening::bridge::change(this->PieceNames[index], name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetPieceQuantity(int piece, int quantity)
+{
+  if (piece < 0 || piece > 1000000 || quantity < 0)
+  {
+    vtkErrorMacro("There can be no piece " << piece << " of which " << quantity
+                                           << " are cut; both are counted from 0.");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(piece);
+  if (this->PieceQuantities.size() <= index)
+  {
+    this->PieceQuantities.resize(index + 1, 0);
+  }
+  if (flattening::bridge::change(this->PieceQuantities[index], quantity))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllPieceQuantities()
+{
+  if (flattening::bridge::changeToNone(this->PieceQuantities))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllPieceNames()
+{
+  if (flattening::bridge::changeToNone(this->PieceNames))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowance)
+{
+  if (flattening::bridge::changeEntry(this->CurveAllowances, curve, allowance))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveAllowance(const std::string& curve) const
+{
+  return valueOf(this->CurveAllowances, curve, this->Allowance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasCurveAllowance(const std::string& curve) const
+{
+  return this->CurveAllowances.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveAllowances()
+{
+  if (flattening::bridge::changeToNone(this->CurveAllowances))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::AddCurveNotch(const std::string& curve, double distance)
+{
+  this->CurveNotches[curve].push_back(distance);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::GetNumberOfCurveNotches(const std::string& curve) const
+{
+  const auto found = this->CurveNotches.find(curve);
+  return found == this->CurveNotches.end() ? 0 : static_cast<int>(found->second.size());
+}
+
+//------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveNotch(const std::string& curve, int notch) const
+{
+  if (notch < 0 || notch >= this->GetNumberOfCurveNotches(curve))
+  {
+    vtkErrorMacro("The curve '" << curve << "' has no notch " << notch << " of its own.");
+    return 0.0;
+  }
+  return this->CurveNotches.at(curve)[static_cast<std::size_t>(notch)];
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveNotches()
+{
+  if (flattening::bridge::changeToNone(this->CurveNotches))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
+{
+  if (this->DoubleNotches.insert(curve).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasDoubleNotches(const std::string& curve) const
+{
+  return this->DoubleNotches.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllDoubleNotches()
+{
+  if (flattening::bridge::changeToNone(this->DoubleNotches))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
+{
+  if (flattening::bridge::changeEntry(this->CurveFairTolerances, curve, tolerance))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveFairTolerance(const std::string& curve) const
+{
+  return valueOf(this->CurveFairTolerances, curve, this->FairTolerance);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasCurveFairTolerance(const std::string& curve) const
+{
+  return this->CurveFairTolerances.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveFairTolerances()
+{
+  if (flattening::bridge::changeToNone(this->CurveFairTolerances))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::AddFold(const std::string& curve)
+{
+  if (this->Folds.insert(curve).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllFolds()
+{
+  if (flattening::bridge::changeToNone(this->Folds))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance)
+{
+  if (flattening::bridge::changeEntry(this->CurveDartTips, curve, distance))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkPatternWriter::GetCurveDartTip(const std::string& curve) const
+{
+  return valueOf(this->CurveDartTips, curve, this->DartTip);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::HasCurveDartTip(const std::string& curve) const
+{
+  return this->CurveDartTips.count(curve) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::RemoveAllCurveDartTips()
+{
+  if (flattening::bridge::changeToNone(this->CurveDartTips))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStringArray> vtkPatternWriter::GetCurvesWithOptions() const
+{
+  std::set<std::string> names = this->DoubleNotches;
+  for (const auto* const ofCurve :
+    { &this->CurveAllowances, &this->CurveDartTips, &this->CurveFairTolerances })
+  {
+    for (const auto& entry : *ofCurve)
+    {
+      names.insert(entry.first);
+    }
+  }
+  for (const auto& entry : this->CurveNotches)
+  {
+    names.insert(entry.first);
+  }
+  auto list = vtkSmartPointer<vtkStringArray>::New();
+  for (const std::string& name : names)
+  {
+    list->InsertNextValue(name);
+  }
+  return list;
+}
+
+//------------------------------------------------------------------------------
+flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
+{
+  static_assert(static_cast<int>(flattening::Unit::Unspecified) == UNSPECIFIED, "");
+  static_assert(static_cast<int>(flattening::Unit::Inch) == INCH, "");
+  static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
+  static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
+  static_assert(static_cast<int>(pattern::FileFormat::RuleTable) == RULE_TABLE, "");
+  static_assert(static_cast<int>(pattern::PaperSize::A0) == A0, "");
+  static_assert(static_cast<int>(pattern::PaperSize::Sheet) == SHEET, "");
+  pattern::FileOptions options;
+  options.format = static_cast<pattern::FileFormat>(format);
+  options.pattern.unit = static_cast<flattening::Unit>(this->Unit);
+  options.pattern.name = this->PatternName;
+  options.pattern.size = this->PatternSize;
+  options.pattern.quantity = this->Quantity;
+  options.pattern.pieceQuantities = this->PieceQuantities;
+  options.pattern.pieceNames = this->PieceNames;
+  options.pattern.allowance = this->Allowance;
+  options.pattern.allowanceOfCurve = this->CurveAllowances;
+  options.pattern.mitreLimit = this->MitreLimit;
+  options.pattern.notchSpacing = this->NotchSpacing;
+  options.pattern.notchesOfCurve = this->CurveNotches;
+  options.pattern.doubleNotches = this->DoubleNotches;
+  options.pattern.notchCorners = this->NotchCorners;
+  options.pattern.notchCurveEnds = this->NotchCurveEnds;
+  options.pattern.notchLength = this->NotchLength;
+  options.pattern.cutOnFold = this->CutOnFold;
+  options.pattern.foldsAlong = this->Folds;
+  options.pattern.dartTip = this->DartTip;
+  options.pattern.dartTipOfCurve = this->CurveDartTips;
+  options.pattern.pairs = this->CutPairs;
+  options.pattern.fairTolerance = this->FairTolerance;
+  options.pattern.fairToleranceOfCurve = this->CurveFairTolerances;
+  options.pattern.symmetrize = this->Symmetrize;
+  options.pattern.darts =
+    this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
+  options.pages.paper = static_cast<pattern::PaperSize>(this->Paper);
+  options.pages.overlap = this->PageOverlap;
+  options.pages.maximumPages = this->MaximumPages;
+  options.walkTable = this->WalkTable;
+  options.fabric.width = this->FabricWidth;
+  options.fabric.nap = this->FabricNap;
+  options.fabric.gap = this->FabricGap;
+  options.laserColours = this->LaserColors;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Unit: " << this->GetUnitAsString() << "\n";
+  os << indent << "PatternName: " << this->PatternName << "\n";
+  os << indent << "PatternSize: " << this->PatternSize << "\n";
+  os << indent << "Quantity: " << this->Quantity << "\n";
+  for (std::size_t p = 0; p < this->PieceQuantities.size(); ++p)
+  {
+    os << indent << "PieceQuantity " << p << ": " << this->PieceQuantities[p] << "\n";
+  }
+  for (std::size_t p = 0; p < this->PieceNames.size(); ++p)
+  {
+    os << indent << "PieceName " << p << ": " << this->PieceNames[p] << "\n";
+  }
+  os << indent << "Allowance: " << this->Allowance << "\n";
+  for (const auto& entry : this->CurveAllowances)
+  {
+    os << indent << "CurveAllowance " << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "MitreLimit: " << this->MitreLimit << "\n";
+  os << indent << "NotchSpacing: " << this->NotchSpacing << "\n";
+  os << indent << "NotchLength: " << this->NotchLength << "\n";
+  os << indent << "CutDartsOut: " << (this->CutDartsOut ? "On" : "Off") << "\n";
+  for (const auto& [curve, distances] : this->CurveNotches)
+  {
+    os << indent << "CurveNotches " << curve << ":";
+    for (const double distance : distances)
+    {
+      os << " " << distance;
+    }
+    os << "\n";
+  }
+  for (const std::string& curve : this->DoubleNotches)
+  {
+    os << indent << "DoubleNotches: " << curve << "\n";
+  }
+  os << indent << "NotchCorners: " << (this->NotchCorners ? "On" : "Off") << "\n";
+  os << indent << "NotchCurveEnds: " << (this->NotchCurveEnds ? "On" : "Off") << "\n";
+  os << indent << "CutOnFold: " << (this->CutOnFold ? "On" : "Off") << "\n";
+  for (const std::string& curve : this->Folds)
+  {
+    os << indent << "Fold: " << curve << "\n";
+  }
+  os << indent << "DartTip: " << this->DartTip << "\n";
+  for (const auto& entry : this->CurveDartTips)
+  {
+    os << indent << "CurveDartTip " << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "CutPairs: " << (this->CutPairs ? "On" : "Off") << "\n";
+  os << indent << "FairTolerance: " << this->FairTolerance << "\n";
+  os << indent << "Symmetrize: " << (this->Symmetrize ? "On" : "Off") << "\n";
+  for (const auto& entry : this->CurveFairTolerances)
+  {
+    os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";
+  }
+  os << indent << "FabricWidth: " << this->FabricWidth << "\n";
+  os << indent << "FabricNap: " << (this->FabricNap ? "On" : "Off") << "\n";
+  os << indent << "FabricGap: " << this->FabricGap << "\n";
+  os << indent << "FabricLength: " << this->FabricLength << "\n";
+  os << indent << "FabricEfficiency: " << this->FabricEfficiency << "\n";
+  os << indent << "FollowPipeline: " << (this->FollowPipeline ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,554 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPatternWriter
+ * @brief write flat pieces as a pattern to cut: SVG, PDF, DXF or HPGL at true scale, or the walk of its seams
+ *
+ * Inputs are the outputs of vtkWireWarpingFilter, or data with the same arrays:
+ *
+ * | port | what | used of it |
+ * |---|---|---|
+ * | 0 | the flat pieces, triangles counter-clockwise, z ignored | cell array `PieceId` (absent: one piece); field data `SeamPairs` (absent: no notches, no darts to fold), `SeamClosed` (absent: no cut was closed) |
+ * | 1, optional | the flat wires over the points of port 0 | cell arrays `CurveType`, `CurveId`, `CurveName`, `PieceId`, `Connector`; absent: outlines only |
+ * | 2, optional | the cut surface in space, point for point like port 0 | lengths on the surface, for notches and for `data-length`; absent: the flat lengths |
+ * | 3, optional | sizes of the pattern, the output of vtkPatternGrading with port 0 as the base | the nest, the list of rules and the rule table; the numbers of rules in DXF |
+ *
+ * Each piece is drawn with its cut line, its sew lines, its feature curves, darts with legs and
+ * fold line and a drill hole near the tip, notches, a grainline along its first straight key curve,
+ * its name, size, quantity, number and the names of its curves. Pieces are moved beside each other,
+ * not turned or scaled: **every wire has in the file the length that it has on the surface**, to
+ * 1e-9 mm in SVG, 1e-8 mm in DXF, 0.001 mm in PDF and 0.0125 mm in HPGL for each coordinate. Lines
+ * made here (cut line) keep to a 10,000th of a millimetre.
+ *
+ * - **SVG**: user unit millimetre; a group a piece, in it a group a role, both layers in Inkscape, the
+ *   role's name as class (`cut-line`,
+ *   `cut-out`, `sew-line`, `dart-leg`, `dart-fold`, `fold`, `key-curve`, `internal`, `notch`,
+ * `dart-mark`, `drill-hole`, `grain`); paths of wires have `data-curve` and `data-length`, notches
+ *   `data-arc-length` (mm on the surface).
+ * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses to join
+ *   them at, row and column on each page, a map, and a test rectangle of 100 mm x 50 mm. Blank
+ * pages are left out; of the two ways to hold the paper the one with fewer pages is taken. Each
+ * role of SVG, the texts, and what is of the pages are layers, unless the library was made without
+ * qpdf.
+ * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece; layers 1 boundary and
+ *   system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half pieces, 7 grainline,
+ * 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15 annotation. Notches
+ * are points with an angle, as pattern systems read them, and short lines, as others show them;
+ * drill holes points and circles. Sew lines are dashed, and the grain has a head, a solid. Blocks
+ * bear the names of their pieces. Millimetres with "Units: METRIC", or, for a surface in inches,
+ * inches with "Units: ENGLISH". Texts are 7-bit (\\U+XXXX).
+ * - **HPGL**: for plotters and cutters; a 40th of a millimetre, pen 1 draws, pen 2 cuts the cut lines last.
+ *   Texts are 7-bit, other characters question marks.
+ * - **GarmentCode**: JSON of panels and stitches (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on
+ *   Graphics 42(6), 2023): sew lines in centimetres without allowance, straight and cubic edges
+ * labelled by their curves, stitches between edges of one length, and each panel placed in space
+ * where its piece fits the surface best. A piece with a hole is refused.
+ * - **Walk**: a table of comma-separated values, a row for each interval of a seam or dart between two
+ *   notches: `curve`, `type` (seam, dart), `piece_a`, `piece_b`, `interval` (from 1), `from_mm`,
+ * `to_mm` (along the curve, on the surface), `length_a_mm`, `length_b_mm` (of the two sides,
+ * measured on what is drawn), `difference_mm`, `ease_percent` (of side a over side b),
+ * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
+ * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point).
+ *
+ * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines of all
+ *   sizes on each other, a layer a size; comma-separated values with a row for each point that has
+ * a rule (`piece` from 1, `point`, `name`, and `dx`, `dy` of each size in mm across the grain and
+ * along it); and the rule table of ASTM D6673 (.rul), whose rules 1, 2, ... go along the axes of
+ * the DXF, where the texts "# 1", "# 2", ... stand at their points on the sew lines (layer 2). Cut
+ * lines of other sizes are to be drawn anew, by their allowance.
+ *
+ * The cut line is the union of the piece with the strips of its seam allowance (Clipper), with
+ * mitred corners of limited length. A folded dart's mouth gets a roof, so that the folded cloth
+ * reaches the cut line. Where the flattening has closed a cut, the cloth is whole: nothing is drawn
+ * there.
+ *
+ * **Errors**: nothing to draw, broken input, an invalid option, a pattern too large for the pages,
+ * memory that ran out, a file that cannot be written. One vtkErrorMacro says what and the way out,
+ * Write() returns 0, GetStatusName(), GetErrorCode() and GetErrorMessage() tell it again, and an
+ * earlier file of that name stays as it was: the new one is written aside and then renamed.
+ *
+ * All lengths of this class are **millimetres**, whatever the unit of the surface.
+ *
+ * @code
+ * vtkNew<vtkWireWarpingFilter> flattening;
+ * flattening->SetInputData(surface);
+ * flattening->SetCurvesData(curves);
+ * vtkNew<vtkPatternWriter> writer;
+ * for (int port = 0; port < 3; ++port)
+ * {
+ *   writer->SetInputConnection(port, flattening->GetOutputPort(port));
+ * }
+ * writer->SetUnitToCentimetre();
+ * writer->SetFileName("pattern.pdf");
+ * if (!writer->Write())
+ * {
+ *   std::cerr << writer->GetErrorMessage() << "\n";
+ * }
+ * @endcode
+ *
+ * @warning With points of single precision lengths are those of the rounded points.
+ *
+ * @sa vtkPatternFileWriter, vtkPatternGrading, vtkWireWarpingFilter
+ */
+#ifndef vtkPatternWriter_h
+#define vtkPatternWriter_h
+
+#include "vtkIOPatternModule.h" // for the export macro
+#include "vtkPatternFileWriter.h"
+
+#include <map>
+#include <memory> // for what is kept from file to file
+#include <set>    // for the allowances
+#include <string> // for names
+#include <vector> // for the names of pieces
+
+namespace flattening
+{
+struct Status;
+namespace pattern
+{
+class FairCache;
+struct FileOptions;
+}
+}
+
+class vtkDataObject;
+class vtkPolyData;
+
+class VTKIOPATTERN_EXPORT vtkPatternWriter : public vtkPatternFileWriter
+{
+public:
+  static vtkPatternWriter* New();
+  vtkTypeMacro(vtkPatternWriter, vtkPatternFileWriter)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Unit of length of the input.
+   */
+  enum Units
+  {
+    UNSPECIFIED = 0,
+    MILLIMETRE = 1,
+    CENTIMETRE = 2,
+    METRE = 3,
+    INCH = 4
+  };
+
+  ///@{
+  /**
+   * Unit of length of the input. UNSPECIFIED: the one that the flat pieces state
+   * (vtkFlatteningAlgorithm::GetLengthUnitOf()); where they state none, CENTIMETRE, with a warning.
+   * Default: UNSPECIFIED.
+   */
+  vtkSetClampMacro(Unit, int, UNSPECIFIED, INCH);
+  vtkGetMacro(Unit, int);
+  void SetUnitToMillimetre() { this->SetUnit(MILLIMETRE); }
+  void SetUnitToCentimetre() { this->SetUnit(CENTIMETRE); }
+  void SetUnitToMetre() { this->SetUnit(METRE); }
+  void SetUnitToInch() { this->SetUnit(INCH); }
+  const char* GetUnitAsString() const;
+  ///@}
+
+  /**
+   * Sets the unit by "mm", "cm", "m" or "inch". Another name is an error (false) and changes
+   * nothing.
+   */
+  bool SetUnitByName(const std::string& name);
+
+  ///@{
+  /**
+   * Name of the pattern, any UTF-8 text. Default: "pattern".
+   */
+  vtkSetMacro(PatternName, std::string);
+  vtkGetMacro(PatternName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Size that the pattern is for, any UTF-8 text. Default: empty, no size is written.
+   */
+  vtkSetMacro(PatternSize, std::string);
+  vtkGetMacro(PatternSize, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * How many of each piece are cut. Default: 1. Range: from 1.
+   */
+  vtkSetClampMacro(Quantity, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Quantity, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many of one piece are cut, by its id from 0, in place of Quantity; 0: that many. A piece
+   * that is not there is an error when writing. Of pieces in pairs (CutPairs) so many pairs.
+   * Default: 0. Range: from 0.
+   */
+  void SetPieceQuantity(int piece, int quantity);
+  void RemoveAllPieceQuantities();
+  ///@}
+
+  ///@{
+  /**
+   * Name of one piece, by its id from 0. Where there is none: the one that all its cells have in
+   * the cell array `PieceName` (string), as of objects of an OBJ file, numbered where several
+   * pieces have it; else PatternName, with the piece's number where there are several.
+   */
+  void SetPieceName(int piece, const std::string& name);
+  void RemoveAllPieceNames();
+  ///@}
+
+  ///@{
+  /**
+   * Seam allowance, in millimetres, where no curve has its own. Default: 10. Range: from 0.
+   */
+  vtkSetClampMacro(Allowance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Allowance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seam allowance, in millimetres, along one curve: a seam, a dart that is cut out, a feature
+   * curve that runs along the boundary, or "boundary" for what is left of the surface's own. A name
+   * that is not there is an error when writing. Get gives Allowance where a curve has none of its
+   * own.
+   */
+  void SetCurveAllowance(const std::string& curve, double allowance);
+  double GetCurveAllowance(const std::string& curve) const;
+  bool HasCurveAllowance(const std::string& curve) const;
+  void RemoveAllCurveAllowances();
+  ///@}
+
+  ///@{
+  /**
+   * A corner of the cut line is no farther from its sew line's corner than this many allowances.
+   * Default: 2. Range: from 1.
+   */
+  vtkSetClampMacro(MitreLimit, double, 1.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MitreLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Notches lie at multiples of this length on the surface from the start of each stretch of a seam
+   * or dart, on both sides, but not within a quarter of it before the end; in the middle of a
+   * stretch where there is none of these. In millimetres; 0: only the mouths of darts are notched.
+   * Default: 100. Range: from 0; so small that a stretch would get 10000 notches is refused.
+   */
+  vtkSetClampMacro(NotchSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(NotchSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * A notch on all curves of a name, this far from their start on the surface, in millimetres: on
+   * both sides of a seam or dart, or on a feature curve along the boundary, such as a hem. Curves
+   * with notches of their own have none by NotchSpacing. A name that is not there and a distance
+   * beyond the end of the longest curve are errors when writing. Get gives them in the order in
+   * which they were added.
+   */
+  void AddCurveNotch(const std::string& curve, double distance);
+  int GetNumberOfCurveNotches(const std::string& curve) const;
+  double GetCurveNotch(const std::string& curve, int notch) const;
+  void RemoveAllCurveNotches();
+  ///@}
+
+  ///@{
+  /**
+   * Draw all notches of the curves of a name double, as two marks 6.35 mm apart along the border,
+   * on both sides of a seam or dart: so the back of an armhole is told from its front. A name that
+   * is not there is an error when writing.
+   */
+  void AddDoubleNotches(const std::string& curve);
+  bool HasDoubleNotches(const std::string& curve) const;
+  void RemoveAllDoubleNotches();
+  ///@}
+
+  ///@{
+  /**
+   * Notch the cut line at the corners of the sew line, where both sew lines, drawn on, meet it; a
+   * corner that points into the cloth gets one notch. Default: off.
+   */
+  vtkSetMacro(NotchCorners, bool);
+  vtkGetMacro(NotchCorners, bool);
+  vtkBooleanMacro(NotchCorners, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Notch the border where curves meet it: at the ends of feature curves, of edges with names, and
+   * opposite to the ends of seams and curves of the piece that is sewn to it, but at corners.
+   * Default: off.
+   */
+  vtkSetMacro(NotchCurveEnds, bool);
+  vtkGetMacro(NotchCurveEnds, bool);
+  vtkBooleanMacro(NotchCurveEnds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: from 0.
+   */
+  vtkSetClampMacro(NotchLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(NotchLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cut darts out, with seam allowance along their legs, instead of folding them. Darts that cannot
+   * be folded (with branches, or with legs that are not each other's partners) are always cut out.
+   * Default: off.
+   */
+  vtkSetMacro(CutDartsOut, bool);
+  vtkGetMacro(CutDartsOut, bool);
+  vtkBooleanMacro(CutDartsOut, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of pieces that are symmetric, all their wires included and within 0.5 mm, draw one half, to be
+   * cut on the fold of the cloth: the other half of the piece is its exact mirror image. A note
+   * says so of each piece, and by how much the halves differed; DXF has the fold line in layer 6.
+   * Pieces that are not symmetric are drawn whole. Default: off.
+   */
+  vtkSetMacro(CutOnFold, bool);
+  vtkGetMacro(CutOnFold, bool);
+  vtkBooleanMacro(CutOnFold, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Cut pieces on the fold of the cloth along all curves of a name. Of a piece that has it inside
+   * one half is drawn, as with CutOnFold. A piece that has it on its border is a half: it lies with
+   * this edge on the fold, without allowance there. What cannot be is an error when writing, with
+   * piece and curve: a name that is not there, a curve that is sewn, that bends by more than 0.5 mm
+   * or about which its piece is not symmetric to 0.5 mm, and a half that is laid on one layer of
+   * cloth (FabricWidth).
+   */
+  void AddFold(const std::string& curve);
+  void RemoveAllFolds();
+  ///@}
+
+  ///@{
+  /**
+   * How far the tips of folded darts are drawn back, in millimetres, so that the sewn dart ends
+   * before the fullest place. The legs go with the tip by an affine map that leaves the mouth where
+   * it is: straight legs stay straight and mirrored ones (DartLegs of vtkWireWarpingFilter) stay
+   * mirror images of equal lengths; these and not those of the surface are what `data-length` and a
+   * walk of the seams say. More than half of a dart's depth is an
+   * error when writing. Default: 0. Range: from 0.
+   */
+  vtkSetClampMacro(DartTip, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DartTip, double);
+  ///@}
+
+  ///@{
+  /// DartTip of the darts of a name. A name that is not there is an error when writing.
+  void SetCurveDartTip(const std::string& curve, double distance);
+  double GetCurveDartTip(const std::string& curve) const;
+  bool HasCurveDartTip(const std::string& curve) const;
+  void RemoveAllCurveDartTips();
+  ///@}
+
+  ///@{
+  /**
+   * Of two pieces that are mirror images of each other, all their wires included and within 0.5 mm,
+   * draw the first alone, to be cut in pairs of which one is turned over ("cut 1 pair"). Off, both
+   * are drawn and named each other's mirror image. Default: off.
+   */
+  vtkSetMacro(CutPairs, bool);
+  vtkGetMacro(CutPairs, bool);
+  vtkBooleanMacro(CutPairs, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Draw borders and feature curves smoothly: between corners (turns of more than 30 degrees that
+   * are no part of a round, and those that no curve as long as its edges can round within the
+   * tolerance) as cubic splines of least bending, with tangents that go on and as few curves as are
+   * found, straight where they are nearly so, no point of the flat piece farther from them than
+   * this many millimetres across. Each stretch from notch to notch keeps its length to 1e-10 of it,
+   * both sides of a seam alike; corners and stretches that cannot keep to the tolerance stay as the
+   * mesh has them, and a note says so. A piece of which 95
+   * % of the area would be strained by over 0.3 % more (port 2 says how much it is) keeps nearer to
+   * its flat points, by halves of the tolerance, or stays as it is. SVG and PDF hold
+   * Bezier curves, DXF and HPGL their points; DXF marks the ends of the curves alone as curve
+   * points. Panels of vtkGarmentCodeReader, whose borders are chords of smooth edges, keep them but
+   * along the curves that have a CurveFairTolerance. 0: all lines are those of the mesh. Default:
+   * 0.2. Range: from 0.
+   */
+  vtkSetClampMacro(FairTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FairTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * FairTolerance along all curves of a name, or "boundary" for what is left of the surface's own,
+   * in millimetres from 0; smooth lines meet those that stay as the mesh has them (0) in a corner.
+   * A name that is not there is an error when writing.
+   */
+  void SetCurveFairTolerance(const std::string& curve, double tolerance);
+  double GetCurveFairTolerance(const std::string& curve) const;
+  bool HasCurveFairTolerance(const std::string& curve) const;
+  void RemoveAllCurveFairTolerances();
+  ///@}
+
+  ///@{
+  /**
+   * Draw the outline of each piece that is symmetric within 0.5 mm as its own mirror image: both of
+   * its sides follow the same curves, still within the FairTolerance of the mesh's points and of
+   * the surface's lengths; and with it the curves and borders of holes in it that are symmetric as
+   * well. Sides whose lengths differ by up to 0.1 mm get their mean, as does what is sewn to them.
+   * Notes (MIRRORED) say how far sides were and are from each other, and why a
+   * piece is not drawn so (NOT_MIRRORED): it is not symmetric, its sides differ by more, its points
+   * are farther from such curves, or 95 % of its area would be strained by over 0.3 % more. It is
+   * an error when writing where no line is smooth. Default: off.
+   */
+  vtkSetMacro(Symmetrize, bool);
+  vtkGetMacro(Symmetrize, bool);
+  vtkBooleanMacro(Symmetrize, bool);
+  ///@}
+
+  /**
+   * The names of all curves that have an allowance, notches, a dart tip or a FairTolerance of their
+   * own, each once, in alphabetical order.
+   */
+  vtkSmartPointer<vtkStringArray> GetCurvesWithOptions() const;
+
+  ///@{
+  /**
+   * Of SVG, PDF and HPGL: lay the pieces on cloth of this width across the grain, in millimetres,
+   * in place of putting them in rows. All copies of all pieces are laid, whole also where
+   * CutOnFold, one of each pair (CutPairs) turned over, each with its grain along the cloth and at
+   * least FabricGap from the next. A note says how long the cloth must be and which share of it is
+   * used; the search for a short lay is one of bounded work, with the same result on every machine.
+   * A piece that is wider than the cloth is an error when writing (PatternTooLarge). Needs Clipper.
+   * 0: in rows. Default: 0. Range: from 0 to 1e5.
+   */
+  vtkSetClampMacro(FabricWidth, double, 0.0, 1e5);
+  vtkGetMacro(FabricWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * The cloth of FabricWidth has an up and a down, as velvet and prints have, and all pieces lie
+   * the same way; off, they may be turned by half a turn. Default: off.
+   */
+  vtkSetMacro(FabricNap, bool);
+  vtkGetMacro(FabricNap, bool);
+  vtkBooleanMacro(FabricNap, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Least distance of pieces on the cloth of FabricWidth, in millimetres. Default: 5. Range: 0 to
+   * 1000.
+   */
+  vtkSetClampMacro(FabricGap, double, 0.0, 1000.0);
+  vtkGetMacro(FabricGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the last Write() with a FabricWidth found: the length of the cloth in millimetres, and the
+   * share of it that is pieces, above 0 and at most 1. Both are 0 where there was none.
+   */
+  vtkGetMacro(FabricLength, double);
+  vtkGetMacro(FabricEfficiency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where ports 1 and 2 have no connection, take what the flattening filter that made the flat
+   * pieces gives there, also through filters in between that hand the pieces on as they are. For
+   * programs that know one input of a writer alone, such as ParaView. Default: off.
+   */
+  vtkSetMacro(FollowPipeline, bool);
+  vtkGetMacro(FollowPipeline, bool);
+  vtkBooleanMacro(FollowPipeline, bool);
+  ///@}
+
+  ///@{
+  /// What the last Write() drew otherwise than may be expected, a sentence each: a grainline that
+  /// is upright because all key curves of its piece bend. VTK's warnings say it as well.
+  int GetNumberOfWarnings() const { return static_cast<int>(this->Warnings.size()); }
+  const char* GetWarning(int warning) const;
+  ///@}
+
+  ///@{
+  /**
+   * What the last Write() did, a sentence each, and of which kind it is: what options asked for
+   * (DRAWN); how many curves and straight lines are in place of how many edges of a piece and how
+   * far from them (SMOOTHED), which could not be (LEFT_ROUGH), a piece of which nothing could
+   * (NOT_SMOOTHED), an outline that was made its own mirror image (MIRRORED), and one that could
+   * not be (NOT_MIRRORED).
+   */
+  enum NoteKinds
+  {
+    DRAWN,
+    SMOOTHED,
+    LEFT_ROUGH,
+    NOT_SMOOTHED,
+    MIRRORED,
+    NOT_MIRRORED
+  };
+  int GetNumberOfNotes() const { return static_cast<int>(this->Notes.size()); }
+  const char* GetNote(int note) const;
+  int GetNoteKind(int note) const;
+  ///@}
+
+protected:
+  vtkPatternWriter();
+  ~vtkPatternWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+private:
+  vtkPatternWriter(const vtkPatternWriter&) = delete;
+  void operator=(const vtkPatternWriter&) = delete;
+
+  flattening::pattern::FileOptions MakeOptions(int format) const;
+  /// The data set of a port; null where there is none.
+  vtkPolyData* DataOf(int port);
+  /// Unit, or the one that the flat pieces state.
+  int KnownUnit();
+  /// Writes the file, from what is connected.
+  flattening::Status WritePattern(int format);
+
+  int Unit = UNSPECIFIED;
+  std::string PatternName = "pattern";
+  std::string PatternSize;
+  int Quantity = 1;
+  std::vector<int> PieceQuantities;
+  std::vector<std::string> PieceNames;
+  double Allowance = 10.0;
+  std::map<std::string, double> CurveAllowances;
+  std::map<std::string, std::vector<double>> CurveNotches;
+  double MitreLimit = 2.0;
+  std::set<std::string> DoubleNotches;
+  double NotchSpacing = 100.0;
+  bool NotchCorners = false;
+  bool NotchCurveEnds = false;
+  double NotchLength = 5.0;
+  bool CutDartsOut = false;
+  bool CutOnFold = false;
+  std::set<std::string> Folds;
+  double DartTip = 0.0;
+  std::map<std::string, double> CurveDartTips;
+  bool CutPairs = false;
+  double FairTolerance = 0.2;
+  bool Symmetrize = false;
+  std::map<std::string, double> CurveFairTolerances;
+  double FabricWidth = 0.0;
+  bool FabricNap = false;
+  double FabricGap = 5.0;
+  double FabricLength = 0.0;
+  double FabricEfficiency = 0.0;
+  bool FollowPipeline = false;
+  std::vector<std::string> Warnings;
+  std::vector<std::pair<std::string, int>> Notes; ///< with their kinds
+  std::unique_ptr<flattening::pattern::FairCache> Fair;
+};
+
+#endif
