@@ -7,69 +7,136 @@
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 
+#include <cstddef>
+#include <cstring>
+#include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
 {
 namespace
 {
-/// Lines without comments and empty ones.
+/// Walks the words of a file, whatever lines they stand in.
 struct OffReader
 {
   const std::string& path;
   LineReader lines;
+  bool byLine;   ///< a vertex ends with its line: it may have colors that the head does not tell of
+  int extra = 0; ///< numbers of a vertex beside its coordinates
   std::string line;
+  std::string_view rest; ///< of the line
 
   [[noreturn]] void refuse(const std::string& text) const
   {
     throw InputError(this->path, this->lines.number(), text);
   }
 
-  std::string_view next()
+  bool nextLine()
   {
-    while (this->lines.next(this->line))
-    {
-      std::string_view text = std::string_view(this->line).substr(0, this->line.find('#'));
-      std::string_view rest = text;
-      if (!takeWord(rest).empty())
-      {
-        return text;
-      }
-    }
-    this->refuse("the file ends before all that its head counts; it is truncated, write it again");
+    const bool any = this->lines.next(this->line);
+    this->rest = std::string_view(this->line).substr(0, any ? this->line.find('#') : 0);
+    return any;
   }
 
-  long long count(std::string_view& rest) const
+  std::string_view word()
   {
-    const std::string_view word = takeWord(rest);
-    long long value = 0;
-    if (!parseInteger(word, value) || value < 0)
+    for (;;)
     {
-      this->refuse(inQuotes(word) + " is not a count; write vertices, faces and edges");
+      const std::string_view found = takeWord(this->rest);
+      if (!found.empty())
+      {
+        return found;
+      }
+      if (!this->nextLine())
+      {
+        this->refuse(
+          "the file ends before all that its head counts; it is truncated, write it again");
+      }
+    }
+  }
+
+  /// \return whether the line has more words
+  bool skipLine()
+  {
+    const bool any = !takeWord(this->rest).empty();
+    this->rest = {};
+    return any;
+  }
+
+  long long integer(long long end, const std::string& what)
+  {
+    const std::string_view found = this->word();
+    long long value = 0;
+    if (!parseInteger(found, value) || value < 0 || value >= end)
+    {
+      this->refuse(inQuotes(found) + " is not " + what);
     }
     return value;
   }
 
+  long long count()
+  {
+    return this->integer(
+      std::numeric_limits<long long>::max(), "a count; write vertices, faces and edges");
+  }
+
+  void readKind()
+  {
+    const std::string_view kind = this->word();
+    const std::size_t end = kind.find("OFF") + 3; // counts may follow at once
+    std::string_view before = kind.substr(0, end - 3);
+    for (const auto& [prefix, numbers] :
+      { std::pair("ST", 2), std::pair("C", 4), std::pair("N", 3) })
+    {
+      if (before.rfind(prefix, 0) == 0)
+      {
+        before.remove_prefix(std::strlen(prefix));
+        this->extra += numbers;
+      }
+    }
+    if (end < 3 || !before.empty() ||
+      kind.find_first_not_of("0123456789", end) != std::string_view::npos)
+    {
+      this->refuse(inQuotes(kind) +
+        " is not OFF, with ST, C or N before it for what its vertices "
+        "have beside three coordinates; save the surface so, as text");
+    }
+    this->rest = { kind.data() + end,
+      static_cast<std::size_t>(this->rest.data() + this->rest.size() - kind.data()) - end };
+    std::string_view text = this->rest;
+    if (takeWord(text) == "BINARY")
+    {
+      this->refuse("is binary OFF, which is not read; save the surface as text (ASCII)");
+    }
+  }
+
   void readPoint(vtkPoints* points)
   {
-    std::string_view rest = this->next();
     double x[3];
     for (double& coordinate : x)
     {
-      const std::string_view word = takeWord(rest);
-      if (!parseNumber(word, coordinate))
+      const std::string_view found = this->word();
+      if (!parseNumber(found, coordinate))
       {
-        this->refuse(inQuotes(word) + " is not a coordinate; write three decimal numbers");
+        this->refuse(inQuotes(found) + " is not a coordinate; write three decimal numbers");
       }
     }
     points->InsertNextPoint(x);
+    for (int k = 0; !this->byLine && k < this->extra; ++k)
+    {
+      this->word();
+    }
+    if (this->byLine)
+    {
+      this->skipLine();
+    }
   }
 
-  void readFace(vtkCellArray* polygons, vtkIdType points)
+  void readFace(vtkCellArray* polygons, long long points)
   {
-    std::string_view rest = this->next();
-    const long long corners = this->count(rest);
+    const long long corners = this->count();
     if (corners < 3)
     {
       this->refuse("a face needs three vertices");
@@ -77,15 +144,45 @@ struct OffReader
     std::vector<vtkIdType> ids;
     for (long long k = 0; k < corners; ++k)
     {
-      const std::string_view word = takeWord(rest);
-      long long id = 0;
-      if (!parseInteger(word, id) || id < 0 || id >= points)
-      {
-        this->refuse(inQuotes(word) + " is not a vertex id below " + std::to_string(points));
-      }
-      ids.push_back(id);
+      ids.push_back(this->integer(points, "a vertex id below " + std::to_string(points)));
     }
+    this->skipLine(); // its color
     polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+
+  vtkSmartPointer<vtkPolyData> read()
+  {
+    this->readKind();
+    const long long vertices = this->count();
+    const long long faces = this->count();
+    if (!this->skipLine()) // edges may have a line of their own
+    {
+      this->word();
+      const bool alone = !this->skipLine();
+      this->rest = std::string_view(this->line).substr(0, alone ? 0 : this->line.find('#'));
+    }
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (long long k = 0; k < vertices; ++k)
+    {
+      this->readPoint(points);
+    }
+    vtkNew<vtkCellArray> polygons;
+    for (long long k = 0; k < faces; ++k)
+    {
+      this->readFace(polygons, vertices);
+    }
+    while (!this->byLine && this->nextLine())
+    {
+      if (this->skipLine())
+      {
+        this->refuse("more follows than its head counts");
+      }
+    }
+    auto surface = vtkSmartPointer<vtkPolyData>::New();
+    surface->SetPoints(points);
+    surface->SetPolys(polygons);
+    return surface;
   }
 };
 }
@@ -94,35 +191,13 @@ struct OffReader
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
 {
   const std::string text = readWholeFile(path);
-  OffReader reader{ path, LineReader(text), {} };
-  std::string_view head = reader.next();
-  const std::string_view kind = takeWord(head);
-  if (kind != "OFF" && kind != "COFF" && kind != "NOFF" && kind != "CNOFF")
+  try
   {
-    reader.refuse(
-      inQuotes(kind) + " is not OFF, COFF, NOFF or CNOFF; save the surface so, as text");
+    return OffReader{ path, LineReader(text, false), false, 0, {}, {} }.read();
   }
-  std::string_view rest = head;
-  if (takeWord(rest).empty())
+  catch (const InputError&)
   {
-    head = reader.next();
+    return OffReader{ path, LineReader(text, false), true, 0, {}, {} }.read();
   }
-  const long long vertices = reader.count(head);
-  const long long faces = reader.count(head);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polygons;
-  for (long long k = 0; k < vertices; ++k)
-  {
-    reader.readPoint(points);
-  }
-  for (long long k = 0; k < faces; ++k)
-  {
-    reader.readFace(polygons, vertices);
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(polygons);
-  return surface;
 }
 }

@@ -8,7 +8,7 @@
 
 namespace wirewarp
 {
-/// Reads OFF, the Object File Format of Geomview, as text: OFF, COFF, NOFF and CNOFF, whose colours
-/// and normals are passed over. Throws InputError with file and line.
+/// Reads OFF, the Object File Format of Geomview, as text; colours, normals and texture (COFF,
+/// NOFF, STOFF) are passed over. Throws InputError with file and line.
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
 }

@@ -56,8 +56,27 @@ class Readers(command.CommandTest):
             self.write("a.off", off(head, point, face))
             self.flatten("a.off")
             self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
+        # Vertices, faces and counts end where their numbers do; a face's color ends with its line.
+        for head, point, face in (
+                ("OFF\n%d\n%d\n0\n" % (len(self.points), len(self.triangles)), "%r\n%r\n%r\n", "3\n%d\n%d %d\n"),
+                ("OFF\n%d %d\n" % (len(self.points), len(self.triangles)), "%r %r %r 9 9 9\n", "3 %d %d %d\n"),
+                ("\ufeffOFF" + counts, "%r %r %r  ", "3 %d # first\n\n %d\t%d 255 0 0 # red\n"),
+                ("NOFF # with normals\n" + counts, "%r %r %r\n0 0 1\n", "3 %d %d %d 7\n"),
+                ("STCNOFF " + counts, "%r %r %r 0 0 1 .5 .5 .5 1 0 0\n", "3 %d %d %d\n"),
+                ("STOFF " + counts, "%r %r %r\t0 0 ", "3 %d %d %d\n"),
+                ("COFF\n" + counts, "%r %r %r 255 0 0\n", "3 %d %d %d\r\n")):
+            with self.subTest(head=head, point=point, face=face):
+                self.write("a.off", off(head, point, face))
+                self.flatten("a.off")
+                self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
+                self.assertEqual(self.array("out/cut.vtp", "connectivity", "Polys"),
+                                 [v for triangle in self.triangles for v in triangle])
         for text, words in ((off("OFF\n" + counts)[:-40], ":"), (off("OFF\n1 2\n3"), "a.off:"),
-                            ("OFF BINARY\n", "count"), (off("4OFF\n" + counts), "COFF"),
+                            ("OFF BINARY\n", "as text (ASCII)"), ("STCNOFF  BINARY\n8\0", "as text (ASCII)"),
+                            (off("4OFF\n" + counts), "three coordinates"), (off("nOFF\n3 " + counts), "'nOFF'"),
+                            (off("OFFSET\n" + counts), "'OFFSET'"), (off(counts), "is not OFF"),
+                            ("OFF\n-1 2 0\n", "'-1' is not a count"), ("OFF\n", "truncated"),
+                            (off("OFF\n" + counts, face="3\n%d\n%d 1%d\n"), "vertex id"),
                             (off("OFF\n" + counts, face="3 %d %d 1%d\n"), "vertex id")):
             self.write("a.off", text)
             run = self.run_command("a.off", "--output", "out")
