@@ -2,7 +2,7 @@
 #include "vtkPatternWriter.h"
 
 #include "Base/Memory.h"
-#include "Fairing/FairCache.h"
+#include "Fairing/FairBorders.h"
 #include "FieldArrays.h"
 #include "Formats/FileAside.h"
 #include "Formats/PatternFile.h"

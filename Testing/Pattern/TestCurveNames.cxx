@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/CurveNames.h"
-#include "Drawing/PieceTexts.h"
 #include "Outlines/PatternText.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/PieceShifts.h"
+#include "Formats/PdfPages.h"
 
-#include "Formats/PageMarks.h"
 #include "Rectangles.h"
 
 #include <gtest/gtest.h>

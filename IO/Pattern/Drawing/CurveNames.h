@@ -8,6 +8,12 @@ namespace flattening
 {
 namespace pattern
 {
+/// Adds the texts of a piece whose lines, notches and grainline are there: name, size, quantity and
+/// count (PatternPiece::texts comes with these lines, unplaced) at the widest free place, the names
+/// of the feature curves beside them.
+/// \param boundary the sew lines as segments
+void placeTexts(const Segments& boundary, PatternPiece& piece);
+
 /// Adds the names of seams, darts, feature curves and the grainline, each beside its line and,
 /// where there is room, across no other line and no text. The piece's other texts are placed
 /// already.

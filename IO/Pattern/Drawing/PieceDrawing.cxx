@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PieceDrawing.h"
 
+#include "Drawing/BorderMarks.h"
 #include "Drawing/ClothOutline.h"
+#include "Drawing/CurveNames.h"
 #include "Drawing/HalfPiece.h"
-#include "Drawing/NotchMarks.h"
-#include "Drawing/PieceOrigin.h"
-#include "Drawing/PieceTexts.h"
 #include "Drawing/SeamAllowance.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/Grainlines.h"
+#include "Outlines/Pattern.h"
 #include "Outlines/PatternText.h"
+#include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,54 @@ namespace pattern
 {
 namespace
 {
+/// Moves all of a piece so that the least coordinates of its lines are 0, and sets its extent.
+void moveToOrigin(PatternPiece& piece)
+{
+  Box box;
+  for (const PatternLine& line : piece.lines)
+  {
+    for (const Point2& p : line.points)
+    {
+      box.add(p);
+    }
+  }
+  for (PatternLine& line : piece.lines)
+  {
+    for (Point2& p : line.points)
+    {
+      p -= box.low;
+    }
+    for (FairSpan& span : line.curve)
+    {
+      for (Point2& p : span.control)
+      {
+        p -= box.low;
+      }
+    }
+  }
+  for (Notch& notch : piece.notches)
+  {
+    notch.foot -= box.low;
+    notch.from -= box.low;
+    notch.to -= box.low;
+  }
+  for (Point2& p : piece.drillHoles)
+  {
+    p -= box.low;
+  }
+  for (GradePoint& point : piece.gradePoints)
+  {
+    point.place -= box.low;
+  }
+  for (PatternText& text : piece.texts)
+  {
+    text.position -= box.low;
+  }
+  piece.grain.from -= box.low;
+  piece.grain.to -= box.low;
+  piece.extent = box.extent();
+}
+
 /// Legs of a dart that miss each other by more are told of; millimetres.
 constexpr double worthSaying = 0.1;
 

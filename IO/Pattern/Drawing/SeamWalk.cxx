@@ -4,7 +4,6 @@
 #include "Base/Types.h"
 #include "Drawing/ClothOutline.h"
 #include "Fairing/FairBorders.h"
-#include "Fairing/FairCache.h"
 #include "Outlines/ClosedCuts.h"
 #include "Outlines/Notches.h"
 #include "Outlines/Outline.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/BorderEdges.h"
 
-#include "Fairing/IntervalCurve.h"
+#include "Fairing/FairPlan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairBorders.h"
 
-#include "Fairing/FairStrain.h"
-#include "Fairing/IntervalCurve.h"
+#include "Fairing/FairPlan.h"
+#include "Outlines/DrawingSource.h"
 #include "Outlines/PatternText.h"
 
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace flattening
 {
@@ -14,6 +17,192 @@ namespace pattern
 {
 namespace
 {
+template <typename Value, typename Same>
+bool sameLists(const std::vector<Value>& a, const std::vector<Value>& b, const Same& same)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool sameWires(const SourceWire& a, const SourceWire& b)
+{
+  return a.points == b.points && a.type == b.type && a.curve == b.curve && a.piece == b.piece &&
+    a.name == b.name;
+}
+
+bool sameSeams(const SewnEdges& a, const SewnEdges& b)
+{
+  return a.a == b.a && a.b == b.b && a.closed == b.closed;
+}
+
+bool sameNotches(const NotchPlace& a, const NotchPlace& b)
+{
+  return a.edge == b.edge && a.fraction == b.fraction && a.isStop == b.isStop;
+}
+}
+
+bool FairCache::same(const Cause& cause, const DrawingSource& all)
+{
+  const PatternSource& one = cause.source;
+  const PatternSource& other = all.source;
+  return cause.unit == all.options.unit &&
+    cause.tolerance == all.options.fairToleranceOf(all.source) &&
+    cause.toleranceOfCurve == all.options.fairToleranceOfCurve &&
+    cause.symmetrize == all.options.symmetrize && one.positions == other.positions &&
+    one.inSpace == other.inSpace && one.triangles == other.triangles &&
+    one.pieceOfTriangle == other.pieceOfTriangle && sameLists(one.wires, other.wires, sameWires) &&
+    sameLists(one.sewn, other.sewn, sameSeams) &&
+    sameLists(cause.notches, all.notches, sameNotches);
+}
+
+std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
+{
+  if (!this->Borders || !same(this->Last, all))
+  {
+    this->Borders = std::make_shared<const FairBorders>(all);
+    this->Last = { all.source, all.options.unit, all.options.fairToleranceOf(all.source),
+      all.options.fairToleranceOfCurve, all.options.symmetrize, all.notches };
+  }
+  return this->Borders;
+}
+
+std::shared_ptr<const FairBorders> drawFair(DrawingSource& all, FairCache* cache)
+{
+  std::shared_ptr<const FairBorders> fair;
+  if (all.options.isFair(all.source))
+  {
+    fair = cache ? cache->of(all) : std::make_shared<const FairBorders>(all);
+    all.fair = fair.get();
+    all.moved = &fair->positions();
+  }
+  return fair;
+}
+
+namespace
+{
+/// What 95 % of the area of a piece is strained by at most: the largest |ln s| of the singular
+/// values s of the maps from the surface's triangles to the plane. 0 where the points in space are
+/// not known.
+/// \param positions in the plane, millimetres
+double strainQuantile(const DrawingSource& all, std::size_t piece, const Points2& positions)
+{
+  const PatternSource& source = all.source;
+  std::vector<std::array<double, 2>> strains; // with the areas
+  double total = 0.0;
+  for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
+  {
+    if (source.pieceOfTriangle[t] != static_cast<Index>(piece))
+    {
+      continue;
+    }
+    const Triangle& corners = source.triangles[t];
+    const auto side = [&](std::size_t k) {
+      return Point3(all.scale() * (source.inSpace[corners[k]] - source.inSpace[corners[0]]));
+    };
+    const auto flatSide = [&](std::size_t k) {
+      return Point2(positions[static_cast<std::size_t>(corners[k])] -
+        positions[static_cast<std::size_t>(corners[0])]);
+    };
+    const double length = side(1).norm();
+    const double area = side(1).cross(side(2)).norm() / 2.0;
+    if (!(area > 0.0))
+    {
+      continue;
+    }
+    Eigen::Matrix2d onSurface;
+    onSurface << length, side(1).dot(side(2)) / length, 0.0, 2.0 * area / length;
+    Eigen::Matrix2d inPlane;
+    inPlane << flatSide(1), flatSide(2);
+    const Eigen::Vector2d stretches =
+      Eigen::JacobiSVD<Eigen::Matrix2d>(inPlane * onSurface.inverse()).singularValues();
+    const double least = std::max(stretches[1], 1e-300);
+    strains.push_back(
+      { std::max(std::abs(std::log(stretches[0])), std::abs(std::log(least))), area });
+    total += area;
+  }
+  std::sort(strains.begin(), strains.end());
+  double below = 0.0;
+  for (const auto& [strain, area] : strains)
+  {
+    below += area;
+    if (below >= 0.95 * total)
+    {
+      return strain;
+    }
+  }
+  return 0.0;
+}
+
+/// Where the points of a piece lie if those of its borders and curves are moved and the others
+/// follow: their way is the mean of their neighbours' ways.
+/// \param moved all points, of which those of borders and curves are where they are to be
+Points2 followBorders(const DrawingSource& all, std::size_t piece, const Points2& moved)
+{
+  const PatternSource& source = all.source;
+  std::unordered_set<Index> held;
+  for (const Indices& loop : all.loops[piece])
+  {
+    held.insert(loop.begin(), loop.end());
+  }
+  for (const SourceWire& wire : source.wires)
+  {
+    held.insert(wire.points.begin(), wire.points.end());
+  }
+  std::unordered_map<Index, Eigen::Index> unknown;
+  Indices free;
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    for (const Index v : source.triangles[t])
+    {
+      if (source.pieceOfTriangle[t] == static_cast<Index>(piece) && held.count(v) == 0 &&
+        unknown.emplace(v, static_cast<Eigen::Index>(free.size())).second)
+      {
+        free.push_back(v);
+      }
+    }
+  }
+  Points2 result = moved;
+  if (free.empty())
+  {
+    return result;
+  }
+  const auto count = static_cast<Eigen::Index>(free.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(count, 2);
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    for (std::size_t k = 0; source.pieceOfTriangle[t] == static_cast<Index>(piece) && k < 6; ++k)
+    {
+      const Index v = source.triangles[t][k % 3];
+      const Index neighbour = source.triangles[t][(k + (k < 3 ? 1 : 2)) % 3];
+      const auto own = unknown.find(v);
+      if (own == unknown.end())
+      {
+        continue;
+      }
+      entries.emplace_back(own->second, own->second, 1.0);
+      const auto other = unknown.find(neighbour);
+      if (other != unknown.end())
+      {
+        entries.emplace_back(own->second, other->second, -1.0);
+        continue;
+      }
+      const Point2 way = moved[static_cast<std::size_t>(neighbour)] -
+        all.scale() * source.positions[static_cast<std::size_t>(neighbour)];
+      right.row(own->second) += way.transpose();
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+  const Eigen::MatrixX2d ways = factor.solve(right);
+  for (Eigen::Index k = 0; k < count; ++k)
+  {
+    const auto v = static_cast<std::size_t>(free[static_cast<std::size_t>(k)]);
+    result[v] = all.scale() * source.positions[v] + Point2(ways.row(k).transpose());
+  }
+  return result;
+}
+
 constexpr double maximumIncrease = 0.003; ///< of strain
 constexpr double mostWork = 2e10;         ///< of a piece, some seconds: sound ones take far less
 constexpr double leastShare = 0.1;

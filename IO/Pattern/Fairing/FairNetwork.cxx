@@ -2,384 +2,392 @@
 #include "Fairing/FairNetwork.h"
 
 #include "Base/Types.h"
-#include "Fairing/CurveLength.h"
-#include "Fairing/LinearRows.h"
-#include "Fairing/StretchCurve.h"
-#include "Sparse/LinearSolver.h"
 
-#include <Eigen/SparseCholesky>
-
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace flattening
 {
 namespace pattern
 {
-namespace
+CubicBasis::CubicBasis(const std::vector<double>& breaks)
+  : Breaks(breaks)
+  , Knots(2, breaks.front())
 {
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
-using Rows = Eigen::SparseMatrix<double>;
+  for (const double at : breaks)
+  {
+    this->Knots.insert(this->Knots.end(), 2, at);
+  }
+  this->Knots.insert(this->Knots.end(), 2, breaks.back());
+}
 
-constexpr int steps = 60;
-constexpr int patience = 6;           ///< steps that bring nothing
-constexpr double exactLength = 1e-13; ///< of an interval, relative
-constexpr double goodLength = 1e-10;
-constexpr double goodStep = 1e-3; ///< what it may leave of what is missing
-constexpr double sliding = 0.01;  ///< weight of what is missing along a curve, to that across it
-constexpr double cornerWeight = 10.0;
-constexpr double productsOfStep = 3000.0; ///< about, of an unknown
-constexpr double softness = 1e-12;        ///< of constraints, which may depend on each other
-
-class FairSolver
+CubicBasis::Values CubicBasis::at(double t) const
 {
-public:
-  FairSolver(const FairNetwork& network, double wave)
-    : Network(network)
-    , Unknowns(static_cast<Eigen::Index>(network.nodes.size()))
+  const auto after = std::upper_bound(this->Breaks.begin(), this->Breaks.end(), t);
+  const std::size_t above = static_cast<std::size_t>(after - this->Breaks.begin());
+  return this->at(std::clamp<std::size_t>(above, 1, this->Breaks.size() - 1) - 1, t);
+}
+
+CubicBasis::Values CubicBasis::at(std::size_t span, double t) const
+{
+  const std::size_t i = 2 * span + 3; // the knot at the start of the span
+  const auto knot = [this](std::size_t k) { return this->Knots[k]; };
+  // Functions of degree 0 to 3 that are not zero in the span.
+  std::array<std::array<double, 4>, 4> functions{};
+  functions[0][0] = 1.0;
+  for (std::size_t degree = 1; degree <= 3; ++degree)
   {
-    for (const FairStretch& stretch : network.stretches)
+    double saved = 0.0;
+    for (std::size_t r = 0; r < degree; ++r)
     {
-      this->Curves.emplace_back(stretch, this->Unknowns);
+      const double right = knot(i + r + 1);
+      const double left = knot(i + r + 1 - degree);
+      const double part = functions[degree - 1][r] / (right - left);
+      functions[degree][r] = saved + (right - t) * part;
+      saved = (t - left) * part;
     }
-    this->addObjective(std::pow(wave / (2.0 * pi), 4.0));
-    if (network.held)
+    functions[degree][degree] = saved;
+  }
+  Values values;
+  values.first = 2 * span;
+  values.value = functions[3];
+  // Function r of a degree has the knots from i - degree + r on.
+  const auto width = [&](std::size_t degree, std::size_t r) {
+    return knot(i + r) - knot(i + r - degree);
+  };
+  // Slopes of the quadratic functions.
+  std::array<double, 3> slopes{};
+  for (std::size_t r = 0; r < 3; ++r)
+  {
+    const double rise = r > 0 ? functions[1][r - 1] / width(2, r) : 0.0;
+    const double fall = r < 2 ? functions[1][r] / width(2, r + 1) : 0.0;
+    slopes[r] = 2.0 * (rise - fall);
+  }
+  for (std::size_t r = 0; r < 4; ++r)
+  {
+    const double before = r > 0 ? 1.0 / width(3, r) : 0.0;
+    const double after = r < 3 ? 1.0 / width(3, r + 1) : 0.0;
+    values.slope[r] = 3.0 *
+      ((r > 0 ? functions[2][r - 1] * before : 0.0) - (r < 3 ? functions[2][r] * after : 0.0));
+    values.bend[r] =
+      3.0 * ((r > 0 ? slopes[r - 1] * before : 0.0) - (r < 3 ? slopes[r] * after : 0.0));
+  }
+  return values;
+}
+
+Point2 sum(const Terms& terms, const Eigen::VectorXd& x)
+{
+  Point2 result = Point2::Zero();
+  for (const Term& term : terms)
+  {
+    result += term.factor * x.segment<2>(2 * term.unknown);
+  }
+  return result;
+}
+
+StretchCurve::StretchCurve(const FairStretch& stretch, Eigen::Index& next)
+  : Stretch(stretch)
+  , Basis(stretch.breaks)
+  , First(next)
+{
+  next += stretch.straight ? 0 : static_cast<Eigen::Index>(this->Basis.size()) - 2;
+}
+
+std::vector<Eigen::Index> StretchCurve::unknowns() const
+{
+  std::vector<Eigen::Index> unknowns{ static_cast<Eigen::Index>(this->Stretch.from) };
+  for (std::size_t j = 2; !this->Stretch.straight && j < this->Basis.size(); ++j)
+  {
+    unknowns.push_back(this->First + static_cast<Eigen::Index>(j) - 2);
+  }
+  unknowns.push_back(static_cast<Eigen::Index>(this->Stretch.to));
+  return unknowns;
+}
+
+Terms StretchCurve::at(double t, Derivative derivative) const
+{
+  const auto from = static_cast<Eigen::Index>(this->Stretch.from);
+  const auto to = static_cast<Eigen::Index>(this->Stretch.to);
+  if (this->Stretch.straight)
+  {
+    const double length = this->Stretch.length();
+    const double s = derivative == Derivative::Place ? t / length
+      : derivative == Derivative::Slope              ? 1.0 / length
+                                                     : 0.0;
+    return { { from, (derivative == Derivative::Place ? 1.0 : 0.0) - s }, { to, s } };
+  }
+  const CubicBasis::Values values = this->Basis.at(t);
+  const std::array<double, 4>& factors = derivative == Derivative::Place ? values.value
+    : derivative == Derivative::Slope                                    ? values.slope
+                                                                         : values.bend;
+  Terms terms;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    const std::size_t j = values.first + k;
+    const Eigen::Index unknown = j == 0 ? from
+      : j + 1 == this->Basis.size()     ? to
+                                        : this->First + static_cast<Eigen::Index>(j) - 1;
+    terms.push_back({ unknown, factors[k] });
+  }
+  return terms;
+}
+
+std::vector<FairSpan> StretchCurve::spans(const Eigen::VectorXd& x) const
+{
+  std::vector<FairSpan> spans;
+  const std::vector<double>& breaks = this->Basis.breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+  {
+    FairSpan span;
+    span.from = breaks[k];
+    span.to = breaks[k + 1];
+    const double third = (span.to - span.from) / 3.0;
+    const auto value = [&](double t, Derivative derivative) {
+      return sum(this->at(t, derivative), x);
+    };
+    // The curve is differentiable, so that the side of a break does not matter.
+    span.control[0] = value(span.from, Derivative::Place);
+    span.control[3] = value(span.to, Derivative::Place);
+    span.control[1] = span.control[0] + third * value(span.from, Derivative::Slope);
+    span.control[2] = span.control[3] - third * value(span.to, Derivative::Slope);
+    spans.push_back(span);
+  }
+  return spans;
+}
+
+std::vector<double> StretchCurve::deviation(
+  const Points2& nodes, const Eigen::VectorXd& x, std::vector<double>& nearest) const
+{
+  const FairStretch& stretch = this->Stretch;
+  const auto end = [&](std::size_t node) {
+    return (nodes[node] - x.segment<2>(2 * static_cast<Eigen::Index>(node))).norm();
+  };
+  std::vector<double> deviation{ end(stretch.from) };
+  for (std::size_t k = 0; k < stretch.points.size(); ++k)
+  {
+    double t = stretch.arc[k];
+    Point2 slope;
+    Point2 off;
+    for (int step = 0; step < 4; ++step)
     {
-      this->Linear.addHeld(network.nodes);
+      slope = sum(this->at(t, Derivative::Slope), x);
+      off = stretch.points[k] - sum(this->at(t, Derivative::Place), x);
+      t = std::clamp(
+        t + slope.dot(off) / std::max(slope.squaredNorm(), 1e-24), 0.0, stretch.length());
     }
-    this->Linear.addHooksAndRings(this->Curves);
-    this->Linear.addMirror(network, this->Curves);
-    for (std::size_t s = 0; s < this->Curves.size(); ++s)
-    {
-      const FairStretch& stretch = network.stretches[s];
-      double start = 0.0;
-      double length = 0.0;
-      for (const FairInterval& interval : stretch.intervals)
+    deviation.push_back(std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12));
+    nearest.push_back(t);
+  }
+  deviation.push_back(end(stretch.to));
+  return deviation;
+}
+
+CurveLength::CurveLength(const StretchCurve& curve, double from, double to, double wanted)
+  : Wanted(wanted)
+{
+  const auto add = [&](double end) {
+    Part& part = this->Parts.emplace_back();
+    integrate(from, end, [&](double t, double weight) {
+      const Terms slope = curve.at(t, Derivative::Slope);
+      std::array<double, 4>& factors = part.factors.emplace_back();
+      for (std::size_t k = 0; k < slope.size(); ++k)
       {
-        length += interval.length;
-        // All parts of a segment have their share of it.
-        if (!stretch.straight || &interval == &stretch.intervals.back())
-        {
-          if (!interval.follows)
-          {
-            this->Lengths.emplace_back(this->Curves[s], start, interval.end, length);
-          }
-          start = interval.end;
-          length = 0.0;
-        }
+        factors[k] = slope[k].factor;
+      }
+      part.weights.push_back(weight);
+      part.unknowns = part.weights.size() == 1 ? slope : part.unknowns;
+    });
+    from = end;
+  };
+  const std::vector<double>& breaks = curve.basis().breaks();
+  for (auto at = std::upper_bound(breaks.begin(), breaks.end(), from);
+       at != breaks.end() && *at < to; ++at)
+  {
+    add(*at);
+  }
+  add(to);
+}
+
+Point2 CurveLength::Part::slope(std::size_t place, const Eigen::VectorXd& x) const
+{
+  Point2 slope = Point2::Zero();
+  for (std::size_t k = 0; k < this->unknowns.size(); ++k)
+  {
+    slope += this->factors[place][k] * x.segment<2>(2 * this->unknowns[k].unknown);
+  }
+  return slope;
+}
+
+double CurveLength::addRow(Eigen::Index row, const Eigen::VectorXd& x, Entries& entries) const
+{
+  double length = 0.0;
+  for (const Part& part : this->Parts)
+  {
+    std::array<Point2, 4> derivative{ Point2::Zero(), Point2::Zero(), Point2::Zero(),
+      Point2::Zero() };
+    for (std::size_t place = 0; place < part.weights.size(); ++place)
+    {
+      const Point2 slope = part.slope(place, x);
+      const double speed = slope.norm();
+      length += part.weights[place] * speed;
+      const Point2 unit = speed > 0.0 ? Point2(slope / speed) : Point2(Point2::Zero());
+      for (std::size_t k = 0; k < part.unknowns.size(); ++k)
+      {
+        derivative[k] += part.weights[place] * part.factors[place][k] * unit;
+      }
+    }
+    for (std::size_t k = 0; k < part.unknowns.size(); ++k)
+    {
+      for (Eigen::Index d = 0; d < 2; ++d)
+      {
+        entries.emplace_back(row, 2 * part.unknowns[k].unknown + d, derivative[k][d]);
       }
     }
   }
+  return this->Wanted - length;
+}
 
-  FairCurves solve()
+void CurveLength::addTension(double tension, const Eigen::VectorXd& x, Entries& entries) const
+{
+  for (const Part& part : this->Parts)
   {
-    FairCurves result;
-    result.converged = this->factor() && this->iterate();
-    if (!result.converged)
+    const auto size = static_cast<Eigen::Index>(part.unknowns.size());
+    Eigen::Matrix<double, 8, 8> block = Eigen::Matrix<double, 8, 8>::Zero();
+    for (std::size_t place = 0; tension != 0.0 && place < part.weights.size(); ++place)
     {
-      return result; // there may be no unknowns to read
-    }
-    for (std::size_t k = 0; k < this->Network.nodes.size(); ++k)
-    {
-      result.nodes.emplace_back(this->X.segment<2>(2 * static_cast<Eigen::Index>(k)));
-    }
-    for (const StretchCurve& curve : this->Curves)
-    {
-      result.spans.push_back(curve.spans(this->X));
-      std::vector<double>& nearest = result.nearest.emplace_back();
-      result.deviation.push_back(curve.deviation(this->Network.nodes, this->X, nearest));
-    }
-    return result;
-  }
-
-private:
-  void addSquare(const Terms& terms, const Point2& target, const Eigen::Matrix2d& weight)
-  {
-    for (const Term& a : terms)
-    {
-      for (const Term& b : terms)
-      {
-        for (Eigen::Index d = 0; d < 2; ++d)
-        {
-          for (Eigen::Index e = 0; e < 2; ++e)
-          {
-            this->Entries.emplace_back(
-              2 * a.unknown + d, 2 * b.unknown + e, weight(d, e) * a.factor * b.factor);
-          }
-        }
-      }
-      this->Right.segment<2>(2 * a.unknown) += a.factor * (weight * target);
-    }
-  }
-
-  void addSquare(const Terms& terms, const Point2& target, double weight)
-  {
-    this->addSquare(terms, target, Eigen::Matrix2d(weight * Eigen::Matrix2d::Identity()));
-  }
-
-  /// Points may slide along the curve, but where others end on it.
-  Eigen::Matrix2d weightOf(const FairStretch& stretch, std::size_t k) const
-  {
-    const Point2& before = k == 0 ? this->Network.nodes[stretch.from] : stretch.points[k - 1];
-    const Point2& after =
-      k + 1 == stretch.points.size() ? this->Network.nodes[stretch.to] : stretch.points[k + 1];
-    const double start = k == 0 ? 0.0 : stretch.arc[k - 1];
-    const double end = k + 1 == stretch.points.size() ? stretch.length() : stretch.arc[k + 1];
-    const Point2 way = after - before;
-    const double length = way.norm();
-    const bool isHook = std::any_of(stretch.hooks.begin(), stretch.hooks.end(),
-      [&](const FairHook& hook) { return hook.at == stretch.arc[k]; });
-    const Point2 along = length > 0.0 && !isHook ? Point2(way / length) : Point2(Point2::Zero());
-    return stretch.weights[k] * (end - start) / 2.0 *
-      (Eigen::Matrix2d::Identity() - (1.0 - sliding) * along * along.transpose());
-  }
-
-  void addObjective(double bending)
-  {
-    this->Right = Vector::Zero(2 * this->Unknowns);
-    std::vector<double> weightOfNode(this->Network.nodes.size(), 0.0);
-    double total = 0.0;
-    for (const StretchCurve& curve : this->Curves)
-    {
-      const FairStretch& stretch = curve.stretch();
-      const double length = stretch.length();
-      total += length;
-      for (std::size_t k = 0; k < stretch.points.size(); ++k)
-      {
-        this->addSquare(curve.at(stretch.arc[k], Derivative::Place), stretch.points[k],
-          this->weightOf(stretch, k));
-      }
-      const double first = stretch.points.empty() ? length / 2.0 : stretch.arc.front() / 2.0;
-      const double last =
-        stretch.points.empty() ? length / 2.0 : (length - stretch.arc.back()) / 2.0;
-      // Corners are what the eye sees: they stay, as far as the lengths let them.
-      const double end = stretch.smoothEnds ? 1.0 : cornerWeight;
-      weightOfNode[stretch.from] += end * stretch.endWeights[0] * first;
-      weightOfNode[stretch.to] += end * stretch.endWeights[1] * last;
-      if (stretch.straight)
+      const Point2 slope = part.slope(place, x);
+      const double speed = slope.norm();
+      if (!(speed > 0.0))
       {
         continue;
       }
-      const std::vector<double>& breaks = curve.basis().breaks();
-      for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+      const Eigen::Matrix2d across =
+        (Eigen::Matrix2d::Identity() - slope * slope.transpose() / (speed * speed)) *
+        (tension * part.weights[place] / speed);
+      const std::array<double, 4>& factors = part.factors[place];
+      for (Eigen::Index a = 0; a < size; ++a)
       {
-        // Gauss's rule of two points: the second derivative is linear, its square quadratic.
-        const double half = (breaks[k + 1] - breaks[k]) / 2.0;
-        for (const double t : { -half / std::sqrt(3.0), half / std::sqrt(3.0) })
+        for (Eigen::Index b = 0; b < size; ++b)
         {
-          const Terms bend = curve.at(breaks[k] + half + t, Derivative::Bend);
-          this->addSquare(bend, Point2::Zero(), bending * half);
+          block.block<2, 2>(2 * a, 2 * b) +=
+            factors[static_cast<std::size_t>(a)] * factors[static_cast<std::size_t>(b)] * across;
         }
       }
     }
-    for (std::size_t k = 0; k < weightOfNode.size(); ++k)
-    {
-      this->addSquare({ { static_cast<Eigen::Index>(k), 1.0 } }, this->Network.nodes[k],
-        weightOfNode[k] + 1e-6 * total);
-    }
-    // A knot between two points that are far from each other is held by bending alone.
-    for (Eigen::Index k = 0; k < 2 * this->Unknowns; ++k)
-    {
-      this->Entries.emplace_back(k, k, 1e-12 * total);
-    }
-  }
-
-  bool factor()
-  {
-    this->Hessian.resize(2 * this->Unknowns, 2 * this->Unknowns);
-    this->Hessian.setFromTriplets(this->Entries.begin(), this->Entries.end());
-    this->Factor.compute(this->Hessian);
-    this->Softness = softness / this->Hessian.diagonal().mean();
-    return this->Factor.info() == Eigen::Success;
-  }
-
-  /// The step to the minimum of the objective under the constraints, as they are linearized.
-  /// \param pull of the objective; zero: the shortest step to the constraints
-  Vector stepOf(const Rows& rows, const Vector& pull, const Vector& missing)
-  {
-    const Eigen::Index unknowns = this->Hessian.rows();
-    const Eigen::Index size = unknowns + rows.rows();
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&entries](const Rows& block, Eigen::Index row) {
-      for (Eigen::Index column = 0; column < block.outerSize(); ++column)
-      {
-        for (Rows::InnerIterator entry(block, column); entry; ++entry)
-        {
-          entries.emplace_back(row + entry.row(), entry.col(), entry.value());
-        }
-      }
+    const auto unknown = [&part](Eigen::Index at) {
+      return 2 * part.unknowns[static_cast<std::size_t>(at / 2)].unknown + at % 2;
     };
-    add(this->Hessian, 0);
-    add(rows, unknowns);
-    this->addTension(entries);
-    for (Eigen::Index k = unknowns; k < size; ++k)
+    for (Eigen::Index a = 0; a < 2 * size; ++a)
     {
-      entries.emplace_back(k, k, -this->Softness);
-    }
-    Rows system(size, size);
-    system.setFromTriplets(entries.begin(), entries.end());
-    if (this->System.rows() != size)
-    {
-      this->System.analyzePattern(system);
-    }
-    this->System.factorize(system);
-    if (this->System.info() == Eigen::Success)
-    {
-      Vector right(size);
-      right << pull, missing;
-      const Vector solution = this->System.solve(right);
-      Vector change = solution.head(unknowns);
-      this->Tensions = solution.tail(static_cast<Eigen::Index>(this->Lengths.size()));
-      const double error = (rows * change - missing).lpNorm<Eigen::Infinity>();
-      if (error <= goodStep * missing.lpNorm<Eigen::Infinity>() + exactLength * this->Longest)
+      for (Eigen::Index b = 0; b < 2 * size; ++b)
       {
-        return change;
+        entries.emplace_back(unknown(a), unknown(b), block(a, b));
       }
     }
-    return this->leastStepOf(rows, pull, missing);
   }
-
-  void addTension(std::vector<Eigen::Triplet<double>>& entries) const
-  {
-    for (std::size_t r = 0; r < this->Lengths.size(); ++r)
-    {
-      // Lengths that push would make the objective less than convex.
-      this->Lengths[r].addTension(
-        std::max(0.0, this->Tensions[static_cast<Eigen::Index>(r)]), this->X, entries);
-    }
-  }
-
-  /// \return whether enough work was left
-  bool spend(double products) const
-  {
-    return !this->Network.work || (*this->Network.work -= products) >= 0.0;
-  }
-
-  /// The same where rows depend on each other so much that softness cannot tell. Not finite where
-  /// the work is used up.
-  Vector leastStepOf(const Rows& rows, const Vector& pull, const Vector& missing) const
-  {
-    const auto size = static_cast<double>(rows.rows());
-    if (!this->spend(size * size * static_cast<double>(rows.rows() + rows.cols())))
-    {
-      return Vector::Constant(rows.cols(), std::numeric_limits<double>::quiet_NaN());
-    }
-    const Vector free = this->Factor.solve(pull);
-    const Matrix spread = this->Factor.solve(Matrix(rows.transpose()));
-    return free + spread * leastNormSolution(rows * spread, missing - rows * free);
-  }
-
-  /// Rows of the constraints and what is missing to them.
-  void constraints(Rows& rows, Vector& missing) const
-  {
-    const Eigen::Index linear = this->Linear.size();
-    const auto lengths = static_cast<Eigen::Index>(this->Lengths.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    missing = Vector::Zero(linear + lengths);
-    this->Linear.add(this->X, entries, missing);
-    for (Eigen::Index r = 0; r < lengths; ++r)
-    {
-      missing[linear + r] =
-        this->Lengths[static_cast<std::size_t>(r)].addRow(linear + r, this->X, entries);
-    }
-    rows.resize(missing.size(), 2 * this->Unknowns);
-    rows.setFromTriplets(entries.begin(), entries.end());
-  }
-
-  double largestMissing(const Vector& missing) const
-  {
-    double most = 0.0;
-    // What lies below the last digits of coordinates cannot be made better.
-    const double rounding =
-      16.0 * std::numeric_limits<double>::epsilon() * this->X.lpNorm<Eigen::Infinity>();
-    const Eigen::Index linear = this->Linear.size();
-    for (Eigen::Index r = 0; r < missing.size(); ++r)
-    {
-      const double length =
-        r < linear ? this->Longest : this->Lengths[static_cast<std::size_t>(r - linear)].wanted();
-      most = std::max(most, (std::abs(missing[r]) - rounding) / length);
-    }
-    return most;
-  }
-
-  bool iterate()
-  {
-    this->X = this->Factor.solve(this->Right);
-    for (const CurveLength& length : this->Lengths)
-    {
-      this->Longest = std::max(this->Longest, length.wanted());
-    }
-    const Vector free = this->X; // the minimum without constraints
-    this->Tensions = Vector::Zero(static_cast<Eigen::Index>(this->Lengths.size()));
-    double last = 1.0;
-    double least = std::numeric_limits<double>::infinity();
-    int stuck = 0;
-    for (int step = 0; step < steps; ++step)
-    {
-      Rows rows;
-      Vector missing;
-      this->constraints(rows, missing);
-      last = this->largestMissing(missing);
-      stuck = step < steps / 3 || last < 0.5 * least ? 0 : stuck + 1;
-      least = std::min(least, last);
-      if (!missing.allFinite() || (stuck > patience && last > goodLength))
-      {
-        return false;
-      }
-      if (last < exactLength)
-      {
-        return true;
-      }
-      if (!this->spend(productsOfStep * static_cast<double>(missing.size() + this->X.size())))
-      {
-        return false;
-      }
-      // The first steps look for the minimum, the last ones for the lengths alone.
-      const bool towardsMinimum = step < steps / 3;
-      const Vector pull =
-        towardsMinimum ? Vector(this->Hessian * (free - this->X)) : Vector(0.0 * this->X);
-      Vector change = this->stepOf(rows, pull, missing);
-      if (!change.allFinite())
-      {
-        return false;
-      }
-      const double most = change.lpNorm<Eigen::Infinity>();
-      const double limit = 0.05 * this->Longest;
-      if (most > limit)
-      {
-        change *= limit / most;
-      }
-      this->X += change;
-      if (towardsMinimum && most < 1e-9 * this->Longest && last < 1e-11)
-      {
-        step = steps / 3; // it is there
-      }
-    }
-    return last < goodLength;
-  }
-
-  const FairNetwork& Network;
-  Eigen::Index Unknowns;
-  std::vector<StretchCurve> Curves;
-  std::vector<CurveLength> Lengths;
-  LinearRows Linear;
-  std::vector<Eigen::Triplet<double>> Entries;
-  Vector Right;
-  Rows Hessian;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Factor;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> System; ///< with the constraints
-  double Softness = 0.0;
-  Vector X;
-  Vector Tensions; ///< multipliers of the lengths
-  double Longest = 0.0;
-};
 }
 
-FairCurves solveFairNetwork(const FairNetwork& network, double wave)
+void LinearRows::addPoint(const Terms& terms, const Point2& value)
 {
-  return FairSolver(network, wave).solve();
+  for (Eigen::Index d = 0; d < 2; ++d)
+  {
+    Row& row = this->Rows.emplace_back();
+    row.value = value[d];
+    for (const Term& term : terms)
+    {
+      row.factors.emplace_back(2 * term.unknown + d, term.factor);
+    }
+  }
+}
+
+void LinearRows::addHeld(const Points2& points)
+{
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    this->addPoint({ { static_cast<Eigen::Index>(k), 1.0 } }, points[k]);
+  }
+}
+
+void LinearRows::addHooksAndRings(const std::vector<StretchCurve>& curves)
+{
+  for (const StretchCurve& curve : curves)
+  {
+    const FairStretch& stretch = curve.stretch();
+    for (const FairHook& hook : stretch.hooks)
+    {
+      Terms terms = curve.at(hook.at, Derivative::Place);
+      terms.push_back({ static_cast<Eigen::Index>(hook.node), -1.0 });
+      this->addPoint(terms, Point2::Zero());
+    }
+    if (stretch.smoothEnds)
+    {
+      Terms terms = curve.at(0.0, Derivative::Slope);
+      for (const Term& term : curve.at(stretch.length(), Derivative::Slope))
+      {
+        terms.push_back({ term.unknown, -term.factor });
+      }
+      this->addPoint(terms, Point2::Zero());
+    }
+  }
+}
+
+void LinearRows::addMirror(const FairNetwork& network, const std::vector<StretchCurve>& curves)
+{
+  const FairMirror& mirror = network.mirror;
+  // The image of a point p is at + F (p - at).
+  const Eigen::Matrix2d image =
+    2.0 * mirror.along * mirror.along.transpose() - Eigen::Matrix2d::Identity();
+  const Point2 shift = mirror.at - image * mirror.at;
+  const Point2 across(mirror.along.y(), -mirror.along.x());
+  std::set<std::array<Eigen::Index, 2>> known; // nodes are of two stretches
+  for (const FairImages& pair : mirror.stretches)
+  {
+    const std::vector<Eigen::Index> points = curves[pair.one].unknowns();
+    std::vector<Eigen::Index> images = curves[pair.other].unknowns();
+    if (pair.backwards)
+    {
+      std::reverse(images.begin(), images.end());
+    }
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      const Eigen::Index a = std::min(points[k], images[k]);
+      const Eigen::Index b = std::max(points[k], images[k]);
+      const bool stays = network.held && a < static_cast<Eigen::Index>(network.nodes.size());
+      if (stays || !known.insert({ a, b }).second)
+      {
+        continue;
+      }
+      if (a == b)
+      {
+        this->Rows.push_back(
+          { { { 2 * a, across.x() }, { 2 * a + 1, across.y() } }, across.dot(mirror.at) });
+        continue;
+      }
+      for (Eigen::Index d = 0; d < 2; ++d)
+      {
+        this->Rows.push_back(
+          { { { 2 * b + d, 1.0 }, { 2 * a, -image(d, 0) }, { 2 * a + 1, -image(d, 1) } },
+            shift[d] });
+      }
+    }
+  }
+}
+
+void LinearRows::add(const Eigen::VectorXd& x, std::vector<Eigen::Triplet<double>>& entries,
+  Eigen::VectorXd& missing) const
+{
+  for (Eigen::Index r = 0; r < this->size(); ++r)
+  {
+    const Row& row = this->Rows[static_cast<std::size_t>(r)];
+    missing[r] = row.value;
+    for (const auto& [coordinate, factor] : row.factors)
+    {
+      entries.emplace_back(r, coordinate, factor);
+      missing[r] -= factor * x[coordinate];
+    }
+  }
 }
 }
 }

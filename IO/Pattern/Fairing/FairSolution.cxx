@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairSolution.h"
 
-#include "Fairing/FairWeights.h"
-#include "Fairing/InnerMirror.h"
-#include "Fairing/IntervalCurve.h"
+#include "Fairing/FairPlan.h"
+#include "Fairing/FairTrial.h"
+#include "Fairing/OutlineMirror.h"
 
 #include <algorithm>
 

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Fairing/FairNetwork.h"
+#include "Fairing/FairSolver.h"
+
+#include <vector>
 
 namespace flattening
 {
 namespace pattern
 {
+/// Weights of points for the next curve of least squares, which become those of the curve whose
+/// farthest point is nearest. C. L. Lawson, Contributions to the theory of linear least maximum
+/// approximation, thesis, University of California, 1961.
+/// \param shares of each point, its deviation over its tolerance; some are not 0
+void emphasize(const std::vector<double>& shares, std::vector<double>& weights);
+
 /// A spline for one stretch of as few cubic curves as are found, between nodes that stay where
 /// they are; with it that of its mirror image, if it is to have one.
 class FairTrial

@@ -2,6 +2,7 @@
 #include "Fairing/OutlineMirror.h"
 
 #include "Outlines/PatternText.h"
+#include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -277,6 +278,310 @@ double missOfCurves(
     }
   }
   return miss;
+}
+
+namespace
+{
+/// Of chords from what is drawn: millimetres, and of all that is drawn.
+constexpr double fineSamples = 1e-3;
+constexpr double fineShare = 1e-6;
+
+/// How far the image of a point is from lines, at most.
+double missOf(const Points2& points, const MirrorAxis& axis, const Segments& lines)
+{
+  double miss = 0.0;
+  for (const Point2& p : points)
+  {
+    miss = std::max(miss, distance(imageOf(p, axis), lines));
+  }
+  return miss;
+}
+
+Points2 meshPoints(const DrawingSource& all, const BorderChain& chain)
+{
+  Points2 points;
+  for (const Index v : chain.points)
+  {
+    points.push_back(all.at(v));
+  }
+  return points;
+}
+
+Points2 drawnPoints(const std::vector<FairSpan>& spans, double distance)
+{
+  Points2 points;
+  for (const FairSpan& span : spans)
+  {
+    sampleSpan(span, distance, points);
+  }
+  points.push_back(spans.back().control[3]);
+  return points;
+}
+
+/// Looks for the images of the stretches within a piece.
+class ImageSearch
+{
+public:
+  ImageSearch(const DrawingSource& all, const BorderChains& chains,
+    const std::vector<PlannedChain>& plan, const OutlineMirror& mirror)
+    : All(all)
+    , Chains(chains)
+    , Plan(plan)
+    , Mirror(mirror)
+  {
+    for (std::size_t c = 0; c < plan.size(); ++c)
+    {
+      const bool within =
+        c != mirror.chain && chains.chains()[c].piece == chains.chains()[mirror.chain].piece;
+      for (std::size_t s = 0; within && s < plan[c].stretches.size(); ++s)
+      {
+        const PlannedStretch& stretch = plan[c].stretches[s];
+        const bool raw = stretch.form == StretchForm::Raw && stretch.edges() > 1;
+        if (!raw && !stretch.smoothEnds)
+        {
+          this->Places.push_back({ c, s });
+          this->Points.push_back(this->pointsOf({ c, s }));
+        }
+      }
+    }
+  }
+
+  std::vector<MirroredStretches> find() const
+  {
+    std::vector<MirroredStretches> pairs;
+    std::vector<bool> taken(this->Places.size(), false);
+    for (std::size_t a = 0; a < this->Places.size(); ++a)
+    {
+      for (std::size_t b = a; b < this->Places.size() && !taken[a]; ++b)
+      {
+        for (const bool backwards : { true, false })
+        {
+          if (!taken[a] && !taken[b] && this->areImages(a, b, backwards))
+          {
+            taken[a] = taken[b] = true;
+            pairs.push_back({ this->Places[a], this->Places[b], backwards });
+          }
+        }
+      }
+    }
+    return pairs;
+  }
+
+private:
+  const PlannedStretch& at(std::size_t k) const
+  {
+    return this->Plan[this->Places[k].chain].stretches[this->Places[k].stretch];
+  }
+
+  Points2 pointsOf(const StretchPlace& place) const
+  {
+    const PlannedStretch& stretch = this->Plan[place.chain].stretches[place.stretch];
+    Points2 points;
+    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
+    {
+      points.push_back(this->All.at(this->Chains.chains()[place.chain].point(k)));
+    }
+    return points;
+  }
+
+  double lengthOf(std::size_t k) const
+  {
+    const std::vector<double>& arc = this->Chains.chains()[this->Places[k].chain].arc;
+    return arc[this->at(k).lastPoint] - arc[this->at(k).firstPoint];
+  }
+
+  bool areImages(std::size_t a, std::size_t b, bool backwards) const
+  {
+    const Points2& one = this->Points[a];
+    const Points2& other = this->Points[b];
+    const Point2& start = backwards ? other.back() : other.front();
+    const Point2& end = backwards ? other.front() : other.back();
+    if ((imageOf(one.front(), this->Mirror.axis) - start).norm() > 2.0 * mirrorTolerance ||
+      (imageOf(one.back(), this->Mirror.axis) - end).norm() > 2.0 * mirrorTolerance)
+    {
+      return false;
+    }
+    if (a == b && !backwards && this->at(a).form != StretchForm::Straight)
+    {
+      return false; // what is on the axis is straight
+    }
+    Segments lines;
+    Segments otherLines;
+    addSegments(one, false, lines);
+    addSegments(other, false, otherLines);
+    return missOf(one, this->Mirror.axis, otherLines) <= mirrorTolerance &&
+      missOf(other, this->Mirror.axis, lines) <= mirrorTolerance &&
+      std::abs(this->lengthOf(a) - this->lengthOf(b)) <= mirroredLengthTolerance;
+  }
+
+  const DrawingSource& All;
+  const BorderChains& Chains;
+  const std::vector<PlannedChain>& Plan;
+  const OutlineMirror& Mirror;
+  std::vector<StretchPlace> Places;
+  std::vector<Points2> Points;
+};
+}
+
+void findInnerMirror(const DrawingSource& all, const BorderChains& chains,
+  const std::vector<PlannedChain>& plan, OutlineMirror& mirror)
+{
+  if (mirror.found())
+  {
+    const std::vector<MirroredStretches> within = ImageSearch(all, chains, plan, mirror).find();
+    mirror.stretches.insert(mirror.stretches.end(), within.begin(), within.end());
+  }
+}
+
+InnerMirror measureInnerMirror(const DrawingSource& all, const BorderChains& chains,
+  const std::vector<std::vector<FairSpan>>& spans, std::size_t outline, const MirrorAxis& axis)
+{
+  std::vector<std::size_t> inner;
+  Segments lines;
+  for (std::size_t c = 0; c < chains.chains().size(); ++c)
+  {
+    const BorderChain& chain = chains.chains()[c];
+    if (c != outline && chain.piece == chains.chains()[outline].piece)
+    {
+      inner.push_back(c);
+      addSegments(meshPoints(all, chain), chain.closed, lines);
+    }
+  }
+  const auto hasNoImage = [&](std::size_t c) {
+    return missOf(meshPoints(all, chains.chains()[c]), axis, lines) > mirrorTolerance;
+  };
+  inner.erase(std::remove_if(inner.begin(), inner.end(), hasNoImage), inner.end());
+  InnerMirror mirror;
+  mirror.curves = inner.size();
+  double length = 0.0;
+  for (const std::size_t c : inner)
+  {
+    length += chains.chains()[c].length();
+  }
+  std::vector<Points2> drawn;
+  lines.clear();
+  for (const std::size_t c : inner)
+  {
+    drawn.push_back(drawnPoints(spans[c], std::max(fineSamples, fineShare * length)));
+    addSegments(drawn.back(), false, lines);
+  }
+  for (std::size_t k = 0; k < inner.size(); ++k)
+  {
+    const double miss = missOf(drawn[k], axis, lines);
+    if (miss > mirror.miss)
+    {
+      mirror.miss = miss;
+      const BorderChain& chain = chains.chains()[inner[k]];
+      mirror.worst = all.nameAlong(chain.point(0), chain.point(1));
+    }
+  }
+  return mirror;
+}
+
+namespace
+{
+constexpr double enough = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr int projections = 1000;
+
+/// Two intervals that are sewn to each other.
+struct Sewn
+{
+  PlannedInterval* one = nullptr;
+  PlannedInterval* other = nullptr;
+  double ratio = 1.0; ///< of their lengths, which differ where one is eased
+  bool holds = false; ///< the first keeps its length
+};
+
+bool isRaw(const PlannedChain& chain, std::size_t interval)
+{
+  const auto found = std::find_if(chain.stretches.begin(), chain.stretches.end(),
+    [interval](const PlannedStretch& stretch) { return interval < stretch.endInterval; });
+  return found != chain.stretches.end() && found->form == StretchForm::Raw;
+}
+
+std::vector<Sewn> sewnIntervals(std::vector<PlannedChain>& plan)
+{
+  std::vector<Sewn> sewn;
+  for (std::size_t c = 0; c < plan.size(); ++c)
+  {
+    for (std::size_t k = 0; k < plan[c].intervals.size(); ++k)
+    {
+      const std::array<std::size_t, 2> own{ c, k };
+      const std::array<std::size_t, 2> partner = plan[c].intervals[k].partner;
+      if (partner[0] == PlannedInterval::none ||
+        plan[partner[0]].intervals[partner[1]].partner != own)
+      {
+        continue;
+      }
+      const bool holds = isRaw(plan[c], k);
+      const bool otherHolds = isRaw(plan[partner[0]], partner[1]);
+      if (holds ? !otherHolds : !otherHolds && own < partner)
+      {
+        PlannedInterval& one = plan[c].intervals[k];
+        PlannedInterval& other = plan[partner[0]].intervals[partner[1]];
+        sewn.push_back({ &one, &other, one.length / other.length, holds });
+      }
+    }
+  }
+  return sewn;
+}
+
+double lengthOf(const PlannedChain& chain, std::size_t s)
+{
+  double length = 0.0;
+  for (std::size_t k = chain.stretches[s].firstInterval; k < chain.stretches[s].endInterval; ++k)
+  {
+    length += chain.intervals[k].length;
+  }
+  return length;
+}
+
+void scale(PlannedChain& chain, std::size_t s, double factor)
+{
+  for (std::size_t k = chain.stretches[s].firstInterval; k < chain.stretches[s].endInterval; ++k)
+  {
+    chain.intervals[k].length *= factor;
+  }
+}
+}
+
+void equalizeMirroredLengths(
+  const std::vector<OutlineMirror>& mirrors, std::vector<PlannedChain>& plan)
+{
+  const bool any = std::any_of(
+    mirrors.begin(), mirrors.end(), [](const OutlineMirror& mirror) { return mirror.found(); });
+  const std::vector<Sewn> sewn = any ? sewnIntervals(plan) : std::vector<Sewn>();
+  double change = any ? 1.0 : 0.0;
+  // Projections onto one condition after the other come to lengths that meet all of them. S.
+  // Kaczmarz, Angenaeherte Aufloesung von Systemen linearer Gleichungen, 1937.
+  for (int round = 0; round < projections && change > enough; ++round)
+  {
+    change = 0.0;
+    for (const OutlineMirror& mirror : mirrors)
+    {
+      for (const MirroredStretches& pair : mirror.stretches)
+      {
+        PlannedChain& one = plan[pair.one.chain];
+        PlannedChain& other = plan[pair.other.chain];
+        const double length = lengthOf(one, pair.one.stretch);
+        const double mean = (length + lengthOf(other, pair.other.stretch)) / 2.0;
+        if (!pair.own() && mean != length)
+        {
+          change = std::max(change, std::abs(mean / length - 1.0));
+          scale(other, pair.other.stretch, mean / (2.0 * mean - length));
+          scale(one, pair.one.stretch, mean / length);
+        }
+      }
+    }
+    for (const Sewn& pair : sewn)
+    {
+      const double one = pair.one->length;
+      const double wanted = pair.holds ? one : (one + pair.ratio * pair.other->length) / 2.0;
+      change = std::max(change, std::abs(wanted / one - 1.0));
+      pair.one->length = wanted;
+      pair.other->length = wanted / pair.ratio;
+    }
+  }
 }
 }
 }

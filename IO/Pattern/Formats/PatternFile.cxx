@@ -3,7 +3,7 @@
 
 #include "Drawing/PatternBuilder.h"
 #include "Drawing/SeamWalk.h"
-#include "Fairing/FairCache.h"
+#include "Fairing/FairBorders.h"
 #include "Formats/DxfWriter.h"
 #include "Formats/GarmentCode.h"
 #include "Formats/HpglWriter.h"

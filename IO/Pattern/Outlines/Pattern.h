@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Outlines/FairSpan.h"
 #include "Base/LengthUnit.h"
+#include "Outlines/FairSpan.h"
 
 #include <optional>
 #include <string>

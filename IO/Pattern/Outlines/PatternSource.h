@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Types.h"
 #include "Base/LengthUnit.h"
+#include "Base/Types.h"
 
 #include <algorithm>
 #include <array>
