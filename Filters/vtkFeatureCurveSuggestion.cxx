@@ -6,6 +6,7 @@
 #include "Flattening/FlatteningOptions.h"
 #include "ListChanges.h"
 #include "Suggestion/CurveSuggestion.h"
+#include "Suggestion/SearchOptions.h"
 #include "SuggestionOutput.h"
 #include "WeightInput.h"
 
@@ -16,6 +17,12 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkFeatureCurveSuggestion);
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveSuggestion::IsProposedName(const std::string& name)
+{
+  return flattening::isProposedName(name);
+}
 
 //------------------------------------------------------------------------------
 vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()

@@ -79,6 +79,8 @@
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkWireWarpingFilter.h"
 
+#include <string> // for names
+
 class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveSuggestion : public vtkWireWarpingFilter
 {
 public:
@@ -111,6 +113,9 @@ public:
   void SetSuggestedCutsToLines() { this->SetSuggestedCuts(LINES); }
   const char* GetSuggestedCutsAsString() const;
   ///@}
+
+  /// Whether a proposed cut or line may have this name, such as "dart 3".
+  static bool IsProposedName(const std::string& name);
 
   ///@{
   /**

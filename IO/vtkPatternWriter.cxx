@@ -2,6 +2,7 @@
 #include "vtkPatternWriter.h"
 
 #include "Base/Memory.h"
+#include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
 #include "FieldArrays.h"
 #include "Formats/FileAside.h"
@@ -13,9 +14,11 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkFeatureCurveAlgorithm.h"
+#include "vtkFeatureCurveSuggestion.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -198,6 +201,42 @@ Status vtkPatternWriter::WritePattern(int format)
     }
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPatternWriter::CheckCurveNames(vtkPolyData* curves, bool proposals)
+{
+  pattern::PatternSource source;
+  const auto add = [&source](const std::string& name) {
+    source.wires.emplace_back();
+    source.wires.back().type = pattern::WireType::Accessory;
+    source.wires.back().name = name;
+  };
+  auto* const names = vtkStringArray::SafeDownCast(
+    curves ? curves->GetCellData()->GetAbstractArray("CurveName") : nullptr);
+  for (vtkIdType k = 0; names && k < names->GetNumberOfValues(); ++k)
+  {
+    add(names->GetValue(k));
+  }
+  const auto addProposed = [&add, proposals](const std::string& name) {
+    if (proposals && vtkFeatureCurveSuggestion::IsProposedName(name))
+    {
+      add(name);
+    }
+  };
+  std::for_each(this->Folds.begin(), this->Folds.end(), addProposed);
+  const auto named = this->GetCurvesWithOptions();
+  for (vtkIdType k = 0; k < named->GetNumberOfValues(); ++k)
+  {
+    addProposed(named->GetValue(k));
+  }
+  const Status status = pattern::checkPatternOptions(source, this->MakeOptions(AUTOMATIC).pattern);
+  this->Keep(status);
+  if (!status.ok())
+  {
+    this->Refuse(errorCodeOf(status.code), status);
+  }
+  return status.ok();
 }
 
 //------------------------------------------------------------------------------

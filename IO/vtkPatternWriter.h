@@ -410,6 +410,14 @@ public:
   ///@}
 
   /**
+   * For use before a flattening that takes long: whether all curves that have an option here, or
+   * are folds, are among the lines of `curves` (cell array `CurveName`, as of the output 1 of
+   * vtkFeatureCurveImprinter), or "boundary"; with `proposals` also whether their names are those
+   * that vtkFeatureCurveSuggestion gives, such as "dart 3". False is an error like one of Write().
+   */
+  bool CheckCurveNames(vtkPolyData* curves, bool proposals = false);
+
+  /**
    * The names of all curves that have an allowance, notches, a dart tip or a FairTolerance of their
    * own, each once, in alphabetical order.
    */

@@ -4,12 +4,14 @@
 #include "InputError.h"
 #include "OutputFiles.h"
 #include "Patterns.h"
+#include "PlainText.h"
 #include "Report.h"
 #include "Sizes.h"
 
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <iostream>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -24,7 +26,7 @@ constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vt
 constexpr const char* curvesName = "curves.vtp";
 constexpr const char* flattenableName = "flattenable.vtp";
 constexpr const char* sewnName = "sewn.vtp";
-constexpr std::array<const char*, 11> patternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
+constexpr std::array<const char*, 11> allPatternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
   "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt", "nest.svg", "rules.csv",
   "pattern.rul" };
 constexpr const char* reportName = "report.json";
@@ -54,7 +56,7 @@ InputFiles inputFiles(const Options& options)
 /// A pattern of an earlier run must not be cut for this one's.
 void discardPatterns(OutputFiles& files)
 {
-  for (const char* name : patternNames)
+  for (const char* name : allPatternNames)
   {
     files.discard(name);
   }
@@ -109,6 +111,76 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
 }
 }
 
+namespace
+{
+void demandPlaces(const Options& options, const OutputFiles& files)
+{
+  for (const char* name : dataNames)
+  {
+    files.demandPlace(name);
+  }
+  for (const PatternName& name : patternNames(options.pattern, options.sizes.any()))
+  {
+    files.demandPlace(name.file);
+  }
+  files.demandPlace(reportName);
+}
+
+/// Of a run that takes long: whether its pattern fits on cloth and paper, as the surface lies flat
+/// without it. A refusal where that is out of the question; what proposed cuts may mend is warned
+/// of.
+Flattening rehearse(const Options& options, OutputFiles& files)
+{
+  Options plain = options;
+  plain.suggest.clear();
+  plain.reshaping = {};
+  plain.resewing = {};
+  plain.priceKeys = false;
+  plain.picture = {};
+  plain.quiet = true;
+  plain.pattern = {};
+  plain.pattern.unit = options.pattern.unit;
+  PatternRequest layout = plain.pattern;
+  layout.allowance = options.pattern.allowance;
+  layout.fairTolerance = 0.0;
+  layout.fabricWidth = options.pattern.fabricWidth;
+  layout.paper = options.pattern.paper;
+  layout.maximumPages = options.pattern.maximumPages;
+  // A sheet that is too large for PDF may be divided.
+  layout.pdf = options.pattern.pdf && (options.suggest.empty() || layout.paper != "sheet");
+  const bool isLong = !options.suggest.empty() || options.reshaping.any() ||
+    options.resewing.any() || options.priceKeys;
+  Flattening trial;
+  if (!isLong || !layout.any())
+  {
+    return trial;
+  }
+  trial = flattenOne(plain);
+  if (trial.refused()) // closed surfaces, for example, which cuts open
+  {
+    return {};
+  }
+  const int pieces =
+    options.suggest == "seams" || options.suggest == "all" ? options.maximumCuts + 1 : 1;
+  const bool moves = !options.suggest.empty() || options.reshaping.any();
+  const std::string problem = layoutProblem(layout, options.surface, 1, trial, files);
+  Flattening refused;
+  if (problem.empty())
+  {
+    return refused;
+  }
+  if (moves && layoutProblem(layout, options.surface, 2 * pieces, trial, files).empty())
+  {
+    std::cerr << "wirewarp: warning: before any cut, " << plainText(problem) << '\n';
+    return refused;
+  }
+  refused.exitCode = InputRefused;
+  refused.status = "PatternTooLarge";
+  refused.message = options.surface + ": " + problem;
+  return refused;
+}
+}
+
 //------------------------------------------------------------------------------
 void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
 {
@@ -117,7 +189,7 @@ void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
   {
     inputs.refuseToReplace(folder / name, "--output");
   }
-  for (const char* name : patternNames)
+  for (const char* name : allPatternNames)
   {
     inputs.refuseToReplace(folder / name, "--output");
   }
@@ -143,35 +215,37 @@ FilesOfFlattening flattenToFiles(const Options& options)
   FilesOfFlattening written;
   written.folder = outputFolder(options);
   refuseToReplaceInputs(inputFiles(options), options);
-  std::error_code ignored;
-  std::optional<OutputFiles> files; // a default folder is not made for a refusal alone
-  if (!options.output.empty() || std::filesystem::is_directory(written.folder, ignored))
-  {
-    files.emplace(written.folder);
-    files->claim();
-  }
-  std::optional<OutputFiles> picture; // before the work, which would be lost
+  std::optional<OutputFiles> picture;
   if (options.picture.any())
   {
     picture.emplace(options.picture.folder(), "--picture");
   }
-  written.result = flattenOne(options);
+  // Where files cannot be put is found before the work, which would be lost.
+  std::error_code ignored;
+  const bool existed = std::filesystem::exists(written.folder, ignored);
+  OutputFiles files(written.folder);
+  files.claim();
+  demandPlaces(options, files);
+  written.result = rehearse(options, files);
+  if (!written.result.refused())
+  {
+    written.result = flattenOne(options);
+  }
   if (options.sizes.any() && !written.result.refused())
   {
     gradeSizes(options, written.result);
   }
   if (written.result.refused())
   {
-    if (files)
+    if (existed || !options.output.empty())
     {
-      writeRefusal(options, written.result, *files);
+      writeRefusal(options, written.result, files);
+    }
+    else // a default folder is not made for a refusal alone
+    {
+      std::filesystem::remove(written.folder, ignored);
     }
     return written;
-  }
-  if (!files)
-  {
-    files.emplace(written.folder);
-    files->claim();
   }
   try
   {
@@ -187,7 +261,7 @@ FilesOfFlattening flattenToFiles(const Options& options)
     {
       written.result.unwritten.emplace_back(error.what());
     }
-    written.patterns = writeResult(options, written.result, *files);
+    written.patterns = writeResult(options, written.result, files);
     if (written.picture)
     {
       picture->publish();
@@ -196,8 +270,8 @@ FilesOfFlattening flattenToFiles(const Options& options)
   catch (const std::bad_alloc&)
   {
     written.result = outOfMemory(options.surface);
-    files->abandon();
-    writeRefusal(options, written.result, *files);
+    files.abandon();
+    writeRefusal(options, written.result, files);
   }
   return written;
 }

@@ -7,6 +7,7 @@
 #include "InputError.h"
 #include "MovedCurves.h"
 #include "NumberNames.h"
+#include "Patterns.h"
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
@@ -346,6 +347,12 @@ Flattening flattenOne(const Options& options, const std::string& base)
     setBody(options.body, filter);
     const std::vector<std::string> curveFiles = readInput(options, base, filter, result);
     result.secondsRead = secondsSince(start);
+    checkCurveNames(options.pattern, options.surface, filter, result);
+    if (result.refused())
+    {
+      result.message = options.surface + ": " + result.message;
+      return result;
+    }
     run(filter, options.quiet, result);
     checkBound(options, result);
     const int curves = filter->GetStatusConnection();

@@ -67,6 +67,18 @@ void OutputFiles::claim()
 }
 
 //------------------------------------------------------------------------------
+void OutputFiles::demandPlace(const std::string& name) const
+{
+  const std::filesystem::path file = this->Folder / name;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(std::filesystem::symlink_status(file, ignored)))
+  {
+    throw InputError(file.string(),
+      "cannot be written (a folder of this name is in the way)" + this->SuggestedRemedy);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::filesystem::path OutputFiles::addEntry(const std::string& name)
 {
   std::random_device random; // where folders cannot be claimed two runs may write to one
@@ -132,16 +144,12 @@ std::string OutputFiles::add(
 //------------------------------------------------------------------------------
 void OutputFiles::publish()
 {
-  std::error_code error;
   for (const Entry& entry : this->Entries)
   {
     // Before any file is in place, so that none is where another is missing.
-    if (std::filesystem::is_directory(std::filesystem::symlink_status(entry.final, error)))
-    {
-      throw InputError(entry.final.string(),
-        "cannot be written (a folder of this name is in the way)" + this->SuggestedRemedy);
-    }
+    this->demandPlace(entry.final.filename().string());
   }
+  std::error_code error;
   if (this->Entries.size() > 1)
   {
     std::filesystem::remove(this->Entries.back().final, error);

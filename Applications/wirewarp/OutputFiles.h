@@ -29,6 +29,8 @@ public:
   /// Keeps other runs out of the folder, so that no file of theirs comes among these. Throws
   /// InputError where another run has it.
   void claim();
+  /// Throws InputError where a folder stands where a file is to be put.
+  void demandPlace(const std::string& name) const;
   /// Throw InputError where the file cannot be written.
   void add(const std::string& name, vtkPolyData* data);
   void add(const std::string& name, const std::string& text);

@@ -9,13 +9,17 @@
 #include "PlainText.h"
 #include "VtkMessages.h"
 
+#include <vtkFeatureCurveAlgorithm.h>
+#include <vtkFeatureCurveImprinter.h>
 #include <vtkPatternWriter.h>
+#include <vtkStringArray.h>
 
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <new>
 #include <set>
+#include <utility>
 
 namespace wirewarp
 {
@@ -132,6 +136,96 @@ std::string refusalOf(vtkPatternWriter* writer, const std::string& path)
   const std::size_t at = defect.find(path + ' ');
   return messageOf(at == 0 ? defect.substr(path.size() + 1) : defect, remediesOf(writer));
 }
+
+/// \return what is wrong, or nothing
+std::string write(vtkPatternWriter* writer, const PatternName& name, OutputFiles& files)
+{
+  writer->SetFileFormat(name.format);
+  return files.add(name.file, [writer](const std::string& path) {
+    writer->SetFileName(path.c_str());
+    return writer->Write() == 1 ? std::string() : refusalOf(writer, path);
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<PatternName> patternNames(const PatternRequest& request, bool graded)
+{
+  const std::vector<std::pair<bool, PatternName>> all{
+    { request.svg, { "pattern.svg", vtkPatternWriter::SVG } },
+    { request.pdf, { "pattern.pdf", vtkPatternWriter::PDF } },
+    { request.dxf, { "pattern.dxf", vtkPatternWriter::DXF } },
+    { request.plt, { "pattern.plt", vtkPatternWriter::HPGL } },
+    { request.garmentCode, { "pattern.json", vtkPatternWriter::GARMENT_CODE } },
+    { request.walk, { "walk.csv", vtkPatternWriter::WALK } },
+    { graded, { "nest.svg", vtkPatternWriter::NEST } },
+    { graded, { "rules.csv", vtkPatternWriter::GRADE_LIST } },
+    { graded && request.dxf, { "pattern.rul", vtkPatternWriter::RULE_TABLE } },
+    { request.fabricWidth > 0.0, { "lay.svg", vtkPatternWriter::SVG, true } },
+    { request.fabricWidth > 0.0 && request.plt, { "lay.plt", vtkPatternWriter::HPGL, true } },
+  };
+  std::vector<PatternName> names;
+  for (const auto& [wanted, name] : all)
+  {
+    if (wanted)
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void checkCurveNames(const PatternRequest& request, const std::string& surface,
+  vtkFeatureCurveAlgorithm* filter, Flattening& result)
+{
+  const VtkMessages messages;
+  vtkNew<vtkPatternWriter> writer;
+  configure(writer, request, surface, result.unit);
+  if (!request.any() ||
+    (request.folds.empty() && writer->GetCurvesWithOptions()->GetNumberOfValues() == 0))
+  {
+    return;
+  }
+  vtkNew<vtkFeatureCurveImprinter> imprinter;
+  imprinter->SetInputConnection(filter->GetInputConnection(0, 0));
+  for (int k = 0; k < filter->GetNumberOfInputConnections(1); ++k)
+  {
+    imprinter->AddCurvesConnection(filter->GetInputConnection(1, k));
+  }
+  imprinter->SetSplitTriangles(filter->GetSplitTriangles());
+  imprinter->SetImprintTolerance(filter->GetImprintTolerance());
+  imprinter->SetSnapTolerance(filter->GetSnapTolerance());
+  imprinter->Update();
+  if (!imprinter->IsRefused() &&
+    !writer->CheckCurveNames(
+      imprinter->GetOutput(1), filter->IsA("vtkFeatureCurveSuggestion") != 0))
+  {
+    result.exitCode = InputRefused;
+    result.status = writer->GetStatusName();
+    result.message = refusalOf(writer, "");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string layoutProblem(const PatternRequest& request, const std::string& surface, int times,
+  const Flattening& result, OutputFiles& files)
+{
+  const VtkMessages messages;
+  vtkNew<vtkPatternWriter> writer;
+  configure(writer, request, surface, result.unit);
+  writer->SetInputData(0, result.flat);
+  writer->SetInputData(1, result.wires);
+  writer->SetInputData(2, result.cut);
+  writer->SetFabricWidth(times * request.fabricWidth);
+  writer->SetMaximumPages(times * request.maximumPages);
+  std::string problem;
+  for (const PatternName& name : patternNames(request, false))
+  {
+    problem = problem.empty() ? write(writer, name, files) : problem;
+  }
+  files.abandon();
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -151,22 +245,16 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   {
     writer->SetInputData(3, result.grading);
   }
-  const auto add = [&](bool wanted, const std::string& name, int format) {
-    if (!wanted)
-    {
-      return;
-    }
+  for (const PatternName& name : patternNames(request, result.grading))
+  {
     const VtkMessages messages;
-    writer->SetFileFormat(format);
-    const std::string problem = files.add(name, [&writer](const std::string& path) {
-      writer->SetFileName(path.c_str());
-      return writer->Write() == 1 ? std::string() : refusalOf(writer, path);
-    });
+    writer->SetFabricWidth(name.onCloth ? request.fabricWidth : 0.0);
+    const std::string problem = write(writer, name, files);
     if (!problem.empty())
     {
       std::string& failed = failures[problem];
-      failed += (failed.empty() ? "" : ", ") + files.path(name);
-      return;
+      failed += (failed.empty() ? "" : ", ") + files.path(name.file);
+      continue;
     }
     for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
     {
@@ -176,20 +264,8 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     {
       notes.emplace(writer->GetNote(k), writer->GetNoteKind(k));
     }
-    names.push_back(name);
-  };
-  add(request.svg, "pattern.svg", vtkPatternWriter::SVG);
-  add(request.pdf, "pattern.pdf", vtkPatternWriter::PDF);
-  add(request.dxf, "pattern.dxf", vtkPatternWriter::DXF);
-  add(request.plt, "pattern.plt", vtkPatternWriter::HPGL);
-  add(request.garmentCode, "pattern.json", vtkPatternWriter::GARMENT_CODE);
-  add(request.walk, "walk.csv", vtkPatternWriter::WALK);
-  add(result.grading, "nest.svg", vtkPatternWriter::NEST);
-  add(result.grading, "rules.csv", vtkPatternWriter::GRADE_LIST);
-  add(result.grading && request.dxf, "pattern.rul", vtkPatternWriter::RULE_TABLE);
-  writer->SetFabricWidth(request.fabricWidth);
-  add(request.fabricWidth > 0.0, "lay.svg", vtkPatternWriter::SVG);
-  add(request.fabricWidth > 0.0 && request.plt, "lay.plt", vtkPatternWriter::HPGL);
+    names.emplace_back(name.file);
+  }
   for (const auto& [problem, failed] : failures)
   {
     result.unwritten.push_back(failed);

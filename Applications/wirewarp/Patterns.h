@@ -6,10 +6,34 @@
 #include <string>
 #include <vector>
 
+class vtkFeatureCurveAlgorithm;
+
 namespace wirewarp
 {
 struct Flattening;
 class OutputFiles;
+
+/// A file of a pattern.
+struct PatternName
+{
+  const char* file;
+  int format;           ///< of vtkPatternWriter
+  bool onCloth = false; ///< its pieces are laid on cloth
+};
+
+/// The files that are asked for.
+/// \param graded in several sizes
+std::vector<PatternName> patternNames(const PatternRequest& request, bool graded);
+
+/// Before the surface is flattened: refuses options for curves that are not there.
+/// \param filter which has the curves, and may propose others
+void checkCurveNames(const PatternRequest& request, const std::string& surface,
+  vtkFeatureCurveAlgorithm* filter, Flattening& result);
+
+/// Why the files of a pattern cannot be made of flat pieces, or nothing. No file is left.
+/// \param times multiplies the width of the cloth and the number of pages
+std::string layoutProblem(const PatternRequest& request, const std::string& surface, int times,
+  const Flattening& result, OutputFiles& files);
 
 /// Adds pattern.svg, pattern.pdf, pattern.dxf, pattern.plt, pattern.json, walk.csv, lay.svg,
 /// lay.plt, nest.svg, rules.csv and pattern.rul to the files.

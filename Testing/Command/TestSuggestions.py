@@ -66,6 +66,67 @@ class Suggestions(command.CommandTest):
         uncut = self.flatten("dome.obj")
         self.assertTrue(math.isclose(uncut["pieces"][0]["strain_p95"], strain, rel_tol=1e-9))
 
+    def test_names_that_are_not_there_are_refused_before_the_search(self):
+        self.write("hem.txt", "edge hem 0 1 2 3\n")
+        for cuts in ("all", "darts", "lines"):
+            for option in ("--fold", "--double-notches", "--curve-notch", "--curve-allowance", "--curve-fair",
+                           "--curve-dart-tip"):
+                for name in ("hen", "dart", "dart 1x", "seams 2"):
+                    with self.subTest(cuts=cuts, option=option, name=name):
+                        value = name if option in ("--fold", "--double-notches") else name + "=3"
+                        report = self.flatten("dome.obj", "hem.txt", "--unit", "cm", "--svg", "--suggest", cuts,
+                                              option, value, code=3)
+                        self.assertEqual(report["status"], "InvalidOption")
+                        self.assertIn(name + ", which is not there; there are boundary, hem", report["message"])
+                        self.assertEqual(os.listdir(self.path("out")), ["report.json"])
+            self.write("stiff.json", '{"warp": 100, "weft": 100, "shear": 5, "cross": 0}')
+            report = self.flatten("dome.obj", "hem.txt", "--suggest", cuts, "--material", "stiff.json",
+                                  "--grain", "hen:45", code=3)
+            self.assertEqual(report["status"], "InvalidOption")
+            self.assertIn('no curve is named "hen"', report["message"])
+            self.assertIn('--grain: "hem"', report["message"])
+        # Those of proposed cuts are known only then, those of curves are there.
+        for name in ("dart 1", "hem", "boundary"):
+            report = self.flatten("dome.obj", "hem.txt", "--unit", "cm", "--svg", "--suggest", "darts",
+                                  "--bound", "0.06", "--curve-allowance", name + "=7")
+            self.assertEqual((report["status"], report["unwritten"]), ("Ok", []))
+
+    def test_cloth_and_paper_that_cannot_do_are_refused_before_the_search(self):
+        for factor, unit in ((1, "m"), (100, "cm"), (1000, "mm")):
+            points = [tuple(factor * x for x in point) for point in self.points]
+            self.write("dome.obj", command.obj(points, self.triangles))
+            for search, asked, width in (
+                    (("--suggest", "darts"), ("--fabric-width", "140"), 280),
+                    (("--suggest", "lines"), ("--fabric-width", "140"), 280),
+                    (("--suggest", "all"), ("--fabric-width", "1.4"), 280),
+                    (("--suggest", "seams", "--max-cuts", "2"), ("--fabric-width", "140"), 840),
+                    (("--resew", "panel"), ("--fabric-width", "1400"), 1400),
+                    (("--suggest", "all"), ("--pdf", "--max-pages", "1"), 0),
+                    (("--flattenable", "0.05"), ("--pdf", "--max-pages", "1"), 0)):
+                with self.subTest(unit=unit, search=search, asked=asked):
+                    report = self.flatten("dome.obj", "--unit", unit, "--svg", *search, *asked, code=3)
+                    self.assertEqual(report["status"], "PatternTooLarge")
+                    self.assertIn("the cloth " + asked[1] + " mm" if width else "more than 1;", report["message"])
+                    self.assertEqual(os.listdir(self.path("out")), ["report.json"])
+        # Seams may divide what is too wide, and a cloth that is wide enough is not a word worth.
+        for width, said in (("1000", True), ("4000", False)):
+            run = self.run_command("dome.obj", "--unit", "mm", "--suggest", "all", "--bound", "0.1",
+                                   "--fabric-width", width, "--output", "out", "--quiet")
+            self.assertEqual("before any cut, piece dome is" in run.stderr, said, run.stderr)
+            self.assertIn("flat.vtp", os.listdir(self.path("out")))
+
+    def test_folders_in_the_way_of_files_are_found_before_the_search(self):
+        for name, asked in (("pattern.svg", "--svg"), ("pattern.dxf", "--dxf"), ("walk.csv", "--walk"),
+                            ("flat.vtp", "--walk"), ("report.json", "--svg")):
+            for folder in ("dome_flat", "out"):
+                os.makedirs(os.path.join(self.path(folder), name))
+                options = () if folder == "dome_flat" else ("--output", folder)
+                run = self.run_command("dome.obj", "--unit", "cm", "--suggest", "all", asked, *options)
+                self.assertEqual((run.returncode, run.stdout), (3, ""))
+                self.assertRegex(run.stderr, f"^wirewarp: error: .*{name}: cannot be written .a folder of this name")
+                self.assertEqual(os.listdir(self.path(folder)), [name])
+                os.rmdir(os.path.join(self.path(folder), name))
+
     def test_nothing_is_cut_that_lies_flat(self):
         self.write("sheet.obj", command.obj(*command.sheet()))
         run = self.run_command("sheet.obj", "--suggest", "all", "--output", "out")

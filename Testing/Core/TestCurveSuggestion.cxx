@@ -14,6 +14,9 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -415,6 +418,29 @@ TEST(CurveSuggestion, RefusesWhatIsNoOption)
   const Status status = suggestCurves(dome(0.2), {}, options).status;
   EXPECT_EQ(status.code, StatusCode::InvalidOption);
   EXPECT_NE(status.message.find("nobody"), std::string::npos);
+}
+
+TEST(CurveSuggestion, RefusesAGrainAlongNoCurveBeforeTheSearch)
+{
+  for (const bool lines : { false, true })
+  {
+    for (const auto& [names, code] :
+      std::vector<std::pair<std::vector<std::string>, StatusCode>>{
+        { { "hem" }, StatusCode::InvalidOption }, { { "hem", "waist" }, StatusCode::InvalidOption },
+        { { "dart" }, StatusCode::InvalidOption }, { { "dart 12" }, StatusCode::Ok },
+        { { "hem", "grain line 1" }, StatusCode::Ok } })
+    {
+      SuggestionOptions options = optionsOf(0.3, 4);
+      options.search.cuts = lines ? SuggestedCuts::Lines : SuggestedCuts::All;
+      options.flattening.cloth.emplace().grain = GrainKind::Curve;
+      options.flattening.cloth->grainCurves = names;
+      options.flattening.cloth->grainAngles.resize(names.size());
+      const Status status = suggestCurves(dome(0.2), {}, options).status;
+      EXPECT_EQ(status.code, code) << names.front() << ": " << status.message;
+      EXPECT_EQ(status.message.find("no curve is named \"" + names.front()) != std::string::npos,
+        code != StatusCode::Ok);
+    }
+  }
 }
 
 TEST(CurveSuggestion, CutsABallIntoPiecesThatFlatten)

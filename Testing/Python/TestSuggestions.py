@@ -207,6 +207,9 @@ class Suggestions(unittest.TestCase):
             sf.suggest(points, triangles, bound=-1)
         with self.assertRaisesRegex(sf.FlatteningError, 'no curve is named "waist"'):
             sf.suggest(points, triangles, prefer={"waist": 2.0})
+        for grain in ("waist", "waist:45", ["waist", "hem:30"]):
+            with self.assertRaisesRegex(sf.FlatteningError, 'no curve is named "waist".*grain'):
+                sf.suggest(points, triangles, material="twill", grain=grain)
 
 
 if __name__ == "__main__":

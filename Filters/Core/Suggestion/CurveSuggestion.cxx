@@ -411,7 +411,7 @@ CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyl
   const SuggestionOptions& options, const Execution& execution)
 {
   CurveSuggestions refused;
-  refused.status = checkSearch(options.search, curves);
+  refused.status = checkSearch(options.search, options.flattening, curves);
   if (refused.status.ok())
   {
     refused.status = checkWeights(options.weights, mesh.triangleCount());

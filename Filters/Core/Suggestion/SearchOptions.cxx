@@ -3,10 +3,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace flattening
 {
-Status checkSearch(const SearchOptions& options, const std::vector<Polyline>& curves)
+namespace
+{
+constexpr std::size_t mostNames = 8;
+
+Status checkGrain(const FlatteningOptions& flattening, const std::vector<Polyline>& curves)
+{
+  if (!flattening.cloth || flattening.cloth->grain != GrainKind::Curve)
+  {
+    return {};
+  }
+  const std::vector<std::string>& wanted = flattening.cloth->grainCurves;
+  std::set<std::string> known;
+  for (const Polyline& curve : curves)
+  {
+    known.insert(curve.name);
+  }
+  if (std::any_of(wanted.begin(), wanted.end(), [&known](const std::string& name) {
+        return known.count(name) > 0 || isProposedName(name);
+      }))
+  {
+    return {};
+  }
+  const auto listed = [](const auto& names) {
+    std::string list;
+    std::size_t left = mostNames;
+    for (const std::string& name : names)
+    {
+      if (left-- == 0)
+      {
+        return list + ", ...";
+      }
+      list += (list.empty() ? "\"" : ", \"") + name + "\"";
+    }
+    return list;
+  };
+  Status status{ StatusCode::InvalidOption,
+    "no curve is named " + listed(wanted) + ", along which the grain is to lie" };
+  if (!known.empty())
+  {
+    status.remedies.emplace_back(Remedy::NameGrain, listed(known));
+  }
+  status.remedies.emplace_back(Remedy::GiveGrainAngle);
+  return status;
+}
+}
+
+bool isProposedName(const std::string& name)
+{
+  const char* const kinds[] = { "dart ", "seam ", "centre line ", "grain line ", "girth ",
+    "style line " };
+  const std::size_t number = name.find_last_not_of("0123456789") + 1;
+  return number < name.size() &&
+    std::any_of(std::begin(kinds), std::end(kinds),
+      [&](const char* kind) { return name.compare(0, number, kind) == 0; });
+}
+
+Status checkSearch(const SearchOptions& options, const FlatteningOptions& flattening,
+  const std::vector<Polyline>& curves)
 {
   const auto refusal = [](const std::string& message, const std::string& wanted) {
     return Status{ StatusCode::InvalidOption, message, {}, { { Remedy::Give, wanted } } };
@@ -45,6 +104,6 @@ Status checkSearch(const SearchOptions& options, const std::vector<Polyline>& cu
         "a number from 0");
     }
   }
-  return {};
+  return checkGrain(flattening, curves);
 }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Base/Status.h"
+#include "Flattening/FlatteningOptions.h"
 #include "Surface/FeatureCurve.h"
 
 #include <limits>
@@ -69,6 +70,11 @@ enum class SearchEnd
   Interrupted ///< by the caller
 };
 
-/// Errors: InvalidOption (a number out of its range, a preference for a curve that there is not).
-Status checkSearch(const SearchOptions& options, const std::vector<Polyline>& curves);
+/// Whether a proposed cut or line may have this name, such as "dart 3".
+bool isProposedName(const std::string& name);
+
+/// Errors: InvalidOption (a number out of its range, a preference for a curve that there is not, a
+/// grain along curves of which there is none and that are not proposed either).
+Status checkSearch(const SearchOptions& options, const FlatteningOptions& flattening,
+  const std::vector<Polyline>& curves);
 }

@@ -54,8 +54,8 @@ Status checkName(const PatternSource& source, const std::string& what, const std
   return invalidOption(
     what + " names the curve " + wanted + ", which is not there; there are " + names);
 }
+}
 
-/// Errors: InvalidOption where a value is out of range, or a curve is named that is not there.
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
 {
   if (!isLength(options.allowance))
@@ -167,6 +167,8 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   return {};
 }
 
+namespace
+{
 Status checkSource(const PatternSource& source, std::size_t& pieces)
 {
   pieces = 0;

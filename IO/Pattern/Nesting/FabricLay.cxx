@@ -201,7 +201,7 @@ public:
           "piece " + piece.name + " is " + formatNumber(this->Kinds.back().extent.x(), 1) +
             " mm wide across its grain, and the cloth " + formatNumber(this->Options.width, 1) +
             " mm",
-          {}, { { Remedy::Give, "a wider cloth, or another grain" } } };
+          {}, { { Remedy::Give, "a wider cloth, its width in millimeters, or another grain" } } };
       }
     }
     this->improve();
