@@ -22,8 +22,8 @@ struct PathOffset
 /// out; all else stays, however often the path crosses itself. A path that ends on the boundary is
 /// followed round its end until the boundary is met again.
 ///
-/// Exact on the triangulated surface, but for arcs, for which tangents stand that turn by 4 degrees
-/// at most: they meet up to six ten-thousandths of the arc's radius farther away.
+/// Within a thousandth of the distance on the triangulated surface: for arcs tangents stand that
+/// turn by 4 degrees at most, and meet up to six ten-thousandths of the arc's radius farther away.
 /// \param distance positive to the left, negative to the right of who walks on the outside
 ///
 /// Errors: EmptySurface; InvalidCurve (the path is not on the surface, or has no length; or a point
