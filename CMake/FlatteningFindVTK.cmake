@@ -25,6 +25,10 @@ if (SURFACEFLATTENING_BUILD_APPLICATIONS OR SURFACEFLATTENING_BUILD_EXAMPLES OR 
     TestingCore
     TestingRendering)
 endif ()
+if (SURFACEFLATTENING_BUILD_INTERACTION)
+  set(flattening_vtk_optional InteractionWidgets RenderingOpenGL2)
+  list(APPEND flattening_vtk_build_components ${flattening_vtk_optional} RenderingCore)
+endif ()
 if (SURFACEFLATTENING_WRAP_PYTHON)
   list(APPEND flattening_vtk_build_components
     Python

@@ -16,6 +16,10 @@ function (flattening_build_module)
     list(APPEND files "${CMAKE_CURRENT_SOURCE_DIR}/IO/vtk.module")
     list(APPEND names SurfaceFlattening::IOPattern)
   endif ()
+  if (SURFACEFLATTENING_BUILD_INTERACTION)
+    list(APPEND files "${CMAKE_CURRENT_SOURCE_DIR}/Interaction/vtk.module")
+    list(APPEND names SurfaceFlattening::InteractionFlattening)
+  endif ()
   vtk_module_scan(
     MODULE_FILES      ${files}
     PROVIDES_MODULES  modules

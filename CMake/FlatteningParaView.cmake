@@ -2,6 +2,7 @@
 # and the plugin that shows it there. ./test-paraview makes such a build tree on Debian.
 set(SURFACEFLATTENING_BUILD_APPLICATIONS OFF)
 set(SURFACEFLATTENING_BUILD_EXAMPLES OFF)
+set(SURFACEFLATTENING_BUILD_INTERACTION OFF)
 set(SURFACEFLATTENING_WRAP_PYTHON OFF)
 set(flattening_plugin_testing "${BUILD_TESTING}")
 set(BUILD_TESTING OFF) # the module's own tests are those of the first build tree

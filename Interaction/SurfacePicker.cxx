@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace flattening
+{
 namespace interaction
 {
 namespace
@@ -136,5 +138,6 @@ Symmetry SurfacePicker::symmetry() const
     }
   }
   return best;
+}
 }
 }

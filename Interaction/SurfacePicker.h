@@ -9,6 +9,8 @@
 
 #include <array>
 
+namespace flattening
+{
 namespace interaction
 {
 /// A plane.
@@ -47,4 +49,5 @@ private:
   vtkNew<vtkStaticCellLocator> Locator;
   vtkSmartPointer<vtkPolyData> Surface;
 };
+}
 }

@@ -3,8 +3,8 @@
  * @class vtkFeatureCurveWidget
  * @brief draw feature curves on a surface by mouse and keys
  *
- * The hand at a vtkFeatureCurveEditor, for any program with a vtkRenderWindowInteractor; it needs
- * VTK's rendering and nothing else. While the widget is enabled,
+ * Changes the curves of a vtkFeatureCurveEditor, in any program with a vtkRenderWindowInteractor.
+ * While the widget is enabled,
  *
  * - after NEW_CURVE clicks add nodes, and the next segment follows the mouse. A click on the first
  *   node closes the curve; FINISH, or a click with the right button, ends it. UNDO takes nodes
@@ -28,36 +28,65 @@
  * data, when what the mouse or a key asked for was refused: GetHint() says so too, until the mouse
  * moves. Changes of curves are those of the editor.
  *
- * @sa vtkFeatureCurveEditor
+ * @code
+ * vtkNew<vtkFeatureCurveEditor> editor;
+ * editor->SetSurface(surface);
+ * vtkNew<vtkRenderWindowInteractor> interactor; // of the window that shows the surface
+ * vtkNew<vtkFeatureCurveWidget> widget;
+ * widget->SetInteractor(interactor);
+ * widget->SetEditor(editor);
+ * widget->SetSurface(surface);
+ * widget->SetEnabled(1);
+ * @endcode
+ *
+ * @warning Give the editor and the widget the same surface; a changed one has to be set again.
+ *
+ * @sa vtkFeatureCurveEditor vtkFeatureCurveRepresentation
  */
 #ifndef vtkFeatureCurveWidget_h
 #define vtkFeatureCurveWidget_h
 
-#include "CurveActors.h"
-#include "SurfacePicker.h"
+#include "vtkAbstractWidget.h"
+#include "vtkInteractionFlatteningModule.h" // for the export macro
+#include "vtkNew.h"                         // for the stroke
+#include "vtkSmartPointer.h"                // for the editor
 
-#include <vtkInteractorObserver.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkSmartPointer.h>
-
-#include <string>
+#include <array>  // for pixels
+#include <memory> // for the picker
+#include <string> // for words
 
 class vtkFeatureCurveEditor;
+class vtkFeatureCurveRepresentation;
+class vtkPoints;
+class vtkPolyData;
 
-class vtkFeatureCurveWidget : public vtkInteractorObserver
+namespace flattening
+{
+namespace interaction
+{
+class SurfacePicker;
+}
+}
+
+class VTKINTERACTIONFLATTENING_EXPORT vtkFeatureCurveWidget : public vtkAbstractWidget
 {
 public:
   static vtkFeatureCurveWidget* New();
-  vtkTypeMacro(vtkFeatureCurveWidget, vtkInteractorObserver)
+  vtkTypeMacro(vtkFeatureCurveWidget, vtkAbstractWidget)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * What is drawn of the curves. Default: a vtkFeatureCurveRepresentation with its own defaults.
+   */
+  void SetRepresentation(vtkFeatureCurveRepresentation* representation);
+  void CreateDefaultRepresentation() override;
+
+  /**
    * The curves, and the surface that they are drawn on, which the editor has as well. The renderer
-   * is that of the surface (SetDefaultRenderer()).
+   * is that of the surface: the one under the mouse where it is not set (SetDefaultRenderer()).
    */
   void SetEditor(vtkFeatureCurveEditor* editor);
-  vtkFeatureCurveEditor* GetEditor() { return this->Editor; }
+  vtkFeatureCurveEditor* GetEditor();
   void SetSurface(vtkPolyData* surface);
 
   ///@{
@@ -67,7 +96,7 @@ public:
    * Default: none. Set before the widget is enabled.
    */
   void SetCurveRenderer(vtkRenderer* renderer);
-  vtkRenderer* GetCurveRenderer() { return this->CurveRenderer; }
+  vtkRenderer* GetCurveRenderer();
   ///@}
 
   void SetEnabled(int enabled) override;
@@ -196,23 +225,30 @@ private:
     Sketching,  ///< the next press begins a stroke
     Stroking,
   };
-  struct Aim
+  /// Curve and node; -1: none.
+  struct Choice
   {
-    bool onSurface = false;
-    std::array<double, 3> point{}; ///< where a node would come
-    std::array<double, 3> seen{};  ///< under the mouse itself
-    double pixel = 0.0;            ///< its length there
-    int snapped = 0;               ///< vtkFeatureCurveEditor::SnapTargets
-    interaction::CurveChoice node; ///< under the mouse
-    interaction::CurveChoice line; ///< under the mouse; node: the segment
+    int curve = -1;
+    int node = -1;
+    bool operator==(const Choice& other) const
+    {
+      return this->curve == other.curve && this->node == other.node;
+    }
   };
+  struct Aim; ///< what is under the mouse
 
-  static void Dispatch(vtkObject*, unsigned long event, void* client, void*);
+  /// Lets a method answer an event of the interactor.
+  template <void (vtkFeatureCurveWidget::*Method)()>
+  static void Answer(vtkAbstractWidget* widget);
   void OnPress();
   void OnRelease();
   void OnMove();
   void OnRightPress();
-  void OnKey();
+  void OnDoubleClick();
+  void OnKeyPress();
+  void OnChar();
+  /// The action of the key that is pressed, or none.
+  int ActionOfKey() const;
   /// A click, a press that did not move the mouse.
   void OnClick();
   bool StartDrag();
@@ -239,18 +275,16 @@ private:
   void FollowEditor();
   void SetHint(const std::string& hint);
   void UpdateHint(const Aim& aim);
-  void Render();
+  void RenderIfEnabled();
 
   vtkSmartPointer<vtkFeatureCurveEditor> Editor;
   unsigned long EditorTag = 0;
-  vtkRenderer* LayerOfCurves();
+  vtkFeatureCurveRepresentation* Drawn();
 
   vtkSmartPointer<vtkRenderer> CurveRenderer;
-  interaction::SurfacePicker Picker;
-  interaction::CurveActors Actors;
-  interaction::CurveChoice Chosen;
+  const std::unique_ptr<flattening::interaction::SurfacePicker> Picker;
+  Choice Chosen;
   Mode State = Mode::Choosing;
-  unsigned long CurrentEvent = 0;
   bool PressedHere = false;
   bool Missed = false; ///< the last click was on the bare surface
   int DrawnSince = 0;  ///< commands of the editor before the curve that is drawn

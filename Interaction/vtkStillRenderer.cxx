@@ -72,6 +72,13 @@ void copy(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* from,
 vtkStillRenderer::vtkStillRenderer() = default;
 
 //------------------------------------------------------------------------------
+void vtkStillRenderer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDrawings: " << this->NumberOfDrawings << "\n";
+}
+
+//------------------------------------------------------------------------------
 vtkStillRenderer::~vtkStillRenderer() = default;
 
 //------------------------------------------------------------------------------

@@ -11,25 +11,38 @@
  * Changes are those of camera, lights, props and what they show, background, viewport and size. The
  * scene is drawn each time where a window has multisamples, or depth in a form that cannot be kept.
  *
+ * @code
+ * vtkNew<vtkStillRenderer> scene; // in layer 0 of a window with two layers
+ * vtkNew<vtkRenderer> moving;
+ * moving->SetLayer(1);
+ * moving->PreserveDepthBufferOn();
+ * moving->SetActiveCamera(scene->GetActiveCamera());
+ * @endcode
+ *
+ * @warning What a prop shows by other means than its mapper's input and properties is not noticed:
+ * call Modified() of the prop.
+ *
  * @sa vtkFeatureCurveWidget
  */
 #ifndef vtkStillRenderer_h
 #define vtkStillRenderer_h
 
-#include <vtkNew.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkTimeStamp.h>
+#include "vtkInteractionFlatteningModule.h" // for the export macro
+#include "vtkNew.h"                         // for the picture
+#include "vtkOpenGLRenderer.h"
+#include "vtkTimeStamp.h" // for the picture
 
-#include <array>
+#include <array> // for the frame
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 
-class vtkStillRenderer : public vtkOpenGLRenderer
+class VTKINTERACTIONFLATTENING_EXPORT vtkStillRenderer : public vtkOpenGLRenderer
 {
 public:
   static vtkStillRenderer* New();
   vtkTypeMacro(vtkStillRenderer, vtkOpenGLRenderer)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void DeviceRender() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

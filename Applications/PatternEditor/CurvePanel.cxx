@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvePanel.h"
 
-#include "CurveActors.h"
+#include <vtkFeatureCurveRepresentation.h>
 
 #include <vtkFeatureCurveAlgorithm.h>
 #include <vtkFeatureCurveEditor.h>
@@ -23,7 +23,8 @@ constexpr int swatchSize = 12; // pixels
 /// The colour in which curves of a type are drawn.
 QColor colorOf(int type)
 {
-  const std::array<unsigned char, 3> color = interaction::colorOfType(type);
+  std::array<unsigned char, 3> color;
+  vtkFeatureCurveRepresentation::GetTypeColor(type, color.data());
   return { color[0], color[1], color[2] };
 }
 
@@ -42,7 +43,7 @@ QLabel* makeLegend()
   {
     words += QString("<span style='color:%1'>&#9632;</span>&nbsp;%2 ")
                .arg(colorOf(type).name())
-               .arg(interaction::nameOfType(type));
+               .arg(vtkFeatureCurveRepresentation::GetTypeName(type));
   }
   auto* const legend = new QLabel(words);
   legend->setObjectName("legend");
@@ -64,7 +65,7 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
 {
   for (int type = 0; type < 4; ++type)
   {
-    this->Type->addItem(swatch(type), interaction::nameOfType(type));
+    this->Type->addItem(swatch(type), vtkFeatureCurveRepresentation::GetTypeName(type));
   }
   this->Tolerance->setRange(0.0, 99.0);
   this->Tolerance->setDecimals(2);

@@ -9,8 +9,8 @@
 #include "PointReadout.h"
 #include "ProposalBox.h"
 #include "SpaceView.h"
-#include "vtkFeatureCurveWidget.h"
-#include "vtkStillRenderer.h"
+#include <vtkFeatureCurveWidget.h>
+#include <vtkStillRenderer.h>
 
 #include <QVTKOpenGLStereoWidget.h>
 #include <vtkFeatureCurveEditor.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProposalBox.h"
 
-#include "CurveActors.h"
+#include <vtkFeatureCurveRepresentation.h>
 
 #include <QGridLayout>
 #include <QToolButton>
@@ -147,7 +147,7 @@ void ProposalBox::showChosen()
                            .arg(this->Chosen + 1)
                            .arg(cuts.size())
                            .arg(QString::fromStdString(cut.name))
-                           .arg(interaction::nameOfType(cut.type))
+                           .arg(vtkFeatureCurveRepresentation::GetTypeName(cut.type))
                            .arg(cut.length, 0, 'g', 4)
                            .arg(this->Unit)
                            .arg(strainWords(cut.strainBefore), strainWords(cut.strainAfter)));

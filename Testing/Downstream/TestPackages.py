@@ -57,7 +57,7 @@ class Packages(unittest.TestCase):
     def test_there_are_all(self):
         editor = {"surfaceflattening-editor"} if EDITOR else set()
         self.assertEqual(set(self.packages), {"surfaceflattening", "surfaceflattening-dev"} | editor)
-        self.assertEqual(len(self.binaries), 6 + len(editor))  # two libraries, command, its reader, two Python modules
+        self.assertEqual(len(self.binaries), 8 + len(editor))  # three libraries, command, its reader, three Python modules
         version = field(self.packages["surfaceflattening"], "Version")
         self.assertIn(f"surfaceflattening (= {version})",
                       field(self.packages["surfaceflattening-dev"], "Depends"))

@@ -2,12 +2,13 @@
 // Mouse and keys as the window gets them, with the curves that must come of them.
 #include "Drawing.h"
 #include "Pieces.h"
-#include "vtkFeatureCurveWidget.h"
+#include <vtkFeatureCurveWidget.h>
 
 #include <vtkActor2DCollection.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkFeatureCurveEditor.h>
+#include <vtkFeatureCurveRepresentation.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMath.h>
 #include <vtkRenderWindow.h>
@@ -558,6 +559,52 @@ TEST_F(FeatureCurveWidget, KeysChooseHowACurveRuns)
     this->press("z", true);
   }
   EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+}
+
+TEST_F(FeatureCurveWidget, WhatItDrawsIsAPropOfItsRendererWhileItIsEnabled)
+{
+  int enabled = 0;
+  int disabled = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  count->SetClientData(&enabled);
+  this->widget->AddObserver(vtkCommand::EnableEvent, count);
+  vtkNew<vtkCallbackCommand> countOff;
+  countOff->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  countOff->SetClientData(&disabled);
+  this->widget->AddObserver(vtkCommand::DisableEvent, countOff);
+  vtkNew<vtkFeatureCurveRepresentation> own;
+  vtkNew<vtkRenderer> above;
+  this->window->AddRenderer(above);
+  for (vtkRenderer* layer : { static_cast<vtkRenderer*>(nullptr), above.Get() })
+  {
+    this->widget->SetEnabled(0);
+    this->widget->SetCurveRenderer(layer);
+    this->widget->SetRepresentation(own);
+    EXPECT_FALSE(this->renderer->HasViewProp(own));
+    this->widget->SetEnabled(1);
+    EXPECT_EQ(this->renderer->HasViewProp(own) != 0, layer == nullptr);
+    EXPECT_EQ(above->HasViewProp(own) != 0, layer != nullptr);
+  }
+  this->widget->SetEnabled(0);
+  EXPECT_FALSE(above->HasViewProp(own));
+  EXPECT_EQ(enabled, 2);
+  EXPECT_EQ(disabled, 3);
+
+  EXPECT_EQ(own->GetBounds(), nullptr);
+  vtkNew<vtkPoints> ends;
+  ends->InsertNextPoint(this->surface->GetPoint(0));
+  ends->InsertNextPoint(this->surface->GetPoint(this->surface->GetNumberOfPoints() / 2));
+  ASSERT_TRUE(this->editor->AddCurve(ends));
+  const double* const bounds = own->GetBounds();
+  ASSERT_NE(bounds, nullptr);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_GE(bounds[2 * axis], this->surface->GetBounds()[2 * axis] - 1e-9);
+    EXPECT_LE(bounds[2 * axis + 1], this->surface->GetBounds()[2 * axis + 1] + 1e-9);
+  }
 }
 
 TEST_F(FeatureCurveWidget, EveryActionHasAKeyOfItsOwnAndWords)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene that is drawn once gives the picture of one that is drawn each time, also where what
 // moves before it goes behind it.
-#include "vtkStillRenderer.h"
+#include <vtkStillRenderer.h>
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

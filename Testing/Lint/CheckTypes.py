@@ -119,7 +119,7 @@ class Types(unittest.TestCase):
         for name in glob.glob(os.path.join(PACKAGES, "surfaceflattening", "vtk*.pyi")):
             with open(name, encoding="utf-8") as file:
                 text += file.read()
-        for header in glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h")) + glob.glob(os.path.join(SOURCE, "IO", "vtk*.h")):
+        for header in glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h")) + glob.glob(os.path.join(SOURCE, "I*", "vtk*.h")):
             class_ = os.path.splitext(os.path.basename(header))[0]
             part = re.search(rf"^class {class_}\(\w+\):\n((?: .*\n)+)", text, re.MULTILINE)
             self.assertIsNotNone(part, class_)

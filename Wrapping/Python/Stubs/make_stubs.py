@@ -14,7 +14,7 @@ import sys
 # Of a docstring: "Name(self, value:int, pair:(int, int)) -> str".
 SIGNATURE = re.compile(r"^(\w+)\((.*)\)(?: -> (.+))?$")
 VTK_MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkIOCore",
-               "vtkRenderingCore")
+               "vtkRenderingCore", "vtkRenderingOpenGL2", "vtkInteractionWidgets")
 # What the wrapper calls by Python's own names.
 PLAIN = {"int", "float", "bool", "str", "bytes", "None", "object", "type", "Any", "Callable", "Buffer"}
 
