@@ -3,6 +3,7 @@
 
 #include "Flattening/SurfaceFlattening.h"
 #include "Quality/FlatteningQuality.h"
+#include "Reference/InteriorRelaxation.h"
 #include "TestThreads.h"
 #include "WiredSurface.h"
 
@@ -68,7 +69,7 @@ TEST(InteriorEmbedding, LaplacianPutsEachVertexAtTheMeanOfEquation11)
   ASSERT_EQ(wired.network.patchCount, 4);
   Points2 positions = pinnedBy(wired, shadow);
   ASSERT_TRUE(
-    embedInterior(wired.piece, wired.network, with(InteriorMethod::Laplacian), {}, positions)
+    placeInterior(wired.piece, wired.network, with(InteriorMethod::Laplacian), {}, positions)
       .status.ok());
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
@@ -93,7 +94,7 @@ TEST(InteriorEmbedding, RelaxationConvergesToTheDirectSolution)
 {
   const WiredSurface wired(wiredCushion());
   Points2 direct = pinnedBy(wired, shadow);
-  embedInterior(wired.piece, wired.network, with(InteriorMethod::Laplacian), {}, direct);
+  placeInterior(wired.piece, wired.network, with(InteriorMethod::Laplacian), {}, direct);
   for (double factor : { 0.7, 1.0, 1.5, 1.9 })
   {
     Points2 relaxed = pinnedBy(wired, shadow);
@@ -101,7 +102,7 @@ TEST(InteriorEmbedding, RelaxationConvergesToTheDirectSolution)
     options.relaxation = factor;
     options.movement = 1e-13; // rounding moves vertices by a tenth of that
     options.maximumIterations = 3000;
-    ASSERT_TRUE(embedInterior(wired.piece, wired.network, options, {}, relaxed).status.ok());
+    ASSERT_TRUE(placeInterior(wired.piece, wired.network, options, {}, relaxed).status.ok());
     EXPECT_LT(largestDistance(relaxed, direct), 1e-12) << factor;
   }
 }
@@ -112,9 +113,9 @@ TEST(InteriorEmbedding, RelaxationStaysWithinItsIterationLimits)
   Points2 positions = pinnedBy(wired, shadow);
   InteriorOptions options = with(InteriorMethod::Relaxation);
   options.movement = 0.0;
-  EXPECT_EQ(embedInterior(wired.piece, wired.network, options, {}, positions).iterations, 100);
+  EXPECT_EQ(placeInterior(wired.piece, wired.network, options, {}, positions).iterations, 100);
   options.movement = 1e9;
-  EXPECT_EQ(embedInterior(wired.piece, wired.network, options, {}, positions).iterations, 10);
+  EXPECT_EQ(placeInterior(wired.piece, wired.network, options, {}, positions).iterations, 10);
 }
 
 TEST(InteriorEmbedding, AsRigidAsPossibleUnrollsDevelopablesExactly)
@@ -133,7 +134,7 @@ TEST(InteriorEmbedding, AsRigidAsPossibleUnrollsDevelopablesExactly)
         positions[v] = exact[v];
       }
     }
-    const auto result = embedInterior(
+    const auto result = placeInterior(
       wired.piece, wired.network, with(InteriorMethod::AsRigidAsPossible), {}, positions);
     ASSERT_TRUE(result.status.ok());
     EXPECT_LT(largestDistance(positions, exact), 1e-11);
@@ -172,7 +173,7 @@ TEST(InteriorEmbedding, WiresStayWhereTheyAre)
   for (InteriorMethod method : allMethods)
   {
     Points2 positions = before;
-    embedInterior(wired.piece, wired.network, with(method), {}, positions);
+    placeInterior(wired.piece, wired.network, with(method), {}, positions);
     for (Index v : wired.network.hostVertices)
     {
       EXPECT_EQ(positions[v], before[v]);
@@ -186,12 +187,12 @@ TEST(InteriorEmbedding, IsBitwiseTheSameForAnyNumberOfThreads)
   for (InteriorMethod method : allMethods)
   {
     Points2 reference = pinnedBy(wired, shadow);
-    const auto alone = embedInterior(wired.piece, wired.network, with(method), {}, reference);
+    const auto alone = placeInterior(wired.piece, wired.network, with(method), {}, reference);
     for (Index count : { 2, 3, 8 })
     {
       Points2 positions = pinnedBy(wired, shadow);
       const auto result =
-        embedInterior(wired.piece, wired.network, with(method), withThreads(count), positions);
+        placeInterior(wired.piece, wired.network, with(method), withThreads(count), positions);
       EXPECT_EQ(positions, reference);
       EXPECT_EQ(result.iterations, alone.iterations);
     }
@@ -207,7 +208,7 @@ TEST(InteriorEmbedding, ScalesAndTurnsWithTheSurfaceAndItsWires)
   for (InteriorMethod method : allMethods)
   {
     Points2 reference = pinnedBy(wired, shadow);
-    embedInterior(wired.piece, wired.network, with(method), {}, reference);
+    placeInterior(wired.piece, wired.network, with(method), {}, reference);
     for (double scale : { 1e-9, 1.0, 1e9 })
     {
       Points3 points;
@@ -224,7 +225,7 @@ TEST(InteriorEmbedding, ScalesAndTurnsWithTheSurfaceAndItsWires)
       {
         positions[v] = moved(reference[v]);
       }
-      const auto result = embedInterior(other.piece, other.network, with(method), {}, positions);
+      const auto result = placeInterior(other.piece, other.network, with(method), {}, positions);
       EXPECT_TRUE(result.status.ok());
       for (std::size_t v = 0; v < positions.size(); ++v)
       {
@@ -263,9 +264,9 @@ TEST(InteriorEmbedding, DoesNotDependOnTheNumberingOfVerticesAndTriangles)
   for (InteriorMethod method : { InteriorMethod::Laplacian, InteriorMethod::AsRigidAsPossible })
   {
     Points2 reference = pinnedBy(wired, shadow);
-    embedInterior(wired.piece, wired.network, with(method), {}, reference);
+    placeInterior(wired.piece, wired.network, with(method), {}, reference);
     Points2 positions = pinnedBy(other, shadow);
-    embedInterior(other.piece, other.network, with(method), {}, positions);
+    placeInterior(other.piece, other.network, with(method), {}, positions);
     Points2 byOriginal(n);
     for (Index v = 0; v < n; ++v)
     {
@@ -293,7 +294,7 @@ TEST(InteriorEmbedding, StaysFiniteOnCollapsedMirroredAndTornWires)
     for (const auto& map : maps)
     {
       Points2 positions = pinnedBy(wired, map);
-      const auto result = embedInterior(wired.piece, wired.network, with(method), {}, positions);
+      const auto result = placeInterior(wired.piece, wired.network, with(method), {}, positions);
       EXPECT_FALSE(result.status.refused());
       for (const Point2& p : positions)
       {
@@ -314,7 +315,7 @@ TEST(InteriorEmbedding, SliversDoNotSpoilTheirNeighbours)
       place);
     const WiredSurface wired(surface);
     Points2 positions = pinnedBy(wired, [](const Point3& p) { return Point2(p.x(), p.y()); });
-    const auto result = embedInterior(
+    const auto result = placeInterior(
       wired.piece, wired.network, with(InteriorMethod::AsRigidAsPossible), {}, positions);
     EXPECT_FALSE(result.status.refused());
     for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
@@ -334,7 +335,7 @@ TEST(InteriorEmbedding, EndsWhenCancelledAndLeavesThePositionsAlone)
     execution.cancel = [] { return true; };
     Points2 positions = before;
     const auto result =
-      embedInterior(wired.piece, wired.network, with(method), execution, positions);
+      placeInterior(wired.piece, wired.network, with(method), execution, positions);
     EXPECT_EQ(result.status.code, StatusCode::Cancelled);
     EXPECT_EQ(positions, before);
   }
@@ -345,7 +346,7 @@ TEST(InteriorEmbedding, RefusesOptionsOutOfRange)
   const WiredSurface wired(wiredCushion());
   const auto code = [&](const InteriorOptions& options) {
     Points2 positions = pinnedBy(wired, shadow);
-    return embedInterior(wired.piece, wired.network, options, {}, positions).status.code;
+    return placeInterior(wired.piece, wired.network, options, {}, positions).status.code;
   };
   for (double factor : { 0.0, 2.0, -1.0, std::nan("") })
   {
@@ -367,7 +368,7 @@ TEST(InteriorEmbedding, SaysWhenTooFewIterationsWereAllowed)
   InteriorOptions options = with(InteriorMethod::AsRigidAsPossible);
   options.maximumRigidIterations = 1;
   Points2 positions = pinnedBy(wired, shadow);
-  const auto result = embedInterior(wired.piece, wired.network, options, {}, positions);
+  const auto result = placeInterior(wired.piece, wired.network, options, {}, positions);
   EXPECT_EQ(result.status.code, StatusCode::NotConverged);
   EXPECT_FALSE(result.status.ids.empty());
 }
@@ -380,7 +381,7 @@ TEST(InteriorEmbedding, APieceWithoutInteriorVerticesIsLeftAsItIs)
   for (InteriorMethod method : allMethods)
   {
     Points2 positions = before;
-    const auto result = embedInterior(wired.piece, wired.network, with(method), {}, positions);
+    const auto result = placeInterior(wired.piece, wired.network, with(method), {}, positions);
     EXPECT_TRUE(result.status.ok());
     EXPECT_EQ(result.iterations, 0);
     EXPECT_EQ(positions, before);

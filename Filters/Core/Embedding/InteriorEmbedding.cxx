@@ -21,53 +21,6 @@ enum class Outcome
   Failed,
 };
 
-/// Neighbours of the interior vertices with the weights of Eq. 11, in flat arrays.
-struct Neighbours
-{
-  Indices begin;
-  Indices vertex;
-  std::vector<double> weight;
-};
-
-Neighbours collectNeighbours(const InteriorPatch& patch, const std::vector<EdgeWeights>& weights)
-{
-  // All edges at an interior vertex have two triangles here: one sees the edge leave the vertex,
-  // the other arrive, so those that leave are all, once.
-  Neighbours result;
-  result.begin.assign(patch.freeCount + 1, 0);
-  for (const Triangle& c : patch.triangles)
-  {
-    for (Index v : c)
-    {
-      if (v < patch.freeCount)
-      {
-        ++result.begin[v + 1];
-      }
-    }
-  }
-  for (Index v = 0; v < patch.freeCount; ++v)
-  {
-    result.begin[v + 1] += result.begin[v];
-  }
-  Indices place(result.begin.begin(), result.begin.end() - 1);
-  result.vertex.resize(result.begin.back());
-  result.weight.resize(result.begin.back());
-  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index v = patch.triangles[t][k];
-      if (v < patch.freeCount)
-      {
-        const Index at = place[v]++;
-        result.vertex[at] = patch.triangles[t][(k + 1) % 3];
-        result.weight[at] = 2.0 * weights[t][(k + 2) % 3];
-      }
-    }
-  }
-  return result;
-}
-
 /// Works on one wire-patch. Patches share nothing, so that they can run on any thread; one that
 /// runs on the calling thread may use the others.
 class PatchEmbedding
@@ -93,37 +46,6 @@ public:
     {
       this->Result = Outcome::Failed;
     }
-  }
-
-  /// Eq. 12: a sweep of SOR, in place and in the order of the vertices.
-  void relax(const InteriorOptions& options, double smallest)
-  {
-    const Neighbours near =
-      collectNeighbours(this->Patch, this->System.edgeWeights(InteriorWeights::InverseLength));
-    this->Local.topRows(this->Patch.freeCount).rowwise() = this->wireCenter();
-    while (this->Iterations < options.maximumIterations)
-    {
-      ++this->Iterations;
-      double most = 0.0;
-      for (Index v = 0; v < this->Patch.freeCount; ++v)
-      {
-        Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
-        double total = 0.0;
-        for (Index i = near.begin[v]; i < near.begin[v + 1]; ++i)
-        {
-          sum += near.weight[i] * this->Local.row(near.vertex[i]);
-          total += near.weight[i];
-        }
-        const Eigen::RowVector2d move = options.relaxation * (sum / total - this->Local.row(v));
-        this->Local.row(v) += move;
-        most = std::max(most, move.norm());
-      }
-      if (this->Iterations >= options.minimumIterations && most < smallest)
-      {
-        return;
-      }
-    }
-    this->Result = Outcome::NotConverged;
   }
 
   /// Starts from the harmonic map, whose matrix serves all that follows, or from that of Eq. 11
@@ -192,17 +114,6 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
-  Eigen::RowVector2d wireCenter() const
-  {
-    const Eigen::Index wireCount = this->Local.rows() - this->Patch.freeCount;
-    Eigen::RowVector2d center = Eigen::RowVector2d::Zero();
-    for (Eigen::Index i = this->Patch.freeCount; i < this->Local.rows(); ++i)
-    {
-      center += this->Local.row(i) / static_cast<double>(wireCount);
-    }
-    return center;
-  }
-
   Index flippedCount() const
   {
     return static_cast<Index>(std::count_if(
@@ -225,62 +136,18 @@ private:
 
 Status checkOptions(const InteriorOptions& options)
 {
-  const auto invalid = [](const char* message, SuggestedRemedy suggested) {
-    return Status{ StatusCode::InvalidOption, message, {}, { std::move(suggested) } };
-  };
-  if (options.method == InteriorMethod::Relaxation)
-  {
-    if (!std::isfinite(options.relaxation) || options.relaxation <= 0.0 ||
-      options.relaxation >= 2.0)
-    {
-      return invalid("the relaxation factor lies outside its range",
-        { Remedy::Give, "a number between 0 and 2, both excluded" });
-    }
-    if (options.minimumIterations < 0 || options.maximumIterations < 1 ||
-      options.minimumIterations > options.maximumIterations || !std::isfinite(options.movement) ||
-      options.movement < 0.0)
-    {
-      return invalid(
-        "the relaxation cannot be run with these numbers of iterations, or this movement",
-        Remedy::OrderRelaxation);
-    }
-  }
   if (options.method == InteriorMethod::AsRigidAsPossible &&
     (options.maximumRigidIterations < 1 || !std::isfinite(options.energyTolerance) ||
       options.energyTolerance < 0.0))
   {
-    return invalid("the interior cannot be made as rigid as possible with these options",
-      { Remedy::Give, "at least one iteration and an energy tolerance that is not negative" });
+    return { StatusCode::InvalidOption,
+      "the interior cannot be made as rigid as possible with these options", {},
+      { { Remedy::Give, "at least one iteration and an energy tolerance that is not negative" } } };
   }
   return {};
 }
 
-double meanWireEdge(const WireNetwork& network)
-{
-  double sum = 0.0;
-  for (const WireEdge& edge : network.edges)
-  {
-    sum += edge.length;
-  }
-  return network.edges.empty() ? 0.0 : sum / static_cast<double>(network.edges.size());
-}
-
-/// What is still to be done to patches that ran out of iterations.
-Status unfinished(InteriorMethod method, const Indices& patches)
-{
-  const bool relaxation = method == InteriorMethod::Relaxation;
-  return { StatusCode::NotConverged,
-    relaxation
-      ? "the relaxation of the inside of wire-patch " + listIds(patches) +
-        " did not come to rest in the iterations that are allowed"
-      : "the inside of wire-patch " + listIds(patches) + " is not yet as rigid as possible",
-    { ElementKind::WirePatches, patches },
-    relaxation ? SuggestedRemedies{ Remedy::AllowRelaxationIterations }
-               : SuggestedRemedies{ Remedy::AllowRigidIterations, Remedy::MendSlivers } };
-}
-
-void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorMethod method,
-  InteriorResult& result)
+void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorResult& result)
 {
   Indices failed;
   Indices unconverged;
@@ -310,7 +177,10 @@ void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, Inte
   }
   else if (!unconverged.empty())
   {
-    result.status = unfinished(method, unconverged);
+    result.status = { StatusCode::NotConverged,
+      "the inside of wire-patch " + listIds(unconverged) + " is not yet as rigid as possible",
+      { ElementKind::WirePatches, unconverged },
+      { Remedy::AllowRigidIterations, Remedy::MendSlivers } };
   }
   else if (!stalled.empty())
   {
@@ -345,7 +215,6 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   const Execution inner = alone ? execution : Execution();
   std::vector<std::unique_ptr<PatchEmbedding>> patches(systems.patches.size());
   const bool rigid = options.method == InteriorMethod::AsRigidAsPossible;
-  const double smallest = options.movement * meanWireEdge(network);
   const auto eachPatch = [&](const auto& work) {
     if (alone)
     {
@@ -367,11 +236,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
       systems.patches[i].update(std::move(renewed[i]), piece.mesh);
     }
     patches[i] = std::make_unique<PatchEmbedding>(systems.patches[i], positions, inner);
-    if (options.method == InteriorMethod::Relaxation)
-    {
-      patches[i]->relax(options, smallest);
-    }
-    else if (rigid)
+    if (rigid)
     {
       patches[i]->startRigid();
     }
@@ -406,7 +271,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
   {
     patch->writeBack(positions);
   }
-  summarize(patches, options.method, result);
+  summarize(patches, result);
   return result;
 }
 }

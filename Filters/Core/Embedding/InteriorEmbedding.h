@@ -8,7 +8,7 @@ namespace flattening
 enum class InteriorMethod
 {
   Laplacian,         ///< Eq. 11 solved directly
-  Relaxation,        ///< Eq. 12: successive over-relaxation (SOR)
+  Relaxation,        ///< Eq. 12: successive over-relaxation, by relaxInterior()
   AsRigidAsPossible, ///< as rigid as possible with the wires pinned
 };
 
@@ -35,7 +35,7 @@ struct InteriorResult
 /// Places the vertices inside each wire-patch; those of the wires stay. Wire-patches are
 /// independent and run in parallel. \param positions per piece vertex, in and out. \param kept
 /// where to find and leave the systems for other runs of the same piece; null: their memory is
-/// given back at once.
+/// given back at once. \pre the method is not Relaxation.
 ///
 /// Errors: InvalidOption; Cancelled (positions as they came in); NumericalFailure and NotConverged (ids:
 /// wire-patches).

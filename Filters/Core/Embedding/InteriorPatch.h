@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sparse/LinearSolver.h"
-#include "Surface/TriangleFrame.h"
 #include "Wires/WireNetwork.h"
 
 namespace flattening
@@ -25,24 +23,4 @@ std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const Wire
 /// are held like those on wires.
 /// \param marked per vertex of the patch.
 InteriorPatch restrictedTo(const InteriorPatch& patch, const std::vector<char>& marked);
-
-/// Weight of the edge opposite to each corner.
-using EdgeWeights = std::array<double, 3>;
-
-/// Matrices sum_edges w (e_i - e_j)(e_i - e_j)^T over the interior vertices of one patch, the
-/// weight of an edge being the sum of those that its triangles give it. All have one sparsity
-/// pattern.
-class PatchMatrix
-{
-public:
-  explicit PatchMatrix(const InteriorPatch& patch);
-
-  /// The lower triangle.
-  const SparseMatrix& assemble(const InteriorPatch& patch, const std::vector<EdgeWeights>& weights);
-
-private:
-  SparseMatrix Matrix;
-  /// Places in Matrix.valuePtr(): of the edge opposite to each corner, none at a wire vertex.
-  Triangles EdgePlace;
-};
 }

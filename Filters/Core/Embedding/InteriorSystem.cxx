@@ -3,6 +3,8 @@
 
 #include "Base/Types.h"
 
+#include <algorithm>
+
 namespace flattening
 {
 namespace
@@ -13,6 +15,27 @@ constexpr double slimmest = 1e-6;
 /// In larger patches planes make much less fill-in than the pattern's levels, which is worth more
 /// than an order that stays when vertices move.
 constexpr Index largePatch = 20000;
+
+/// Calls visit(t, a, b) for all corners a, b of the triangles that stand for entries of the lower
+/// triangle: both are interior.
+template <class Visit>
+void forEntries(const InteriorPatch& patch, const Visit& visit)
+{
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+  {
+    const Triangle& c = patch.triangles[t];
+    for (int a = 0; a < 3; ++a)
+    {
+      for (int b = 0; b <= a; ++b)
+      {
+        if (std::max(c[a], c[b]) < patch.freeCount)
+        {
+          visit(t, a, b);
+        }
+      }
+    }
+  }
+}
 
 /// Interior vertices of the patch that are coupled.
 Triangles couplings(const InteriorPatch& patch)
@@ -85,7 +108,7 @@ const std::vector<TriangleFrame>& InteriorSystem::frames()
 void InteriorSystem::forgetFactors()
 {
   this->Factors = {};
-  this->Matrix.reset();
+  this->Assembler.reset();
 }
 
 std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
@@ -116,17 +139,35 @@ std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
   return result;
 }
 
+/// Sum over the edges of w (e_i - e_j)(e_i - e_j)^T, the weight of an edge being the sum of those
+/// that its triangles give it.
+const SparseMatrix& InteriorSystem::assemble(const std::vector<EdgeWeights>& weights)
+{
+  if (!this->Assembler)
+  {
+    this->Assembler = std::make_unique<SymmetricAssembler>(this->Patch.freeCount);
+    this->Assembler->reserve(6 * this->Patch.triangles.size());
+    forEntries(this->Patch, [this](std::size_t t, int a, int b) {
+      this->Assembler->declare(this->Patch.triangles[t][a], this->Patch.triangles[t][b]);
+    });
+    this->Assembler->finish();
+  }
+  this->Assembler->clear();
+  Index entry = 0;
+  forEntries(this->Patch, [&](std::size_t t, int a, int b) {
+    const EdgeWeights& w = weights[t];
+    this->Assembler->add(entry++, a == b ? w[(a + 1) % 3] + w[(a + 2) % 3] : -w[3 - a - b]);
+  });
+  return this->Assembler->matrix();
+}
+
 const LinearSolver* InteriorSystem::factor(InteriorWeights weights, const Execution& execution)
 {
   Factor& factor = this->factorOf(weights);
   if (!factor.current)
   {
-    if (!this->Matrix)
-    {
-      this->Matrix = std::make_unique<PatchMatrix>(this->Patch);
-    }
     factor.edges = this->edgeWeights(weights);
-    const SparseMatrix& matrix = this->Matrix->assemble(this->Patch, factor.edges);
+    const SparseMatrix& matrix = this->assemble(factor.edges);
     if (!factor.solver)
     {
       const Triangles cliques = couplings(this->Patch);

@@ -3,12 +3,19 @@
 
 #include "Base/Execution.h"
 #include "Embedding/InteriorPatch.h"
+#include "Sparse/LinearSolver.h"
+#include "Sparse/SymmetricAssembler.h"
+#include "Surface/TriangleFrame.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace flattening
 {
+/// Weight of the edge opposite to each corner.
+using EdgeWeights = std::array<double, 3>;
+
 /// Weights of a patch's edges.
 enum class InteriorWeights
 {
@@ -50,11 +57,12 @@ private:
   };
 
   InteriorPatch Patch;
-  Points3 Points;                    ///< of the patch's vertices on the surface
-  std::vector<TriangleFrame> Frames; ///< empty until they are asked for
-  std::unique_ptr<PatchMatrix> Matrix;
-  std::array<Factor, 2> Factors; ///< by weights
+  Points3 Points;                                ///< of the patch's vertices on the surface
+  std::vector<TriangleFrame> Frames;             ///< empty until they are asked for
+  std::unique_ptr<SymmetricAssembler> Assembler; ///< null until a matrix is asked for
+  std::array<Factor, 2> Factors;                 ///< by weights
 
+  const SparseMatrix& assemble(const std::vector<EdgeWeights>& weights);
   Factor& factorOf(InteriorWeights weights)
   {
     return this->Factors[weights == InteriorWeights::Cotangent ? 1 : 0];

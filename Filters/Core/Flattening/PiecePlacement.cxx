@@ -5,6 +5,7 @@
 #include "Base/Stopwatch.h"
 #include "Embedding/Untangling.h"
 #include "Quality/FlatteningQuality.h"
+#include "Reference/InteriorRelaxation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ PlacedPiece placeWires(const PieceContext& context, const WireSolution& wires)
   {
     interior.energyTolerance = std::max(interior.energyTolerance, energyToleranceOfStart);
   }
-  noteStatus(embedInterior(context.piece, context.network, interior, context.execution,
+  noteStatus(placeInterior(context.piece, context.network, interior, context.execution,
                placed.positions, context.interiors)
                .status,
     placed.status);
