@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sparse/NewtonKktModel.h"
+#include "Sparse/NewtonKktStep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sparse/VertexSeparator.h"
+#include "Sparse/NestedDissection.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "Angles/DirectionsForm.h"
 #include "Sparse/NewtonKkt.h"
-#include "Sparse/SparseBlocks.h"
+#include "Sparse/SymmetricAssembler.h"
 
 namespace flattening
 {

@@ -4,7 +4,9 @@
 #include "Embedding/DistortionEnergy.h"
 #include "Embedding/InteriorPatch.h"
 #include "Quality/FlatteningQuality.h"
-#include "Sparse/SparseBlocks.h"
+#include "Sparse/LinearSolver.h"
+#include "Sparse/SymmetricAssembler.h"
+#include "Surface/TriangleFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "Angles/AngleProblem.h"
 #include "Angles/AngleSolver.h"
-#include "Embedding/ConformalStart.h"
+#include "Embedding/LeastSquaresConformalMap.h"
 #include "Reference/ProgressiveWarping.h"
 #include "Reference/SequentialAngleSolver.h"
 

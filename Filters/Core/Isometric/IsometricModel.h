@@ -6,7 +6,7 @@
 #include "Isometric/IsometricSheet.h"
 #include "Isometric/WireStiffness.h"
 #include "Sparse/NewtonKkt.h"
-#include "Sparse/SparseBlocks.h"
+#include "Sparse/SymmetricAssembler.h"
 
 namespace flattening
 {

@@ -3,8 +3,8 @@
 
 #include "Base/Execution.h"
 #include "Cloth/ClothEnergy.h"
-#include "Sparse/NewtonKktModel.h"
-#include "Sparse/SparseBlocks.h"
+#include "Sparse/NewtonKktStep.h"
+#include "Sparse/SymmetricAssembler.h"
 #include "Surface/TriangleMesh.h"
 
 #include <variant>

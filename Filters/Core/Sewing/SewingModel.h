@@ -6,7 +6,7 @@
 #include "Sewing/SewingLoads.h"
 #include "Sewing/SewnMembrane.h"
 #include "Sewing/SheetBending.h"
-#include "Sparse/NewtonKktModel.h"
+#include "Sparse/NewtonKktStep.h"
 
 #include <memory>
 

@@ -4,7 +4,7 @@
 #include "Base/Execution.h"
 #include "Sewing/SheetDensity.h"
 #include "Sewing/SpaceMatrix.h"
-#include "Sparse/NewtonKktModel.h"
+#include "Sparse/NewtonKktStep.h"
 #include "Surface/TriangleFrame.h"
 
 namespace flattening

@@ -4,6 +4,7 @@
 #include "Base/Types.h"
 #include "Sparse/DenseFront.h"
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <memory>
 
@@ -84,4 +85,15 @@ private:
   std::unique_ptr<double[]> Doubles; // NOLINT(modernize-avoid-c-arrays)
   std::unique_ptr<float[]> Singles;  // NOLINT(modernize-avoid-c-arrays)
 };
+
+/// Right-hand sides that are solved together, so that L is read once; each as long as the front.
+using FrontVectors = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+/// Solves L x = w in the columns of a front and takes them out of the rows below.
+void substituteForward(const FactorColumns<const double>& factor, FrontVectors w);
+void substituteForward(const FactorColumns<const float>& factor, FrontVectors w);
+/// Solves L^T x = w in the columns of a front, the rows below being known. What is kept above the
+/// diagonal must be finite.
+void substituteBackward(const FactorColumns<const double>& factor, FrontVectors w);
+void substituteBackward(const FactorColumns<const float>& factor, FrontVectors w);
 }

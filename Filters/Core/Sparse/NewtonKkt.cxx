@@ -11,18 +11,72 @@ namespace flattening
 namespace
 {
 /// A step that has to be shorter than 2^-40 of Newton's is lost in rounding.
-constexpr int mostHalvings = 40;
+constexpr int maxHalvings = 40;
 /// Corrections of one trial step, and what each has to leave of the constraints' violation at most.
-constexpr int mostCorrections = 3;
+constexpr int maxCorrections = 3;
 constexpr double worthCorrecting = 0.25;
 /// Rounding of the objective, a sum of some thousands of terms, as a fraction of it.
 constexpr double objectiveRounding = 1e-13;
 /// More saddles than these are not left by their own direction, but by rounding.
-constexpr int mostSaddles = 5;
+constexpr int maxSaddles = 5;
 /// The shortest way off a saddle, as the largest move of an unknown, and how much of the objective
 /// it has to bring at least.
 constexpr double shortestEscape = 0.05;
 constexpr double escapeFall = 1e-7;
+
+/// Whether an iteration has got no nearer to zero in the second half of its run than in the first.
+/// \param residuals of at least 40 iterations; of fewer nothing is known
+bool hasStagnated(const std::vector<double>& residuals)
+{
+  constexpr std::size_t fewest = 40;
+  constexpr double noticeable = 0.9;
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  return residuals.size() >= fewest &&
+    *std::min_element(middle, residuals.end()) >=
+    noticeable * *std::min_element(residuals.begin(), middle);
+}
+
+/// Objective plus the sum of penalty_i |c_i|, which a step of sequential quadratic programming
+/// lowers: exact where each penalty is above its constraint's multiplier.
+class MeritFunction
+{
+public:
+  /// \param margin of a penalty over its multiplier; it keeps the function exact while multipliers
+  /// change, and shortens steps. \param share least penalty over the largest.
+  MeritFunction(Index constraints, double margin, double share)
+    : Penalties(Eigen::VectorXd::Zero(constraints))
+    , Margin(margin)
+    , Share(share)
+  {
+  }
+
+  /// Penalties only grow, so that steps get on by one measure.
+  void raise(const Eigen::VectorXd& multipliers)
+  {
+    const Eigen::VectorXd asked = this->Margin * multipliers.cwiseAbs();
+    const double least = this->Share * (asked.size() ? asked.maxCoeff() : 0.0);
+    this->Penalties =
+      this->Penalties.cwiseMax((asked.array().max(least) + smallestPenalty).matrix());
+  }
+  void forget() { this->Penalties.setZero(); }
+
+  double violation(const Eigen::VectorXd& constraints) const
+  {
+    return constraints.cwiseAbs().dot(this->Penalties);
+  }
+  double largestPenalty() const
+  {
+    return this->Penalties.size() ? this->Penalties.maxCoeff() : 0.0;
+  }
+
+private:
+  /// Where no multiplier asks for one.
+  static constexpr double smallestPenalty = 1e-3;
+
+  Eigen::VectorXd Penalties;
+  double Margin;
+  double Share;
+};
 
 class Iteration
 {
@@ -58,28 +112,29 @@ public:
     for (int iteration = 0; !this->Newton.cancelled(); ++iteration)
     {
       this->reportProgress(iteration);
-      Found found = this->computeStep();
-      const bool rough = this->roughlyThere(found, iteration);
-      if (rough && found != Found::Step && this->switchToFinalObjective(this->State.multipliers))
+      StepResult found = this->computeStep();
+      const bool rough = this->isRoughlyOptimal(found, iteration);
+      if (rough && found != StepResult::Step &&
+        this->switchToFinalObjective(this->State.multipliers))
       {
         found = this->computeStep();
       }
       this->observe(iteration);
       residuals.push_back(largest(this->Newton.constraints()) +
         this->Optimality / this->Model.gradientScale(this->Objective));
-      termination = found == Found::Minimum ? Termination::Converged : Termination::Stalled;
-      if (found == Found::Step &&
+      termination = found == StepResult::Minimum ? Termination::Converged : Termination::Stalled;
+      if (found == StepResult::Step &&
         (iteration >= this->Options.maximumIterations ||
           this->Newton.factorizations() >= this->Options.maximumFactorizations))
       {
         termination = hasStagnated(residuals) ? Termination::Stalled : Termination::IterationLimit;
         break;
       }
-      if (found == Found::Step && this->atSaddle() && this->leaveSaddle())
+      if (found == StepResult::Step && this->isAtSaddle() && this->escapeSaddle())
       {
         continue;
       }
-      if (found != Found::Step ||
+      if (found != StepResult::Step ||
         !(this->advance() || this->switchToFinalObjective(this->Newton.multipliers())))
       {
         break;
@@ -97,19 +152,19 @@ public:
   }
 
 private:
-  enum class Found
+  enum class StepResult
   {
     Minimum,
     Step,
     Nothing,
   };
 
-  Found computeStep()
+  StepResult computeStep()
   {
-    Found found = this->computeChordStep();
-    if (found == Found::Nothing)
+    StepResult found = this->computeChordStep();
+    if (found == StepResult::Nothing)
     {
-      const double within = this->Settled
+      const double within = this->HasFinalObjective
         ? this->Options.exactWithin
         : std::min(this->Options.exactWithin, this->Options.exactBeforeSettling);
       const bool exact = this->Moved && this->LargestMove < within;
@@ -121,17 +176,17 @@ private:
   }
 
   /// With the last factorization, as long as such steps lead on quickly.
-  Found computeChordStep()
+  StepResult computeChordStep()
   {
     if (this->Options.chordReduction == 0.0 || !this->TookStep || !this->TookWholeStep ||
-      !this->Newton.follow(this->State.x, this->State.multipliers))
+      !this->Newton.linearizeForChord(this->State.x, this->State.multipliers))
     {
-      return Found::Nothing;
+      return StepResult::Nothing;
     }
     const double residual = this->residual(this->State.x, this->State.multipliers);
     if (!(residual <= this->Options.chordReduction * this->Residual))
     {
-      return Found::Nothing;
+      return StepResult::Nothing;
     }
     this->Residual = residual;
     return this->testOptimality();
@@ -147,9 +202,9 @@ private:
       gradient / this->Model.gradientScale(this->Objective);
   }
 
-  bool roughlyThere(Found found, int iteration) const
+  bool isRoughlyOptimal(StepResult found, int iteration) const
   {
-    if (found != Found::Step)
+    if (found != StepResult::Step)
     {
       return true;
     }
@@ -162,11 +217,11 @@ private:
   /// Goes on with what the model settles for, as from a start.
   bool switchToFinalObjective(const Eigen::VectorXd& multipliers)
   {
-    if (this->Settled || this->Newton.cancelled())
+    if (this->HasFinalObjective || this->Newton.cancelled())
     {
       return false;
     }
-    this->Settled = true;
+    this->HasFinalObjective = true;
     if (!this->Model.switchToFinalObjective(multipliers))
     {
       return false;
@@ -204,19 +259,20 @@ private:
 
   /// Whether the last step says by its size that no further one is worth it. Slivers and unknowns
   /// at their bound leave rounding in the gradient, not in the steps.
-  bool still() const
+  bool stepsVanish() const
   {
     return this->TookStep && this->TookWholeStep &&
       this->LargestMove <= this->Options.stepTolerance;
   }
 
-  bool feasible() const
+  bool isFeasible() const
   {
-    return largest(this->Newton.constraints()) <
-      (this->still() ? this->Options.stepConstraintTolerance : this->Options.constraintTolerance);
+    return largest(this->Newton.constraints()) < (this->stepsVanish()
+                                                     ? this->Options.stepConstraintTolerance
+                                                     : this->Options.constraintTolerance);
   }
 
-  bool optimal(double optimality) const
+  bool isOptimal(double optimality) const
   {
     return optimality <
       this->Options.optimalityTolerance * this->Model.gradientScale(this->Objective) ||
@@ -225,36 +281,36 @@ private:
 
   /// Tests the point with the multipliers that the last step left, which spares solving, then with
   /// those of the step from here.
-  Found testOptimality()
+  StepResult testOptimality()
   {
     this->Optimality = this->Newton.optimality(this->State.multipliers);
-    const bool feasible = this->feasible();
-    if (feasible && (this->still() || this->optimal(this->Optimality)))
+    const bool feasible = this->isFeasible();
+    if (feasible && (this->stepsVanish() || this->isOptimal(this->Optimality)))
     {
-      return Found::Minimum;
+      return StepResult::Minimum;
     }
     if (!std::isfinite(this->Objective) || !this->Newton.solve())
     {
-      return Found::Nothing;
+      return StepResult::Nothing;
     }
     if (!feasible)
     {
-      return Found::Step;
+      return StepResult::Step;
     }
     const double optimality = this->Newton.optimality(this->Newton.multipliers());
     if (this->Newton.predictedReduction() > this->Options.reductionTolerance * this->Objective &&
-      !this->optimal(optimality))
+      !this->isOptimal(optimality))
     {
-      return Found::Step;
+      return StepResult::Step;
     }
     this->State.multipliers = this->Newton.multipliers();
     if (this->Newton.shouldLeaveActiveSet())
     {
       this->linearize(this->Newton.curvature());
-      return this->Newton.solve() ? Found::Step : Found::Nothing;
+      return this->Newton.solve() ? StepResult::Step : StepResult::Nothing;
     }
     this->Optimality = optimality;
-    return Found::Minimum;
+    return StepResult::Minimum;
   }
 
   /// Goes along the step as far as the merit function falls.
@@ -271,7 +327,7 @@ private:
     const double move = largest(step);
     double scale = move > this->Options.maximumMove ? this->Options.maximumMove / move : 1.0;
     this->Shortened = false;
-    for (int halving = 0; halving < mostHalvings; ++halving, scale *= 0.5)
+    for (int halving = 0; halving < maxHalvings; ++halving, scale *= 0.5)
     {
       const double bound = before + sufficientDecrease * scale * std::min(slope, 0.0) + noise;
       const Eigen::VectorXd x = this->Newton.clipped(this->State.x + scale * step);
@@ -287,17 +343,17 @@ private:
 
   /// Whether a step would bring next to nothing where the Hessian bends downwards: Newton's method
   /// goes to saddles as well.
-  bool atSaddle() const
+  bool isAtSaddle() const
   {
-    return this->SaddlesLeft < mostSaddles && this->Newton.isIndefinite() &&
+    return this->SaddlesEscaped < maxSaddles && this->Newton.isIndefinite() &&
       largest(this->Newton.constraints()) <= this->Options.finalObjectiveConstraint &&
       this->Newton.predictedReduction() <= this->Options.saddleReduction * this->Objective;
   }
 
   /// Along the direction that bends downwards most, to the side and as far as it falls.
-  bool leaveSaddle()
+  bool escapeSaddle()
   {
-    ++this->SaddlesLeft;
+    ++this->SaddlesEscaped;
     const Eigen::VectorXd direction = this->Newton.negativeCurvatureDirection();
     if (direction.size() == 0)
     {
@@ -327,7 +383,7 @@ private:
   {
     Eigen::VectorXd x = tried;
     double violation = this->Merit.violation(this->Model.constraints(x));
-    for (int correction = 0; correction < mostCorrections; ++correction)
+    for (int correction = 0; correction < maxCorrections; ++correction)
     {
       x = this->Newton.corrected(x);
       if (this->accept(x, bound, scale))
@@ -358,7 +414,7 @@ private:
     {
       return false;
     }
-    this->take(x, objective, scale);
+    this->moveTo(x, objective, scale);
     return true;
   }
 
@@ -369,7 +425,7 @@ private:
   {
     if (this->Options.chordReduction == 0.0 || !this->Newton.nearMinimum() ||
       !(largest(this->Newton.step()) < this->Options.exactWithin) ||
-      !this->Newton.follow(x, this->Newton.multipliers()))
+      !this->Newton.linearizeForChord(x, this->Newton.multipliers()))
     {
       return false;
     }
@@ -377,14 +433,14 @@ private:
       this->residual(x, this->Newton.multipliers()) <=
         this->Options.chordReduction * this->Residual)
     {
-      this->take(x, objective, 1.0);
+      this->moveTo(x, objective, 1.0);
       return true;
     }
-    this->Newton.follow(this->State.x, this->State.multipliers);
+    this->Newton.linearizeForChord(this->State.x, this->State.multipliers);
     return false;
   }
 
-  void take(const Eigen::VectorXd& x, double objective, double scale)
+  void moveTo(const Eigen::VectorXd& x, double objective, double scale)
   {
     const Eigen::VectorXd move = x - this->State.x;
     this->LargestMove = largest(move);
@@ -414,9 +470,9 @@ private:
   bool Moved = false;
   bool TookStep = false; ///< since the objective is what it is
   bool TookWholeStep = false;
-  bool Settled = false;
+  bool HasFinalObjective = false;
   bool Shortened = false; ///< corrections of this step
-  int SaddlesLeft = 0;
+  int SaddlesEscaped = 0;
 };
 }
 

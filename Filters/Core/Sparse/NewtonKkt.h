@@ -2,13 +2,11 @@
 #pragma once
 
 #include "Base/Types.h"
-#include "Sparse/NewtonKktModel.h"
+#include "Sparse/NewtonKktStep.h"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <functional>
 #include <limits>
-#include <vector>
 
 namespace flattening
 {
@@ -19,68 +17,6 @@ enum class Termination
   IterationLimit, ///< it ran out of iterations, and was still getting on
   Stalled,        ///< no step gets nearer to the solution, or none has for long
   Cancelled,
-};
-
-/// Whether an iteration has got no nearer to zero in the second half of its run than in the first.
-/// \param residuals of at least 40 iterations; of fewer nothing is known
-inline bool hasStagnated(const std::vector<double>& residuals)
-{
-  constexpr std::size_t fewest = 40;
-  constexpr double noticeable = 0.9;
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  return residuals.size() >= fewest &&
-    *std::min_element(middle, residuals.end()) >=
-    noticeable * *std::min_element(residuals.begin(), middle);
-}
-
-/// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
-constexpr double sufficientDecrease = 1e-4;
-
-inline double largest(const Eigen::VectorXd& v)
-{
-  return v.size() ? v.cwiseAbs().maxCoeff() : 0.0;
-}
-
-/// Objective plus the sum of penalty_i |c_i|, which a step of sequential quadratic programming
-/// lowers: exact where each penalty is above its constraint's multiplier.
-class MeritFunction
-{
-public:
-  /// \param margin of a penalty over its multiplier; it keeps the function exact while multipliers
-  /// change, and shortens steps. \param share least penalty over the largest.
-  MeritFunction(Index constraints, double margin, double share)
-    : Penalties(Eigen::VectorXd::Zero(constraints))
-    , Margin(margin)
-    , Share(share)
-  {
-  }
-
-  /// Penalties only grow, so that steps get on by one measure.
-  void raise(const Eigen::VectorXd& multipliers)
-  {
-    const Eigen::VectorXd asked = this->Margin * multipliers.cwiseAbs();
-    const double least = this->Share * (asked.size() ? asked.maxCoeff() : 0.0);
-    this->Penalties =
-      this->Penalties.cwiseMax((asked.array().max(least) + smallestPenalty).matrix());
-  }
-  void forget() { this->Penalties.setZero(); }
-
-  double violation(const Eigen::VectorXd& constraints) const
-  {
-    return constraints.cwiseAbs().dot(this->Penalties);
-  }
-  double largestPenalty() const
-  {
-    return this->Penalties.size() ? this->Penalties.maxCoeff() : 0.0;
-  }
-
-private:
-  /// Where no multiplier asks for one.
-  static constexpr double smallestPenalty = 1e-3;
-
-  Eigen::VectorXd Penalties;
-  double Margin;
-  double Share;
 };
 
 /// Where the iteration starts, goes on and ends.

@@ -14,13 +14,13 @@ namespace
 /// Each gains about eight digits, 1 / regularization. What one leaves costs less to be taken out by
 /// a step that follows.
 constexpr int refinements = 2;
-constexpr int refinementsWhereFollowed = 1;
+constexpr int refinementsBeforeChords = 1;
 /// A solution by a factor that is kept in single precision which leaves more of the right-hand side
 /// than this would need many refinements.
 constexpr double singleIsEnough = 0.1;
 /// The same of solutions that are not refined where the factor is that of another point: what that
 /// leaves is larger.
-constexpr double singleLeadsOn = 2e-3;
+constexpr double singleIsEnoughForChords = 2e-3;
 /// Shifts tau of the Hessian: the smallest that matters beside entries about 1, growth by what
 /// costs few factorizations and overshoots little, and a largest beside which the Hessian is
 /// nothing.
@@ -44,7 +44,7 @@ constexpr double waves = 17.0;
 constexpr double shortStep = 0.125;
 /// Holds a bounded unknown on its way: what multipliers do to it, divided by this, is below the
 /// rounding of its bound.
-constexpr double holdingStiffness = 1e20;
+constexpr double activeStiffness = 1e20;
 }
 
 NewtonKktStep::NewtonKktStep(NewtonKktModel& model, LinearSolver solver, const Execution& execution)
@@ -55,15 +55,15 @@ NewtonKktStep::NewtonKktStep(NewtonKktModel& model, LinearSolver solver, const E
   , Unknowns(model.unknownCount())
   , Constraints(model.constraintCount())
   , FirstBounded(Unknowns - static_cast<Index>(Bounds.size()))
-  , Held(Bounds.size(), 0)
-  , HeldStep(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(Bounds.size())))
+  , Active(Bounds.size(), 0)
+  , ActiveStep(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(Bounds.size())))
 {
 }
 
 bool NewtonKktStep::cancelled()
 {
-  this->ToldToStop = this->ToldToStop || this->Run.cancelled();
-  return this->ToldToStop;
+  this->Stopped = this->Stopped || this->Run.cancelled();
+  return this->Stopped;
 }
 
 void NewtonKktStep::linearize(
@@ -72,27 +72,27 @@ void NewtonKktStep::linearize(
   this->X = x;
   this->OldMultipliers = multipliers;
   this->Point = this->Model.linearize(this->X, this->OldMultipliers, curvature,
-    this->Softness > 0.0 ? this->Softness : regularization, this->Run);
-  this->Taken = curvature;
-  this->Following = false;
-  this->Factored = false;
+    this->InversePenalty > 0.0 ? this->InversePenalty : regularization, this->Run);
+  this->Hessian = curvature;
+  this->Chord = false;
+  this->HasUnshiftedFactor = false;
   this->Shift = 0.0;
-  this->HeldStep.setZero();
-  if (!this->Held.empty())
+  this->ActiveStep.setZero();
+  if (!this->Active.empty())
   {
-    this->holdAtBounds();
+    this->findActiveSet();
   }
 }
 
-bool NewtonKktStep::follow(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers)
+bool NewtonKktStep::linearizeForChord(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers)
 {
   const bool free =
-    std::none_of(this->Held.begin(), this->Held.end(), [](char held) { return held != 0; });
-  if (!this->Factored || !free)
+    std::none_of(this->Active.begin(), this->Active.end(), [](char held) { return held != 0; });
+  if (!this->HasUnshiftedFactor || !free)
   {
     return false;
   }
-  if (this->Following && this->X == x)
+  if (this->Chord && this->X == x)
   {
     this->OldMultipliers = multipliers;
     return true;
@@ -105,7 +105,7 @@ bool NewtonKktStep::follow(const Eigen::VectorXd& x, const Eigen::VectorXd& mult
   this->X = x;
   this->OldMultipliers = multipliers;
   this->Point = std::move(*point);
-  this->Following = true;
+  this->Chord = true;
   return true;
 }
 
@@ -115,17 +115,17 @@ Eigen::VectorXd NewtonKktStep::lagrangianGradient(const Eigen::VectorXd& multipl
 }
 
 /// Holds the unknowns on a bound that are drawn outwards.
-void NewtonKktStep::holdAtBounds()
+void NewtonKktStep::findActiveSet()
 {
   const Eigen::VectorXd g = this->lagrangianGradient(this->OldMultipliers);
-  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  for (std::size_t k = 0; k < this->Active.size(); ++k)
   {
     const Index u = this->unknownOf(k);
     const double x = this->X[u];
-    this->Held[k] = std::abs(x) >= this->Bounds[k] && g[u] * x <= 0.0 ? 1 : 0;
-    if (this->Held[k])
+    this->Active[k] = std::abs(x) >= this->Bounds[k] && g[u] * x <= 0.0 ? 1 : 0;
+    if (this->Active[k])
     {
-      this->Model.stiffen(static_cast<Index>(k), holdingStiffness);
+      this->Model.stiffen(static_cast<Index>(k), activeStiffness);
     }
   }
 }
@@ -133,9 +133,9 @@ void NewtonKktStep::holdAtBounds()
 double NewtonKktStep::optimality(const Eigen::VectorXd& multipliers) const
 {
   Eigen::VectorXd g = this->lagrangianGradient(multipliers);
-  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  for (std::size_t k = 0; k < this->Active.size(); ++k)
   {
-    if (this->Held[k])
+    if (this->Active[k])
     {
       g[this->unknownOf(k)] = 0.0;
     }
@@ -151,10 +151,10 @@ double NewtonKktStep::predictedReduction() const
 bool NewtonKktStep::shouldLeaveActiveSet() const
 {
   const Eigen::VectorXd g = this->lagrangianGradient(this->Multipliers);
-  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  for (std::size_t k = 0; k < this->Active.size(); ++k)
   {
     const Index u = this->unknownOf(k);
-    if (this->Held[k] && g[u] * (this->X[u] + this->HeldStep[Eigen::Index(k)]) > 0.0)
+    if (this->Active[k] && g[u] * (this->X[u] + this->ActiveStep[Eigen::Index(k)]) > 0.0)
     {
       return true;
     }
@@ -162,7 +162,7 @@ bool NewtonKktStep::shouldLeaveActiveSet() const
   return false;
 }
 
-bool NewtonKktStep::factorizes()
+bool NewtonKktStep::tryFactorize()
 {
   ++this->Factorizations;
   bool factored = !this->cancelled() && this->Solver.factorize(this->Model.kkt(), this->Run);
@@ -183,7 +183,7 @@ bool NewtonKktStep::shiftUntilConvex(double tau, int mostShifts, double largest)
   {
     this->Model.shift(tau - this->Shift);
     this->Shift = tau;
-    done = this->factorizes();
+    done = this->tryFactorize();
   }
   return done;
 }
@@ -197,7 +197,7 @@ bool NewtonKktStep::factorize()
       this->Model.shift(this->Damping - this->Shift);
       this->Shift = this->Damping;
     }
-    return this->factorizes();
+    return this->tryFactorize();
   };
   const auto from = [this](double last) {
     return this->Shift > 0.0 ? shiftGrowth * this->Shift
@@ -205,11 +205,11 @@ bool NewtonKktStep::factorize()
   };
   bool done = damped();
   this->Indefinite = false;
-  if (this->Taken == Curvature::Exact && this->Model.hasConvexPart())
+  if (this->Hessian == Curvature::Exact && this->Model.hasConvexPart())
   {
     this->Indefinite = !done;
     done = done ||
-      (this->Saddles &&
+      (this->HandlesSaddles &&
         this->shiftUntilConvex(from(this->ExactShift), mostExactShifts, largestExactShift));
     this->ExactShift = done ? this->Shift : shiftGrowth * largestExactShift; // then try once
     if (!done)
@@ -226,7 +226,7 @@ bool NewtonKktStep::factorize()
 Eigen::VectorXd NewtonKktStep::negativeCurvatureDirection()
 {
   this->linearize(this->X, this->OldMultipliers, Curvature::Exact);
-  if (this->factorizes() || !this->shiftUntilConvex(smallestShift, mostShifts, largestShift))
+  if (this->tryFactorize() || !this->shiftUntilConvex(smallestShift, mostShifts, largestShift))
   {
     return {};
   }
@@ -254,7 +254,7 @@ Eigen::VectorXd NewtonKktStep::negativeCurvatureDirection()
 
 void NewtonKktStep::updateDamping(double fraction)
 {
-  if (!this->Saddles)
+  if (!this->HandlesSaddles)
   {
     return;
   }
@@ -270,34 +270,34 @@ void NewtonKktStep::updateDamping(double fraction)
 
 bool NewtonKktStep::solve()
 {
-  if (this->Following)
+  if (this->Chord)
   {
-    return this->solveFollowing();
+    return this->solveChord();
   }
-  bool found = this->factorize() && this->solveHeld();
+  bool found = this->factorize() && this->solveActive();
   // An unknown that would leave its bounds goes as far as the bound, and the rest of the step
   // adapts.
-  while (found && this->holdLeaving())
+  while (found && this->growActiveSet())
   {
-    found = this->factorize() && this->solveHeld();
+    found = this->factorize() && this->solveActive();
   }
   return found;
 }
 
 /// The same step by the change of the multipliers, whose Jacobian is that of this point.
-bool NewtonKktStep::solveFollowing()
+bool NewtonKktStep::solveChord()
 {
   Eigen::VectorXd rhs(this->Unknowns + this->Constraints);
   rhs.head(this->Unknowns) = -this->lagrangianGradient(this->OldMultipliers);
   rhs.tail(this->Constraints) = -this->Point.constraints;
   Eigen::VectorXd solution = this->Solver.solve(rhs, this->Run);
-  if (this->LeftByFactor > singleLeadsOn && solution.size() == rhs.size())
+  if (this->RelativeResidual > singleIsEnoughForChords && solution.size() == rhs.size())
   {
     const Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * solution;
     const Eigen::VectorXd change = this->Solver.solve(r, this->Run);
     solution += change.size() == rhs.size() ? change : Eigen::VectorXd::Zero(rhs.size());
   }
-  if (!this->takeSolution(solution))
+  if (!this->splitSolution(solution))
   {
     return false;
   }
@@ -313,7 +313,7 @@ bool NewtonKktStep::solveFollowing()
   return true;
 }
 
-bool NewtonKktStep::solveHeld()
+bool NewtonKktStep::solveActive()
 {
   // A factor in single precision leaves a fraction of the right-hand side, so that has to vanish at
   // a minimum: then the change of the multipliers is asked for.
@@ -322,27 +322,27 @@ bool NewtonKktStep::solveHeld()
   rhs.head(this->Unknowns) =
     changes ? -this->lagrangianGradient(this->OldMultipliers) : -this->Point.gradient;
   rhs.tail(this->Constraints) = -this->Point.constraints;
-  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  for (std::size_t k = 0; k < this->Active.size(); ++k)
   {
-    if (this->Held[k])
+    if (this->Active[k])
     {
-      rhs[this->unknownOf(k)] = holdingStiffness * this->HeldStep[static_cast<Eigen::Index>(k)];
+      rhs[this->unknownOf(k)] = activeStiffness * this->ActiveStep[static_cast<Eigen::Index>(k)];
     }
   }
   KktSolution solution = this->solveKkt(rhs);
   if (this->Solver.precision() == FactorPrecision::Single &&
-    !(solution.leftByFactor <= singleIsEnough))
+    !(solution.relativeResidual <= singleIsEnough))
   {
     this->Solver.keepDouble();
-    if (!this->factorizes())
+    if (!this->tryFactorize())
     {
       return false;
     }
     solution = this->solveKkt(rhs);
   }
-  this->LeftByFactor = solution.leftByFactor;
+  this->RelativeResidual = solution.relativeResidual;
   // The multiplier part of the solution is the new multiplier itself, or its change.
-  if (!this->takeSolution(solution.x))
+  if (!this->splitSolution(solution.x))
   {
     return false;
   }
@@ -350,11 +350,11 @@ bool NewtonKktStep::solveHeld()
   {
     this->Multipliers += this->OldMultipliers;
   }
-  this->Factored = this->Shift == 0.0;
+  this->HasUnshiftedFactor = this->Shift == 0.0;
   return true;
 }
 
-bool NewtonKktStep::takeSolution(const Eigen::VectorXd& solution)
+bool NewtonKktStep::splitSolution(const Eigen::VectorXd& solution)
 {
   if (solution.size() != this->Unknowns + this->Constraints || !isFinite(solution))
   {
@@ -365,18 +365,18 @@ bool NewtonKktStep::takeSolution(const Eigen::VectorXd& solution)
   return true;
 }
 
-bool NewtonKktStep::holdLeaving()
+bool NewtonKktStep::growActiveSet()
 {
   bool leaving = false;
-  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  for (std::size_t k = 0; k < this->Active.size(); ++k)
   {
     const Index u = this->unknownOf(k);
-    if (!this->Held[k] && std::abs(this->X[u] + this->Step[u]) > this->Bounds[k])
+    if (!this->Active[k] && std::abs(this->X[u] + this->Step[u]) > this->Bounds[k])
     {
-      this->Held[k] = 1;
-      this->HeldStep[static_cast<Eigen::Index>(k)] =
+      this->Active[k] = 1;
+      this->ActiveStep[static_cast<Eigen::Index>(k)] =
         std::copysign(this->Bounds[k], this->Step[u]) - this->X[u];
-      this->Model.stiffen(static_cast<Index>(k), holdingStiffness);
+      this->Model.stiffen(static_cast<Index>(k), activeStiffness);
       leaving = true;
     }
   }
@@ -390,17 +390,17 @@ NewtonKktStep::KktSolution NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs) c
   Eigen::VectorXd& x = solution.x;
   if (x.size() != rhs.size())
   {
-    solution.leftByFactor = std::numeric_limits<double>::infinity();
+    solution.relativeResidual = std::numeric_limits<double>::infinity();
   }
-  const int wanted = this->Followers ? refinementsWhereFollowed : refinements;
-  const int most = this->Softness > 0.0 ? 0 : wanted;
+  const int wanted = this->ChordSteps ? refinementsBeforeChords : refinements;
+  const int most = this->InversePenalty > 0.0 ? 0 : wanted;
   for (int refinement = 0; refinement < most && x.size() == rhs.size(); ++refinement)
   {
     Eigen::VectorXd r = rhs - this->Model.kkt().selfadjointView<Eigen::Lower>() * x;
     r.tail(this->Constraints) -= regularization * x.tail(this->Constraints);
     if (refinement == 0)
     {
-      solution.leftByFactor = r.cwiseAbs().maxCoeff() /
+      solution.relativeResidual = r.cwiseAbs().maxCoeff() /
         std::max(rhs.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
     }
     const Eigen::MatrixXd change = this->Solver.solve(r, this->Run);
@@ -415,9 +415,9 @@ NewtonKktStep::KktSolution NewtonKktStep::solveKkt(const Eigen::VectorXd& rhs) c
 
 bool NewtonKktStep::shortenCorrections()
 {
-  this->Factored = false;
+  this->HasUnshiftedFactor = false;
   this->Model.shift(shorteningShift - this->Shift);
-  return this->factorizes();
+  return this->tryFactorize();
 }
 
 Eigen::VectorXd NewtonKktStep::clipped(Eigen::VectorXd x) const

@@ -1,10 +1,81 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Sparse/NewtonKktModel.h"
+#include "Base/Execution.h"
+#include "Sparse/LinearSolver.h"
+
+#include <Eigen/Core>
+#include <optional>
 
 namespace flattening
 {
+/// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
+inline constexpr double sufficientDecrease = 1e-4;
+
+inline double largest(const Eigen::VectorXd& v)
+{
+  return v.size() ? v.cwiseAbs().maxCoeff() : 0.0;
+}
+
+/// How the Hessian of a Lagrangian is taken.
+enum class Curvature
+{
+  Exact,  ///< all terms
+  Convex, ///< only what bends upwards, where the model knows such a part
+};
+
+/// What the Newton iteration solves: least objective f(x) under equations c(x) = 0, the last of the
+/// unknowns (the stretches of elastic wires) within bounds.
+class NewtonKktModel
+{
+public:
+  virtual ~NewtonKktModel() = default;
+
+  virtual Index unknownCount() const = 0;
+  virtual Index constraintCount() const = 0;
+  /// Of the last unknowns: each lies between minus its bound and its bound.
+  virtual std::vector<double> bounds() const = 0;
+
+  virtual double objective(const Eigen::VectorXd& x, const Execution& execution) const = 0;
+  virtual Eigen::VectorXd constraints(const Eigen::VectorXd& x) const = 0;
+  /// What rounding leaves of the sum of |c_i(x)|, at this value of the merit function.
+  virtual double constraintRounding(const Eigen::VectorXd& x, double merit) const = 0;
+  /// What an entry of the gradient of the Lagrangian is small against, at this objective.
+  virtual double gradientScale(double) const { return 1.0; }
+  /// What the rounding of the unknowns leaves of an entry of that gradient: none is asked to be
+  /// smaller.
+  virtual double gradientRounding(const Eigen::VectorXd&) const { return 0.0; }
+  /// Told once, near a minimum, the multipliers there: the model may take on the objective that it
+  /// is to end with. \return whether it is another one
+  virtual bool switchToFinalObjective(const Eigen::VectorXd&) { return false; }
+
+  struct Linearization
+  {
+    Eigen::VectorXd gradient; ///< of the objective
+    Eigen::VectorXd constraints;
+  };
+  /// Gradient and constraints at x; fills the KKT matrix [H, J'; J, -delta I] (lower triangle), H
+  /// the Hessian of objective + multipliers . constraints and J the Jacobian of the constraints,
+  /// whose rows come after all unknowns.
+  virtual Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
+    Curvature curvature, double delta, const Execution& execution) = 0;
+  /// The same without the KKT matrix, which keeps what it holds; nothing where a model always wants
+  /// both.
+  virtual std::optional<Linearization> differentiate(const Eigen::VectorXd&, const Execution&)
+  {
+    return std::nullopt;
+  }
+  /// Whether Curvature::Convex is another Hessian than the exact one.
+  virtual bool hasConvexPart() const { return false; }
+  /// Adds to the diagonal of H, after linearize().
+  virtual void shift(double tau) = 0;
+  /// Adds to the diagonal at a bounded unknown, after linearize().
+  virtual void stiffen(Index bounded, double stiffness) = 0;
+  virtual const SparseMatrix& kkt() const = 0;
+  /// J' times a vector, with the Jacobian of the last linearize() or differentiate().
+  virtual Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const = 0;
+};
+
 /// The Newton step of a model from one point after the other: the KKT system there, with a Hessian
 /// that is convex on the constraints' tangent space and bounded unknowns held where they leave
 /// their bounds.
@@ -19,11 +90,11 @@ public:
 
   /// Constraints are squared terms mu / 2 c^2 of the objective from now on, with mu c for their
   /// multipliers: [H, J'; J, -I / mu] is H + mu J'J.
-  void setPenalty(double mu) { this->Softness = 1.0 / mu; }
-  /// Chord steps, by follow(), will reduce what rounding leaves of the full steps.
-  void enableChordSteps() { this->Followers = true; }
+  void setPenalty(double mu) { this->InversePenalty = 1.0 / mu; }
+  /// Chord steps, by linearizeForChord(), will reduce what rounding leaves of the full steps.
+  void enableChordSteps() { this->ChordSteps = true; }
   /// See NewtonKktOptions::amongSaddles.
-  void enableSaddleHandling() { this->Saddles = true; }
+  void enableSaddleHandling() { this->HandlesSaddles = true; }
   /// How many there were.
   int factorizations() const { return this->Factorizations; }
   /// Goes to a point.
@@ -31,13 +102,13 @@ public:
   /// Goes to a point whose step the last factorization is to give: Newton's with the matrix of an
   /// earlier point, which costs next to nothing and errs by as much as the matrix has changed.
   /// False, and nothing has changed, where there is none without a shift, or an unknown is held.
-  bool follow(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers);
+  bool linearizeForChord(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers);
   /// Whether the last factorization is that of the exact Hessian as it is, found convex on the
   /// constraints' tangent space.
-  bool nearMinimum() const { return this->Factored && this->Taken == Curvature::Exact; }
+  bool nearMinimum() const { return this->HasUnshiftedFactor && this->Hessian == Curvature::Exact; }
   const Eigen::VectorXd& gradient() const { return this->Point.gradient; }
   const Eigen::VectorXd& constraints() const { return this->Point.constraints; }
-  Curvature curvature() const { return this->Taken; }
+  Curvature curvature() const { return this->Hessian; }
   /// Largest entry of the gradient of the Lagrangian over the unknowns that are free to move.
   double optimality(const Eigen::VectorXd& multipliers) const;
 
@@ -76,19 +147,19 @@ private:
     return this->FirstBounded + static_cast<Index>(bounded);
   }
   Eigen::VectorXd lagrangianGradient(const Eigen::VectorXd& multipliers) const;
-  void holdAtBounds();
-  bool holdLeaving();
-  bool factorizes();
+  void findActiveSet();
+  bool growActiveSet();
+  bool tryFactorize();
   bool factorize();
   bool shiftUntilConvex(double tau, int mostShifts, double largest);
-  bool solveHeld();
-  bool solveFollowing();
-  bool takeSolution(const Eigen::VectorXd& solution);
+  bool solveActive();
+  bool solveChord();
+  bool splitSolution(const Eigen::VectorXd& solution);
   struct KktSolution
   {
     Eigen::VectorXd x; ///< empty where the factor gives none
     /// What the first solution left of the right-hand side, as a fraction, where it is refined.
-    double leftByFactor = 0.0;
+    double relativeResidual = 0.0;
   };
   KktSolution solveKkt(const Eigen::VectorXd& rhs) const;
 
@@ -99,27 +170,27 @@ private:
   Index Unknowns;
   Index Constraints;
   Index FirstBounded;
-  std::vector<char> Held;   ///< bounded unknowns that are, or in this step go, to their bound
-  Eigen::VectorXd HeldStep; ///< how far those go
-  Eigen::VectorXd X;        ///< the point
+  std::vector<char> Active;   ///< bounded unknowns that are, or in this step go, to their bound
+  Eigen::VectorXd ActiveStep; ///< how far those go
+  Eigen::VectorXd X;          ///< the point
   Eigen::VectorXd OldMultipliers;
   NewtonKktModel::Linearization Point;
-  Curvature Taken = Curvature::Convex;
-  double Shift = 0.0;      ///< tau in the KKT matrix
-  double LastShift = 0.0;  ///< of the last factorization
-  double Softness = 0.0;   ///< 1 / mu; 0: constraints hold
-  double ExactShift = 0.0; ///< of the last factorization with the exact Hessian
-  double Damping = 0.0;    ///< least shift of the next
+  Curvature Hessian = Curvature::Convex;
+  double Shift = 0.0;          ///< tau in the KKT matrix
+  double LastShift = 0.0;      ///< of the last factorization
+  double InversePenalty = 0.0; ///< 1 / mu; 0: constraints hold
+  double ExactShift = 0.0;     ///< of the last factorization with the exact Hessian
+  double Damping = 0.0;        ///< least shift of the next
   Eigen::VectorXd Step;
   Eigen::VectorXd Multipliers;
   /// What the last factor leaves of a right-hand side without refinement, as a fraction.
-  double LeftByFactor = 0.0;
+  double RelativeResidual = 0.0;
   int Factorizations = 0;
-  bool Saddles = false;
+  bool HandlesSaddles = false;
   bool Indefinite = false;
-  bool Followers = false;
-  bool Factored = false;  ///< the matrix, without a shift
-  bool Following = false; ///< the matrix is that of an earlier point
-  bool ToldToStop = false;
+  bool ChordSteps = false;
+  bool HasUnshiftedFactor = false; ///< the matrix, without a shift
+  bool Chord = false;              ///< the matrix is that of an earlier point
+  bool Stopped = false;
 };
 }

@@ -21,10 +21,10 @@ constexpr double penaltyGrowth = 4.0;
 /// of it: on the way, and once the model has settled.
 constexpr double roughly = 1e-2;
 constexpr double nearly = 1e-5;
-constexpr int mostStepsRoughly = 12;
-constexpr int mostStepsNearly = 40;
-constexpr int mostPenaltySaddles = 1; ///< left, with each weight
-constexpr int mostPenaltyHalvings = 30;
+constexpr int maxStepsRoughly = 12;
+constexpr int maxStepsNearly = 40;
+constexpr int maxPenaltySaddles = 1; ///< left, with each weight
+constexpr int maxPenaltyHalvings = 30;
 constexpr double shortestPenaltyEscape = 1e-4;
 
 class Descent
@@ -62,7 +62,7 @@ public:
       else if (!this->switchToFinalObjective())
       {
         termination =
-          this->Settled && largest(this->Constraints) < this->Options.constraintTolerance
+          this->HasFinalObjective && largest(this->Constraints) < this->Options.constraintTolerance
           ? Termination::Converged
           : termination;
         this->Penalty *= penaltyGrowth;
@@ -82,11 +82,12 @@ private:
   /// Whether the model is another one than before.
   bool switchToFinalObjective()
   {
-    if (this->Settled || largest(this->Constraints) >= this->Options.finalObjectiveConstraint)
+    if (this->HasFinalObjective ||
+      largest(this->Constraints) >= this->Options.finalObjectiveConstraint)
     {
       return false;
     }
-    this->Settled = true;
+    this->HasFinalObjective = true;
     return this->Model.switchToFinalObjective(this->Penalty * this->Constraints);
   }
 
@@ -99,9 +100,10 @@ private:
   void goDown()
   {
     this->Newton.setPenalty(this->Penalty);
-    const double enough = this->Settled ? nearly : roughly;
-    int steps = std::min(this->StepsLeft, this->Settled ? mostStepsNearly : mostStepsRoughly);
-    int saddles = mostPenaltySaddles;
+    const double enough = this->HasFinalObjective ? nearly : roughly;
+    int steps =
+      std::min(this->StepsLeft, this->HasFinalObjective ? maxStepsNearly : maxStepsRoughly);
+    int saddles = maxPenaltySaddles;
     bool further = true;
     for (; further && steps > 0 && this->mayGoOn() && !this->Newton.cancelled();
          --steps, --this->StepsLeft)
@@ -110,7 +112,7 @@ private:
       further = promised > enough;
       if (!further && this->Newton.isIndefinite() && saddles-- > 0)
       {
-        further = this->leaveSaddle();
+        further = this->escapeSaddle();
       }
     }
   }
@@ -128,7 +130,7 @@ private:
       this->Constraints.dot(this->Newton.multipliers() - this->Penalty * this->Constraints);
     const double before = this->merit(this->X, this->Constraints);
     double scale = 1.0;
-    for (int halving = 0; halving < mostPenaltyHalvings; ++halving, scale *= 0.5)
+    for (int halving = 0; halving < maxPenaltyHalvings; ++halving, scale *= 0.5)
     {
       if (this->moveTo(this->Newton.clipped(this->X + scale * step),
             before + sufficientDecrease * scale * slope))
@@ -140,7 +142,7 @@ private:
   }
 
   /// Along the direction that bends downwards most.
-  bool leaveSaddle()
+  bool escapeSaddle()
   {
     const double before = this->merit(this->X, this->Constraints);
     this->Newton.linearize(this->X, this->Penalty * this->Constraints, Curvature::Exact);
@@ -183,7 +185,7 @@ private:
   double Penalty = 0.0;
   double UsedPenalty = 0.0; ///< of the last descent
   int StepsLeft;
-  bool Settled = false;
+  bool HasFinalObjective = false;
 };
 }
 

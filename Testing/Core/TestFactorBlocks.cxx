@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sparse/DenseSubstitution.h"
+#include "Sparse/FactorBlocks.h"
 
 #include <gtest/gtest.h>
 

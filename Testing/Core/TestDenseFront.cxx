@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sparse/DenseProduct.h"
+#include "Sparse/DenseFront.h"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sparse/SparseBlocks.h"
+#include "Sparse/SymmetricAssembler.h"
 
 #include <gtest/gtest.h>
 
