@@ -3,7 +3,10 @@
 
 #include "MeshTriangles.h"
 
+#include <Eigen/SparseCore>
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <string>
@@ -147,5 +150,32 @@ inline std::vector<Graph> graphs()
     result.push_back(renumbered(result[k], generator));
   }
   return result;
+}
+
+/// Stiffness of a grid of springs, positive definite.
+inline Eigen::SparseMatrix<double> gridLaplacian(int side)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto at = [side](int i, int j) { return i * side + j; };
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      entries.emplace_back(at(i, j), at(i, j), 4.1 + 0.3 * std::sin(i + 2.0 * j));
+      if (i + 1 < side)
+      {
+        entries.emplace_back(at(i, j), at(i + 1, j), -1.0);
+        entries.emplace_back(at(i + 1, j), at(i, j), -1.0);
+      }
+      if (j + 1 < side)
+      {
+        entries.emplace_back(at(i, j), at(i, j + 1), -1.0);
+        entries.emplace_back(at(i, j + 1), at(i, j), -1.0);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(side * side, side * side);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 }

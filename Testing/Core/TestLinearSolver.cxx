@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/LinearSolver.h"
+#include "TestGraphs.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <random>
 
 using namespace flattening;
+using namespace testgraphs;
 
 namespace
 {
@@ -33,33 +35,6 @@ LinearSolver make(Method method, Eigen::Index size)
     order.endRange(k + 1);
   }
   return LinearSolver(std::move(order));
-}
-
-/// Stiffness of a grid of springs, positive definite.
-SparseMatrix gridLaplacian(int side)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto at = [side](int i, int j) { return i * side + j; };
-  for (int i = 0; i < side; ++i)
-  {
-    for (int j = 0; j < side; ++j)
-    {
-      entries.emplace_back(at(i, j), at(i, j), 4.1 + 0.3 * std::sin(i + 2.0 * j));
-      if (i + 1 < side)
-      {
-        entries.emplace_back(at(i, j), at(i + 1, j), -1.0);
-        entries.emplace_back(at(i + 1, j), at(i, j), -1.0);
-      }
-      if (j + 1 < side)
-      {
-        entries.emplace_back(at(i, j), at(i, j + 1), -1.0);
-        entries.emplace_back(at(i, j + 1), at(i, j), -1.0);
-      }
-    }
-  }
-  SparseMatrix matrix(side * side, side * side);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
 }
 
 /// [H C'; C -delta I], quasi-definite: as many negative eigenvalues as rows of C.

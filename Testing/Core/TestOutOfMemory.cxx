@@ -4,6 +4,7 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Reference/SuperLUFactorization.h"
 #include "Surface/SurfacePreparation.h"
+#include "TestGraphs.h"
 #include "TestThreads.h"
 #include "WiredSurface.h"
 
@@ -62,28 +63,6 @@ int flattenWithMoreAndMoreMemory(const Surface& surface, const FlatteningOptions
     [&] { return flattenSurface(surface.mesh, {}, options, {}).status; },
     [](std::size_t kilobytes) { return kilobytes + 1024 + kilobytes / 4; });
 }
-
-/// The five-point matrix of a grid, which is positive definite.
-Eigen::SparseMatrix<double> gridMatrix(Index side)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index i = 0; i < side * side; ++i)
-  {
-    entries.emplace_back(i, i, 5.0);
-    for (const Index other :
-      { i % side + 1 < side ? i + 1 : none, i + side < side * side ? i + side : none })
-    {
-      if (other != none)
-      {
-        entries.emplace_back(i, other, -1.0);
-        entries.emplace_back(other, i, -1.0);
-      }
-    }
-  }
-  Eigen::SparseMatrix<double> matrix(side * side, side * side);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
 }
 
 TEST(OutOfMemory, IsTheStatusOfARunWhoseFactorsMayNotBeAsLargeAndTellsHowLargeTheyAre)
@@ -130,7 +109,7 @@ TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
   {
     Status status;
   };
-  const Eigen::SparseMatrix<double> matrix = gridMatrix(120);
+  const Eigen::SparseMatrix<double> matrix = testgraphs::gridLaplacian(120);
   const Eigen::MatrixXd rightHandSides = Eigen::MatrixXd::Ones(matrix.rows(), 2);
   const auto solve = [&]() -> Result {
     SuperLUFactorization solver;

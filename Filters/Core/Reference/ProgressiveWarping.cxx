@@ -12,106 +12,83 @@ namespace flattening
 {
 namespace
 {
-/// A loop of a network as a network of its own, whose nodes are in the same order. A wire with the
-/// loop on both sides stays one wire; a vertex is interior where all angles around it are the
-/// loop's.
-class SingleLoop
+/// Adds the host vertices of a loop, numbered in the order of the whole network. A vertex is
+/// interior where all angles around it are the loop's.
+void addHosts(const WireNetwork& whole, Index loop, WireNetwork& single)
 {
-public:
-  SingleLoop(const WireNetwork& network, Index loop)
-    : Whole(network)
-    , Loop(loop)
-    , Begin(network.loopBegin[loop])
-    , Count(network.loopBegin[loop + 1] - Begin)
+  const Index begin = whole.loopBegin[loop];
+  const Index end = whole.loopBegin[loop + 1];
+  single.vertex.assign(end - begin, none);
+  Indices hosts;
+  for (Index side = begin; side < end; ++side)
   {
+    hosts.push_back(whole.hostOfVertex[whole.vertex[side]]);
   }
-
-  WireNetwork build()
+  std::sort(hosts.begin(), hosts.end());
+  hosts.erase(std::unique(hosts.begin(), hosts.end()), hosts.end());
+  for (Index host : hosts)
   {
-    this->collectHosts();
-    WireNetwork& single = this->Single;
-    for (Index k = 0; k < this->Count; ++k)
+    const auto id = static_cast<Index>(single.hostVertices.size());
+    bool enclosed = whole.interior[host] != 0;
+    single.vertexNodeBegin.push_back(static_cast<Index>(single.vertexNodes.size()));
+    for (Index n = whole.vertexNodeBegin[host]; n < whole.vertexNodeBegin[host + 1]; ++n)
     {
-      const Index side = this->Begin + k;
-      single.previous.push_back(k == 0 ? this->Count - 1 : k - 1);
-      single.next.push_back(k + 1 == this->Count ? 0 : k + 1);
-      single.loop.push_back(0);
-      single.halfedge.push_back(this->Whole.halfedge[side]);
-      single.alpha.push_back(this->Whole.alpha[side]);
-      this->addSide(k);
-    }
-    single.loopBegin = { 0, this->Count };
-    single.patchOfLoop = { this->Whole.patchOfLoop[this->Loop] };
-    single.patchCount = 1;
-    return std::move(single);
-  }
-
-private:
-  /// Vertices are numbered as hosts, in the order of the whole network.
-  void collectHosts()
-  {
-    WireNetwork& single = this->Single;
-    single.vertex.assign(this->Count, none);
-    Indices hosts;
-    for (Index k = 0; k < this->Count; ++k)
-    {
-      hosts.push_back(this->Whole.hostOfVertex[this->Whole.vertex[this->Begin + k]]);
-    }
-    std::sort(hosts.begin(), hosts.end());
-    hosts.erase(std::unique(hosts.begin(), hosts.end()), hosts.end());
-    for (Index host : hosts)
-    {
-      const auto id = static_cast<Index>(single.hostVertices.size());
-      bool enclosed = this->Whole.interior[host] != 0;
-      single.vertexNodeBegin.push_back(static_cast<Index>(single.vertexNodes.size()));
-      for (Index n = this->Whole.vertexNodeBegin[host]; n < this->Whole.vertexNodeBegin[host + 1];
-           ++n)
+      const Index node = whole.vertexNodes[n];
+      if (whole.loop[node] == loop)
       {
-        const Index node = this->Whole.vertexNodes[n];
-        if (this->Whole.loop[node] == this->Loop)
-        {
-          single.vertexNodes.push_back(node - this->Begin);
-          single.vertex[node - this->Begin] = id;
-        }
-        else
-        {
-          enclosed = false;
-        }
+        single.vertexNodes.push_back(node - begin);
+        single.vertex[node - begin] = id;
       }
-      single.hostVertices.push_back(id);
-      single.hostOfVertex.push_back(id);
-      single.interior.push_back(enclosed ? 1 : 0);
+      else
+      {
+        enclosed = false;
+      }
     }
-    single.vertexNodeBegin.push_back(this->Count);
+    single.hostVertices.push_back(id);
+    single.hostOfVertex.push_back(id);
+    single.interior.push_back(enclosed ? 1 : 0);
   }
+  single.vertexNodeBegin.push_back(end - begin);
+}
 
-  void addSide(Index k)
+/// A loop of a network as a network of its own, whose nodes are in the same order. A wire with the
+/// loop on both sides stays one wire.
+WireNetwork singleLoop(const WireNetwork& whole, Index loop)
+{
+  WireNetwork single;
+  addHosts(whole, loop, single);
+  const Index begin = whole.loopBegin[loop];
+  const Index count = whole.loopBegin[loop + 1] - begin;
+  for (Index k = 0; k < count; ++k)
   {
-    WireNetwork& single = this->Single;
-    const Index twin = this->Whole.twin[this->Begin + k];
-    const bool bothSides = twin != none && this->Whole.loop[twin] == this->Loop;
-    single.twin.push_back(bothSides ? twin - this->Begin : none);
-    if (bothSides && twin - this->Begin < k)
+    const Index side = begin + k;
+    single.previous.push_back(k == 0 ? count - 1 : k - 1);
+    single.next.push_back(k + 1 == count ? 0 : k + 1);
+    single.loop.push_back(0);
+    single.halfedge.push_back(whole.halfedge[side]);
+    single.alpha.push_back(whole.alpha[side]);
+    const Index twin = whole.twin[side];
+    const bool bothSides = twin != none && whole.loop[twin] == loop;
+    single.twin.push_back(bothSides ? twin - begin : none);
+    if (bothSides && twin < side)
     {
-      single.edge.push_back(single.edge[twin - this->Begin]);
+      single.edge.push_back(single.edge[twin - begin]);
       single.edges[single.edge.back()].otherSide = k;
-      return;
+      continue;
     }
     WireEdge edge;
     edge.from = single.vertex[k];
     edge.to = single.vertex[single.next[k]];
     edge.side = k;
-    edge.length = this->Whole.length(this->Begin + k);
+    edge.length = whole.length(side);
     single.edge.push_back(single.edgeCount());
     single.edges.push_back(edge);
   }
-
-  const WireNetwork& Whole;
-  Index Loop;
-  Index Begin;
-  Index Count;
-  WireNetwork Single;
-};
+  single.loopBegin = { 0, count };
+  single.patchOfLoop = { whole.patchOfLoop[loop] };
+  single.patchCount = 1;
+  return single;
+}
 
 /// A wire-patch in the heap of Algorithm 2, keyed by its shape-evidence factor (Eq. 10).
 struct HeapEntry
@@ -183,7 +160,7 @@ private:
 
   bool warp(Index loop)
   {
-    const WireNetwork single = SingleLoop(this->Net, loop).build();
+    const WireNetwork single = singleLoop(this->Net, loop);
     const Index begin = this->Net.loopBegin[loop];
     NodeLocks locks;
     locks.locked.assign(
