@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/DirectionsForm.h"
-#include "Angles/DirectionsKkt.h"
 #include "WiredSurface.h"
 
 #include <Eigen/SparseCholesky>

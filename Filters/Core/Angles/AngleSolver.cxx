@@ -2,7 +2,6 @@
 #include "Angles/AngleSolver.h"
 
 #include "Angles/DirectionsForm.h"
-#include "Angles/DirectionsKkt.h"
 #include "Base/Execution.h"
 #include "Sparse/NewtonKkt.h"
 

@@ -2,7 +2,7 @@
 #include "Embedding/InteriorEmbedding.h"
 
 #include "Base/Types.h"
-#include "Embedding/InteriorPatch.h"
+#include "Embedding/InteriorSystem.h"
 #include "Embedding/RigidEmbedding.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "Base/Execution.h"
-#include "Embedding/InteriorPatch.h"
 #include "Sparse/LinearSolver.h"
 #include "Sparse/SymmetricAssembler.h"
 #include "Surface/TriangleFrame.h"
+#include "Wires/WireNetwork.h"
 
 #include <array>
 #include <memory>
@@ -13,6 +13,25 @@
 
 namespace flattening
 {
+/// The part of a wire-patch that its interior vertices take part in, in ids of its own: the first
+/// freeCount vertices are interior, the others stand on wires.
+struct InteriorPatch
+{
+  Index patch = none;
+  Index freeCount = 0;
+  /// Piece vertex of each, first the interior ones, then all of the wire-patch's wires, ascending.
+  Indices vertices;
+  Triangles triangles; ///< those with an interior corner
+};
+
+/// The wire-patches that have interior vertices.
+std::vector<InteriorPatch> collectInteriorPatches(const Piece& piece, const WireNetwork& network);
+
+/// The same with only those of the interior vertices free that are marked; the others beside them
+/// are held like those on wires.
+/// \param marked per vertex of the patch.
+InteriorPatch restrictedTo(const InteriorPatch& patch, const std::vector<char>& marked);
+
 /// Weight of the edge opposite to each corner.
 using EdgeWeights = std::array<double, 3>;
 

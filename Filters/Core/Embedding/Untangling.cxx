@@ -2,7 +2,7 @@
 #include "Embedding/Untangling.h"
 
 #include "Embedding/DistortionEnergy.h"
-#include "Embedding/InteriorPatch.h"
+#include "Embedding/InteriorSystem.h"
 #include "Quality/FlatteningQuality.h"
 #include "Sparse/LinearSolver.h"
 #include "Sparse/SymmetricAssembler.h"

@@ -7,9 +7,6 @@
 #include <cmath>
 #include <limits>
 
-// The derivatives of IsometricModel.
-// The order of elimination of IsometricModel.
-
 namespace flattening
 {
 namespace

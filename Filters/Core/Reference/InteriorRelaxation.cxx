@@ -2,7 +2,7 @@
 #include "Reference/InteriorRelaxation.h"
 
 #include "Base/CompressedRows.h"
-#include "Embedding/InteriorPatch.h"
+#include "Embedding/InteriorSystem.h"
 
 #include <algorithm>
 #include <cmath>
