@@ -10,30 +10,22 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <array>
 
 namespace figures
 {
 namespace
 {
-/// Light, so that wires stand out.
-vtkSmartPointer<vtkLookupTable> makeLightColors(ColorRange range)
-{
-  constexpr double saturation = 0.6;
-  vtkSmartPointer<vtkLookupTable> table = makeColors(range);
-  table->SetSaturationRange(saturation, saturation);
-  table->ForceBuild();
-  return table;
-}
+/// Nine colors of viridis, from its dark end to its light one, between which CIELAB interpolates to
+/// within what the eye tells (N. Smith, S. van der Walt, matplotlib 1.5, CC0).
+constexpr std::array<Vector, 9> viridis{ { { 0.267, 0.005, 0.329 }, { 0.279, 0.175, 0.483 },
+  { 0.230, 0.322, 0.546 }, { 0.173, 0.449, 0.558 }, { 0.128, 0.567, 0.551 },
+  { 0.154, 0.680, 0.504 }, { 0.361, 0.786, 0.388 }, { 0.668, 0.862, 0.196 },
+  { 0.993, 0.906, 0.144 } } };
 
-/// Blue below, white at and red above the middle.
-vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, double high)
+vtkSmartPointer<vtkLookupTable> tabulate(
+  vtkColorTransferFunction* function, double low, double high, int count = 256)
 {
-  vtkNew<vtkColorTransferFunction> function;
-  function->SetColorSpaceToDiverging();
-  function->AddRGBPoint(low, 0.230, 0.299, 0.754);
-  function->AddRGBPoint(middle, 0.9, 0.9, 0.9);
-  function->AddRGBPoint(high, 0.706, 0.016, 0.150);
-  constexpr int count = 256;
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(count);
   table->SetTableRange(low, high);
@@ -43,6 +35,33 @@ vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, d
     table->SetTableValue(k, color[0], color[1], color[2]);
   }
   return table;
+}
+
+/// Light at the low end of the range, which is what is good, and dark at the high one.
+vtkSmartPointer<vtkLookupTable> makeSequentialColors(ColorRange range, int count = 256)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToLab();
+  const double step = (range.high - range.low) / (viridis.size() - 1.0);
+  for (std::size_t k = 0; k < viridis.size(); ++k)
+  {
+    const Vector& color = viridis[viridis.size() - 1 - k];
+    function->AddRGBPoint(range.low + static_cast<double>(k) * step, color[0], color[1], color[2]);
+  }
+  return tabulate(
+    function, std::min(range.low, range.high), std::max(range.low, range.high), count);
+}
+
+/// Blue below, white at and red above the middle (K. Moreland, Diverging Color Maps for Scientific
+/// Visualization, ISVC 2009).
+vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, double high)
+{
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToDiverging();
+  function->AddRGBPoint(low, 0.230, 0.299, 0.754);
+  function->AddRGBPoint(middle, 0.9, 0.9, 0.9);
+  function->AddRGBPoint(high, 0.706, 0.016, 0.150);
+  return tabulate(function, low, high);
 }
 
 constexpr double rightAngle = 90.0;
@@ -109,20 +128,19 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
       vtkDataArray* const values = flat->GetPointData()->GetArray(name);
       const double largest = values ? values->GetRange()[1] : 0.0;
       return { name, true, "developability: angle defect (rad)",
-        makeLightColors({ 0.0, std::max(largest, developable) }), 3 };
+        makeSequentialColors({ 0.0, std::max(largest, developable) }), 3 };
     }
     case Coloring::AspectRatio:
-      return { "AspectRatio", false, "aspect ratio (1 is ideal)", makeLightColors(indexRange), 6 };
+      return { "AspectRatio", false, "aspect ratio (1 is ideal)", makeSequentialColors(indexRange),
+        6 };
     case Coloring::Area:
       return { "AreaRatio", false, "area in the plane / on the surface",
         makeDivergingColors(0.8, 1.0, 1.2), 5 };
     case Coloring::Stretch:
     {
       // In steps, as pattern makers know it.
-      vtkSmartPointer<vtkLookupTable> steps = makeLightColors({ 100.0, 120.0 });
-      steps->SetNumberOfTableValues(8);
-      steps->ForceBuild();
-      return { "DominantStretch", false, "largest stretch of warp, weft or bias (%)", steps, 5 };
+      return { "DominantStretch", false, "largest stretch of warp, weft or bias (%)",
+        makeSequentialColors({ 100.0, 120.0 }, 8), 5 };
     }
     case Coloring::Distance:
     {
@@ -130,7 +148,7 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
       vtkDataArray* const values = flat->GetPointData()->GetArray(name);
       const double largest = values ? values->GetRange()[1] : 0.0;
       return { name, true, "sewn surface: distance from the design (unit of length)",
-        makeLightColors({ 0.0, largest > 0.0 ? largest : 1.0 }), 3 };
+        makeSequentialColors({ 0.0, largest > 0.0 ? largest : 1.0 }), 3 };
     }
     case Coloring::Warp:
       return { "StrainWarp", false, "strain of the warp (drawn above 0)",
@@ -150,7 +168,7 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
     }
     default:
       return { "HomogeneityOfDistortion", false, "homogeneity (1 is ideal)",
-        makeLightColors(indexRange), 6 };
+        makeSequentialColors(indexRange), 6 };
   }
 }
 }

@@ -47,10 +47,11 @@ struct ColorMap
   int labels; ///< numbers along the scale, so that they are round
 };
 
-/// Blue is good and red is poor; of areas, blue is smaller and red larger than on the surface. The
-/// largest stretch has steps of 2.5 % from 100 to 120 %; of warp and weft, blue is compressed and
-/// red drawn; of the shear, blue and red are its two senses, up to the material's limit, where
-/// threads lock, or 15 degrees where it has none.
+/// Magnitudes are in viridis, light where good and dark where poor; what goes either way from 0 or
+/// 1 is diverging. Of areas, blue is smaller and red larger than on the surface. The largest
+/// stretch has steps of 2.5 % from 100 to 120 %; of warp and weft, blue is compressed and red
+/// drawn; of the shear, blue and red are its two senses, up to the material's limit, where threads
+/// lock, or 15 degrees where it has none.
 /// @param flat what is coloured: the ranges of developability and distance follow its largest value
 ColorMap makeColorMap(Coloring coloring, const PolyData& flat);
 }

@@ -114,6 +114,6 @@ constexpr Vector releasedColor{ 0.55, 0.55, 0.55 };
 /// where that is nearly upright.
 Vector facing(const PolyData& surface);
 
-/// Blue to red.
+/// Blue to red, as in the figures of the paper.
 vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range);
 }

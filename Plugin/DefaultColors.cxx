@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DefaultColors.h"
 
-#include "ClothColors.h"
+#include "ColorPresets.h"
 
 #include "vtkSMSettings.h"
 #include "vtkSMTransferFunctionPresets.h"
@@ -11,10 +11,10 @@
 namespace
 {
 /// Those that the user does not have yet, so that what was changed under a name stays.
-void addClothPresets()
+void addPresets()
 {
   vtkSMTransferFunctionPresets* const known = vtkSMTransferFunctionPresets::GetInstance();
-  for (const ClothPreset& preset : clothPresets)
+  for (const ColorPreset& preset : colorPresets)
   {
     if (!known->HasPreset(preset.name))
     {
@@ -26,18 +26,11 @@ void addClothPresets()
 
 void setDefaultColors()
 {
-  addClothPresets();
-  // Blue at 1 to red at 0.5, as in Fig. 9e of the paper, whatever range the data has; wires in the
-  // colours of its figures.
+  addPresets();
+  // Wires in the colors of the paper's figures; what is measured by the presets, whatever range the
+  // data has.
   const std::string tables = R"({
     "array_lookup_tables": {
-      "HomogeneityOfDistortion": {
-        "PVLookupTable": {
-          "RGBPoints": [0.5, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0],
-          "ColorSpace": 1,
-          "AutomaticRescaleRangeMode": -1
-        }
-      },
       "WireKind": {
         "PVLookupTable": {
           "IndexedLookup": 1,
@@ -57,7 +50,7 @@ void setDefaultColors()
         }
       }
       )" +
-    std::string(clothTables) + R"(
+    std::string(colorTables) + R"(
     }
   })";
   static const bool told = vtkSMSettings::GetInstance()->AddCollectionFromString(

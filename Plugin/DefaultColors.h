@@ -2,6 +2,6 @@
 #pragma once
 
 /// Tells ParaView the colours in which it shows HomogeneityOfDistortion, WireKind and what threads
-/// do, as long as the user chooses no others, and adds the presets of cloth_colors.json. ParaView
+/// do, as long as the user chooses no others, and adds the presets of color_presets.json. ParaView
 /// calls it when it loads the plugin.
 void setDefaultColors();

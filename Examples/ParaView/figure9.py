@@ -2,7 +2,7 @@
 """The paper's Fig. 9 in four views: the upper front of a wetsuit in space, and its flat piece by the
 progressive scheme, the global scheme and, for comparison, the least squares conformal map.
 
-Colours are those of flat_beside.py. In the window: start ParaView with the plugin in the folder of the
+Wires have the colors of flat_beside.py. In the window: start ParaView with the plugin in the folder of the
 project, or name that folder in the environment variable SURFACEFLATTENING, and run this with View > Python
 Shell > Run Script or `paraview --script=Examples/ParaView/figure9.py`. Without a window:
 
@@ -69,7 +69,7 @@ def show_figure():
         else:
             flat = pv.WireWarping(
                 registrationName=scheme, Input=surface, Curves=curves, Scheme=scheme)
-            show_flat(flat, view)
+            show_flat(flat, view, preset="Flattening: homogeneity as in Fig. 9e of the paper")
         view.InteractionMode = "2D"
         pv.ResetCamera(view)
         view.CameraParallelScale *= 0.85  # as large as the title below allows

@@ -34,13 +34,12 @@ def color_wires(display, array="WireKind"):
     display.Ambient, display.Diffuse = 1.0, 0.0
 
 
-def color_homogeneity(display):
-    """Blue at 1 to red at 0.5, as in Fig. 9e of the paper."""
+def color_homogeneity(display, preset="Flattening: homogeneity and aspect ratio, 0.5 to 1"):
+    """By a preset of the plugin, with the preset's range."""
     pv.ColorBy(display, ("CELLS", "HomogeneityOfDistortion"))
     colors = pv.GetColorTransferFunction("HomogeneityOfDistortion")
-    colors.RGBPoints = [0.5, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0]
-    colors.ColorSpace = "HSV"
     colors.AutomaticRescaleRangeMode = "Never"
+    colors.ApplyPreset(preset, False)
     display.Ambient, display.Diffuse = 1.0, 0.0
 
 
@@ -60,9 +59,9 @@ def show_wires(flattening, view):
         display.LineWidth = width
 
 
-def show_flat(flattening, view):
+def show_flat(flattening, view, **colors):
     """Flat pieces and wires in a view that looks at the plane."""
-    color_homogeneity(pv.Show(pv.OutputPort(flattening, 0), view))
+    color_homogeneity(pv.Show(pv.OutputPort(flattening, 0), view), **colors)
     show_wires(flattening, view)
     view.InteractionMode = "2D"
     pv.ResetCamera(view)
