@@ -22,12 +22,14 @@ class Plugin(unittest.TestCase):
 
     def test_every_proxy_can_be_made(self):
         tree = ElementTree.parse(os.path.join(SOURCE, "Plugin", "SurfaceFlattening.xml"))
-        proxies = tree.getroot().findall(".//SourceProxy")
+        proxies = [(group, proxy) for group in ("sources", "filters")
+                   for proxy in tree.getroot().findall(f"./ProxyGroup[@name='{group}']/SourceProxy")]
         self.assertGreaterEqual(len(proxies), 6)
-        for proxy in proxies:
-            takes_input = proxy.find("InputProperty") is not None
-            inputs = {"Input": read("quarter_sphere")} if takes_input else {}
+        for group, proxy in proxies:
+            inputs = {"Input": read("quarter_sphere")} if group == "filters" else {}
             made = getattr(pv, proxy.get("name"))(**inputs)
+            for name in ("StatusName", "Distributed") if proxy.get("base_proxyname") else ():
+                self.assertIsNotNone(made.SMProxy.GetProperty(name), proxy.get("name"))
             for element in proxy:
                 if element.get("default_values") and not element.get("information_only"):
                     self.assertIsNotNone(made.GetProperty(element.get("name")))

@@ -35,12 +35,28 @@ def own_set_methods(cls):
     return {name for name in names if not re.match(r"Set\w+To[A-Z]", name)} - INPUTS
 
 
+def with_inherited(proxy, root):
+    """A proxy with the elements of its base, where that is none of the menu's."""
+    group = proxy.get("base_proxygroup", "")
+    if not group.startswith("internal_"):
+        return proxy
+    path = f"./ProxyGroup[@name='{group}']/{proxy.tag}[@name='{proxy.get('base_proxyname')}']"
+    own = {element.get("name") for element in proxy if element.get("name")}
+    whole = ElementTree.Element(proxy.tag, proxy.attrib)
+    whole.extend(element for element in with_inherited(root.find(path), root)
+                 if element.get("name") not in own and element.tag not in ("Documentation", "Hints"))
+    whole.extend(proxy)
+    return whole
+
+
 class Description(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         root = ElementTree.parse(XML).getroot()
-        cls.proxies = root.findall(".//SourceProxy")
-        cls.writers = root.findall(".//WriterProxy")
+        cls.proxies = [with_inherited(proxy, root) for group in ("sources", "filters")
+                       for proxy in root.findall(f"./ProxyGroup[@name='{group}']/SourceProxy")]
+        cls.writers = [with_inherited(proxy, root)
+                       for proxy in root.findall("./ProxyGroup[@name='writers']/WriterProxy")]
 
     def properties(self):
         for proxy in (*self.proxies, *self.writers):
