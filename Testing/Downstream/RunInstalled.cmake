@@ -54,6 +54,13 @@ endif ()
 file(REMOVE_RECURSE "${folder}/build")
 build("${snippets}")
 
+# The libraries without VTK, which a program finds where there is no VTK.
+if (EXISTS "${prefix}/include/SurfaceFlattening/Pattern")
+  file(REMOVE_RECURSE "${folder}/build")
+  set(vtk_dir "${folder}/none")
+  build("${snippets}/../libraries")
+  run("${folder}/build/Cone")
+endif ()
 
 # Nothing that was installed knows where it was built.
 file(GLOB_RECURSE installed "${prefix}/*.cmake")
