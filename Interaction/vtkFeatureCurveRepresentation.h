@@ -55,14 +55,14 @@ public:
   vtkGetMacro(ChosenNode, int);
   ///@}
 
-  ///@{
   /**
-   * "accessory", "key", "dart" or "seam", and its red, green and blue, from 0 to 255.
-   * @param type vtkFeatureCurveAlgorithm::CurveTypes
+   * "accessory", "key", "dart" or "seam", of a vtkFeatureCurveAlgorithm::CurveTypes.
    */
   static const char* GetTypeName(int type);
+  /**
+   * Sets red, green and blue of a type, from 0 to 255.
+   */
   static void GetTypeColor(int type, unsigned char color[3]);
-  ///@}
 
   ///@{
   /**
