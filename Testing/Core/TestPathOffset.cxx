@@ -5,7 +5,6 @@
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
-#include "StraightRay.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +100,13 @@ void expectExact(const Surface& surface, unsigned seed)
   const TriangleMesh& mesh = surface.mesh;
   const PathGraph graph(mesh);
   const double size = std::sqrt(mesh.area(0) * mesh.triangleCount());
+  Points3 sheet;
+  for (const Point2& place : surface.unrolled)
+  {
+    sheet.emplace_back(place.x(), place.y(), 0.0);
+  }
+  const TriangleMesh flatMesh(sheet, mesh.triangles());
+  const SurfaceLocator flat(flatMesh);
   std::mt19937 random(seed);
   int points = 0;
   for (int k = 0; k < 12; ++k)
@@ -142,15 +148,21 @@ void expectExact(const Surface& surface, unsigned seed)
       {
         continue;
       }
-      const PointDirections around(mesh, foot);
-      const double turn = distance > 0.0 ? 0.5 * pi : -0.5 * pi;
-      const StraightRay ray = straightRay(mesh, foot,
-        around.at(around.angleTo(path.triangles[i], path.points[i + 1].position) + turn), reach);
-      if (!ray.arrived)
+      // Straight on from the foot, as far as that stays on the surface.
+      const Point2 start = testmeshes::unrolled(mesh, surface.unrolled, foot);
+      const Point2 along = (line[i + 1] - line[i]).normalized();
+      const Point2 way = distance * Point2(-along.y(), along.x());
+      const Point2 place = start + way;
+      bool onSurface = true;
+      for (int step = 1; step <= 20; ++step)
+      {
+        const Point2 p = start + 0.05 * step * way;
+        onSurface = onSurface && flat.closest(Point3(p.x(), p.y(), 0.0)).distance <= 1e-12 * size;
+      }
+      if (!onSurface)
       {
         continue;
       }
-      const Point2 place = testmeshes::unrolled(mesh, surface.unrolled, ray.end);
       if (footOn(line, place).distance < reach * (1.0 - exactly))
       {
         continue;

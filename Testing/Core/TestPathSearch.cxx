@@ -2,7 +2,7 @@
 #include "DrawnCurves.h"
 #include "Editing/SegmentPreview.h"
 #include "PathFacts.h"
-#include "Paths/CourseStraightening.h"
+#include "Paths/GeodesicStraightening.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 
@@ -46,14 +46,14 @@ std::vector<TriangleMesh> hardSurfaces(double scale = 1.0)
 
 void expectSame(const GeodesicPath& a, const GeodesicPath& b)
 {
-  ASSERT_EQ(a.knots.size(), b.knots.size());
-  for (std::size_t k = 0; k < a.knots.size(); ++k)
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  for (std::size_t k = 0; k < a.vertices.size(); ++k)
   {
-    EXPECT_TRUE(samePlace(a.knots[k], b.knots[k]));
+    EXPECT_TRUE(samePlace(a.vertices[k], b.vertices[k]));
   }
-  for (std::size_t k = 0; k < a.legs.size(); ++k)
+  for (std::size_t k = 0; k < a.segments.size(); ++k)
   {
-    EXPECT_EQ(a.legs[k].crossed, b.legs[k].crossed);
+    EXPECT_EQ(a.segments[k].crossed, b.segments[k].crossed);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(PathSearch, ThatGoesOnFindsTheWaysOfOneThatIsNew)
         for (int k = 0; k < 40; ++k)
         {
           const SurfacePoint to = randomPoint(mesh, random);
-          expectSame(kept.courseTo(to), PathSearch(graph, from, arcs).courseTo(to));
+          expectSame(kept.geodesicTo(to), PathSearch(graph, from, arcs).geodesicTo(to));
         }
       }
     }
@@ -130,12 +130,12 @@ TEST(PathSearch, TakesTheSameOfEquallyLongWaysInEveryUnit)
         const SurfacePoint to = randomPoint(meshes[m], random);
         const SurfacePoint otherFrom = randomPoint(scaled[m], again);
         const SurfacePoint otherTo = randomPoint(scaled[m], again);
-        const GeodesicPath course = PathSearch(graph, from).courseTo(to);
-        const GeodesicPath otherCourse = PathSearch(other, otherFrom).courseTo(otherTo);
-        ASSERT_EQ(course.knots.size(), otherCourse.knots.size());
-        for (std::size_t i = 0; i < course.knots.size(); ++i)
+        const GeodesicPath course = PathSearch(graph, from).geodesicTo(to);
+        const GeodesicPath otherCourse = PathSearch(other, otherFrom).geodesicTo(otherTo);
+        ASSERT_EQ(course.vertices.size(), otherCourse.vertices.size());
+        for (std::size_t i = 0; i < course.vertices.size(); ++i)
         {
-          EXPECT_EQ(course.knots[i].id, otherCourse.knots[i].id);
+          EXPECT_EQ(course.vertices[i].id, otherCourse.vertices[i].id);
         }
       }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathFacts.h"
-#include "Paths/CourseStraightening.h"
+#include "Paths/GeodesicStraightening.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Renumbered.h"
@@ -294,14 +294,14 @@ TEST(StraightPath, NearItselfIsItself)
   }
 }
 
-TEST(CourseStraightening, EndsWhereItsTurnsAreUsedUpAndSaysWhereTheCourseIsSharp)
+TEST(GeodesicStraightening, EndsWhereItsTurnsAreUsedUpAndSaysWhereTheCourseIsSharp)
 {
   const Surface surface = cushion(25, 25, 0.6);
   const TriangleMesh& mesh = surface.mesh;
   const PathGraph graph(mesh);
   const SurfacePoint from = vertexPoint(mesh, 30);
   const SurfacePoint to = vertexPoint(mesh, mesh.vertexCount() - 90);
-  const GeodesicPath byEdges = PathSearch(graph, from, PathArcs::Edges).courseTo(to);
+  const GeodesicPath byEdges = PathSearch(graph, from, PathArcs::Edges).geodesicTo(to);
   double length = lengthOf(pathAlong(mesh, byEdges));
   std::size_t bentBefore = mesh.vertexCount();
   for (const std::size_t turns : { 0, 2, 5, 1000000 })

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plane sections, girths and loops drawn tight.
 #include "PathFacts.h"
-#include "Paths/Girth.h"
 #include "Paths/PathPoints.h"
-#include "Paths/StraightLoop.h"
+#include "Paths/PlaneSection.h"
+#include "Paths/StraightPath.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CurveDrawing.h"
 
-#include "Paths/Girth.h"
 #include "Paths/PathPoints.h"
+#include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Paths/SurfaceSpline.h"
 

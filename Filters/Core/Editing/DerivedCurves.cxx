@@ -5,7 +5,6 @@
 #include "Paths/PathFitting.h"
 #include "Paths/PathOffset.h"
 #include "Paths/PathPoints.h"
-#include "Paths/StraightLoop.h"
 #include "Paths/StraightPath.h"
 
 #include <algorithm>

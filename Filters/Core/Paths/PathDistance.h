@@ -6,17 +6,15 @@
 
 namespace flattening
 {
-/// Places of a path that are nearer in space to a point than their neighbours along it, and nearer
-/// than a bound.
+/// A place of a path.
 struct PathFoot
 {
   std::size_t leg = 0;
   double along = 0.0; ///< fraction of the leg
-  double gap = 0.0;   ///< in space
+  double gap = 0.0;   ///< in space, to a point
 };
 /// On one leg, the place that is nearest in space.
 PathFoot footOnLeg(const SurfacePath& path, std::size_t leg, const Point3& point);
-std::vector<PathFoot> pathFeet(const SurfacePath& path, const Point3& point, double bound);
 
 /// The shortest straight path from a path to a point, and on which side it leaves.
 struct PathDistance

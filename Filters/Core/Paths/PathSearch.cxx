@@ -152,7 +152,7 @@ Index PathSearch::crossedBetween(Index from, Index to) const
   return best->crossed;
 }
 
-GeodesicPath PathSearch::courseTo(const SurfacePoint& target)
+GeodesicPath PathSearch::geodesicTo(const SurfacePoint& target)
 {
   const TriangleMesh& mesh = this->Graph.mesh();
   const Index last = this->lastVertex(target);
@@ -160,14 +160,14 @@ GeodesicPath PathSearch::courseTo(const SurfacePoint& target)
   {
     return {};
   }
-  GeodesicPath course;
-  course.knots.push_back(this->Source);
-  const auto append = [&](const SurfacePoint& knot, const Indices& crossed) {
-    GeodesicPath tight = shortestInStrip(mesh, course.knots.back(), crossed, knot);
-    for (std::size_t i = 0; i < tight.legs.size(); ++i)
+  GeodesicPath geodesic;
+  geodesic.vertices.push_back(this->Source);
+  const auto append = [&](const SurfacePoint& vertex, const Indices& crossed) {
+    GeodesicPath tight = shortestInStrip(mesh, geodesic.vertices.back(), crossed, vertex);
+    for (std::size_t i = 0; i < tight.segments.size(); ++i)
     {
-      course.legs.push_back(std::move(tight.legs[i]));
-      course.knots.push_back(tight.knots[i + 1]);
+      geodesic.segments.push_back(std::move(tight.segments[i]));
+      geodesic.vertices.push_back(tight.vertices[i + 1]);
     }
   };
   Index before = none;
@@ -180,10 +180,10 @@ GeodesicPath PathSearch::courseTo(const SurfacePoint& target)
     }
     before = v;
   }
-  if (target.type != SurfacePointType::Vertex || course.legs.empty())
+  if (target.type != SurfacePointType::Vertex || geodesic.segments.empty())
   {
     append(target, {});
   }
-  return course;
+  return geodesic;
 }
 }

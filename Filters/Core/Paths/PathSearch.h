@@ -30,9 +30,9 @@ public:
   const PathGraph& graph() const { return this->Graph; }
   const SurfacePoint& source() const { return this->Source; }
   PathArcs arcs() const { return this->Used; }
-  /// The shortest path to a target as a course; no knots where there is none. \pre The target lies
-  /// on the graph's mesh.
-  GeodesicPath courseTo(const SurfacePoint& target);
+  /// The shortest path to a target; no vertices where there is none. \pre The target
+  /// lies on the graph's mesh.
+  GeodesicPath geodesicTo(const SurfacePoint& target);
 
 private:
   /// What is known of a vertex, in one place of memory.

@@ -4,7 +4,10 @@
 #include "Base/Memory.h"
 #include "Paths/PathPoints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace flattening
 {
@@ -13,119 +16,89 @@ namespace
 /// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
 constexpr double atSectionVertex = 1e-13;
 
-/// Where a section crosses an edge, by the heights of its ends above the plane.
-SurfacePoint crossingOf(const TriangleMesh& mesh, Index edge, double from, double to)
-{
-  const double s = from / (from - to);
-  return s < atSectionVertex    ? vertexPoint(mesh, mesh.from(edge))
-    : s > 1.0 - atSectionVertex ? vertexPoint(mesh, mesh.to(edge))
-                                : edgePoint(mesh, edge, s);
-}
-
-/// Follows a section from triangle to triangle. Vertices in the plane count as in front of it, so
-/// that the section crosses edges only and cannot branch.
-class SectionCurve
+/// The section of a surface with the plane through a point. Vertices in the plane count as in front
+/// of it, so that the section crosses edges only and cannot branch: each triangle that has corners
+/// in front of the plane and behind it is entered over one edge and left over another.
+class SectionWalk
 {
 public:
-  SectionCurve(const TriangleMesh& mesh, const SurfacePoint& start, const Point3& normal)
+  SectionWalk(const TriangleMesh& mesh, const Point3& point, const Point3& normal)
     : Mesh(mesh)
-    , Start(start)
+    , Origin(point)
     , Normal(normal)
   {
   }
 
-  PlaneSection run()
+  /// The half-edge of a triangle that leads from the plane's front behind it, or back; none where
+  /// the section does not go through the triangle.
+  Index crossed(Index t, bool back) const
   {
-    PlaneSection section;
-    SurfacePath ahead = this->walk(false, section.closed);
-    SurfacePath whole = std::move(ahead);
-    if (!section.closed)
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
     {
-      bool unused = false;
-      SurfacePath back = reversed(this->walk(true, unused));
-      append(back, whole);
-      whole = std::move(back);
-    }
-    section.path = std::move(whole);
-    section.path.arrived = true;
-    section.length = lengthOf(section.path);
-    if (section.path.triangles.empty())
-    {
-      section.status = { StatusCode::CurveLeavesSurface,
-        "a plane touches the surface where it should cross it", {}, { Remedy::RedrawCurve } };
-    }
-    return section;
-  }
-
-private:
-  double height(Index v) const
-  {
-    return this->Normal.dot(this->Mesh.point(v) - this->Start.position);
-  }
-  /// Whether the section leaves the triangle of h over it.
-  bool exits(Index h, bool backwards) const
-  {
-    const bool from = this->height(this->Mesh.from(h)) >= 0.0;
-    const bool to = this->height(this->Mesh.to(h)) >= 0.0;
-    return backwards ? !from && to : from && !to;
-  }
-
-  bool startsOn(Index h) const
-  {
-    return this->Start.type == SurfacePointType::Vertex
-      ? this->Mesh.from(h) == this->Start.id || this->Mesh.to(h) == this->Start.id
-      : this->Start.type == SurfacePointType::Edge && edgeOf(this->Mesh, h) == this->Start.id;
-  }
-
-  SurfacePoint crossing(Index h) const
-  {
-    const Index low = edgeOf(this->Mesh, h);
-    return crossingOf(
-      this->Mesh, low, this->height(this->Mesh.from(low)), this->height(this->Mesh.to(low)));
-  }
-
-  Index firstExit(bool backwards) const
-  {
-    for (const Index t : trianglesAround(this->Mesh, this->Start))
-    {
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      const bool inFront = this->height(this->Mesh.from(h)) >= 0.0;
+      if (inFront != back && (this->height(this->Mesh.to(h)) >= 0.0) == back)
       {
-        if (this->exits(h, backwards) && !this->startsOn(h))
-        {
-          return h;
-        }
+        return h;
       }
     }
     return none;
   }
 
-  SurfacePath walk(bool backwards, bool& closed) const
+  SurfacePoint crossing(Index h) const
+  {
+    const Index edge = edgeOf(this->Mesh, h);
+    const double from = this->height(this->Mesh.from(edge));
+    const double s = from / (from - this->height(this->Mesh.to(edge)));
+    return s < atSectionVertex    ? vertexPoint(this->Mesh, this->Mesh.from(edge))
+      : s > 1.0 - atSectionVertex ? vertexPoint(this->Mesh, this->Mesh.to(edge))
+                                  : edgePoint(this->Mesh, edge, s);
+  }
+
+  /// The curve through a point of a triangle that the section goes through.
+  PlaneSection through(const SurfacePoint& start, Index triangle, std::vector<char>* visited) const
+  {
+    PlaneSection section;
+    section.path = this->walk(start, triangle, false, section.closed, visited);
+    if (!section.closed)
+    {
+      SurfacePath whole = reversed(this->walk(start, triangle, true, section.closed, visited));
+      append(whole, section.path);
+      section.path = std::move(whole);
+    }
+    section.path.arrived = true;
+    section.length = lengthOf(section.path);
+    return section;
+  }
+
+private:
+  double height(Index v) const { return this->Normal.dot(this->Mesh.point(v) - this->Origin); }
+
+  SurfacePath walk(const SurfacePoint& start, Index first, bool back, bool& closed,
+    std::vector<char>* visited) const
   {
     SurfacePath path;
-    path.points = { this->Start };
-    const Index first = this->firstExit(backwards);
-    Index h = first;
-    for (Index steps = 0; h != none && steps < this->Mesh.halfedgeCount(); ++steps)
-    {
-      const SurfacePoint point = this->startsOn(h) ? this->Start : this->crossing(h);
+    path.points = { start };
+    const auto push = [&path](const SurfacePoint& point, Index triangle) {
       if (!samePlace(point, path.points.back()))
       {
         path.points.push_back(point);
-        path.triangles.push_back(h / 3);
+        path.triangles.push_back(triangle);
       }
-      const Index entry = this->Mesh.twin(h);
-      closed = this->startsOn(h);
-      if (closed || entry == none)
+    };
+    for (Index t = first; t != none;)
+    {
+      const Index h = this->crossed(t, back);
+      // Rounding moves no start that lies on an edge.
+      const bool here = start.type == SurfacePointType::Edge && edgeOf(this->Mesh, h) == start.id;
+      push(here ? start : this->crossing(h), t);
+      if (visited)
       {
-        break;
+        (*visited)[static_cast<std::size_t>(t)] = 1;
       }
-      const Index next = TriangleMesh::next(entry);
-      h = this->exits(next, backwards) ? next : TriangleMesh::next(next);
-      if (h == first)
+      t = this->Mesh.twin(h) == none ? none : this->Mesh.twin(h) / 3;
+      if (t == first)
       {
-        // In the first triangle again.
-        path.points.push_back(this->Start);
-        path.triangles.push_back(h / 3);
+        push(start, t);
         closed = true;
         break;
       }
@@ -134,100 +107,8 @@ private:
   }
 
   const TriangleMesh& Mesh;
-  const SurfacePoint& Start;
+  Point3 Origin;
   Point3 Normal;
-};
-
-/// All curves of a section. Each triangle that has corners in front of the plane and behind it is
-/// entered over one edge and left over another, and so is of one curve.
-class WholeSection
-{
-public:
-  WholeSection(const TriangleMesh& mesh, const Point3& point, const Point3& normal)
-    : Mesh(mesh)
-    , Visited(mesh.triangleCount(), 0)
-  {
-    for (const Point3& vertex : mesh.points())
-    {
-      this->Heights.push_back(normal.dot(vertex - point));
-    }
-  }
-
-  std::vector<PlaneSection> run()
-  {
-    std::vector<PlaneSection> sections;
-    for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
-    {
-      if (!this->Visited[t] && this->entering(t) != none)
-      {
-        PlaneSection section = this->through(t);
-        // One of a single point only touches.
-        if (!section.path.triangles.empty())
-        {
-          sections.push_back(std::move(section));
-        }
-      }
-    }
-    return sections;
-  }
-
-private:
-  bool inFront(Index v) const { return this->Heights[v] >= 0.0; }
-  /// The half-edge of a triangle that leads from behind the plane to its front, or back.
-  Index crossed(Index t, bool back) const
-  {
-    for (Index h = 3 * t; h < 3 * t + 3; ++h)
-    {
-      if (this->inFront(this->Mesh.from(h)) == back && this->inFront(this->Mesh.to(h)) != back)
-      {
-        return h;
-      }
-    }
-    return none;
-  }
-  Index entering(Index t) const { return this->crossed(t, false); }
-  Index leaving(Index t) const { return this->crossed(t, true); }
-  Index beyond(Index h) const { return this->Mesh.twin(h) == none ? none : this->Mesh.twin(h) / 3; }
-
-  SurfacePoint crossing(Index h) const
-  {
-    const Index low = edgeOf(this->Mesh, h);
-    return crossingOf(
-      this->Mesh, low, this->Heights[this->Mesh.from(low)], this->Heights[this->Mesh.to(low)]);
-  }
-
-  /// The curve through a triangle: from there round to it again, or from where the boundary is met.
-  PlaneSection through(Index t)
-  {
-    Index first = t;
-    Index before = this->beyond(this->entering(t));
-    for (; before != none && before != t; before = this->beyond(this->entering(before)))
-    {
-      first = before;
-    }
-    PlaneSection section;
-    section.closed = before == t;
-    first = section.closed ? t : first;
-    SurfacePath& path = section.path;
-    path.points = { this->crossing(this->entering(first)) };
-    for (Index at = first; at != none && !this->Visited[at]; at = this->beyond(this->leaving(at)))
-    {
-      this->Visited[at] = 1;
-      const SurfacePoint point = this->crossing(this->leaving(at));
-      if (!samePlace(point, path.points.back()))
-      {
-        path.points.push_back(point);
-        path.triangles.push_back(at);
-      }
-    }
-    path.arrived = true;
-    section.length = lengthOf(path);
-    return section;
-  }
-
-  const TriangleMesh& Mesh;
-  std::vector<double> Heights;
-  std::vector<char> Visited;
 };
 }
 
@@ -254,7 +135,19 @@ PlaneSection planeSection(const TriangleMesh& mesh, const SurfacePoint& point, c
     }
     else
     {
-      section = SectionCurve(mesh, point, normal / size).run();
+      const SectionWalk walk(mesh, point.position, normal / size);
+      const Indices around = trianglesAround(mesh, point);
+      const auto first = std::find_if(
+        around.begin(), around.end(), [&walk](Index t) { return walk.crossed(t, false) != none; });
+      if (first != around.end())
+      {
+        section = walk.through(point, *first, nullptr);
+      }
+      if (section.path.triangles.empty())
+      {
+        section.status = { StatusCode::CurveLeavesSurface,
+          "a plane touches the surface where it should cross it", {}, { Remedy::RedrawCurve } };
+      }
     }
     return section;
   });
@@ -263,6 +156,183 @@ PlaneSection planeSection(const TriangleMesh& mesh, const SurfacePoint& point, c
 std::vector<PlaneSection> planeSections(
   const TriangleMesh& mesh, const Point3& point, const Point3& normal)
 {
-  return WholeSection(mesh, point, normal.normalized()).run();
+  const SectionWalk walk(mesh, point, normal.normalized());
+  std::vector<char> visited(static_cast<std::size_t>(mesh.triangleCount()), 0);
+  std::vector<PlaneSection> sections;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Index entered = visited[static_cast<std::size_t>(t)] ? none : walk.crossed(t, true);
+    if (entered != none)
+    {
+      PlaneSection section = walk.through(walk.crossing(entered), t, &visited);
+      // One of a single point only touches.
+      if (!section.path.triangles.empty())
+      {
+        sections.push_back(std::move(section));
+      }
+    }
+  }
+  return sections;
+}
+
+namespace
+{
+/// Planes through two points that are tried, and how often the best is halved between its
+/// neighbours.
+constexpr int planes = 36;
+constexpr int planeHalvings = 40;
+
+/// How much longer a leg gets by a point.
+double detour(const SurfacePath& path, std::size_t leg, const Point3& point)
+{
+  const Point3& from = path.points[leg].position;
+  const Point3& to = path.points[leg + 1].position;
+  return (point - from).norm() + (to - point).norm() - (to - from).norm();
+}
+
+/// Where a closed section goes through a point, by triangles and not by distance alone: a surface
+/// may be folded. The place in the list, which gets the point where it is not in it.
+/// \param taken the places of other points
+bool findStation(const TriangleMesh& mesh, SurfacePath& path, const SurfacePoint& point,
+  const std::vector<std::size_t>& taken, std::size_t& station)
+{
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+  {
+    if (samePlace(path.points[i], point))
+    {
+      station = i;
+      return true;
+    }
+  }
+  for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
+  {
+    // An edge may lie in the plane, and be crossed anywhere.
+    if (path.points[i].type == SurfacePointType::Edge && point.type == SurfacePointType::Edge &&
+      path.points[i].id == point.id && std::count(taken.begin(), taken.end(), i) == 0)
+    {
+      path.points[i] = point;
+      station = i;
+      return true;
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < path.triangles.size(); ++i)
+  {
+    if (contains(mesh, path.triangles[i], point) && detour(path, i, point.position) < least)
+    {
+      least = detour(path, i, point.position);
+      station = i + 1;
+    }
+  }
+  if (!std::isfinite(least))
+  {
+    return false;
+  }
+  const auto at = static_cast<std::ptrdiff_t>(station);
+  path.points.insert(path.points.begin() + at, point);
+  path.triangles.insert(path.triangles.begin() + at, path.triangles[station - 1]);
+  return true;
+}
+
+PlaneSection notClosed()
+{
+  PlaneSection refused;
+  refused.status = { StatusCode::CurveLeavesSurface,
+    "no closed section of the surface goes through the points of a girth", {},
+    { Remedy::RedrawCurve } };
+  return refused;
+}
+
+PlaneSection closedThrough(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points,
+  const Point3& normal, std::vector<std::size_t>& stations)
+{
+  PlaneSection section = planeSection(mesh, points.front(), normal);
+  if (!section.status.ok() || !section.closed)
+  {
+    return notClosed();
+  }
+  stations.assign(1, 0);
+  for (std::size_t k = 1; k < points.size(); ++k)
+  {
+    const std::size_t before = section.path.points.size();
+    std::size_t station = 0;
+    if (!findStation(mesh, section.path, points[k], stations, station))
+    {
+      return notClosed();
+    }
+    for (std::size_t& other : stations)
+    {
+      other += section.path.points.size() > before && other >= station ? 1 : 0;
+    }
+    stations.push_back(station);
+  }
+  if (points.size() == 3 && stations[1] > stations[2])
+  {
+    section.path = reversed(std::move(section.path));
+    for (std::size_t k = 1; k < 3; ++k)
+    {
+      stations[k] = section.path.points.size() - 1 - stations[k];
+    }
+  }
+  section.length = lengthOf(section.path);
+  return section;
+}
+}
+
+PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points,
+  std::vector<std::size_t>* stations)
+{
+  return withinMemory([&] {
+    std::vector<std::size_t> found;
+    std::vector<std::size_t>& where = stations ? *stations : found;
+    if (points.size() != 2 && points.size() != 3)
+    {
+      PlaneSection refused;
+      refused.status = { StatusCode::InvalidOption,
+        "a girth goes through two or three points, not " + std::to_string(points.size()), {},
+        { { Remedy::Give, "two or three points" } } };
+      return refused;
+    }
+    const Point3 along = points[1].position - points[0].position;
+    if (points.size() == 3)
+    {
+      return closedThrough(
+        mesh, points, along.cross(points[2].position - points[0].position), where);
+    }
+    if (!(along.norm() > 0.0))
+    {
+      return notClosed();
+    }
+    const Point3 first = along.unitOrthogonal();
+    const Point3 second = along.normalized().cross(first);
+    const auto tape = [&](double angle) {
+      std::vector<std::size_t> places;
+      const PlaneSection section =
+        closedThrough(mesh, points, std::cos(angle) * first + std::sin(angle) * second, places);
+      return section.status.ok() ? section.length : std::numeric_limits<double>::infinity();
+    };
+    double best = 0.0;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < planes; ++k)
+    {
+      const double length = tape(pi * k / planes);
+      if (length < shortest)
+      {
+        shortest = length;
+        best = pi * k / planes;
+      }
+    }
+    double low = best - pi / planes;
+    double high = best + pi / planes;
+    for (int k = 0; k < planeHalvings; ++k)
+    {
+      const double a = high - inverseGoldenRatio * (high - low);
+      const double b = low + inverseGoldenRatio * (high - low);
+      (tape(a) <= tape(b) ? high : low) = tape(a) <= tape(b) ? b : a;
+    }
+    const double refined = tape(0.5 * (low + high)) <= shortest ? 0.5 * (low + high) : best;
+    return closedThrough(
+      mesh, points, std::cos(refined) * first + std::sin(refined) * second, where);
+  });
 }
 }

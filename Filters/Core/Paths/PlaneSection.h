@@ -25,4 +25,11 @@ PlaneSection planeSection(
 /// All curves of a section. \pre the normal is not zero.
 std::vector<PlaneSection> planeSections(
   const TriangleMesh& mesh, const Point3& point, const Point3& normal);
+
+/// A measuring tape round the surface: the closed section with the plane through three points, or
+/// the shortest one of those with the planes through two. It goes through them in their order, from
+/// the first; `stations` gets where they are in its list. Errors: those of planeSection();
+/// CurveLeavesSurface (no closed section goes through all points).
+PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& points,
+  std::vector<std::size_t>* stations = nullptr);
 }

@@ -66,24 +66,6 @@ double PointDirections::angleTo(Index triangle, const Point3& target) const
   return sector->begin + std::clamp(angle, 0.0, sector->size);
 }
 
-SurfaceDirection PointDirections::at(double angle) const
-{
-  const double all = this->total();
-  if (!this->Boundary)
-  {
-    angle -= all * std::floor(angle / all);
-  }
-  else if (!(angle > -Slack && angle < all + Slack))
-  {
-    return {};
-  }
-  const auto after = std::find_if(this->Sectors.begin(), this->Sectors.end(),
-    [angle](const Sector& sector) { return sector.begin + sector.size >= angle; });
-  const Sector& sector = after == this->Sectors.end() ? this->Sectors.back() : *after;
-  const double within = std::clamp(angle - sector.begin, 0.0, sector.size);
-  return { sector.triangle, sector.at(within) };
-}
-
 std::vector<DirectionRange> PointDirections::between(double first, double last) const
 {
   const double all = this->total();

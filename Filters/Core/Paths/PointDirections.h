@@ -5,13 +5,6 @@
 
 namespace flattening
 {
-/// A direction at a point of a surface.
-struct SurfaceDirection
-{
-  Index triangle = none;          ///< the direction points into it; none: out of the surface
-  Point3 vector = Point3::Zero(); ///< in the triangle's plane, of length 1
-};
-
 /// Directions at a point between two, in one triangle, anti-clockwise.
 struct DirectionRange
 {
@@ -26,9 +19,6 @@ struct DirectionRange
 class PointDirections
 {
 public:
-  /// Radians by which rounding may miss the boundary.
-  static constexpr double Slack = 1e-9;
-
   /// \pre The point lies on the mesh.
   PointDirections(const TriangleMesh& mesh, const SurfacePoint& point);
 
@@ -38,8 +28,6 @@ public:
   bool atBoundary() const { return this->Boundary; }
   /// The angle towards another point of a triangle around.
   double angleTo(Index triangle, const Point3& target) const;
-  /// \param angle elsewhere than at the boundary any
-  SurfaceDirection at(double angle) const;
   /// All directions from one angle to a greater one, triangle by triangle.
   std::vector<DirectionRange> between(double first, double last) const;
 

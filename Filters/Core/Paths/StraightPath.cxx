@@ -2,9 +2,8 @@
 #include "Paths/StraightPath.h"
 
 #include "Base/Memory.h"
-#include "Paths/CourseStraightening.h"
+#include "Paths/GeodesicStraightening.h"
 #include "Paths/PathPoints.h"
-#include "Paths/PathShortening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +14,11 @@ namespace
 {
 /// Of two ways that are equally long but for rounding, that of the search is taken in every unit.
 constexpr double surelyShorter = 1.0 - 1e-10;
-/// How many half-edges drawing a path tight may unfold, a millisecond's work, before its
-/// development is tried, and how many times more where that gained no more than this fraction of
-/// its length.
-constexpr std::size_t fewUnfolded = 20000;
-constexpr std::size_t lossOfPatience = 4;
-constexpr double leastGainOfRound = 1e-4;
-constexpr double manyKnots = 0.05; // for each edge crossed
+/// The path is relaxed in 2, 4 and 8 parts while each has this many points.
+constexpr std::size_t fewestPoints = 8;
+constexpr int mostRelaxations = 6;
+/// Rounds that gain less are not worth their time.
+constexpr double leastShortening = 1e-6;
 
 Status checkEnds(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
 {
@@ -56,11 +53,11 @@ bool withinTriangle(
   return true;
 }
 
-StraightPath drawnTight(const TriangleMesh& mesh, GeodesicPath course)
+StraightPath drawnTight(const TriangleMesh& mesh, GeodesicPath geodesic)
 {
   StraightPath result;
-  const Indices bent = straighten(mesh, course);
-  result.path = pathAlong(mesh, course);
+  const Indices bent = straighten(mesh, geodesic);
+  result.path = pathAlong(mesh, geodesic);
   result.length = lengthOf(result.path);
   if (!bent.empty())
   {
@@ -70,40 +67,85 @@ StraightPath drawnTight(const TriangleMesh& mesh, GeodesicPath course)
   return result;
 }
 
-/// Whether a course goes through so many vertices that they hold it, as on the inside of a bend.
-bool isHeld(const GeodesicPath& course)
+/// Sections from point to point; not arrived where one of them does not, or they come to be longer
+/// than the limit.
+SurfacePath sectionsThrough(const TriangleMesh& mesh, const SnapDistance& snap,
+  const std::vector<SurfacePoint>& points, double limit)
 {
-  std::size_t crossed = 0;
-  for (const GeodesicSegment& leg : course.legs)
+  SurfacePath path;
+  double length = 0.0;
+  path.points = { points.front() };
+  for (const SurfacePoint& point : points)
   {
-    crossed += leg.crossed.size();
+    if (!samePlace(point, path.points.back()))
+    {
+      const SurfacePath section =
+        traceSegment(mesh, snap, path.points.back(), point, limit - length);
+      if (!section.arrived)
+      {
+        return {};
+      }
+      length += lengthOf(section);
+      append(path, section);
+    }
   }
-  return static_cast<double>(course.knots.size()) > manyKnots * static_cast<double>(crossed);
+  path.arrived = path.points.size() > 1;
+  return path;
 }
 
-/// A course that is not far from tight. Drawing tight moves a path by a row of vertices at a time;
-/// one that has farther to go is moved by its development, where that helps.
-GeodesicPath drawnNearlyTight(
-  const TriangleMesh& mesh, const SnapDistance& snap, const SurfacePath& start)
+/// Points of the path at equal parts of its length, or half-way between these, and its ends.
+std::vector<SurfacePoint> pointsAtParts(
+  const SurfacePath& path, double length, std::size_t parts, bool between)
 {
-  GeodesicPath course = courseAlong(mesh, start);
-  std::size_t patience = fewUnfolded;
-  bool first = true;
-  Indices bent;
-  while (!straightenWithBudget(mesh, course, patience, bent))
+  std::vector<SurfacePoint> points{ path.points.front() };
+  double done = 0.0;
+  double next = (between ? 0.5 : 1.0) / static_cast<double>(parts);
+  for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
   {
-    double gain = 0.0;
-    if (first || !isHeld(course))
+    done += (path.points[i].position - path.points[i - 1].position).norm();
+    if (done >= next * length && next <= 1.0 - 1e-9)
     {
-      const SurfacePath path = pathAlong(mesh, course);
-      const SurfacePath moved = developed(mesh, snap, path);
-      gain = 1.0 - lengthOf(moved) / lengthOf(path);
-      course = gain > 0.0 ? courseAlong(mesh, moved) : std::move(course);
+      points.push_back(path.points[i]);
+      next += 1.0 / static_cast<double>(parts);
     }
-    patience *= gain > leastGainOfRound ? 1 : lossOfPatience;
-    first = false;
   }
-  return course;
+  points.push_back(path.points.back());
+  return points;
+}
+
+/// A shorter path between the same ends, nearly straight at large: point after point of the path is
+/// joined with the next but one by a plane section of the surface (G. D. Birkhoff's curve
+/// shortening). Drawing it tight takes fewer steps, each of which moves a path by one vertex.
+SurfacePath relaxed(const TriangleMesh& mesh, const SnapDistance& snap, SurfacePath path)
+{
+  double length = lengthOf(path);
+  for (const std::size_t parts : { 2, 4, 8 })
+  {
+    int idle = 0;
+    const double before = length;
+    for (int round = 0; round < mostRelaxations && idle < 2; ++round)
+    {
+      if (path.points.size() < parts * fewestPoints)
+      {
+        return path;
+      }
+      SurfacePath next =
+        sectionsThrough(mesh, snap, pointsAtParts(path, length, parts, round % 2 == 1), length);
+      const double nextLength = lengthOf(next);
+      const bool gained = next.arrived && nextLength < (1.0 - leastShortening) * length;
+      idle = gained ? 0 : idle + 1;
+      if (gained)
+      {
+        path = std::move(next);
+        length = nextLength;
+      }
+    }
+    if (length == before)
+    {
+      break;
+    }
+  }
+  return path;
 }
 
 StraightPath notJoined()
@@ -120,8 +162,8 @@ StraightPath fromSearch(PathSearch& search, const SurfacePoint& to)
 {
   const TriangleMesh& mesh = search.graph().mesh();
   const SnapDistance& snap = search.graph().noSnap();
-  const GeodesicPath way = search.courseTo(to);
-  if (way.knots.empty())
+  const GeodesicPath way = search.geodesicTo(to);
+  if (way.vertices.empty())
   {
     return notJoined();
   }
@@ -132,13 +174,13 @@ StraightPath fromSearch(PathSearch& search, const SurfacePoint& to)
   {
     start = std::move(section);
   }
-  return drawnTight(mesh, drawnNearlyTight(mesh, snap, relaxed(mesh, snap, std::move(start))));
+  return drawnTight(mesh, geodesicAlong(mesh, relaxed(mesh, snap, std::move(start))));
 }
 
 StraightPath byEdges(PathSearch& search, const SurfacePoint& to)
 {
-  const GeodesicPath way = search.courseTo(to);
-  if (way.knots.empty())
+  const GeodesicPath way = search.geodesicTo(to);
+  if (way.vertices.empty())
   {
     return notJoined();
   }
@@ -180,7 +222,7 @@ StraightPath localStraightPath(
 {
   return withEndsChecked(graph.mesh(), from, to, [&] {
     const SurfacePath section = traceSegment(graph.mesh(), graph.noSnap(), from, to);
-    return section.arrived ? drawnTight(graph.mesh(), courseAlong(graph.mesh(), section))
+    return section.arrived ? drawnTight(graph.mesh(), geodesicAlong(graph.mesh(), section))
                            : straightPath(graph, from, to);
   });
 }
@@ -214,7 +256,7 @@ StraightPath straightPathNear(
     SurfacePath whole = toHint.path;
     append(whole, hint);
     append(whole, fromHint.path);
-    return drawnTight(mesh, courseAlong(mesh, whole));
+    return drawnTight(mesh, geodesicAlong(mesh, whole));
   });
 }
 
@@ -230,5 +272,190 @@ StraightPath pathByEdges(PathSearch& search, const SurfacePoint& to)
 {
   return withEndsChecked(
     search.graph().mesh(), search.source(), to, [&] { return byEdges(search, to); });
+}
+
+namespace
+{
+constexpr int mostMovesOfBase = 1000;
+constexpr int baseHalvings = 100;
+/// A base so near to an end of its edge, as a fraction, is there.
+constexpr double atEnd = 1e-9;
+/// A band that is so much shorter than it was is drawn together to a point.
+constexpr double vanishing = 1e-9;
+
+class RubberBand
+{
+public:
+  RubberBand(const TriangleMesh& mesh, SurfacePath loop)
+    : Mesh(mesh)
+    , Loop(std::move(loop))
+    , First(lengthOf(this->Loop))
+  {
+  }
+
+  StraightPath run()
+  {
+    StraightPath result;
+    int rounds = 0;
+    do
+    {
+      this->tighten();
+    } while (!this->vanished() && this->moveBase() && ++rounds < mostMovesOfBase);
+    result.path = this->Loop;
+    result.length = lengthOf(result.path);
+    if (this->vanished())
+    {
+      result.status = { StatusCode::CurveTooShort,
+        "a loop can be drawn together to a point of the surface", {}, { Remedy::RedrawCurve } };
+    }
+    else if (rounds == mostMovesOfBase || !this->Bent.empty())
+    {
+      result.status = { StatusCode::NotConverged,
+        "a loop is not straight at points " + listIds(this->Bent),
+        { ElementKind::Points, this->Bent }, { Remedy::MendSlivers } };
+    }
+    return result;
+  }
+
+private:
+  bool vanished() const
+  {
+    return this->Loop.points.size() < 3 || lengthOf(this->Loop) < vanishing * this->First;
+  }
+
+  /// Draws the band tight, held at its base.
+  void tighten()
+  {
+    this->Geodesic = geodesicAlong(this->Mesh, this->Loop);
+    this->Bent = straighten(this->Mesh, this->Geodesic);
+    this->Loop = pathAlong(this->Mesh, this->Geodesic);
+  }
+
+  /// Makes another point the base where the band is not straight at this one; false where it is at
+  /// rest.
+  bool moveBase()
+  {
+    const std::size_t vertices = this->Geodesic.vertices.size();
+    if (this->Loop.points.front().type == SurfacePointType::Vertex)
+    {
+      const GeodesicPath& c = this->Geodesic;
+      const VertexSide side = sharperSide(this->Mesh, c.vertices[vertices - 2], c.segments.back(),
+        c.vertices[0], c.segments.front(), c.vertices[1]);
+      if (!(side.angle < pi - straightAngle))
+      {
+        return false;
+      }
+    }
+    // A vertex far from the base, or else an edge to slide along.
+    const std::size_t half = this->Loop.points.size() / 2;
+    std::size_t base = 0;
+    for (std::size_t i = 1; i + 1 < this->Loop.points.size(); ++i)
+    {
+      if (this->Loop.points[i].type == SurfacePointType::Vertex &&
+        (base == 0 || apart(i, half) < apart(base, half)))
+      {
+        base = i;
+      }
+    }
+    if (base > 0)
+    {
+      this->rotate(base);
+      return true;
+    }
+    this->rotate(half);
+    return this->Loop.points.front().type == SurfacePointType::Edge && this->slide();
+  }
+
+  static std::size_t apart(std::size_t a, std::size_t b) { return a < b ? b - a : a - b; }
+
+  void rotate(std::size_t base)
+  {
+    SurfacePath turned = partOf(this->Loop, base, this->Loop.points.size() - 1);
+    append(turned, partOf(this->Loop, 0, base));
+    this->Loop = std::move(turned);
+  }
+
+  /// How fast the band gets longer as its base moves along the edge.
+  double growth(const SurfacePath& loop, const Point3& along) const
+  {
+    const Point3& base = loop.points.front().position;
+    const Point3 out = (loop.points[1].position - base).normalized();
+    const Point3 in = (loop.points[loop.points.size() - 2].position - base).normalized();
+    return -(out + in).dot(along);
+  }
+
+  SurfacePath heldAt(double fraction) const
+  {
+    SurfacePath loop = this->Loop;
+    const Index edge = loop.points.front().id;
+    loop.points.front() = edgePoint(this->Mesh, edge, fraction);
+    loop.points.back() = loop.points.front();
+    GeodesicPath geodesic = geodesicAlong(this->Mesh, loop);
+    straighten(this->Mesh, geodesic);
+    return pathAlong(this->Mesh, geodesic);
+  }
+
+  /// The length is a convex function of where the base is on its edge. Moves the base to its
+  /// minimum; to an end of the edge where that is none inside. True where the band is to be
+  /// tightened again.
+  bool slide()
+  {
+    const Index edge = this->Loop.points.front().id;
+    const Point3 along =
+      (this->Mesh.point(this->Mesh.to(edge)) - this->Mesh.point(this->Mesh.from(edge)))
+        .normalized();
+    double low = 0.0;
+    double high = 1.0;
+    for (int k = 0; k < baseHalvings && high - low > 1e-16 && low < 1.0 - atEnd && high > atEnd;
+         ++k)
+    {
+      const double middle = 0.5 * (low + high);
+      const SurfacePath loop = this->heldAt(middle);
+      if (loop.points.size() < 3)
+      {
+        this->Loop = loop;
+        return false;
+      }
+      (this->growth(loop, along) > 0.0 ? high : low) = middle;
+    }
+    const double best = 0.5 * (low + high);
+    if (best > atEnd && best < 1.0 - atEnd)
+    {
+      this->Loop = this->heldAt(best);
+      return false;
+    }
+    const SurfacePoint end =
+      vertexPoint(this->Mesh, best < 0.5 ? this->Mesh.from(edge) : this->Mesh.to(edge));
+    this->Loop.points.front() = end;
+    this->Loop.points.back() = end;
+    return true;
+  }
+
+  const TriangleMesh& Mesh;
+  SurfacePath Loop;
+  GeodesicPath Geodesic;
+  Indices Bent;
+  double First;
+};
+
+Status checkLoop(const TriangleMesh& mesh, const SurfacePath& loop)
+{
+  if (!liesOn(mesh, loop) || loop.points.size() < 3 ||
+    !samePlace(loop.points.front(), loop.points.back()))
+  {
+    return { StatusCode::InvalidCurve, "a loop is no closed path over the surface", {},
+      { Remedy::RedrawCurve } };
+  }
+  return {};
+}
+}
+
+StraightPath straightLoop(const PathGraph& graph, const SurfacePath& loop)
+{
+  return withinMemory([&] {
+    StraightPath result;
+    result.status = checkLoop(graph.mesh(), loop);
+    return result.status.ok() ? RubberBand(graph.mesh(), loop).run() : result;
+  });
 }
 }

@@ -48,4 +48,10 @@ StraightPath straightPathNear(const PathGraph& graph, const SurfacePath& hint,
 StraightPath pathByEdges(const PathGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
 /// As above, from the source of a search by edges.
 StraightPath pathByEdges(PathSearch& search, const SurfacePoint& to);
+
+/// A closed path, its last point being its first, drawn tight in its class: as a rubber band that
+/// cannot leave the surface comes to rest. Errors: InvalidCurve (the path is not closed, or not on
+/// the surface); CurveTooShort (the band can be drawn together to a point); NotConverged (as for
+/// straight paths); OutOfMemory.
+StraightPath straightLoop(const PathGraph& graph, const SurfacePath& loop);
 }

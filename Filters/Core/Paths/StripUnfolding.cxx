@@ -265,13 +265,13 @@ void pushTouched(const TriangleMesh& mesh, const UnfoldedStrip& strip, const Str
 GeodesicPath shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start,
   const Indices& crossed, const SurfacePoint& end)
 {
-  GeodesicPath course;
-  course.knots.push_back(start);
+  GeodesicPath geodesic;
+  geodesic.vertices.push_back(start);
   if (crossed.empty())
   {
-    course.knots.push_back(end);
-    course.legs.push_back({ {}, (end.position - start.position).norm() });
-    return course;
+    geodesic.vertices.push_back(end);
+    geodesic.segments.push_back({ {}, (end.position - start.position).norm() });
+    return geodesic;
   }
   const UnfoldedStrip strip(mesh, start, crossed, end);
   const std::vector<StripCorner> tight = tightString(mesh, strip);
@@ -285,20 +285,20 @@ GeodesicPath shortestInStrip(const TriangleMesh& mesh, const SurfacePoint& start
   {
     const StripCorner& a = string[k - 1];
     const StripCorner& b = string[k];
-    const SurfacePoint knot = b.vertex == none ? end : vertexPoint(mesh, b.vertex);
+    const SurfacePoint vertex = b.vertex == none ? end : vertexPoint(mesh, b.vertex);
     const Complex way = b.place - a.place;
-    GeodesicSegment leg;
-    leg.length = std::abs(way);
+    GeodesicSegment segment;
+    segment.length = std::abs(way);
     if (a.last + 1 < b.first)
     {
-      leg.crossed.assign(crossed.begin() + a.last + 1, crossed.begin() + b.first);
-      leg.startAngle = strip.angleAt(a.last + 1, course.knots.back().position, way, false);
-      leg.endAngle = strip.angleAt(b.first - 1, knot.position, -way, true);
+      segment.crossed.assign(crossed.begin() + a.last + 1, crossed.begin() + b.first);
+      segment.startAngle = strip.angleAt(a.last + 1, geodesic.vertices.back().position, way, false);
+      segment.endAngle = strip.angleAt(b.first - 1, vertex.position, -way, true);
     }
-    course.legs.push_back(std::move(leg));
-    course.knots.push_back(knot);
+    geodesic.segments.push_back(std::move(segment));
+    geodesic.vertices.push_back(vertex);
   }
-  return course;
+  return geodesic;
 }
 
 Indices reducedStrip(const TriangleMesh& mesh, const SurfacePoint& start, const Indices& crossed,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Paths/CourseStraightening.h"
+#include "Paths/GeodesicStraightening.h"
 
 #include "Paths/PathPoints.h"
 #include "Paths/StripUnfolding.h"
@@ -13,6 +13,14 @@ namespace flattening
 {
 namespace
 {
+/// A direction at a vertex.
+struct VertexDirection
+{
+  Index halfedge = none;  ///< leaves the vertex; its triangle holds the direction
+  double angle = 0.0;     ///< from the half-edge, anti-clockwise
+  bool alongEdge = false; ///< along the half-edge itself
+};
+
 /// Of two sides that are equally sharp but for rounding the right one is taken.
 constexpr double equalAngles = 1e-10;
 
@@ -47,8 +55,9 @@ VertexDirection alongEdge(const TriangleMesh& mesh, Index halfedge, Index vertex
   const Index last = TriangleMesh::next(halfedge);
   return { last, mesh.angle(last), false };
 }
-}
 
+/// The direction of a segment along an edge or within one triangle from a vertex towards its other
+/// end.
 VertexDirection directionWithin(
   const TriangleMesh& mesh, const SurfacePoint& vertex, const SurfacePoint& other)
 {
@@ -62,30 +71,33 @@ VertexDirection directionWithin(
   return { h, angleBetween(mesh.point(mesh.to(h)) - apex, other.position - apex), false };
 }
 
+/// Direction of a segment that leaves a vertex, and of one that arrives there, seen from the
+/// vertex.
 VertexDirection leavingDirection(const TriangleMesh& mesh, const SurfacePoint& vertex,
-  const GeodesicSegment& leg, const SurfacePoint& to)
+  const GeodesicSegment& segment, const SurfacePoint& to)
 {
-  if (leg.crossed.empty())
+  if (segment.crossed.empty())
   {
     return directionWithin(mesh, vertex, to);
   }
-  return { TriangleMesh::previous(leg.crossed.front()), leg.startAngle, false };
+  return { TriangleMesh::previous(segment.crossed.front()), segment.startAngle, false };
 }
 
 VertexDirection arrivingDirection(const TriangleMesh& mesh, const SurfacePoint& from,
-  const GeodesicSegment& leg, const SurfacePoint& vertex)
+  const GeodesicSegment& segment, const SurfacePoint& vertex)
 {
-  if (leg.crossed.empty())
+  if (segment.crossed.empty())
   {
     return directionWithin(mesh, vertex, from);
   }
-  return { TriangleMesh::previous(mesh.twin(leg.crossed.back())), leg.endAngle, false };
+  return { TriangleMesh::previous(mesh.twin(segment.crossed.back())), segment.endAngle, false };
 }
 
-KnotSide sectorBetween(
+/// The sector from one direction anti-clockwise to the other; `crossed` in this order.
+VertexSide sectorBetween(
   const TriangleMesh& mesh, const VertexDirection& from, const VertexDirection& to)
 {
-  KnotSide side;
+  VertexSide side;
   if (from.halfedge == to.halfedge && from.angle <= to.angle)
   {
     side.angle = to.angle - from.angle;
@@ -116,15 +128,16 @@ KnotSide sectorBetween(
   }
   return side;
 }
+}
 
-KnotSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before,
-  const GeodesicSegment& arriving, const SurfacePoint& knot, const GeodesicSegment& leaving,
+VertexSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before,
+  const GeodesicSegment& arriving, const SurfacePoint& vertex, const GeodesicSegment& leaving,
   const SurfacePoint& after)
 {
-  const VertexDirection in = arrivingDirection(mesh, before, arriving, knot);
-  const VertexDirection out = leavingDirection(mesh, knot, leaving, after);
-  KnotSide right = sectorBetween(mesh, in, out);
-  KnotSide left = sectorBetween(mesh, out, in);
+  const VertexDirection in = arrivingDirection(mesh, before, arriving, vertex);
+  const VertexDirection out = leavingDirection(mesh, vertex, leaving, after);
+  VertexSide right = sectorBetween(mesh, in, out);
+  VertexSide left = sectorBetween(mesh, out, in);
   if (right.angle <= left.angle + equalAngles)
   {
     return right;
@@ -146,57 +159,51 @@ constexpr int mostIdleTurns = 8;
 /// that sweeps over the whole surface once is led round each vertex once.
 constexpr std::size_t fewestTurns = 1000;
 constexpr std::size_t turnsPerVertex = 10;
-/// What rounding may make of the length of two legs; who is shorter than that is shorter.
+/// What rounding may make of the length of two segments; who is shorter than that is shorter.
 constexpr double leastGain = 1.0 - 1e-14;
 /// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
 constexpr double atVertex = 1e-13;
 
-/// Straightens in passes. Each leads every run of knots that are too sharp on one side round them
-/// at once, and draws the whole strip between the knots before and after tight.
+/// Straightens in passes. Each leads every run of vertices that are too sharp on one side round
+/// them at once, and draws the whole strip between the vertices before and after tight.
 class Straightening
 {
 public:
-  Straightening(const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostTurns)
+  Straightening(const TriangleMesh& mesh, GeodesicPath& geodesic, std::size_t mostTurns)
     : Mesh(mesh)
-    , Course(course)
+    , Geodesic(geodesic)
     , Left(mostTurns)
-    , Fresh(course.knots.size(), 1)
+    , Fresh(geodesic.vertices.size(), 1)
   {
   }
 
-  /// Whether it came to its end.
-  bool run(std::size_t mostUnfolded)
+  Indices run()
   {
     while (this->pass())
     {
-      if (this->Unfolded > mostUnfolded)
-      {
-        return false;
-      }
     }
-    return true;
+    return std::move(this->Bent);
   }
-  Indices bent() { return std::move(this->Bent); }
 
 private:
-  /// Whether knot k has to be led round, and then its sharper side.
+  /// Whether vertex k has to be led round, and then its sharper side.
   bool isSharp(std::size_t k)
   {
-    if (k == 0 || k + 1 >= this->Course.knots.size() || !this->Fresh[k])
+    if (k == 0 || k + 1 >= this->Geodesic.vertices.size() || !this->Fresh[k])
     {
       return false;
     }
-    const GeodesicPath& c = this->Course;
-    KnotSide side =
-      sharperSide(this->Mesh, c.knots[k - 1], c.legs[k - 1], c.knots[k], c.legs[k], c.knots[k + 1]);
+    const GeodesicPath& c = this->Geodesic;
+    VertexSide side = sharperSide(this->Mesh, c.vertices[k - 1], c.segments[k - 1], c.vertices[k],
+      c.segments[k], c.vertices[k + 1]);
     if (!(side.angle < pi - straightAngle))
     {
       return false;
     }
-    const auto turns = this->Idle.find(c.knots[k].id);
+    const auto turns = this->Idle.find(c.vertices[k].id);
     if (this->Left == 0 || (turns != this->Idle.end() && turns->second > mostIdleTurns))
     {
-      this->Bent.push_back(c.knots[k].id);
+      this->Bent.push_back(c.vertices[k].id);
       return false;
     }
     this->Sides.push_back(std::move(side));
@@ -204,12 +211,12 @@ private:
     return true;
   }
 
-  /// Whether the path goes back from knot k along the edge by which it came.
+  /// Whether the path goes back from vertex k along the edge by which it came.
   bool turnsBack(std::size_t k) const
   {
-    const GeodesicPath& c = this->Course;
-    return k > 0 && k + 1 < c.knots.size() && c.legs[k - 1].crossed.empty() &&
-      c.legs[k].crossed.empty() && samePlace(c.knots[k - 1], c.knots[k + 1]);
+    const GeodesicPath& c = this->Geodesic;
+    return k > 0 && k + 1 < c.vertices.size() && c.segments[k - 1].crossed.empty() &&
+      c.segments[k].crossed.empty() && samePlace(c.vertices[k - 1], c.vertices[k + 1]);
   }
 
   bool pass()
@@ -217,9 +224,9 @@ private:
     this->Bent.clear();
     GeodesicPath after;
     std::vector<char> fresh{ 0 };
-    after.knots.push_back(this->Course.knots.front());
+    after.vertices.push_back(this->Geodesic.vertices.front());
     bool changed = false;
-    for (std::size_t k = 0; k + 1 < this->Course.knots.size();)
+    for (std::size_t k = 0; k + 1 < this->Geodesic.vertices.size();)
     {
       this->Sides.clear();
       std::size_t next = k + 1;
@@ -232,102 +239,96 @@ private:
       }
       if (next == k + 1)
       {
-        after.legs.push_back(std::move(this->Course.legs[k]));
-        after.knots.push_back(this->Course.knots[next]);
+        after.segments.push_back(std::move(this->Geodesic.segments[k]));
+        after.vertices.push_back(this->Geodesic.vertices[next]);
         fresh.push_back(this->isBent(next));
       }
       else
       {
         const GeodesicPath tight = this->ledRound(k, next);
         fresh.back() = 1;
-        after.legs.insert(after.legs.end(), tight.legs.begin(), tight.legs.end());
-        after.knots.insert(after.knots.end(), tight.knots.begin() + 1, tight.knots.end());
-        fresh.resize(after.knots.size(), 1);
+        after.segments.insert(after.segments.end(), tight.segments.begin(), tight.segments.end());
+        after.vertices.insert(
+          after.vertices.end(), tight.vertices.begin() + 1, tight.vertices.end());
+        fresh.resize(after.vertices.size(), 1);
         changed = true;
       }
       k = next;
     }
-    if (after.legs.empty())
+    if (after.segments.empty())
     {
-      after.legs.emplace_back();
-      after.knots.push_back(this->Course.knots.back());
+      after.segments.emplace_back();
+      after.vertices.push_back(this->Geodesic.vertices.back());
       fresh.push_back(0);
     }
-    this->Course = std::move(after);
+    this->Geodesic = std::move(after);
     this->Fresh = std::move(fresh);
     return changed;
   }
 
   bool isBent(std::size_t k) const
   {
-    return std::find(this->Bent.begin(), this->Bent.end(), this->Course.knots[k].id) !=
+    return std::find(this->Bent.begin(), this->Bent.end(), this->Geodesic.vertices[k].id) !=
       this->Bent.end();
   }
 
-  /// The tight way from one knot to another on the sharper sides of those between.
+  /// The tight way from one vertex to another on the sharper sides of those between.
   GeodesicPath ledRound(std::size_t first, std::size_t last)
   {
-    const GeodesicPath& c = this->Course;
+    const GeodesicPath& c = this->Geodesic;
     Indices crossed;
     double length = 0.0;
     for (std::size_t k = first; k < last; ++k)
     {
-      const Indices& onLeg = c.legs[k].crossed;
-      length += c.legs[k].length;
+      const Indices& onLeg = c.segments[k].crossed;
+      length += c.segments[k].length;
       crossed.insert(crossed.end(), onLeg.begin(), onLeg.end());
       if (k + 1 == last)
       {
         break;
       }
-      const KnotSide& side = this->Sides[k - first];
+      const VertexSide& side = this->Sides[k - first];
       crossed.insert(crossed.end(), side.crossed.begin(), side.crossed.end());
-      if (k + 2 < last && c.legs[k + 1].crossed.empty() &&
+      if (k + 2 < last && c.segments[k + 1].crossed.empty() &&
         side.left != this->Sides[k - first + 1].left)
       {
         // From one side of the edge between them to the other.
-        const Index a = c.knots[k + 1].id;
-        const Index b = c.knots[k + 2].id;
+        const Index a = c.vertices[k + 1].id;
+        const Index b = c.vertices[k + 2].id;
         crossed.push_back(side.left ? this->Mesh.find(a, b) : this->Mesh.find(b, a));
       }
     }
-    const SurfacePoint& start = c.knots[first];
-    const SurfacePoint& end = c.knots[last];
-    this->Unfolded += crossed.size();
+    const SurfacePoint& start = c.vertices[first];
+    const SurfacePoint& end = c.vertices[last];
     crossed = reducedStrip(this->Mesh, start, crossed, end);
     GeodesicPath tight;
     if (crossed.empty() && samePlace(start, end))
     {
-      tight.knots = { start };
+      tight.vertices = { start };
     }
     else
     {
       tight = shortestInStrip(this->Mesh, start, crossed, end);
     }
-    for (const GeodesicSegment& leg : tight.legs)
+    for (const GeodesicSegment& segment : tight.segments)
     {
-      length -= leg.length / leastGain;
+      length -= segment.length / leastGain;
     }
     for (std::size_t k = first + 1; k < last && !(length > 0.0); ++k)
     {
-      ++this->Idle[c.knots[k].id];
+      ++this->Idle[c.vertices[k].id];
     }
     return tight;
   }
 
   const TriangleMesh& Mesh;
-  GeodesicPath& Course;
-  std::size_t Left;                    ///< turns
-  std::size_t Unfolded = 0;            ///< half-edges
-  std::vector<char> Fresh;             ///< knots whose legs have changed since they were looked at
-  std::vector<KnotSide> Sides;         ///< of a run of sharp knots
+  GeodesicPath& Geodesic;
+  std::size_t Left;              ///< turns
+  std::vector<char> Fresh;       ///< vertices whose segments have changed since they were looked at
+  std::vector<VertexSide> Sides; ///< of a run of sharp vertices
   std::unordered_map<Index, int> Idle; ///< turns that did not make the path shorter
-  Indices Bent;                        ///< sharp knots that are left
+  Indices Bent;                        ///< sharp vertices that are left
 };
-
-std::size_t enoughTurns(const TriangleMesh& mesh)
-{
-  return fewestTurns + turnsPerVertex * static_cast<std::size_t>(mesh.vertexCount());
-}
 
 /// The half-edge of an edge that lies in the triangle.
 Index halfedgeIn(const TriangleMesh& mesh, Index edge, Index triangle)
@@ -335,76 +336,66 @@ Index halfedgeIn(const TriangleMesh& mesh, Index edge, Index triangle)
   return edge / 3 == triangle ? edge : mesh.twin(edge);
 }
 
-/// Appends the tight way to the next knot over the half-edges crossed since the last one.
-void appendKnot(
-  const TriangleMesh& mesh, const SurfacePoint& knot, Indices& crossed, GeodesicPath& course)
+/// Appends the tight way to the next vertex over the half-edges crossed since the last one.
+void appendVertex(
+  const TriangleMesh& mesh, const SurfacePoint& vertex, Indices& crossed, GeodesicPath& geodesic)
 {
-  const SurfacePoint start = course.knots.back();
-  const Indices strip = reducedStrip(mesh, start, crossed, knot);
+  const SurfacePoint start = geodesic.vertices.back();
+  const Indices strip = reducedStrip(mesh, start, crossed, vertex);
   crossed.clear();
-  if (strip.empty() && samePlace(start, knot))
+  if (strip.empty() && samePlace(start, vertex))
   {
     return;
   }
-  GeodesicPath tight = shortestInStrip(mesh, start, strip, knot);
-  for (std::size_t i = 0; i < tight.legs.size(); ++i)
+  GeodesicPath tight = shortestInStrip(mesh, start, strip, vertex);
+  for (std::size_t i = 0; i < tight.segments.size(); ++i)
   {
-    course.legs.push_back(std::move(tight.legs[i]));
-    course.knots.push_back(tight.knots[i + 1]);
+    geodesic.segments.push_back(std::move(tight.segments[i]));
+    geodesic.vertices.push_back(tight.vertices[i + 1]);
   }
 }
 }
 
-Indices straighten(const TriangleMesh& mesh, GeodesicPath& course)
+Indices straighten(const TriangleMesh& mesh, GeodesicPath& geodesic)
 {
-  return straighten(mesh, course, enoughTurns(mesh));
+  return straighten(
+    mesh, geodesic, fewestTurns + turnsPerVertex * static_cast<std::size_t>(mesh.vertexCount()));
 }
 
-Indices straighten(const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostTurns)
+Indices straighten(const TriangleMesh& mesh, GeodesicPath& geodesic, std::size_t mostTurns)
 {
-  Straightening straightening(mesh, course, mostTurns);
-  straightening.run(std::numeric_limits<std::size_t>::max());
-  return straightening.bent();
+  return Straightening(mesh, geodesic, mostTurns).run();
 }
 
-bool straightenWithBudget(
-  const TriangleMesh& mesh, GeodesicPath& course, std::size_t mostUnfolded, Indices& bent)
+GeodesicPath geodesicAlong(const TriangleMesh& mesh, const SurfacePath& path)
 {
-  Straightening straightening(mesh, course, enoughTurns(mesh));
-  const bool ended = straightening.run(mostUnfolded);
-  bent = straightening.bent();
-  return ended;
-}
-
-GeodesicPath courseAlong(const TriangleMesh& mesh, const SurfacePath& path)
-{
-  GeodesicPath course;
-  course.knots.push_back(path.points.front());
+  GeodesicPath geodesic;
+  geodesic.vertices.push_back(path.points.front());
   Indices crossed;
   for (std::size_t i = 1; i < path.points.size(); ++i)
   {
     const SurfacePoint& point = path.points[i];
     if (i + 1 == path.points.size() || point.type == SurfacePointType::Vertex)
     {
-      appendKnot(mesh, point, crossed, course);
+      appendVertex(mesh, point, crossed, geodesic);
     }
     else if (point.type == SurfacePointType::Edge && path.triangles[i - 1] != path.triangles[i])
     {
       crossed.push_back(halfedgeIn(mesh, point.id, path.triangles[i - 1]));
     }
   }
-  if (course.legs.empty())
+  if (geodesic.segments.empty())
   {
-    course.knots.push_back(path.points.back());
-    course.legs.emplace_back();
+    geodesic.vertices.push_back(path.points.back());
+    geodesic.segments.emplace_back();
   }
-  return course;
+  return geodesic;
 }
 
-SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& course)
+SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& geodesic)
 {
   SurfacePath path;
-  path.points.push_back(course.knots.front());
+  path.points.push_back(geodesic.vertices.front());
   const auto push = [&path](const SurfacePoint& point, Index triangle) {
     if (!(point.type == SurfacePointType::Vertex && samePlace(point, path.points.back())))
     {
@@ -412,11 +403,11 @@ SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& course)
       path.triangles.push_back(triangle);
     }
   };
-  for (std::size_t k = 0; k < course.legs.size(); ++k)
+  for (std::size_t k = 0; k < geodesic.segments.size(); ++k)
   {
-    const Indices& crossed = course.legs[k].crossed;
-    const SurfacePoint& from = course.knots[k];
-    const SurfacePoint& to = course.knots[k + 1];
+    const Indices& crossed = geodesic.segments[k].crossed;
+    const SurfacePoint& from = geodesic.vertices[k];
+    const SurfacePoint& to = geodesic.vertices[k + 1];
     const std::vector<double> fractions = crossingFractions(mesh, from, crossed, to);
     for (std::size_t i = 0; i < crossed.size(); ++i)
     {
@@ -432,8 +423,8 @@ SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& course)
   }
   if (path.triangles.empty())
   {
-    path.points.push_back(course.knots.back());
-    path.triangles.push_back(trianglesAround(mesh, course.knots.back()).front());
+    path.points.push_back(geodesic.vertices.back());
+    path.triangles.push_back(trianglesAround(mesh, geodesic.vertices.back()).front());
   }
   path.arrived = true;
   return path;
