@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Base/Types.h"
+#include "Editing/CurveDrawing.h"
 #include "Editing/CurveEditor.h"
-#include "Editing/SegmentPreview.h"
 
 #include <algorithm>
 #include <cstddef>

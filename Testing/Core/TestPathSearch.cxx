@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnCurves.h"
-#include "Editing/SegmentPreview.h"
+#include "Editing/CurveDrawing.h"
 #include "PathFacts.h"
 #include "Paths/GeodesicStraightening.h"
 #include "Paths/PathPoints.h"

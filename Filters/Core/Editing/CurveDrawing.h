@@ -3,6 +3,9 @@
 
 #include "Base/Status.h"
 #include "Editing/DrawingSurface.h"
+#include "Paths/PathSearch.h"
+
+#include <memory>
 
 namespace flattening
 {
@@ -19,6 +22,21 @@ struct DrawnSegment
 /// InvalidPointId; OutOfMemory.
 DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const SurfacePoint& from,
   const SurfacePoint& to, const SurfacePath* hint = nullptr);
+
+/// Segments as drawSegment() has them, without hints, for a mouse that moves: while they start in
+/// the same place, each goes on with the search of those before.
+class SegmentPreview
+{
+public:
+  explicit SegmentPreview(std::shared_ptr<const DrawingSurface> surface);
+
+  /// Errors: those of drawSegment().
+  DrawnSegment draw(SegmentKind kind, const SurfacePoint& from, const SurfacePoint& to);
+
+private:
+  std::shared_ptr<const DrawingSurface> Surface;
+  std::unique_ptr<PathSearch> Search;
+};
 
 bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point);
 
