@@ -71,7 +71,7 @@ private:
   Index neighbourOnTheWay(Index start, Index end) const;
   Index firstCrossed(Index start, Index end) const;
   Index crossEdge(Index h, Index start, Index end);
-  Index advance(Index start, Index end, bool flipping);
+  Index advance(Index start, Index end);
   bool recover(Index start, Index end, const std::vector<std::array<Index, 2>>& crossed);
 
   double Snap;
