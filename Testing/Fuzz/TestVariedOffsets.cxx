@@ -20,17 +20,6 @@ namespace
 constexpr double exactly = 1e-7;
 const double tangent = 1.0 / std::cos(pi / 72.0); // of an arc of 5 degrees, at its end
 
-/// No way over a surface is shorter than that through space.
-double gapInSpace(const SurfacePath& path, const Point3& point)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t leg = 0; leg < path.triangles.size(); ++leg)
-  {
-    least = std::min(least, footOnLeg(path, leg, point).gap);
-  }
-  return least;
-}
-
 double lengthOfAll(const PathOffset& offset)
 {
   double length = 0.0;

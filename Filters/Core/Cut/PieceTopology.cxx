@@ -1,33 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cut/PieceTopology.h"
 
-#include <algorithm>
-
 namespace flattening
 {
 namespace
 {
 /// In a message all of them are named, up to a number that can still be read.
 constexpr std::size_t mostNamed = 20;
-
-Index countBoundaryLoops(const TriangleMesh& mesh)
-{
-  Index loops = 0;
-  std::vector<char> seen(mesh.vertexCount(), 0);
-  for (Index start = 0; start < mesh.vertexCount(); ++start)
-  {
-    if (seen[start] || !mesh.onBoundary(start))
-    {
-      continue;
-    }
-    ++loops;
-    for (Index v = start; !seen[v]; v = mesh.to(mesh.outgoing(v)))
-    {
-      seen[v] = 1;
-    }
-  }
-  return loops;
-}
 
 std::string counted(Index count, Index all, const char* one, const char* many)
 {
@@ -56,7 +35,7 @@ StatusCode PieceDefect::code() const
 
 std::optional<PieceDefect> findDefect(const Piece& piece)
 {
-  const Index loops = countBoundaryLoops(piece.mesh);
+  const auto loops = static_cast<Index>(piece.mesh.boundaryLoops().size());
   PieceDefect defect;
   defect.closed = loops == 0;
   defect.handles = (2 - loops - eulerCharacteristic(piece.mesh)) / 2;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace flattening
 {
@@ -38,6 +37,16 @@ PathFoot footOnLeg(const SurfacePath& path, std::size_t leg, const Point3& point
   const double square = way.squaredNorm();
   const double s = square > 0.0 ? std::clamp(way.dot(point - a) / square, 0.0, 1.0) : 0.0;
   return { leg, s, (a + s * way - point).norm() };
+}
+
+double gapInSpace(const SurfacePath& path, const Point3& point)
+{
+  double least = (path.points.front().position - point).norm();
+  for (std::size_t leg = 0; leg < path.triangles.size(); ++leg)
+  {
+    least = std::min(least, footOnLeg(path, leg, point).gap);
+  }
+  return least;
 }
 
 PathDistance distanceFrom(

@@ -15,6 +15,8 @@ struct PathFoot
 };
 /// On one leg, the place that is nearest in space.
 PathFoot footOnLeg(const SurfacePath& path, std::size_t leg, const Point3& point);
+/// How far a point is from a path in space. No way over the surface is shorter.
+double gapInSpace(const SurfacePath& path, const Point3& point);
 
 /// The shortest straight path from a path to a point, and on which side it leaves.
 struct PathDistance

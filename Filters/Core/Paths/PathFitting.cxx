@@ -2,13 +2,11 @@
 #include "Paths/PathFitting.h"
 
 #include "Base/Memory.h"
+#include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Paths/SurfaceSpline.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 namespace flattening
@@ -32,20 +30,6 @@ Status checkFit(const TriangleMesh& mesh, const SurfacePath& path, double tolera
   return {};
 }
 
-double distanceTo(const SurfacePath& line, const Point3& point)
-{
-  double least = (line.points.front().position - point).norm();
-  for (std::size_t k = 1; k < line.points.size(); ++k)
-  {
-    const Point3& from = line.points[k - 1].position;
-    const Point3 side = line.points[k].position - from;
-    const double square = side.squaredNorm();
-    const double s = square > 0.0 ? std::clamp(side.dot(point - from) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, (from + s * side - point).norm());
-  }
-  return least;
-}
-
 /// The point of a part of a path that is farthest from a line, by its place in the list; none
 /// within the tolerance: `first`.
 std::size_t farthest(const SurfacePath& path, std::size_t first, std::size_t last,
@@ -55,7 +39,7 @@ std::size_t farthest(const SurfacePath& path, std::size_t first, std::size_t las
   double most = tolerance;
   for (std::size_t i = first + 1; i < last; ++i)
   {
-    const double gap = distanceTo(line, path.points[i].position);
+    const double gap = gapInSpace(line, path.points[i].position);
     if (gap > most)
     {
       most = gap;
