@@ -221,7 +221,7 @@ TEST(DirectionsForm, KeysThatEncloseACurvedRegionContradictEachOther)
 
 TEST(DirectionsForm, FactorsTakeLittleMoreThanMinimumDegreeHoweverManyPatchesThereAre)
 {
-  for (Index side : { 12, 40, 80 })
+  for (Index side : { 40, 80 })
   {
     Surface surface = cushion(side, side, 0.3);
     for (Index k = 4; k < side; k += 4)
@@ -242,6 +242,6 @@ TEST(DirectionsForm, FactorsTakeLittleMoreThanMinimumDegreeHoweverManyPatchesThe
     execution.factorMemory = static_cast<std::size_t>(
       1.2 * SparseMatrix(minimumDegree.matrixL()).nonZeros() * (sizeof(double) + sizeof(int)));
     LinearSolver solver(LeadingColumns{ form.rotationsAlongWires() });
-    EXPECT_NO_THROW(EXPECT_TRUE(solver.factorize(kkt.kkt(), execution)));
+    EXPECT_TRUE(solver.factorize(kkt.kkt(), execution));
   }
 }

@@ -176,24 +176,33 @@ double DirectionsForm::signedLength(Index side) const
 void DirectionsForm::projectAngles()
 {
   // Least squares: theta = alpha + C' y with C C' y = b - C alpha; C holds the loops and the
-  // interior vertices, two ones a column at the most.
+  // interior vertices, two ones a column at the most. Vertices go first: eliminating them fills in
+  // between loops alone. But hubs of wires go last, since they would couple all their loops.
   const WireNetwork& net = *this->Problem->network;
-  Index rows = net.loopCount();
+  const Index loops = net.loopCount();
   Indices vertexRow(net.hostVertices.size(), none);
-  for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
-  {
-    if (net.interior[host])
+  Index rows = 0;
+  const auto numberVertices = [&](bool hubs) {
+    for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
     {
-      vertexRow[host] = rows++;
+      const Index nodes = net.vertexNodeBegin[host + 1] - net.vertexNodeBegin[host];
+      if (net.interior[host] && (nodes > hubValence(loops)) == hubs)
+      {
+        vertexRow[host] = rows++;
+      }
     }
-  }
+  };
+  numberVertices(false);
+  const Index loopRow = rows;
+  rows += loops;
+  numberVertices(true);
   Eigen::VectorXd missing = Eigen::VectorXd::Zero(rows);
   std::vector<Eigen::Triplet<double>> entries;
-  for (Index loop = 0; loop < net.loopCount(); ++loop)
+  for (Index loop = 0; loop < loops; ++loop)
   {
     const Index count = net.loopBegin[loop + 1] - net.loopBegin[loop];
-    missing[loop] = (count - 2) * pi;
-    entries.emplace_back(loop, loop, count);
+    missing[loopRow + loop] = (count - 2) * pi;
+    entries.emplace_back(loopRow + loop, loopRow + loop, count);
   }
   for (std::size_t host = 0; host < net.hostVertices.size(); ++host)
   {
@@ -207,16 +216,17 @@ void DirectionsForm::projectAngles()
   for (Index i = 0; i < net.nodeCount(); ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
-    missing[net.loop[i]] -= net.alpha[i];
+    missing[loopRow + net.loop[i]] -= net.alpha[i];
     if (row != none)
     {
       missing[row] -= net.alpha[i];
-      entries.emplace_back(row, net.loop[i], 1.0);
+      const Index loopAt = loopRow + net.loop[i];
+      entries.emplace_back(std::max(loopAt, row), std::min(loopAt, row), 1.0);
     }
   }
   SparseMatrix normal(rows, rows);
   normal.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver;
+  LinearSolver solver(LeadingColumns{ loopRow });
   this->Projected = net.alpha;
   if (!solver.factorize(normal))
   {
@@ -227,7 +237,7 @@ void DirectionsForm::projectAngles()
   for (Index i = 0; i < net.nodeCount() && this->HasProjection; ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
-    this->Projected[i] += y(net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
+    this->Projected[i] += y(loopRow + net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));
   }
 }
 

@@ -6,7 +6,9 @@
 #include "Sparse/LinearSolver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace flattening
 {
@@ -74,26 +76,74 @@ double largestMiss(const WireNetwork& network, const Points2& positions, const P
   return worst;
 }
 
+/// Vertices and edges follow each other along a wire by their numbers, so that each in turn leaves
+/// one neighbor only where it is eliminated. What is at a junction of wires comes last.
+struct EliminationOrder
+{
+  explicit EliminationOrder(const WireNetwork& network)
+    : degree(network.hostVertices.size(), 0)
+  {
+    for (const WireEdge& edge : network.edges)
+    {
+      ++this->degree[network.hostOfVertex[edge.from]];
+      ++this->degree[network.hostOfVertex[edge.to]];
+    }
+    const auto rank = [](std::size_t count, const auto& isAlong, Indices& ranks) {
+      Index next = 0;
+      ranks.resize(count);
+      const auto visit = [&](bool along) {
+        for (std::size_t k = 0; k < count; ++k)
+        {
+          if (isAlong(k) == along)
+          {
+            ranks[k] = next++;
+          }
+        }
+        return next;
+      };
+      const Index along = visit(true);
+      visit(false);
+      return along;
+    };
+    const auto isAlong = [this](std::size_t host) { return this->degree[host] == 2; };
+    this->hostsAlong = rank(this->degree.size(), isAlong, this->rankOfHost);
+    this->edgesAlong = rank(
+      network.edges.size(),
+      [&](std::size_t e) {
+        return isAlong(network.hostOfVertex[network.edges[e].from]) &&
+          isAlong(network.hostOfVertex[network.edges[e].to]);
+      },
+      this->rankOfEdge);
+  }
+
+  Indices degree;     ///< per entry of hostVertices, how many edges are there
+  Indices rankOfHost; ///< per entry of hostVertices
+  Indices rankOfEdge;
+  Index hostsAlong = 0; ///< how many come first
+  Index edgesAlong = 0;
+};
+
 /// Positions whose edges come nearest to the vectors in the least squares sense; the first stays.
-void spreadMisses(const WireNetwork& network, const Points2& vectors, Points2& positions)
+void spreadMisses(const WireNetwork& network, const Points2& vectors, const EliminationOrder& order,
+  Points2& positions)
 {
   const auto count = static_cast<Eigen::Index>(positions.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
-    const Index a = network.hostOfVertex[network.edges[e].from];
-    const Index b = network.hostOfVertex[network.edges[e].to];
+    const Index a = order.rankOfHost[network.hostOfVertex[network.edges[e].from]];
+    const Index b = order.rankOfHost[network.hostOfVertex[network.edges[e].to]];
     entries.emplace_back(a, a, 1.0);
     entries.emplace_back(b, b, 1.0);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
     rhs.row(b) += vectors[e].transpose();
     rhs.row(a) -= vectors[e].transpose();
   }
-  entries.emplace_back(0, 0, 1.0);
+  entries.emplace_back(order.rankOfHost[0], order.rankOfHost[0], 1.0);
   SparseMatrix laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver;
+  LinearSolver solver(LeadingColumns{ order.hostsAlong });
   if (!solver.factorize(laplacian))
   {
     return;
@@ -101,7 +151,7 @@ void spreadMisses(const WireNetwork& network, const Points2& vectors, Points2& p
   const Eigen::MatrixXd x = solver.solveRefined(laplacian, rhs);
   for (Eigen::Index k = 0; k < count && x.rows() == count; ++k)
   {
-    positions[k] = x.row(k).transpose();
+    positions[k] = x.row(order.rankOfHost[k]).transpose();
   }
 }
 
@@ -123,45 +173,48 @@ double largestLengthError(
 /// Newton's method on all lengths with the least change d of the positions, [I, J'; J, 0]
 /// [d; y] = [0; r]. A small block in the corner serves networks that carry a self-stress. To
 /// eliminate the changes first leaves J J', in which all edges at a hub of wires would be coupled:
-/// the changes of hubs are ordered among the edges.
+/// the changes of hubs come later.
 class LengthCorrection
 {
 public:
-  LengthCorrection(const WireNetwork& network, const std::vector<double>& length)
+  LengthCorrection(
+    const WireNetwork& network, const std::vector<double>& length, const EliminationOrder& order)
     : Network(network)
     , Length(length)
-    , FirstColumn(network.hostVertices.size(), 0)
+    , FirstColumn(network.hostVertices.size())
+    , Row(network.edges.size())
   {
-    for (const WireEdge& edge : network.edges)
-    {
-      ++this->FirstColumn[network.hostOfVertex[edge.from]];
-      ++this->FirstColumn[network.hostOfVertex[edge.to]];
-    }
-    const auto middle = [enough = hubValence(network.edgeCount())](
-                          Index degree) { return degree <= enough; };
-    const auto hosts = static_cast<Index>(this->FirstColumn.size());
-    const auto others =
-      static_cast<Index>(std::count_if(this->FirstColumn.begin(), this->FirstColumn.end(), middle));
-    this->Solver = LinearSolver(LeadingColumns{ 2 * others });
+    const Index enough = hubValence(network.edgeCount());
+    const auto hubs = static_cast<Index>(std::count_if(order.degree.begin(), order.degree.end(),
+      [enough](Index degree) { return degree > enough; }));
+    const auto hosts = static_cast<Index>(order.degree.size());
+    // Changes but those of hubs, edges along wires, changes of hubs, edges at junctions.
     Index next = 0;
-    Index nextHub = 2 * others;
-    for (Index& column : this->FirstColumn)
+    Index nextHub = 2 * (hosts - hubs) + order.edgesAlong;
+    this->Solver = LinearSolver(LeadingColumns{ nextHub });
+    for (std::size_t host = 0; host < this->FirstColumn.size(); ++host)
     {
-      Index& place = middle(column) ? next : nextHub;
-      column = place;
+      Index& place = order.degree[host] > enough ? nextHub : next;
+      this->FirstColumn[host] = place;
       place += 2;
     }
-    this->FirstRow = 2 * hosts;
+    for (std::size_t e = 0; e < this->Row.size(); ++e)
+    {
+      const Index rank = order.rankOfEdge[e];
+      this->Row[e] = rank + 2 * (rank < order.edgesAlong ? hosts - hubs : hosts);
+    }
   }
 
   /// Takes the derivatives at positions, which then serve for steps from all places nearby.
   bool linearize(const Points2& positions)
   {
+    const auto coordinates = static_cast<Index>(2 * positions.size());
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(5 * this->Length.size() + static_cast<std::size_t>(this->FirstRow));
-    for (Index k = 0; k < this->FirstRow; ++k)
+    entries.reserve(5 * this->Length.size() + static_cast<std::size_t>(coordinates));
+    for (Index column : this->FirstColumn)
     {
-      entries.emplace_back(k, k, 1.0);
+      entries.emplace_back(column, column, 1.0);
+      entries.emplace_back(column + 1, column + 1, 1.0);
     }
     for (std::size_t e = 0; e < this->Length.size(); ++e)
     {
@@ -172,19 +225,22 @@ public:
       {
         return false;
       }
-      const Index row = this->FirstRow + static_cast<Index>(e);
+      const Index row = this->Row[e];
       for (int k = 0; k < 2; ++k)
       {
-        entries.emplace_back(row, this->FirstColumn[a] + k, -d[k] / l);
-        entries.emplace_back(row, this->FirstColumn[b] + k, d[k] / l);
+        for (const auto& [host, part] : { std::pair(a, -d[k] / l), std::pair(b, d[k] / l) })
+        {
+          const Index column = this->FirstColumn[host] + k;
+          entries.emplace_back(std::max(row, column), std::min(row, column), part);
+        }
       }
       entries.emplace_back(row, row, 0.0);
     }
-    const Index size = this->FirstRow + this->Network.edgeCount();
+    const Index size = coordinates + this->Network.edgeCount();
     this->Kkt.resize(size, size);
     this->Kkt.setFromTriplets(entries.begin(), entries.end());
     SparseMatrix regular = this->Kkt;
-    for (Index row = this->FirstRow; row < size; ++row)
+    for (Index row : this->Row)
     {
       regular.coeffRef(row, row) = -regularization;
     }
@@ -197,8 +253,7 @@ public:
     for (std::size_t e = 0; e < this->Length.size(); ++e)
     {
       const auto [a, b] = this->ends(e);
-      rightHandSide[this->FirstRow + static_cast<Index>(e)] =
-        this->Length[e] - (positions[b] - positions[a]).norm();
+      rightHandSide[this->Row[e]] = this->Length[e] - (positions[b] - positions[a]).norm();
     }
     const Eigen::MatrixXd change = this->Solver.solveRefined(this->Kkt, rightHandSide);
     if (change.rows() != rightHandSide.size())
@@ -222,18 +277,18 @@ private:
   const WireNetwork& Network;
   const std::vector<double>& Length;
   Indices FirstColumn; ///< per host, of its two
-  Index FirstRow = 0;  ///< of the edges'
+  Indices Row;         ///< per edge
   SparseMatrix Kkt;
   LinearSolver Solver;
 };
 
 /// \param positions per host vertex. \return the largest relative error that is left.
-double makeLengthsExact(
-  const WireNetwork& network, const std::vector<double>& length, Points2& positions)
+double makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
+  const EliminationOrder& order, Points2& positions)
 {
   // Below it one step with the derivatives of a place nearby leaves nothing but rounding.
   constexpr double near = 1e-7;
-  LengthCorrection correction(network, length);
+  LengthCorrection correction(network, length, order);
   double error = largestLengthError(network, positions, length);
   bool linearized = false;
   for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
@@ -268,6 +323,7 @@ WireLayout layOutWires(
 {
   WireLayout layout;
   const Points2 vectors = edgeVectors(network, theta, length);
+  const EliminationOrder order(network);
   Points2 positions = placeAlongTree(network, vectors);
   double size = 0.0;
   for (double l : length)
@@ -276,9 +332,9 @@ WireLayout layOutWires(
   }
   if (largestMiss(network, positions, vectors) > 1e-14 * size)
   {
-    spreadMisses(network, vectors, positions);
+    spreadMisses(network, vectors, order, positions);
   }
-  const double error = makeLengthsExact(network, length, positions);
+  const double error = makeLengthsExact(network, length, order, positions);
   layout.maximumLengthError = error;
   layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
   for (std::size_t k = 0; k < positions.size(); ++k)
@@ -296,7 +352,7 @@ double correctWireLengths(
   {
     hosts[k] = positions[network.hostVertices[k]];
   }
-  const double error = makeLengthsExact(network, length, hosts);
+  const double error = makeLengthsExact(network, length, EliminationOrder(network), hosts);
   for (std::size_t k = 0; k < hosts.size(); ++k)
   {
     positions[network.hostVertices[k]] = hosts[k];

@@ -108,23 +108,15 @@ constexpr double slimmest = 1e-6;
 /// than an order that stays when vertices move.
 constexpr Index largePatch = 20000;
 
-/// Calls visit(t, a, b) for all corners a, b of the triangles that stand for entries of the lower
-/// triangle: both are interior.
+/// Calls visit(t, k, a, b) for the edge opposite to each corner k of a triangle, from a to b.
 template <class Visit>
-void forEntries(const InteriorPatch& patch, const Visit& visit)
+void forEdges(const InteriorPatch& patch, const Visit& visit)
 {
   for (std::size_t t = 0; t < patch.triangles.size(); ++t)
   {
-    const Triangle& c = patch.triangles[t];
-    for (int a = 0; a < 3; ++a)
+    for (int k = 0; k < 3; ++k)
     {
-      for (int b = 0; b <= a; ++b)
-      {
-        if (std::max(c[a], c[b]) < patch.freeCount)
-        {
-          visit(t, a, b);
-        }
-      }
+      visit(t, k, patch.triangles[t][(k + 1) % 3], patch.triangles[t][(k + 2) % 3]);
     }
   }
 }
@@ -235,20 +227,37 @@ std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
 /// that its triangles give it.
 const SparseMatrix& InteriorSystem::assemble(const std::vector<EdgeWeights>& weights)
 {
+  const Index free = this->Patch.freeCount;
   if (!this->Assembler)
   {
-    this->Assembler = std::make_unique<SymmetricAssembler>(this->Patch.freeCount);
-    this->Assembler->reserve(6 * this->Patch.triangles.size());
-    forEntries(this->Patch, [this](std::size_t t, int a, int b) {
-      this->Assembler->declare(this->Patch.triangles[t][a], this->Patch.triangles[t][b]);
+    this->Assembler = std::make_unique<SymmetricAssembler>(free);
+    this->Assembler->reserve(free + 3 * this->Patch.triangles.size());
+    for (Index v = 0; v < free; ++v)
+    {
+      this->Assembler->declare(v, v);
+    }
+    forEdges(this->Patch, [&](std::size_t, int, Index a, Index b) {
+      if (std::max(a, b) < free)
+      {
+        this->Assembler->declare(a, b);
+      }
     });
     this->Assembler->finish();
   }
   this->Assembler->clear();
-  Index entry = 0;
-  forEntries(this->Patch, [&](std::size_t t, int a, int b) {
-    const EdgeWeights& w = weights[t];
-    this->Assembler->add(entry++, a == b ? w[(a + 1) % 3] + w[(a + 2) % 3] : -w[3 - a - b]);
+  Index entry = free; // those before it are on the diagonal
+  forEdges(this->Patch, [&](std::size_t t, int k, Index a, Index b) {
+    for (Index v : { a, b })
+    {
+      if (v < free)
+      {
+        this->Assembler->add(v, weights[t][k]);
+      }
+    }
+    if (std::max(a, b) < free)
+    {
+      this->Assembler->add(entry++, -weights[t][k]);
+    }
   });
   return this->Assembler->matrix();
 }

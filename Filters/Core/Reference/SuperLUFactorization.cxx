@@ -133,25 +133,25 @@ void freeUnfinished(GlobalLU_t& factors)
 SuperLUFactorization::SuperLUFactorization() = default;
 SuperLUFactorization::~SuperLUFactorization() = default;
 
-bool SuperLUFactorization::factorize(const Eigen::SparseMatrix<double>& given)
+bool SuperLUFactorization::factorize(const Eigen::SparseMatrix<double>& matrix)
 {
   this->Held.reset();
-  if (given.rows() != given.cols() ||
-    !isFinite(Eigen::Map<const Eigen::VectorXd>(given.valuePtr(), given.nonZeros())))
+  if (matrix.rows() != matrix.cols() ||
+    !isFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros())))
   {
     return false;
   }
-  Eigen::SparseMatrix<double> matrix = withDiagonal(given);
-  const auto size = static_cast<int>(matrix.rows());
-  const auto entries = static_cast<std::size_t>(matrix.nonZeros());
+  Eigen::SparseMatrix<double> scaled = withDiagonal(matrix);
+  const auto size = static_cast<int>(scaled.rows());
+  const auto entries = static_cast<std::size_t>(scaled.nonZeros());
   demandMemory(bytesOfOrder(static_cast<std::size_t>(size), entries) +
     bytesOfFactors(static_cast<std::size_t>(size), entries));
   this->Held = std::make_unique<Factors>(size);
   Factors& factors = *this->Held;
 
   SuperMatrix a{};
-  dCreate_CompCol_Matrix(&a, size, size, static_cast<int>(matrix.nonZeros()), matrix.valuePtr(),
-    matrix.innerIndexPtr(), matrix.outerIndexPtr(), SLU_NC, SLU_D, SLU_GE);
+  dCreate_CompCol_Matrix(&a, size, size, static_cast<int>(scaled.nonZeros()), scaled.valuePtr(),
+    scaled.innerIndexPtr(), scaled.outerIndexPtr(), SLU_NC, SLU_D, SLU_GE);
   factors.equilibrate(a);
   superlu_options_t options{};
   set_default_options(&options);

@@ -20,18 +20,23 @@ namespace flattening
 {
 namespace
 {
-/// The first columns, then the others in the order of minimum degree of what is left of the graph
-/// without the first: their elimination couples all neighbors of each connected part of them.
+/// So few columns cost less than to order them, even where they all become coupled.
+constexpr Index fewColumns = 128;
+
+/// The place of each column: the first stay, the others follow in the order of minimum degree of
+/// what is left of the graph without the first, whose elimination couples all neighbors of each
+/// connected part of them. Empty where all stay.
 Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> leadingColumnsFirst(
   const SparseMatrix& lower, Index leading)
 {
   const auto size = static_cast<Index>(lower.cols());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(size);
-  place.setIdentity();
-  if (leading >= size)
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place;
+  if (size - leading <= fewColumns)
   {
     return place;
   }
+  place.resize(size);
+  place.setIdentity();
   Indices parent(leading); // of a forest with a tree for each part
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&parent](Index k) {
@@ -112,7 +117,7 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
   void analyze(const SparseMatrix& matrix) override
   {
     this->PlaceOfColumn = leadingColumnsFirst(matrix, this->Leading);
-    this->Solver.analyzePattern(this->permuted(matrix));
+    this->withOrder(matrix, [this](const SparseMatrix& a) { this->Solver.analyzePattern(a); });
     const std::int64_t entries = this->Solver.factorEntries();
     this->Bytes = static_cast<std::size_t>(entries) * (sizeof(double) + sizeof(int));
     if (entries > std::numeric_limits<int>::max())
@@ -126,11 +131,15 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
     {
       throwOutOfMemory(this->Bytes);
     }
-    this->Solver.factorize(this->permuted(matrix));
+    this->withOrder(matrix, [this](const SparseMatrix& a) { this->Solver.factorize(a); });
     return this->Solver.info() == Eigen::Success;
   }
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
   {
+    if (this->PlaceOfColumn.size() == 0)
+    {
+      return this->Solver.solve(rightHandSide);
+    }
     return this->PlaceOfColumn.transpose() *
       Eigen::MatrixXd(this->Solver.solve(this->PlaceOfColumn * rightHandSide));
   }
@@ -154,12 +163,18 @@ private:
     }
   };
 
-  SparseMatrix permuted(const SparseMatrix& matrix) const
+  template <class Use>
+  void withOrder(const SparseMatrix& matrix, const Use& use) const
   {
-    SparseMatrix result(matrix.rows(), matrix.cols());
-    result.selfadjointView<Eigen::Lower>() =
+    if (this->PlaceOfColumn.size() == 0)
+    {
+      use(matrix);
+      return;
+    }
+    SparseMatrix ordered(matrix.rows(), matrix.cols());
+    ordered.selfadjointView<Eigen::Lower>() =
       matrix.selfadjointView<Eigen::Lower>().twistedBy(this->PlaceOfColumn);
-    return result;
+    use(ordered);
   }
 
   Index Leading;
