@@ -10,7 +10,8 @@
  * exactly the coordinates of points of the surface (or all of them those of the flat surface); both
  * sides of a cut count. Without it those are the boundary edges.
  *
- * Ghost cells and arrays that are too short are left out, as vtkFeatureCurveAlgorithm does. Points
+ * Ghost cells, triangles without size that touch no other and arrays that are too short are left
+ * out, as vtkFeatureCurveAlgorithm does. Points
  * are taken as they are: a surface that is cut open is measured cut open. A map that turns
  * the whole surface over (the sum of signed areas is negative) is measured as if seen from behind.
  *

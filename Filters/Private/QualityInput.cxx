@@ -219,12 +219,6 @@ MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPoly
   MappedSurface result;
   result.surface = loadSurface(surface, CoincidentPoints::Keep);
   result.outcome = result.surface.outcome;
-  if (!result.surface.loosePoints.empty()) // each cell is measured
-  {
-    result.outcome = { StatusCode::DegenerateTriangle,
-      "cells " + listIds(result.surface.loosePoints) + " are triangles without size",
-      { ElementKind::Cells, result.surface.loosePoints }, { Remedy::RemeshTriangles } };
-  }
   if (result.outcome.ok())
   {
     result.outcome = readFlatPositions(surface, flat, result);

@@ -45,6 +45,10 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
   const FlatteningQuality quality = measureFlattening(mesh, map.positions, map.edges, execution);
   const BoundaryOverlaps overlaps = countBoundaryOverlaps(mesh, map.positions, mostListedOverlaps);
 
+  if (!map.surface.loosePoints.empty())
+  {
+    warnings.push_back(leftOut(map.surface));
+  }
   output->SetPoints(input->GetPoints());
   output->SetPolys(makeTriangles(map.surface.input.triangles));
   output->GetPointData()->ShallowCopy(wholePointArrays(input, warnings));

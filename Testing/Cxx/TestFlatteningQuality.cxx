@@ -185,6 +185,58 @@ void theFiltersNumbersComeOutAgain(Checks& check)
   }
 }
 
+void looseTrianglesAreLeftOut(Checks& check)
+{
+  for (const vtkIdType before : { 0, 3, 8 })
+  {
+    for (const bool three : { false, true })
+    {
+      const auto grid = makeGrid(2, 2);
+      const auto plain = makeGrid(2, 2);
+      vtkNew<vtkCellArray> cells;
+      const auto addLoose = [&] {
+        const vtkIdType p = grid->GetPoints()->InsertNextPoint(0.3, 0.4, 0.0);
+        const vtkIdType q = three ? grid->GetPoints()->InsertNextPoint(0.3, 0.4, 0.0) : p;
+        cells->InsertNextCell({ p, q, p });
+      };
+      for (vtkIdType t = 0; t < plain->GetNumberOfCells(); ++t)
+      {
+        if (t == before)
+        {
+          addLoose();
+        }
+        cells->InsertNextCell(plain->GetCell(t));
+      }
+      if (before == plain->GetNumberOfCells())
+      {
+        addLoose();
+      }
+      grid->SetPolys(cells);
+      vtkNew<vtkFlatteningQuality> quality;
+      const Messages messages(quality);
+      quality->SetInputData(grid);
+      quality->SetFlatData(mapped(grid, [](double x, double y) {
+        return std::array<double, 2>{ 2.0 * x, y };
+      }));
+      quality->Update();
+      vtkPolyData* const output = quality->GetOutput();
+      const std::string what = "a loose triangle as cell " + std::to_string(before);
+      check.equal(std::string(quality->GetStatusName()), "Ok", what);
+      check.equal(messages.warnings.size(), std::size_t{ 1 }, what + ": warnings");
+      check.contains(messages.warnings.empty() ? "" : messages.warnings.front(),
+        "left out (cell " + std::to_string(before) + ")", what);
+      check.equal(output->GetNumberOfCells(), plain->GetNumberOfCells(), what + ": cells");
+      check.near(number(output, "AreaError"), 1.0, 1e-14, what + ": E_area");
+      for (vtkIdType t = 0; t < output->GetNumberOfCells(); ++t)
+      {
+        check.equal(cellValue(output, "vtkOriginalCellIds", t),
+          static_cast<double>(t < before ? t : t + 1), what + ": vtkOriginalCellIds");
+        check.near(cellValue(output, "AreaRatio", t), 2.0, 1e-14, what + ": AreaRatio");
+      }
+    }
+  }
+}
+
 void badInputIsRefused(Checks& check)
 {
   const auto grid = makeGrid(2, 2);
@@ -242,6 +294,7 @@ int TestFlatteningQuality(int, char*[])
   aMirroredMapIsSeenFromBehind(check);
   flipsAndOverlapsAreFound(check);
   theFiltersNumbersComeOutAgain(check);
+  looseTrianglesAreLeftOut(check);
   badInputIsRefused(check);
   return check.result();
 }
