@@ -2,6 +2,7 @@
 // Flat pieces that no flattening should give, through every writer: each is drawn or refused with
 // words.
 #include "DataSpecimens.h"
+#include "Fairing/FairBorders.h"
 #include "Formats/PatternFile.h"
 #include "OrdinarySurface.h"
 #include "Sewing/PieceSewing.h"
@@ -240,6 +241,8 @@ void expectWords(const Status& status)
 int writeAll(const PatternSource& source, FileOptions options, bool lay, const Grading* grading)
 {
   int written = 0;
+  FairCache fair;
+  options.fair = &fair;
   for (const FileFormat format :
     { FileFormat::Svg, FileFormat::Pdf, FileFormat::Dxf, FileFormat::Walk, FileFormat::Hpgl,
       FileFormat::GarmentCode, FileFormat::Nest, FileFormat::GradeList, FileFormat::RuleTable })
