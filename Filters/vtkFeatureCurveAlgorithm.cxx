@@ -6,11 +6,13 @@
 #include "CurvedSurface.h"
 #include "CutEndWords.h"
 #include "Distribution.h"
+#include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
 #include "KeptRun.h"
 #include "ListChanges.h"
 #include "PieceOutput.h"
+#include "PieceSizes.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -291,8 +293,19 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
         this->Warn({ flattening::bridge::describeLeftOut(*source, result) });
       }
       this->Warn(flattening::bridge::describeVerdicts(*source, result));
+      const std::string unit = this->LengthUnitOf(inputVector);
+      const std::vector<flattening::bridge::PieceSize> sizes =
+        flattening::bridge::pieceSizes(result);
+      const std::string warning = flattening::bridge::sizeWarning(sizes, unit);
+      if (!unit.empty() && !warning.empty())
+      {
+        this->Warn({ warning });
+      }
       flattening::bridge::writeFlattening(*source, result, flat,
         vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
+      flattening::bridge::writePieceSizes(sizes, unit, flat->GetFieldData());
+      flattening::bridge::addStrings(flat->GetFieldData(), "PieceNames",
+        flattening::bridge::pieceNames(flat, result.pieces.size()));
     }
   }
   this->WriteRunStatus(flat);

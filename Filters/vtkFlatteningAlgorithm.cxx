@@ -91,23 +91,6 @@ private:
   bool Before;
 };
 
-/// The outputs get the unit of the surface, or where that states none, of the first curves that do.
-void passLengthUnit(
-  vtkInformationVector** inputVector, int ports, vtkInformationVector* outputVector)
-{
-  std::string unit;
-  for (int port = 0; port < ports; ++port)
-  {
-    for (int k = 0; unit.empty() && k < inputVector[port]->GetNumberOfInformationObjects(); ++k)
-    {
-      unit = vtkFlatteningAlgorithm::GetLengthUnitOf(vtkDataObject::GetData(inputVector[port], k));
-    }
-  }
-  for (int port = 0; !unit.empty() && port < outputVector->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkFlatteningAlgorithm::SetLengthUnitOf(vtkDataObject::GetData(outputVector, port), unit);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +115,20 @@ void vtkFlatteningAlgorithm::SetLengthUnitOf(vtkDataObject* data, const std::str
     flattening::bridge::addStrings(
       data->GetFieldData(), "LengthUnit", { flattening::unitName(known) });
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFlatteningAlgorithm::LengthUnitOf(vtkInformationVector** inputVector)
+{
+  std::string unit;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int k = 0; unit.empty() && k < inputVector[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      unit = GetLengthUnitOf(vtkDataObject::GetData(inputVector[port], k));
+    }
+  }
+  return unit;
 }
 
 //------------------------------------------------------------------------------
@@ -182,9 +179,10 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     const vtkTypeBool done = this->Superclass::ProcessRequest(request, inputVector, outputVector);
     if (run)
     {
-      if (!this->IsRefused())
+      const std::string unit = this->IsRefused() ? "" : this->LengthUnitOf(inputVector);
+      for (int k = 0; !unit.empty() && k < outputVector->GetNumberOfInformationObjects(); ++k)
       {
-        passLengthUnit(inputVector, this->GetNumberOfInputPorts(), outputVector);
+        SetLengthUnitOf(vtkDataObject::GetData(outputVector, k), unit);
       }
       this->FinishData(outputVector);
     }

@@ -216,6 +216,11 @@ protected:
   virtual bool TakesParts() const;
 
   /**
+   * The unit of the surface, or where that states none, of the first curves that do; empty for none.
+   */
+  std::string LengthUnitOf(vtkInformationVector** inputVector);
+
+  /**
    * Called after each RequestData().
    */
   virtual void FinishData(vtkInformationVector* outputVector);

@@ -29,8 +29,10 @@ const Names pieceArrays{ "Status", "StatusMessage", "StatusDefect", "StatusIdKin
   "OverlapsComplete", "Objective", "ClosureResidual", "CutLength", "DistortionEnergy",
   "AngleEnergy", "ReleaseFirst", "ObjectiveWithoutFirst", "SolverUsed", "EnergyUsed", "Repaired",
   "Fallbacks", "ForecastAreaLoss", "ForecastAreaLossAfterCut", "ForecastCutFrom", "ForecastCutTo",
-  "Verdict", "StrainWarpRms", "StrainWeftRms", "ShearRms", "ShareOutOfLimit", "ShareOver5Percent",
-  "ShareLocked", "ShearLimit", "GrainAngle", "GrainCurve", "OneWay" };
+  "Verdict", "PieceNames", "FlatWidth", "FlatHeight", "AreaEasedIn", "AreaStretched",
+  "WorstAreaChange", "WorstPlace", "SizeInWords", "EaseInWords", "StrainWarpRms", "StrainWeftRms",
+  "ShearRms", "ShareOutOfLimit", "ShareOver5Percent", "ShareLocked", "ShearLimit", "GrainAngle",
+  "GrainCurve", "OneWay" };
 
 /// What vtkSewnShape gives for each shape.
 const Names shapeArrays{ "Status", "StatusMessage", "Pieces", "Triangles", "Iterations",

@@ -78,10 +78,18 @@
  * What was done, **one row a piece** (string unless stated): `SolverUsed` ("newton", "sequential",
  * empty with LEAST_SQUARES_CONFORMAL), `EnergyUsed` (scheme ISOMETRIC: "rigid",
  * "symmetric-dirichlet", "cloth"), `Repaired` (int; 1 where progressive angles did not close and
- * the nearest that do were taken), `Fallbacks` (what was done in place of what was asked for, and
- * why, and what a last correction of lengths left off by more than MaximumLengthError; else empty),
+ * the nearest that do were taken), `Fallbacks` (what was done in place of what was asked for, but
+ * another energy, which is a warning; and why, and what a last correction of lengths left off by
+ * more than MaximumLengthError; else empty),
  * `Verdict` (that the plane has no room for the piece, where it may be cut, and which other energy
  * was used; else empty; it is a warning as well).
+ * `PieceNames` (by the cell array `PieceName` of the surface, numbered where several pieces have
+ * one; else empty). Of each piece on the sheet: `FlatWidth`, `FlatHeight` (double, unit of length),
+ * `AreaEasedIn`, `AreaStretched` (double; by how much flat triangles are larger than those on the
+ * surface, and smaller, over the area of the piece), `WorstAreaChange` (double; of the triangles
+ * around a point), `WorstPlace` (where that is), and the same in words: `SizeInWords` ("51 x 55
+ * cm", of a length unit that is stated, or of cm) and `EaseInWords`. `SizeWarning` (one row; none
+ * where pieces have usual sizes; a warning where the unit is stated).
  * `ForecastAreaLoss`, `ForecastAreaLossAfterCut` (double; known before flattening: the part of the
  * area that is lost where the boundary keeps its lengths, and with that cut; 0 where it is less
  * than 0.3), `ForecastCutFrom`, `ForecastCutTo` (id; points of the input that the cut joins along

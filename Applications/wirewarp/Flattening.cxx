@@ -264,13 +264,13 @@ std::vector<std::string> readInput(
   return files;
 }
 
-void addSizes(Flattening& result)
+/// Where the unit is stated the filter itself warns of sizes that are hardly cut.
+void warnOfSizes(Flattening& result)
 {
-  result.sizes = pieceSizes(result);
-  const std::string warning = sizeWarning(result);
-  if (!warning.empty())
+  const std::string warning = FieldRows(result.flat).text("SizeWarning", 0);
+  if (!result.unitStated && !warning.empty())
   {
-    result.notes.push_back(warning);
+    result.notes.push_back(warning + "; state it with --unit mm, cm, m or inch");
   }
 }
 
@@ -364,7 +364,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     }
     else
     {
-      addSizes(result);
+      warnOfSizes(result);
     }
   }
   catch (const InputError& error)

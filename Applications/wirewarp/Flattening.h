@@ -3,7 +3,6 @@
 
 #include "FlagWords.h"
 #include "Options.h"
-#include "PieceSizes.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -47,7 +46,6 @@ struct Flattening
   std::string unit = "cm"; ///< of the surface, as in Units.h
   bool unitStated = false; ///< by --unit or by the file; else it is taken for granted
 
-  std::vector<PieceSize> sizes;
   double curveDistance = 0.0; ///< of the curves' points from the surface, at most
   /// What the command itself warns of, beside the filter's RunWarnings.
   std::vector<std::string> notes;

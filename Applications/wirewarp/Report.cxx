@@ -146,7 +146,9 @@ Json pieceReports(const FieldRows& field, const FieldRows& wires)
   Json pieces = Json::array();
   for (vtkIdType piece = 0; piece < field.count("Triangles"); ++piece)
   {
-    pieces.push_back({ { "piece", piece }, { "triangles", field.integer("Triangles", piece) },
+    pieces.push_back({ { "piece", piece }, { "name", field.text("PieceNames", piece) },
+      { "size", field.text("SizeInWords", piece) }, { "ease", field.text("EaseInWords", piece) },
+      { "triangles", field.integer("Triangles", piece) },
       { "vertices", field.integer("Vertices", piece) },
       { "wire_patches", field.integer("WirePatches", piece) },
       { "wire_nodes", field.integer("WireNodes", piece) },
@@ -197,11 +199,16 @@ Json warningReports(const Flattening& result)
 Json sizeReports(const Flattening& result)
 {
   Json sizes = Json::array();
-  for (const PieceSize& size : result.sizes)
+  const FieldRows field(result.flat);
+  const double millimetres = millimetresOf(result.unit);
+  for (vtkIdType piece = 0; piece < field.count("FlatWidth"); ++piece)
   {
-    sizes.push_back({ { "width_mm", size.width }, { "height_mm", size.height },
-      { "eased_in", size.easedIn }, { "stretched", size.stretched }, { "worst_change", size.worst },
-      { "worst_place", size.place } });
+    sizes.push_back({ { "width_mm", millimetres * field.number("FlatWidth", piece) },
+      { "height_mm", millimetres * field.number("FlatHeight", piece) },
+      { "eased_in", field.number("AreaEasedIn", piece) },
+      { "stretched", field.number("AreaStretched", piece) },
+      { "worst_change", field.number("WorstAreaChange", piece) },
+      { "worst_place", field.text("WorstPlace", piece) } });
   }
   return sizes;
 }

@@ -58,9 +58,12 @@ std::string nameOf(vtkIdType piece)
   return std::to_string(piece + 1);
 }
 
-std::string sizeInMillimetres(const PieceSize& size)
+std::string sizeInMillimetres(const Flattening& result, vtkIdType piece)
 {
-  return format("%.0f", size.width) + "x" + format("%.0f", size.height);
+  const FieldRows field(result.flat);
+  const double millimetres = millimetresOf(result.unit);
+  return format("%.0f", millimetres * field.number("FlatWidth", piece)) + "x" +
+    format("%.0f", millimetres * field.number("FlatHeight", piece));
 }
 
 /// The row of the first curve to release in a piece; past the last where there is none.
@@ -105,8 +108,9 @@ std::string pieceTable(const Flattening& result)
     "iterations", "T_opt [s]", "T_all [s]", "status" } };
   for (vtkIdType piece = 0; piece < pieces; ++piece)
   {
-    rows.push_back({ nameOf(piece), std::to_string(field.integer("Triangles", piece)),
-      sizeInMillimetres(result.sizes[static_cast<std::size_t>(piece)]),
+    const std::string name = plainText(field.text("PieceNames", piece));
+    rows.push_back({ nameOf(piece) + (name.empty() ? "" : " " + name),
+      std::to_string(field.integer("Triangles", piece)), sizeInMillimetres(result, piece),
       std::to_string(field.integer("WirePatches", piece)),
       format("%.2f", 1e3 * field.number("EdgeLengthError", piece)),
       format("%.1e", field.number("MaxEdgeLengthError", piece)),
@@ -137,6 +141,20 @@ std::string pieceTable(const Flattening& result)
     rows.push_back(total);
   }
   return layOut(rows, 1);
+}
+
+//------------------------------------------------------------------------------
+std::string verdicts(const Flattening& result, bool unitAsked)
+{
+  const FieldRows field(result.flat);
+  std::string text;
+  for (vtkIdType piece = 0; piece < field.count("SizeInWords"); ++piece)
+  {
+    text += "piece " + nameOf(piece) + ": " + field.text("SizeInWords", piece) +
+      (result.unitStated || unitAsked || piece > 0 ? "" : " (lengths taken as cm: --unit)") + "; " +
+      plainText(field.text("EaseInWords", piece)) + '\n';
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

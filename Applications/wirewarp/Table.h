@@ -11,6 +11,10 @@ namespace wirewarp
 /// a user must know.
 std::string pieceTable(const Flattening& result);
 
+/// A line a piece in words: size, what has to be eased in and where most.
+/// \param unitAsked a warning says that the unit is not stated
+std::string verdicts(const Flattening& result, bool unitAsked);
+
 /// A row a feature curve: its length on the surface and in the plane.
 std::string curveTable(const Flattening& result);
 

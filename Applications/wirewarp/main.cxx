@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Batch.h"
+#include "FieldRows.h"
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "KeyPriceTable.h"
@@ -14,6 +15,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <system_error>
@@ -37,9 +39,21 @@ void finishOutput()
       "; send it elsewhere, or leave the table out with --quiet");
 }
 
+/// Ends the program without the destructors of libraries: under a limit of memory OpenBLAS waits
+/// there for a thread that tries for ever to get its own.
+[[noreturn]] void leave(int exitCode)
+{
+#ifdef __SANITIZE_ADDRESS__
+  std::exit(exitCode); // which looks for leaks
+#else
+  std::quick_exit(exitCode);
+#endif
+}
+
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  const bool unitAsked = !written.patterns.empty() || !sizeWarning(written.result).empty();
+  const bool unitAsked =
+    !written.patterns.empty() || FieldRows(written.result.flat).count("SizeWarning") > 0;
   std::cout << pieceTable(written.result) << verdicts(written.result, unitAsked);
   std::cout << curveDistance(written.result) << fallbacks(written.result)
             << releaseAdvice(written.result) << suggestionTable(written.result)
@@ -127,5 +141,5 @@ int main(int argc, char** argv)
     std::cerr << "wirewarp: error: " << plainText(error.what()) << '\n';
     exitCode = InputRefused;
   }
-  return exitCode;
+  leave(exitCode);
 }

@@ -106,7 +106,8 @@ void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* fiel
     std::string all;
     for (const std::string& fallback : pieces[row].fallbacks)
     {
-      all += (all.empty() ? "" : "; ") + fallback;
+      const bool warned = fallback == pieces[row].otherEnergy;
+      all += warned ? "" : (all.empty() ? "" : "; ") + fallback;
     }
     return all;
   });

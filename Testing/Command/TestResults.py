@@ -308,8 +308,9 @@ class Results(command.CommandTest):
             for unit, place in (("cm", 0), ("inch", 1)):
                 self.write("tube.obj", command.obj(*command.together(
                     *([lune] * place + [(points, triangles)]))))
-                run = self.run_command("tube.obj", "--unit", unit, "--output", "out", "--quiet")
+                run = self.run_command("tube.obj", "--unit", unit, "--output", "out")
                 self.assertIn(run.returncode, (0, 4), run.stderr)
+                self.assertEqual((run.stdout + run.stderr).count("Dirichlet energy was used"), 1 if energy else 0)
                 report = self.report("out")
                 self.assertEqual(len(report["pieces"]), place + 1)
                 said = report["pieces"][place]["verdict"]

@@ -39,7 +39,18 @@ class SeamsFrom(command.CommandTest):
         self.assertEqual(self.names(self.sheets(("o Cube.001\n", 2))), ["sheets 1", "sheets 2"])
         self.assertEqual(self.names(self.sheets(("o Front\n", 1), ("o Back\n", 1)), "--piece-name", "left"),
                          ["left", "Back"])
-        # Files that are written keep the names.
+        # Files that are written keep the names, and the table and report.json tell them.
+        for second in (("o Back\n", 1), ("o Back \u202e\x07part\n", 2)):
+            run = self.run_command(self.sheets(("o Front\n", 1), second), "--output", "out")
+            name = second[0][2:-1]
+            wanted = ["Front"] + ([name] if second[1] == 1 else [name + " 1", name + " 2"])
+            self.assertEqual([piece["name"] for piece in self.report("out")["pieces"]], wanted)
+            rows = run.stdout.splitlines()[1:1 + len(wanted)]
+            for row, text in zip(rows, ["1 Front ", "2 Back ", "3 Back "]):
+                self.assertTrue(row.startswith(text), row)
+            self.assertNotIn("\x07", run.stdout)
+        self.flatten(self.sheets(("", 2)))
+        self.assertEqual([piece["name"] for piece in self.report("out")["pieces"]], ["", ""])
         self.flatten(self.sheets(("o Front\n", 1), ("o Back\n", 1)))
         self.run_command("out/cut.vtp", "--output", "again")
         self.assertEqual(self.names("again/cut.vtp"), ["Front", "Back"])

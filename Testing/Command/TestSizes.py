@@ -145,6 +145,8 @@ class Sizes(command.CommandTest):
         line = next(row for row in run.stdout.splitlines() if row.startswith("piece 1: "))
         self.assertIn("%.1f %% of the area must be stretched, worst" % (100 * less / whole), line)
         self.assertIn(size["worst_place"], line)
+        piece = self.report("out")["pieces"][0]
+        self.assertEqual(line, f"piece 1: {piece['size']}; {piece['ease']}")
 
     def test_how_far_curves_were_off_the_surface_is_said(self):
         self.write("plate.obj", command.obj(*plate(12, 12)))

@@ -46,6 +46,26 @@ class WhatAPlaneCannotHold(unittest.TestCase):
             self.assertIn("a plane cannot hold this piece", piece["verdict"])
             self.assertIn("the symmetric Dirichlet energy was used", piece["verdict"])
 
+    def test_how_large_a_piece_is_and_what_its_cloth_has_to_do_is_told_in_words(self):
+        points, triangles = cap(0.9, 8, 16, 1.0)
+        for unit, size, words in (("mm", 300.0, ""), ("mm", 3.0, "the smallest piece is "), ("cm", 30.0, ""),
+                                  ("m", 3.0, "the largest piece is "), ("inch", 12.0, ""), ("", 3.0, "")):
+            surface = sf.make_surface(size * points, triangles)
+            sf.vtkFlatteningAlgorithm.SetLengthUnitOf(surface, unit)
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                result = sf.flatten_polydata(surface)
+            piece, = result.report["pieces"]
+            extent = np.ptp(result.positions, axis=0) * {"mm": 0.1, "m": 100, "inch": 2.54}.get(unit, 1)
+            digits = 1 if min(extent) < 10 else 0
+            self.assertEqual(piece["size"], f"{extent[0]:.{digits}f} x {extent[1]:.{digits}f} cm")
+            self.assertRegex(piece["ease"], r"^[\d.]+ % of the area must be (eased|stretched).*, worst [\d.]+ %")
+            self.assertEqual([str(w.message).startswith(words) for w in told], [True] if words else [])
+            for message in told:
+                self.assertIn(" in the stated unit, " + unit, str(message.message))
+        flat, = sf.flatten(*grid(4, 4)).report["pieces"]
+        self.assertEqual((flat["ease"], flat["name"]), ("it lies flat as it is", ""))
+
     def test_what_lies_well_is_no_warning(self):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -60,6 +80,7 @@ class WhatAPlaneCannotHold(unittest.TestCase):
                     warnings.simplefilter("always")
                     piece, = sf.flatten(*cap(1.05, 8, 12, size), [diameter], energy=energy).report["pieces"]
                 self.assertEqual((piece["verdict"], piece["energy_used"]), ("", "symmetric-dirichlet"))
+                self.assertNotIn("Dirichlet", piece["fallbacks"])
                 self.assertEqual(
                     ["the symmetric Dirichlet energy was used" in str(w.message) for w in told], [True] * used)
 

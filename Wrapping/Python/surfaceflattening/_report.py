@@ -51,6 +51,9 @@ _PIECE_TEXTS = {
     "energy_used": "EnergyUsed",
     "fallbacks": "Fallbacks",
     "verdict": "Verdict",
+    "name": "PieceNames",
+    "size": "SizeInWords",
+    "ease": "EaseInWords",
 }
 _SECONDS = {
     "wires": "SecondsWires",

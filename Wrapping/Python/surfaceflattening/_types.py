@@ -202,7 +202,10 @@ class PieceReport(TypedDict):
         closure_residual: largest gap of a loop of wires, unit of length.
         solver_used, energy_used: of the method; empty where it has none.
         repaired: whether progressive angles did not close and the nearest that do were taken.
-        fallbacks: what was done in place of what was asked for, and why; else empty.
+        fallbacks: what was done in place of what was asked for, and why; else empty. Another energy is
+            among the warnings.
+        name: that all of its cells have in the array "PieceName", numbered where several pieces have it.
+        size, ease: how large the flat piece is, in cm, and what its cloth has to do and where, in words.
         verdict: that the plane has no room for the piece, where to cut it, and which other energy was
             used; else empty. It is a warning as well.
         forecast_area_loss, forecast_area_loss_after_cut: part of the area that is lost where the
@@ -244,6 +247,9 @@ class PieceReport(TypedDict):
     energy_used: str
     repaired: bool
     fallbacks: str
+    name: str
+    size: str
+    ease: str
     verdict: str
     forecast_area_loss: float
     forecast_area_loss_after_cut: float
