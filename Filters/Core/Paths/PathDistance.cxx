@@ -16,35 +16,36 @@ namespace
 constexpr int narrowings = 40;
 constexpr std::size_t mostFeet = 4;
 
-/// Whether a way leaves a leg on its left.
+/// Whether a way leaves a segment on its left.
 bool leavesLeft(
-  const TriangleMesh& mesh, const SurfacePath& path, std::size_t leg, const SurfacePath& way)
+  const TriangleMesh& mesh, const SurfacePath& path, std::size_t segment, const SurfacePath& way)
 {
   const PointDirections around(mesh, way.points.front());
   const SurfacePoint& foot = way.points.front();
-  const bool atEnd = samePlace(foot, path.points[leg + 1]);
-  const double along = atEnd ? around.angleTo(path.triangles[leg], path.points[leg].position) + pi
-                             : around.angleTo(path.triangles[leg], path.points[leg + 1].position);
+  const bool atEnd = samePlace(foot, path.points[segment + 1]);
+  const double along = atEnd
+    ? around.angleTo(path.triangles[segment], path.points[segment].position) + pi
+    : around.angleTo(path.triangles[segment], path.points[segment + 1].position);
   const double out = around.angleTo(way.triangles.front(), way.points[1].position);
   return std::sin(out - along) > 0.0;
 }
 }
 
-PathFoot footOnLeg(const SurfacePath& path, std::size_t leg, const Point3& point)
+PathFoot footOnSegment(const SurfacePath& path, std::size_t segment, const Point3& point)
 {
-  const Point3& a = path.points[leg].position;
-  const Point3 way = path.points[leg + 1].position - a;
+  const Point3& a = path.points[segment].position;
+  const Point3 way = path.points[segment + 1].position - a;
   const double square = way.squaredNorm();
   const double s = square > 0.0 ? std::clamp(way.dot(point - a) / square, 0.0, 1.0) : 0.0;
-  return { leg, s, (a + s * way - point).norm() };
+  return { segment, s, (a + s * way - point).norm() };
 }
 
 double gapInSpace(const SurfacePath& path, const Point3& point)
 {
   double least = (path.points.front().position - point).norm();
-  for (std::size_t leg = 0; leg < path.triangles.size(); ++leg)
+  for (std::size_t segment = 0; segment < path.triangles.size(); ++segment)
   {
-    least = std::min(least, footOnLeg(path, leg, point).gap);
+    least = std::min(least, footOnSegment(path, segment, point).gap);
   }
   return least;
 }
@@ -59,25 +60,26 @@ PathDistance distanceFrom(
   };
   Outcome outcome = withinMemory([&] {
     Outcome found;
-    const std::size_t legs = path.triangles.size();
+    const std::size_t segments = path.triangles.size();
     std::vector<double> places{ 0.0 };
     std::vector<PathFoot> all;
-    for (std::size_t i = 0; i < legs; ++i)
+    for (std::size_t i = 0; i < segments; ++i)
     {
       places.push_back(
         places.back() + (path.points[i + 1].position - path.points[i].position).norm());
-      all.push_back(footOnLeg(path, i, point.position));
+      all.push_back(footOnSegment(path, i, point.position));
     }
-    const auto legAt = [&](double place) {
+    const auto segmentAt = [&](double place) {
       const auto after = std::upper_bound(places.begin() + 1, places.end() - 1, place);
       return static_cast<std::size_t>(after - places.begin()) - 1;
     };
     const auto from = [&](double place) {
-      const std::size_t leg = legAt(place);
-      const double size = places[leg + 1] - places[leg];
-      const double along = size > 0.0 ? std::clamp((place - places[leg]) / size, 0.0, 1.0) : 0.0;
-      const SurfacePoint foot = pointBetween(
-        graph.mesh(), path.triangles[leg], path.points[leg], path.points[leg + 1], along);
+      const std::size_t segment = segmentAt(place);
+      const double size = places[segment + 1] - places[segment];
+      const double along =
+        size > 0.0 ? std::clamp((place - places[segment]) / size, 0.0, 1.0) : 0.0;
+      const SurfacePoint foot = pointBetween(graph.mesh(), path.triangles[segment],
+        path.points[segment], path.points[segment + 1], along);
       return straightPath(graph, foot, point);
     };
     const auto offer = [&](double place) {
@@ -89,7 +91,7 @@ PathDistance distanceFrom(
       else if (!found.distance.way.path.arrived || way.length < found.distance.way.length)
       {
         found.distance.left =
-          way.length > 0.0 && leavesLeft(graph.mesh(), path, legAt(place), way.path);
+          way.length > 0.0 && leavesLeft(graph.mesh(), path, segmentAt(place), way.path);
         found.distance.way = std::move(way);
       }
     };
@@ -98,10 +100,10 @@ PathDistance distanceFrom(
     offer(places.back());
     // Places that are nearer in space than their neighbours along the path.
     std::vector<PathFoot> feet;
-    for (std::size_t i = 0; i < legs; ++i)
+    for (std::size_t i = 0; i < segments; ++i)
     {
       if ((i == 0 || all[i].gap < all[i - 1].gap) &&
-        (i + 1 == legs || all[i].gap <= all[i + 1].gap))
+        (i + 1 == segments || all[i].gap <= all[i + 1].gap))
       {
         feet.push_back(all[i]);
       }
@@ -116,7 +118,7 @@ PathDistance distanceFrom(
         break;
       }
       const double place =
-        places[foot.leg] + foot.along * (places[foot.leg + 1] - places[foot.leg]);
+        places[foot.segment] + foot.along * (places[foot.segment + 1] - places[foot.segment]);
       const double reach = from(place).length;
       double low = std::max(place - reach, 0.0);
       double high = std::min(place + reach, places.back());

@@ -9,12 +9,12 @@ namespace flattening
 /// A place of a path.
 struct PathFoot
 {
-  std::size_t leg = 0;
-  double along = 0.0; ///< fraction of the leg
+  std::size_t segment = 0;
+  double along = 0.0; ///< fraction of the segment
   double gap = 0.0;   ///< in space, to a point
 };
-/// On one leg, the place that is nearest in space.
-PathFoot footOnLeg(const SurfacePath& path, std::size_t leg, const Point3& point);
+/// On one segment, the place that is nearest in space.
+PathFoot footOnSegment(const SurfacePath& path, std::size_t segment, const Point3& point);
 /// How far a point is from a path in space. No way over the surface is shorter.
 double gapInSpace(const SurfacePath& path, const Point3& point);
 

@@ -770,7 +770,7 @@ Status checkDistance(
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < path.triangles.size() && nearest > worst; ++k)
       {
-        nearest = std::min(nearest, footOnLeg(path, k, point.position).gap);
+        nearest = std::min(nearest, footOnSegment(path, k, point.position).gap);
       }
       if (nearest > worst)
       {
@@ -807,7 +807,7 @@ Status checkOffset(const TriangleMesh& mesh, const SurfacePath& path, double dis
   return {};
 }
 
-/// Without legs of no length, which have no direction.
+/// Without segments of no length, which have no direction.
 SurfacePath withoutStops(const SurfacePath& path)
 {
   SurfacePath moving;

@@ -182,11 +182,11 @@ namespace
 constexpr int planes = 36;
 constexpr int planeHalvings = 40;
 
-/// How much longer a leg gets by a point.
-double detour(const SurfacePath& path, std::size_t leg, const Point3& point)
+/// How much longer a segment gets by a point.
+double detour(const SurfacePath& path, std::size_t segment, const Point3& point)
 {
-  const Point3& from = path.points[leg].position;
-  const Point3& to = path.points[leg + 1].position;
+  const Point3& from = path.points[segment].position;
+  const Point3& to = path.points[segment + 1].position;
   return (point - from).norm() + (to - point).norm() - (to - from).norm();
 }
 

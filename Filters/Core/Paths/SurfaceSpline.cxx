@@ -51,7 +51,8 @@ public:
     }
     for (std::size_t k = 0; k + 1 < this->Points.size(); ++k)
     {
-      this->Legs.push_back(this->joined(straightPath(graph, this->Points[k], this->Points[k + 1])));
+      this->Segments.push_back(
+        this->joined(straightPath(graph, this->Points[k], this->Points[k + 1])));
     }
   }
 
@@ -76,7 +77,7 @@ public:
       }
       else
       {
-        append(spline.path, this->Legs[k - 1].path);
+        append(spline.path, this->Segments[k - 1].path);
       }
       if (station < this->Stations.size() && this->Stations[station] == k)
       {
@@ -99,30 +100,30 @@ private:
     return path;
   }
 
-  /// Leg k and its neighbours as steps of the parameter; 0 where there is none.
+  /// Segment k and its neighbours as steps of the parameter; 0 where there is none.
   double step(std::ptrdiff_t k) const
   {
-    const auto count = static_cast<std::ptrdiff_t>(this->Legs.size());
+    const auto count = static_cast<std::ptrdiff_t>(this->Segments.size());
     if (this->Closed)
     {
       k = (k + count) % count;
     }
-    return k < 0 || k >= count ? 0.0 : std::sqrt(this->Legs[k].length);
+    return k < 0 || k >= count ? 0.0 : std::sqrt(this->Segments[k].length);
   }
 
   SurfacePoint pointAt(std::ptrdiff_t k) const
   {
     // The last point of a closed curve is its first.
-    const auto count = static_cast<std::ptrdiff_t>(this->Legs.size());
+    const auto count = static_cast<std::ptrdiff_t>(this->Segments.size());
     return this->Points[this->Closed ? (k + count) % count : k];
   }
 
-  /// The point half-way of leg k: of the cubic polynomial through four points, or of the quadratic
-  /// one through three at an end of the curve.
+  /// The point half-way of segment k: of the cubic polynomial through four points, or of the
+  /// quadratic one through three at an end of the curve.
   SurfacePoint between(std::ptrdiff_t k)
   {
     const TriangleMesh& mesh = this->Graph.mesh();
-    const StraightPath& leg = this->Legs[k];
+    const StraightPath& segment = this->Segments[k];
     const double here = this->step(k);
     const double before = this->step(k - 1);
     const double after = this->step(k + 1);
@@ -133,7 +134,7 @@ private:
     const std::array<double, 4> weights = lagrangeWeights(
       { -before, 0.0, here, here + after }, { before > 0.0, true, true, after > 0.0 }, 0.5 * here);
     const double inner = weights[1] + weights[2];
-    SurfacePoint middle = pointAlong(mesh, leg.path, leg.length * weights[2] / inner);
+    SurfacePoint middle = pointAlong(mesh, segment.path, segment.length * weights[2] / inner);
     if (!(inner > 1.0))
     {
       return middle;
@@ -159,20 +160,20 @@ private:
   void refine()
   {
     std::vector<SurfacePoint> points;
-    std::vector<StraightPath> legs;
-    for (std::size_t k = 0; k < this->Legs.size() && this->State.ok(); ++k)
+    std::vector<StraightPath> segments;
+    for (std::size_t k = 0; k < this->Segments.size() && this->State.ok(); ++k)
     {
       const SurfacePoint& from = this->Points[k];
       const SurfacePoint& to = this->Points[k + 1];
       const SurfacePoint middle = this->between(static_cast<std::ptrdiff_t>(k));
       points.push_back(from);
       points.push_back(middle);
-      legs.push_back(this->joined(localStraightPath(this->Graph, from, middle)));
-      legs.push_back(this->joined(localStraightPath(this->Graph, middle, to)));
+      segments.push_back(this->joined(localStraightPath(this->Graph, from, middle)));
+      segments.push_back(this->joined(localStraightPath(this->Graph, middle, to)));
     }
     points.push_back(this->Points.back());
     this->Points = std::move(points);
-    this->Legs = std::move(legs);
+    this->Segments = std::move(segments);
     for (std::size_t& station : this->Stations)
     {
       station *= 2;
@@ -182,7 +183,7 @@ private:
   const PathGraph& Graph;
   const SurfaceLocator& Locator;
   std::vector<SurfacePoint> Points;
-  std::vector<StraightPath> Legs; ///< between each two points
+  std::vector<StraightPath> Segments; ///< between each two points
   std::vector<std::size_t> Stations;
   bool Closed;
   Status State;
