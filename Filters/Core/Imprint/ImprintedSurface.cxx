@@ -37,8 +37,9 @@ Status checkPolyline(const Polyline& polyline, std::size_t id)
   }
   return {};
 }
-}
 
+/// Puts the stretches of a polyline together and gives each vertex its planar point. The mesh is
+/// the one that the route's vertices are of. No vertices where the route has no start.
 FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, const Route& route)
 {
   FeatureCurve curve;
@@ -85,6 +86,7 @@ FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, c
     before = route.points[s];
   }
   return curve;
+}
 }
 
 Status assembleCurves(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,

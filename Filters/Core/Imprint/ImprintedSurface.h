@@ -16,10 +16,8 @@ struct Route
   std::vector<std::size_t> points; ///< the point at the end of each stretch
 };
 
-/// Puts the stretches of a polyline together and gives each vertex its planar point. The mesh is
-/// the one that the route's vertices are of. No vertices where the route has no start.
-FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, const Route& route);
-/// One curve a polyline. Errors: CurveTooShort.
+/// One curve a polyline: its stretches together, with a planar point for each vertex where it has
+/// them. The mesh is the one that the routes' vertices are of. Errors: CurveTooShort.
 Status assembleCurves(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
   const std::vector<Route>& routes, std::vector<FeatureCurve>& curves);
 
