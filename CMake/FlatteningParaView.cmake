@@ -36,14 +36,12 @@ paraview_plugin_build(
   PLUGINS_COMPONENT    plugin)
 
 # ParaView's programs with the plugin.
-file(READ Plugin/link-macro.sh link_macro)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS Plugin/link-macro.sh)
 foreach (program IN ITEMS paraview pvpython pvbatch pvserver)
   configure_file(Plugin/start.in "${CMAKE_BINARY_DIR}/bin/${program}" @ONLY
     FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 endforeach ()
 
-# Of an installed plugin: the same in one command, and the macro and scripts.
+# Of an installed plugin: the same in one command, and scripts.
 configure_file(Plugin/start-installed.in "${CMAKE_BINARY_DIR}/surfaceflattening-paraview" @ONLY)
 install(
   PROGRAMS "${CMAKE_BINARY_DIR}/surfaceflattening-paraview"

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shows the flat pieces of a Wire Warping filter in a view of their own, beside the surface.
 
-In ParaView's window: select an applied filter and call Macros > flat_beside. There it is where ParaView was
-started by the script that comes with the plugin; otherwise Macros > Import New Macro keeps it.
+In ParaView's window: Macros > Import New Macro keeps this file in the menu; select an applied filter and call it there.
 
-Surface and pieces are coloured by the homogeneity of distortion, blue where ideal, red where a triangle
+Surface and pieces are colored by the homogeneity of distortion, light where ideal, dark where a triangle
 grew or shrank to half its area. Outlines are black, accessory curves green, key curves red, darts blue,
 seams violet; connectors, which join loose curves and keep no length, thin and grey. The pieces of a
 collection's blocks lie beside each other.

@@ -78,43 +78,22 @@ class Start(unittest.TestCase):
         subprocess.run(["cmake", "--install", os.environ["FLATTENING_BINARY"], "--prefix", prefix,
                         "--component", "plugin"], check=True, capture_output=True)
 
-    def test_the_window_starts_with_the_macro_unless_its_user_deleted_it(self):
+    def test_a_start_writes_nothing_into_the_settings_of_the_user(self):
         with tempfile.TemporaryDirectory() as prefix:
             self.install(prefix)
-            macro = os.path.join(prefix, "share", "surfaceflattening-paraview", "flat_beside.py")
             programs, settings = (os.path.join(prefix, name) for name in ("programs", "settings"))
-            macros = os.path.join(settings, "ParaView", "Macros")  # where ParaView looks for them
             os.makedirs(programs)
             for program in ("paraview", "pvpython"):
                 path = os.path.join(programs, program)
                 with open(path, "w", encoding="utf-8") as file:
                     file.write("#!/bin/sh\necho started\n")
                 os.chmod(path, 0o755)
-
-            def start(*words, folder=settings):
-                run = subprocess.run([os.path.join(prefix, "bin", "surfaceflattening-paraview"), *words],
-                                     env={**os.environ, "XDG_CONFIG_HOME": folder,
+                run = subprocess.run([os.path.join(prefix, "bin", "surfaceflattening-paraview"), program],
+                                     env={**os.environ, "XDG_CONFIG_HOME": settings,
                                           "PATH": programs + ":" + os.environ["PATH"]},
                                      capture_output=True, text=True, check=False)
                 self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "started\n", ""))
-
-            start("pvpython")
             self.assertFalse(os.path.exists(settings))
-            start()
-            start()
-            self.assertEqual(os.listdir(macros), ["flat_beside.py"])
-            self.assertTrue(os.path.samefile(os.path.join(macros, "flat_beside.py"), macro))
-            # As ParaView does with a macro that is deleted.
-            os.rename(os.path.join(macros, "flat_beside.py"), os.path.join(macros, ".flat_beside.py"))
-            start()
-            self.assertEqual(os.listdir(macros), [".flat_beside.py"])
-            # A link to what was installed elsewhere once is made anew.
-            os.remove(os.path.join(macros, ".flat_beside.py"))
-            os.symlink(os.path.join(prefix, "gone.py"), os.path.join(macros, "flat_beside.py"))
-            start()
-            self.assertTrue(os.path.samefile(os.path.join(macros, "flat_beside.py"), macro))
-            # A folder that cannot be made keeps nobody from starting.
-            start(folder=macro)
 
     def test_what_is_installed_starts_with_one_command(self):
         with tempfile.TemporaryDirectory() as prefix:
