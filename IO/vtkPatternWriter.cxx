@@ -95,12 +95,74 @@ double valueOf(
 //------------------------------------------------------------------------------
 vtkPatternWriter::vtkPatternWriter()
   : Fair(std::make_unique<pattern::FairCache>())
+  , StatusRemedies(vtkSmartPointer<vtkStringArray>::New())
+  , StatusRemedySubjects(vtkSmartPointer<vtkStringArray>::New())
 {
   this->SetNumberOfInputPorts(4);
 }
 
 //------------------------------------------------------------------------------
-vtkPatternWriter::~vtkPatternWriter() = default;
+vtkPatternWriter::~vtkPatternWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetFileFormatAsString() const
+{
+  return flattening::pattern::formatName(
+    static_cast<flattening::pattern::FileFormat>(this->FileFormat));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetPaperAsString() const
+{
+  return flattening::pattern::paperName(static_cast<flattening::pattern::PaperSize>(this->Paper));
+}
+
+//------------------------------------------------------------------------------
+int vtkPatternWriter::ChosenFormat() const
+{
+  return this->FileFormat != AUTOMATIC
+    ? this->FileFormat
+    : static_cast<int>(flattening::pattern::formatOf(this->FileName));
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkPatternWriter::GetStatusRemedies() const
+{
+  return this->StatusRemedies;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkPatternWriter::GetStatusRemedySubjects() const
+{
+  return this->StatusRemedySubjects;
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::Keep(const flattening::Status& status)
+{
+  this->StatusName = flattening::statusName(status.code);
+  this->StatusDefect = status.message;
+  this->ErrorMessage = flattening::bridge::inWords(status);
+  // New arrays: the caller may have kept those of the last run.
+  this->StatusRemedies = vtkSmartPointer<vtkStringArray>::New();
+  this->StatusRemedySubjects = vtkSmartPointer<vtkStringArray>::New();
+  for (const flattening::SuggestedRemedy& suggested : status.remedies)
+  {
+    this->StatusRemedies->InsertNextValue(flattening::remedyName(suggested.remedy));
+    this->StatusRemedySubjects->InsertNextValue(suggested.subject);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::Refuse(unsigned long code, const flattening::Status& status)
+{
+  this->Keep(status);
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< this->ErrorMessage);
+}
 
 //------------------------------------------------------------------------------
 int vtkPatternWriter::FillInputPortInformation(int port, vtkInformation* info)
@@ -611,6 +673,15 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
 void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "FileFormat: " << this->GetFileFormatAsString() << "\n";
+  os << indent << "LaserColors: " << (this->LaserColors ? "On" : "Off") << "\n";
+  os << indent << "Paper: " << this->GetPaperAsString() << "\n";
+  os << indent << "PageOverlap: " << this->PageOverlap << "\n";
+  os << indent << "MaximumPages: " << this->MaximumPages << "\n";
+  os << indent << "WalkTable: " << (this->WalkTable ? "On" : "Off") << "\n";
+  os << indent << "Status: " << this->StatusName << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Unit: " << this->GetUnitAsString() << "\n";
   os << indent << "PatternName: " << this->PatternName << "\n";
   os << indent << "PatternSize: " << this->PatternSize << "\n";

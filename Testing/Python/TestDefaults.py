@@ -210,7 +210,7 @@ class Defaults(unittest.TestCase):
             class_ = getattr(sf, os.path.splitext(os.path.basename(path))[0], None)
             if class_ is sf.vtkFeatureCurveAlgorithm:
                 class_ = sf.vtkWireWarpingFilter
-            if class_ in (None, sf.vtkFlatteningAlgorithm, sf.vtkPatternFileWriter, sf.vtkPatternWriter):
+            if class_ in (None, sf.vtkFlatteningAlgorithm, sf.vtkPatternWriter):
                 continue
             filter_ = class_()
             for names, text in documented(path):

@@ -75,8 +75,7 @@ class Description(unittest.TestCase):
         filters = {name for name in dir(sf) if name.startswith("vtk")
                    and isinstance(getattr(sf, name), type)
                    and name not in ("vtkFlatteningAlgorithm", "vtkFeatureCurveAlgorithm",
-                                    "vtkFeatureCurveEditor", "vtkPatternFileWriter",
-                                    "vtkPatternWriter")}
+                                    "vtkFeatureCurveEditor", "vtkPatternWriter")}
         self.assertEqual({proxy.get("class") for proxy in self.proxies}, filters)
         for proxy in self.proxies:
             self.assertEqual(proxy.find("Hints/ShowInMenu").get("category"), "Surface Flattening")
