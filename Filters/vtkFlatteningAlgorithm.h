@@ -216,7 +216,8 @@ protected:
   virtual bool TakesParts() const;
 
   /**
-   * The unit of the surface, or where that states none, of the first curves that do; empty for none.
+   * The unit of the surface, or where that states none, of the first curves that do; empty for
+   * none.
    */
   std::string LengthUnitOf(vtkInformationVector** inputVector);
 
