@@ -6,12 +6,39 @@
 #include <vtkNew.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#if defined(__unix__) || defined(__APPLE__)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
 namespace figures
 {
+namespace
+{
+/// Waits until the bytes of a file are on the disk, so that a power cut between this and its
+/// renaming leaves the earlier file whole.
+bool bringToDisk(const std::string& path)
+{
+#if defined(__unix__) || defined(__APPLE__)
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // EINVAL: a file system that cannot.
+  const bool done = file >= 0 && (fsync(file) == 0 || errno == EINVAL);
+  if (file >= 0)
+  {
+    close(file);
+  }
+  return done;
+#else
+  return !path.empty();
+#endif
+}
+}
+
 //------------------------------------------------------------------------------
 void silence(vtkObject* object)
 {
@@ -35,7 +62,7 @@ void writePolyData(const std::string& path, vtkPolyData* data)
   std::ofstream file(aside, std::ios::binary);
   file << writer->GetOutputString();
   file.close();
-  if (!written || !file || std::rename(aside.c_str(), path.c_str()) != 0)
+  if (!written || !file || !bringToDisk(aside) || std::rename(aside.c_str(), path.c_str()) != 0)
   {
     std::remove(aside.c_str());
     throw std::runtime_error("cannot write " + path);

@@ -65,6 +65,32 @@ bool EditorWindow::attempt(const Work& work)
 }
 
 //------------------------------------------------------------------------------
+void EditorWindow::tellException()
+{
+  this->attempt([] { throw; });
+}
+
+//------------------------------------------------------------------------------
+bool Application::notify(QObject* receiver, QEvent* event)
+{
+  try
+  {
+    return QApplication::notify(receiver, event);
+  }
+  catch (const std::exception&)
+  {
+    for (QWidget* const widget : topLevelWidgets())
+    {
+      if (auto* const window = dynamic_cast<EditorWindow*>(widget))
+      {
+        window->tellException();
+      }
+    }
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool EditorWindow::openSurface(const std::string& path)
 {
   return this->attempt([&] {

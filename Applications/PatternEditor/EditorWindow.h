@@ -17,6 +17,7 @@
 #include <vtkPatternWriter.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QMainWindow>
 #include <QTimer>
@@ -29,6 +30,14 @@
 
 namespace editor
 {
+/// Whatever a slot or an observer throws ends it alone, and the windows say why.
+class Application : public QApplication
+{
+public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override;
+};
+
 /// Surface and curves on the left, the flat pieces on the right, which follow each change. All that
 /// can be done is in the bar and in the menus, with its key.
 class EditorWindow : public QMainWindow
@@ -54,6 +63,9 @@ public:
   void propose(const std::string& weights = {});
   bool addOffset(double distance);
   ///@}
+
+  /// Says what the exception is that is being handled.
+  void tellException();
 
   vtkFeatureCurveEditor* curves() { return this->Curves; }
   vtkFeatureCurveWidget* hand() { return this->Hand; }

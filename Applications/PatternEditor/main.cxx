@@ -25,7 +25,7 @@ int main(int argc, char* argv[])
     }
   }
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLStereoWidget::defaultFormat());
-  const QApplication application(argc, argv);
+  const editor::Application application(argc, argv);
   editor::EditorWindow window;
   window.show();
   QApplication::processEvents(); // then the views have the size that a surface is to fill

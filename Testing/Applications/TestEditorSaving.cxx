@@ -11,15 +11,31 @@
 #include <QStandardPaths>
 
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 using namespace session;
+
+namespace
+{
+int filesSynced = 0;
+}
+
+/// In place of the system's, which it calls.
+extern "C" int fsync(int file)
+{
+  ++filesSynced;
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 namespace
 {
@@ -82,6 +98,59 @@ TEST_F(PatternEditor, WhatIsNotSavedIsMarkedInTheTitle)
   addLine(this->window.get(), 6, 7);
   ASSERT_TRUE(this->window->openSurface(FLATTENING_DATA "/quarter_sphere.vtp"));
   EXPECT_FALSE(this->window->isWindowModified());
+  std::remove(path.c_str());
+}
+
+TEST_F(PatternEditor, WhatASlotThrowsIsAMessageAndTheCurvesStay)
+{
+  addLine(this->window.get(), 6, 7);
+  const std::vector<double> drawn = lengths(this->window.get());
+  QAction chosen("a slot", nullptr);
+  const auto fail = [](const std::string& how) {
+    if (how == "memory ran out")
+    {
+      throw std::bad_alloc();
+    }
+    throw std::runtime_error(how);
+  };
+  for (const std::string how : { "memory ran out", "a filter failed" })
+  {
+    for (const bool timer : { false, true })
+    {
+      QTimer::singleShot(0, [&] {
+        if (timer)
+        {
+          fail(how);
+        }
+        chosen.trigger();
+      });
+      const QMetaObject::Connection connection =
+        QObject::connect(&chosen, &QAction::triggered, [&] { fail(how); });
+      QTest::qWait(50);
+      QObject::disconnect(connection);
+      EXPECT_TRUE(this->window->message().contains(QString::fromStdString(how)))
+        << this->window->message().toStdString();
+      EXPECT_EQ(lengths(this->window.get()), drawn);
+    }
+  }
+  addLine(this->window.get(), 8, 9);
+  EXPECT_EQ(lengths(this->window.get()).size(), drawn.size() + 1);
+}
+
+TEST_F(PatternEditor, UnsavedCurvesAreOnTheDiskBeforeTheyReplaceEarlierOnes)
+{
+  const std::string path = testing::TempDir() + "synced.vtp";
+  for (int k = 0; k < 3; ++k)
+  {
+    addLine(this->window.get(), 6, 7 + k);
+    filesSynced = 0;
+    ASSERT_TRUE(this->window->saveCurves(path));
+    EXPECT_GE(filesSynced, 1);
+    filesSynced = 0;
+    addLine(this->window.get(), 20, 30 + k);
+    QTest::qWait(1500); // until the journal has it
+    EXPECT_GE(filesSynced, 1);
+  }
   std::remove(path.c_str());
 }
 

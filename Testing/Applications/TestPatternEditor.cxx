@@ -374,7 +374,7 @@ int main(int argc, char* argv[])
     qputenv("XDG_DATA_HOME", home->path().toUtf8());
   }
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLStereoWidget::defaultFormat());
-  const QApplication application(argc, argv);
+  const editor::Application application(argc, argv);
   return RUN_ALL_TESTS();
 }
 
