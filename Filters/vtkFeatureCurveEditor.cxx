@@ -6,7 +6,7 @@
 #include "Editing/CurveDrawing.h"
 #include "Editing/CurveSnapping.h"
 #include "Paths/PathDistance.h"
-#include "RemedyWords.h"
+#include "StatusOutput.h"
 #include "SurfaceInput.h"
 
 #include "vtkMath.h"

@@ -5,8 +5,8 @@
 #include "Base/Memory.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
-#include "RemedyWords.h"
 #include "StatusInInput.h"
+#include "StatusOutput.h"
 #include "Surface/SurfacePreparation.h"
 #include "SurfaceInput.h"
 #include "SurfaceOutput.h"
@@ -345,13 +345,13 @@ const char* vtkFlatteningAlgorithm::GetRemedyName(int remedy)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFlatteningAlgorithm::GetRemedyWords(const char* name)
+const char* vtkFlatteningAlgorithm::GetRemedySentence(const char* name)
 {
   for (int k = 0; name && k < flattening::remedyCount; ++k)
   {
     if (std::strcmp(GetRemedyName(k), name) == 0)
     {
-      return flattening::bridge::remedyWords(static_cast<flattening::Remedy>(k));
+      return flattening::remedySentence(static_cast<flattening::Remedy>(k));
     }
   }
   return nullptr;

@@ -147,8 +147,8 @@ public:
 
   ///@{
   /**
-   * The message of the last run in its parts, for programs that say it in words of their own: the
-   * defect; the names of the ways out, the best first; and what each is to be applied to, empty
+   * The message of the last run in its parts, for programs with option names of their own: the
+   * defect; the names of the remedies, the best first; and what each is to be applied to, empty
    * where it needs no name. Never null.
    */
   const char* GetStatusDefect() const { return this->StatusDefect.c_str(); }
@@ -158,13 +158,14 @@ public:
 
   ///@{
   /**
-   * All ways out there are: how many, the name of each ("CloseCuts"), and the words in which the
-   * filters' messages say the one with a name, with % for what it is to be applied to. Null where
-   * there is none.
+   * All remedies: their number, the name of each ("CloseCuts"), and what the one with a name says.
+   * In this sentence % stands for what it is to be applied to, `{Property}` or `{Property=VALUE}`
+   * for an option of the filters, `{Sewing.Property}` for one of vtkSewnShape, and a part within
+   * [] is left out by a program without the option. Null where there is none.
    */
   static int GetNumberOfRemedies();
   static const char* GetRemedyName(int remedy);
-  static const char* GetRemedyWords(const char* name);
+  static const char* GetRemedySentence(const char* name);
   ///@}
 
   /**

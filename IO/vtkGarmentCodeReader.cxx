@@ -6,7 +6,7 @@
 #include "Formats/GarmentPieces.h"
 #include "GarmentCodeFile.h"
 #include "PatternOutput.h"
-#include "RemedyWords.h"
+#include "StatusOutput.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"

@@ -10,7 +10,7 @@
 #include "GradingData.h"
 #include "ListChanges.h"
 #include "PatternInput.h"
-#include "RemedyWords.h"
+#include "StatusOutput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"

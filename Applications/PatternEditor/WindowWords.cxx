@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WindowWords.h"
 
-#include "RemedyPhrases.h"
+#include "RemedySpelling.h"
 
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkNew.h>
@@ -11,52 +11,30 @@ namespace editor
 {
 namespace
 {
-/// Those that the filters say with properties. Nothing in the window sets the ones without words.
-constexpr wirewarp::RemedyPhrases phrases{
-  { "WriteAgain", "write the file again" },
-  { "SkipClosed", "" },
-  { "DivideInput", "divide the surface" },
-  { "RaiseImprintTolerance", "draw the curve again here" },
-  { "SplitTriangles", "" },
-  { "RaiseSnapTolerance", "" },
-  { "NameCurve", "" },
-  { "NamePins", "" },
-  { "OrderRelaxation", "" },
-  { "AllowAngleIterations", "" },
-  { "AllowIsometricIterations", "" },
-  { "AllowRigidIterations", "" },
-  { "AllowRelaxationIterations", "" },
-  { "AllowSewingIterations", "" },
-  { "TestPanels", "" },
-  { "UseNewton", "" },
-  { "UseIsometricScheme", "" },
-  { "UseRigidInterior", "" },
-  { "ReleaseCurves", "remove % or give it a tolerance" },
-  { "MakeAccessory", "change the type of % to accessory" },
-  { "AllowLengthError", "" },
-  { "CloseCuts", "" },
-  { "NameGrain", "name a curve of the piece as grain: %" },
-  { "GiveGrainAngle", "give degrees or \"free\" as grain" },
-  { "TakeSofterCloth", "choose a cloth that gives more" },
-  { "CheckUnit", "check the unit" },
-  { "WidenNotches", "set notches farther apart in the pattern options" },
-  { "PrintOnPages", "choose pages in the pattern options" },
-  { "TakeLargerPaper", "choose a larger paper in the pattern options" },
-  { "WriteOtherFormat", "export it as SVG or DXF" },
-  { "NameAnotherFile", "choose another name or folder" },
+/// Options that the window has. A remedy that needs another one is left out.
+constexpr wirewarp::SpellingTable table{
+  { "Grain", "grain" },
+  { "LengthTolerance", "tolerance" },
+  { "NotchSpacing", "the space of notches in the pattern options" },
+  { "Paper", "paper in the pattern options" },
 };
+
+std::string spellingOf(const std::string& property, const std::string& value)
+{
+  return wirewarp::findSpelling(table, property, value);
+}
 }
 
 //------------------------------------------------------------------------------
 std::string remedyWords(const std::string& name)
 {
-  return wirewarp::phraseOf(phrases, name);
+  return wirewarp::remedyWords(name, spellingOf);
 }
 
 //------------------------------------------------------------------------------
 std::string messageOf(const vtkFlatteningAlgorithm* filter)
 {
-  return wirewarp::describe(filter->GetStatusDefect(), wirewarp::remediesOf(filter), phrases);
+  return wirewarp::describe(filter->GetStatusDefect(), wirewarp::remediesOf(filter), spellingOf);
 }
 
 //------------------------------------------------------------------------------
@@ -65,7 +43,7 @@ std::string messageOf(const vtkPatternWriter* writer)
   const std::string defect = writer->GetStatusDefect();
   // What the pipeline refuses has no parts.
   return defect.empty() ? writer->GetErrorMessage()
-                        : wirewarp::describe(defect, wirewarp::remediesOf(writer), phrases);
+                        : wirewarp::describe(defect, wirewarp::remediesOf(writer), spellingOf);
 }
 
 //------------------------------------------------------------------------------

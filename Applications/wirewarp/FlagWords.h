@@ -2,19 +2,19 @@
 #pragma once
 
 #include "FieldRows.h"
-#include "RemedyPhrases.h"
+#include "RemedySpelling.h"
 
 #include <string>
 #include <vector>
 
 namespace wirewarp
 {
-/// How the command says the remedy of a name: with its options; % stands for the subject.
+/// The sentence of a remedy with the command's options; % stands for the subject.
 std::string remedyWords(const std::string& name);
 
-/// A defect and its ways out.
+/// A defect and its remedies.
 std::string messageOf(const std::string& defect, const std::vector<Remedy>& remedies);
 
-/// The ways out that the report has for one piece.
+/// The remedies that the report has for one piece.
 std::vector<Remedy> remediesOf(const FieldRows& field, vtkIdType piece);
 }

@@ -298,7 +298,7 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.remedies = remediesOf(filter);
   if (result.status == "ClosedSurface")
   {
-    result.remedies.push_back({ "OuterSide", "" });
+    result.remedies.push_back({ "Give", "one side of a sheet with thickness (--outer-side)" });
   }
   result.message = messageOf(filter->GetStatusDefect(), result.remedies);
   result.idKind = filter->GetStatusIdKind();

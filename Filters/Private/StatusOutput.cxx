@@ -2,7 +2,6 @@
 #include "StatusOutput.h"
 
 #include "FieldArrays.h"
-#include "RemedyWords.h"
 #include "StatusInInput.h"
 
 #include "vtkIdTypeArray.h"
@@ -11,6 +10,52 @@ namespace flattening
 {
 namespace bridge
 {
+namespace
+{
+/// {Sewing.Test=PANEL} as Test = PANEL.
+std::string remedyWords(const SuggestedRemedy& suggested)
+{
+  std::string words;
+  std::size_t option = std::string::npos; // where the last one begins
+  for (const char c : std::string(remedySentence(suggested.remedy)))
+  {
+    if (c == '{' || c == '}')
+    {
+      option = c == '{' ? words.size() : std::string::npos;
+    }
+    else if (c == '.' && option != std::string::npos)
+    {
+      words.resize(option);
+    }
+    else if (c == '=' && option != std::string::npos)
+    {
+      words += " = ";
+    }
+    else if (c == '%')
+    {
+      words += suggested.subject;
+    }
+    else if (c != '[' && c != ']')
+    {
+      words += c;
+    }
+  }
+  return words;
+}
+}
+
+std::string inWords(const Status& status)
+{
+  std::string text = status.message;
+  const char* join = "; ";
+  for (const SuggestedRemedy& suggested : status.remedies)
+  {
+    text += join + remedyWords(suggested);
+    join = ", or ";
+  }
+  return text;
+}
+
 void writeStatuses(const std::vector<Status>& statuses, vtkFieldData* field)
 {
   std::vector<std::string> messages;

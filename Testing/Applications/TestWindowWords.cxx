@@ -24,13 +24,16 @@ bool namesAProperty(const std::string& text)
 
 TEST(WindowWords, NameNoProperty)
 {
-  EXPECT_TRUE(namesAProperty(vtkFlatteningAlgorithm::GetRemedyWords("ReleaseCurves")));
+  EXPECT_TRUE(namesAProperty(vtkFlatteningAlgorithm::GetRemedySentence("ReleaseCurves")));
   for (int k = 0; k < vtkFlatteningAlgorithm::GetNumberOfRemedies(); ++k)
   {
     const std::string name = vtkFlatteningAlgorithm::GetRemedyName(k);
     const std::string words = editor::remedyWords(name);
     EXPECT_FALSE(namesAProperty(words)) << name << ": " << words;
+    EXPECT_EQ(words.find_first_of("{}[]"), std::string::npos) << name << ": " << words;
   }
+  EXPECT_EQ(editor::remedyWords("UseNewton"), ""); // the window has no such option
+  EXPECT_EQ(editor::remedyWords("CheckUnit"), "check the unit");
 }
 
 TEST(WindowWords, SayDefectAndWayOut)

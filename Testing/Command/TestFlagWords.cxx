@@ -5,22 +5,55 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
+#include <memory>
 #include <regex>
+#include <set>
 
 using wirewarp::messageOf;
 using wirewarp::remedyWords;
 
+namespace
+{
+/// Those that its help lists.
+std::set<std::string> flagsOfTheCommand()
+{
+  const std::unique_ptr<FILE, int (*)(FILE*)> help(popen(WIREWARP " --help 2>&1", "r"), pclose);
+  std::string text;
+  for (int c = std::fgetc(help.get()); c != EOF; c = std::fgetc(help.get()))
+  {
+    text += static_cast<char>(c);
+  }
+  const std::regex flag("--[a-z-]+");
+  std::set<std::string> flags;
+  for (std::sregex_iterator at(text.begin(), text.end(), flag), end; at != end; ++at)
+  {
+    flags.insert(at->str());
+  }
+  return flags;
+}
+}
+
 TEST(FlagWords, EachRemedyHasWordsThatNameNoPropertyOfAFilter)
 {
   ASSERT_GT(vtkFlatteningAlgorithm::GetNumberOfRemedies(), 30);
-  const std::regex property("[A-Z][a-z]+[A-Z]|[A-Z]+_[A-Z]+");
+  const std::regex property("[A-Z][a-z]+[A-Z]|[A-Z]+_[A-Z]+|[{}\\[\\]]");
+  const std::regex flag("--[a-z-]+");
+  const std::set<std::string> flags = flagsOfTheCommand();
+  std::size_t named = 0;
   for (int k = 0; k < vtkFlatteningAlgorithm::GetNumberOfRemedies(); ++k)
   {
     const std::string name = vtkFlatteningAlgorithm::GetRemedyName(k);
     const std::string words = remedyWords(name);
     EXPECT_FALSE(words.empty()) << name;
     EXPECT_FALSE(std::regex_search(words, property)) << name << ": " << words;
+    for (std::sregex_iterator at(words.begin(), words.end(), flag), end; at != end; ++at, ++named)
+    {
+      EXPECT_EQ(flags.count(at->str()), 1u) << name << ": " << words;
+    }
   }
+  EXPECT_GT(named, 20u);
 }
 
 TEST(FlagWords, AnUnknownRemedyHasNone)
@@ -28,7 +61,7 @@ TEST(FlagWords, AnUnknownRemedyHasNone)
   EXPECT_EQ(remedyWords("Despair"), "");
 }
 
-TEST(FlagWords, AMessageIsTheDefectAndItsWaysOut)
+TEST(FlagWords, AMessageIsTheDefectAndItsRemedies)
 {
   EXPECT_EQ(messageOf("it is broken", {}), "it is broken");
   EXPECT_EQ(messageOf("banks cross", { { "CloseCuts", "" }, { "Give", "a % sign" } }),

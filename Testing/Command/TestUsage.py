@@ -18,16 +18,6 @@ class Usage(command.CommandTest):
     def test_no_argument_is_bad_usage_and_names_what_is_missing(self):
         self.assertIn("SURFACE", self.assert_usage_error())
 
-    def test_each_option_that_a_way_out_names_is_one(self):
-        root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-        path = os.path.join(root, "Applications", "wirewarp", "FlagWords.cxx")
-        with open(path, encoding="utf-8") as file:
-            named = re.findall(r"--[a-z][a-z-]*", file.read().split("phrases{")[1])
-        options = set(re.findall(r"--[a-z-]+", self.run_command("--help").stdout))
-        self.assertGreater(len(named), 15)
-        for option in named:
-            self.assertIn(option, options)
-
     def test_unknown_option_is_named(self):
         self.assertIn("--sheme", self.assert_usage_error("a.obj", "--sheme", "global"))
 

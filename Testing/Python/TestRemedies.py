@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each user interface says the ways out of a defect in its own words."""
+"""Each user interface says remedies with its own options."""
 
 import inspect
 import re
@@ -7,7 +7,7 @@ import unittest
 import warnings
 
 import surfaceflattening as sf
-from surfaceflattening._remedies import WORDS, make_message, remedy_words
+from surfaceflattening._remedies import make_message, remedy_words
 from surfaces import grid
 
 Algorithm = sf.vtkFlatteningAlgorithm
@@ -19,50 +19,38 @@ class Words(unittest.TestCase):
         self.assertGreater(len(NAMES), 30)
         self.assertEqual(len(set(NAMES)), len(NAMES))
         self.assertIsNone(Algorithm.GetRemedyName(len(NAMES)))
-        self.assertIsNone(Algorithm.GetRemedyWords("Despair"))
+        self.assertIsNone(Algorithm.GetRemedySentence("Despair"))
 
-    def test_each_has_words_everywhere(self):
-        for name in NAMES:
-            with self.subTest(name):
-                self.assertTrue(Algorithm.GetRemedyWords(name))
-                self.assertTrue(remedy_words(name))
-        self.assertEqual(set(WORDS) - set(NAMES), set())
-
-    def test_the_filters_name_their_properties_and_arrays_alone(self):
-        classes = sf.vtkWireWarpingFilter, sf.vtkFlatteningQuality, sf.vtkPatternWriter
-        properties = {name[3:] for class_ in classes
-                      for name in dir(class_) if name.startswith("Set")}
-        arrays = {"CurveType", "LengthTolerance"}
+    def test_each_names_properties_that_the_filters_have(self):
+        arrays = {"LengthTolerance"}
         named = 0
         for name in NAMES:
-            words = Algorithm.GetRemedyWords(name)
-            self.assertNotRegex(words, "--|_[a-z]")
-            for word in re.findall(r"[A-Z][a-z]+(?:[A-Z][a-z]+)+", words):
+            for option in re.findall("{(.*?)}", Algorithm.GetRemedySentence(name)):
                 named += 1
-                with self.subTest(name, word=word):
-                    plain = word[3:] if word.startswith("Set") else word
-                    self.assertTrue(plain in properties | arrays or
-                                    hasattr(sf.vtkWireWarpingFilter, "Add" + plain), word)
-        self.assertGreater(named, 10)
+                property_, _, value = option.rpartition(".")[2].partition("=")
+                class_ = (sf.vtkSewnShape if option.startswith("Sewing.") else
+                          sf.vtkPatternWriter if hasattr(sf.vtkPatternWriter, "Set" + property_) else
+                          sf.vtkWireWarpingFilter)
+                with self.subTest(name, option=option):
+                    self.assertTrue(property_ in arrays or hasattr(class_, "Set" + property_))
+                    self.assertTrue(value in ("", "on") or hasattr(class_, value))
+        self.assertGreater(named, 20)
 
-    def test_python_names_arguments_alone(self):
-        arguments = set(inspect.signature(sf.flatten).parameters)
-        arguments |= set(inspect.signature(sf.Curve).parameters)
-        arguments |= set(inspect.signature(sf.Flattening.write_pattern).parameters)
-        arguments |= set(inspect.signature(sf.resew).parameters)
+    def test_each_names_arguments_that_python_has(self):
+        functions = (sf.flatten, sf.Curve, sf.Flattening.write_pattern, sf.resew)
+        arguments = {name for function in functions for name in inspect.signature(function).parameters}
         named = 0
-        for name, words in WORDS.items():
-            self.assertNotIn("--", words)
+        for name in NAMES:
+            words = remedy_words(name)
+            self.assertTrue(words, name)
+            self.assertNotRegex(words, "--|[][{}]|[A-Z][a-z]+[A-Z]|[A-Z]+_[A-Z]+")
             for word in re.findall(r"[a-z]+(?:_[a-z]+)+|[a-z]+(?==)", words):
                 named += 1
                 with self.subTest(name, word=word):
                     self.assertIn(word, arguments)
-        self.assertGreater(named, 10)
-        for name in set(NAMES) - set(WORDS):  # said in the filters' words
-            with self.subTest(name):
-                self.assertNotRegex(remedy_words(name), "--|[A-Z][a-z]+[A-Z]|[A-Z]+_[A-Z]+")
+        self.assertGreater(named, 15)
 
-    def test_a_message_is_the_defect_and_its_ways_out(self):
+    def test_a_message_is_the_defect_and_its_remedies(self):
         self.assertEqual(make_message("it is broken", []), "it is broken")
         self.assertEqual(
             make_message("banks cross", [("CloseCuts", ""), ("Give", "a seam")]),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Remedy.h"
 #include "Base/Types.h"
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace flattening
 {
@@ -46,12 +46,12 @@ struct ElementIds
   }
 };
 
-/// What a stage has to say of its result. Codes up to LastRefusal, and those of patterns, mean that
-/// there is no result; the others that there is one, but that a promise is broken.
+/// Codes up to LastRefusal, and those of patterns, are errors: there is no result. The others are
+/// warnings about a result.
 enum class StatusCode
 {
   Ok,
-  // No result: the input is refused or the run was cancelled.
+  // Errors: the input is rejected or the run was cancelled.
   Cancelled,
   EmptySurface,
   NonFinitePoint,
@@ -71,7 +71,7 @@ enum class StatusCode
   OutOfMemory,
   NumericalFailure,
   LastRefusal = NumericalFailure,
-  // A result, with a broken promise.
+  // Warnings.
   NotConverged,
   IncompatibleKeys,
   LengthError,
@@ -86,20 +86,116 @@ enum class StatusCode
   FileNotWritten,
 };
 
-/// How bad a code is, for the one place that decides which of several is told: refusals above
-/// broken promises, and of these lengths that are off above shapes of keys that are given up, what
-/// is not at a minimum, flips, overlaps, and what a cloth has to bear: a grain
-/// without its curve, strains beyond limits. 0 where all is well.
+inline constexpr int statusCount = static_cast<int>(StatusCode::FileNotWritten) + 1;
+
+/// Which of several statuses counts: errors above warnings, and of these wrong lengths above shapes
+/// of keys that are given up, what is not at a minimum, flips, overlaps, a grain without its curve,
+/// strains beyond limits. 0 where all is well.
 int severity(StatusCode code);
 
 /// Short fixed name of a code ("NonManifoldEdge"), for reports and tests.
 const char* statusName(StatusCode code);
 
-/// Outcome of a stage: the defect, the first offending elements, and the ways out.
+/// Remedies of a defect. Each user interface spells the options in them by its own names.
+enum class Remedy
+{
+  // The surface.
+  GiveTriangles,
+  WriteAgain,
+  MendPoints,
+  RemeshTriangles,
+  RemoveDoubles,
+  SeparateSides,
+  SeparateSheets,
+  DoublePoint,
+  JoinByEdge,
+  CutBandThrough,
+  CutOpen,
+  OpenHandles,
+  SkipClosed,
+  DivideInput,
+  // Curves.
+  RedrawCurve,
+  ProjectPoints,
+  RaiseImprintTolerance,
+  AddCurvePoints,
+  EndAtBoundary,
+  SplitTriangles,
+  FollowEdges,
+  RaiseSnapTolerance,
+  SpreadPlanarShape,
+  NameCurve,
+  TakeEdges,
+  // Options.
+  Give, ///< subject: what to give
+  NamePins,
+  OrderRelaxation,
+  // The machine.
+  FreeMemory,
+  // The solution.
+  MendSlivers,
+  AllowAngleIterations,
+  AllowIsometricIterations,
+  AllowRigidIterations,
+  AllowRelaxationIterations,
+  AllowSewingIterations,
+  TestPanels,
+  UseNewton,
+  UseIsometricScheme,
+  UseRigidInterior,
+  SeamBetweenLoops,
+  ReleaseCurves,   ///< subject: which, accessory and key curves
+  MakeAccessory,   ///< subject: key curves
+  ChangeKeyShapes, ///< subject: key curves
+  AllowLengthError,
+  AddDarts,
+  CloseCuts,
+  DivideBySeam,
+  NameGrain, ///< subject: curves of the piece
+  GiveGrainAngle,
+  TakeSofterCloth,
+  // The pattern.
+  ReadTheFlattening,
+  GiveFlatPieces,
+  CheckUnit,
+  WidenNotches,
+  PrintOnPages,
+  TakeLargerPaper,
+  WriteOtherFormat,
+  NameAnotherFile,
+};
+
+inline constexpr int remedyCount = static_cast<int>(Remedy::NameAnotherFile) + 1;
+
+/// Short fixed name of a remedy ("CloseCuts"), for reports and programs.
+const char* remedyName(Remedy remedy);
+
+/// What to do, as one sentence. % stands for the subject, {Property} and {Property=VALUE} for an
+/// option of the filters, {Sewing.Property} for one of the sewing filter. A user interface puts its
+/// own spelling there. One that lacks the option leaves out the remedy, or only the part within [].
+const char* remedySentence(Remedy remedy);
+
+/// A remedy and what it is to be applied to.
+struct SuggestedRemedy
+{
+  // NOLINTNEXTLINE(google-explicit-constructor): a list of remedies is a list of suggestions
+  SuggestedRemedy(Remedy which, std::string what = {})
+    : remedy(which)
+    , subject(std::move(what))
+  {
+  }
+
+  Remedy remedy;
+  std::string subject; ///< names or numbers, where the remedy has one
+};
+
+using SuggestedRemedies = std::vector<SuggestedRemedy>;
+
+/// Outcome of a stage: the defect, the first offending elements, and the remedies.
 struct Status
 {
   StatusCode code = StatusCode::Ok;
-  std::string message; ///< the defect alone; the user interface adds the ways out in its words
+  std::string message; ///< the defect alone; the user interface adds the remedies
   ElementIds ids = {};
   SuggestedRemedies remedies = {};
   Index curve = none; ///< the polyline that is to blame, where it is one

@@ -68,8 +68,8 @@ public:
     for (vtkIdType k = 0; k < writer->GetStatusRemedies()->GetNumberOfValues(); ++k)
     {
       const std::string name = writer->GetStatusRemedies()->GetValue(k);
-      const char* const said = vtkFlatteningAlgorithm::GetRemedyWords(name.c_str());
-      this->Found.that(said != nullptr, name + " is a way out");
+      const char* const said = vtkFlatteningAlgorithm::GetRemedySentence(name.c_str());
+      this->Found.that(said != nullptr, name + " is a remedy");
     }
     this->Found.equal(writer->GetStatusRemedySubjects()->GetNumberOfValues(),
       writer->GetStatusRemedies()->GetNumberOfValues(), "subjects");
