@@ -160,8 +160,9 @@ public:
   /**
    * All remedies: their number, the name of each ("CloseCuts"), and what the one with a name says.
    * In this sentence % stands for what it is to be applied to, `{Property}` or `{Property=VALUE}`
-   * for an option of the filters, `{Sewing.Property}` for one of vtkSewnShape, and a part within
-   * [] is left out by a program without the option. Null where there is none.
+   * for an option of the filters, `{Sewing.Property}` for one of vtkSewnShape, the name of a class
+   * for another filter, and a part within [] is left out by a program without the option. Null
+   * where there is none.
    */
   static int GetNumberOfRemedies();
   static const char* GetRemedyName(int remedy);

@@ -8,6 +8,7 @@ namespace
 /// Where an option is not the property's name.
 constexpr SpellingTable table{
   { "ConformalPins", "--pins" },
+  { "CurveTolerances", "--tolerance" },
   { "Interior=AS_RIGID_AS_POSSIBLE", "--interior arap" },
   { "IsometricMaximumIterations", "--isometric-iterations" },
   { "LengthTolerance", "tolerance (--tolerance)" },
@@ -15,6 +16,7 @@ constexpr SpellingTable table{
   { "Sewing.MaximumIterations", "--resew-iterations" },
   { "Sewing.Test", "--resew panel" },
   { "SplitTriangles", "leave out --no-split" },
+  { "vtkFeatureCurveSuggestion", "--suggest" },
 };
 
 /// MaximumLengthError is --max-length-error.

@@ -32,7 +32,8 @@ class Words(unittest.TestCase):
                           sf.vtkPatternWriter if hasattr(sf.vtkPatternWriter, "Set" + property_) else
                           sf.vtkWireWarpingFilter)
                 with self.subTest(name, option=option):
-                    self.assertTrue(property_ in arrays or hasattr(class_, "Set" + property_))
+                    self.assertTrue(property_ in arrays or hasattr(class_, "Set" + property_) or
+                                    hasattr(sf, property_))
                     self.assertTrue(value in ("", "on") or hasattr(class_, value))
         self.assertGreater(named, 20)
 

@@ -171,8 +171,9 @@ inline constexpr int remedyCount = static_cast<int>(Remedy::NameAnotherFile) + 1
 const char* remedyName(Remedy remedy);
 
 /// What to do, as one sentence. % stands for the subject, {Property} and {Property=VALUE} for an
-/// option of the filters, {Sewing.Property} for one of the sewing filter. A user interface puts its
-/// own spelling there. One that lacks the option leaves out the remedy, or only the part within [].
+/// option of the filters, {Sewing.Property} for one of the sewing filter, or for another filter. A
+/// user interface puts its own spelling there. One that lacks the option leaves out the remedy, or
+/// only the part within [].
 const char* remedySentence(Remedy remedy);
 
 /// A remedy and what it is to be applied to.

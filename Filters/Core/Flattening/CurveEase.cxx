@@ -159,7 +159,7 @@ Status decideEases(const std::vector<CurveEase>& eases, const std::vector<Featur
     if (!known)
     {
       return { StatusCode::InvalidOption, "no curve is named \"" + ease.curve + "\", to be eased",
-        {}, { Remedy::NameCurve } };
+        {}, { { Remedy::Give, "the name of a curve that is there" } } };
     }
   }
   for (std::size_t c = 0; c < curves.size(); ++c)
