@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Flattening/ClothOptions.h"
+#include "Flattening/FlatteningOptions.h"
 
 #include <string>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run reports of its pieces, against what follows from the flat positions by themselves.
-#include "Flattening/PieceReporting.h"
+#include "Flattening/PieceReports.h"
+#include "Flattening/PieceWires.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
@@ -267,10 +268,10 @@ TEST(PieceReport, ASolutionWhoseStartCouldNotBeProjectedIsTold)
   const auto tellsOfAngles = [&] {
     const PieceContext context{ wired.piece, wired.network, wired.cut, wired.curves, options,
       execution };
-    FlatWires flat;
-    flat.wires = solveWires(context, {});
-    flat.placed.positions = { Point2(0, 0), Point2(3, 0), Point2(0, 4) };
-    const std::vector<std::string> all = reportPiece(context, flat).fallbacks;
+    PieceSolution flat = solveWires(context, {});
+    flat.positions = { Point2(0, 0), Point2(3, 0), Point2(0, 4) };
+    reportPiece(context, flat);
+    const std::vector<std::string>& all = flat.report.fallbacks;
     return !all.empty() && all.front().find("angles of the surface as they are") != all[0].npos;
   };
   EXPECT_FALSE(tellsOfAngles());

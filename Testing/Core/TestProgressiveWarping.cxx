@@ -18,7 +18,7 @@ ProgressiveSolution warp(const WiredSurface& wired, AngleMethod method = AngleMe
 }
 
 /// With the repair of what does not close.
-WireSolution warpAndRepair(const WiredSurface& wired)
+PieceSolution warpAndRepair(const WiredSurface& wired)
 {
   FlatteningOptions options;
   options.scheme = Scheme::Progressive;
@@ -130,10 +130,10 @@ TEST(ProgressiveWarping, WiresMeetAlsoWhereTheLastPatchesHaveNoFreeAngle)
   EXPECT_FALSE(progressive.closes());
   EXPECT_STREQ(statusName(progressive.angles.status.code), "NotConverged");
   EXPECT_EQ(progressive.warpingOrder.size(), 36U);
-  const WireSolution solution = warpAndRepair(wired);
-  EXPECT_TRUE(solution.repaired);
+  const PieceSolution solution = warpAndRepair(wired);
+  EXPECT_TRUE(solution.report.repaired);
   ASSERT_TRUE(solution.angles.status.ok()) << solution.angles.status.message;
-  EXPECT_EQ(solution.warpingOrder.size(), 36U);
+  EXPECT_EQ(solution.report.warpingOrder.size(), 36U);
   EXPECT_LT(solution.angles.closure, 1e-12 * perimeter(problem));
   EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
 }
@@ -144,7 +144,7 @@ TEST(ProgressiveWarping, WiresMeetAroundAHole)
   surface.curves = { curveOf(CurveType::Dart, "eye", { 31, 40, 49 }), rowCurve(8, 4) };
   const WiredSurface wired(surface);
   const AngleProblem problem = wired.problem();
-  const WireSolution solution = warpAndRepair(wired);
+  const PieceSolution solution = warpAndRepair(wired);
   ASSERT_TRUE(solution.angles.status.ok()) << solution.angles.status.message;
   EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
 }

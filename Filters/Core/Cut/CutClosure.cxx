@@ -9,14 +9,6 @@
 
 namespace flattening
 {
-namespace
-{
-Point2 turnedLeft(const Point2& v)
-{
-  return { -v.y(), v.x() };
-}
-}
-
 std::vector<CutBanks> findCutBanks(const Piece& piece, const CutSurface& cut)
 {
   std::vector<CutBanks> cuts;
@@ -82,208 +74,252 @@ JoinedPiece joinVertices(const Piece& piece, const Indices& joined)
   return result;
 }
 
-CutClosing::CutClosing(const Piece& piece, const CutSurface& cut)
-  : Subject(piece)
-  , Cut(cut)
-  , Cuts(findCutBanks(piece, cut))
-  , Joined(piece.mesh.vertexCount())
+namespace
 {
-  std::iota(this->Joined.begin(), this->Joined.end(), 0);
-  this->NextJoined = this->Joined;
+Point2 turnedLeft(const Point2& v)
+{
+  return { -v.y(), v.x() };
 }
 
-const Indices* CutClosing::next(const Points2* positions)
+/// Which vertices of a piece closeCuts() has joined.
+class JoinedCuts
 {
-  if (!positions)
+public:
+  JoinedCuts(const Piece& piece, const CutSurface& cut)
+    : Subject(piece)
+    , Cut(cut)
+    , Cuts(findCutBanks(piece, cut))
+    , Joined(piece.mesh.vertexCount())
   {
-    // A piece that cannot be flattened with its cuts closed in part may be with whole ones.
-    return this->join(this->wholeCuts()) ? &this->Joined : nullptr;
+    std::iota(this->Joined.begin(), this->Joined.end(), 0);
+    this->NextJoined = this->Joined;
   }
-  this->Crossing = this->crossingVertices(*positions);
-  this->Closed = std::find(this->Crossing.begin(), this->Crossing.end(), 1) == this->Crossing.end();
-  if (this->Closed)
-  {
-    return nullptr;
-  }
-  const bool grown = this->join(this->crossedPairs(*positions)) ||
-    this->join(this->crossingPairs()) || this->join(this->wholeCuts());
-  return grown ? &this->Joined : nullptr;
-}
 
-std::vector<char> CutClosing::crossingVertices(const Points2& positions) const
-{
-  const TriangleMesh& mesh = this->Subject.mesh;
-  std::vector<char> crossing(mesh.vertexCount(), 0);
-  for (const auto& pair : findBoundaryOverlaps(mesh, positions, mostListedOverlaps))
+  /// Joins more of the pairs. \param positions as flattened last; null where that failed
+  /// \return false where there is nothing more to join, or to close
+  bool advance(const Points2* positions)
   {
-    for (Index h : pair)
+    if (!positions)
     {
-      crossing[mesh.from(h)] = crossing[mesh.to(h)] = 1;
-      crossing[this->Joined[mesh.from(h)]] = crossing[this->Joined[mesh.to(h)]] = 1;
+      // A piece that cannot be flattened with its cuts closed in part may be with whole ones.
+      return this->join(this->wholeCuts());
     }
+    this->Crossing = this->crossingVertices(*positions);
+    this->Closed =
+      std::find(this->Crossing.begin(), this->Crossing.end(), 1) == this->Crossing.end();
+    return !this->Closed &&
+      (this->join(this->crossedPairs(*positions)) || this->join(this->crossingPairs()) ||
+        this->join(this->wholeCuts()));
   }
-  return crossing;
-}
 
-/// How far the first bank is from the second, across both: negative where they have crossed.
-double CutClosing::gap(const Points2& positions, const CutBanks& cut, std::size_t k) const
-{
-  const Points2& at = positions;
-  const std::size_t outer = std::min(k + 1, cut.pairs.size() - 1);
-  Point2 across = Point2::Zero();
-  for (int bank : { 0, 1 })
+  const Indices& joined() const { return this->Joined; }
+
+  /// Half-edges that lie on another one; none where some still cross.
+  Indices closedEdges() const
   {
-    const Index inner = k == 0 ? cut.tip : cut.pairs[k - 1][bank];
-    across += turnedLeft((at[inner] - at[cut.pairs[outer][bank]]).normalized());
-  }
-  return across.dot(at[cut.pairs[k][0]] - at[cut.pairs[k][1]]);
-}
-
-bool CutClosing::takesPart(const CutBanks& cut) const
-{
-  return this->Crossing[cut.tip] ||
-    std::any_of(cut.pairs.begin(), cut.pairs.end(),
-      [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
-}
-
-/// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
-CutClosing::Pairs CutClosing::crossedPairs(const Points2& positions) const
-{
-  Pairs crossed;
-  for (const CutBanks& cut : this->Cuts)
-  {
-    for (std::size_t k = 0; this->takesPart(cut) && k < cut.pairs.size(); ++k)
+    Indices edges;
+    if (!this->Closed)
     {
-      if (this->gap(positions, cut, k) < 0.0)
+      return edges;
+    }
+    const TriangleMesh& mesh = this->Subject.mesh;
+    const JoinedPiece now = joinVertices(this->Subject, this->Joined);
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+    {
+      if (mesh.twin(h) == none && now.piece.mesh.twin(h) != none)
       {
-        crossed.push_back(cut.pairs[k]);
+        edges.push_back(h);
       }
     }
+    return edges;
   }
-  return crossed;
-}
 
-/// The pairs at the ends of edges that cross although no pair is on the wrong side.
-CutClosing::Pairs CutClosing::crossingPairs() const
-{
-  Pairs ends;
-  for (const CutBanks& cut : this->Cuts)
-  {
-    std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
-      [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
-  }
-  return ends;
-}
+private:
+  using Pairs = std::vector<std::array<Index, 2>>;
 
-/// All pairs of the cuts that take part in a crossing.
-CutClosing::Pairs CutClosing::wholeCuts() const
-{
-  Pairs all;
-  for (const CutBanks& cut : this->Cuts)
+  std::vector<char> crossingVertices(const Points2& positions) const
   {
-    if (this->takesPart(cut))
+    const TriangleMesh& mesh = this->Subject.mesh;
+    std::vector<char> crossing(mesh.vertexCount(), 0);
+    for (const auto& pair : findBoundaryOverlaps(mesh, positions, mostListedOverlaps))
     {
-      all.insert(all.end(), cut.pairs.begin(), cut.pairs.end());
-    }
-  }
-  return all;
-}
-
-bool CutClosing::joinPair(const std::array<Index, 2>& pair)
-{
-  Indices& joined = this->Joined;
-  const Index from = std::max(joined[pair[0]], joined[pair[1]]);
-  const Index to = std::min(joined[pair[0]], joined[pair[1]]);
-  if (from == to)
-  {
-    return false;
-  }
-  for (Index v = from; joined[v] != to; v = this->NextJoined[v])
-  {
-    joined[v] = to;
-  }
-  std::swap(this->NextJoined[from], this->NextJoined[to]);
-  return true;
-}
-
-/// \return whether one of the pairs was not joined yet.
-bool CutClosing::join(const Pairs& pairs)
-{
-  bool grown = false;
-  for (const auto& pair : pairs)
-  {
-    grown = this->joinPair(pair) || grown;
-  }
-  if (grown)
-  {
-    while (this->joinNextToLonePairs())
-    {
-    }
-    this->findCutsAnew();
-  }
-  return grown;
-}
-
-/// A pair joined by itself holds two fans of triangles together at one vertex: the pair next to
-/// it towards the tip is joined as well.
-bool CutClosing::joinNextToLonePairs()
-{
-  Indices& joined = this->Joined;
-  const JoinedPiece now = joinVertices(this->Subject, joined);
-  const TriangleMesh& mesh = now.piece.mesh;
-  Indices fans(mesh.vertexCount(), 0);
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    fans[mesh.from(h)] += mesh.twin(h) == none ? 1 : 0;
-  }
-  bool grown = false;
-  for (const CutBanks& cut : this->Cuts)
-  {
-    for (std::size_t k = 1; k < cut.pairs.size(); ++k)
-    {
-      const auto [a, b] = cut.pairs[k];
-      if (joined[a] == joined[b] && fans[now.place[a]] > 1)
+      for (Index h : pair)
       {
-        grown = this->joinPair(cut.pairs[k - 1]) || grown;
+        crossing[mesh.from(h)] = crossing[mesh.to(h)] = 1;
+        crossing[this->Joined[mesh.from(h)]] = crossing[this->Joined[mesh.to(h)]] = 1;
       }
     }
+    return crossing;
   }
-  return grown;
+
+  /// How far the first bank is from the second, across both: negative where they have crossed.
+  double gap(const Points2& positions, const CutBanks& cut, std::size_t k) const
+  {
+    const Points2& at = positions;
+    const std::size_t outer = std::min(k + 1, cut.pairs.size() - 1);
+    Point2 across = Point2::Zero();
+    for (int bank : { 0, 1 })
+    {
+      const Index inner = k == 0 ? cut.tip : cut.pairs[k - 1][bank];
+      across += turnedLeft((at[inner] - at[cut.pairs[outer][bank]]).normalized());
+    }
+    return across.dot(at[cut.pairs[k][0]] - at[cut.pairs[k][1]]);
+  }
+
+  bool takesPart(const CutBanks& cut) const
+  {
+    return this->Crossing[cut.tip] ||
+      std::any_of(cut.pairs.begin(), cut.pairs.end(),
+        [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
+  }
+
+  /// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
+  Pairs crossedPairs(const Points2& positions) const
+  {
+    Pairs crossed;
+    for (const CutBanks& cut : this->Cuts)
+    {
+      for (std::size_t k = 0; this->takesPart(cut) && k < cut.pairs.size(); ++k)
+      {
+        if (this->gap(positions, cut, k) < 0.0)
+        {
+          crossed.push_back(cut.pairs[k]);
+        }
+      }
+    }
+    return crossed;
+  }
+
+  /// The pairs at the ends of edges that cross although no pair is on the wrong side.
+  Pairs crossingPairs() const
+  {
+    Pairs ends;
+    for (const CutBanks& cut : this->Cuts)
+    {
+      std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
+        [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
+    }
+    return ends;
+  }
+
+  /// All pairs of the cuts that take part in a crossing.
+  Pairs wholeCuts() const
+  {
+    Pairs all;
+    for (const CutBanks& cut : this->Cuts)
+    {
+      if (this->takesPart(cut))
+      {
+        all.insert(all.end(), cut.pairs.begin(), cut.pairs.end());
+      }
+    }
+    return all;
+  }
+
+  bool joinPair(const std::array<Index, 2>& pair)
+  {
+    Indices& joined = this->Joined;
+    const Index from = std::max(joined[pair[0]], joined[pair[1]]);
+    const Index to = std::min(joined[pair[0]], joined[pair[1]]);
+    if (from == to)
+    {
+      return false;
+    }
+    for (Index v = from; joined[v] != to; v = this->NextJoined[v])
+    {
+      joined[v] = to;
+    }
+    std::swap(this->NextJoined[from], this->NextJoined[to]);
+    return true;
+  }
+
+  /// \return whether one of the pairs was not joined yet.
+  bool join(const Pairs& pairs)
+  {
+    bool grown = false;
+    for (const auto& pair : pairs)
+    {
+      grown = this->joinPair(pair) || grown;
+    }
+    if (grown)
+    {
+      while (this->joinNextToLonePairs())
+      {
+      }
+      this->findCutsAnew();
+    }
+    return grown;
+  }
+
+  /// A pair joined by itself holds two fans of triangles together at one vertex: the pair next to
+  /// it towards the tip is joined as well.
+  bool joinNextToLonePairs()
+  {
+    Indices& joined = this->Joined;
+    const JoinedPiece now = joinVertices(this->Subject, joined);
+    const TriangleMesh& mesh = now.piece.mesh;
+    Indices fans(mesh.vertexCount(), 0);
+    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+    {
+      fans[mesh.from(h)] += mesh.twin(h) == none ? 1 : 0;
+    }
+    bool grown = false;
+    for (const CutBanks& cut : this->Cuts)
+    {
+      for (std::size_t k = 1; k < cut.pairs.size(); ++k)
+      {
+        const auto [a, b] = cut.pairs[k];
+        if (joined[a] == joined[b] && fans[now.place[a]] > 1)
+        {
+          grown = this->joinPair(cut.pairs[k - 1]) || grown;
+        }
+      }
+    }
+    return grown;
+  }
+
+  /// Where cuts meet, one that is closed up to there makes a tip of another.
+  void findCutsAnew()
+  {
+    const JoinedPiece now = joinVertices(this->Subject, this->Joined);
+    Indices before(now.piece.mesh.vertexCount());
+    for (std::size_t v = 0; v < now.place.size(); ++v)
+    {
+      before[now.place[v]] = this->Joined[v];
+    }
+    std::vector<CutBanks> cuts = findCutBanks(now.piece, this->Cut);
+    for (CutBanks& cut : cuts)
+    {
+      cut.tip = before[cut.tip];
+      for (auto& pair : cut.pairs)
+      {
+        pair = { before[pair[0]], before[pair[1]] };
+      }
+    }
+    this->Cuts = std::move(cuts);
+  }
+
+  const Piece& Subject;
+  const CutSurface& Cut;
+  std::vector<CutBanks> Cuts; ///< with what is joined left out
+  Indices Joined;
+  Indices NextJoined;         ///< per vertex the next one of those joined with it, in a ring
+  std::vector<char> Crossing; ///< vertices on boundary edges that cross
+  bool Closed = false;        ///< none cross any more
+};
 }
 
-/// Where cuts meet, one that is closed up to there makes a tip of another.
-void CutClosing::findCutsAnew()
+Indices closeCuts(
+  const Piece& piece, const CutSurface& cut, const Points2& positions, const FlattenJoined& flatten)
 {
-  const JoinedPiece now = joinVertices(this->Subject, this->Joined);
-  Indices before(now.piece.mesh.vertexCount());
-  for (std::size_t v = 0; v < now.place.size(); ++v)
+  JoinedCuts cuts(piece, cut);
+  std::optional<Points2> flat = positions;
+  bool tried = false;
+  while (cuts.advance(flat ? &*flat : nullptr))
   {
-    before[now.place[v]] = this->Joined[v];
+    flat = flatten(cuts.joined());
+    tried = true;
   }
-  std::vector<CutBanks> cuts = findCutBanks(now.piece, this->Cut);
-  for (CutBanks& cut : cuts)
-  {
-    cut.tip = before[cut.tip];
-    for (auto& pair : cut.pairs)
-    {
-      pair = { before[pair[0]], before[pair[1]] };
-    }
-  }
-  this->Cuts = std::move(cuts);
-}
-
-Indices CutClosing::closedEdges() const
-{
-  Indices edges;
-  const TriangleMesh& mesh = this->Subject.mesh;
-  const JoinedPiece now = joinVertices(this->Subject, this->Joined);
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    if (mesh.twin(h) == none && now.piece.mesh.twin(h) != none)
-    {
-      edges.push_back(h);
-    }
-  }
-  return edges;
+  return tried ? cuts.closedEdges() : Indices();
 }
 }

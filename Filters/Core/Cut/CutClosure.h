@@ -3,6 +3,9 @@
 
 #include "Cut/SurfaceCut.h"
 
+#include <functional>
+#include <optional>
+
 namespace flattening
 {
 /// The two banks of a cut from its tip on.
@@ -28,56 +31,17 @@ struct JoinedPiece
 /// \param joined per vertex the one that it becomes, itself where it stays
 JoinedPiece joinVertices(const Piece& piece, const Indices& joined);
 
-/// Closes cuts as far as their banks lie over each other in the plane: where the surface is
-/// saddle-like, opening a dart takes no cloth out but asks for more of it than there is, and its
-/// banks cross. Pairs of bank vertices that have crossed are joined, the piece is flattened anew,
-/// and so on until none cross; a pair once joined stays so. The other vertices of the banks are
-/// free, so that a dart may be closed at its mouth and open at its tip.
-///
-/// It flattens nothing itself: it asks for a flattening and is given the positions.
-///
-///     CutClosing closing(piece, cut);
-///     const Indices* joined = closing.next(&positions);
-///     while (joined)
-///     {
-///       ... flatten the piece with these vertices joined ...
-///       joined = closing.next(good ? &positions : nullptr);
-///     }
-class CutClosing
-{
-public:
-  CutClosing(const Piece& piece, const CutSurface& cut);
+/// Flattens the piece with vertices joined: per vertex the one that it becomes. \return positions
+/// per vertex of the piece; none where it could not be flattened
+using FlattenJoined = std::function<std::optional<Points2>(const Indices& joined)>;
 
-  /// \param positions per vertex of the piece, with what was asked for joined; null where that could
-  /// not be flattened. \return per vertex the one to join it with, itself where it stays free; null
-  /// when there is nothing more to do
-  const Indices* next(const Points2* positions);
-
-  /// After the last step: no cut's banks cross any more.
-  bool closed() const { return this->Closed; }
-  /// Half-edges of the banks that lie on another one.
-  Indices closedEdges() const;
-
-private:
-  using Pairs = std::vector<std::array<Index, 2>>;
-
-  std::vector<char> crossingVertices(const Points2& positions) const;
-  double gap(const Points2& positions, const CutBanks& cut, std::size_t k) const;
-  bool takesPart(const CutBanks& cut) const;
-  Pairs crossedPairs(const Points2& positions) const;
-  Pairs crossingPairs() const;
-  Pairs wholeCuts() const;
-  bool joinPair(const std::array<Index, 2>& pair);
-  bool join(const Pairs& pairs);
-  bool joinNextToLonePairs();
-  void findCutsAnew();
-
-  const Piece& Subject;
-  const CutSurface& Cut;
-  std::vector<CutBanks> Cuts; ///< with what is joined left out
-  Indices Joined;
-  Indices NextJoined;         ///< per vertex the next one of those joined with it, in a ring
-  std::vector<char> Crossing; ///< vertices on boundary edges that cross
-  bool Closed = false;
-};
+/// Closes cuts as far as their sides lie over each other in the plane: where the surface is
+/// saddle-like, opening a dart takes no cloth out but needs more of it than there is, and its sides
+/// cross. Pairs of vertices that have crossed are joined, the piece is flattened anew, and so on
+/// until none cross; a pair once joined stays so. The other vertices of the sides are free, so that
+/// a dart may be closed at its mouth and open at its tip. \param positions of the piece with open
+/// cuts
+/// \return half-edges that lie on another one; empty where none cross, or closing does not help
+Indices closeCuts(const Piece& piece, const CutSurface& cut, const Points2& positions,
+  const FlattenJoined& flatten);
 }

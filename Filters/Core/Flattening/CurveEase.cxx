@@ -63,114 +63,92 @@ Status checkEase(double fraction, const FeatureCurve& curve)
   return {};
 }
 
-/// Decides the stretches of curves one by one.
-class EaseDecision
+Status decideEase(Index curve, const LengthEase& ease, const std::vector<FeatureCurve>& curves,
+  const CutSurface& cut, const std::vector<const Piece*>& pieces, PieceStretches& stretches)
 {
-public:
-  EaseDecision(const std::vector<FeatureCurve>& curves, const CutSurface& cut,
-    const std::vector<const Piece*>& pieces, PieceStretches& stretches)
-    : Curves(curves)
-    , Cut(cut)
-    , Pieces(pieces)
-    , Stretches(stretches)
+  const std::string name = "\"" + curves[curve].name + "\"";
+  Status status = checkEase(ease.fraction, curves[curve]);
+  if (!status.ok())
   {
+    return status;
   }
-
-  Status decide(std::size_t c, const LengthEase& ease)
+  std::vector<Presence> presence;
+  std::string places;
+  Index count = 0;
+  std::size_t chosen = static_cast<std::size_t>(ease.piece);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
   {
-    const std::string& name = this->Curves[c].name;
-    Status status = checkEase(ease.fraction, this->Curves[c]);
-    if (!status.ok())
+    presence.push_back(presenceOf(curve, *pieces[p], cut));
+    if (presence[p].there)
     {
-      return status;
+      places += (count++ > 0 ? ", " : "") + std::to_string(p + 1);
+      chosen = ease.piece == none ? p : chosen;
     }
-    std::vector<Presence> presence;
-    std::string places;
-    std::size_t count = 0;
-    std::size_t only = 0;
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
-    {
-      presence.push_back(presenceOf(static_cast<Index>(c), *this->Pieces[p], this->Cut));
-      if (presence[p].there)
-      {
-        places += (count++ > 0 ? ", " : "") + std::to_string(p + 1);
-        only = p;
-      }
-    }
-    const std::string lies = "\"" + name + "\" lies in piece " + places;
-    if (ease.piece == none && count != 1)
-    {
-      return invalid("an ease names no piece, and " + lies, "the one piece that is to be eased");
-    }
-    const std::size_t chosen = ease.piece == none ? only : static_cast<std::size_t>(ease.piece);
-    if (chosen >= this->Pieces.size() || !presence[chosen].there)
-    {
-      return invalid(
-        "an ease is for piece " + std::to_string(chosen + 1) + ", and " + lies, "one of these");
-    }
-    if (presence[chosen].twice)
-    {
-      return invalid("both sides of \"" + name + "\" lie in piece " + std::to_string(chosen + 1) +
-          ", which therefore cannot ease one onto the other",
-        "the ease of another curve");
-    }
-    this->Stretches.resize(
-      this->Pieces.size(), std::vector<std::optional<double>>(this->Curves.size()));
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
-    {
-      if (presence[p].there && (p == chosen || !this->Stretches[p][c]))
-      {
-        this->Stretches[p][c] = p == chosen ? ease.fraction : 0.0;
-      }
-    }
-    return {};
   }
-
-private:
-  const std::vector<FeatureCurve>& Curves;
-  const CutSurface& Cut;
-  const std::vector<const Piece*>& Pieces;
-  PieceStretches& Stretches;
-};
+  const std::string lies = name + " lies in piece " + places;
+  if (ease.piece == none && count != 1)
+  {
+    return invalid("an ease names no piece, and " + lies, "the one piece that is to be eased");
+  }
+  if (chosen >= pieces.size() || !presence[chosen].there)
+  {
+    return invalid(
+      "an ease is for piece " + std::to_string(chosen + 1) + ", and " + lies, "one of these");
+  }
+  if (presence[chosen].twice)
+  {
+    return invalid("both sides of " + name + " lie in piece " + std::to_string(chosen + 1) +
+        ", which therefore cannot ease one onto the other",
+      "the ease of another curve");
+  }
+  stretches.resize(pieces.size(), CurveStretches(curves.size()));
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    std::optional<double>& stretch = stretches[p][curve];
+    if (presence[p].there && (p == chosen || !stretch))
+    {
+      stretch = p == chosen ? ease.fraction : 0.0;
+    }
+  }
+  return {};
+}
 }
 
 Status decideEases(const std::vector<CurveEase>& eases, const std::vector<FeatureCurve>& curves,
   const CutSurface& cut, const std::vector<const Piece*>& pieces, PieceStretches& stretches)
 {
   stretches.clear();
-  EaseDecision decision(curves, cut, pieces, stretches);
-  std::vector<bool> decided(curves.size(), false);
+  const auto count = static_cast<Index>(curves.size());
+  std::vector<char> decided(curves.size(), 0);
+  const auto decide = [&](Index c, const LengthEase& ease) {
+    decided[c] = 1;
+    return decideEase(c, ease, curves, cut, pieces, stretches);
+  };
+  Status status;
   for (const CurveEase& ease : eases)
   {
     bool known = false;
-    for (std::size_t c = 0; c < curves.size(); ++c)
+    for (Index c = 0; c < count && status.ok(); ++c)
     {
       if (curves[c].name == ease.curve)
       {
         known = true;
-        decided[c] = true;
-        Status status = decision.decide(c, { ease.fraction, ease.piece });
-        if (!status.ok())
-        {
-          return status;
-        }
+        status = decide(c, { ease.fraction, ease.piece });
       }
     }
-    if (!known)
+    if (!known && status.ok())
     {
-      return { StatusCode::InvalidOption, "no curve is named \"" + ease.curve + "\", to be eased",
-        {}, { { Remedy::Give, "the name of a curve that is there" } } };
+      return invalid("no curve is named \"" + ease.curve + "\", to be eased",
+        "the name of a curve that is there");
     }
   }
-  for (std::size_t c = 0; c < curves.size(); ++c)
+  for (Index c = 0; c < count && status.ok(); ++c)
   {
-    Status status =
-      decided[c] || curves[c].ease.fraction == 0.0 ? Status() : decision.decide(c, curves[c].ease);
-    if (!status.ok())
+    if (!decided[c] && curves[c].ease.fraction != 0.0)
     {
-      return status;
+      status = decide(c, curves[c].ease);
     }
   }
-  return {};
+  return status;
 }
 }

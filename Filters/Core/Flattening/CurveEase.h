@@ -15,11 +15,13 @@ struct CurveEase
   double fraction = 0.0;
 };
 
-/// By piece, by curve its decided stretch (as in CurveRules); a curve that is eased in one piece
-/// has the length of the surface in the others. Empty where no ease is asked for.
-using PieceStretches = std::vector<std::vector<std::optional<double>>>;
+/// By curve its stretch (as in CurveRules); none where it is rigid or not in the piece.
+using CurveStretches = std::vector<std::optional<double>>;
+using PieceStretches = std::vector<CurveStretches>;
 
-/// Eases that curves have of their own hold where none is given for their names.
+/// Decides stretches by piece: a curve that is eased in one piece has the length of the surface in
+/// the others. Empty where there is no ease. Eases that curves have of their own hold where none is
+/// given for their names.
 /// Errors: InvalidOption where a curve is not there or not in the piece, would change by more than
 /// its tolerance, or has both of its sides in the piece.
 Status decideEases(const std::vector<CurveEase>& eases, const std::vector<FeatureCurve>& curves,

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Angles/AngleSolution.h"
+#include "Cloth/ClothMaterial.h"
 #include "Embedding/InteriorEmbedding.h"
 #include "Embedding/LeastSquaresConformalMap.h"
-#include "Flattening/ClothOptions.h"
 #include "Flattening/CurveEase.h"
 #include "Isometric/IsometricWarping.h"
 
@@ -27,6 +27,29 @@ enum class DartLegs
   Mirrored, ///< both the mean of the two curves that free legs are, mirror images of each other
 };
 
+/// How a piece lies on its cloth.
+enum class GrainKind
+{
+  Upright, ///< by the angle from the piece's upright
+  Curve,   ///< by the angle from one of its curves
+  Free,    ///< where the cloth is strained least
+};
+
+/// The cloth that pieces are cut from, and how.
+struct ClothOptions
+{
+  ClothMaterial material;
+  GrainKind grain = GrainKind::Upright;
+  /// Curve: names; of each piece the first that lies in it, from its start to its end. A piece
+  /// without any is laid by its upright, and its report says so.
+  std::vector<std::string> grainCurves;
+  /// Curve: one for each of them, from it to the warp, counter-clockwise in the plane, in radians.
+  std::vector<double> grainAngles;
+  /// The same from the upright, where that counts. Upright is the first key curve, else the long
+  /// side of the smallest rectangle around the piece, as it lies without the material.
+  double grainAngle = 0.0;
+};
+
 /// Where the corners of a triangle lie in the plane.
 using FlatCorners = std::array<Point2, 3>;
 
@@ -46,9 +69,9 @@ struct FlatteningOptions
   /// The isometric scheme takes its energy; others only measure what it would have to do. Without a
   /// value pieces lie on nothing and no thread is measured.
   std::optional<ClothOptions> cloth;
-  /// Close cuts as far as their banks would lie over each other (see CutClosing).
+  /// Close cuts as far as their banks would lie over each other (see closeCuts()).
   bool closeCuts = false;
-  /// Whether darts are to fold, leg on leg (see flattenWithFoldingDarts()).
+  /// Whether darts are to fold, leg on leg.
   DartLegs dartLegs = DartLegs::Free;
   /// Curves that are longer in one of their pieces than in the other (see decideEases()).
   std::vector<CurveEase> eases;
@@ -56,8 +79,8 @@ struct FlatteningOptions
   bool skipClosed = false;
   /// Treat key curves as accessory curves.
   bool releaseKeys = false;
-  /// Try what the advice on releases promises, which takes up to six flattenings of a piece that
-  /// lies poorly (see adviseByTrials()); otherwise curves are ranked by their sensitivity alone.
+  /// Flatten a piece that lies poorly without each of up to six curves, to advise on releases;
+  /// otherwise curves are ranked by their sensitivity alone.
   bool tryReleases = true;
   /// How much work these trials may take, as factorizations of the isometric scheme times triangles
   /// of the piece: about two seconds on a core of 2024. Counted, not timed: the same on any
@@ -69,7 +92,11 @@ struct FlatteningOptions
   /// Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one,
   /// 0 to 1e6.
   double spacing = 0.05;
-  /// A wire edge whose relative length error is larger breaks the promise.
+  /// A wire edge whose relative length error is larger is a LengthError.
   double lengthTolerance = 1e-9;
 };
+
+/// InvalidOption where a number of the options lies outside its range or the material is unknown or
+/// without meaning; numbers of the interior are checked where it is placed.
+Status checkOptions(const FlatteningOptions& options);
 }

@@ -83,7 +83,7 @@ struct PieceReport
   /// not closed.
   double cutLength = 0.0;
   BoundaryOverlaps overlaps; ///< listed: half-edges of the cut surface
-  /// Half-edges of the cut surface on banks of cuts that were closed (see CutClosing).
+  /// Half-edges of the cut surface on banks of cuts that were closed (see closeCuts()).
   Indices closedEdges;
   /// What was done, which may be another thing than was asked for: then `fallbacks` says why.
   std::optional<AngleMethod> solverUsed;          ///< none in a conformal map
@@ -134,7 +134,7 @@ struct StageSeconds
 
 struct FlatteningResult
 {
-  /// A refusal (then all else is empty), or Ok, or the worst broken promise of a piece.
+  /// An error (then all else is empty), or Ok, or the worst warning of a piece.
   Status status;
   /// Never null. Shared with the cache, which makes another for another surface.
   std::shared_ptr<const CutSurface> cut = std::make_shared<const CutSurface>();

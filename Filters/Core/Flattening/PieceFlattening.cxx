@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PieceFlattening.h"
 
+#include "Angles/AngleSolver.h"
 #include "Base/Stopwatch.h"
+#include "Base/Types.h"
 #include "Cut/CutClosure.h"
-#include "Flattening/DartFolding.h"
-#include "Flattening/PieceReporting.h"
-#include "Flattening/ReleaseTrials.h"
+#include "Flattening/PieceReports.h"
+#include "Flattening/PieceScheme.h"
+#include "Flattening/PieceWires.h"
 #include "Quality/FlatteningQuality.h"
+#include "Wires/DartBanks.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
 namespace
 {
-/// A piece with banks of its cuts joined, flattened.
-struct ClosedPiece
-{
-  std::unique_ptr<WiredPiece> wired = std::make_unique<WiredPiece>(); ///< solutions refer to it
-  Indices place; ///< per vertex of the piece before, its vertex now
-  FlatWires flat;
-  Indices freeDarts; ///< FoldedWires::free
-  Indices edges;     ///< half-edges of the closed banks
-};
+/// Triangles. A larger piece that has come to no good end by one way takes too long by six.
+constexpr Index largeTrial = 3000;
 
 PieceContext contextOf(
   WiredPiece& wired, const PieceSettings& settings, const Execution& execution, bool keep)
@@ -42,133 +39,340 @@ PieceContext contextOf(
     keep ? &wired.interiors : nullptr, wanted ? &*wired.area : nullptr };
 }
 
-/// Positions per vertex of the piece before its cuts were closed.
-Points2 spread(const ClosedPiece& closed)
+/// Whether a solution is as good as the one before it but for the lengths that it keeps.
+bool isAsGood(
+  const PieceContext& context, const PieceSolution& next, Index flippedBefore, const Status& before)
 {
-  Points2 positions;
-  for (Index v : closed.place)
-  {
-    positions.push_back(closed.flat.placed.positions[v]);
-  }
-  return positions;
+  return (next.status.ok() || next.status.code == before.code) &&
+    countFlipped(context.piece.mesh, next.positions) <= flippedBefore;
 }
+
+/// By curve the turning angles of darts' legs, as in CurveRules::legTurns, from the piece with free
+/// legs; darts that branch are added to the free ones.
+std::vector<std::vector<double>> turnsOfLegs(
+  const PieceContext& context, const std::vector<DartBankVertex>& banks, PieceSolution& piece)
+{
+  const std::size_t curves = context.curves.size();
+  std::vector<Points2> sums(curves); // of the left and the right side
+  std::vector<Index> found(curves, 0);
+  std::vector<char> aroundHole(curves, 0);
+  for (const DartBankVertex& bank : banks)
+  {
+    const auto c = static_cast<std::size_t>(bank.curve);
+    const Point2& at = piece.positions[context.network.hostVertices[bank.host]];
+    const Point2 in = at - piece.positions[bank.before];
+    const Point2 out = piece.positions[bank.after] - at;
+    sums[c].resize(context.curves[c].vertices.size(), Point2::Zero());
+    sums[c][bank.place][bank.onLeft ? 0 : 1] = std::atan2(cross(in, out), in.dot(out));
+    ++found[c];
+    aroundHole[c] = aroundHole[c] || context.network.interior[bank.host];
+  }
+  std::vector<std::vector<double>> turns(curves);
+  for (std::size_t c = 0; c < curves; ++c)
+  {
+    const auto inner = static_cast<Index>(context.curves[c].vertices.size()) - 2;
+    if (found[c] != 0 && found[c] != 2 * inner)
+    {
+      piece.freeDarts.push_back(static_cast<Index>(c));
+      continue;
+    }
+    const bool straight = context.options.dartLegs == DartLegs::Straight && !aroundHole[c];
+    for (const Point2& both : sums[c])
+    {
+      turns[c].push_back(straight ? 0.0 : both.sum() / 2.0);
+    }
+  }
+  return turns;
+}
+
+/// With these darts folding; whether that is as good as the piece, which it then replaces.
+bool foldDarts(const PieceContext& context, const Indices& darts,
+  const std::vector<std::vector<double>>& turns, CurveRules rules, PieceSolution& piece)
+{
+  rules.legTurns.resize(context.curves.size());
+  for (const Index dart : darts)
+  {
+    rules.legTurns[dart] = turns[dart];
+  }
+  PieceSolution folded = flattenByScheme(context, rules);
+  const bool good = !folded.status.refused() && !folded.positions.empty() &&
+    folded.rules.released.size() <= piece.rules.released.size() &&
+    isAsGood(context, folded, countFlipped(context.piece.mesh, piece.positions), piece.status);
+  folded.secondsWires += piece.secondsWires;
+  folded.secondsInterior += piece.secondsInterior;
+  folded.freeDarts = piece.freeDarts;
+  if (good)
+  {
+    piece = std::move(folded);
+  }
+  return good;
+}
+
+/// By the scheme of the options, first with free legs of darts, then with those that the options
+/// want. A dart whose legs cannot be so (it branches, keys would have to be released, triangles
+/// would fold over, there is no solution) keeps free ones.
+PieceSolution flattenWithDarts(const PieceContext& context, const CurveRules& rules)
+{
+  PieceSolution piece = flattenByScheme(context, rules);
+  const bool free = context.options.dartLegs == DartLegs::Free ||
+    context.options.scheme == Scheme::LeastSquaresConformal || piece.status.refused() ||
+    piece.positions.empty();
+  if (free)
+  {
+    return piece;
+  }
+  const std::vector<std::vector<double>> turns = turnsOfLegs(
+    context, findDartBanks(context.network, context.piece, context.cut, context.curves), piece);
+  Indices folding;
+  for (std::size_t c = 0; c < turns.size(); ++c)
+  {
+    if (!turns[c].empty())
+    {
+      folding.push_back(static_cast<Index>(c));
+    }
+  }
+  if (folding.empty() || foldDarts(context, folding, turns, rules, piece))
+  {
+    return piece;
+  }
+  Indices folded;
+  for (const Index dart : folding)
+  {
+    folded.push_back(dart);
+    const bool alone = folding.size() == 1; // tried already
+    if (alone || context.execution.cancelled() || !foldDarts(context, folded, turns, rules, piece))
+    {
+      folded.pop_back();
+      piece.freeDarts.push_back(dart);
+    }
+  }
+  std::sort(piece.freeDarts.begin(), piece.freeDarts.end());
+  return piece;
+}
+
+double workOf(const PieceContext& context, const PieceSolution& piece)
+{
+  return static_cast<double>(piece.factorizations) *
+    static_cast<double>(context.piece.mesh.triangleCount());
+}
+
+/// The piece's flattening without another trial of releases. \param work what it took is added
+ReleaseTrial tryRelease(
+  const PieceContext& context, const CurveRules& rules, Index curve, double& work)
+{
+  ReleaseTrial trial;
+  trial.curve = curve;
+  PieceSolution piece = solveWires(context, rules);
+  if (piece.status.refused())
+  {
+    return trial;
+  }
+  const bool solved = piece.status.ok();
+  placeWires(context, piece);
+  finishScheme(context, piece);
+  work += workOf(context, piece);
+  // Angles without a solution may be start enough for a scheme that ends well.
+  if (piece.status.refused() || !(solved || piece.status.ok()))
+  {
+    return trial;
+  }
+  const QualitySummary quality =
+    measureFlattening(context.piece.mesh, piece.positions, {}, context.execution).summary;
+  trial.solved = true;
+  trial.objective = measureWires(piece.problem, piece.positions).objective;
+  trial.areaError = quality.areaError;
+  trial.homogeneity = quality.globalHomogeneity;
+  return trial;
+}
+
+/// A key curve without its shape, any other one as no wire any more.
+ReleaseTrial tryWithout(const PieceContext& context, CurveRules rules, Index curve, double& work)
+{
+  if (context.curves[curve].type == CurveType::Key && !rules.releases(curve))
+  {
+    rules.released.insert(
+      std::upper_bound(rules.released.begin(), rules.released.end(), curve), curve);
+    return tryRelease(context, rules, curve, work);
+  }
+  Piece bare = context.piece;
+  std::replace(bare.curveOfHalfedge.begin(), bare.curveOfHalfedge.end(), curve, none);
+  const WireNetwork fewer = buildWireNetwork(bare, true);
+  return tryRelease(
+    { bare, fewer, context.cut, context.curves, context.options, context.execution }, rules, curve,
+    work);
+}
+
+/// Whether trials may find something better: the piece lies poorly, or wires' angles change by
+/// much.
+bool wantsTrials(const PieceContext& context, const PieceSolution& piece)
+{
+  const TriangleMesh& mesh = context.piece.mesh;
+  // What is cut in the end needs no advice on releases.
+  const bool slow = mesh.triangleCount() > largeTrial &&
+    (!piece.status.ok() || countFlipped(mesh, piece.positions) > 0);
+  if (!context.options.tryReleases || context.exceedsPlanarArea() || slow)
+  {
+    return false;
+  }
+  // The Laplacian interior distorts by itself, whatever the wires.
+  const bool poor = context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
+    liesPoorly(mesh, piece.positions);
+  return poor || !piece.angles.status.ok() || piece.status.code == StatusCode::IncompatibleKeys ||
+    largestAngleChange(piece.problem, piece.angles.theta) > poorAngleChange;
+}
+
+/// Which curves to release for a better piece. Where that may help, the most promising curves are
+/// tried: the piece is flattened anew without each, by the same scheme with the same options.
+ReleaseAdvice adviseByTrials(const PieceContext& context, const PieceSolution& piece)
+{
+  const Scheme scheme = context.options.scheme;
+  if (scheme == Scheme::Progressive || scheme == Scheme::LeastSquaresConformal ||
+    piece.status.refused() || piece.fromGivenStart)
+  {
+    return {};
+  }
+  ReleaseAdvice advice = adviseRelease(context.network, context.curves, piece.angles);
+  if (!wantsTrials(context, piece))
+  {
+    return advice;
+  }
+  const Execution execution = context.execution.part(1.0, 1.0);
+  const PieceContext inner{ context.piece, context.network, context.cut, context.curves,
+    context.options, execution };
+  std::vector<ReleaseTrial> trials;
+  double work = 0.0;
+  // Another flattening of the piece is expected to take as much as this one.
+  const double expected = workOf(context, piece);
+  for (Index curve : releaseCandidates(advice, context.network, context.curves,
+         keyCurves(context.network, context.piece, context.cut, context.curves),
+         piece.rules.released, piece.angles))
+  {
+    if (work + expected > context.options.trialWork)
+    {
+      break;
+    }
+    trials.push_back(tryWithout(inner, piece.rules, curve, work));
+  }
+  rankReleases(trials,
+    scheme == Scheme::Isometric ? ReleaseMeasure::AreaError : ReleaseMeasure::Objective, advice);
+  return advice;
+}
+
+/// Fills in the report, and lets go of what only the steps read.
+void finish(const PieceContext& context, PieceSolution& piece)
+{
+  reportPiece(context, piece);
+  Stopwatch watch;
+  piece.report.advice = adviseByTrials(context, piece);
+  piece.secondsWires += watch.seconds();
+  piece.problem = {};
+  piece.angles = {};
+  piece.isometric.reset();
+}
+
+/// A piece with sides of its cuts joined, flattened.
+struct ClosedPiece
+{
+  WiredPiece wired;
+  Indices place; ///< per vertex of the piece before, its vertex now
+  PieceSolution solution;
+
+  /// Per vertex of the piece before.
+  Points2 positions() const
+  {
+    Points2 all;
+    for (Index v : this->place)
+    {
+      all.push_back(this->solution.positions[v]);
+    }
+    return all;
+  }
+
+  /// With edges between vertices of the piece before.
+  WireNetwork network() const
+  {
+    Indices vertexOf(this->wired.piece.vertices.size());
+    for (std::size_t v = 0; v < this->place.size(); ++v)
+    {
+      vertexOf[this->place[v]] = static_cast<Index>(v);
+    }
+    WireNetwork network = *this->wired.network;
+    for (WireEdge& edge : network.edges)
+    {
+      edge.from = vertexOf[edge.from];
+      edge.to = vertexOf[edge.to];
+    }
+    return network;
+  }
+};
 
 /// Flattens the piece with more and more of its cuts closed, until none cross. Without a value
 /// where there is nothing to close, or closing does not help.
-std::optional<ClosedPiece> closeCuts(const PieceContext& context, const PieceSettings& settings,
-  const FlatWires& open, FlatPiece& result)
+std::optional<PieceSolution> flattenWithClosedCuts(const PieceContext& context,
+  const PieceSettings& settings, const CurveRules& rules, PieceSolution& open)
 {
-  const Index flipped = countFlipped(context.piece.mesh, open.placed.positions);
+  const Index flipped = countFlipped(context.piece.mesh, open.positions);
   const Execution execution = context.execution.part(1.0, 1.0);
-  std::optional<ClosedPiece> closed;
-  CutClosing closing(context.piece, context.cut);
-  Points2 positions = open.placed.positions;
-  const Indices* joined = closing.next(&positions);
-  while (joined)
-  {
-    JoinedPiece joinedPiece = joinVertices(context.piece, *joined);
-    closed.emplace();
-    closed->place = std::move(joinedPiece.place);
-    closed->wired->piece = std::move(joinedPiece.piece);
-    const PieceContext inner = contextOf(*closed->wired, settings, execution, false);
-    FoldedWires folded = flattenWithFoldingDarts(inner, settings.rules);
-    closed->flat = std::move(folded.flat);
-    closed->freeDarts = std::move(folded.free);
-    result.secondsWires += closed->flat.secondsWires;
-    result.secondsInterior += closed->flat.secondsInterior;
-    const Status& status = closed->flat.status;
-    if (status.code == StatusCode::Cancelled)
+  std::unique_ptr<ClosedPiece> closed; // solutions refer to it
+  const auto flatten = [&](const Indices& joined) -> std::optional<Points2> {
+    if (closed && closed->solution.status.code == StatusCode::Cancelled)
     {
-      return closed;
+      return std::nullopt;
     }
-    const bool good = (status.ok() || status.code == open.status.code) &&
-      countFlipped(inner.piece.mesh, closed->flat.placed.positions) <= flipped;
-    positions = good ? spread(*closed) : Points2();
-    joined = closing.next(good ? &positions : nullptr);
-  }
-  if (!closed || !closing.closed())
+    closed = std::make_unique<ClosedPiece>();
+    JoinedPiece joinedPiece = joinVertices(context.piece, joined);
+    closed->place = std::move(joinedPiece.place);
+    closed->wired.piece = std::move(joinedPiece.piece);
+    const PieceContext inner = contextOf(closed->wired, settings, execution, false);
+    closed->solution = flattenWithDarts(inner, rules);
+    open.secondsWires += closed->solution.secondsWires;
+    open.secondsInterior += closed->solution.secondsInterior;
+    return isAsGood(inner, closed->solution, flipped, open.status)
+      ? std::optional<Points2>(closed->positions())
+      : std::nullopt;
+  };
+  Indices edges = closeCuts(context.piece, context.cut, open.positions, flatten);
+  const bool cancelled = closed && closed->solution.status.code == StatusCode::Cancelled;
+  if (edges.empty() && !cancelled)
   {
     return std::nullopt;
   }
-  closed->edges = closing.closedEdges();
-  return closed->edges.empty() ? std::nullopt : std::move(closed);
-}
-
-/// The network of a closed piece with edges between vertices of the piece before.
-WireNetwork networkBefore(const ClosedPiece& closed)
-{
-  Indices vertexOf(closed.wired->piece.vertices.size());
-  for (std::size_t v = 0; v < closed.place.size(); ++v)
+  PieceSolution solution = std::move(closed->solution);
+  solution.secondsWires = open.secondsWires;
+  solution.secondsInterior = open.secondsInterior;
+  finish(contextOf(closed->wired, settings, execution, false), solution);
+  if (!cancelled)
   {
-    vertexOf[closed.place[v]] = static_cast<Index>(v);
+    // On the piece and the surface before.
+    closed->solution.positions = std::move(solution.positions);
+    solution.positions = closed->positions();
+    solution.joinedNetwork = closed->network();
+    solution.report.vertices = context.piece.mesh.vertexCount();
+    for (Index& h : edges)
+    {
+      h = 3 * context.piece.triangles[h / 3] + h % 3;
+    }
+    std::sort(edges.begin(), edges.end());
+    solution.report.closedEdges = std::move(edges);
   }
-  WireNetwork network = *closed.wired->network;
-  for (WireEdge& edge : network.edges)
-  {
-    edge.from = vertexOf[edge.from];
-    edge.to = vertexOf[edge.to];
-  }
-  return network;
-}
-
-/// Half-edges of the piece as those of the cut surface, ascending.
-Indices onCutSurface(const Piece& piece, const Indices& edges)
-{
-  Indices all;
-  for (Index h : edges)
-  {
-    all.push_back(3 * piece.triangles[h / 3] + h % 3);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-void finish(
-  const PieceContext& context, const FlatWires& flat, const Indices& freeDarts, FlatPiece& result)
-{
-  result.report = reportPiece(context, flat);
-  if (!freeDarts.empty())
-  {
-    result.report.fallbacks.push_back("darts whose legs cannot be made to fold on each other keep "
-                                      "free ones: " +
-      quotedNames(context.curves, freeDarts));
-  }
-  Stopwatch watch;
-  result.report.advice = adviseByTrials(context, flat);
-  result.secondsWires += watch.seconds();
+  return solution;
 }
 }
 
-FlatPiece flattenPiece(WiredPiece& wired, const PieceSettings& settings, const Execution& execution)
+PieceSolution flattenPiece(WiredPiece& wired, const PieceSettings& settings,
+  const CurveRules& rules, const Execution& execution)
 {
   const PieceContext context = contextOf(wired, settings, execution, settings.keep);
-  FoldedWires folded = flattenWithFoldingDarts(context, settings.rules);
-  FlatWires& flat = folded.flat;
-  FlatPiece result;
-  result.secondsWires = flat.secondsWires;
-  result.secondsInterior = flat.secondsInterior;
-  std::optional<ClosedPiece> closed;
-  if (settings.options.closeCuts && !flat.status.refused())
+  PieceSolution solution = flattenWithDarts(context, rules);
+  if (settings.options.closeCuts && !solution.status.refused())
   {
-    closed = closeCuts(context, settings, flat, result);
+    if (std::optional<PieceSolution> closed =
+          flattenWithClosedCuts(context, settings, rules, solution))
+    {
+      return std::move(*closed);
+    }
   }
-  if (!closed)
-  {
-    finish(context, flat, folded.free, result);
-    result.positions = std::move(flat.placed.positions);
-    return result;
-  }
-  if (closed->flat.status.refused())
-  {
-    result.report.status = closed->flat.status;
-    return result;
-  }
-  finish(
-    contextOf(*closed->wired, settings, execution, false), closed->flat, closed->freeDarts, result);
-  result.report.vertices = wired.piece.mesh.vertexCount();
-  result.report.closedEdges = onCutSurface(wired.piece, closed->edges);
-  result.positions = spread(*closed);
-  result.joinedNetwork = networkBefore(*closed);
-  return result;
+  finish(context, solution);
+  return solution;
 }
 }

@@ -2,42 +2,29 @@
 #pragma once
 
 #include "Flattening/FlatteningCache.h"
-#include "Flattening/FlatteningResult.h"
-#include "Flattening/PieceContext.h"
+#include "Flattening/PieceSolution.h"
 
 namespace flattening
 {
-/// One piece in the plane.
-struct FlatPiece
-{
-  Points2 positions; ///< per piece vertex
-  /// Of the piece with banks of cuts joined, where they are; its edges end at vertices of the
-  /// piece.
-  std::optional<WireNetwork> joinedNetwork;
-  PieceReport
-    report; ///< all but quality and overlaps; ids of the status are those of the cut surface
-  double secondsWires = 0.0;
-  double secondsInterior = 0.0;
-};
-
-/// The network of a flat piece's wires: that of its joined banks where some were.
-inline const WireNetwork& networkOf(const WiredPiece& wired, const FlatPiece& flat)
-{
-  return flat.joinedNetwork ? *flat.joinedNetwork : *wired.network;
-}
-
 /// What is the same for all pieces of a surface.
 struct PieceSettings
 {
   const CutSurface& cut;
   const std::vector<FeatureCurve>& curves;
   const FlatteningOptions& options;
-  const CurveRules& rules;
   bool keep = false; ///< the factors of the interior stay with the piece
 };
 
 /// Flattens one piece by the scheme of the options: network, angles, layout, interior, and again
-/// with keys released or cuts closed where that is asked for.
-FlatPiece flattenPiece(
-  WiredPiece& wired, const PieceSettings& settings, const Execution& execution);
+/// with keys released, darts folding or cuts closed where that is asked for. Of the solution the
+/// positions, the network of joined cuts, the seconds and the report remain, which lacks only
+/// quality and overlaps; ids of its status are those of the cut surface.
+PieceSolution flattenPiece(WiredPiece& wired, const PieceSettings& settings,
+  const CurveRules& rules, const Execution& execution);
+
+/// The network of a flat piece's wires: that of its joined cuts where some were.
+inline const WireNetwork& networkOf(const WiredPiece& wired, const PieceSolution& flat)
+{
+  return flat.joinedNetwork ? *flat.joinedNetwork : *wired.network;
+}
 }

@@ -1,191 +1,182 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PieceScheme.h"
 
-#include "Angles/AngleProblem.h"
 #include "Base/Stopwatch.h"
 #include "Embedding/ConvexEmbedding.h"
-#include "Flattening/ClothWarping.h"
-#include "Flattening/ContinuedWarping.h"
-#include "Flattening/ConvexWarping.h"
+#include "Embedding/LeastSquaresConformalMap.h"
+#include "Flattening/ClothPlacement.h"
+#include "Flattening/PieceWarping.h"
+#include "Flattening/PieceWires.h"
 #include "Quality/FlatteningQuality.h"
+
+#include <algorithm>
 
 namespace flattening
 {
 namespace
 {
 /// Larger tubes are only mapped: warping one takes minutes, and nothing can be cut by the result.
-constexpr Index mostTubeTriangles = 20000;
+constexpr Index maximumTubeTriangles = 20000;
 
-FlatWires flattenConformally(const PieceContext& context)
+/// The least squares conformal map of the piece.
+void mapPiece(const PieceContext& context, PieceSolution& solution)
 {
-  Stopwatch watch;
-  FlatWires flat;
-  // The map holds no wire, but what it does to them is measured.
-  flat.wires.problem = makeAngleProblem(context.network, freeNodes(context.network));
-  flat.placed = mapPiece(context);
-  layOnCloth(context, flat.wires, flat.placed);
-  flat.status = flat.placed.status;
-  flat.secondsInterior = watch.seconds();
-  return flat;
+  LeastSquaresConformalOptions conformal = context.options.conformal;
+  for (Index& pin : conformal.pins)
+  {
+    // The first copy of the pinned vertex in this piece.
+    const Indices& vertices = context.piece.vertices;
+    const auto copy = std::find_if(vertices.begin(), vertices.end(),
+      [&](Index v) { return pin != none && context.cut.originalVertex[v] == pin; });
+    pin = copy == vertices.end() ? none : static_cast<Index>(copy - vertices.begin());
+  }
+  if (conformal.pins[0] == none || conformal.pins[1] == none)
+  {
+    conformal.pins = { none, none };
+  }
+  LeastSquaresConformalMap map =
+    leastSquaresConformalMap(context.piece.mesh, conformal, context.execution);
+  solution.positions = std::move(map.positions);
+  solution.placement = std::move(map.status);
 }
 
-/// The isometric scheme from where the wires' angles have put the piece; where the result is
-/// doubtful, from a convex embedding as well, and the better one counts.
-void warpFromBetterStart(const PieceContext& context, FlatWires& flat)
+PieceSolution flattenConformally(const PieceContext& context)
 {
-  warpPlacedPiece(context, flat.wires, flat.placed);
-  if (flat.placed.status.refused() || !isDoubtful(context, flat.placed))
-  {
-    return;
-  }
-  std::optional<PlacedPiece> second = warpFromConvexStart(context, flat.wires);
-  if (second)
-  {
-    flat.placed.factorizations += second->factorizations;
-    second->factorizations = flat.placed.factorizations;
-  }
-  // Keys that keep it from a minimum had better be released.
-  const bool helps = second && (second->status.ok() || !flat.wires.locks());
-  if (helps && isBetter(context, *second, flat.placed))
-  {
-    second->seconds = flat.placed.seconds;
-    flat.placed = std::move(*second);
-  }
+  Stopwatch watch;
+  PieceSolution piece;
+  // The map holds no wire, but what it does to them is measured.
+  piece.problem = makeAngleProblem(context.network, freeNodes(context.network));
+  mapPiece(context, piece);
+  layOnCloth(context, piece);
+  piece.status = piece.placement;
+  piece.secondsInterior = watch.seconds();
+  return piece;
 }
 
 /// A tube without its lengths. Without a value where it cannot be mapped or the run was cancelled.
-std::optional<FlatWires> mapTube(const PieceContext& context, const PlacedWires& solved)
+std::optional<PieceSolution> mapTube(const PieceContext& context, const PieceSolution& wires)
 {
-  FlatWires flat;
-  flat.wires = solved.wires;
-  flat.placed.positions = embedConvexly(context.piece.mesh, context.execution);
-  if (flat.placed.positions.empty())
+  PieceSolution piece = wires;
+  piece.positions = embedConvexly(context.piece.mesh, context.execution);
+  if (piece.positions.empty())
   {
     return std::nullopt;
   }
-  flat.status = { StatusCode::NotConverged,
+  piece.status = { StatusCode::NotConverged,
     "the piece is a tube, which no plane can hold; with " +
       std::to_string(context.piece.mesh.triangleCount()) +
       " triangles it is only mapped, without its lengths",
     {}, {} };
-  layOnCloth(context, flat.wires, flat.placed);
-  return flat;
+  layOnCloth(context, piece);
+  return piece;
 }
 
 /// A piece for which the plane has no room, from a convex embedding at once: placed by its wires'
 /// angles it would fold, and untangling it would take long and help little. Without a value where
 /// that does not keep what was asked for.
-std::optional<FlatWires> flattenDeepPiece(const PieceContext& context, const PlacedWires& solved)
+std::optional<PieceSolution> flattenDeepPiece(
+  const PieceContext& context, const PieceSolution& wires)
 {
-  if (!context.deep() || context.options.scheme != Scheme::Isometric || solved.status.refused())
+  if (!context.exceedsPlanarArea() || context.options.scheme != Scheme::Isometric ||
+    wires.status.refused())
   {
     return std::nullopt;
   }
   context.execution.report(0.1, "Flattening a piece that no plane can hold");
-  if (context.area->tube() && context.piece.mesh.triangleCount() > mostTubeTriangles)
+  if (context.area->tube() && context.piece.mesh.triangleCount() > maximumTubeTriangles)
   {
-    return mapTube(context, solved);
+    return mapTube(context, wires);
   }
-  std::optional<PlacedPiece> placed = warpFromConvexStart(context, solved.wires);
-  const bool good = placed && (placed->status.ok() || !solved.wires.locks()) &&
-    countFlipped(context.piece.mesh, placed->positions) == 0;
+  std::optional<PieceSolution> piece =
+    warpFromConvexStart(context, wires, context.options.isometric);
+  const bool good = piece && (piece->placement.ok() || !wires.locks()) &&
+    countFlipped(context.piece.mesh, piece->positions) == 0;
   if (!good)
   {
     return std::nullopt;
   }
-  FlatWires flat;
-  flat.wires = solved.wires;
-  flat.placed = std::move(*placed);
-  layOnCloth(context, flat.wires, flat.placed);
-  if (solved.status.code != StatusCode::NotConverged)
+  layOnCloth(context, *piece);
+  if (piece->status.code == StatusCode::NotConverged)
   {
-    flat.status = solved.status;
+    piece->status = {}; // of angles that were not used
   }
-  noteStatus(flat.placed.status, flat.status);
-  return flat;
+  noteStatus(piece->placement, piece->status);
+  return piece;
 }
 
-/// Angles without a solution were only a start; where there is a way to one it is told.
-void forgetAngles(const PieceContext& context, FlatWires& flat)
+/// Angles without a solution were only a start; where there is a remedy it is named.
+void forgetAngles(const PieceContext& context, PieceSolution& piece)
 {
-  const bool good = flat.status.remedies.empty() && flat.placed.status.ok() &&
-    flat.placed.isometric && flat.placed.isometric->status.ok() &&
-    countFlipped(context.piece.mesh, flat.placed.positions) == 0;
-  if (good && flat.status.code == StatusCode::NotConverged)
+  const bool good = piece.status.remedies.empty() && piece.placement.ok() && piece.isometric &&
+    piece.isometric->status.ok() && countFlipped(context.piece.mesh, piece.positions) == 0;
+  if (good && piece.status.code == StatusCode::NotConverged)
   {
-    flat.status = {};
+    piece.status = {};
   }
 }
 }
 
-FlatWires finishScheme(const PieceContext& context, PlacedWires placed)
+void finishScheme(const PieceContext& context, PieceSolution& piece)
 {
-  FlatWires flat;
-  flat.wires = std::move(placed.wires);
-  flat.placed = std::move(placed.placed);
-  flat.status = std::move(placed.status);
-  const bool refused = flat.status.refused() || flat.placed.status.refused();
-  if (context.options.scheme == Scheme::Isometric && !refused)
+  const bool warps = context.options.scheme == Scheme::Isometric && !piece.status.refused() &&
+    !piece.placement.refused();
+  if (warps)
   {
-    FlatteningOptions start = context.options;
-    start.isometric.rough =
-      context.options.isometric.rough || (start.cloth && !start.cloth->material.isotropic);
-    const PieceContext startContext{ context.piece, context.network, context.cut, context.curves,
-      start, context.execution, context.interiors, context.area };
-    warpFromBetterStart(startContext, flat);
-    layOnCloth(context, flat.wires, flat.placed);
-    forgetAngles(context, flat);
+    warpPiece(context, piece);
   }
-  else
+  layOnCloth(context, piece);
+  if (warps)
   {
-    layOnCloth(context, flat.wires, flat.placed);
+    forgetAngles(context, piece);
   }
-  noteStatus(flat.placed.status, flat.status);
-  return flat;
+  noteStatus(piece.placement, piece.status);
 }
 
-FlatWires flattenWires(const PieceContext& context, const CurveRules& rules)
+PieceSolution flattenByScheme(const PieceContext& context, const CurveRules& rules)
 {
   if (context.network.status.refused())
   {
-    FlatWires flat;
-    flat.status = context.network.status;
-    return flat;
+    PieceSolution piece;
+    piece.status = context.network.status;
+    return piece;
   }
   if (context.options.scheme == Scheme::LeastSquaresConformal)
   {
     return flattenConformally(context);
   }
   Stopwatch watch;
-  if (std::optional<PlacedWires> continued = warpFromGivenStart(context, rules))
+  if (std::optional<PieceSolution> continued = warpFromGivenStart(context, rules))
   {
-    return { std::move(continued->wires), std::move(continued->placed), {}, 0.0, watch.seconds() };
+    continued->secondsInterior = watch.seconds();
+    return std::move(*continued);
   }
   watch.restart();
-  PlacedWires placed = solveWithKeys(context, rules);
+  PieceSolution piece = solveWithKeys(context, rules);
   double seconds = watch.restart();
-  if (std::optional<FlatWires> deep = flattenDeepPiece(context, placed))
+  if (std::optional<PieceSolution> deep = flattenDeepPiece(context, piece))
   {
     deep->secondsWires = seconds;
     deep->secondsInterior = watch.seconds();
     return std::move(*deep);
   }
-  place(context, placed);
-  const bool solved = placed.status.ok();
-  FlatWires flat = finishScheme(context, std::move(placed));
+  placeWires(context, piece);
+  const bool solved = piece.status.ok();
+  finishScheme(context, piece);
   double interior = watch.restart();
+  std::optional<PieceSolution> released;
   if (solved)
   {
-    std::optional<PlacedWires> released = placeWithoutFoldingKeys(context, flat.placed, flat.wires);
+    released = releaseFoldingKeys(context, piece);
     seconds += watch.restart();
-    if (released)
-    {
-      flat = finishScheme(context, std::move(*released));
-      interior += watch.seconds();
-    }
   }
-  flat.secondsWires = seconds;
-  flat.secondsInterior = interior;
-  return flat;
+  if (released)
+  {
+    piece = std::move(*released);
+    finishScheme(context, piece);
+    interior += watch.seconds();
+  }
+  piece.secondsWires = seconds;
+  piece.secondsInterior = interior;
+  return piece;
 }
 }

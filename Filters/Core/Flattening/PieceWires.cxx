@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/PieceWires.h"
 
-#include "Angles/AngleProblem.h"
 #include "Angles/AngleSolver.h"
+#include "Angles/KeyRelease.h"
+#include "Angles/WireLayout.h"
 #include "Embedding/LeastSquaresConformalMap.h"
+#include "Embedding/Untangling.h"
+#include "Quality/FlatteningQuality.h"
+#include "Reference/InteriorRelaxation.h"
 #include "Reference/ProgressiveWarping.h"
 #include "Reference/SequentialAngleSolver.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace flattening
 {
 namespace
 {
-AngleSolution solve(const PieceContext& context, const AngleProblem& problem)
+/// Where a start can be untangled at all it is by then: of 77 runs on real pieces and refinements
+/// of them none was that had so many iterations without a fold less.
+constexpr int patienceForStart = 40;
+/// The isometric scheme moves all of it anyway.
+constexpr double energyToleranceOfStart = 1e-3;
+/// Trials that are kept, so that the chosen one need not be solved again.
+constexpr std::size_t maximumTrialsKept = 64;
+
+AngleSolution solveFromBestStart(const PieceContext& context, const AngleProblem& problem)
 {
   const AngleSolverOptions& options = context.options.angles;
   AngleSolution plain = solveAngles(problem, options, context.execution);
@@ -26,16 +41,16 @@ AngleSolution solve(const PieceContext& context, const AngleProblem& problem)
 }
 
 /// The angles nearest to the progressive ones with which the wires meet.
-AngleSolution repair(
+AngleSolution repairAngles(
   const PieceContext& context, const AngleProblem& problem, const ProgressiveSolution& progressive)
 {
   AngleProblem nearest = problem;
   nearest.target = progressive.repairTargets;
-  AngleSolution solution = solve(context, nearest);
+  AngleSolution solution = solveFromBestStart(context, nearest);
   if (!solution.status.ok() && solution.status.code != StatusCode::Cancelled)
   {
     // From wild angles the iteration may fail where that from the surface angles does not.
-    solution = solve(context, problem);
+    solution = solveFromBestStart(context, problem);
   }
   solution.objective = angleObjective(problem, solution.theta);
   solution.iterations += progressive.angles.iterations;
@@ -44,17 +59,17 @@ AngleSolution repair(
   return solution;
 }
 
-void warpPatches(const PieceContext& context, WireSolution& wires)
+void warpPatches(const PieceContext& context, PieceSolution& solution)
 {
-  AngleProblem problem = wires.problem;
+  AngleProblem problem = solution.problem;
   AngleSolution elastic;
   if (!problem.groups.empty())
   {
     // Lengths that may change are chosen for the piece as a whole, then warped patch by patch.
-    elastic = solve(context, problem);
+    elastic = solveFromBestStart(context, problem);
     if (!elastic.status.ok())
     {
-      wires.angles = std::move(elastic);
+      solution.angles = std::move(elastic);
       return;
     }
     problem.length = elastic.length;
@@ -65,36 +80,205 @@ void warpPatches(const PieceContext& context, WireSolution& wires)
     warpProgressively(problem, context.options.angles, context.execution);
   for (Index loop : progressive.warpingOrder)
   {
-    wires.warpingOrder.push_back(context.network.patchOfLoop[loop]);
+    solution.report.warpingOrder.push_back(context.network.patchOfLoop[loop]);
   }
-  wires.repaired = !progressive.closes();
-  wires.angles =
-    wires.repaired ? repair(context, problem, progressive) : std::move(progressive.angles);
-  wires.angles.stretch = elastic.stretch;
+  solution.report.repaired = !progressive.closes();
+  solution.angles = solution.report.repaired ? repairAngles(context, problem, progressive)
+                                             : std::move(progressive.angles);
+  solution.angles.stretch = elastic.stretch;
+}
+
+bool folds(const PieceContext& context, const PieceSolution& solution)
+{
+  return context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
+    !solution.placement.refused() && countFlipped(context.piece.mesh, solution.positions) > 0;
+}
+
+CurveRules withReleased(CurveRules rules, const Indices& released)
+{
+  Indices all;
+  std::set_union(rules.released.begin(), rules.released.end(), released.begin(), released.end(),
+    std::back_inserter(all));
+  rules.released = std::move(all);
+  return rules;
+}
+
+/// \param flat whether a trial counts only where the piece lies without a fold; then trials are
+/// placed. \return nothing where no release helps
+std::optional<PieceSolution> release(
+  const PieceContext& context, const CurveRules& rules, const Indices& keys, bool flat)
+{
+  std::map<Indices, PieceSolution> good;
+  std::optional<PieceSolution> cancelled;
+  const auto objective = [&](const Indices& released) -> std::optional<double> {
+    if (cancelled)
+    {
+      return std::nullopt;
+    }
+    PieceSolution trial = solveWires(context, withReleased(rules, released));
+    bool helps = trial.status.ok();
+    if (helps && flat)
+    {
+      placeWires(context, trial);
+      helps = !trial.placement.refused() && !folds(context, trial);
+      noteStatus(trial.placement, trial.status);
+    }
+    if (trial.status.code == StatusCode::Cancelled)
+    {
+      cancelled = std::move(trial);
+      return std::nullopt;
+    }
+    const double value = trial.angles.objective;
+    if (helps)
+    {
+      good[released] = std::move(trial);
+      if (good.size() > maximumTrialsKept)
+      {
+        good.erase(good.begin());
+      }
+    }
+    return helps ? std::optional<double>(value) : std::nullopt;
+  };
+  const KeyRelease found = releaseKeys(keys, objective);
+  if (cancelled || found.released.empty())
+  {
+    return cancelled;
+  }
+  const auto chosen = good.find(found.released);
+  PieceSolution result = chosen != good.end()
+    ? std::move(chosen->second)
+    : solveWires(context, withReleased(rules, found.released));
+  result.status = describeRelease(context.curves, keys, found);
+  return result;
 }
 }
 
-WireSolution solveWires(const PieceContext& context, const CurveRules& rules)
+PieceSolution solveWires(const PieceContext& context, const CurveRules& rules)
 {
-  WireSolution wires;
-  wires.rules = rules;
-  wires.problem =
+  PieceSolution solution;
+  solution.rules = rules;
+  solution.problem =
     makeWireProblem(context.network, context.piece, context.cut, context.curves, rules);
   if (context.options.scheme == Scheme::Progressive)
   {
-    warpPatches(context, wires);
+    warpPatches(context, solution);
   }
   else
   {
-    wires.angles = solve(context, wires.problem);
+    solution.angles = solveFromBestStart(context, solution.problem);
   }
-  if (wires.angles.status.ok() && wires.locks() &&
-    std::isinf(largestAngleChange(wires.problem, wires.angles.theta)))
+  if (solution.angles.status.ok() && solution.locks() &&
+    std::isinf(largestAngleChange(solution.problem, solution.angles.theta)))
   {
-    wires.angles.status = { StatusCode::IncompatibleKeys,
+    solution.angles.status = { StatusCode::IncompatibleKeys,
       "the shapes of the key curves together fold a wire's angle over", {},
       { { Remedy::MakeAccessory, "key curves" } } };
   }
-  return wires;
+  solution.status = solution.angles.status;
+  return solution;
+}
+
+void placeWires(const PieceContext& context, PieceSolution& solution)
+{
+  if (!solution.positions.empty() || solution.status.refused())
+  {
+    return;
+  }
+  context.execution.report(0.1, "Placing the interior");
+  solution.positions =
+    layOutWires(context.network, solution.angles.theta, solution.angles.length).positions;
+  InteriorOptions interior = context.options.interior;
+  if (context.options.scheme == Scheme::Isometric)
+  {
+    interior.energyTolerance = std::max(interior.energyTolerance, energyToleranceOfStart);
+  }
+  noteStatus(placeInterior(context.piece, context.network, interior, context.execution,
+               solution.positions, context.interiors)
+               .status,
+    solution.placement);
+  if (context.options.interior.method == InteriorMethod::AsRigidAsPossible &&
+    !solution.placement.refused())
+  {
+    // An energy with a barrier wants a start without a fold, whatever that takes.
+    const bool onlyStart = context.options.scheme == Scheme::Isometric &&
+      context.options.isometric.energy.kind == DistortionEnergyKind::AsRigidAsPossible;
+    UntanglingOptions options;
+    if (onlyStart)
+    {
+      options.patience = patienceForStart;
+      options.nearby = true;
+    }
+    const UntanglingResult untangled = untangleInterior(
+      context.piece, context.network, context.execution, solution.positions, options);
+    noteStatus(untangled.status, solution.placement);
+  }
+}
+
+PieceSolution solveWithKeys(const PieceContext& context, const CurveRules& rules)
+{
+  CurveRules asked = rules;
+  const Indices keys = keyCurves(context.network, context.piece, context.cut, context.curves);
+  if (context.options.releaseKeys)
+  {
+    asked.released = keys;
+  }
+  PieceSolution result = solveWires(context, asked);
+  if (result.locks() && !result.status.ok() && !result.status.refused())
+  {
+    std::optional<PieceSolution> released = release(context, asked, keys, false);
+    if (released)
+    {
+      result = std::move(*released);
+    }
+    else if (result.status.code == StatusCode::IncompatibleKeys)
+    {
+      result.status = describeClash(context.curves, keys);
+    }
+  }
+  return result;
+}
+
+std::optional<PieceSolution> releaseFoldingKeys(
+  const PieceContext& context, const PieceSolution& folded)
+{
+  if (!folded.locks() || !folds(context, folded))
+  {
+    return std::nullopt;
+  }
+  std::optional<PieceSolution> released = release(context, folded.rules,
+    keyCurves(context.network, context.piece, context.cut, context.curves), true);
+  if (released)
+  {
+    placeWires(context, *released);
+  }
+  return released;
+}
+
+std::vector<double> stretchedLengths(
+  const AngleProblem& problem, const std::vector<double>& stretch)
+{
+  std::vector<double> lengths = problem.length;
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+  {
+    const Index group = problem.stretchGroup[e];
+    lengths[e] *= group == none ? 1.0 : 1.0 + stretch[group];
+  }
+  return lengths;
+}
+
+double largestLengthError(const WireNetwork& network, const std::vector<double>& lengths,
+  const Points2& positions, bool connectors)
+{
+  double worst = 0.0;
+  for (Index e = 0; e < network.edgeCount(); ++e)
+  {
+    const WireEdge& edge = network.edges[e];
+    if (lengths[e] > 0.0 && (connectors || !edge.connector))
+    {
+      const double length = (positions[edge.to] - positions[edge.from]).norm();
+      worst = std::max(worst, std::abs(length - lengths[e]) / lengths[e]);
+    }
+  }
+  return worst;
 }
 }

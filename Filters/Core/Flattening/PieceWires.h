@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Angles/AngleProblem.h"
-#include "Angles/AngleSolver.h"
-#include "Flattening/PieceContext.h"
+#include "Flattening/PieceSolution.h"
 
 namespace flattening
 {
-/// The wires' problem and its solution.
-struct WireSolution
-{
-  CurveRules rules; ///< with which it was posed
-  AngleProblem problem;
-  AngleSolution angles;
-  Indices warpingOrder;  ///< wire-patches, where they are warped progressively
-  bool repaired = false; ///< progressive angles did not close, the nearest that do were taken
+/// Solves the planar angles of a piece's wires by the scheme of the options, patch by patch or all
+/// together, from a conformal map where the plain start ends badly. Shapes of key curves that fold
+/// a wire over are IncompatibleKeys.
+PieceSolution solveWires(const PieceContext& context, const CurveRules& rules);
 
-  /// Whether key curves hold an angle: there is something to release.
-  bool locks() const { return this->problem.locks.lockedCount > 0; }
-};
+/// The same where the shapes of key curves may contradict each other: then without the least set of
+/// keys with which they do not (see releaseKeys()).
+PieceSolution solveWithKeys(const PieceContext& context, const CurveRules& rules);
 
-/// Solves the planar angles of one piece's wires by the scheme of the options, patch by patch or
-/// all together, from a conformal map where the plain start ends badly. Shapes of key curves that
-/// fold a wire over are IncompatibleKeys.
-WireSolution solveWires(const PieceContext& context, const CurveRules& rules);
+/// Positions from the wires' angles: the layout of the wires, the interior between them, untangled
+/// where that is as rigid as possible. Nothing where the piece is placed or its wires have no
+/// angles.
+void placeWires(const PieceContext& context, PieceSolution& solution);
+
+/// Where the shapes of key curves can be met, but only by wires that fold triangles over: solved
+/// and placed without the least set of keys with which none folds. No value where no release helps,
+/// or nothing is locked that could be released.
+std::optional<PieceSolution> releaseFoldingKeys(
+  const PieceContext& context, const PieceSolution& folded);
+
+/// Length of each wire edge with these stretches of elastic curves and connectors.
+std::vector<double> stretchedLengths(
+  const AngleProblem& problem, const std::vector<double>& stretch);
+
+/// Largest relative error of a wire edge against the lengths that were solved for. \param
+/// connectors whether they count
+double largestLengthError(const WireNetwork& network, const std::vector<double>& lengths,
+  const Points2& positions, bool connectors);
 }

@@ -3,214 +3,312 @@
 
 #include "Base/Memory.h"
 #include "Base/Stopwatch.h"
-#include "Flattening/ElasticSeams.h"
-#include "Flattening/OptionChecks.h"
+#include "Flattening/PieceArrangement.h"
 #include "Flattening/PieceFlattening.h"
 #include "Flattening/SurfaceMeasuring.h"
-#include "Flattening/SurfacePlacement.h"
 #include "Flattening/WireReport.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace flattening
 {
 namespace
 {
-/// The whole way, stage by stage.
-class Flattening
+Status cancelled()
 {
-public:
-  Flattening(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
-    const FlatteningOptions& options, const Execution& execution, FlatteningCache* cache)
-    : Mesh(mesh)
-    , Curves(curves)
-    , Options(options)
-    , Run(execution)
-    , Keep(cache != nullptr)
-    , Kept(cache ? *cache : this->Own)
+  return { StatusCode::Cancelled, "cancelled", {} };
+}
+
+/// By how much the elastic curves are longer in a flat piece than on the surface, as fractions.
+CurveStretches stretchesIn(
+  const WireNetwork& network, const Points2& positions, const std::vector<FeatureCurve>& curves)
+{
+  std::vector<double> rest(curves.size(), 0.0);
+  std::vector<double> flat(curves.size(), 0.0);
+  for (const WireEdge& edge : network.edges)
   {
+    if (edge.curve != none && curves[edge.curve].tolerance > 0.0)
+    {
+      rest[edge.curve] += edge.length;
+      flat[edge.curve] += (positions[edge.to] - positions[edge.from]).norm();
+    }
   }
-
-  FlatteningResult run()
+  CurveStretches stretches(curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    Stopwatch watch;
-    Status valid = checkOptions(this->Options);
-    if (!valid.ok())
+    if (rest[c] > 0.0)
     {
-      return refusal(std::move(valid));
+      stretches[c] = std::clamp(flat[c] / rest[c] - 1.0, -curves[c].tolerance, curves[c].tolerance);
     }
-    this->Run.report(0.0, "Cutting darts and seams");
-    CurveLabels labels = labelHalfedges(this->Mesh, this->Curves);
-    if (!labels.status.ok())
-    {
-      return refusal(std::move(labels.status));
-    }
-    if (!this->Keep || !this->Kept.isValidFor(this->Mesh, labels, this->Options.skipClosed))
-    {
-      this->Kept.renew(this->Mesh, std::move(labels), this->Options.skipClosed, this->Keep);
-    }
-    if (!this->Kept.topology.ok())
-    {
-      return refusal(this->Kept.topology);
-    }
-    if (this->Run.cancelled())
-    {
-      return refusal(cancelled());
-    }
-    if (!this->flattenPieces())
-    {
-      return refusal(std::move(this->Result.status));
-    }
-    this->Result.cut = this->Kept.cut;
-    this->Result.leftOut = this->Kept.leftOut;
-    this->Result.wires = traceWires(this->Mesh, *this->Kept.cut, this->Curves);
-    placePieces(this->Kept.pieces, this->Options, this->Flat, this->Result);
-    Stopwatch qualityWatch;
-    this->Run.report(0.9, "Measuring quality");
-    if (this->Run.cancelled())
-    {
-      return refusal(cancelled());
-    }
-    measureResult(this->Mesh, this->Curves, this->Options, this->Run, this->Kept.pieces, this->Flat,
-      this->Result);
-    this->Result.seconds.quality = qualityWatch.seconds();
-    this->Result.seconds.total = watch.seconds();
-    this->Run.report(1.0, "Done");
-    return std::move(this->Result);
   }
+  return stretches;
+}
 
-private:
-  static Status cancelled() { return { StatusCode::Cancelled, "cancelled", {} }; }
-
-  static FlatteningResult refusal(Status status)
+/// Each piece chooses the lengths of its elastic curves by itself, but what is sewn together must
+/// be equally long: decides for the mean where a curve lies in several pieces.
+/// \return what is decided, by curve; empty where all pieces agree
+CurveStretches meanStretches(const PieceStretches& pieces)
+{
+  CurveStretches decided(pieces.empty() ? 0 : pieces.front().size());
+  bool agree = true;
+  for (std::size_t c = 0; c < decided.size(); ++c)
   {
-    FlatteningResult result;
-    result.status = std::move(status);
-    return result;
-  }
-
-  bool flattenPieces()
-  {
-    std::vector<const Piece*> pieces;
-    for (const WiredPiece& wired : this->Kept.pieces)
+    std::vector<double> stretches;
+    for (const CurveStretches& piece : pieces)
     {
-      pieces.push_back(&wired.piece);
-    }
-    this->Result.status =
-      decideEases(this->Options.eases, this->Curves, *this->Kept.cut, pieces, this->Eased);
-    if (!this->Result.status.ok())
-    {
-      return false;
-    }
-    const double share = 0.8 / static_cast<double>(this->Kept.pieces.size());
-    for (std::size_t p = 0; p < this->Kept.pieces.size(); ++p)
-    {
-      const double begin = 0.05 + share * static_cast<double>(p);
-      if (!this->flattenPieceOf(p, this->rulesOf(p, {}), this->Run.part(begin, begin + share)))
+      if (piece[c])
       {
-        return false;
+        stretches.push_back(*piece[c]);
       }
     }
-    return this->agreeOnStretches();
+    if (stretches.size() < 2)
+    {
+      continue;
+    }
+    const auto [least, most] = std::minmax_element(stretches.begin(), stretches.end());
+    double sum = 0.0;
+    for (double h : stretches)
+    {
+      sum += h;
+    }
+    decided[c] = sum / static_cast<double>(stretches.size());
+    // What rounding leaves of one length is no disagreement.
+    agree = agree && *most - *least <= 1e-13;
   }
+  return agree ? CurveStretches() : decided;
+}
 
-  /// Stretches that are decided, and those of its eased curves.
-  CurveRules rulesOf(std::size_t p, std::vector<std::optional<double>> decided) const
+/// Flattens all pieces, those that share elastic curves anew with common lengths. \return the first
+/// error
+Status flattenPieces(const PieceSettings& settings, const Execution& execution,
+  std::vector<WiredPiece>& pieces, std::vector<PieceSolution>& flat)
+{
+  const std::size_t curves = settings.curves.size();
+  std::vector<const Piece*> all;
+  for (const WiredPiece& wired : pieces)
   {
-    CurveRules rules;
-    rules.stretch = std::move(decided);
-    for (std::size_t c = 0; !this->Eased.empty() && c < this->Curves.size(); ++c)
-    {
-      rules.stretch.resize(this->Curves.size());
-      if (this->Eased[p][c])
-      {
-        rules.stretch[c] = this->Eased[p][c];
-      }
-    }
-    return rules;
+    all.push_back(&wired.piece);
   }
-
-  bool flattenPieceOf(std::size_t p, const CurveRules& rules, const Execution& execution)
+  PieceStretches eased;
+  Status status = decideEases(settings.options.eases, settings.curves, settings.cut, all, eased);
+  if (!status.ok())
   {
-    execution.report(0.0, "Flattening pieces");
-    if (execution.cancelled())
-    {
-      this->Result.status = cancelled();
-      return false;
-    }
-    this->Flat.resize(this->Kept.pieces.size());
-    FlatPiece& flat = this->Flat[p];
-    flat = flattenPiece(this->Kept.pieces[p],
-      { *this->Kept.cut, this->Curves, this->Options, rules, this->Keep }, execution);
-    this->Result.seconds.wires += flat.secondsWires;
-    this->Result.seconds.interior += flat.secondsInterior;
-    if (flat.report.status.refused())
-    {
-      this->Result.status = flat.report.status;
-      return false;
-    }
-    return true;
+    return status;
   }
-
-  /// Pieces that share elastic curves are flattened anew with common lengths.
-  bool agreeOnStretches()
+  flat.resize(pieces.size());
+  const auto flatten = [&](std::size_t p, CurveRules rules, const Execution& part) {
+    part.report(0.0, "Flattening pieces");
+    if (part.cancelled())
+    {
+      return cancelled();
+    }
+    for (std::size_t c = 0; !eased.empty() && c < curves; ++c)
+    {
+      rules.stretch.resize(curves);
+      rules.stretch[c] = eased[p][c] ? eased[p][c] : rules.stretch[c];
+    }
+    PieceSolution solution = flattenPiece(pieces[p], settings, rules, part);
+    solution.secondsWires += flat[p].secondsWires;
+    solution.secondsInterior += flat[p].secondsInterior;
+    flat[p] = std::move(solution);
+    const Status& outcome = flat[p].report.status;
+    return outcome.refused() ? outcome : Status();
+  };
+  const double share = 0.8 / static_cast<double>(pieces.size());
+  for (std::size_t p = 0; p < pieces.size() && status.ok(); ++p)
   {
-    std::vector<CurveStretches> stretches;
-    if (this->Options.scheme == Scheme::LeastSquaresConformal)
-    {
-      return true;
-    }
-    for (std::size_t p = 0; p < this->Flat.size(); ++p)
-    {
-      const Points2& positions = this->Flat[p].positions;
-      stretches.push_back(
-        stretchesIn(networkOf(this->Kept.pieces[p], this->Flat[p]), positions, this->Curves));
-    }
-    for (std::size_t p = 0; p < this->Eased.size(); ++p)
-    {
-      for (std::size_t c = 0; c < this->Curves.size(); ++c)
-      {
-        if (this->Eased[p][c])
-        {
-          stretches[p][c].reset(); // decided already
-        }
-      }
-    }
-    const CurveStretches decided = flattening::agreeOnStretches(stretches);
-    for (std::size_t p = 0; p < this->Flat.size() && !decided.empty(); ++p)
-    {
-      bool shares = false;
-      for (std::size_t c = 0; c < this->Curves.size(); ++c)
-      {
-        shares = shares || (decided[c] && stretches[p][c]);
-      }
-      if (shares && !this->flattenPieceOf(p, this->rulesOf(p, decided), this->Run.part(0.85, 0.85)))
-      {
-        return false;
-      }
-    }
-    return true;
+    const double begin = 0.05 + share * static_cast<double>(p);
+    status = flatten(p, {}, execution.part(begin, begin + share));
   }
+  if (!status.ok() || settings.options.scheme == Scheme::LeastSquaresConformal)
+  {
+    return status;
+  }
+  PieceStretches stretches;
+  for (std::size_t p = 0; p < flat.size(); ++p)
+  {
+    stretches.push_back(
+      stretchesIn(networkOf(pieces[p], flat[p]), flat[p].positions, settings.curves));
+    for (std::size_t c = 0; !eased.empty() && c < curves; ++c)
+    {
+      stretches[p][c] = eased[p][c] ? std::nullopt : stretches[p][c]; // decided already
+    }
+  }
+  const CurveStretches decided = meanStretches(stretches);
+  for (std::size_t p = 0; p < flat.size() && !decided.empty() && status.ok(); ++p)
+  {
+    bool shares = false;
+    for (std::size_t c = 0; c < curves; ++c)
+    {
+      shares = shares || (decided[c] && stretches[p][c]);
+    }
+    if (shares)
+    {
+      CurveRules rules;
+      rules.stretch = decided;
+      status = flatten(p, std::move(rules), execution.part(0.85, 0.85));
+    }
+  }
+  return status;
+}
 
-  const TriangleMesh& Mesh;
-  const std::vector<FeatureCurve>& Curves;
-  const FlatteningOptions& Options;
-  const Execution& Run;
-  const bool Keep;
-  FlatteningCache Own;
-  FlatteningCache& Kept;
-  std::vector<FlatPiece> Flat;
-  PieceStretches Eased;
-  FlatteningResult Result;
-};
+/// Indices in a piece of the two ends of its grainline: of the wires of its first key curve the one
+/// with the most vertices.
+std::array<Index, 2> findGrain(
+  const std::vector<Wire>& wires, Index pieceId, const Indices& localVertex)
+{
+  const Wire* grain = nullptr;
+  for (const Wire& wire : wires)
+  {
+    if (wire.piece == pieceId && wire.curve != none && wire.type == CurveType::Key &&
+      (!grain || (wire.curve == grain->curve && wire.vertices.size() > grain->vertices.size())))
+    {
+      grain = &wire;
+    }
+  }
+  if (!grain || grain->vertices.front() == grain->vertices.back())
+  {
+    return { none, none };
+  }
+  return { localVertex[grain->vertices.front()], localVertex[grain->vertices.back()] };
+}
+
+/// The positions of all pieces where they end up.
+std::vector<Points2> finalPositions(const std::vector<WiredPiece>& pieces,
+  const FlatteningOptions& options, const FlatteningResult& result,
+  std::vector<PieceSolution>& flat)
+{
+  std::vector<ArrangementPiece> arrangement(pieces.size());
+  Indices local(result.cut->mesh.vertexCount(), none);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const Indices& vertices = pieces[p].piece.vertices;
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      local[vertices[k]] = static_cast<Index>(k);
+    }
+    arrangement[p].positions = std::move(flat[p].positions);
+    arrangement[p].upright = flat[p].report.cloth.has_value(); // on its cloth
+    arrangement[p].grain = findGrain(result.wires, static_cast<Index>(p), local);
+  }
+  if (options.arrange)
+  {
+    return arrangePieces(arrangement, options.spacing);
+  }
+  std::vector<Points2> placed;
+  for (ArrangementPiece& piece : arrangement)
+  {
+    placed.push_back(std::move(piece.positions));
+  }
+  return placed;
+}
+
+/// Lays the flat pieces beside each other where the options want it, and puts positions,
+/// wire-patches, numbered through all pieces, and connectors into the result. Takes the positions
+/// out of the solutions.
+void placePieces(const std::vector<WiredPiece>& pieces, const FlatteningOptions& options,
+  std::vector<PieceSolution>& flat, FlatteningResult& result)
+{
+  const TriangleMesh& mesh = result.cut->mesh;
+  const std::vector<Points2> placed = finalPositions(pieces, options, result, flat);
+  result.positions.assign(mesh.vertexCount(), Point2::Zero());
+  result.patchOfTriangle.assign(mesh.triangleCount(), none);
+  Index firstPatch = 0;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const Piece& piece = pieces[p].piece;
+    const WireNetwork& network = networkOf(pieces[p], flat[p]);
+    for (std::size_t k = 0; k < piece.vertices.size(); ++k)
+    {
+      result.positions[piece.vertices[k]] = placed[p][k];
+    }
+    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    {
+      result.patchOfTriangle[piece.triangles[t]] = firstPatch + network.patchOfTriangle[t];
+    }
+    for (Index& patch : flat[p].report.warpingOrder)
+    {
+      patch += firstPatch;
+    }
+    firstPatch += network.patchCount;
+    const std::vector<Wire> connectors = traceConnectors(network, piece, static_cast<Index>(p));
+    result.wires.insert(result.wires.end(), connectors.begin(), connectors.end());
+  }
+}
+
+/// Stage by stage. \param keep whether the cache outlives the run \return the error that ends it
+Status flattenStages(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options, const Execution& execution, bool keep, FlatteningCache& kept,
+  FlatteningResult& result)
+{
+  Stopwatch watch;
+  Status status = checkOptions(options);
+  if (!status.ok())
+  {
+    return status;
+  }
+  execution.report(0.0, "Cutting darts and seams");
+  CurveLabels labels = labelHalfedges(mesh, curves);
+  if (!labels.status.ok())
+  {
+    return labels.status;
+  }
+  if (!keep || !kept.isValidFor(mesh, labels, options.skipClosed))
+  {
+    kept.renew(mesh, std::move(labels), options.skipClosed, keep);
+  }
+  if (!kept.topology.ok() || execution.cancelled())
+  {
+    return kept.topology.ok() ? cancelled() : kept.topology;
+  }
+  std::vector<PieceSolution> flat;
+  status = flattenPieces({ *kept.cut, curves, options, keep }, execution, kept.pieces, flat);
+  if (!status.ok())
+  {
+    return status;
+  }
+  for (const PieceSolution& piece : flat)
+  {
+    result.seconds.wires += piece.secondsWires;
+    result.seconds.interior += piece.secondsInterior;
+  }
+  result.cut = kept.cut;
+  result.leftOut = kept.leftOut;
+  result.wires = traceWires(mesh, *kept.cut, curves);
+  placePieces(kept.pieces, options, flat, result);
+  Stopwatch qualityWatch;
+  execution.report(0.9, "Measuring quality");
+  if (execution.cancelled())
+  {
+    return cancelled();
+  }
+  measureResult(mesh, curves, options, execution, kept.pieces, flat, result);
+  result.seconds.quality = qualityWatch.seconds();
+  result.seconds.total = watch.seconds();
+  execution.report(1.0, "Done");
+  return {};
+}
 }
 
 FlatteningResult flattenSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution, FlatteningCache* cache)
 {
-  FlatteningResult result =
-    withinMemory([&] { return Flattening(mesh, curves, options, execution, cache).run(); });
+  FlatteningResult result = withinMemory([&] {
+    FlatteningCache own;
+    FlatteningResult flat;
+    Status error =
+      flattenStages(mesh, curves, options, execution, cache != nullptr, cache ? *cache : own, flat);
+    if (!error.ok())
+    {
+      flat = {};
+      flat.status = std::move(error);
+    }
+    return flat;
+  });
   if (result.status.code == StatusCode::OutOfMemory && cache)
   {
-    *cache = {}; // it may hold the half of something
+    *cache = {}; // it may be incomplete
   }
   return result;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/SurfaceMeasuring.h"
 
-#include "Flattening/PiecePromises.h"
+#include "Flattening/PieceReports.h"
 #include "Flattening/WireReport.h"
 #include "Quality/SurfaceDevelopability.h"
 
@@ -97,7 +97,7 @@ void measureCloth(const WiredPiece& wired, const Points2& positions, const Cloth
 }
 
 void measurePiece(const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const Execution& execution, bool only, WiredPiece& wired, FlatPiece& flat,
+  const Execution& execution, bool only, WiredPiece& wired, PieceSolution& flat,
   FlatteningResult& result)
 {
   const Piece& piece = wired.piece;
@@ -160,7 +160,7 @@ void addToCurves(const PieceReport& report, FlatteningResult& result)
 
 void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution, std::vector<WiredPiece>& pieces,
-  std::vector<FlatPiece>& flat, FlatteningResult& result)
+  std::vector<PieceSolution>& flat, FlatteningResult& result)
 {
   const CutSurface& cut = *result.cut;
   const bool only = pieces.size() == 1;
@@ -183,11 +183,12 @@ void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& cu
     measurePiece(curves, options, execution, only, pieces[p], flat[p], result);
     addToCurves(flat[p].report, result);
   }
-  for (FlatPiece& piece : flat)
+  for (PieceSolution& piece : flat)
   {
+    const auto p = static_cast<Index>(result.pieces.size());
     result.pieces.push_back(std::move(piece.report));
-    judgeLastPiece(cut, curves, options, result);
-    const Status& status = result.pieces.back().status;
+    judgePiece(cut, curves, options, p, result);
+    const Status& status = result.pieces[p].status;
     if (severity(status.code) > severity(result.status.code))
     {
       result.status = status;

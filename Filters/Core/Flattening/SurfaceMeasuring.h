@@ -13,5 +13,5 @@ namespace flattening
 /// that of the worst piece. Measures of the surface stay with the pieces.
 void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution, std::vector<WiredPiece>& pieces,
-  std::vector<FlatPiece>& flat, FlatteningResult& result);
+  std::vector<PieceSolution>& flat, FlatteningResult& result);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Flattening/OptionChecks.h"
+#include "Flattening/FlatteningOptions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Flattening/PiecePlacement.h"
+#include "Flattening/PieceSolution.h"
 
 namespace flattening
 {
@@ -9,5 +9,5 @@ namespace flattening
 /// the isometric scheme the piece takes the shape in which the cloth has its least energy, and a
 /// free grain the angle at which that is least. Other schemes, and a sheet without threads, only
 /// turn the piece; a free grain is then the angle with the least strain of the threads.
-void layOnCloth(const PieceContext& context, const WireSolution& wires, PlacedPiece& placed);
+void layOnCloth(const PieceContext& context, PieceSolution& piece);
 }
