@@ -2,7 +2,7 @@
 #include "ClothInput.h"
 
 #include "Base/Types.h"
-#include "Cloth/MaterialPresets.h"
+#include "Cloth/ClothMaterial.h"
 #include "FieldArrays.h"
 #include "MaterialFile.h"
 

@@ -4,7 +4,7 @@
 #include "AttributeArrays.h"
 
 #include "Quality/BoundaryOverlap.h"
-#include "Quality/CutLength.h"
+#include "Quality/SurfaceDevelopability.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Types.h"
 #include "Cloth/ClothEnergy.h"
-#include "Cloth/MaterialPresets.h"
-#include "Cloth/ThreadEnergy.h"
+#include "Cloth/ClothMaterial.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>

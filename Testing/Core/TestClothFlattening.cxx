@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Types.h"
-#include "Cloth/MaterialPresets.h"
+#include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "StatusTesting.h"
 #include "TestThreads.h"

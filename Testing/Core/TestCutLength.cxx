@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Quality/CutLength.h"
+#include "Quality/SurfaceDevelopability.h"
 
 #include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"

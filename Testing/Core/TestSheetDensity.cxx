@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cloth/MaterialPresets.h"
+#include "Cloth/ClothMaterial.h"
 #include "Sewing/SheetDensity.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sleeves and whole garments, which no plane can hold: what is said of them and what becomes of
 // them.
-#include "Cloth/MaterialPresets.h"
+#include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Quality/AreaForecast.h"
 #include "StatusTesting.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Connectors against a search that starts anew for each.
 #include "TestMeshes.h"
-#include "Wires/WireConnectors.h"
+#include "Wires/WireNetwork.h"
 
 #include <gtest/gtest.h>
 

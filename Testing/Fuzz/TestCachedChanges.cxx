@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs with a cache, one after another with other curves, schemes and materials, beside fresh runs.
-#include "Cloth/MaterialPresets.h"
+#include "Cloth/ClothMaterial.h"
 #include "HostileCase.h"
 
 #include <gtest/gtest.h>

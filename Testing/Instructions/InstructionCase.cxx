@@ -2,7 +2,7 @@
 // Flattens one fixed case on one thread, for CheckInstructions.py to count what Core executes.
 #include "RefinedPiece.h"
 
-#include "Cloth/MaterialPresets.h"
+#include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 
 #include <array>

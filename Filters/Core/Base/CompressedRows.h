@@ -3,6 +3,9 @@
 
 #include "Base/Types.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace flattening
 {
 /// Members by group as ranges of one array (compressed rows): those of group g are
@@ -56,4 +59,32 @@ inline CompressedRows groupBy(std::size_t groups, const Indices& groupOf)
     }
   });
 }
+
+/// Sets of numbers from 0 on that are joined pair by pair; the least member names its set.
+class JoinedSets
+{
+public:
+  explicit JoinedSets(Index count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  Index find(Index k)
+  {
+    while (this->Parent[k] != k)
+    {
+      k = this->Parent[k] = this->Parent[this->Parent[k]];
+    }
+    return k;
+  }
+  void join(Index a, Index b)
+  {
+    a = this->find(a);
+    b = this->find(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  Indices Parent;
+};
 }

@@ -4,7 +4,9 @@
 #include "Base/Status.h"
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace flattening
 {
@@ -49,4 +51,15 @@ struct ClothMaterial
 /// Its own status, or InvalidOption where a number has no meaning: a modulus that is not above 0,
 /// a coupling that makes the sheet unstable, limits that leave out the unstrained sheet.
 Status checkMaterial(const ClothMaterial& material);
+
+/// Materials by name, each with the source of its numbers. Measured ones are of one cloth each;
+/// another of the same name may differ by half, and shear over thread stiffness, which decides the
+/// flat shape, by less.
+const std::vector<ClothMaterial>& materialPresets();
+
+/// No value where none has the name; capitals count as small letters.
+std::optional<ClothMaterial> findPreset(const std::string& name);
+
+/// The names, for messages: "isotropic, plain, ...".
+std::string presetNames();
 }

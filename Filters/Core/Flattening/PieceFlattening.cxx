@@ -9,7 +9,7 @@
 #include "Flattening/PieceScheme.h"
 #include "Flattening/PieceWires.h"
 #include "Quality/FlatteningQuality.h"
-#include "Wires/DartBanks.h"
+#include "Wires/KeyCurveLocks.h"
 
 #include <algorithm>
 #include <cmath>

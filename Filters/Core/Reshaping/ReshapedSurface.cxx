@@ -3,7 +3,7 @@
 
 #include "Base/Types.h"
 #include "Quality/StrainMeasures.h"
-#include "Sewing/ClothRest.h"
+#include "Sewing/SewingModel.h"
 #include "Sewing/SewnTopology.h"
 #include "Surface/TriangleMesh.h"
 

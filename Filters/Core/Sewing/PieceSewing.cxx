@@ -2,7 +2,7 @@
 #include "Sewing/PieceSewing.h"
 
 #include "Base/Memory.h"
-#include "Sewing/ClothRest.h"
+#include "Sewing/SewingModel.h"
 #include "Sewing/SheetDensity.h"
 
 #include <algorithm>

@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SewnTopology.h"
 
-#include <numeric>
+#include "Base/CompressedRows.h"
 
 namespace flattening
 {
 namespace
 {
-/// Sets that are joined pair by pair; the least member names its set.
-class JoinedSets
-{
-public:
-  explicit JoinedSets(Index count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  Index find(Index k)
-  {
-    while (this->Parent[k] != k)
-    {
-      k = this->Parent[k] = this->Parent[this->Parent[k]];
-    }
-    return k;
-  }
-  void join(Index a, Index b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  Indices Parent;
-};
-
 /// Numbers sets in the order of their names; \param shapeOf filled per member.
 Index numbered(JoinedSets& sets, Index count, Indices& shapeOf)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/SheetDensity.h"
 
-#include "Cloth/ThreadEnergy.h"
+#include "Cloth/ClothEnergy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Cloth/ClothEnergy.h"
 #include "Cloth/ClothMaterial.h"
-#include "Cloth/ThreadEnergy.h"
 
 #include <Eigen/Core>
 #include <optional>

@@ -3,13 +3,109 @@
 
 #include "Base/Types.h"
 #include "Sparse/LinearSolver.h"
-#include "Wires/DartBanks.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace flattening
 {
+namespace
+{
+/// The wire-nodes at a vertex from the wire edge of a side that starts there, counter-clockwise, to
+/// the wire edge towards another vertex; empty where the surface ends in between.
+Indices nodesBetween(const WireNetwork& network, Index startSide, Index endVertex)
+{
+  Indices nodes;
+  Index side = startSide;
+  do
+  {
+    nodes.push_back(side);
+    const Index incoming = network.previous[side];
+    if (network.vertex[incoming] == endVertex)
+    {
+      return nodes;
+    }
+    side = network.twin[incoming];
+  } while (side != none && side != startSide);
+  return {};
+}
+
+/// The side of a dart that comes from one vertex of its curve and goes on to another, vertices of
+/// the surface before the cut; without nodes where there is none.
+DartBankVertex bankAt(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+  Index host, Index to, Index from)
+{
+  const auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
+  DartBankVertex bank;
+  bank.host = host;
+  Index start = none;
+  for (Index n = network.vertexNodeBegin[host]; n < network.vertexNodeBegin[host + 1]; ++n)
+  {
+    const Index side = network.vertexNodes[n];
+    const Index incoming = network.previous[side];
+    if (network.isHole(network.loop[side]))
+    {
+      continue;
+    }
+    if (original(network.endVertex(side)) == to)
+    {
+      start = side;
+      bank.after = network.endVertex(side);
+    }
+    if (original(network.vertex[incoming]) == from)
+    {
+      bank.before = network.vertex[incoming];
+    }
+  }
+  if (start != none && bank.before != none)
+  {
+    bank.nodes = nodesBetween(network, start, bank.before);
+  }
+  return bank;
+}
+}
+
+std::vector<DartBankVertex> findDartBanks(const WireNetwork& network, const Piece& piece,
+  const CutSurface& cut, const std::vector<FeatureCurve>& curves)
+{
+  std::vector<DartBankVertex> banks;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    const Indices& vertices = curves[c].vertices;
+    if (curves[c].type != CurveType::Dart || curves[c].closed())
+    {
+      continue;
+    }
+    Indices placeOf(cut.originalVertexCount, none);
+    for (std::size_t k = 1; k + 1 < vertices.size(); ++k)
+    {
+      placeOf[vertices[k]] = static_cast<Index>(k);
+    }
+    for (Index host = 0; host < static_cast<Index>(network.hostVertices.size()); ++host)
+    {
+      const Index k = placeOf[cut.originalVertex[piece.vertices[network.hostVertices[host]]]];
+      if (k == none)
+      {
+        continue;
+      }
+      const Index last = vertices[k - 1];
+      const Index next = vertices[k + 1];
+      DartBankVertex left = bankAt(network, piece, cut, host, next, last);
+      DartBankVertex right = bankAt(network, piece, cut, host, last, next);
+      if (left.nodes.empty() == right.nodes.empty())
+      {
+        continue; // branches off, or joined
+      }
+      left.onLeft = !left.nodes.empty();
+      DartBankVertex& bank = left.onLeft ? left : right;
+      bank.curve = static_cast<Index>(c);
+      bank.place = k;
+      banks.push_back(std::move(bank));
+    }
+  }
+  return banks;
+}
+
 namespace
 {
 /// Nodes that a shaped key curve leaves on one side of it at a vertex, and the angle they must sum

@@ -79,4 +79,9 @@ struct WireNetwork
 /// connectors along shortest paths of mesh edges. \param disk that the piece has a boundary and no
 /// handles is known. Errors, where it is not: ClosedSurface, Handle (ids: triangles).
 WireNetwork buildWireNetwork(const Piece& piece, bool disk = false);
+
+/// Edges to add as wires so that all wires hang together: shortest paths of mesh edges from the
+/// wires that are joined to the given root vertex to the others, nearest first.
+/// \param isWire per half-edge, both sides of an edge alike. \return half-edges.
+Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire, Index root);
 }
