@@ -178,14 +178,7 @@ TEST(ClothFlattening, TheGrainRunsAlongItsCurve)
 TEST(ClothFlattening, TurningTheSurfaceWithItsGrainChangesNothing)
 {
   const Surface surface = shell();
-  Surface moved = surface;
-  const Eigen::AngleAxisd turn(1.2, Point3(1.0, -2.0, 0.5).normalized());
-  Points3 points = surface.mesh.points();
-  for (Point3& p : points)
-  {
-    p = turn * p + Point3(3.0, -7.0, 11.0);
-  }
-  moved.mesh = TriangleMesh(points, surface.mesh.triangles());
+  const Surface moved = movedRigidly(surface);
   for (const FlatteningOptions& options :
     { on("twill", 20.0), along("twill", "column5", 10.0), along("jersey", "row6", -35.0) })
   {

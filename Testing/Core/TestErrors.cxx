@@ -45,30 +45,6 @@ StatusCode imprint(const Points3& points, bool split = true)
   return codeOf(imprintCurves(TriangleMesh(square, squareTriangles), { polyline }, options).status);
 }
 
-/// A doughnut of n x n quads.
-TriangleMesh torus(Index n)
-{
-  Points3 points;
-  Triangles triangles;
-  for (Index j = 0; j < n; ++j)
-  {
-    for (Index i = 0; i < n; ++i)
-    {
-      const double u = 2.0 * pi * i / n;
-      const double v = 2.0 * pi * j / n;
-      const double r = 2.0 + std::cos(v);
-      points.push_back(Point3(r * std::cos(u), r * std::sin(u), std::sin(v)));
-      const Index a = j * n + i;
-      const Index b = j * n + (i + 1) % n;
-      const Index c = (j + 1) % n * n + (i + 1) % n;
-      const Index d = (j + 1) % n * n + i;
-      triangles.push_back({ a, b, c });
-      triangles.push_back({ a, c, d });
-    }
-  }
-  return { std::move(points), std::move(triangles) };
-}
-
 /// Height over the longest edge.
 double height(const TriangleMesh& mesh, Index t)
 {
@@ -195,7 +171,7 @@ TEST(Errors, OfTheSurface)
     prepare(band, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 }, { 4, 1, 5 }, { 5, 1, 0 } }),
     StatusCode::NotOrientable);
   Surface closed;
-  closed.mesh = torus(8);
+  closed.mesh = torus(8, 2.0);
   EXPECT_EQ(flatten(closed), StatusCode::ClosedSurface);
   closed.mesh = withoutFirstTriangle(closed.mesh);
   EXPECT_EQ(flatten(closed), StatusCode::Handle);

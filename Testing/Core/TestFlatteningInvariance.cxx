@@ -112,14 +112,7 @@ void expectSame(const FlatteningResult& first, const FlatteningResult& second, c
 TEST(FlatteningInvariance, RigidMotionsChangeNothing)
 {
   const Surface surface = garment();
-  Surface moved = surface;
-  const Eigen::AngleAxisd turn(1.2, Point3(1.0, -2.0, 0.5).normalized());
-  Points3 points = surface.mesh.points();
-  for (Point3& p : points)
-  {
-    p = turn * p + Point3(3.0, -7.0, 11.0);
-  }
-  moved.mesh = TriangleMesh(points, surface.mesh.triangles());
+  const Surface moved = movedRigidly(surface);
   for (const FlatteningOptions& options : methods)
   {
     expectSame(flatten(surface, options), flatten(moved, options),

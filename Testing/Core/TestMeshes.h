@@ -4,6 +4,8 @@
 #include "Cut/SurfaceCut.h"
 #include "Surface/TriangleMesh.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <functional>
 
@@ -182,6 +184,44 @@ inline Surface quarterSphere()
   Surface surface;
   surface.mesh = TriangleMesh(std::move(points), std::move(triangles));
   surface.curves.push_back(accessory("arc", { at(0, 4), at(1, 4), at(2, 4), at(3, 4), at(4, 4) }));
+  return surface;
+}
+
+/// A closed ring of n x n quads: vertex i n + j is i around the axis and j around the tube, whose
+/// triangles are 2 (i n + j) and the next. \param radius of the ring; that of the tube is 1
+inline TriangleMesh torus(Index n, double radius)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index i = 0; i < n; ++i)
+  {
+    for (Index j = 0; j < n; ++j)
+    {
+      const double u = 2.0 * pi * i / n;
+      const double v = 2.0 * pi * j / n;
+      const double r = radius + std::cos(v);
+      points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
+      const Index a = i * n + j;
+      const Index b = (i + 1) % n * n + j;
+      const Index c = (i + 1) % n * n + (j + 1) % n;
+      const Index d = i * n + (j + 1) % n;
+      triangles.push_back({ a, b, c });
+      triangles.push_back({ a, c, d });
+    }
+  }
+  return TriangleMesh(std::move(points), std::move(triangles));
+}
+
+/// The surface turned and moved as a whole.
+inline Surface movedRigidly(Surface surface)
+{
+  const Eigen::AngleAxisd turn(1.2, Point3(1.0, -2.0, 0.5).normalized());
+  Points3 points = surface.mesh.points();
+  for (Point3& p : points)
+  {
+    p = turn * p + Point3(3.0, -7.0, 11.0);
+  }
+  surface.mesh = TriangleMesh(points, surface.mesh.triangles());
   return surface;
 }
 

@@ -22,35 +22,16 @@ TriangleMesh tetrahedron()
 
 constexpr Index ringSize = 8;
 
-/// Vertex (i, j) is i ringSize + j; quad (i, j) has triangles 2 (i ringSize + j) and the next.
-TriangleMesh torus()
+TriangleMesh ring()
 {
-  Points3 points;
-  Triangles triangles;
-  for (Index i = 0; i < ringSize; ++i)
-  {
-    for (Index j = 0; j < ringSize; ++j)
-    {
-      const double u = 2.0 * pi * i / ringSize;
-      const double v = 2.0 * pi * j / ringSize;
-      const double r = 3.0 + std::cos(v);
-      points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
-      const Index a = i * ringSize + j;
-      const Index b = (i + 1) % ringSize * ringSize + j;
-      const Index c = (i + 1) % ringSize * ringSize + (j + 1) % ringSize;
-      const Index d = i * ringSize + (j + 1) % ringSize;
-      triangles.push_back({ a, b, c });
-      triangles.push_back({ a, c, d });
-    }
-  }
-  return TriangleMesh(std::move(points), std::move(triangles));
+  return torus(ringSize, 3.0);
 }
 
 TriangleMesh torusWithAHole()
 {
-  Triangles triangles = torus().triangles();
+  Triangles triangles = ring().triangles();
   triangles.pop_back();
-  return TriangleMesh(torus().points(), std::move(triangles));
+  return TriangleMesh(ring().points(), std::move(triangles));
 }
 
 /// Surfaces as one, in the order given. Curves keep their order.
@@ -151,7 +132,7 @@ void expectSame(const FlatteningResult& result, const FlatteningResult& expected
 Surface seamedTorus()
 {
   const auto at = [](Index i, Index j) { return i * ringSize + j; };
-  Surface surface = partOf(torus());
+  Surface surface = partOf(ring());
   surface.curves = {
     curveOf(CurveType::Seam, "around",
       { at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1), at(0, 0) }),
@@ -165,7 +146,7 @@ Surface seamedTorus()
 TEST(PieceTopology, AllPiecesThatCannotBeLaidFlatAreNamedInOneMessage)
 {
   const Surface surface = together({ shirt(), partOf(tetrahedron()), partOf(torusWithAHole()),
-    shirt(), partOf(torus()), partOf(tetrahedron()) });
+    shirt(), partOf(ring()), partOf(tetrahedron()) });
   const Index shirtSize = 2 * 8 * 6;
   const Index torusSize = 2 * ringSize * ringSize;
   const Index button = shirtSize;
@@ -233,7 +214,7 @@ TEST(PieceTopology, WhatIsSkippedChangesNothingOfTheRest)
 
 TEST(PieceTopology, KeptTrianglesAndVerticesAreThoseOfTheSurface)
 {
-  const Surface surface = together({ partOf(tetrahedron()), shirt(), partOf(torus()) });
+  const Surface surface = together({ partOf(tetrahedron()), shirt(), partOf(ring()) });
   const FlatteningResult result = flatten(surface, skipping());
   const CutSurface& cut = *result.cut;
   ASSERT_EQ(cut.mesh.triangleCount(), 2 * 8 * 6);

@@ -265,27 +265,11 @@ TEST(WireNetwork, NamesClosedSurfacesAndHandles)
 
   // A torus with a triangle left out.
   const Index n = 6;
-  Points3 points;
-  Triangles triangles;
-  for (Index i = 0; i < n; ++i)
-  {
-    for (Index j = 0; j < n; ++j)
-    {
-      const double u = 2.0 * pi * i / n;
-      const double v = 2.0 * pi * j / n;
-      const double r = 2.0 + std::cos(v);
-      points.emplace_back(r * std::cos(u), r * std::sin(u), std::sin(v));
-      const Index a = i * n + j;
-      const Index b = (i + 1) % n * n + j;
-      const Index c = (i + 1) % n * n + (j + 1) % n;
-      const Index d = i * n + (j + 1) % n;
-      triangles.push_back({ a, b, c });
-      triangles.push_back({ a, c, d });
-    }
-  }
+  const TriangleMesh closedRing = torus(n, 2.0);
+  Triangles triangles = closedRing.triangles();
   triangles.pop_back();
-  const TriangleMesh torus(points, triangles);
-  const WiredSurface handle(torus, {});
+  const TriangleMesh ring(closedRing.points(), triangles);
+  const WiredSurface handle(ring, {});
   EXPECT_STREQ(statusName(handle.network.status.code), "Handle");
   EXPECT_EQ(handle.network.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0 } }));
 
@@ -297,5 +281,5 @@ TEST(WireNetwork, NamesClosedSurfacesAndHandles)
     seams[1].vertices.push_back(k % n * n);
   }
   seams[0].type = seams[1].type = CurveType::Seam;
-  expectConsistent(WiredSurface(torus, seams).network);
+  expectConsistent(WiredSurface(ring, seams).network);
 }
