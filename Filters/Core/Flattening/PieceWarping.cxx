@@ -29,7 +29,7 @@ constexpr double surelyFolding = 0.35;
 /// Of the convex start, in its radius.
 constexpr double bending = 0.01;
 /// What lengths and locked angles may miss where the iteration ended, in the model's units.
-constexpr double kept = 1e-6;
+constexpr double wiresKeptWithin = 1e-6;
 
 constexpr auto barrier = DistortionEnergyKind::SymmetricDirichlet;
 
@@ -65,7 +65,8 @@ Points2 bent(const TriangleMesh& mesh, const Points2& start)
 
 bool keepsWires(const PieceSolution& piece)
 {
-  return !piece.isometric->history.empty() && piece.isometric->history.back().constraint < kept;
+  return !piece.isometric->history.empty() &&
+    piece.isometric->history.back().constraint < wiresKeptWithin;
 }
 
 MapDistortion quality(const PieceContext& context, const PieceSolution& piece)
