@@ -4,9 +4,9 @@
 #include "Base/Orientation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace flattening
@@ -30,52 +30,11 @@ Box boundingBox(const Points2& points)
   return box;
 }
 
-/// The points that are not well inside the octagon of those farthest out in eight directions; only
-/// these can be on the hull (S. G. Akl, G. T. Toussaint, "A fast convex hull algorithm", 1978).
-Indices outerPoints(const Points2& points)
-{
-  const std::array<Point2, 8> directions{ Point2(1, 0), Point2(1, 1), Point2(0, 1), Point2(-1, 1),
-    Point2(-1, 0), Point2(-1, -1), Point2(0, -1), Point2(1, -1) };
-  std::array<std::size_t, 8> corner{};
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    for (std::size_t k = 0; k < corner.size(); ++k)
-    {
-      const Point2 d = points[i] - points[corner[k]];
-      corner[k] = d.dot(directions[k]) > 0.0 ? i : corner[k];
-    }
-  }
-  std::vector<Eigen::Hyperplane<double, 2>> sides;
-  for (std::size_t k = 0; k < corner.size(); ++k)
-  {
-    const Point2& from = points[corner[k]];
-    const Point2 along = points[corner[(k + 1) % corner.size()]] - from;
-    if (along.squaredNorm() > 0.0)
-    {
-      sides.emplace_back(Point2(-along.y(), along.x()).normalized(), from);
-    }
-  }
-  const double margin = points.empty() ? 0.0
-                                       : rounding * (points[corner[0]] - points[corner[4]]).norm() +
-      rounding * (points[corner[2]] - points[corner[6]]).norm();
-  Indices outer;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const bool inside = !sides.empty() &&
-      std::all_of(sides.begin(), sides.end(),
-        [&](const auto& side) { return side.signedDistance(points[i]) > margin; });
-    if (!inside)
-    {
-      outer.push_back(static_cast<Index>(i));
-    }
-  }
-  return outer;
-}
-
 /// Convex hull, anti-clockwise, as indices (Andrew's monotone chain).
 Indices convexHull(const Points2& points)
 {
-  Indices order = outerPoints(points);
+  Indices order(points.size());
+  std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&points](Index a, Index b) {
     const Point2& p = points[a];
     const Point2& q = points[b];
@@ -106,8 +65,8 @@ Indices convexHull(const Points2& points)
   return hull;
 }
 
-/// The vertex of a convex hull that is farthest in a direction which turns anti-clockwise from one
-/// question to the next: it never goes back (M. I. Shamos, "Computational Geometry", 1978).
+/// How far a convex hull reaches in a direction that turns anti-clockwise from one call to the
+/// next: the vertex there never goes back (M. I. Shamos, "Computational Geometry", 1978).
 class Farthest
 {
 public:

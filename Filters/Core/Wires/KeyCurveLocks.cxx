@@ -158,6 +158,30 @@ double turningAngle(const Point2& a, const Point2& b, const Point2& c)
   return std::atan2(cross(u, v), u.dot(v));
 }
 
+/// Where a host vertex is joined to a neighbour, a vertex of the surface before the cut.
+struct Passage
+{
+  Index side = none;   ///< that starts at the host towards it
+  Index vertex = none; ///< its copy in the piece
+};
+
+template <class Original>
+Passage passageTo(
+  const WireNetwork& network, const Original& original, std::size_t host, Index neighbour)
+{
+  Passage passage;
+  for (Index n = network.vertexNodeBegin[host]; n < network.vertexNodeBegin[host + 1]; ++n)
+  {
+    const Index side = network.vertexNodes[n];
+    const Index outer = network.endVertex(side);
+    const Index inner = network.vertex[network.previous[side]];
+    passage.side = original(outer) == neighbour ? side : passage.side;
+    passage.vertex = original(outer) == neighbour ? outer : passage.vertex;
+    passage.vertex = original(inner) == neighbour ? inner : passage.vertex;
+  }
+  return passage;
+}
+
 /// Sums that the planar shapes of the key curves through each host vertex prescribe.
 std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, const Piece& piece,
   const CutSurface& cut, const std::vector<FeatureCurve>& curves, const CurveRules& rules)
@@ -194,40 +218,15 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
         turn =
           turningAngle(curve.planarShape[before], curve.planarShape[k], curve.planarShape[after]);
       }
-      Index forward = none;
-      Index backward = none;
-      Index forwardVertex = none;
-      Index backwardVertex = none;
-      for (Index n = network.vertexNodeBegin[host]; n < network.vertexNodeBegin[host + 1]; ++n)
+      const Passage ahead = passageTo(network, original, host, curve.vertices[after]);
+      const Passage behind = passageTo(network, original, host, curve.vertices[before]);
+      if (ahead.side != none && behind.vertex != none)
       {
-        const Index side = network.vertexNodes[n];
-        const Index incoming = network.previous[side];
-        if (original(network.endVertex(side)) == curve.vertices[after])
-        {
-          forward = side;
-          forwardVertex = network.endVertex(side);
-        }
-        if (original(network.endVertex(side)) == curve.vertices[before])
-        {
-          backward = side;
-          backwardVertex = network.endVertex(side);
-        }
-        if (original(network.vertex[incoming]) == curve.vertices[after])
-        {
-          forwardVertex = network.vertex[incoming];
-        }
-        if (original(network.vertex[incoming]) == curve.vertices[before])
-        {
-          backwardVertex = network.vertex[incoming];
-        }
+        sums[host].push_back({ nodesBetween(network, ahead.side, behind.vertex), pi - turn, key });
       }
-      if (forward != none && backwardVertex != none)
+      if (behind.side != none && ahead.vertex != none)
       {
-        sums[host].push_back({ nodesBetween(network, forward, backwardVertex), pi - turn, key });
-      }
-      if (backward != none && forwardVertex != none)
-      {
-        sums[host].push_back({ nodesBetween(network, backward, forwardVertex), pi + turn, key });
+        sums[host].push_back({ nodesBetween(network, behind.side, ahead.vertex), pi + turn, key });
       }
     }
   }
