@@ -9,9 +9,10 @@ namespace
 constexpr SpellingTable table{
   { "ConformalPins", "--pins" },
   { "CurveTolerances", "--tolerance" },
+  { "CurveType", "in the curves' file" },
   { "Interior=AS_RIGID_AS_POSSIBLE", "--interior arap" },
   { "IsometricMaximumIterations", "--isometric-iterations" },
-  { "LengthTolerance", "tolerance (--tolerance)" },
+  { "LengthTolerance", "--tolerance" },
   { "RigidMaximumIterations", "--rigid-iterations" },
   { "Sewing.MaximumIterations", "--resew-iterations" },
   { "Sewing.Test", "--resew panel" },

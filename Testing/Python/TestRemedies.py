@@ -22,7 +22,7 @@ class Words(unittest.TestCase):
         self.assertIsNone(Algorithm.GetRemedySentence("Despair"))
 
     def test_each_names_properties_that_the_filters_have(self):
-        arrays = {"LengthTolerance"}
+        arrays = {"LengthTolerance", "CurveType"}
         named = 0
         for name in NAMES:
             for option in re.findall("{(.*?)}", Algorithm.GetRemedySentence(name)):
@@ -34,7 +34,7 @@ class Words(unittest.TestCase):
                 with self.subTest(name, option=option):
                     self.assertTrue(property_ in arrays or hasattr(class_, "Set" + property_) or
                                     hasattr(sf, property_))
-                    self.assertTrue(value in ("", "on") or hasattr(class_, value))
+                    self.assertTrue(value in ("", "on", "0") or hasattr(class_, value))
         self.assertGreater(named, 20)
 
     def test_each_names_arguments_that_python_has(self):

@@ -8,8 +8,9 @@ from ._options import PROPERTIES
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 _ARGUMENTS = {option.property: name for name, option in PROPERTIES.items()}
-_ARGUMENTS.update(CurveTolerances="tolerance", vtkFeatureCurveSuggestion="suggest()")
-_VALUES = {"on": "True", "AS_RIGID_AS_POSSIBLE": '"arap"'}
+_ARGUMENTS.update(CurveTolerances="tolerance", CurveType="type",
+                  vtkFeatureCurveSuggestion="suggest()")
+_VALUES = {"on": "True", "AS_RIGID_AS_POSSIBLE": '"arap"', "0": '"accessory"'}
 
 
 def _spelled(option: Match[str]) -> str:
