@@ -2,11 +2,11 @@
 #include "vtkFeatureCurveSuggestion.h"
 
 #include "CurvedSurface.h"
+#include "Design/LineSuggestion.h"
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
 #include "ListChanges.h"
 #include "Suggestion/CurveSuggestion.h"
-#include "Suggestion/SearchOptions.h"
 #include "SuggestionOutput.h"
 #include "WeightInput.h"
 
@@ -79,7 +79,6 @@ int vtkFeatureCurveSuggestion::RequestData(
 {
   static_assert(static_cast<int>(flattening::SuggestedCuts::Seams) == SEAMS, "");
   static_assert(static_cast<int>(flattening::SuggestedCuts::All) == DARTS_AND_SEAMS, "");
-  static_assert(static_cast<int>(flattening::SuggestedCuts::Lines) == LINES, "");
   this->Begin(outputVector);
   flattening::CurveSuggestions suggestions;
   const auto source = this->LoadInput(inputVector);
@@ -88,7 +87,11 @@ int vtkFeatureCurveSuggestion::RequestData(
   if (source &&
     this->Conclude(flattening::bridge::readWeights(*source, this->WeightArray, options.weights)))
   {
-    options.search.cuts = static_cast<flattening::SuggestedCuts>(this->SuggestedCuts);
+    const bool lines = this->SuggestedCuts == LINES;
+    if (!lines)
+    {
+      options.search.cuts = static_cast<flattening::SuggestedCuts>(this->SuggestedCuts);
+    }
     options.search.bound = this->Bound;
     options.search.maximumCuts = this->MaximumCuts;
     if (this->MaximumCutLength > 0.0)
@@ -104,8 +107,9 @@ int vtkFeatureCurveSuggestion::RequestData(
     options.imprint.tolerance = this->ImprintTolerance;
     options.imprint.snap = this->SnapTolerance;
     options.flattening = this->Settings();
-    suggestions = flattening::suggestCurves(source->surface.prepared.mesh, source->curves.polylines,
-      options, flattening::bridge::executionOf(this));
+    const auto& suggest = lines ? flattening::suggestLines : flattening::suggestCurves;
+    suggestions = suggest(source->surface.prepared.mesh, source->curves.polylines, options,
+      flattening::bridge::executionOf(this));
     if (suggestions.end == flattening::SearchEnd::Interrupted)
     {
       this->SetAbortExecute(0); // it is heard; the surface is flattened with the cuts found so far

@@ -2,10 +2,10 @@
 #include "vtkKeyCurvePrices.h"
 
 #include "CurvedSurface.h"
+#include "Design/KeyPrices.h"
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
 #include "KeyPriceOutput.h"
-#include "Suggestion/KeyPrices.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

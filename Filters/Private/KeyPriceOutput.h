@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Suggestion/KeyPrices.h"
+#include "Design/KeyPrices.h"
 
 class vtkPolyData;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts that never fold: deep caps of a sphere, with and without wires across their pole.
+#include "ClosedMeshes.h"
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "SphereCap.h"
@@ -31,25 +32,9 @@ TEST(ConvexEmbedding, FoldsNothingHoweverDeepTheSurfaceIs)
 TEST(ConvexEmbedding, FoldsNothingAroundHoles)
 {
   // A tube: its other end is a hole.
-  Points3 points;
-  Triangles triangles;
-  constexpr Index around = 12;
-  for (Index j = 0; j <= 6; ++j)
-  {
-    for (Index i = 0; i < around; ++i)
-    {
-      const double angle = 2.0 * pi * i / around;
-      points.push_back(Point3(std::cos(angle), std::sin(angle), 0.5 * j));
-      if (j < 6)
-      {
-        const Index a = around * j + i;
-        const Index b = around * j + (i + 1) % around;
-        triangles.push_back({ a, b, b + around });
-        triangles.push_back({ a, b + around, a + around });
-      }
-    }
-  }
-  const TriangleMesh mesh(points, triangles);
+  const TriangleMesh mesh = rolledUp(12, 6, [](double turn, double across) {
+    return Point3(std::cos(turn), std::sin(turn), 3.0 * across);
+  });
   const Points2 flat = embedConvexly(mesh, {});
   ASSERT_EQ(flat.size(), mesh.points().size());
   EXPECT_EQ(countFlipped(mesh, flat), 0);

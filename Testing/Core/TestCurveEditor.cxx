@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves drawn on surfaces by commands, and undone.
+#include "ClosedMeshes.h"
 #include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
 #include "Surface/SurfacePreparation.h"
@@ -449,29 +450,11 @@ TEST(CurveEditor, NamesAreTakenOnce)
 TEST(CurveEditor, TwoNodesOnATubeGirthItAndOnASheetAreRefused)
 {
   // A tube of radius 2 with 40 sides: the girth square to its axis is their sum.
-  Points3 points;
-  Triangles triangles;
   const Index sides = 40;
-  for (Index j = 0; j <= 10; ++j)
-  {
-    for (Index i = 0; i < sides; ++i)
-    {
-      const double turn = 2.0 * pi * i / sides;
-      points.emplace_back(2.0 * std::cos(turn), 2.0 * std::sin(turn), j);
-    }
-  }
-  for (Index j = 0; j < 10; ++j)
-  {
-    for (Index i = 0; i < sides; ++i)
-    {
-      const Index a = j * sides + i;
-      const Index b = j * sides + (i + 1) % sides;
-      triangles.push_back({ a, b, b + sides });
-      triangles.push_back({ a, b + sides, a + sides });
-    }
-  }
-  CurveEditor tube(
-    std::make_shared<const DrawingSurface>(TriangleMesh(points, std::move(triangles))));
+  CurveEditor tube(std::make_shared<const DrawingSurface>(
+    testmeshes::rolledUp(sides, 10, [](double turn, double across) {
+      return Point3(2.0 * std::cos(turn), 2.0 * std::sin(turn), 10.0 * across);
+    })));
   ASSERT_TRUE(
     tube.add(through(tube.surface(), { { 2, 0.1, 4.5 }, { -2, 0.1, 4.5 } }, SegmentKind::Section))
       .ok());
@@ -489,27 +472,12 @@ TEST(CurveEditor, TwoNodesOnATubeGirthItAndOnASheetAreRefused)
 TEST(CurveEditor, AClosedCurvePulledTightIsTheShortestRoundThereAndIsUndone)
 {
   // A tube of 16 sides with a waist at half its height.
-  Points3 points;
-  Triangles triangles;
   const Index sides = 16;
-  for (Index j = 0; j < 9; ++j)
-  {
-    for (Index i = 0; i < sides; ++i)
-    {
-      const double turn = 2.0 * pi * i / sides;
-      const double radius = 1.0 + 0.05 * (j - 4) * (j - 4);
-      points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0.25 * j);
-      if (j > 0)
-      {
-        const Index below = (j - 1) * sides;
-        const Index next = (i + 1) % sides;
-        triangles.push_back({ below + i, below + next, j * sides + next });
-        triangles.push_back({ below + i, j * sides + next, j * sides + i });
-      }
-    }
-  }
-  const auto surface =
-    std::make_shared<const DrawingSurface>(TriangleMesh(std::move(points), std::move(triangles)));
+  const auto surface = std::make_shared<const DrawingSurface>(
+    testmeshes::rolledUp(sides, 8, [](double turn, double across) {
+      const double radius = 1.0 + 0.8 * (2.0 * across - 1.0) * (2.0 * across - 1.0);
+      return Point3(radius * std::cos(turn), radius * std::sin(turn), 2.0 * across);
+    }));
   CurveEditor editor(surface);
   EditedCurve curve =
     through(*surface, { Point3(1.5, 0.2, 1.7), Point3(-0.9, 1.2, 1.3), Point3(-0.8, -1.1, 1.6) });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CurveSuggestion.h"
 
+#include "Design/LineSuggestion.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
@@ -281,30 +282,11 @@ TEST(CurveSuggestion, ItsWorkIsBoundedAtAnySizeAndNoneLeavesMoreStrain)
 TEST(CurveSuggestion, TakesNoMoreCutsThanAllowedToOpenASurface)
 {
   // Around a torus and through it.
-  const Index around = 16;
-  Points3 points;
-  Triangles triangles;
-  for (Index j = 0; j < around; ++j)
-  {
-    for (Index i = 0; i < around; ++i)
-    {
-      const double a = 2.0 * pi * i / around;
-      const double b = 2.0 * pi * j / around;
-      const double radius = 3.0 + std::cos(b);
-      points.emplace_back(radius * std::cos(a), radius * std::sin(a), std::sin(b));
-      const Index right = j * around + (i + 1) % around;
-      const Index up = (j + 1) % around * around + i;
-      const Index across = (j + 1) % around * around + (i + 1) % around;
-      triangles.push_back({ j * around + i, right, across });
-      triangles.push_back({ j * around + i, across, up });
-    }
-  }
-  const TriangleMesh torus(std::move(points), std::move(triangles));
   for (Index most : { 1, 6 })
   {
     SuggestionOptions options = optionsOf(0.1, most);
     options.search.maximumWork = 4.0;
-    const CurveSuggestions suggestions = suggestCurves(torus, {}, options);
+    const CurveSuggestions suggestions = suggestCurves(torus(16, 3.0), {}, options);
     EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
     EXPECT_EQ(suggestions.curves.empty(), most == 1);
     EXPECT_EQ(suggestions.status.code, most == 1 ? StatusCode::InvalidOption : StatusCode::Ok);
@@ -431,11 +413,11 @@ TEST(CurveSuggestion, RefusesAGrainAlongNoCurveBeforeTheSearch)
         { { "hem", "grain line 1" }, StatusCode::Ok } })
     {
       SuggestionOptions options = optionsOf(0.3, 4);
-      options.search.cuts = lines ? SuggestedCuts::Lines : SuggestedCuts::All;
       options.flattening.cloth.emplace().grain = GrainKind::Curve;
       options.flattening.cloth->grainCurves = names;
       options.flattening.cloth->grainAngles.resize(names.size());
-      const Status status = suggestCurves(dome(0.2), {}, options).status;
+      const auto& suggest = lines ? suggestLines : suggestCurves;
+      const Status status = suggest(dome(0.2), {}, options, {}).status;
       EXPECT_EQ(status.code, code) << names.front() << ": " << status.message;
       EXPECT_EQ(status.message.find("no curve is named \"" + names.front()) != std::string::npos,
         code != StatusCode::Ok);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces that are their own mirror image as cloth, not in space: folded along a line beside a
 // plane of symmetry, which changes no length and no angle on them.
-#include "Suggestion/IntrinsicMirror.h"
+#include "Suggestion/SurfaceMirror.h"
 
-#include "Suggestion/SymmetryPlane.h"
 #include "SuggestionTesting.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/LineSuggestion.h"
+#include "Design/LineSuggestion.h"
 
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
@@ -207,9 +207,7 @@ TEST(LineSuggestion, LeavesOutKeysThatCollapseATriangle)
   const TriangleMesh mesh = patch(10, 10, [](double i, double j) {
     return Point3(0.1 * i, 0.15 * j, 0.3 * std::sin(0.3 * i) * std::sin(0.3 * j));
   }).mesh;
-  SuggestionOptions options;
-  options.search.cuts = SuggestedCuts::Lines;
-  const CurveSuggestions suggestions = suggestLines(mesh, {}, options);
+  const CurveSuggestions suggestions = suggestLines(mesh, {}, {});
   std::vector<Polyline> curves;
   for (const SuggestedCurve& line : suggestions.curves)
   {

@@ -7,35 +7,9 @@
 using namespace flattening;
 using namespace testmeshes;
 
-namespace
-{
-TriangleMesh torus(Index around, Index across)
-{
-  Points3 points;
-  Triangles triangles;
-  for (Index i = 0; i < around; ++i)
-  {
-    for (Index j = 0; j < across; ++j)
-    {
-      const double a = 2.0 * pi * i / around;
-      const double b = 2.0 * pi * j / across;
-      points.emplace_back(
-        (3.0 + std::cos(b)) * std::cos(a), (3.0 + std::cos(b)) * std::sin(a), std::sin(b));
-      const Index p = i * across + j;
-      const Index q = (i + 1) % around * across + j;
-      const Index r = (i + 1) % around * across + (j + 1) % across;
-      const Index s = i * across + (j + 1) % across;
-      triangles.push_back({ p, q, r });
-      triangles.push_back({ p, r, s });
-    }
-  }
-  return { std::move(points), std::move(triangles) };
-}
-}
-
 TEST(OpeningCuts, MakeADiskOfATorus)
 {
-  const TriangleMesh mesh = torus(14, 9);
+  const TriangleMesh mesh = torus(14, 3.0);
   const ImprintedSurface surface = imprintCurves(mesh, openingCuts(mesh), {});
   const CutSurface cut = cutSurface(surface.mesh, surface.curves);
   EXPECT_EQ(cut.pieceCount, 1);

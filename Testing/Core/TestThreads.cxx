@@ -2,12 +2,12 @@
 // Several pieces and wire-patches on several threads. Built with -fsanitize=thread it also shows
 // that the threads do not race (see Testing/Fuzz/README.md).
 #include "TestThreads.h"
+#include "Design/KeyPrices.h"
+#include "Design/LineSuggestion.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Reshaping/FlattenableSurface.h"
 #include "Sewing/PieceSewing.h"
 #include "Suggestion/CurveSuggestion.h"
-#include "Suggestion/KeyPrices.h"
-#include "Suggestion/LineSuggestion.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

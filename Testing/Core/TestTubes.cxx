@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sleeves and whole garments, which no plane can hold: what is said of them and what becomes of
 // them.
+#include "ClosedMeshes.h"
 #include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Quality/AreaForecast.h"
@@ -20,28 +21,6 @@ using namespace testmeshes;
 
 namespace
 {
-/// A ring or tube, `place` by turn up to 2 pi and from 0 to 1 across.
-TriangleMesh rolled(Index around, Index across, const std::function<Point3(double, double)>& place)
-{
-  Points3 points;
-  Triangles triangles;
-  for (Index j = 0; j <= across; ++j)
-  {
-    for (Index i = 0; i < around; ++i)
-    {
-      points.push_back(place(2.0 * pi * i / around, static_cast<double>(j) / across));
-      if (j < across)
-      {
-        const Index a = j * around + i;
-        const Index b = j * around + (i + 1) % around;
-        triangles.push_back({ a, b, b + around });
-        triangles.push_back({ a, b + around, a + around });
-      }
-    }
-  }
-  return { std::move(points), std::move(triangles) };
-}
-
 /// Square arms along the axes around a cube, as many of them open at their ends.
 TriangleMesh garment(Index open, Index length, Index division, double size)
 {
@@ -143,7 +122,7 @@ TEST(Tubes, AreKnownByTheTurnsOfTheirOpenings)
       for (const auto& [slope, tube] : { std::pair(0.0, true), std::pair(0.9, true),
              std::pair(1.1, false), std::pair(3.0, false) })
       {
-        const TriangleMesh mesh = rolled(24, 5, [&, slope = slope](double turn, double across) {
+        const TriangleMesh mesh = rolledUp(24, 5, [&, slope = slope](double turn, double across) {
           const double radius = 1.0 + slope * length * across;
           return Point3(
             size * radius * std::cos(turn), size * radius * std::sin(turn), size * length * across);
@@ -159,7 +138,7 @@ TEST(Tubes, AreKnownByTheTurnsOfTheirOpenings)
 
 TEST(Tubes, HaveHolesThatAreNoOpenings)
 {
-  const TriangleMesh whole = rolled(24, 16, [](double turn, double across) {
+  const TriangleMesh whole = rolledUp(24, 16, [](double turn, double across) {
     return Point3(std::cos(turn), std::sin(turn), 3.2 * across);
   });
   Triangles triangles = whole.triangles();
@@ -226,7 +205,7 @@ TEST(Tubes, AdviceNamesOnlyWhatIsThere)
     {
       FlatteningOptions options;
       options.scheme = scheme;
-      const TriangleMesh mesh = rolled(6, 1, [&](double turn, double across) {
+      const TriangleMesh mesh = rolledUp(6, 1, [&](double turn, double across) {
         return Point3(std::cos(turn), std::sin(turn), length * across);
       });
       const Status& status = flatten(mesh, options).status;

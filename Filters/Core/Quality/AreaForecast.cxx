@@ -3,6 +3,7 @@
 
 #include "Quality/ScaleFactor.h"
 #include "Surface/EdgePaths.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <array>

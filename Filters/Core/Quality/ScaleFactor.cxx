@@ -26,24 +26,9 @@ Eigen::VectorXd angleDefects(const TriangleMesh& mesh, const Indices& vertices)
   Eigen::VectorXd defects(vertices.size());
   for (std::size_t k = 0; k < vertices.size(); ++k)
   {
-    defects[k] = 2.0 * pi;
-    for (Index h : VertexFan(mesh, vertices[k]))
-    {
-      defects[k] -= mesh.angle(h);
-    }
+    defects[k] = 2.0 * pi - angleSum(mesh, vertices[k]);
   }
   return defects;
-}
-
-/// A third of the area of the triangles around a vertex.
-double vertexArea(const TriangleMesh& mesh, Index vertex)
-{
-  double area = 0.0;
-  for (Index h : VertexFan(mesh, vertex))
-  {
-    area += mesh.area(h / 3) / 3.0;
-  }
-  return area;
 }
 
 /// The vertices where u is unknown, ascending.

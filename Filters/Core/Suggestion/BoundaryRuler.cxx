@@ -34,12 +34,7 @@ BoundaryRuler::BoundaryRuler(const TriangleMesh& mesh)
       loop.halfedges.push_back(h);
       loop.arcs.push_back(arc);
       arc += mesh.length(h);
-      double angle = 0.0;
-      for (Index spoke : VertexFan(mesh, v))
-      {
-        angle += mesh.angle(spoke);
-      }
-      if (pi - angle > cornerTurn)
+      if (pi - angleSum(mesh, v) > cornerTurn)
       {
         loop.corners.push_back(loop.arcs.back());
       }

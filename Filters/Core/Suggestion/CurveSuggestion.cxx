@@ -4,13 +4,9 @@
 #include "Base/Memory.h"
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
-#include "Suggestion/CutAdjustment.h"
-#include "Suggestion/CutSetMerit.h"
+#include "Suggestion/CutSetSearch.h"
 #include "Suggestion/CutThinning.h"
-#include "Suggestion/LineSuggestion.h"
 #include "Suggestion/OpeningCuts.h"
-#include "Suggestion/PieceSearch.h"
-#include "Suggestion/SearchWays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +25,42 @@ constexpr double shareOpened = 0.9;
 /// Largest share of all work kept for measuring what each cut gains, by this many steps each.
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
-/// More sharp edges than these are no edges of a body, but of a coarse mesh.
+/// More sharp edges than these are those of a coarse mesh, not of a body.
 constexpr std::size_t mostSharp = 48;
-/// A strain that is as good as none.
+/// The bound for sharp edges where none is given: such a net is exact but for rounding.
 constexpr double nearlyFlat = 1e-3;
-/// What searches are of the progress.
-constexpr double searchPart = 0.6;
+/// Up to this many cuts are searched for once.
+constexpr Index singleSearch = 2;
+
+/// One way to search, beside the options.
+struct SearchWay
+{
+  SuggestedCuts cuts = SuggestedCuts::All;
+  SearchGoal goal = SearchGoal::Energy;
+};
+
+/// The ways to search one after the other, the most promising first: by two goals, and where darts
+/// and seams are wanted also with either alone.
+std::vector<SearchWay> searchWays(const SearchOptions& options)
+{
+  std::vector<SearchWay> all;
+  for (SuggestedCuts cuts : { SuggestedCuts::All, SuggestedCuts::Darts, SuggestedCuts::Seams })
+  {
+    if (cuts == options.cuts || options.cuts == SuggestedCuts::All)
+    {
+      all.push_back({ cuts, SearchGoal::Energy });
+      all.push_back({ cuts, options.bound > 0.0 ? SearchGoal::Strain : SearchGoal::Area });
+    }
+  }
+  all.resize(options.maximumCuts <= singleSearch ? 1 : all.size());
+  return all;
+}
+
+bool isPaired(const std::vector<SuggestedCurve>& cuts)
+{
+  return std::any_of(
+    cuts.begin(), cuts.end(), [](const SuggestedCurve& cut) { return cut.mirrorOf != none; });
+}
 
 class Suggesting
 {
@@ -48,7 +74,6 @@ public:
     , Weights(relativeWeights(mesh, options.weights))
     , Whole(mesh, curves, options.imprint, options.flattening, SearchGoal::Energy, this->Weights)
     , Area(mesh.area())
-    , Merit(options.search, this->Area)
     , Budget(options.search.maximumWork > 0.0 ? 1e6 * options.search.maximumWork
                                               : std::numeric_limits<double>::infinity())
   {
@@ -74,7 +99,7 @@ public:
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
       stepsOfMeasuring * this->Mesh.triangleCount() * this->Options.search.maximumCuts);
-    const bool flat = uncut.outcome.valid && this->Merit.withinBound(uncut.outcome.strainP95);
+    const bool flat = uncut.outcome.valid && this->withinBound(uncut.outcome.strainP95);
     const std::optional<CutSet> sharp =
       flat ? std::nullopt : this->sharpSet(surface, !uncut.outcome.valid);
     const auto seams = static_cast<Index>(first.size());
@@ -87,8 +112,7 @@ public:
     }
     const CutSet best = this->search(uncut, first, sharp);
     this->Result.curves = best.cuts;
-    if (std::all_of(best.cuts.begin(), best.cuts.end(),
-          [](const SuggestedCurve& cut) { return cut.mirrorOf == none; }))
+    if (!isPaired(best.cuts))
     {
       this->Result.mirror.reset();
     }
@@ -105,6 +129,38 @@ private:
     CurveSuggestions refused;
     refused.status = std::move(status);
     return refused;
+  }
+
+  bool withinBound(double strain) const
+  {
+    return this->Options.search.bound > 0.0 && strain <= this->Options.search.bound;
+  }
+
+  /// Whether one set is before another: what has a flattening before what has none; then what meets
+  /// the bound by its price, before what does not by its strain. Without a bound by the product of
+  /// the mean of the rigid energy and, counted twice, the square of the mean change of area.
+  bool better(const CutSet& a, const CutSet& b) const
+  {
+    const auto merit = [this](const CutSet& set) {
+      const SearchOptions& search = this->Options.search;
+      const TrialOutcome& outcome = set.outcome;
+      if (!outcome.valid)
+      {
+        return std::pair(2, 0.0);
+      }
+      if (search.bound == 0.0)
+      {
+        return std::pair(0, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
+      }
+      double price = 0.0;
+      for (const SuggestedCurve& cut : set.cuts)
+      {
+        price += search.fixedPrice + cut.length / std::sqrt(this->Area / pi);
+      }
+      return this->withinBound(outcome.strainP95) ? std::pair(0, price)
+                                                  : std::pair(1, outcome.strainP95);
+    };
+    return merit(a) < merit(b);
   }
 
   void findMirror()
@@ -257,29 +313,25 @@ private:
       this->Result.cutsNeeded = sharp ? 0.0 : static_cast<double>(first.size());
       return sharp ? *sharp : uncut;
     }
-    const auto better = [this](const CutSet& a, const CutSet& b) {
-      return this->Merit.merit(a) < this->Merit.merit(b);
-    };
+    const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
     std::vector<SearchWay> ways = searchWays(wanted);
     ways.resize(sharp ? 1 : ways.size());
     for (std::size_t k = 0; k < ways.size() && !this->Run.cancelled(); ++k)
     {
       SearchOptions options = wanted;
       options.cuts = ways[k].cuts;
-      options.goal = ways[k].goal;
       const double left = this->Budget.left() - this->MostMeasuring;
       TrialBudget budget((first.empty() ? shareOfSearch : shareOpened) * left);
-      const double part = searchPart / static_cast<double>(ways.size());
+      const auto count = static_cast<double>(ways.size());
       found.push_back(
         searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                     options, this->Result.mirror, this->Weights },
-          this->start(first, options.goal, budget), budget,
-          this->Run.part(part * static_cast<double>(k), part * static_cast<double>(k + 1))));
+                     options, this->Result.mirror, this->Weights, ways[k].goal },
+          this->start(first, ways[k].goal, budget), budget,
+          this->Run.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count)));
       this->Budget.add(budget);
       const CutSet& set = found.back();
-      const bool met = wanted.bound > 0.0 &&
-        this->Merit.withinBound(
-          std::min_element(found.begin(), found.end(), better)->outcome.strainP95);
+      const bool met =
+        this->withinBound(std::min_element(found.begin(), found.end(), better)->outcome.strainP95);
       if ((met && (set.cuts.size() == first.size() || k > 0)) ||
         found.front().end == SearchEnd::GivenUp || this->Budget.left() <= this->MostMeasuring)
       {
@@ -295,14 +347,6 @@ private:
     if (sharp && better(*sharp, *best))
     {
       *best = *sharp;
-    }
-    else if (wanted.maximumCuts > singleSearch && best->end != SearchEnd::GivenUp)
-    {
-      TrialBudget budget(this->Budget.left() - this->MostMeasuring);
-      adjustCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                   wanted, this->Result.mirror, this->Weights },
-        first.size(), *best, budget, this->Run.part(searchPart, 1.0));
-      this->Budget.add(budget);
     }
     const bool limited = std::any_of(found.begin(), found.end(),
       [](const CutSet& one) { return one.end == SearchEnd::WorkUsedUp; });
@@ -373,7 +417,7 @@ private:
     }
     this->Result.strainAfter = with.known(with.strainP95);
     this->Result.rigidEnergyAfter = with.known(with.energy / this->Area);
-    this->Result.boundMet = with.valid && this->Merit.withinBound(with.strainP95);
+    this->Result.boundMet = with.valid && this->withinBound(with.strainP95);
     this->Result.worstPlace = with.worstPlace;
   }
 
@@ -399,7 +443,6 @@ private:
   RegionWeights Weights; ///< relative ones
   CutTrials Whole;
   double Area;
-  CutSetMerit Merit;
   std::map<SearchGoal, std::optional<CutSet>> Start; ///< the cuts that are needed anyway
   TrialBudget Budget;
   double MostMeasuring = 0.0; ///< of the budget
@@ -411,18 +454,10 @@ CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyl
   const SuggestionOptions& options, const Execution& execution)
 {
   CurveSuggestions refused;
-  refused.status = checkSearch(options.search, options.flattening, curves);
-  if (refused.status.ok())
-  {
-    refused.status = checkWeights(options.weights, mesh.triangleCount());
-  }
+  refused.status = checkSuggestion(options, mesh.triangleCount(), curves);
   if (!refused.status.ok())
   {
     return refused;
-  }
-  if (options.search.cuts == SuggestedCuts::Lines)
-  {
-    return suggestLines(mesh, curves, options, execution);
   }
   return withinMemory([&] { return Suggesting(mesh, curves, options, execution).run(); });
 }

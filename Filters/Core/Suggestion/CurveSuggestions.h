@@ -4,24 +4,94 @@
 #include "Flattening/FlatteningOptions.h"
 #include "Imprint/ImprintedSurface.h"
 #include "Suggestion/RegionWeights.h"
-#include "Suggestion/SearchOptions.h"
-#include "Suggestion/SuggestedCurve.h"
 #include "Suggestion/SurfaceMirror.h"
+#include "Surface/FeatureCurve.h"
 
+#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace flattening
 {
+/// What may be proposed.
+enum class SuggestedCuts
+{
+  Darts,
+  Seams,
+  All
+};
+
+/// All lengths are in units of R = sqrt(area / pi) of the piece, except where said.
+struct SearchOptions
+{
+  SuggestedCuts cuts = SuggestedCuts::All;
+  /// The strain, on 95 % of each piece's area, that is good enough; 0: go on until cuts or length
+  /// are used up, or no cut is worth its price.
+  double bound = 0.02;
+  Index maximumCuts = 8;
+  /// Of all proposed cuts together, in the surface's unit.
+  double maximumCutLength = std::numeric_limits<double>::infinity();
+  /// Find a mirror plane and keep to it.
+  bool symmetric = true;
+  /// Curves along which a cut may begin or end at another price: it is divided by the weight; 0
+  /// forbids it.
+  struct Preference
+  {
+    std::string curve;
+    double weight = 1.0;
+  };
+  std::vector<Preference> preferences;
+  /// What each cut costs beside its length.
+  double fixedPrice = 0.2;
+  double leastLength = 0.12;
+  /// Real flattenings to choose each cut from, after the forecast has ranked them.
+  Index trials = 24;
+  /// Of all real flattenings, in millions of steps of an iteration on one triangle, whatever the
+  /// size of the surface. The best cuts that are found by then are proposed. 0: no limit.
+  double maximumWork = 40.0;
+};
+
 struct SuggestionOptions
 {
   SearchOptions search;
   /// Where distortion matters: cuts are chosen by energies and strains for which each triangle's
-  /// area counts so many times. Keeps no mirror plane that does not mirror it as well. Of no effect
-  /// on lines.
+  /// area is multiplied by its weight. Keeps no mirror plane that does not mirror it as well. Of no
+  /// effect on lines.
   RegionWeights weights;
   ImprintOptions imprint;
   /// As the flattening to come will use them.
   FlatteningOptions flattening;
+};
+
+/// A proposed cut or line. What is measured without it, or with it, is NaN where the surface cannot
+/// be flattened so, as a closed one until it is cut.
+struct SuggestedCurve
+{
+  Polyline curve;
+  double length = 0.0;
+  /// Drops of the mean of u^2 (see ScaleFactor) and of the rigid energy over the surface, by this
+  /// cut after those before it; mirror images share one.
+  double predictedGain = 0.0;
+  double gain = 0.0;
+  double opening = 0.0;         ///< of a dart's widest place, by the forecast
+  double areaErrorBefore = 0.0; ///< mean change of area without it and those after it
+  double areaErrorAfter = 0.0;
+  double strainBefore = 0.0; ///< largest p95 strain of a piece without it and those after it
+  double strainAfter = 0.0;
+  bool sound = true;     ///< of a line that is left out: it is valid, but costs too much
+  Index mirrorOf = none; ///< the proposal that it is the mirror image of
+};
+
+/// Why a search ended.
+enum class SearchEnd
+{
+  BoundMet,
+  CutsUsedUp,
+  NothingHelps, ///< no cut that the limits allow is worth its price
+  GivenUp,      ///< the bound is out of reach, see searchCuts()
+  WorkUsedUp,
+  Interrupted ///< by the caller
 };
 
 struct CurveSuggestions
@@ -43,4 +113,13 @@ struct CurveSuggestions
   Point3 worstPlace = Point3::Zero(); ///< where the strain is largest that is left
   Status status;
 };
+
+/// Whether a proposed cut or line may have this name, such as "dart 3".
+bool isProposedName(const std::string& name);
+
+/// Errors: InvalidOption (a number out of its range, a preference for an unknown curve, weights as
+/// checkWeights() says, a grain along curves of which none is known or may be proposed).
+/// \param triangles how many the surface has
+Status checkSuggestion(
+  const SuggestionOptions& options, Index triangles, const std::vector<Polyline>& curves);
 }

@@ -1,38 +1,247 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutCandidates.h"
 
-#include "Suggestion/CutPlaces.h"
-#include "Suggestion/MirrorRoles.h"
+#include "Quality/VertexClusters.h"
 #include "Surface/EdgePaths.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flattening
 {
 namespace
 {
-/// In sqrt(area / pi): steps between bases along the boundary, how far they stay from corners, how
-/// much banks may overlap by the forecast, how long a dart may be, and how far along the boundary a
-/// seam's ends lie apart.
+// Lengths are in sqrt(area / pi).
+
+/// Between bases along the boundary: the search then moves them by as much.
 constexpr double baseSpacing = 0.12;
+/// Bases stay this far from corners, where a dart would cut off a sliver.
 constexpr double clearOfCorner = 0.05;
+/// Banks may overlap this much by the forecast, which is linear.
 constexpr double mostOverlap = 4e-3;
+/// Longer darts cut a piece through: this is the diameter of a disk.
 constexpr double longestDart = 2.0;
+/// Ends of a seam nearer to each other along the boundary cut off a corner alone.
 constexpr double leastSeamArc = 0.35;
+/// With the tips below some thousand plans, ranked within hundredths of a second.
 constexpr Index mostBases = 80;
+constexpr Index mostTips = 140;
 /// Where fewer stay clear of corners these are bases as well.
 constexpr std::size_t leastBases = 8;
-/// Seams run over so many of the places that are farthest from flat, and turn there by less than
-/// the angle whose cosine this is.
+/// Seams run over this many of the places that are farthest from flat, this far apart.
 constexpr std::size_t mostPeaks = 6;
-constexpr double leastTurn = 0.8;
-/// In sqrt(area / pi): how far these places are apart, and how far from one a way's direction is
-/// seen.
 constexpr double peaksApart = 0.3;
+/// They turn there by less than the angle whose cosine this is, 37 degrees, as seen from this far:
+/// nearly straight, though edges zigzag.
+constexpr double leastTurn = 0.8;
 constexpr double seenFrom = 0.25;
-/// Of more every other is the end of such a seam.
+/// Of more bases every other is the end of such a seam, since their pairs are many.
 constexpr std::size_t fewBases = 40;
+/// Darts inside join two of the places with most curvature: some hundred pairs.
+constexpr std::size_t mostSites = 24;
+/// Tips are also the vertices with most curvature, where a dart has to end exactly.
+constexpr std::size_t mostApexes = 16;
+/// Of these none where less than this angle is missing, in radians: it is spread, not an apex.
+constexpr double apexDefect = 0.3;
+
+/// Vertices inside a surface where darts may end.
+struct CutPlaces
+{
+  Indices tips;  ///< spread over all of the inside
+  Indices sites; ///< those of the tips around which most curvature lies, where it is positive
+};
+
+/// \param barred per vertex, whether it lies on a key curve, which no cut may cross
+CutPlaces cutPlaces(const TriangleMesh& mesh, const std::vector<char>& barred)
+{
+  Indices inside;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (mesh.outgoing(v) != none && !mesh.onBoundary(v) && !barred[v])
+    {
+      inside.push_back(v);
+    }
+  }
+  const Indices cluster = clusterVertices(mesh, inside, mostTips);
+  const Index count = std::min<Index>(mostTips, static_cast<Index>(inside.size()));
+  std::vector<Point3> center(count, Point3::Zero());
+  std::vector<double> members(count, 0.0);
+  for (Index v : inside)
+  {
+    center[cluster[v]] += mesh.point(v);
+    members[cluster[v]] += 1.0;
+  }
+  Indices tips(count, none);
+  const auto miss = [&](Index v) {
+    return (mesh.point(v) - center[cluster[v]] / members[cluster[v]]).squaredNorm();
+  };
+  for (Index v : inside)
+  {
+    Index& tip = tips[cluster[v]];
+    tip = tip == none || miss(v) < miss(tip) ? v : tip;
+  }
+  std::vector<double> defects(mesh.vertexCount(), 0.0);
+  for (Index v : inside)
+  {
+    defects[v] = 2.0 * pi - angleSum(mesh, v);
+  }
+  std::vector<std::pair<double, Index>> curved(count, { 0.0, none });
+  for (Index v : inside)
+  {
+    curved[cluster[v]].first -= defects[v];
+    curved[cluster[v]].second = tips[cluster[v]];
+  }
+  std::sort(curved.begin(), curved.end());
+  Indices apexes = inside;
+  const auto sharper = [&](
+                         Index a, Index b) { return std::abs(defects[a]) > std::abs(defects[b]); };
+  std::stable_sort(apexes.begin(), apexes.end(), sharper);
+  apexes.resize(std::min(apexes.size(), mostApexes));
+  for (Index v : apexes)
+  {
+    if (std::abs(defects[v]) > apexDefect && std::find(tips.begin(), tips.end(), v) == tips.end())
+    {
+      tips.push_back(v);
+    }
+  }
+  CutPlaces places;
+  for (const auto& [defect, tip] : curved)
+  {
+    if (defect < 0.0 && places.sites.size() < mostSites)
+    {
+      places.sites.push_back(tip);
+    }
+  }
+  tips.erase(std::remove(tips.begin(), tips.end(), none), tips.end());
+  places.tips = std::move(tips);
+  return places;
+}
+
+/// How far cuts stay from the mirror plane or lie in it, in sqrt(area / pi).
+constexpr double clearOfPlane = 0.04;
+
+/// Which part plans take with regard to the mirror plane of a piece, if it has one.
+class MirrorRoles
+{
+public:
+  /// The piece must outlive it. \param pairs whether cuts may come in pairs
+  MirrorRoles(const SearchedPiece& piece, bool pairs);
+
+  /// On which side of the plane; 0 in it. \pre there is one
+  int side(const Point3& point) const;
+  /// The boundary vertex nearest to a boundary vertex' image. \pre there is a plane
+  Index mirroredBase(Index base) const;
+  /// The role of a cut from one point to another; false where it can have none.
+  bool take(const Point3& from, const Point3& to, CutPlan& plan) const;
+  /// The same of a seam by its `via`, which it moves into the plane where that is near. \pre there
+  /// is one
+  bool takeOver(Index base, Index end, CutPlan& plan) const;
+  /// Moves the ends of a plan that lies along the plane into it.
+  void bringIntoPlane(CutPlan& plan) const;
+
+private:
+  BoundaryPlace inPlane(BoundaryPlace place) const;
+
+  const SearchedPiece& Piece;
+  bool Pairs;
+  double Margin;
+};
+
+MirrorRoles::MirrorRoles(const SearchedPiece& piece, bool pairs)
+  : Piece(piece)
+  , Pairs(pairs)
+  , Margin(clearOfPlane * piece.size())
+{
+}
+
+int MirrorRoles::side(const Point3& point) const
+{
+  const double distance = this->Piece.mirror()->side(point);
+  return distance > this->Margin ? 1 : distance < -this->Margin ? -1 : 0;
+}
+
+bool MirrorRoles::takeOver(Index base, Index end, CutPlan& plan) const
+{
+  const int top = this->side(*plan.via);
+  if (top == 0)
+  {
+    plan.via = this->Piece.onto(this->Piece.mirror()->projected(*plan.via));
+    if (end == this->mirroredBase(base))
+    {
+      plan.role = MirrorRole::Across;
+      return true;
+    }
+  }
+  if (!this->take(this->Piece.mesh().point(base), this->Piece.mesh().point(end), plan) ||
+    this->side(this->Piece.mesh().point(base)) != top)
+  {
+    return false;
+  }
+  if (plan.role == MirrorRole::Along)
+  {
+    this->bringIntoPlane(plan);
+  }
+  return true;
+}
+
+Index MirrorRoles::mirroredBase(Index base) const
+{
+  return this->Piece.ruler().vertex(this->Piece.mirrored(this->Piece.ruler().placeOf(base)));
+}
+
+bool MirrorRoles::take(const Point3& from, const Point3& to, CutPlan& plan) const
+{
+  if (!this->Piece.mirror())
+  {
+    return true;
+  }
+  const int a = this->side(from);
+  const int b = this->side(to);
+  if (a == 0 && b == 0)
+  {
+    plan.role = MirrorRole::Along;
+    return true;
+  }
+  plan.role = MirrorRole::Pair;
+  return a * b > 0 && this->Pairs;
+}
+
+void MirrorRoles::bringIntoPlane(CutPlan& plan) const
+{
+  const SurfaceMirror& plane = *this->Piece.mirror();
+  plan.base = this->inPlane(plan.base);
+  if (plan.type == CurveType::Seam)
+  {
+    plan.end = this->inPlane(plan.end);
+  }
+  else
+  {
+    plan.tip = this->Piece.onto(plane.projected(plan.tip));
+  }
+}
+
+/// Where the boundary crosses the plane near a place.
+BoundaryPlace MirrorRoles::inPlane(BoundaryPlace place) const
+{
+  const BoundaryRuler& ruler = this->Piece.ruler();
+  const SurfaceMirror& plane = *this->Piece.mirror();
+  double low = -2.0 * this->Margin;
+  double high = 2.0 * this->Margin;
+  const auto at = [&](double by) { return plane.side(ruler.point(ruler.moved(place, by))); };
+  if (at(low) * at(high) > 0.0)
+  {
+    return place;
+  }
+  const bool rising = at(high) > 0.0;
+  for (int halving = 0; halving < 60; ++halving)
+  {
+    const double middle = 0.5 * (low + high);
+    ((at(middle) > 0.0) == rising ? high : low) = middle;
+  }
+  return ruler.moved(place, 0.5 * (low + high));
+}
 
 class Planning
 {

@@ -3,8 +3,6 @@
 
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
-#include "Suggestion/PieceImages.h"
-#include "Suggestion/SettledCuts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,26 +12,65 @@ namespace flattening
 {
 namespace
 {
-/// A cut whose price is sqrt(area / pi) has to lower the energy by this share to be worth it.
+/// A cut whose price is sqrt(area / pi) has to lower the goal by this share to be worth it, and one
+/// that is looked for anew by as much to be moved.
 constexpr double leastShare = 0.01;
 /// Where a surface had to be cut open, a piece with more strain than this is divided by seams
 /// before it is shaped by darts.
 constexpr double dividedStrain = 0.1;
-/// A cut is moved elsewhere where that lowers the energy by more than this share; so often at most.
-constexpr double leastProgress = 0.01;
+/// All cuts are looked for anew this often at most: more gave nothing on a hemisphere.
 constexpr int mostRefits = 3;
-/// A price besides which the length matters little.
+/// A price, in sqrt(area / pi), besides which the length matters little.
 constexpr double gainAlone = 5.0;
-/// A search is given up after so many cuts, where the bound would take so many times the most cuts.
+/// A search is given up from this many cuts on, where the bound would take four times the most
+/// cuts: later ones gain less than the first.
 constexpr Index cutsToTellBy = 3;
 constexpr double farTooMany = 4.0;
-/// So many of the cuts found are tried on the surface itself.
+/// As many of the cuts found are tried on the surface itself, where the coarse version misled.
 constexpr std::size_t mostAttempts = 4;
 
 /// Of the strain, with which a goal goes.
 double powerOf(SearchGoal goal)
 {
   return goal == SearchGoal::Strain ? 4.0 : goal == SearchGoal::Energy ? 2.0 : 1.0;
+}
+
+/// The lines of a plan as they are proposed: by the points where they cross the surface's edges
+/// beside some other cuts, the two of a pair exact images on a piece that is its own, and equally
+/// long darts on another. Empty where they cannot be made.
+std::vector<Polyline> settledCuts(const CutTrials& trials, const std::vector<Polyline>& others,
+  const std::vector<Polyline>& lines, const SearchedPiece& piece)
+{
+  std::vector<Polyline> all = others;
+  all.insert(all.end(), lines.begin(), lines.end());
+  const std::vector<Points3> paths = trials.paths(all);
+  if (paths.empty())
+  {
+    return {};
+  }
+  std::vector<Polyline> settled = lines;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    settled[k].points = paths[others.size() + k];
+  }
+  if (settled.size() == 2 && settled[0].type == CurveType::Dart)
+  {
+    // Where the mirror is not exact, sewing is easier by a dart that stops short than by a pair
+    // that differs.
+    const double first = lengthOf(settled[0].points);
+    const double second = lengthOf(settled[1].points);
+    Points3& longer = settled[first > second ? 0 : 1].points;
+    longer = shortened(longer, std::min(first, second));
+  }
+  if (settled.size() == 2 && piece.mirrorIsExact())
+  {
+    settled[1].points = settled[0].points;
+    for (Point3& p : settled[1].points)
+    {
+      p = piece.mirror()->mirrored(p);
+    }
+  }
+  return settled;
 }
 
 class SetSearch
@@ -44,26 +81,20 @@ public:
     : Subject(subject)
     , Search(subject.search)
     , Run(execution)
-    , Whole(subject.mesh, subject.curves, subject.imprint, subject.flattening, subject.search.goal,
+    , Whole(subject.mesh, subject.curves, subject.imprint, subject.flattening, subject.goal,
         subject.weights)
     , Budget(budget)
     , FirstCount(first.cuts.size())
     , First(first.outcome)
+    , Area(subject.mesh.area())
+    , Size(std::sqrt(this->Area / pi))
     , Result(std::move(first))
   {
-    for (Index t = 0; t < subject.mesh.triangleCount(); ++t)
-    {
-      this->Area += subject.mesh.area(t);
-    }
   }
 
   CutSet run()
   {
-    while (!this->finished() && this->addCut())
-    {
-      this->Run.report(
-        static_cast<double>(this->Result.cuts.size()) / this->Search.maximumCuts, "Choosing cuts");
-    }
+    this->addCuts();
     if (!this->withinBound(this->now().strainP95) && this->Result.end != SearchEnd::GivenUp)
     {
       this->refit();
@@ -108,7 +139,7 @@ private:
     {
       return false;
     }
-    const double power = powerOf(this->Search.goal);
+    const double power = powerOf(this->Subject.goal);
     const double done = std::log(this->First.goal / this->now().goal) / made;
     const double left = power * std::log(this->now().strainP95 / this->Search.bound);
     const double needed = done > 0.0 ? made + left / done : std::numeric_limits<double>::infinity();
@@ -123,13 +154,21 @@ private:
     return false;
   }
 
+  void addCuts()
+  {
+    while (!this->finished() && this->addCut())
+    {
+      this->Run.report(
+        static_cast<double>(this->Result.cuts.size()) / this->Search.maximumCuts, "Choosing cuts");
+    }
+  }
+
   void thin()
   {
     if (this->FirstCount == 0)
     {
-      thinCuts(this->Whole, this->Search.bound,
-        this->Search.leastLength * std::sqrt(this->Area / pi), this->Result.cuts, this->now(),
-        this->Budget, this->Run);
+      thinCuts(this->Whole, this->Search.bound, this->Search.leastLength * this->Size,
+        this->Result.cuts, this->now(), this->Budget, this->Run);
     }
   }
 
@@ -152,6 +191,7 @@ private:
       {
         return;
       }
+      this->addCuts(); // a pair may have become one cut
     }
   }
 
@@ -170,7 +210,7 @@ private:
     this->now() = this->Whole.run(this->chosen(), this->Budget, this->Run);
     this->Refitting = true;
     const bool found = this->now().valid && this->addCut() && this->now().soundAfter(now) &&
-      this->now().goal < (1.0 - leastProgress) * now.goal &&
+      this->now().goal < (1.0 - leastShare) * now.goal &&
       static_cast<Index>(this->Result.cuts.size()) <= this->Search.maximumCuts;
     this->Refitting = false;
     if (!found)
@@ -225,7 +265,7 @@ private:
         return this->now().pieceGoals[a] > this->now().pieceGoals[b];
       });
     }
-    const Indices images = pieceImages(pieces, this->Subject.mirror, std::sqrt(this->Area / pi));
+    const Indices images = pieceImages(pieces, this->Subject.mirror, this->Size);
     std::vector<char> done(pieces.size(), 0);
     return std::any_of(order.begin(), order.end(), [&](std::size_t p) {
       const bool twice = images[p] != none;
@@ -254,12 +294,11 @@ private:
       search.cuts = SuggestedCuts::Seams;
     }
     search.maximumCuts = this->cutsLeft() / (twice ? 2 : 1);
-    if (this->Refitting && std::isfinite(search.maximumCutLength))
+    if (this->Refitting)
     {
       search.fixedPrice = gainAlone;
     }
-    PieceSearch found(
-      piece, marks, this->Subject.mirror, this->Subject.imprint, this->Subject.flattening, search);
+    PieceSearch found(piece, marks, this->Subject, search);
     if (!found.ok(this->Run))
     {
       return false;
@@ -279,7 +318,7 @@ private:
   bool worthIt(const TriedCut& cut) const
   {
     const double share = this->now().valid ? cut.score / this->now().goal : 1.0;
-    return share * std::sqrt(this->Area / pi) >= leastShare;
+    return share * this->Size >= leastShare;
   }
 
   bool accept(const TriedCut& best, PieceSearch& piece, bool twice)
@@ -297,7 +336,6 @@ private:
     {
       SuggestedCurve cut;
       cut.curve = settled[k];
-      cut.via = k == 0 ? best.plan.via : std::nullopt;
       cut.predictedGain = best.plan.predictedGain / this->Area;
       cut.opening = best.plan.opening;
       cut.mirrorOf = k > 0 ? static_cast<Index>(first) : none;
@@ -331,7 +369,8 @@ private:
   TrialBudget& Budget;
   std::size_t FirstCount;
   TrialOutcome First; ///< of the cuts that there are whatever the bound
-  double Area = 0.0;
+  double Area;
+  double Size; ///< sqrt(area / pi)
   bool Refitting = false;
   CutSet Result;
 };

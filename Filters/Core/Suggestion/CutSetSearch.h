@@ -2,24 +2,9 @@
 #pragma once
 
 #include "Suggestion/PieceSearch.h"
-#include "Suggestion/SuggestedCurve.h"
-
-#include <optional>
 
 namespace flattening
 {
-/// What a search is about; it only refers to what it names.
-struct SearchSubject
-{
-  const TriangleMesh& mesh;
-  const std::vector<Polyline>& curves;
-  const ImprintOptions& imprint;
-  const FlatteningOptions& flattening;
-  const SearchOptions& search;
-  std::optional<SurfaceMirror> mirror; ///< to which cuts keep
-  const RegionWeights& weights;        ///< relative ones
-};
-
 /// Cuts and what the surface is with them.
 struct CutSet
 {

@@ -20,16 +20,6 @@ void trim(SuggestedCurve& cut, double share)
 }
 }
 
-double lengthOf(const Points3& line)
-{
-  double length = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k)
-  {
-    length += (line[k] - line[k - 1]).norm();
-  }
-  return length;
-}
-
 Points3 shortened(const Points3& line, double length)
 {
   Points3 kept{ line.front() };
@@ -78,31 +68,6 @@ std::vector<SuggestedCurve> withShare(
     }
   }
   return result;
-}
-
-bool isCarrier(const std::vector<SuggestedCurve>& cuts, std::size_t which, double near)
-{
-  const auto group = [&](std::size_t k) {
-    return cuts[k].mirrorOf == none ? k : static_cast<std::size_t>(cuts[k].mirrorOf);
-  };
-  const auto onCut = [&](const Point3& end, const Points3& line) {
-    return std::any_of(
-      line.begin(), line.end(), [&](const Point3& point) { return (point - end).norm() < near; });
-  };
-  for (std::size_t other = 0; other < cuts.size(); ++other)
-  {
-    for (std::size_t mine = 0; mine < cuts.size(); ++mine)
-    {
-      const Points3& line = cuts[mine].curve.points;
-      const Points3& ends = cuts[other].curve.points;
-      if (group(mine) == group(which) && group(other) != group(which) &&
-        (onCut(ends.front(), line) || onCut(ends.back(), line)))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 void thinCuts(const CutTrials& trials, double bound, double least,

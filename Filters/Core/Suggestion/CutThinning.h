@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/CutTrials.h"
-#include "Suggestion/SuggestedCurve.h"
-#include "Suggestion/TrialBudget.h"
 
 namespace flattening
 {
@@ -15,8 +14,6 @@ void thinCuts(const CutTrials& trials, double bound, double least,
   std::vector<SuggestedCurve>& cuts, TrialOutcome& now, TrialBudget& budget,
   const Execution& execution);
 
-double lengthOf(const Points3& line);
-
 /// The first part of a line, of this length.
 Points3 shortened(const Points3& line, double length);
 
@@ -25,7 +22,4 @@ std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts);
 /// The cuts with one and its mirror image left out, or cut back to a share of its length.
 std::vector<SuggestedCurve> withShare(
   const std::vector<SuggestedCurve>& cuts, std::size_t which, double share);
-
-/// Whether others begin or end on a cut or its mirror image. \param near how far from its points
-bool isCarrier(const std::vector<SuggestedCurve>& cuts, std::size_t which, double near);
 }

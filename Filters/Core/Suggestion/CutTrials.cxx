@@ -5,7 +5,6 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Quality/StrainMeasures.h"
-#include "Suggestion/TrialGoals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +18,71 @@ namespace
 constexpr double askedPerStep = 11.0;
 /// What a trial takes beside its steps, in steps.
 constexpr double besideSteps = 5.0;
-/// The budget is checked after this many trials in parallel.
+/// The budget is checked after this many trials in parallel, more than there are threads.
 constexpr Index triedTogether = 16;
-/// Of the most steps of a trial, what it may take from where the surface lies uncut.
+/// Of the most steps of a trial, what it may take from where the surface lies uncut: where that is
+/// bad a new start is quicker.
 constexpr double startShare = 0.4;
-/// Of flattenings that are only compared.
+/// Tolerances of flattenings that are only compared: energies are known to five digits by then.
 constexpr double enoughToCompare = 1e-3;
 constexpr double lengthTolerance = 1e-4;
 /// A triangle with two edges on a straight key has no area in the plane, and rounding says to which
 /// side it turns. Its small stretch is below this.
 constexpr double collapsed = 1e-6;
+
+/// No triangle counts for more, so that one that has collapsed does not hide all others.
+constexpr double mostStrain = 2.0;
+
+double strainOf(const TriangleQuality& quality)
+{
+  if (!(quality.smallStretch > 0.0))
+  {
+    return mostStrain;
+  }
+  return std::min(mostStrain,
+    std::max(std::abs(std::log(quality.smallStretch)), std::abs(std::log(quality.largeStretch))));
+}
+
+/// By piece, the integral of the strain's fourth power. \param counted area of each triangle
+std::vector<double> peakStrains(const FlatteningResult& flat, const std::vector<double>& counted)
+{
+  std::vector<double> peaks(flat.pieces.size(), 0.0);
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    peaks[flat.cut->pieceOfTriangle[t]] += counted[t] * std::pow(strainOf(flat.triangles[t]), 4.0);
+  }
+  return peaks;
+}
+
+/// By piece, the integral of the change of area. \param counted area of each triangle
+std::vector<double> areaChanges(const FlatteningResult& flat, const std::vector<double>& counted)
+{
+  std::vector<double> changes(flat.pieces.size(), 0.0);
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    changes[flat.cut->pieceOfTriangle[t]] +=
+      counted[t] * std::abs(flat.triangles[t].areaRatio - 1.0);
+  }
+  return changes;
+}
+
+/// The middle of the triangle that is strained most of those that count.
+Point3 worstPlace(const FlatteningResult& flat, const std::vector<double>& counted)
+{
+  Index worst = 0;
+  double most = -1.0;
+  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
+  {
+    const double strain = strainOf(flat.triangles[t]);
+    if (strain > most && counted[t] > 0.0)
+    {
+      most = strain;
+      worst = t;
+    }
+  }
+  const auto& [a, b, c] = flat.cut->mesh.triangle(worst);
+  return (flat.cut->mesh.point(a) + flat.cut->mesh.point(b) + flat.cut->mesh.point(c)) / 3.0;
+}
 
 /// Whether one of the curves from `first` on meets a key curve anywhere but at the boundary.
 bool touchesKey(const ImprintedSurface& surface, std::size_t first)
@@ -131,6 +185,16 @@ bool dartsDivide(const ImprintedSurface& surface, std::size_t first)
 }
 }
 
+double lengthOf(const Points3& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    length += (line[k] - line[k - 1]).norm();
+  }
+  return length;
+}
+
 FlatteningOptions roughly(FlatteningOptions options)
 {
   options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
@@ -140,12 +204,7 @@ FlatteningOptions roughly(FlatteningOptions options)
 
 double TrialOutcome::cutLength() const
 {
-  double sum = 0.0;
-  for (double length : this->lengths)
-  {
-    sum += length;
-  }
-  return sum;
+  return std::accumulate(this->lengths.begin(), this->lengths.end(), 0.0);
 }
 
 CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
@@ -297,12 +356,7 @@ TrialOutcome CutTrials::measured(
   outcome.paths = pathsOf(surface, this->Curves.size());
   for (const Points3& path : outcome.paths)
   {
-    double length = 0.0;
-    for (std::size_t k = 1; k < path.size(); ++k)
-    {
-      length += (path[k] - path[k - 1]).norm();
-    }
-    outcome.lengths.push_back(length);
+    outcome.lengths.push_back(lengthOf(path));
   }
   outcome.valid = true;
   outcome.severity = severity(flat.status.code);

@@ -5,13 +5,55 @@
 #include "Flattening/FlatteningResult.h"
 #include "Imprint/ImprintedSurface.h"
 #include "Suggestion/RegionWeights.h"
-#include "Suggestion/SearchOptions.h"
-#include "Suggestion/TrialBudget.h"
+#include "Surface/FeatureCurve.h"
 
 #include <limits>
 
 namespace flattening
 {
+/// What each cut is to lower.
+enum class SearchGoal
+{
+  Energy, ///< the rigid energy
+  Area,   ///< the mean change of area
+  Strain  ///< the mean of the strain's fourth power, which tells of the largest
+};
+
+/// What a search may spend on flattenings. Their work is counted, not timed, so that a search that
+/// is ended by it has the same result wherever it is made.
+class TrialBudget
+{
+public:
+  /// \param most as TrialOutcome::work counts it
+  explicit TrialBudget(double most)
+    : Most(most)
+  {
+  }
+
+  bool spent() const { return this->Paid >= this->Most; }
+  double left() const { return this->Most - this->Paid; }
+  /// Paid so far.
+  double work() const { return this->Paid; }
+  Index trials() const { return this->Trials; }
+
+  void pay(double work)
+  {
+    this->Paid += work;
+    ++this->Trials;
+  }
+  /// What another paid.
+  void add(const TrialBudget& other)
+  {
+    this->Paid += other.Paid;
+    this->Trials += other.Trials;
+  }
+
+private:
+  double Most;
+  double Paid = 0.0;
+  Index Trials = 0;
+};
+
 /// What a flattening with some cuts turned out to be. Where regions have weights, energy, goal and
 /// strain are as if areas were multiplied by them.
 struct TrialOutcome
@@ -30,6 +72,9 @@ struct TrialOutcome
   std::vector<double> pieceGoals;
 
   double leastPiece = 1.0; ///< area of the smallest piece over that of all
+  int severity = 0;        ///< of its status
+  /// Where the strain is largest of what counts.
+  Point3 worstPlace = Point3::Zero();
 
   double cutLength() const;
   /// One of the measures; NaN where there is no flattening to measure.
@@ -37,16 +82,16 @@ struct TrialOutcome
   {
     return this->valid ? measure : std::numeric_limits<double>::quiet_NaN();
   }
-  int severity = 0; ///< of its status
-  /// Where the strain is largest of what counts.
-  Point3 worstPlace = Point3::Zero();
-  /// No promise is broken worse than before: nothing more is folded or lies over another part.
+  /// Whether the status is no worse than before: nothing more is folded or lies over another part.
   bool soundAfter(const TrialOutcome& before) const
   {
     return this->valid && this->severity <= before.severity && this->flipped <= before.flipped &&
       this->overlaps <= before.overlaps;
   }
 };
+
+/// Of a line by its points.
+double lengthOf(const Points3& line);
 
 /// Options of flattenings that are only compared with each other: energies are known to five digits
 /// long before the last iterations.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/OpeningCuts.h"
 
+#include "Base/CompressedRows.h"
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Surface/EdgePaths.h"
 #include "Surface/SurfacePoint.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <numeric>
@@ -21,36 +23,6 @@ constexpr double leastHoleTurn = 0.95;
 
 /// Of the angle by which a sharp edge turns at least.
 constexpr double sharpCosine = 0.866;
-
-/// Sets that are joined.
-class Groups
-{
-public:
-  explicit Groups(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  Index of(Index k)
-  {
-    while (this->Parent[k] != k)
-    {
-      k = this->Parent[k] = this->Parent[this->Parent[k]];
-    }
-    return k;
-  }
-  /// False where they are one already.
-  bool join(Index a, Index b)
-  {
-    const Index first = this->of(a);
-    const Index second = this->of(b);
-    this->Parent[first] = second;
-    return first != second;
-  }
-
-private:
-  Indices Parent;
-};
 
 Index firstVertex(const TriangleMesh& mesh)
 {
@@ -151,15 +123,19 @@ private:
     };
     std::stable_sort(
       edges.begin(), edges.end(), [&](Index a, Index b) { return around(a) > around(b); });
-    Groups groups(count);
+    JoinedSets faces(count);
     Indices left;
     for (Index h : edges)
     {
       const Index twin = this->Mesh.twin(h);
-      if (inTree.count(edgeBetween(this->Mesh.from(h), this->Mesh.to(h))) == 0 &&
-        !groups.join(h / 3, twin == none ? outside[h] : twin / 3))
+      const Index outer = twin == none ? outside[h] : twin / 3;
+      if (inTree.count(edgeBetween(this->Mesh.from(h), this->Mesh.to(h))) == 0)
       {
-        left.push_back(h);
+        if (faces.find(h / 3) == faces.find(outer))
+        {
+          left.push_back(h);
+        }
+        faces.join(h / 3, outer);
       }
     }
     return left;

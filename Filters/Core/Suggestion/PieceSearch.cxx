@@ -4,19 +4,179 @@
 #include "Suggestion/CutCandidates.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace flattening
 {
 namespace
 {
-/// Of the version on which cuts are tried.
+/// Of the version on which cuts are tried: a flattening takes some milliseconds.
 constexpr Index coarseTriangles = 500;
-/// Of a trial on it.
+/// A trial on it is given up after these steps, several times what sound ones take.
 constexpr double mostSteps = 75.0;
-
-/// What a cut is worth that begins or ends on the leg of a dart: nobody likes to sew over one.
+/// What the price of a cut is divided by that begins or ends on the leg of a dart: seams over a
+/// sewn dart are thick.
 constexpr double worthOfLegs = 0.5;
+/// In sqrt(area / pi): plans that differ by less are tried once.
+constexpr double plansApart = 0.15;
+/// In the same unit, how far a cut's ends are moved at first, as far as bases are apart, and at
+/// last.
+constexpr double firstStep = 0.12;
+constexpr double lastStep = 0.025;
+/// A seam that cuts off less than this share of the area only trims the piece.
+constexpr double leastPiece = 0.03;
+/// Moves are taken that raise the score by more than this share.
+constexpr double leastRise = 0.005;
+/// The best by score need not be the best once its ends are moved.
+constexpr std::size_t polishedCuts = 2;
+
+/// Null where it is not one piece once its darts are opened.
+std::unique_ptr<SearchedPiece> searchedPiece(
+  const PieceSurface& piece, const VertexMarks& marks, const std::optional<SurfaceMirror>& mirror)
+{
+  const CutSurface cut = cutSurface(piece.mesh, piece.curves);
+  if (!cut.status.ok() || cut.pieceCount != 1)
+  {
+    return nullptr;
+  }
+  Piece opened = std::move(extractPieces(cut).front());
+  std::vector<char> barred;
+  std::vector<double> worth;
+  for (Index v : opened.vertices)
+  {
+    const Index marked = piece.vertices[cut.originalVertex[v]];
+    barred.push_back(marks.barred[marked]);
+    worth.push_back(marks.worth[marked]);
+  }
+  RegionWeights weights;
+  for (std::size_t t = 0; t < opened.triangles.size() && !piece.weights.empty(); ++t)
+  {
+    weights.push_back(piece.weights[opened.triangles[t]]);
+  }
+  std::vector<double> weight = vertexWeights(opened.mesh, weights);
+  return std::make_unique<SearchedPiece>(
+    std::move(opened.mesh), std::move(barred), std::move(worth), std::move(weight), mirror);
+}
+
+/// The plans of types that none of some others is of.
+std::vector<CutPlan> ofOtherTypes(
+  const std::vector<CutPlan>& plans, const std::vector<CutPlan>& others)
+{
+  std::vector<CutPlan> left;
+  std::copy_if(plans.begin(), plans.end(), std::back_inserter(left), [&](const CutPlan& plan) {
+    return std::none_of(
+      others.begin(), others.end(), [&](const CutPlan& other) { return other.type == plan.type; });
+  });
+  return left;
+}
+
+/// Whether the ends of plans, and what seams run over, are nearer to each other than a distance;
+/// of seams and darts inside also the other way round.
+bool alike(const SearchedPiece& piece, const CutPlan& a, const CutPlan& b, double apart)
+{
+  const auto near = [&](const Point3& p, const Point3& q) { return (p - q).norm() < apart; };
+  const Point3 a1 = piece.baseOf(a);
+  const Point3 a2 = piece.endOf(a);
+  const Point3 b1 = piece.baseOf(b);
+  const Point3 b2 = piece.endOf(b);
+  const bool turned = (a.type == CurveType::Seam || a.start) && near(a1, b2) && near(a2, b1);
+  const bool sameWay = a.via.has_value() == b.via.has_value() && (!a.via || near(*a.via, *b.via));
+  return a.type == b.type && a.start.has_value() == b.start.has_value() && sameWay &&
+    ((near(a1, b1) && near(a2, b2)) || turned);
+}
+
+/// The first of the plans that differ: of those that lie close to each other the first.
+std::vector<CutPlan> distinctPlans(
+  const SearchedPiece& piece, const std::vector<CutPlan>& plans, Index most)
+{
+  std::vector<CutPlan> chosen;
+  for (const CutPlan& plan : plans)
+  {
+    if (static_cast<Index>(chosen.size()) >= most)
+    {
+      break;
+    }
+    if (std::none_of(chosen.begin(), chosen.end(), [&](const CutPlan& other) {
+          return alike(piece, plan, other, plansApart * piece.size());
+        }))
+    {
+      chosen.push_back(plan);
+    }
+  }
+  return chosen;
+}
+
+/// Plans that differ from one by an end, or the place that a seam runs over, moved by a step either
+/// way, in the surface's unit: ends on the boundary along it, tips along the cut and across. They
+/// keep the plan's role.
+std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan, double step)
+{
+  std::vector<CutPlan> plans;
+  const BoundaryRuler& ruler = piece.ruler();
+  const auto addMoved = [&](double base, double end) {
+    CutPlan moved = plan;
+    moved.base = ruler.moved(plan.base, base);
+    moved.end = plan.type == CurveType::Seam ? ruler.moved(plan.end, end) : plan.end;
+    if (piece.worth(moved.base) > 0.0)
+    {
+      plans.push_back(moved);
+    }
+  };
+  const bool along = plan.role == MirrorRole::Along;
+  for (double by : { step, -step })
+  {
+    if (!along && !plan.start)
+    {
+      addMoved(by, 0.0);
+    }
+    if (plan.type == CurveType::Seam && plan.role != MirrorRole::Across && !along)
+    {
+      addMoved(0.0, by);
+      addMoved(by, by);
+      addMoved(by, -by);
+    }
+  }
+  const Point3 base = piece.baseOf(plan);
+  const Point3 ahead = (piece.endOf(plan) - base).normalized();
+  const auto aside = [&](const Point3& place) { return piece.normalNear(place).cross(ahead); };
+  const auto placed = [&](const Point3& point, bool inPlane) {
+    return piece.onto(inPlane ? piece.mirror()->projected(point) : point);
+  };
+  for (double by : { step, -step })
+  {
+    if (plan.via)
+    {
+      CutPlan moved = plan;
+      moved.via =
+        placed(*plan.via + by * aside(*plan.via), along || plan.role == MirrorRole::Across);
+      plans.push_back(moved);
+    }
+    if (plan.type != CurveType::Dart)
+    {
+      continue;
+    }
+    for (const Point3& direction : { ahead, aside(plan.tip) })
+    {
+      CutPlan moved = plan;
+      moved.tip = placed(plan.tip + by * direction, along);
+      if (!plan.start || piece.takesInnerTip(moved.tip))
+      {
+        plans.push_back(moved);
+      }
+      if (plan.start)
+      {
+        moved = plan;
+        moved.start = placed(*plan.start + by * direction, along);
+        if (piece.takesInnerTip(*moved.start))
+        {
+          plans.push_back(moved);
+        }
+      }
+    }
+  }
+  return plans;
+}
 }
 
 VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& options)
@@ -45,43 +205,15 @@ VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& o
   return marks;
 }
 
-std::unique_ptr<SearchedPiece> searchedPiece(
-  const PieceSurface& piece, const VertexMarks& marks, const std::optional<SurfaceMirror>& mirror)
-{
-  const CutSurface cut = cutSurface(piece.mesh, piece.curves);
-  if (!cut.status.ok() || cut.pieceCount != 1)
-  {
-    return nullptr;
-  }
-  Piece opened = std::move(extractPieces(cut).front());
-  std::vector<char> barred;
-  std::vector<double> worth;
-  for (Index v : opened.vertices)
-  {
-    const Index marked = piece.vertices[cut.originalVertex[v]];
-    barred.push_back(marks.barred[marked]);
-    worth.push_back(marks.worth[marked]);
-  }
-  RegionWeights weights;
-  for (std::size_t t = 0; t < opened.triangles.size() && !piece.weights.empty(); ++t)
-  {
-    weights.push_back(piece.weights[opened.triangles[t]]);
-  }
-  std::vector<double> weight = vertexWeights(opened.mesh, weights);
-  return std::make_unique<SearchedPiece>(
-    std::move(opened.mesh), std::move(barred), std::move(worth), std::move(weight), mirror);
-}
-
 PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
-  const std::optional<SurfaceMirror>& mirror, const ImprintOptions& imprint,
-  const FlatteningOptions& flattening, const SearchOptions& options)
+  const SearchSubject& subject, const SearchOptions& options)
   : Subject(piece)
   , Marks(marks)
-  , Mirror(mirror)
+  , Mirror(subject.mirror)
   , Options(options)
   , Coarse(coarsened(piece, coarseTriangles))
-  , Trials(this->Coarse.mesh, this->Coarse.polylines(), imprint, roughly(flattening), options.goal,
-      this->Coarse.weights, mostSteps)
+  , Trials(this->Coarse.mesh, this->Coarse.polylines(), subject.imprint,
+      roughly(subject.flattening), subject.goal, this->Coarse.weights, mostSteps)
 {
 }
 
@@ -101,19 +233,104 @@ bool PieceSearch::ok(const Execution& execution)
 std::vector<TriedCut> PieceSearch::run(
   double longest, TrialBudget& budget, const Execution& execution)
 {
-  TrialOutcome before = this->Trials.startUncut(budget, execution);
-  if (!before.valid)
+  this->Before = this->Trials.startUncut(budget, execution);
+  if (!this->Before.valid)
   {
     // Nothing could be flattened: whatever can is better.
-    before.goal = 1e3 * this->Searched->area();
-    before.severity = std::numeric_limits<int>::max();
-    before.flipped = this->Searched->mesh().triangleCount();
-    before.overlaps = this->Searched->mesh().halfedgeCount();
+    this->Before.goal = 1e3 * this->Searched->area();
+    this->Before.severity = std::numeric_limits<int>::max();
+    this->Before.flipped = this->Searched->mesh().triangleCount();
+    this->Before.overlaps = this->Searched->mesh().halfedgeCount();
   }
   const std::vector<CutPlan> plans =
     planCuts(*this->Searched, *this->Factor, this->Options, longest, execution);
-  return CutSearch(*this->Searched, this->Trials, this->Options, before)
-    .run(plans, longest, budget, execution);
+  const std::vector<CutPlan> first = distinctPlans(*this->Searched, plans, this->Options.trials);
+  std::vector<TriedCut> tried = this->tryAll(first, longest, budget, execution);
+  if (tried.empty())
+  {
+    // On a ring that ripples all seams may overlap, and fill the trials.
+    tried =
+      this->tryAll(distinctPlans(*this->Searched, ofOtherTypes(plans, first), this->Options.trials),
+        longest, budget, execution);
+  }
+  for (std::size_t k = 0; k < std::min(tried.size(), polishedCuts); ++k)
+  {
+    tried[k] = this->polished(std::move(tried[k]), longest, budget, execution);
+  }
+  std::stable_sort(
+    tried.begin(), tried.end(), [](const TriedCut& a, const TriedCut& b) { return a.better(b); });
+  return tried;
+}
+
+std::vector<TriedCut> PieceSearch::tryAll(const std::vector<CutPlan>& plans, double longest,
+  TrialBudget& budget, const Execution& execution) const
+{
+  std::vector<std::vector<Polyline>> cuts(plans.size());
+  execution.parallelFor(static_cast<Index>(plans.size()), [&](Index begin, Index end) {
+    for (Index k = begin; k < end; ++k)
+    {
+      cuts[k] = this->Searched->polylines(plans[k]);
+    }
+  });
+  std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, budget, execution);
+  const double least = this->Options.leastLength * this->Searched->size();
+  std::vector<TriedCut> tried;
+  for (std::size_t k = 0; k < plans.size(); ++k)
+  {
+    TriedCut cut{ plans[k], std::move(outcomes[k]), 0.0, 0.0 };
+    const double length = cut.outcome.cutLength();
+    const bool seam = cut.plan.type == CurveType::Seam;
+    if (!cut.outcome.soundAfter(this->Before) || length > longest ||
+      length < least * static_cast<double>(cut.outcome.lengths.size()) ||
+      (seam && cut.outcome.leastPiece < leastPiece))
+    {
+      continue;
+    }
+    cut.gain = this->Before.goal - cut.outcome.goal;
+    cut.plan.length = length;
+    cut.plan.price = this->Searched->price(cut.plan, length, this->Options);
+    cut.score = cut.gain / cut.plan.price;
+    if (cut.gain > 0.0)
+    {
+      tried.push_back(std::move(cut));
+    }
+  }
+  std::stable_sort(
+    tried.begin(), tried.end(), [](const TriedCut& a, const TriedCut& b) { return a.better(b); });
+  return tried;
+}
+
+TriedCut PieceSearch::polished(
+  TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const
+{
+  const SearchedPiece& piece = *this->Searched;
+  double step = firstStep * piece.size();
+  std::vector<CutPlan> before{ cut.plan };
+  while (step >= lastStep * piece.size())
+  {
+    if (budget.spent() || execution.cancelled())
+    {
+      break;
+    }
+    std::vector<CutPlan> plans = movedPlans(piece, cut.plan, step);
+    const auto tried = [&](const CutPlan& plan) {
+      return std::any_of(before.begin(), before.end(), [&](const CutPlan& other) {
+        return alike(piece, plan, other, 0.2 * lastStep * piece.size());
+      });
+    };
+    plans.erase(std::remove_if(plans.begin(), plans.end(), tried), plans.end());
+    before.insert(before.end(), plans.begin(), plans.end());
+    std::vector<TriedCut> found = this->tryAll(plans, longest, budget, execution);
+    if (!found.empty() && found.front().score > (1.0 + leastRise) * cut.score)
+    {
+      cut = std::move(found.front());
+    }
+    else
+    {
+      step *= 0.5;
+    }
+  }
+  return cut;
 }
 
 const SearchedPiece& PieceSearch::fine()
@@ -132,35 +349,39 @@ const SearchedPiece& PieceSearch::fine()
 std::vector<Polyline> PieceSearch::lines(const CutPlan& plan)
 {
   const SearchedPiece& piece = this->fine();
-  CutPlan here = plan;
-  if (&piece != this->Searched.get())
+  if (&piece == this->Searched.get())
   {
-    const BoundaryRuler& ruler = this->Searched->ruler();
-    const auto place = [&](const BoundaryPlace& there) {
-      return piece.ruler().nearest(ruler.point(there), ruler.inside(there));
-    };
-    here.base = plan.start ? plan.base : place(plan.base);
-    here.end = plan.type == CurveType::Seam ? place(plan.end) : plan.end;
-    here.tip = plan.type == CurveType::Dart ? piece.onto(plan.tip) : plan.tip;
-    if (plan.role == MirrorRole::Along && plan.type == CurveType::Dart && piece.mirror())
-    {
-      here.tip = piece.onto(piece.mirror()->projected(here.tip));
-    }
-    if (plan.start)
-    {
-      const bool along = plan.role == MirrorRole::Along && piece.mirror();
-      here.start = piece.onto(along ? piece.mirror()->projected(*plan.start) : *plan.start);
-    }
-    if (plan.via)
-    {
-      const bool inPlane =
-        (plan.role == MirrorRole::Along || plan.role == MirrorRole::Across) && piece.mirror();
-      here.via = piece.onto(inPlane ? piece.mirror()->projected(*plan.via) : *plan.via);
-    }
-    if (plan.role != MirrorRole::Alone && !piece.mirror())
-    {
-      return {};
-    }
+    return piece.polylines(plan);
+  }
+  if (plan.role != MirrorRole::Alone && !piece.mirror())
+  {
+    return {};
+  }
+  const BoundaryRuler& ruler = this->Searched->ruler();
+  const auto place = [&](const BoundaryPlace& there) {
+    return piece.ruler().nearest(ruler.point(there), ruler.inside(there));
+  };
+  const auto onto = [&](const Point3& point, bool inPlane) {
+    return piece.onto(inPlane ? piece.mirror()->projected(point) : point);
+  };
+  const bool along = plan.role == MirrorRole::Along;
+  CutPlan here = plan;
+  here.base = plan.start ? plan.base : place(plan.base);
+  if (plan.type == CurveType::Seam)
+  {
+    here.end = place(plan.end);
+  }
+  else
+  {
+    here.tip = onto(plan.tip, along);
+  }
+  if (plan.start)
+  {
+    here.start = onto(*plan.start, along);
+  }
+  if (plan.via)
+  {
+    here.via = onto(*plan.via, along || plan.role == MirrorRole::Across);
   }
   return piece.polylines(here);
 }

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Suggestion/CutSearch.h"
+#include "Quality/ScaleFactor.h"
+#include "Suggestion/CutTrials.h"
 #include "Suggestion/PieceSurface.h"
+#include "Suggestion/SearchedPiece.h"
 
 #include <memory>
 
 namespace flattening
 {
-/// What the surface that the pieces are of says of its vertices.
+/// What a search is about; it only refers to what it names.
+struct SearchSubject
+{
+  const TriangleMesh& mesh;
+  const std::vector<Polyline>& curves;
+  const ImprintOptions& imprint;
+  const FlatteningOptions& flattening;
+  const SearchOptions& search;
+  std::optional<SurfaceMirror> mirror; ///< to which cuts keep
+  const RegionWeights& weights;        ///< relative ones
+  SearchGoal goal = SearchGoal::Energy;
+};
+
+/// Marks of the vertices of the surface that the pieces are parts of.
 struct VertexMarks
 {
   std::vector<char> barred;  ///< on a key curve, which no cut may cross
@@ -17,44 +32,51 @@ struct VertexMarks
 
 VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& options);
 
-/// Null where it is not one piece once its darts are opened. \param marks of the surface that the
-/// piece is of
-std::unique_ptr<SearchedPiece> searchedPiece(
-  const PieceSurface& piece, const VertexMarks& marks, const std::optional<SurfaceMirror>& mirror);
-
-/// A cut as lines on the piece as fine as it is, and what it did to a coarse version.
-struct FoundCut
+/// A cut that has been flattened.
+struct TriedCut
 {
-  TriedCut tried;
-  std::vector<Polyline> lines;
+  CutPlan plan;
+  TrialOutcome outcome;
+  double gain = 0.0;  ///< drop of the goal
+  double score = 0.0; ///< gain per price
+
+  bool better(const TriedCut& other) const { return this->score > other.score; }
 };
 
-/// Searches one piece for its best next cut: on a version of so many triangles that a flattening
-/// takes milliseconds.
+/// Searches one piece for its best next cut, on a version with few triangles, of which a flattening
+/// takes milliseconds: ranks plans by forecast, flattens the first that differ, and moves the ends
+/// of the best while that raises the gain per price (a search by patterns: R. Hooke, T. A. Jeeves,
+/// "Direct search solution of numerical and statistical problems", Journal of the ACM 8(2), 1961).
 class PieceSearch
 {
 public:
-  /// All must outlive it.
-  PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
-    const std::optional<SurfaceMirror>& mirror, const ImprintOptions& imprint,
-    const FlatteningOptions& flattening, const SearchOptions& options);
+  /// All must outlive it. \param options those of the subject, but for what this piece may have
+  PieceSearch(const PieceSurface& piece, const VertexMarks& marks, const SearchSubject& subject,
+    const SearchOptions& options);
 
   /// False where nothing can be planned on the piece.
   bool ok(const Execution& execution);
-  /// The best cuts first, no longer than `longest`.
+  /// The cuts that lower the goal and are no longer than `longest`, the best first. Where none of
+  /// the first plans does those of the types that are not among them are tried. \pre ok()
   std::vector<TriedCut> run(double longest, TrialBudget& budget, const Execution& execution);
-  /// The lines of a plan on the piece itself. Empty where there is no way.
+  /// The lines of a plan on the piece itself. Empty where there is no way. \pre ok()
   std::vector<Polyline> lines(const CutPlan& plan);
-  /// The piece as fine as it is. \pre ok()
+  /// The piece with all its triangles. \pre ok()
   const SearchedPiece& fine();
 
 private:
+  std::vector<TriedCut> tryAll(const std::vector<CutPlan>& plans, double longest,
+    TrialBudget& budget, const Execution& execution) const;
+  TriedCut polished(
+    TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const;
+
   const PieceSurface& Subject;
   const VertexMarks& Marks;
   const std::optional<SurfaceMirror>& Mirror;
   const SearchOptions& Options;
   PieceSurface Coarse;
   CutTrials Trials;
+  TrialOutcome Before; ///< without another cut
   std::unique_ptr<SearchedPiece> Searched;
   std::unique_ptr<SearchedPiece> Fine;
   std::unique_ptr<ScaleFactor> Factor;

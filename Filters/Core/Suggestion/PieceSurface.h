@@ -4,6 +4,9 @@
 #include "Cut/SurfaceCut.h"
 #include "Imprint/ImprintedSurface.h"
 #include "Suggestion/RegionWeights.h"
+#include "Suggestion/SurfaceMirror.h"
+
+#include <optional>
 
 namespace flattening
 {
@@ -27,4 +30,13 @@ std::vector<PieceSurface> pieceSurfaces(
 
 /// The same with about so many triangles, where it has more; boundary and curves stay as they are.
 PieceSurface coarsened(const PieceSurface& piece, Index triangles);
+
+/// By piece the other one that is its exact image in a plane, as the halves of what is cut along
+/// it, with as many curves; none where there is none, and where a piece is its own image.
+/// \param size of the surface, sqrt(area / pi)
+Indices pieceImages(
+  const std::vector<PieceSurface>& pieces, const std::optional<SurfaceMirror>& mirror, double size);
+
+/// The lines and their images.
+std::vector<Polyline> withImages(std::vector<Polyline> lines, const SurfaceMirror& mirror);
 }

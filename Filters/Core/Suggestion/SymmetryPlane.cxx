@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/SymmetryPlane.h"
 
-#include "Suggestion/SurfaceMoments.h"
 #include "Surface/SurfaceLocator.h"
+#include "Surface/SurfacePoint.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +14,12 @@ namespace flattening
 {
 namespace
 {
+/// Gauss-Newton converges in fewer where there is a plane.
 constexpr int mostPlaneRefinements = 10;
-/// About so many vertices are mirrored.
+/// About this many vertices are mirrored: enough for a mean.
 constexpr Index vertexSamples = 500;
-/// Mirrored vertices that are this near, in sqrt(area / pi), need no refinement.
+/// Mirrored vertices that are this near, in sqrt(area / pi), are exact but for rounding.
 constexpr double exactly = 1e-12;
-/// A plane that is so many times the tolerance off after so many refinements will not do.
-constexpr double hopeless = 10.0;
-constexpr int fewRefinements = 4;
 
 class Fitting
 {
@@ -51,7 +50,7 @@ public:
     std::optional<SymmetryPlane> best;
     for (const Point3& normal : normals)
     {
-      const SymmetryPlane plane = this->refined(normal, tolerance);
+      const SymmetryPlane plane = this->refined(normal);
       if (plane.error < tolerance && (!best || plane.error < best->error) &&
         !this->liesIn(plane, tolerance))
       {
@@ -73,17 +72,13 @@ private:
     return sum < tolerance * this->Size * static_cast<double>(this->Samples.size());
   }
 
-  SymmetryPlane refined(const Point3& normal, double tolerance) const
+  SymmetryPlane refined(const Point3& normal) const
   {
     std::vector<ClosestPoint> closest;
     SymmetryPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 }, closest);
     SymmetryPlane plane = best;
     for (int step = 0; step < mostPlaneRefinements && best.error > exactly; ++step)
     {
-      if (step == fewRefinements && best.error > hopeless * tolerance)
-      {
-        break;
-      }
       plane = this->measured(this->step(plane, closest), closest);
       if (plane.error < best.error)
       {
@@ -119,10 +114,7 @@ private:
     {
       const Point3& p = this->Mesh.point(this->Samples[k]);
       const Point3 image = plane.mirrored(p);
-      const Triangle& t = this->Mesh.triangle(closest[k].triangle);
-      const Point3 across =
-        areaVector(this->Mesh.point(t[0]), this->Mesh.point(t[1]), this->Mesh.point(t[2]))
-          .normalized();
+      const Point3 across = triangleNormal(this->Mesh, closest[k].triangle);
       const double side = plane.side(p);
       const Eigen::Vector3d slope(
         across.dot(-2.0 * (first.dot(p - this->Shape.center) * plane.normal + side * first)),
@@ -148,6 +140,29 @@ private:
   double Size;
   Indices Samples;
 };
+}
+
+SurfaceMoments momentsOf(const TriangleMesh& mesh)
+{
+  SurfaceMoments moments;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const double area = mesh.area(t);
+    for (int k = 0; k < 3; ++k)
+    {
+      // The edges' middles integrate polynomials of degree 2 exactly.
+      const Point3 middle =
+        0.5 * (mesh.point(mesh.triangle(t)[k]) + mesh.point(mesh.triangle(t)[(k + 1) % 3]));
+      moments.center += area / 3.0 * middle;
+      second += area / 3.0 * middle * middle.transpose();
+    }
+    moments.area += area;
+  }
+  moments.center /= moments.area;
+  second = second / moments.area - moments.center * moments.center.transpose();
+  moments.axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second).eigenvectors();
+  return moments;
 }
 
 SymmetryPlane flattestPlane(const TriangleMesh& mesh)

@@ -81,20 +81,6 @@ Index EdgePaths::farthest() const
   return best;
 }
 
-double turnOf(const TriangleMesh& mesh, const Indices& loop)
-{
-  double turn = 0.0;
-  for (Index h : loop)
-  {
-    turn += pi;
-    for (Index spoke : VertexFan(mesh, mesh.from(h)))
-    {
-      turn -= mesh.angle(spoke);
-    }
-  }
-  return turn;
-}
-
 std::vector<Indices> joiningPaths(
   const TriangleMesh& mesh, std::vector<Indices> loops, const std::vector<char>& barred)
 {

@@ -34,10 +34,6 @@ private:
   Indices Before; ///< a start of itself; none: not reached
 };
 
-/// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
-/// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
-double turnOf(const TriangleMesh& mesh, const Indices& loop);
-
 /// Paths along edges that join boundary loops to the first one: each goes from a loop that is
 /// joined already to the nearest one that is not, as long as there is one that can be reached.
 /// \param barred per vertex, whether no path may meet it; empty: none is

@@ -53,4 +53,15 @@ private:
   const TriangleMesh* Mesh;
   Index First;
 };
+
+/// Sum of the angles of the triangles at a vertex, in radians; inside 2 pi where the surface is
+/// flat.
+double angleSum(const TriangleMesh& mesh, Index vertex);
+
+/// A third of the area of the triangles at a vertex.
+double vertexArea(const TriangleMesh& mesh, Index vertex);
+
+/// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
+/// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
+double turnOf(const TriangleMesh& mesh, const Indices& loop);
 }

@@ -162,10 +162,10 @@ private:
   void putOuterLoopFirst()
   {
     std::size_t outer = 0;
-    double most = this->turning(this->BoundaryLoops.front());
+    double most = turnOf(this->Mesh, this->BoundaryLoops.front());
     for (std::size_t k = 1; k < this->BoundaryLoops.size(); ++k)
     {
-      const double turn = this->turning(this->BoundaryLoops[k]);
+      const double turn = turnOf(this->Mesh, this->BoundaryLoops[k]);
       if (turn > most + 1e-6)
       {
         outer = k;
@@ -173,20 +173,6 @@ private:
       }
     }
     std::swap(this->BoundaryLoops.front(), this->BoundaryLoops[outer]);
-  }
-
-  double turning(const Indices& loop) const
-  {
-    double sum = 0.0;
-    for (Index first : loop)
-    {
-      sum += pi;
-      for (Index h : VertexFan(this->Mesh, this->Mesh.from(first)))
-      {
-        sum -= this->Mesh.angle(h);
-      }
-    }
-    return sum;
   }
 
   void markWires()

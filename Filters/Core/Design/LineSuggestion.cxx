@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/LineSuggestion.h"
+#include "Design/LineSuggestion.h"
 
 #include "Base/Memory.h"
+#include "Design/DesignLines.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutTrials.h"
-#include "Suggestion/DesignLines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,6 +140,12 @@ private:
 CurveSuggestions suggestLines(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
   const SuggestionOptions& options, const Execution& execution)
 {
+  CurveSuggestions refused;
+  refused.status = checkSuggestion(options, mesh.triangleCount(), curves);
+  if (!refused.status.ok())
+  {
+    return refused;
+  }
   return withinMemory([&] { return Proposing(mesh, curves, options, execution).run(); });
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/KeyPrices.h"
+#include "Design/KeyPrices.h"
 
 #include "Base/Memory.h"
 #include "Flattening/SurfaceFlattening.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/DesignLines.h"
+#include "Design/DesignLines.h"
 
 #include "Paths/PlaneSection.h"
 #include "Quality/ScaleFactor.h"
-#include "Suggestion/SurfaceMoments.h"
 #include "Suggestion/SymmetryPlane.h"
+#include "Surface/SurfacePoint.h"
 
 #include <algorithm>
 #include <array>
@@ -170,9 +170,7 @@ private:
     Point3 across = Point3::Zero();
     for (Index t = 0; t < piece.mesh.triangleCount(); ++t)
     {
-      const Triangle& corners = piece.mesh.triangle(t);
-      across += areaVector(
-        piece.mesh.point(corners[0]), piece.mesh.point(corners[1]), piece.mesh.point(corners[2]));
+      across += 2.0 * piece.mesh.area(t) * triangleNormal(piece.mesh, t);
     }
     const Point3 longest = moments.axes.col(2);
     const Point3 normal = longest.cross(across);
@@ -188,9 +186,7 @@ private:
   {
     return std::any_of(
       section.path.triangles.begin(), section.path.triangles.end(), [&](Index triangle) {
-        const Triangle& t = mesh.triangle(triangle);
-        const Point3 across = areaVector(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
-        return std::abs(across.dot(normal)) > grazing * across.norm();
+        return std::abs(triangleNormal(mesh, triangle).dot(normal)) > grazing;
       });
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/SearchOptions.h"
+#include "Suggestion/CurveSuggestions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@ namespace flattening
 {
 namespace
 {
+/// More in a message are not read.
 constexpr std::size_t mostNames = 8;
 
 Status checkGrain(const FlatteningOptions& flattening, const std::vector<Polyline>& curves)
@@ -64,9 +65,10 @@ bool isProposedName(const std::string& name)
       [&](const char* kind) { return name.compare(0, number, kind) == 0; });
 }
 
-Status checkSearch(const SearchOptions& options, const FlatteningOptions& flattening,
-  const std::vector<Polyline>& curves)
+Status checkSuggestion(
+  const SuggestionOptions& suggestion, Index triangles, const std::vector<Polyline>& curves)
 {
+  const SearchOptions& options = suggestion.search;
   const auto refusal = [](const std::string& message, const std::string& wanted) {
     return Status{ StatusCode::InvalidOption, message, {}, { { Remedy::Give, wanted } } };
   };
@@ -104,6 +106,7 @@ Status checkSearch(const SearchOptions& options, const FlatteningOptions& flatte
         "a number from 0");
     }
   }
-  return checkGrain(flattening, curves);
+  const Status weights = checkWeights(suggestion.weights, triangles);
+  return weights.ok() ? checkGrain(suggestion.flattening, curves) : weights;
 }
 }

@@ -3,7 +3,7 @@
 
 #include "Base/Execution.h"
 #include "Cut/SurfaceCut.h"
-#include "Suggestion/SuggestedCurve.h"
+#include "Suggestion/CurveSuggestions.h"
 
 namespace flattening
 {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Surface/TriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+/// Surfaces that close on themselves, for the tests of Core.
+namespace testmeshes
+{
+using namespace flattening;
+
+/// A tube, open at both ends, whose places come from the turn, up to 2 pi, and the share of the
+/// way along it: vertex (i, j) = j around + i.
+template <class Place>
+TriangleMesh rolledUp(Index around, Index across, const Place& place)
+{
+  Points3 points;
+  Triangles triangles;
+  for (Index j = 0; j <= across; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      points.push_back(place(2.0 * pi * i / around, static_cast<double>(j) / across));
+      if (j < across)
+      {
+        const Index a = j * around + i;
+        const Index b = j * around + (i + 1) % around;
+        triangles.push_back({ a, b, b + around });
+        triangles.push_back({ a, b + around, a + around });
+      }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// The unit sphere: an octahedron whose edges are halved again and again.
+inline TriangleMesh sphere(int halvings)
+{
+  Points3 points{ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+  Triangles triangles{ { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
+    { 3, 1, 5 }, { 0, 3, 5 } };
+  for (int k = 0; k < halvings; ++k)
+  {
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b) {
+      const auto found = middles.emplace(std::minmax(a, b), static_cast<Index>(points.size()));
+      if (found.second)
+      {
+        points.emplace_back((points[a] + points[b]).normalized());
+      }
+      return found.first->second;
+    };
+    Triangles finer;
+    for (const auto& [a, b, c] : triangles)
+    {
+      const Index x = middle(a, b);
+      const Index y = middle(b, c);
+      const Index z = middle(c, a);
+      finer.insert(finer.end(), { { a, x, z }, { b, y, x }, { c, z, y }, { x, y, z } });
+    }
+    triangles = finer;
+  }
+  return { std::move(points), std::move(triangles) };
+}
+}
