@@ -14,7 +14,7 @@ namespace
 /// Options that the window has. A remedy that needs another one is left out.
 constexpr wirewarp::SpellingTable table{
   { "CurveType", "by their type" },
-  { "Grain", "grain" },
+  { "Grain", "the grain" },
   { "LengthTolerance", "by a tolerance" },
   { "NotchSpacing", "the space of notches in the pattern options" },
   { "Paper", "paper in the pattern options" },

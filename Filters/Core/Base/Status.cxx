@@ -121,7 +121,7 @@ constexpr std::array<RemedyRow, remedyCount> remedies{ {
   { Remedy::AddDarts, "AddDarts", "add a dart there" },
   { Remedy::CloseCuts, "CloseCuts", "close the cuts as far as they cross ({CloseCuts=on})" },
   { Remedy::DivideBySeam, "DivideBySeam", "divide the piece there by a seam" },
-  { Remedy::NameGrain, "NameGrain", "name a curve of the piece as {Grain}: %" },
+  { Remedy::NameGrain, "NameGrain", "name a curve of the piece with {Grain}: %" },
   { Remedy::GiveGrainAngle, "GiveGrainAngle", "give degrees or \"free\" as {Grain}" },
   { Remedy::TakeSofterCloth, "TakeSofterCloth", "take a material that gives more[ ({Material})]" },
   { Remedy::ReadTheFlattening, "ReadTheFlattening", "see what the flattening says" },
