@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
@@ -42,7 +43,7 @@ class PolyData(vtkPolyData):
 
 class Filters(unittest.TestCase):
     def test_every_public_header_has_its_class(self):
-        headers = glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))
+        headers = [path for folder in ("Filters", "IO") for path in glob.glob(os.path.join(SOURCE, folder, "vtk*.h"))]
         self.assertGreaterEqual(len(headers), 7)
         for header in headers:
             name = pathlib.Path(header).stem
@@ -58,7 +59,6 @@ class Filters(unittest.TestCase):
 
     def test_the_unit_of_surface_or_curves_goes_with_the_pieces_into_a_pattern(self):
         points, triangles, arc = quarter_sphere()
-        writer = sf.vtkPatternWriter
 
         def made(of_surface, of_curves, folder, **options):
             surface, curves = sf.make_surface(points, triangles), sf.make_curves([sf.Curve(arc)], points)
@@ -73,7 +73,8 @@ class Filters(unittest.TestCase):
             with open(path, "rb") as file:
                 return result, file.read()
 
-        with tempfile.TemporaryDirectory() as folder:
+        # The file says when it was made.
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(os.environ, SOURCE_DATE_EPOCH="1000000000"):
             for unit in ("mm", "cm", "m", "inch"):
                 with self.subTest(unit), warnings.catch_warnings(record=True) as caught:
                     warnings.simplefilter("always")
