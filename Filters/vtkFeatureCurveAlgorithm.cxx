@@ -303,9 +303,7 @@ void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
       }
       flattening::bridge::writeFlattening(*source, result, flat,
         vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
-      flattening::bridge::writePieceSizes(sizes, unit, flat->GetFieldData());
-      flattening::bridge::addStrings(flat->GetFieldData(), "PieceNames",
-        flattening::bridge::pieceNames(flat, result.pieces.size()));
+      flattening::bridge::writePieceSizes(sizes, unit, flat);
     }
   }
   this->WriteRunStatus(flat);

@@ -7,6 +7,7 @@
 #include "FilterExecution.h"
 #include "FlattenableOutput.h"
 #include "ListChanges.h"
+#include "PieceSizes.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -110,6 +111,9 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
       }
       bridge::writeFlattenable(*source, result,
         { output(0), output(1), output(2), output(3), output(4), output(5) }, warnings);
+      const std::string unit = this->LengthUnitOf(inputVector);
+      bridge::writePieceSizes(bridge::pieceSizes(result.after), unit, output(0));
+      bridge::writePieceSizes(bridge::pieceSizes(result.before), unit, output(5));
       this->Warn(warnings);
     }
   }

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -232,8 +233,9 @@ std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& 
 }
 
 void writePieceSizes(
-  const std::vector<PieceSize>& sizes, const std::string& unit, vtkFieldData* field)
+  const std::vector<PieceSize>& sizes, const std::string& unit, vtkPolyData* flat)
 {
+  vtkFieldData* const field = flat->GetFieldData();
   const auto addNumbers = [&](const char* name, auto&& value) {
     addRows<vtkDoubleArray>(
       field, name, sizes.size(), [&](std::size_t row) { return value(sizes[row]); });
@@ -258,6 +260,7 @@ void writePieceSizes(
   const std::string warning = sizeWarning(sizes, unit);
   addStrings(
     field, "SizeWarning", warning.empty() ? std::vector<std::string>{} : std::vector{ warning });
+  addStrings(field, "PieceNames", pieceNames(flat, sizes.size()));
 }
 
 std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces)

@@ -40,8 +40,10 @@ std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& 
 /// they have none.
 std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces);
 
-/// Writes them, in numbers and words, as vtkWireWarpingFilter documents its field data.
+/// Writes them and the pieces' names, in numbers and words, as vtkWireWarpingFilter documents its
+/// field data.
+/// \param flat the pieces, with their cells' names
 void writePieceSizes(
-  const std::vector<PieceSize>& sizes, const std::string& unit, vtkFieldData* field);
+  const std::vector<PieceSize>& sizes, const std::string& unit, vtkPolyData* flat);
 }
 }

@@ -35,7 +35,7 @@ class Batch(command.CommandTest):
         for name, *arguments in (("lune", "lune.obj", "arc.txt"), ("sheet", "a folder/sheet.obj")):
             many = self.report("out/" + name)
             flat = self.array(f"out/{name}/flat.vtp", "Points")
-            alone = self.run_command(*arguments, "--output", "alone")
+            alone = self.run_command(*arguments, "--unit", "m", "--output", "alone")
             self.assertEqual(alone.returncode, 0, alone.stderr)
             self.assertEqual(flat, self.array("alone/flat.vtp", "Points"))
             one = self.report("alone")

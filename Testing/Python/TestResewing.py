@@ -146,7 +146,7 @@ class Resewing(unittest.TestCase):
 
     def test_a_lone_panel_with_free_boundary_is_refused(self):
         flat = sf.flatten(*dome())
-        with self.assertRaisesRegex(sf.FlatteningError, 'sewn to nothing.*take test="panel"'):
+        with self.assertRaisesRegex(sf.FlatteningError, 'sewn to nothing.*use test="panel"'):
             sf.resew(flat, "product")
 
     def test_what_is_not_at_rest_is_told(self):

@@ -42,6 +42,9 @@ constexpr double sameNormal = 0.5 * degree;
 constexpr double sideBySide = 1e-6; // gap, of the side
 /// Bounds memory to some 500 MB; a distance that goes round the surface many times exceeds it.
 constexpr std::size_t maximumWindows = 3000000;
+/// Comparisons of windows that come in by one side, some seconds; on the way over a few edges round
+/// and round there are far more of them than windows.
+constexpr std::size_t maximumComparisons = 30000000;
 /// Ends of lines that are one, as a fraction of the distance: where narrow fans and merged windows
 /// end, lines have gaps.
 constexpr double sameEnd = 1e-4;
@@ -262,6 +265,7 @@ private:
   const TriangleMesh& Mesh;
   double Distance;
   std::vector<OffsetWindow> Windows;
+  std::size_t Comparisons = 0;
   std::unordered_map<Index, std::vector<std::size_t>> Waiting; ///< by the half-edge they came in by
   std::unordered_map<Index, double> Reached;                   ///< lengths of ways to vertices
   using Entry = std::pair<double, std::size_t>; ///< least distance and place of a window
@@ -394,6 +398,7 @@ void OffsetFront::push(const OffsetWindow& window, double distance)
   if (window.entered != none)
   {
     std::vector<std::size_t>& waiting = this->Waiting[3 * window.triangle + window.entered];
+    this->Comparisons += waiting.size();
     for (const std::size_t id : waiting)
     {
       if (!this->Windows[id].spread && this->merge(this->Windows[id], window))
@@ -452,7 +457,8 @@ bool OffsetFront::merge(OffsetWindow& window, const OffsetWindow& other) const
 
 bool OffsetFront::run()
 {
-  while (!this->Queue.empty() && this->Windows.size() <= maximumWindows)
+  while (!this->Queue.empty() && this->Windows.size() <= maximumWindows &&
+    this->Comparisons <= maximumComparisons)
   {
     OffsetWindow& next = this->Windows[this->Queue.top().second];
     this->Queue.pop();
