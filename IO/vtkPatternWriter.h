@@ -86,8 +86,8 @@
  * @endcode
  *
  * @warning With points of single precision lengths are those of the rounded points.
- * Options of one format mean nothing to the others: pages are those of a PDF, colors for laser cutters
- * those of an SVG.
+ * Options of one format mean nothing to the others: pages are those of a PDF, colors for laser
+ * cutters those of an SVG.
  *
  * @sa vtkPatternGrading, vtkWireWarpingFilter
  */
