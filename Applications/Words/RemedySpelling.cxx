@@ -24,9 +24,10 @@ std::vector<Remedy> inPairs(vtkStringArray* names, vtkStringArray* subjects)
 std::string findSpelling(
   const SpellingTable& table, const std::string& property, const std::string& value)
 {
+  const std::string setting = property + "=" + value;
   for (const SpelledOption& row : table)
   {
-    if (row.option == property || row.option == property + "=" + value)
+    if (row.option == property || row.option == setting)
     {
       return row.words;
     }

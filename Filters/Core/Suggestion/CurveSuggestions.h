@@ -121,5 +121,5 @@ bool isProposedName(const std::string& name);
 /// checkWeights() says, a grain along curves of which none is known or may be proposed).
 /// \param triangles how many the surface has
 Status checkSuggestion(
-  const SuggestionOptions& options, Index triangles, const std::vector<Polyline>& curves);
+  const SuggestionOptions& suggestion, Index triangles, const std::vector<Polyline>& curves);
 }
