@@ -31,7 +31,8 @@ struct SpelledOption
 };
 using SpellingTable = std::initializer_list<SpelledOption>;
 
-/// That of the property with this value, else of the property; empty where there is none.
+/// The words of the first row that has the property, alone or with this value; empty where none
+/// has.
 std::string findSpelling(
   const SpellingTable& table, const std::string& property, const std::string& value);
 

@@ -180,7 +180,7 @@ TEST_F(EditorCloth, AGrainThatIsNoneIsSaid)
   grain->setText("hem");
   emit grain->editingFinished();
   this->wait();
-  EXPECT_TRUE(this->window.message().contains("\"hem\" is no curve of the piece"))
+  EXPECT_TRUE(this->window.message().contains("\"hem\" is not a curve of the piece"))
     << this->window.message().toStdString();
   grain->setText("45");
   emit grain->editingFinished();

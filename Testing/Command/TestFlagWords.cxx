@@ -65,5 +65,5 @@ TEST(FlagWords, AMessageIsTheDefectAndItsRemedies)
 {
   EXPECT_EQ(messageOf("it is broken", {}), "it is broken");
   EXPECT_EQ(messageOf("banks cross", { { "CloseCuts", "" }, { "Give", "a % sign" } }),
-    "banks cross; close the cuts as far as they cross (--close-cuts), or give a % sign");
+    "banks cross; close the cuts where they cross (--close-cuts), or give a % sign");
 }

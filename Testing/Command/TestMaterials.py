@@ -68,7 +68,7 @@ class Materials(command.CommandTest):
         self.assertEqual(missing["grain_curve"], "")
         report = self.report("out")
         self.assertEqual(report["status"], "MissingGrain")
-        self.assertIn('"hem" is no curve of the piece', report["message"])
+        self.assertIn('"hem" is not a curve of the piece', report["message"])
         self.assertIn('with --grain: "arc"', report["message"])
         self.assertIn('"hem"', report["pieces"][0]["message"])
         # The piece is what its upright makes of it.

@@ -55,7 +55,7 @@ class Words(unittest.TestCase):
         self.assertEqual(make_message("it is broken", []), "it is broken")
         self.assertEqual(
             make_message("banks cross", [("CloseCuts", ""), ("Give", "a seam")]),
-            "banks cross; close the cuts as far as they cross (close_cuts=True), or give a seam")
+            "banks cross; close the cuts where they cross (close_cuts=True), or give a seam")
 
 
 class Reports(unittest.TestCase):

@@ -119,7 +119,7 @@ constexpr std::array<RemedyRow, remedyCount> remedies{ {
   { Remedy::ChangeKeyShapes, "ChangeKeyShapes", "change the shape of %" },
   { Remedy::AllowLengthError, "AllowLengthError", "raise {MaximumLengthError}" },
   { Remedy::AddDarts, "AddDarts", "add a dart there" },
-  { Remedy::CloseCuts, "CloseCuts", "close the cuts as far as they cross ({CloseCuts=on})" },
+  { Remedy::CloseCuts, "CloseCuts", "close the cuts where they cross ({CloseCuts=on})" },
   { Remedy::DivideBySeam, "DivideBySeam", "divide the piece there by a seam" },
   { Remedy::NameGrain, "NameGrain", "name a curve of the piece with {Grain}: %" },
   { Remedy::GiveGrainAngle, "GiveGrainAngle", "give degrees or \"free\" as {Grain}" },

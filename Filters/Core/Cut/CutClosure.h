@@ -35,7 +35,7 @@ JoinedPiece joinVertices(const Piece& piece, const Indices& joined);
 /// per vertex of the piece; none where it could not be flattened
 using FlattenJoined = std::function<std::optional<Points2>(const Indices& joined)>;
 
-/// Closes cuts as far as their sides lie over each other in the plane: where the surface is
+/// Closes cuts where their sides overlap in the plane: where the surface is
 /// saddle-like, opening a dart takes no cloth out but needs more of it than there is, and its sides
 /// cross. Pairs of vertices that have crossed are joined, the piece is flattened anew, and so on
 /// until none cross; a pair once joined stays so. The other vertices of the sides are free, so that

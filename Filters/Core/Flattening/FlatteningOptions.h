@@ -69,7 +69,7 @@ struct FlatteningOptions
   /// The isometric scheme takes its energy; others only measure what it would have to do. Without a
   /// value pieces lie on nothing and no thread is measured.
   std::optional<ClothOptions> cloth;
-  /// Close cuts as far as their banks would lie over each other (see closeCuts()).
+  /// Close cuts where their sides would overlap (see closeCuts()).
   bool closeCuts = false;
   /// Whether darts are to fold, leg on leg.
   DartLegs dartLegs = DartLegs::Free;

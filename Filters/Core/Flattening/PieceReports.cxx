@@ -113,7 +113,7 @@ Status missingGrain(
   const std::vector<FeatureCurve>& curves, const ClothOptions& cloth, const GrainReport& grain)
 {
   const char* const none =
-    cloth.grainCurves.size() == 1 ? " is no curve of the piece" : " are no curves of the piece";
+    cloth.grainCurves.size() == 1 ? " is not a curve of the piece" : " are not curves of the piece";
   Status status{ StatusCode::MissingGrain,
     quoted(cloth.grainCurves) + none + " that its grain can follow; its warp lies by its upright",
     {}, {} };

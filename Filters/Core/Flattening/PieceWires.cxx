@@ -20,8 +20,8 @@ namespace flattening
 {
 namespace
 {
-/// Where a start can be untangled at all it is by then: of 77 runs on real pieces and refinements
-/// of them none was that had so many iterations without a fold less.
+/// Iterations without a fold less after which a start is given up: none of 77 runs on real pieces
+/// and their refinements untangled one after more.
 constexpr int patienceForStart = 40;
 /// The isometric scheme moves all of it anyway.
 constexpr double energyToleranceOfStart = 1e-3;

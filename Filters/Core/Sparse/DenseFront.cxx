@@ -23,7 +23,7 @@ constexpr Index blockDepth = 96;
 /// Fewer columns do not pay for copying the left factor into strips.
 constexpr Index packedFrom = 24;
 
-/// to -= sum over p of left[p][rows] right[p][columns], for the rows of so many vectors.
+/// to -= sum over p of left[p][rows] right[p][columns], for the rows of Wide vectors.
 template <typename Vector, int Wide>
 FLATTENING_INLINE void subtractTile(const double* left, std::size_t leftStride, const double* right,
   Index depth, double* to, std::size_t stride)
