@@ -75,7 +75,7 @@ class Numbers(unittest.TestCase):
                             self.assertAlmostEqual(one, other, delta=1e-8 * max(1.0, abs(other)))
                         elif key == "message":
                             # The command names its own option.
-                            self.assertEqual(one.replace("CloseCuts", "--close-cuts"), other)
+                            self.assertEqual(one.replace("CloseCuts = on", "--close-cuts"), other)
                         else:
                             self.assertEqual(one, other, key)
 
