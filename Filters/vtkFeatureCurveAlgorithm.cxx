@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveAlgorithm.h"
 
-#include "BlockLayout.h"
 #include "CurveTolerances.h"
 #include "CurvedSurface.h"
-#include "CutEndWords.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
-#include "FlatteningOutput.h"
 #include "KeptRun.h"
 #include "ListChanges.h"
-#include "PieceOutput.h"
-#include "PieceSizes.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -197,7 +192,7 @@ void vtkFeatureCurveAlgorithm::FinishData(vtkInformationVector* outputVector)
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkPolyData* const output = vtkPolyData::GetData(outputVector, port);
-    vtkPoints* const points = output->GetPoints();
+    vtkPoints* const points = output ? output->GetPoints() : nullptr;
     if (this->OutputPointsPrecision != SINGLE_PRECISION || !points)
     {
       continue;
@@ -211,14 +206,6 @@ void vtkFeatureCurveAlgorithm::FinishData(vtkInformationVector* outputVector)
     }
     output->SetPoints(copy);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::LayBeside(
-  vtkDataObject* surfaces, vtkDataObject* flat, double spacing)
-{
-  flattening::bridge::layBeside(
-    surfaces, flat, spacing, flattening::bridge::processesOf(this->GetDistributed()));
 }
 
 //------------------------------------------------------------------------------
@@ -272,41 +259,9 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
 }
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::Flatten(vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, flattening::FlatteningOptions options,
-  const vtkIdType pins[2])
+flattening::FlatteningCache* vtkFeatureCurveAlgorithm::KeptPieces() const
 {
-  this->Begin(outputVector);
-  vtkPolyData* flat = vtkPolyData::GetData(outputVector, 0);
-  const auto source = this->LoadInput(inputVector);
-  if (source && this->Conclude(source->pinVertices(pins, options.conformal.pins)))
-  {
-    this->Warn(flattening::bridge::describeShortEnds(*source));
-    const flattening::FlatteningResult result =
-      flattening::flattenSurface(source->imprinted.mesh, source->imprinted.curves, options,
-        flattening::bridge::executionOf(this), this->Kept ? &this->Kept->pieces : nullptr);
-    if (this->Conclude(source->outcomeOfStage(
-          result.status, result.status.refused() ? nullptr : result.cut.get())))
-    {
-      if (!result.leftOut.empty())
-      {
-        this->Warn({ flattening::bridge::describeLeftOut(*source, result) });
-      }
-      this->Warn(flattening::bridge::describeVerdicts(*source, result));
-      const std::string unit = this->LengthUnitOf(inputVector);
-      const std::vector<flattening::bridge::PieceSize> sizes =
-        flattening::bridge::pieceSizes(result);
-      const std::string warning = flattening::bridge::sizeWarning(sizes, unit);
-      if (!unit.empty() && !warning.empty())
-      {
-        this->Warn({ warning });
-      }
-      flattening::bridge::writeFlattening(*source, result, flat,
-        vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2));
-      flattening::bridge::writePieceSizes(sizes, unit, flat);
-    }
-  }
-  this->WriteRunStatus(flat);
+  return this->Kept ? &this->Kept->pieces : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,7 @@ struct ConnectedCurves;
 struct CurvedSurface;
 struct KeptRun;
 }
+struct FlatteningCache;
 struct FlatteningOptions;
 }
 
@@ -207,22 +208,15 @@ protected:
   void FinishData(vtkInformationVector* outputVector) override;
 
   /**
-   * Lays the flat pieces of the whole output beside the surfaces in space.
-   */
-  void LayBeside(vtkDataObject* surfaces, vtkDataObject* flat, double spacing);
-
-  /**
    * Reads surface and curves. Null after a refusal, which has been told then.
    */
   std::shared_ptr<const flattening::bridge::CurvedSurface> LoadInput(
     vtkInformationVector** inputVector);
 
   /**
-   * Flattens surface and curves into the three outputs that vtkWireWarpingFilter documents. The
-   * pins are two points of the surface, or -1, for the conformal map.
+   * What the run before this one kept of the pieces; null without Caching.
    */
-  void Flatten(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
-    flattening::FlatteningOptions options, const vtkIdType pins[2]);
+  flattening::FlatteningCache* KeptPieces() const;
 
   int CoincidentPoints = AUTOMATIC;
   bool SplitTriangles;

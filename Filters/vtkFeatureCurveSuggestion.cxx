@@ -27,7 +27,7 @@ bool vtkFeatureCurveSuggestion::IsProposedName(const std::string& name)
 //------------------------------------------------------------------------------
 vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 {
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(6);
   const flattening::SearchOptions defaults;
   this->SuggestedCuts = static_cast<int>(defaults.cuts);
   this->Bound = defaults.bound;
@@ -138,7 +138,7 @@ int vtkFeatureCurveSuggestion::RequestData(
   this->Superclass::RequestData(request, inputs, outputVector);
   if (!this->IsRefused())
   {
-    vtkPolyData::GetData(outputVector, 3)->ShallowCopy(all);
+    vtkPolyData::GetData(outputVector, 5)->ShallowCopy(all);
     const std::string shortfall = this->SuggestedCuts == LINES
       ? std::string()
       : flattening::bridge::describeShortfall(suggestions, this->Bound);

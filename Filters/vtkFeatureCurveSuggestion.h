@@ -22,10 +22,10 @@
  * each cell counts as if its area were so many times as large, and so are `PredictedGain`, `Gain`
  * and strains of this filter, but not those of the flat pieces.
  *
- * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter. **Outputs 0 to 2** are
+ * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter. **Outputs 0 to 4** are
  * those of vtkWireWarpingFilter, for the surface with all curves.
  *
- * **Output 3, the curves**: those of the input in their order, then the proposed ones in the order
+ * **Output 5, the curves**: those of the input in their order, then the proposed ones in the order
  * of choice, ready to be given to vtkWireWarpingFilter. Cell arrays: `CurveType` (int), `CurveName`
  * (string; "dart 1", "seam 2", ...), `KeyShape` (int), `LengthTolerance` (double), `Rank` (int;
  * from 1, -1: a curve of the input), `Length` (double, unit of length), `PredictedGain` and `Gain`
@@ -62,7 +62,7 @@
  * suggestion->Update();
  * vtkNew<vtkWireWarpingFilter> again; // the curves are ordinary ones
  * again->SetInputData(surface);
- * again->AddCurvesConnection(suggestion->GetOutputPort(3));
+ * again->AddCurvesConnection(suggestion->GetOutputPort(5));
  * again->Update();
  * @endcode
  *

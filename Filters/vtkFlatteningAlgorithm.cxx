@@ -108,6 +108,10 @@ std::string vtkFlatteningAlgorithm::GetLengthUnitOf(vtkDataObject* data)
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::SetLengthUnitOf(vtkDataObject* data, const std::string& unit)
 {
+  if (!data)
+  {
+    return;
+  }
   data->GetFieldData()->RemoveArray("LengthUnit");
   const flattening::Unit known = flattening::unitNamed(unit);
   if (known != flattening::Unit::Unspecified)
@@ -163,6 +167,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     this->Begin(outputVector);
     this->Conclude(status);
     this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+    this->FinishData(outputVector);
     return 1;
   };
   try
@@ -174,6 +179,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     const bool run = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
     if (run && !this->HasSurface(outputVector))
     {
+      this->FinishData(outputVector);
       return 1;
     }
     const vtkTypeBool done = this->Superclass::ProcessRequest(request, inputVector, outputVector);
@@ -182,7 +188,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
       const std::string unit = this->IsRefused() ? "" : this->LengthUnitOf(inputVector);
       for (int k = 0; !unit.empty() && k < outputVector->GetNumberOfInformationObjects(); ++k)
       {
-        SetLengthUnitOf(vtkDataObject::GetData(outputVector, k), unit);
+        SetLengthUnitOf(vtkPolyData::GetData(outputVector, k), unit);
       }
       this->FinishData(outputVector);
     }
@@ -390,7 +396,7 @@ void vtkFlatteningAlgorithm::Begin(vtkInformationVector* outputVector)
   this->Warnings.clear();
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
-    vtkPolyData::GetData(outputVector, port)->Initialize();
+    vtkDataObject::GetData(outputVector, port)->Initialize();
   }
 }
 

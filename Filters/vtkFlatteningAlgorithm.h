@@ -224,7 +224,7 @@ protected:
   std::string LengthUnitOf(vtkInformationVector** inputVector);
 
   /**
-   * Called after each RequestData().
+   * Called after each run on one data set, whether it gave a result or not.
    */
   virtual void FinishData(vtkInformationVector* outputVector);
 

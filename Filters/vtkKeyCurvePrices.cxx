@@ -11,17 +11,34 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 vtkStandardNewMacro(vtkKeyCurvePrices);
+
+namespace
+{
+constexpr int pricePort = 5;
+}
 
 //------------------------------------------------------------------------------
 vtkKeyCurvePrices::vtkKeyCurvePrices()
 {
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(6);
 }
 
 //------------------------------------------------------------------------------
 vtkKeyCurvePrices::~vtkKeyCurvePrices() = default;
+
+//------------------------------------------------------------------------------
+int vtkKeyCurvePrices::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == pricePort)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
 
 //------------------------------------------------------------------------------
 int vtkKeyCurvePrices::RequestData(
@@ -46,7 +63,7 @@ int vtkKeyCurvePrices::RequestData(
   if (!this->IsRefused())
   {
     flattening::bridge::writeKeyPrices(
-      source->imprinted.curves, prices, vtkPolyData::GetData(outputVector, 3));
+      source->imprinted.curves, prices, vtkTable::GetData(outputVector, pricePort));
   }
   return 1;
 }

@@ -13,12 +13,7 @@ vtkStandardNewMacro(vtkLeastSquaresConformalFilter);
 //------------------------------------------------------------------------------
 vtkLeastSquaresConformalFilter::vtkLeastSquaresConformalFilter()
 {
-  this->SetNumberOfOutputPorts(3);
-  const flattening::FlatteningOptions defaults;
-  this->AreaNormalized = defaults.conformal.areaNormalized;
-  this->SkipClosed = defaults.skipClosed;
-  this->Arrange = defaults.arrange;
-  this->Spacing = defaults.spacing;
+  this->AreaNormalized = flattening::FlatteningOptions().conformal.areaNormalized;
 }
 
 //------------------------------------------------------------------------------
@@ -31,20 +26,9 @@ int vtkLeastSquaresConformalFilter::RequestData(vtkInformation* vtkNotUsed(reque
   flattening::FlatteningOptions options;
   options.scheme = flattening::Scheme::LeastSquaresConformal;
   options.conformal.areaNormalized = this->AreaNormalized;
-  options.skipClosed = this->SkipClosed;
-  options.arrange = this->Arrange;
-  options.spacing = this->Spacing;
+  this->ApplyPieceOptions(options);
   this->Flatten(inputVector, outputVector, options, this->Pins);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkLeastSquaresConformalFilter::EndRun(vtkDataObject* input, vtkDataObject* output)
-{
-  if (this->BesideSurface)
-  {
-    this->LayBeside(input, output, this->Spacing);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -53,8 +37,4 @@ void vtkLeastSquaresConformalFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Pins: " << this->Pins[0] << " " << this->Pins[1] << "\n";
   os << indent << "AreaNormalized: " << (this->AreaNormalized ? "On" : "Off") << "\n";
-  os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
-  os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
-  os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
 }

@@ -6,21 +6,32 @@
 #include "CutEndWords.h"
 #include "FilterExecution.h"
 #include "FlattenableOutput.h"
+#include "FlatteningTables.h"
 #include "ListChanges.h"
-#include "PieceSizes.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 vtkStandardNewMacro(vtkMakeFlattenable);
+
+namespace
+{
+constexpr int surfacePort = 5; // and its curves behind it
+constexpr int beforePort = 7;
+constexpr int piecesBeforePort = 8;
+constexpr int measurePort = 9;
+}
 
 //------------------------------------------------------------------------------
 vtkMakeFlattenable::vtkMakeFlattenable()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(10);
+  this->Trials = vtkSmartPointer<vtkTable>::New();
   const flattening::FlattenableOptions defaults;
   this->Bound = defaults.bound;
   this->KeepBoundary = defaults.keepBoundary;
@@ -74,11 +85,29 @@ int vtkMakeFlattenable::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+int vtkMakeFlattenable::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == piecesBeforePort || port == measurePort)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkMakeFlattenable::GetTrials() const
+{
+  return this->Trials;
+}
+
+//------------------------------------------------------------------------------
 int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   namespace bridge = flattening::bridge;
   this->Begin(outputVector);
+  this->Trials = vtkSmartPointer<vtkTable>::New(); // the caller may have kept that of the last run
   const auto output = [outputVector](int port) { return vtkPolyData::GetData(outputVector, port); };
   flattening::FlattenableOptions options;
   options.bound = this->Bound;
@@ -109,11 +138,20 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
       {
         warnings.push_back(bridge::describeShortfall(result, options));
       }
-      bridge::writeFlattenable(*source, result,
-        { output(0), output(1), output(2), output(3), output(4), output(5) }, warnings);
       const std::string unit = this->LengthUnitOf(inputVector);
-      bridge::writePieceSizes(bridge::pieceSizes(result.after), unit, output(0));
-      bridge::writePieceSizes(bridge::pieceSizes(result.before), unit, output(5));
+      bridge::CurvedSurface moved = *source;
+      moved.imprinted.mesh = result.mesh;
+      this->WriteFlattening(moved, result.after, unit, outputVector);
+      output(2)->GetPointData()->SetNormals(nullptr); // those of the design
+      bridge::writeMovedSurface(
+        *source, moved, result, output(surfacePort), output(surfacePort + 1), warnings);
+      const vtkNew<vtkPolyData> wires;
+      const vtkNew<vtkPolyData> cut;
+      bridge::writeFlattening(*source, result.before, output(beforePort), wires, cut);
+      bridge::writePieceTable(*source, result.before, unit, output(beforePort),
+        vtkTable::GetData(outputVector, piecesBeforePort));
+      bridge::writeShiftMeasures(result, vtkTable::GetData(outputVector, measurePort));
+      bridge::writeShiftTrials(result.trials, this->Trials);
       this->Warn(warnings);
     }
   }

@@ -14,24 +14,23 @@
  *
  * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter; **port 2**, optional,
  * a body that is not entered; the surface is
- * flattened by the scheme and all options that are set here. **Outputs 0 to 2** are those of
+ * flattened by the scheme and all options that are set here. **Outputs 0 to 4** are those of
  * vtkWireWarpingFilter, for the moved surface.
  *
- * **Output 3, the moved surface**: that of vtkFeatureCurveImprinter with other points. Point
+ * **Output 5, the moved surface**: that of vtkFeatureCurveImprinter with other points. Point
  * arrays: `Shift` (double, 3 components, unit of length; from the design to the moved surface),
  * `ShiftDistance` (double; its length), `ShiftOutwards` (double; its part along the normal of the
- * design, below 0 inwards), `Kept` (unsigned char; 1: not to be moved). Field data:
- * `BoundMet` (int), `Strain` (double; the largest `StrainP95` of a piece before and after),
- * `ShiftMean`, `ShiftP95`, `ShiftMax` (by area; P95 is not exceeded on 95 % of it),
- * `ShiftOutwardsMean` (by area), `ShiftInwardsMax` (0: no point moved inwards), `Size` (root of the
- * area of the design) (double, unit of length), `RelativeShiftMean`, `RelativeShiftP95`,
- * `RelativeShiftMax` (over Size); **one row a flattening of the search**: `TrialAnchor` (stiffness
- * of the springs, over that of the cloth), `TrialShare` (of the way from the design),
- * `TrialStrain`, `TrialShift` (mean, over Size) (double).
+ * design, below 0 inwards), `Kept` (unsigned char; 1: not to be moved). **Output 6, the curves** on
+ * it, as vtkFeatureCurveImprinter gives them: outputs 5 and 6 can be given to vtkWireWarpingFilter.
  *
- * **Output 4, the curves** on the moved surface, as vtkFeatureCurveImprinter gives them: outputs 3
- * and 4 can be given to vtkWireWarpingFilter. **Output 5, the flat pieces of the design**: output 0
- * of vtkWireWarpingFilter without this filter.
+ * **Outputs 7 and 8, the design before**: outputs 0 and 3 of vtkWireWarpingFilter without this
+ * filter.
+ *
+ * **Output 9, the measures**: a vtkTable of one row. Columns: `BoundMet` (int), `StrainBefore`,
+ * `StrainAfter` (the largest `StrainP95` of a piece), `Size` (root of the area of the design),
+ * `ShiftMean`, `ShiftP95`, `ShiftMax` (by area; P95 is not exceeded on 95 % of it),
+ * `ShiftOutwardsMean` (by area), `ShiftInwardsMax` (0: no point moved inwards; unit of length),
+ * `RelativeShiftMean`, `RelativeShiftP95`, `RelativeShiftMax` (over Size) (double).
  *
  * A bound that cannot be met is no refusal: the surface is then the one with the least strain that
  * was found, `BoundMet` is 0, and a warning says so. INVALID_OPTION: a curve to keep that there is
@@ -44,8 +43,9 @@
  * flattenable->SetBound(0.02);
  * flattenable->AddKeptCurve("centre front");
  * flattenable->Update();
- * vtkPolyData* moved = flattenable->GetOutput(3);
- * std::cout << moved->GetFieldData()->GetArray("ShiftMax")->GetComponent(0, 0) << "\n";
+ * vtkPolyData* moved = flattenable->GetOutput(5);
+ * vtkTable* measures = vtkTable::SafeDownCast(flattenable->GetOutputDataObject(9));
+ * std::cout << measures->GetValueByName(0, "ShiftMax").ToDouble() << "\n";
  * @endcode
  *
  * @warning Each step is a flattening of the whole surface and a sewing: seconds for a garment piece
@@ -57,10 +57,13 @@
 #define vtkMakeFlattenable_h
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for the trials
 #include "vtkWireWarpingFilter.h"
 
 #include <set>    // for the kept curves
 #include <string> // for their names
+
+class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkMakeFlattenable : public vtkWireWarpingFilter
 {
@@ -126,11 +129,18 @@ public:
   void SetBodyData(vtkPolyData* body);
   ///@}
 
+  /**
+   * One row per flattening of the search: `Anchor` (stiffness of the springs, over that of the
+   * cloth), `Share` (of the way from the design), `Strain`, `Shift` (mean, over Size) (double).
+   */
+  vtkTable* GetTrials() const;
+
 protected:
   vtkMakeFlattenable();
   ~vtkMakeFlattenable() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double Bound;
@@ -142,6 +152,8 @@ protected:
 private:
   vtkMakeFlattenable(const vtkMakeFlattenable&) = delete;
   void operator=(const vtkMakeFlattenable&) = delete;
+
+  vtkSmartPointer<vtkTable> Trials; // of the last run
 };
 
 #endif

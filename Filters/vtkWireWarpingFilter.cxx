@@ -18,7 +18,6 @@ vtkStandardNewMacro(vtkWireWarpingFilter);
 //------------------------------------------------------------------------------
 vtkWireWarpingFilter::vtkWireWarpingFilter()
 {
-  this->SetNumberOfOutputPorts(3);
   const flattening::FlatteningOptions defaults;
   this->Scheme = static_cast<int>(defaults.scheme);
   this->Solver = static_cast<int>(defaults.angles.method);
@@ -43,11 +42,8 @@ vtkWireWarpingFilter::vtkWireWarpingFilter()
   }
   this->CloseCuts = defaults.closeCuts;
   this->DartLegs = static_cast<int>(defaults.dartLegs);
-  this->SkipClosed = defaults.skipClosed;
   this->ReleaseKeys = defaults.releaseKeys;
   this->ReleaseTrials = defaults.tryReleases;
-  this->Arrange = defaults.arrange;
-  this->Spacing = defaults.spacing;
   this->MaximumLengthError = defaults.lengthTolerance;
 }
 
@@ -240,11 +236,9 @@ flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
     options.eases.push_back({ ease.curve, ease.piece, ease.fraction });
   }
   options.dartLegs = static_cast<flattening::DartLegs>(this->DartLegs);
-  options.skipClosed = this->SkipClosed;
   options.releaseKeys = this->ReleaseKeys;
   options.tryReleases = this->ReleaseTrials;
-  options.arrange = this->Arrange;
-  options.spacing = this->Spacing;
+  this->ApplyPieceOptions(options);
   options.lengthTolerance = this->MaximumLengthError;
   return options;
 }
@@ -267,15 +261,6 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-void vtkWireWarpingFilter::EndRun(vtkDataObject* input, vtkDataObject* output)
-{
-  if (this->BesideSurface)
-  {
-    this->LayBeside(input, output, this->Spacing);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -291,7 +276,6 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << "CurveEase " << ease.curve << " in piece " << ease.piece << ": "
        << ease.fraction << "\n";
   }
-  os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "ClosureTolerance: " << this->ClosureTolerance << "\n";
   os << indent << "OptimalityTolerance: " << this->OptimalityTolerance << "\n";
@@ -310,8 +294,5 @@ void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Grain: " << this->Grain << "\n";
   os << indent << "ConformalPins: " << this->ConformalPins[0] << " " << this->ConformalPins[1]
      << "\n";
-  os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
-  os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "MaximumLengthError: " << this->MaximumLengthError << "\n";
 }

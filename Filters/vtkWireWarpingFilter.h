@@ -183,8 +183,8 @@
 #ifndef vtkWireWarpingFilter_h
 #define vtkWireWarpingFilter_h
 
-#include "vtkFeatureCurveAlgorithm.h"
 #include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkFlatPieceAlgorithm.h"
 
 #include <string> // for the names
 #include <vector> // for the eases
@@ -199,11 +199,11 @@ struct CurveFraction;
 }
 }
 
-class VTKFILTERSFLATTENING_EXPORT vtkWireWarpingFilter : public vtkFeatureCurveAlgorithm
+class VTKFILTERSFLATTENING_EXPORT vtkWireWarpingFilter : public vtkFlatPieceAlgorithm
 {
 public:
   static vtkWireWarpingFilter* New();
-  vtkTypeMacro(vtkWireWarpingFilter, vtkFeatureCurveAlgorithm)
+  vtkTypeMacro(vtkWireWarpingFilter, vtkFlatPieceAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -386,17 +386,6 @@ public:
 
   ///@{
   /**
-   * Leave out pieces that cannot be laid flat, since they have no boundary or have handles, and
-   * flatten the others; a warning and the field data `LeftOutCells` name them. Off: the surface is
-   * refused for them (CLOSED_SURFACE, HANDLE), as it is where nothing would remain. Default: off.
-   */
-  vtkSetMacro(SkipClosed, bool);
-  vtkGetMacro(SkipClosed, bool);
-  vtkBooleanMacro(SkipClosed, bool);
-  ///@}
-
-  ///@{
-  /**
    * Most iterations of the solver of the angles, a piece. Default: 300. Range: from 1.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
@@ -571,39 +560,6 @@ public:
 
   ///@{
   /**
-   * Turn the pieces upright (the grainline, which is the first key curve from its start to its end,
-   * along y, else the long side of the smallest rectangle around the piece) and lay them in rows
-   * beside each other without overlap of their bounding boxes. Off: each stays where its first wire
-   * edge put it. Default: on.
-   */
-  vtkSetMacro(Arrange, bool);
-  vtkGetMacro(Arrange, bool);
-  vtkBooleanMacro(Arrange, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Lay the flat pieces to the right of the surface, at half its height, so that a viewer shows
-   * both, and those of the blocks of a composite data set in rows beside each other; z stays 0, and
-   * measures, lengths and `FlatPositions` are those of the pieces before they were moved. Off: each
-   * surface's pieces start from the origin, over those of other blocks. Default: off.
-   */
-  vtkSetMacro(BesideSurface, bool);
-  vtkGetMacro(BesideSurface, bool);
-  vtkBooleanMacro(BesideSurface, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one.
-   * Default: 0.05. Range: 0 to 1e6.
-   */
-  vtkSetClampMacro(Spacing, double, 0.0, 1e6);
-  vtkGetMacro(Spacing, double);
-  ///@}
-
-  ///@{
-  /**
    * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default:
    * 1e-9. Range: from 0.
    */
@@ -620,7 +576,6 @@ protected:
    */
   flattening::FlatteningOptions Settings() const;
 
-  void EndRun(vtkDataObject* input, vtkDataObject* output) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -635,7 +590,6 @@ private:
   bool ReleaseTrials;
   bool CloseCuts;
   int DartLegs;
-  bool SkipClosed;
   int MaximumIterations;
   double ClosureTolerance;
   double OptimalityTolerance;
@@ -656,9 +610,6 @@ private:
   std::string Material;
   std::string Grain;
   vtkIdType ConformalPins[2];
-  bool BesideSurface = false;
-  bool Arrange;
-  double Spacing;
   double MaximumLengthError;
 };
 

@@ -84,7 +84,7 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
   Proposals proposals;
   proposals.stopped = watch.stopped;
   proposals.message = watch.stopped ? "" : messageOf(filter);
-  vtkPolyData* const found = filter->GetOutput(3);
+  vtkPolyData* const found = filter->GetOutput(5);
   vtkDataArray* const ranks = found->GetCellData()->GetArray("Rank");
   for (vtkIdType cell = 0; ranks && cell < found->GetNumberOfCells(); ++cell)
   {

@@ -290,9 +290,13 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.wires = filter->GetOutput(1);
   result.cut = filter->GetOutput(2);
   takeReshaped(filter, result);
-  if (!result.flattenable && filter->GetNumberOfOutputPorts() > 3)
+  if (filter->IsA("vtkKeyCurvePrices"))
   {
-    (filter->IsA("vtkKeyCurvePrices") ? result.keyPrices : result.curves) = filter->GetOutput(3);
+    result.keyPrices = vtkTable::SafeDownCast(filter->GetOutputDataObject(5));
+  }
+  else if (filter->IsA("vtkFeatureCurveSuggestion"))
+  {
+    result.curves = filter->GetOutput(5);
   }
   result.status = filter->GetStatusName();
   result.remedies = remediesOf(filter);

@@ -6,12 +6,34 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
 
 #include <string>
 #include <vector>
 
 namespace wirewarp
 {
+/// A table without rows.
+inline vtkSmartPointer<vtkTable> noTable()
+{
+  return vtkSmartPointer<vtkTable>::New();
+}
+
+/// A value of a table.
+inline double numberIn(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetValueByName(row, column).ToDouble();
+}
+inline long long integerIn(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetValueByName(row, column).ToLongLong();
+}
+inline std::string textIn(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetValueByName(row, column).ToString();
+}
+
 /// What became of one surface.
 struct Flattening
 {
@@ -29,13 +51,15 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> cut;
   /// With --suggest: all curves, as vtkFeatureCurveSuggestion has them.
   vtkSmartPointer<vtkPolyData> curves;
-  /// With --price-keys: output 3 of vtkKeyCurvePrices.
-  vtkSmartPointer<vtkPolyData> keyPrices;
+  /// With --price-keys: the prices of vtkKeyCurvePrices.
+  vtkSmartPointer<vtkTable> keyPrices = noTable();
 
-  /// With --flattenable: outputs 3 to 5 of vtkMakeFlattenable.
+  /// With --flattenable: outputs 5 to 9 of vtkMakeFlattenable.
   vtkSmartPointer<vtkPolyData> flattenable;
   vtkSmartPointer<vtkPolyData> flattenableCurves;
   vtkSmartPointer<vtkPolyData> flatBefore;
+  vtkSmartPointer<vtkTable> shiftMeasures = noTable();
+  vtkIdType shiftTrials = 0;
 
   /// With --resew: output 0 of vtkSewnShape.
   vtkSmartPointer<vtkPolyData> sewn;

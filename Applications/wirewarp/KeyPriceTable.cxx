@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KeyPriceTable.h"
 
-#include "FieldRows.h"
 #include "PlainText.h"
 
 #include <algorithm>
@@ -15,12 +14,12 @@ namespace wirewarp
 std::vector<KeyTrialRow> keyTrials(const Flattening& result)
 {
   std::vector<KeyTrialRow> rows;
-  const FieldRows field(result.keyPrices);
-  for (vtkIdType row = 0; row < field.count("KeyTrial"); ++row)
+  vtkTable* const table = result.keyPrices;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    rows.push_back(
-      { field.text("KeyTrial", row), field.number("KeyPrice", row), field.number("AreaError", row),
-        field.number("StrainP95", row), field.text("Status", row), field.text("Released", row) });
+    rows.push_back({ textIn(table, row, "Trial"), numberIn(table, row, "Price"),
+      numberIn(table, row, "AreaError"), numberIn(table, row, "StrainP95"),
+      textIn(table, row, "Status"), textIn(table, row, "Released") });
   }
   return rows;
 }

@@ -229,23 +229,22 @@ Json leftOutReports(const FieldRows& field)
 /// How the surface was moved, and its pieces before; null without --flattenable.
 Json flattenableReport(const Options& options, const Flattening& result)
 {
-  const FieldRows field(result.flattenable);
-  if (field.count("BoundMet") == 0)
+  vtkTable* const measures = result.shiftMeasures;
+  if (measures->GetNumberOfRows() == 0)
   {
     return nullptr;
   }
-  return { { "bound", options.reshaping.bound }, { "bound_met", field.integer("BoundMet", 0) != 0 },
+  const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
+  return { { "bound", options.reshaping.bound }, { "bound_met", number("BoundMet") != 0 },
     { "keep", options.reshaping.keep }, { "keep_boundary", options.reshaping.keepBoundary },
     { "outside_bias", options.reshaping.outsideBias },
-    { "strain_p95_before", field.number("Strain", 0) },
-    { "strain_p95_after", field.number("Strain", 1) }, { "size", field.number("Size", 0) },
-    { "shift_mean", field.number("ShiftMean", 0) }, { "shift_p95", field.number("ShiftP95", 0) },
-    { "shift_max", field.number("ShiftMax", 0) },
-    { "shift_outwards_mean", field.number("ShiftOutwardsMean", 0) },
-    { "shift_inwards_max", field.number("ShiftInwardsMax", 0) },
-    { "shift_mean_relative", field.number("RelativeShiftMean", 0) },
-    { "shift_max_relative", field.number("RelativeShiftMax", 0) },
-    { "trials", field.count("TrialStrain") },
+    { "strain_p95_before", number("StrainBefore") }, { "strain_p95_after", number("StrainAfter") },
+    { "size", number("Size") }, { "shift_mean", number("ShiftMean") },
+    { "shift_p95", number("ShiftP95") }, { "shift_max", number("ShiftMax") },
+    { "shift_outwards_mean", number("ShiftOutwardsMean") },
+    { "shift_inwards_max", number("ShiftInwardsMax") },
+    { "shift_mean_relative", number("RelativeShiftMean") },
+    { "shift_max_relative", number("RelativeShiftMax") }, { "trials", result.shiftTrials },
     { "pieces_before", pieceReports(FieldRows(result.flatBefore), FieldRows(result.wires)) } };
 }
 

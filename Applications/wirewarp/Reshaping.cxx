@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reshaping.h"
 
-#include "FieldRows.h"
 #include "Flattening.h"
 #include "NumberOptions.h"
 #include "ReadSurface.h"
@@ -92,27 +91,30 @@ void setBody(const std::string& body, vtkWireWarpingFilter* filter)
 //------------------------------------------------------------------------------
 void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result)
 {
-  if (vtkMakeFlattenable::SafeDownCast(filter))
+  if (auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter))
   {
-    result.flattenable = filter->GetOutput(3);
-    result.flattenableCurves = filter->GetOutput(4);
-    result.flatBefore = filter->GetOutput(5);
+    result.flattenable = filter->GetOutput(5);
+    result.flattenableCurves = filter->GetOutput(6);
+    result.flatBefore = filter->GetOutput(7);
+    result.shiftMeasures = vtkTable::SafeDownCast(filter->GetOutputDataObject(9));
+    result.shiftTrials = reshaping->GetTrials()->GetNumberOfRows();
   }
 }
 
 //------------------------------------------------------------------------------
 std::string reshapingTable(const Flattening& result)
 {
-  const FieldRows field(result.flattenable);
-  if (field.count("BoundMet") == 0)
+  vtkTable* const measures = result.shiftMeasures;
+  if (measures->GetNumberOfRows() == 0)
   {
     return "";
   }
+  const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
   std::ostringstream text;
-  text << std::setprecision(3) << "\nsurface moved by " << field.number("ShiftMean", 0) << ' '
-       << result.unit << " in the mean (" << 100.0 * field.number("RelativeShiftMean", 0)
-       << " % of its size), " << field.number("ShiftMax", 0) << " at most: strain_p95 "
-       << field.number("Strain", 0) << " -> " << field.number("Strain", 1) << '\n';
+  text << std::setprecision(3) << "\nsurface moved by " << number("ShiftMean") << ' ' << result.unit
+       << " in the mean (" << 100.0 * number("RelativeShiftMean") << " % of its size), "
+       << number("ShiftMax") << " at most: strain_p95 " << number("StrainBefore") << " -> "
+       << number("StrainAfter") << '\n';
   return text.str();
 }
 }

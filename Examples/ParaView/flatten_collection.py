@@ -80,7 +80,8 @@ def rows_of(tables, block, name):
         columns = [table.GetColumn(k) for k in range(table.GetNumberOfColumns())]
         for row in range(table.GetNumberOfRows()):
             yield {"Block": block, "Name": name,
-                   **{column.GetName(): column.GetVariantValue(row).ToString() for column in columns}}
+                   **{column.GetName(): column.GetVariantValue(row).ToString() for column in columns
+                      if column.GetName() != "Name"}}
 
 
 class Collection:
@@ -90,7 +91,6 @@ class Collection:
         os.makedirs(self.folder, exist_ok=True)
         self.reader = pv.XMLMultiBlockDataReader(FileName=[options.collection])
         self.flattening = pv.WireWarping(Input=self.reader, Scheme=options.scheme, BesideSurface=0)
-        self.table = pv.FlatteningTable(Input=self.flattening)
 
     def file(self, first, last, ending):
         return os.path.join(self.folder, f"{first:06}-{last:06}{ending}")
@@ -125,8 +125,7 @@ class Collection:
         flat = self.file(first, last, ".flat.vtm")
         # Within the elements: Debian's ParaView 5.11 cannot read appended data.
         pv.SaveData(flat, proxy=self.flattening, DataMode="Binary")
-        self.table.UpdatePipeline()
-        tables = leaves_by_block(servermanager.Fetch(self.table), len(taken))
+        tables = leaves_by_block(servermanager.Fetch(self.flattening, idx=3), len(taken))
         rows = []
         for k, (name, _) in enumerate(part):
             rows += list(rows_of(tables[k], first + k, name)) or [

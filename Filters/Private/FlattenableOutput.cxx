@@ -4,9 +4,9 @@
 #include "CurveTolerances.h"
 #include "FieldArrays.h"
 #include "ImprintOutput.h"
+#include "TableColumns.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -37,34 +37,35 @@ void writeShift(const TriangleMesh& design, const FlattenableSurface& result, vt
   addRows<vtkUnsignedCharArray>(points, "Kept", result.kept.size(),
     [&](std::size_t v) { return static_cast<unsigned char>(result.kept[v]); });
   points->SetActiveScalars("ShiftDistance");
-
-  vtkFieldData* const field = surface->GetFieldData();
-  const auto add = [field](const char* name, const std::vector<double>& values) {
-    addRows<vtkDoubleArray>(
-      field, name, values.size(), [&values](std::size_t row) { return values[row]; });
-  };
-  addRows<vtkIntArray>(
-    field, "BoundMet", 1, [&result](std::size_t) { return result.boundMet ? 1 : 0; });
-  add("Strain", { result.strainBefore, result.strainAfter });
-  const SurfaceShift& s = result.shift;
-  add("Size", { s.size });
-  add("ShiftMean", { s.mean });
-  add("ShiftP95", { s.p95 });
-  add("ShiftMax", { s.max });
-  add("ShiftOutwardsMean", { s.outwardsMean });
-  add("ShiftInwardsMax", { s.inwardsMax });
-  add("RelativeShiftMean", { s.mean / s.size });
-  add("RelativeShiftP95", { s.p95 / s.size });
-  add("RelativeShiftMax", { s.max / s.size });
-  const auto addTrials = [&](const char* name, double FlattenableTrial::*member) {
-    addRows<vtkDoubleArray>(field, name, result.trials.size(),
-      [&](std::size_t row) { return result.trials[row].*member; });
-  };
-  addTrials("TrialAnchor", &FlattenableTrial::anchor);
-  addTrials("TrialShare", &FlattenableTrial::share);
-  addTrials("TrialStrain", &FlattenableTrial::strain);
-  addTrials("TrialShift", &FlattenableTrial::shift);
 }
+}
+
+void writeShiftMeasures(const FlattenableSurface& result, vtkTable* table)
+{
+  const std::vector<SurfaceShift> rows{ result.shift };
+  const TableColumns<SurfaceShift> columns(table, rows);
+  using Shift = const SurfaceShift&;
+  columns.add("BoundMet", [&result](Shift) { return result.boundMet; });
+  columns.add("StrainBefore", [&result](Shift) { return result.strainBefore; });
+  columns.add("StrainAfter", [&result](Shift) { return result.strainAfter; });
+  columns.add("Size", &SurfaceShift::size);
+  columns.add("ShiftMean", &SurfaceShift::mean);
+  columns.add("ShiftP95", &SurfaceShift::p95);
+  columns.add("ShiftMax", &SurfaceShift::max);
+  columns.add("ShiftOutwardsMean", &SurfaceShift::outwardsMean);
+  columns.add("ShiftInwardsMax", &SurfaceShift::inwardsMax);
+  columns.add("RelativeShiftMean", [](Shift shift) { return shift.mean / shift.size; });
+  columns.add("RelativeShiftP95", [](Shift shift) { return shift.p95 / shift.size; });
+  columns.add("RelativeShiftMax", [](Shift shift) { return shift.max / shift.size; });
+}
+
+void writeShiftTrials(const std::vector<FlattenableTrial>& trials, vtkTable* table)
+{
+  const TableColumns<FlattenableTrial> columns(table, trials);
+  columns.add("Anchor", &FlattenableTrial::anchor);
+  columns.add("Share", &FlattenableTrial::share);
+  columns.add("Strain", &FlattenableTrial::strain);
+  columns.add("Shift", &FlattenableTrial::shift);
 }
 
 Status findCurves(const std::set<std::string>& names, const CurvedSurface& source, Indices& curves)
@@ -90,22 +91,15 @@ Status findCurves(const std::set<std::string>& names, const CurvedSurface& sourc
   return {};
 }
 
-void writeFlattenable(const CurvedSurface& source, const FlattenableSurface& result,
-  const std::array<vtkPolyData*, 6>& outputs, std::vector<std::string>& warnings)
+void writeMovedSurface(const CurvedSurface& source, const CurvedSurface& moved,
+  const FlattenableSurface& result, vtkPolyData* surface, vtkPolyData* curves,
+  std::vector<std::string>& warnings)
 {
-  CurvedSurface moved = source;
-  moved.imprinted.mesh = result.mesh;
-  writeFlattening(moved, result.after, outputs[0], outputs[1], outputs[2]);
-  writeImprint(moved, outputs[3], outputs[4], warnings);
+  writeImprint(moved, surface, curves, warnings);
   // Normals are those of the design.
-  for (int port = 2; port < 5; ++port)
-  {
-    outputs[port]->GetPointData()->SetNormals(nullptr);
-  }
-  writeShift(source.imprinted.mesh, result, outputs[3]);
-  const vtkNew<vtkPolyData> wires;
-  const vtkNew<vtkPolyData> cut;
-  writeFlattening(source, result.before, outputs[5], wires, cut);
+  surface->GetPointData()->SetNormals(nullptr);
+  curves->GetPointData()->SetNormals(nullptr);
+  writeShift(source.imprinted.mesh, result, surface);
 }
 
 std::string describeShortfall(const FlattenableSurface& result, const FlattenableOptions& options)

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KeyPriceOutput.h"
 
-#include "FieldArrays.h"
-
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIntArray.h"
-#include "vtkPolyData.h"
+#include "TableColumns.h"
 
 #include <limits>
 
@@ -36,7 +31,7 @@ std::string namesOf(const std::vector<FeatureCurve>& curves, const Indices& ids)
 }
 
 void writeKeyPrices(
-  const std::vector<FeatureCurve>& curves, const KeyPrices& prices, vtkPolyData* output)
+  const std::vector<FeatureCurve>& curves, const KeyPrices& prices, vtkTable* table)
 {
   constexpr double no = std::numeric_limits<double>::quiet_NaN();
   std::vector<Row> rows{ { "all keys", none, no, prices.all } };
@@ -48,19 +43,15 @@ void writeKeyPrices(
   }
   rows.push_back({ "no key", none, no, prices.none });
 
-  vtkFieldData* const field = output->GetFieldData();
-  const std::size_t count = rows.size();
-  addRows<vtkStringArray>(field, "KeyTrial", count, [&](std::size_t r) { return rows[r].what; });
-  addRows<vtkIntArray>(field, "KeyCurve", count, [&](std::size_t r) { return rows[r].curve; });
-  addRows<vtkDoubleArray>(field, "KeyPrice", count, [&](std::size_t r) { return rows[r].price; });
-  addRows<vtkDoubleArray>(
-    field, "AreaError", count, [&](std::size_t r) { return rows[r].trial.areaError; });
-  addRows<vtkDoubleArray>(
-    field, "StrainP95", count, [&](std::size_t r) { return rows[r].trial.strainP95; });
-  addRows<vtkStringArray>(
-    field, "Status", count, [&](std::size_t r) { return statusName(rows[r].trial.status); });
-  addRows<vtkStringArray>(field, "Released", count,
-    [&](std::size_t r) { return namesOf(curves, rows[r].trial.released); });
+  const TableColumns<Row> columns(table, rows);
+  columns.add("Trial", &Row::what);
+  columns.add("Status", [](const Row& row) { return statusName(row.trial.status); });
+  columns.add("Curve", &Row::curve);
+  columns.add("Price", &Row::price);
+  columns.add("AreaError", [](const Row& row) { return row.trial.areaError; });
+  columns.add("StrainP95", [](const Row& row) { return row.trial.strainP95; });
+  columns.add(
+    "Released", [&curves](const Row& row) { return namesOf(curves, row.trial.released); });
 }
 }
 }

@@ -3,14 +3,14 @@
 
 #include "Design/KeyPrices.h"
 
-class vtkPolyData;
+class vtkTable;
 
 namespace flattening
 {
 namespace bridge
 {
-/// Output 3 of vtkKeyCurvePrices.
+/// Output 5 of vtkKeyCurvePrices.
 void writeKeyPrices(
-  const std::vector<FeatureCurve>& curves, const KeyPrices& prices, vtkPolyData* output);
+  const std::vector<FeatureCurve>& curves, const KeyPrices& prices, vtkTable* table);
 }
 }

@@ -18,6 +18,73 @@ namespace flattening
 {
 namespace bridge
 {
+std::array<vtkIdType, 2> endsOf(
+  const CurvedSurface& source, const FlatteningResult& result, const Indices& cut)
+{
+  if (cut.empty())
+  {
+    return { -1, -1 };
+  }
+  const auto end = [&](Index v) { return source.pointOf(result.cut->originalVertex[v]); };
+  return { end(cut.front()), end(cut.back()) };
+}
+
+namespace
+{
+std::string wholePercent(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/// Such as "from point 3 to point 7"; empty where an end is no point of the input.
+std::string wayOf(const std::array<vtkIdType, 2>& ends)
+{
+  return ends[0] < 0 || ends[1] < 0
+    ? ""
+    : "from point " + std::to_string(ends[0]) + " to point " + std::to_string(ends[1]);
+}
+
+/// What opens a tube.
+std::string openingsInWords(
+  const CurvedSurface& source, const FlatteningResult& result, const std::vector<Indices>& openings)
+{
+  std::string text = "this is a tube with " + std::to_string(openings.size() + 1) +
+    " openings, which no plane can hold: cut it open";
+  std::string join = " ";
+  for (const Indices& cut : openings)
+  {
+    const std::string way = wayOf(endsOf(source, result, cut));
+    text += way.empty() ? "" : join + way;
+    join = way.empty() ? join : ", ";
+  }
+  return text + ", or have seams proposed";
+}
+}
+
+std::string verdictOf(
+  const CurvedSurface& source, const FlatteningResult& result, const PieceReport& piece)
+{
+  const AreaForecast& area = piece.area;
+  std::string text;
+  if (area.tube())
+  {
+    text = openingsInWords(source, result, area.openings);
+  }
+  if (area.deep())
+  {
+    text += std::string(text.empty() ? "a plane cannot hold this piece: " : "; ") +
+      "with the lengths of its boundary it loses about " + wholePercent(area.loss) + " of its area";
+    const std::string way = wayOf(endsOf(source, result, area.cut));
+    text += area.tube() ? "" : "; cut it";
+    if (!area.tube() && !way.empty())
+    {
+      text += ", for example along edges " + way + ", which leaves a loss of about " +
+        wholePercent(area.lossAfterCut);
+    }
+  }
+  return text.empty() || piece.otherEnergy.empty() ? text : text + "; " + piece.otherEnergy;
+}
+
 namespace
 {
 void writePieces(const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field)
@@ -111,73 +178,6 @@ void writeWhatWasDone(const std::vector<PieceReport>& pieces, vtkFieldData* fiel
     }
     return all;
   });
-}
-
-std::string wholePercent(double share)
-{
-  return std::to_string(std::lround(100.0 * share)) + " %";
-}
-
-/// The ends of a cut along edges as points of the input; -1 where one has none there.
-std::array<vtkIdType, 2> endsOf(
-  const CurvedSurface& source, const FlatteningResult& result, const Indices& cut)
-{
-  if (cut.empty())
-  {
-    return { -1, -1 };
-  }
-  const auto end = [&](Index v) { return source.pointOf(result.cut->originalVertex[v]); };
-  return { end(cut.front()), end(cut.back()) };
-}
-
-/// Such as "from point 3 to point 7"; empty where an end is no point of the input.
-std::string wayOf(const std::array<vtkIdType, 2>& ends)
-{
-  return ends[0] < 0 || ends[1] < 0
-    ? ""
-    : "from point " + std::to_string(ends[0]) + " to point " + std::to_string(ends[1]);
-}
-
-/// What opens a tube.
-std::string openingsInWords(
-  const CurvedSurface& source, const FlatteningResult& result, const std::vector<Indices>& openings)
-{
-  std::string text = "this is a tube with " + std::to_string(openings.size() + 1) +
-    " openings, which no plane can hold: cut it open";
-  std::string join = " ";
-  for (const Indices& cut : openings)
-  {
-    const std::string way = wayOf(endsOf(source, result, cut));
-    text += way.empty() ? "" : join + way;
-    join = way.empty() ? join : ", ";
-  }
-  return text + ", or have seams proposed";
-}
-
-/// That the plane has no room for a piece, what would make some, and by which energy it is
-/// flattened then; empty where it has.
-std::string verdictOf(
-  const CurvedSurface& source, const FlatteningResult& result, const PieceReport& piece)
-{
-  const AreaForecast& area = piece.area;
-  std::string text;
-  if (area.tube())
-  {
-    text = openingsInWords(source, result, area.openings);
-  }
-  if (area.deep())
-  {
-    text += std::string(text.empty() ? "a plane cannot hold this piece: " : "; ") +
-      "with the lengths of its boundary it loses about " + wholePercent(area.loss) + " of its area";
-    const std::string way = wayOf(endsOf(source, result, area.cut));
-    text += area.tube() ? "" : "; cut it";
-    if (!area.tube() && !way.empty())
-    {
-      text += ", for example along edges " + way + ", which leaves a loss of about " +
-        wholePercent(area.lossAfterCut);
-    }
-  }
-  return text.empty() || piece.otherEnergy.empty() ? text : text + "; " + piece.otherEnergy;
 }
 
 void writeVerdicts(const CurvedSurface& source, const FlatteningResult& result, vtkFieldData* field)

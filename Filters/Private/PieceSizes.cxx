@@ -161,6 +161,7 @@ std::string roundPercent(double fraction)
 {
   return format(std::abs(fraction) < 0.0995 ? "%.1f %%" : "%.0f %%", 100.0 * std::abs(fraction));
 }
+}
 
 /// Whole centimeters say enough of a large piece, tenths of a small one.
 std::string sizeInWords(const PieceSize& size, double millimetres)
@@ -188,7 +189,6 @@ std::string easeInWords(const PieceSize& size)
       (more && less ? (size.worst > 0.0 ? " to ease in" : " to stretch") : "") + " " + size.place;
   }
   return text;
-}
 }
 
 std::vector<PieceSize> pieceSizes(const FlatteningResult& result)

@@ -40,6 +40,10 @@ std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& 
 /// they have none.
 std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces);
 
+/// The size such as "51 x 55 cm", and what is to be eased in and stretched.
+std::string sizeInWords(const PieceSize& size, double millimetres);
+std::string easeInWords(const PieceSize& size);
+
 /// Writes them and the pieces' names, in numbers and words, as vtkWireWarpingFilter documents its
 /// field data.
 /// \param flat the pieces, with their cells' names

@@ -208,7 +208,7 @@ class Defaults(unittest.TestCase):
         count = 0
         for path in sorted(glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))):
             class_ = getattr(sf, os.path.splitext(os.path.basename(path))[0], None)
-            if class_ is sf.vtkFeatureCurveAlgorithm:
+            if class_ in (sf.vtkFeatureCurveAlgorithm, sf.vtkFlatPieceAlgorithm):
                 class_ = sf.vtkWireWarpingFilter
             if class_ in (None, sf.vtkFlatteningAlgorithm, sf.vtkPatternWriter):
                 continue

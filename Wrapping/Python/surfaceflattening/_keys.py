@@ -101,11 +101,11 @@ def price_keys(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", FlatteningWarning)
         _update(filter_, options.get("progress"))
-    field = filter_.GetOutput(3).GetFieldData()
-    curve_of, price_of = values_of(field, "KeyCurve"), values_of(field, "KeyPrice")
+    table = filter_.GetOutputDataObject(5).GetRowData()
+    curve_of, price_of = values_of(table, "Curve"), values_of(table, "Price")
     trials = [KeyTrial(status, area, strain, released.split(", ") if released else [])
               for status, area, strain, released in zip(*(
-                  values_of(field, name) for name in ("Status", "AreaError", "StrainP95", "Released")))]
+                  values_of(table, name) for name in ("Status", "AreaError", "StrainP95", "Released")))]
     keys = [KeyPrice(given[curve_of[k]].name, price_of[k], trials[k], trials[k + 1])
             for k in range(1, len(trials) - 1, 2)]
     return KeyPrices(trials[0], trials[-1], keys)

@@ -160,11 +160,11 @@ def _make_flattenable(
     _update(filter_, options.get("progress"))
     flattening = make_result(
         filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
-    moved = filter_.GetOutput(3)
-    field, arrays = moved.GetFieldData(), moved.GetPointData()
+    moved = filter_.GetOutput(5)
+    measures, arrays = filter_.GetOutputDataObject(9).GetRowData(), moved.GetPointData()
 
-    def number(name: str, row: int = 0) -> float:
-        return float(values_of(field, name)[row])
+    def number(name: str) -> float:
+        return float(values_of(measures, name)[0])
 
     corners = vtk_to_numpy(moved.GetPolys().GetConnectivityArray())
     return Flattenable(
@@ -172,10 +172,10 @@ def _make_flattenable(
         triangles=np.array(corners, np.int64).reshape(-1, 3),
         shift=np.array(vtk_to_numpy(arrays.GetArray("Shift"))),
         kept=np.array(vtk_to_numpy(arrays.GetArray("Kept"))) != 0,
-        curves=_curves_of(filter_.GetOutput(4)),
+        curves=_curves_of(filter_.GetOutput(6)),
         bound_met=number("BoundMet") != 0.0,
-        strain_before=number("Strain"),
-        strain_after=number("Strain", 1),
+        strain_before=number("StrainBefore"),
+        strain_after=number("StrainAfter"),
         size=number("Size"),
         shift_mean=number("ShiftMean"),
         shift_max=number("ShiftMax"),

@@ -112,7 +112,7 @@ class Suggestion(NamedTuple):
 
 
 def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
-    """The output 3 of vtkFeatureCurveSuggestion."""
+    """The output 5 of vtkFeatureCurveSuggestion."""
     cells = curves.GetCellData()
     kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
     shapes = values_of(cells, "KeyShape")
@@ -257,4 +257,4 @@ def _suggest(
     _update(filter_, options.get("progress"), finishes=cuts != "lines")
     flattening = make_result(
         filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
-    return make_suggestion(filter_.GetOutput(3), flattening)
+    return make_suggestion(filter_.GetOutput(5), flattening)

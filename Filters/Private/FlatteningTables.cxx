@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlatteningTables.h"
+
+#include "Base/LengthUnit.h"
+#include "PieceOutput.h"
+#include "PieceSizes.h"
+#include "StatusInInput.h"
+#include "StatusOutput.h"
+#include "TableColumns.h"
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+struct PieceRow
+{
+  const PieceReport& report;
+  const PieceSize& size;
+  std::string name;
+  std::string verdict;
+  Status status; ///< in ids of the input
+  std::array<vtkIdType, 2> cutEnds;
+};
+
+using PieceColumns = TableColumns<PieceRow>;
+
+/// Columns of parts of a row.
+template <class Part, class Value>
+void addOf(const PieceColumns& columns, const char* name, Part part, Value value)
+{
+  columns.add(name, [part, value](const PieceRow& row) { return std::invoke(value, part(row)); });
+}
+
+std::string listed(const std::vector<std::int64_t>& ids)
+{
+  std::string text;
+  for (const std::int64_t id : ids)
+  {
+    text += (text.empty() ? "" : " ") + std::to_string(id);
+  }
+  return text;
+}
+
+const char* energyName(const PieceReport& piece)
+{
+  return !piece.energyUsed                                         ? ""
+    : piece.cloth && piece.cloth->solved                           ? "cloth"
+    : *piece.energyUsed == DistortionEnergyKind::AsRigidAsPossible ? "rigid"
+                                                                   : "symmetric-dirichlet";
+}
+
+/// What was done instead of what was requested; another energy is a warning and not listed here.
+std::string fallbacksOf(const PieceReport& piece)
+{
+  std::string all;
+  for (const std::string& fallback : piece.fallbacks)
+  {
+    all += fallback == piece.otherEnergy ? "" : (all.empty() ? "" : "; ") + fallback;
+  }
+  return all;
+}
+
+void addStatus(const PieceColumns& columns)
+{
+  columns.add("StatusMessage", [](const PieceRow& row) { return inWords(row.status); });
+  columns.add("StatusDefect", [](const PieceRow& row) { return row.status.message; });
+  columns.add("StatusIdKind", [](const PieceRow& row) { return kindName(row.status.ids.kind); });
+  columns.add("StatusIds", [](const PieceRow& row) { return listed(row.status.ids.values); });
+}
+
+void addSizes(const PieceColumns& columns, double millimetres)
+{
+  const auto add = [&columns](const char* name, auto value) {
+    addOf(
+      columns, name, [](const PieceRow& row) -> const PieceSize& { return row.size; }, value);
+  };
+  add("FlatWidth", [](const PieceSize& size) { return size.extent.x(); });
+  add("FlatHeight", [](const PieceSize& size) { return size.extent.y(); });
+  add("AreaEasedIn", &PieceSize::easedIn);
+  add("AreaStretched", &PieceSize::stretched);
+  add("WorstAreaChange", &PieceSize::worst);
+  add("WorstPlace", &PieceSize::place);
+  add(
+    "SizeInWords", [millimetres](const PieceSize& size) { return sizeInWords(size, millimetres); });
+  add("EaseInWords", easeInWords);
+}
+
+void addMeasures(const PieceColumns& columns)
+{
+  const auto add = [&columns](const char* name, double QualitySummary::*value) {
+    addOf(
+      columns, name,
+      [](const PieceRow& row) -> const QualitySummary& { return row.report.quality; }, value);
+  };
+  add("EdgeLengthError", &QualitySummary::edgeLengthError);
+  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
+  add("AngleErrorMean", &QualitySummary::angleError);
+  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
+  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
+  add("AreaError", &QualitySummary::areaError);
+  add("StrainP95", &QualitySummary::strainP95);
+  add("RigidEnergy", &QualitySummary::rigidEnergy);
+}
+
+void addReport(const PieceColumns& columns, const std::vector<CurveReport>& curves)
+{
+  const auto add = [&columns](const char* name, auto value) {
+    addOf(
+      columns, name, [](const PieceRow& row) -> const PieceReport& { return row.report; }, value);
+  };
+  using Piece = const PieceReport&;
+  add("FlippedTriangles", [](Piece piece) { return piece.quality.flipped.size(); });
+  add("Overlaps", [](Piece piece) { return piece.overlaps.count; });
+  add("OverlapsComplete", [](Piece piece) { return piece.overlaps.complete; });
+  add("Triangles", &PieceReport::triangles);
+  add("Vertices", &PieceReport::vertices);
+  add("WirePatches", &PieceReport::wirePatches);
+  add("WireNodes", &PieceReport::wireNodes);
+  add("FreeWireNodes", &PieceReport::freeWireNodes);
+  add("Constraints", &PieceReport::constraints);
+  add("Iterations", &PieceReport::iterations);
+  add("Objective", &PieceReport::objective);
+  add("ClosureResidual", &PieceReport::closureResidual);
+  add("CutLength", &PieceReport::cutLength);
+  add("DistortionEnergy", &PieceReport::distortionEnergy);
+  add("AngleEnergy", &PieceReport::angleEnergy);
+  add("SolverUsed", [](Piece piece) {
+    return !piece.solverUsed                     ? ""
+      : *piece.solverUsed == AngleMethod::Newton ? "newton"
+                                                 : "sequential";
+  });
+  add("EnergyUsed", energyName);
+  add("Repaired", &PieceReport::repaired);
+  add("Fallbacks", fallbacksOf);
+  columns.add("Verdict", &PieceRow::verdict);
+  add("ForecastAreaLoss", [](Piece piece) { return piece.area.loss; });
+  add("ForecastAreaLossAfterCut", [](Piece piece) { return piece.area.lossAfterCut; });
+  columns.add("ForecastCutFrom", [](const PieceRow& row) { return row.cutEnds[0]; });
+  columns.add("ForecastCutTo", [](const PieceRow& row) { return row.cutEnds[1]; });
+  add("ReleaseFirst", [&curves](Piece piece) {
+    const Indices& ranking = piece.advice.ranking;
+    return ranking.empty() ? std::string() : curves[ranking.front()].name;
+  });
+  add("ObjectiveWithoutFirst", [](Piece piece) {
+    const ReleaseTrial first = piece.advice.first();
+    return first.solved ? first.objective : -1.0;
+  });
+}
+
+void addCloth(const PieceColumns& columns, const std::vector<CurveReport>& curves)
+{
+  static const ClothReport no;
+  const auto add = [&columns](const char* name, auto value) {
+    addOf(
+      columns, name,
+      [](const PieceRow& row) -> const ClothReport& {
+        return row.report.cloth ? *row.report.cloth : no;
+      },
+      value);
+  };
+  using Cloth = const ClothReport&;
+  add("StrainWarpRms", [](Cloth cloth) { return cloth.threads.warpRms; });
+  add("StrainWeftRms", [](Cloth cloth) { return cloth.threads.weftRms; });
+  add("ShearRms", [](Cloth cloth) { return cloth.threads.shearRms / degree; });
+  add("ShareOutOfLimit", [](Cloth cloth) { return cloth.threads.shareOutOfLimit; });
+  add("ShareOver5Percent", [](Cloth cloth) { return cloth.threads.shareOver5Percent; });
+  add("ShareLocked", [](Cloth cloth) { return cloth.threads.shareLocked; });
+  add("ShearLimit", [](Cloth cloth) { return cloth.shearLimit / degree; });
+  add("GrainAngle", [](Cloth cloth) { return cloth.grain.angle / degree; });
+  add("GrainCurve", [&curves](Cloth cloth) {
+    return cloth.grain.curve == none ? std::string() : curves[cloth.grain.curve].name;
+  });
+  add("OneWay", &ClothReport::oneWay);
+}
+
+/// A curve of the ranking of a piece.
+struct Release
+{
+  std::size_t piece;
+  Index curve;
+  bool shape; ///< of a key curve its shape alone
+  ReleaseTrial trial;
+};
+
+std::vector<Release> releasesOf(const FlatteningResult& result)
+{
+  std::vector<Release> releases;
+  for (std::size_t p = 0; p < result.pieces.size(); ++p)
+  {
+    const PieceReport& piece = result.pieces[p];
+    for (std::size_t k = 0; k < piece.advice.ranking.size(); ++k)
+    {
+      const Index curve = piece.advice.ranking[k];
+      const bool released =
+        std::find(piece.released.begin(), piece.released.end(), curve) != piece.released.end();
+      releases.push_back({ p, curve, result.curves[curve].type == CurveType::Key && !released,
+        piece.advice.trials[k] });
+    }
+  }
+  return releases;
+}
+
+void writeReleases(const FlatteningResult& result, vtkTable* table)
+{
+  const std::vector<Release> releases = releasesOf(result);
+  const TableColumns<Release> columns(table, releases);
+  columns.add("Piece", &Release::piece);
+  columns.add("Name", [&result](const Release& r) { return result.curves[r.curve].name; });
+  columns.add("Curve", &Release::curve);
+  columns.add("Shape", &Release::shape);
+  columns.add("Tried", [](const Release& r) { return r.trial.solved; });
+  const auto add = [&columns](const char* name, double ReleaseTrial::*value) {
+    columns.add(name, [value](const Release& r) { return r.trial.solved ? r.trial.*value : -1.0; });
+  };
+  add("Objective", &ReleaseTrial::objective);
+  add("AreaError", &ReleaseTrial::areaError);
+  add("Homogeneity", &ReleaseTrial::homogeneity);
+}
+
+/// A table of lists of the pieces, with the column Piece.
+template <class Element>
+class ListColumns
+{
+public:
+  ListColumns(vtkTable* table, std::vector<std::pair<std::size_t, Element>> elements)
+    : Elements(std::move(elements))
+    , Columns(table, this->Elements)
+  {
+    this->Columns.add("Piece", [](const auto& element) { return element.first; });
+  }
+
+  template <class Value>
+  void add(const char* name, Value value) const
+  {
+    this->Columns.add(
+      name, [value](const auto& element) { return std::invoke(value, element.second); });
+  }
+
+private:
+  std::vector<std::pair<std::size_t, Element>> Elements;
+  TableColumns<std::pair<std::size_t, Element>> Columns;
+};
+
+void writeIterations(const std::vector<PieceReport>& pieces, vtkTable* ofAngles, vtkTable* ofSheet)
+{
+  const ListColumns<IterationRecord> angles(
+    ofAngles, numberedElements(pieces, &PieceReport::history));
+  angles.add("Phase", &IterationRecord::phase);
+  angles.add("Objective", &IterationRecord::objective);
+  angles.add("Closure", &IterationRecord::closure);
+  angles.add("Optimality", &IterationRecord::optimality);
+  angles.add("Step", &IterationRecord::step);
+
+  const ListColumns<IsometricIteration> sheet(
+    ofSheet, numberedElements(pieces, &PieceReport::isometricHistory));
+  sheet.add("Exact", &IsometricIteration::exact);
+  sheet.add("Energy", &IsometricIteration::energy);
+  sheet.add("LengthError", &IsometricIteration::constraint);
+  sheet.add("Optimality", &IsometricIteration::optimality);
+  sheet.add("Move", &IsometricIteration::step);
+}
+
+void writeRemedies(const CurvedSurface& source, const FlatteningResult& result, vtkTable* table)
+{
+  std::vector<Status> statuses;
+  for (const PieceReport& piece : result.pieces)
+  {
+    statuses.push_back(source.outcomeOfStage(piece.status, result.cut.get()));
+  }
+  const ListColumns<SuggestedRemedy> columns(table, numberedElements(statuses, &Status::remedies));
+  columns.add(
+    "Remedy", [](const SuggestedRemedy& suggested) { return remedyName(suggested.remedy); });
+  columns.add("Subject", &SuggestedRemedy::subject);
+}
+
+void writeLeftOut(
+  const CurvedSurface& source, const std::vector<PieceDefect>& leftOut, vtkTable* table)
+{
+  const TableColumns<PieceDefect> columns(table, leftOut);
+  columns.add("Reason", [](const PieceDefect& defect) { return statusName(defect.code()); });
+  columns.add(
+    "Cell", [&source](const PieceDefect& defect) { return source.cellOf(defect.triangle); });
+  columns.add("Triangles", &PieceDefect::triangles);
+}
+}
+
+ReportTables::ReportTables()
+{
+  for (auto* const table : { &this->angleIterations, &this->isometricIterations,
+         &this->releaseTrials, &this->pieceRemedies, &this->leftOutPieces })
+  {
+    *table = vtkSmartPointer<vtkTable>::New();
+  }
+}
+
+ReportTables::ReportTables(const CurvedSurface& source, const FlatteningResult& result)
+  : ReportTables()
+{
+  writeIterations(result.pieces, this->angleIterations, this->isometricIterations);
+  writeReleases(result, this->releaseTrials);
+  writeRemedies(source, result, this->pieceRemedies);
+  writeLeftOut(source, result.leftOut, this->leftOutPieces);
+}
+
+void writePieceTable(const CurvedSurface& source, const FlatteningResult& result,
+  const std::string& unit, vtkPolyData* flat, vtkTable* table)
+{
+  const std::vector<PieceSize> sizes = pieceSizes(result);
+  const std::vector<std::string> names = pieceNames(flat, sizes.size());
+  std::vector<PieceRow> rows;
+  for (std::size_t p = 0; p < result.pieces.size(); ++p)
+  {
+    const PieceReport& piece = result.pieces[p];
+    rows.push_back({ piece, sizes[p], names[p], verdictOf(source, result, piece),
+      source.outcomeOfStage(piece.status, result.cut.get()),
+      endsOf(source, result, piece.area.cut) });
+  }
+  const PieceColumns columns(table, rows);
+  columns.addNumbers("Piece");
+  columns.add("Status", [](const PieceRow& row) { return statusName(row.status.code); });
+  columns.add("Name", &PieceRow::name);
+  addSizes(columns, millimetresPer(unitNamed(unit)));
+  addMeasures(columns);
+  addReport(columns, result.curves);
+  if (!result.threads.empty())
+  {
+    addCloth(columns, result.curves);
+  }
+  addStatus(columns);
+}
+
+void writeCurveTable(const std::vector<CurveReport>& curves, vtkTable* table)
+{
+  const TableColumns<CurveReport> columns(table, curves);
+  columns.addNumbers("Curve");
+  columns.add("Name", &CurveReport::name);
+  columns.add("Type", [](const CurveReport& curve) { return curveTypeName(curve.type); });
+  columns.add("RestLength", &CurveReport::restLength);
+  columns.add("FlatLength", &CurveReport::flatLength);
+  columns.add("LengthError", &CurveReport::error);
+  columns.add("Tolerance", &CurveReport::tolerance);
+  columns.add("ClosedLength", &CurveReport::closedLength);
+  columns.add("Sensitivity", &CurveReport::sensitivity);
+  columns.add("Released", &CurveReport::released);
+}
+
+void writeRefusalRow(const std::string& status, const std::string& message, vtkTable* table)
+{
+  table->Initialize();
+  const std::vector<int> rows{ -1 };
+  const TableColumns<int> columns(table, rows);
+  columns.add("Piece", [](int piece) { return piece; });
+  columns.add("Status", [&status](int) { return status; });
+  columns.add("Name", [](int) { return ""; });
+  columns.add("StatusMessage", [&message](int) { return message; });
+}
+}
+}

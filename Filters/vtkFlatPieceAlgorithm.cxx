@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFlatPieceAlgorithm.h"
+
+#include "BlockLayout.h"
+#include "CurvedSurface.h"
+#include "CutEndWords.h"
+#include "Distribution.h"
+#include "FilterExecution.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "FlatteningOutput.h"
+#include "FlatteningTables.h"
+#include "PieceOutput.h"
+#include "PieceSizes.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int piecePort = 3;
+constexpr int curvePort = 4;
+}
+
+//------------------------------------------------------------------------------
+vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
+{
+  this->SetNumberOfOutputPorts(5);
+  this->Reports = std::make_unique<flattening::bridge::ReportTables>();
+  const flattening::FlatteningOptions defaults;
+  this->SkipClosed = defaults.skipClosed;
+  this->Arrange = defaults.arrange;
+  this->Spacing = defaults.spacing;
+}
+
+//------------------------------------------------------------------------------
+vtkFlatPieceAlgorithm::~vtkFlatPieceAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetPieces()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(piecePort));
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetCurves()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(curvePort));
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetAngleIterations() const
+{
+  return this->Reports->angleIterations;
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetIsometricIterations() const
+{
+  return this->Reports->isometricIterations;
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetReleaseTrials() const
+{
+  return this->Reports->releaseTrials;
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetPieceRemedies() const
+{
+  return this->Reports->pieceRemedies;
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFlatPieceAlgorithm::GetLeftOutPieces() const
+{
+  return this->Reports->leftOutPieces;
+}
+
+//------------------------------------------------------------------------------
+int vtkFlatPieceAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == piecePort || port == curvePort ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::FinishData(vtkInformationVector* outputVector)
+{
+  this->Superclass::FinishData(outputVector);
+  if (this->IsRefused() && this->GetStatusCode() != NOT_RUN)
+  {
+    this->Reports = std::make_unique<flattening::bridge::ReportTables>();
+    this->SizeWarning.clear();
+    std::fill_n(this->Seconds, 4, 0.0);
+    flattening::bridge::writeRefusalRow(
+      this->GetStatusName(), this->GetStatusMessage(), vtkTable::GetData(outputVector, piecePort));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::EndRun(vtkDataObject* input, vtkDataObject* output)
+{
+  if (this->BesideSurface)
+  {
+    flattening::bridge::layBeside(
+      input, output, this->Spacing, flattening::bridge::processesOf(this->GetDistributed()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::ApplyPieceOptions(flattening::FlatteningOptions& options) const
+{
+  options.skipClosed = this->SkipClosed;
+  options.arrange = this->Arrange;
+  options.spacing = this->Spacing;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::Flatten(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, flattening::FlatteningOptions options,
+  const vtkIdType pins[2])
+{
+  this->Begin(outputVector);
+  const auto source = this->LoadInput(inputVector);
+  if (source && this->Conclude(source->pinVertices(pins, options.conformal.pins)))
+  {
+    this->Warn(flattening::bridge::describeShortEnds(*source));
+    const flattening::FlatteningResult result = flattening::flattenSurface(source->imprinted.mesh,
+      source->imprinted.curves, options, flattening::bridge::executionOf(this), this->KeptPieces());
+    if (this->Conclude(source->outcomeOfStage(
+          result.status, result.status.refused() ? nullptr : result.cut.get())))
+    {
+      if (!result.leftOut.empty())
+      {
+        this->Warn({ flattening::bridge::describeLeftOut(*source, result) });
+      }
+      this->Warn(flattening::bridge::describeVerdicts(*source, result));
+      const std::string unit = this->LengthUnitOf(inputVector);
+      this->WriteFlattening(*source, result, unit, outputVector);
+      if (!unit.empty() && !this->SizeWarning.empty())
+      {
+        this->Warn({ this->SizeWarning });
+      }
+    }
+  }
+  this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedSurface& source,
+  const flattening::FlatteningResult& result, const std::string& unit,
+  vtkInformationVector* outputVector)
+{
+  namespace bridge = flattening::bridge;
+  vtkPolyData* const flat = vtkPolyData::GetData(outputVector, 0);
+  bridge::writeFlattening(source, result, flat, vtkPolyData::GetData(outputVector, 1),
+    vtkPolyData::GetData(outputVector, 2));
+  bridge::writePieceTable(source, result, unit, flat, vtkTable::GetData(outputVector, piecePort));
+  bridge::writeCurveTable(result.curves, vtkTable::GetData(outputVector, curvePort));
+  bridge::writePieceSizes(bridge::pieceSizes(result), unit, flat);
+  this->Reports = std::make_unique<bridge::ReportTables>(source, result);
+  this->SizeWarning = bridge::sizeWarning(bridge::pieceSizes(result), unit);
+  const flattening::StageSeconds& seconds = result.seconds;
+  const double all[4] = { seconds.wires, seconds.interior, seconds.quality, seconds.total };
+  std::copy_n(all, 4, this->Seconds);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
+  os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
+  os << indent << "Seconds: " << this->Seconds[3] << "\n";
+  os << indent << "SizeWarning: " << this->SizeWarning << "\n";
+}
