@@ -109,7 +109,7 @@ std::string describeShortfall(const FlattenableSurface& result, const Flattenabl
   return "the strain on 95 % of a piece is " + shortNumber(result.strainAfter) +
     ", above the bound of " + shortNumber(options.bound) + ", after moving the surface by " +
     shortNumber(result.shift.size > 0.0 ? 100.0 * result.shift.mean / result.shift.size : 0.0) +
-    " % of its size in the mean; " + bias +
+    " % of its size in the mean; " + result.hindrance + "; " + bias +
     (freed ? "add darts" : "add darts, or keep fewer curves and not the boundary");
 }
 }

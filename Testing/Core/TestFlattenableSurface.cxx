@@ -169,6 +169,8 @@ TEST(FlattenableSurface, ABoundThatIsNotMetIsToldWithTheLeastStrain)
   EXPECT_GT(result.strainAfter, options.bound);
   EXPECT_EQ(result.strainAfter, result.strainBefore);
   EXPECT_EQ(result.shift.max, 0.0);
+  EXPECT_EQ(
+    result.hindrance, "every vertex is kept where it is: 100 % of the area is kept where it is");
 }
 
 TEST(FlattenableSurface, UnitAndThreadsChangeNothing)
@@ -223,14 +225,13 @@ TEST(FlattenableSurface, RefusesWhatMeansNothingAndStopsWhenTold)
 
 namespace
 {
-/// A saddle over a square, its normals upwards or, turned, downwards.
-Surface saddle(bool turned)
+/// A surface over a square with a height (x, y), its normals upwards or, turned, downwards.
+Surface heightField(const std::function<double(double, double)>& height, bool turned)
 {
-  Surface surface = patch(12, 12, [](double i, double j) {
+  Surface surface = patch(12, 12, [&height](double i, double j) {
     const double x = i / 6.0 - 1.0;
     const double y = j / 6.0 - 1.0;
-    return Point3(
-      x, y, 0.3 * (x * x - y * y)); // of steeper ones a full bias misses the bound by chance
+    return Point3(x, y, height(x, y));
   });
   Triangles triangles = surface.mesh.triangles();
   for (Triangle& c : triangles)
@@ -242,6 +243,11 @@ Surface saddle(bool turned)
   }
   surface.mesh = TriangleMesh(surface.mesh.points(), std::move(triangles));
   return surface;
+}
+
+Surface saddle(double height, bool turned)
+{
+  return heightField([height](double x, double y) { return height * (x * x - y * y); }, turned);
 }
 
 FlattenableSurface withBias(const Surface& surface, double bias)
@@ -257,7 +263,7 @@ TEST(FlattenableSurface, AnOutsideBiasTakesASaddleToTheSideOfItsNormals)
   // Both sides of the convex hull of its boundary are developable.
   for (const bool turned : { false, true })
   {
-    const Surface surface = saddle(turned);
+    const Surface surface = saddle(0.3, turned);
     const ContactBody design(surface.mesh);
     double before = -1.0;
     for (const double bias : { 0.0, 0.9, 1.0 })
@@ -284,6 +290,53 @@ TEST(FlattenableSurface, AnOutsideBiasTakesASaddleToTheSideOfItsNormals)
       }
     }
     EXPECT_GT(before, 0.0);
+  }
+}
+
+TEST(FlattenableSurface, AFullBiasReachesTheBoundOnSaddlesOfAllHeights)
+{
+  const auto reaches = [](const Surface& surface, const std::string& name) {
+    const FlattenableSurface result = withBias(surface, 1.0);
+    EXPECT_TRUE(result.boundMet) << name << " " << result.strainAfter << " " << result.hindrance;
+    EXPECT_EQ(result.hindrance, "");
+    EXPECT_LE(result.shift.inwardsMax, 1e-12);
+  };
+  for (const bool turned : { false, true })
+  {
+    for (double height = 0.15; height < 0.95; height += 0.1)
+    {
+      reaches(saddle(height, turned), "saddle " + std::to_string(height));
+    }
+    // No plane of symmetry between rise and fall; three valleys.
+    for (const double height : { 0.2, 0.45, 0.7 })
+    {
+      reaches(heightField(
+                [height](double x, double y) {
+                  return height * ((x * x - y * y) * (1.0 + 0.3 * x) + 0.2 * std::sin(3.0 * x + y));
+                },
+                turned),
+        "skew saddle " + std::to_string(height));
+      reaches(
+        heightField(
+          [height](double x, double y) { return height * (x * x * x - 3.0 * x * y * y); }, turned),
+        "three valleys " + std::to_string(height));
+    }
+  }
+}
+
+TEST(FlattenableSurface, AShortfallIsToldWithWhatWasNotFreeToMove)
+{
+  // Over what a dome's boundary spans there is no developable surface outside of the dome.
+  for (const double height : { 0.3, 0.5, 0.8 })
+  {
+    const auto dome = [height](double x, double y) { return height * (1.2 - x * x - y * y); };
+    const FlattenableSurface result = withBias(heightField(dome, false), 1.0);
+    ASSERT_FALSE(result.status.refused());
+    EXPECT_FALSE(result.boundMet);
+    EXPECT_NE(result.hindrance.find("further moves hardly lower the strain: 1"), std::string::npos)
+      << result.hindrance;
+    EXPECT_NE(result.hindrance.find("outwards only"), std::string::npos) << result.hindrance;
+    EXPECT_TRUE(withBias(heightField(dome, true), 1.0).boundMet);
   }
 }
 

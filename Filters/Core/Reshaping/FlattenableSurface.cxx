@@ -6,6 +6,7 @@
 #include "Sewing/BodyContact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -24,11 +25,21 @@ constexpr int roundsPerAnchor = 3;
 /// Strengthenings between springs that are too strong and springs that will do.
 constexpr int anchorHalvings = 3;
 constexpr int wayHalvings = 6;
+/// Under the weakest springs rounds go on for as long as this many of them lower the strain by that
+/// fraction: each takes out a part of what is left, as of a diffusion.
+constexpr std::size_t roundsToGain = 4;
+constexpr double leastGain = 0.03;
+/// Where they do not, the surface lies in wrinkles a few triangles wide. As a plate thicker by
+/// these factors, then thinner by halves, it lies smoothly, and rounds go on from there.
+constexpr std::array<double, 5> thickenings{ 1.0, 8.0, 32.0, 64.0, 16.0 };
+/// Flattenings of a search, whatever they gain.
+constexpr std::size_t maximumTrials = 400;
 /// Of the search; the rest is the flattenings before and after.
 constexpr double searchShare = 0.9;
 /// Over the root of the area: what is kept from a body, and what rounding leaves of it.
 constexpr double gapToBody = 1e-3;
 constexpr double roundingAtBody = 1e-9;
+constexpr double roundingAtBias = 1e-9;
 
 Status checked(const std::vector<FeatureCurve>& curves, const FlattenableOptions& options)
 {
@@ -86,6 +97,39 @@ std::vector<char> heldVertices(const TriangleMesh& mesh, const std::vector<Featu
     }
   }
   return held;
+}
+
+/// What of the area of the surface was not free to move, in words; empty: nothing.
+std::string describeLimits(
+  const TriangleMesh& design, const FlattenableSurface& result, const FlattenableOptions& options)
+{
+  double kept = 0.0;
+  double againstBias = 0.0;
+  double all = 0.0;
+  for (Index t = 0; t < design.triangleCount(); ++t)
+  {
+    const double third = design.area(t) / 3.0;
+    for (Index v : design.triangle(t))
+    {
+      all += third;
+      kept += result.kept[v] ? third : 0.0;
+      againstBias += !result.kept[v] && options.outsideBias >= 1.0 &&
+          result.shift.outwardsOfVertex[v] <= roundingAtBias * result.shift.size
+        ? third
+        : 0.0;
+    }
+  }
+  std::string words;
+  const auto add = [&words, all](double area, const std::string& what) {
+    words += area > 0.0 ? (words.empty() ? "" : ", ") + percent(area / all) + what : "";
+  };
+  add(kept, " of the area is kept where it is");
+  add(againstBias, " of it lies where it may move outwards only");
+  if (options.body)
+  {
+    words += (words.empty() ? "" : ", ") + std::string("the body is not entered");
+  }
+  return words;
 }
 
 double strainOf(const FlatteningResult& flat)
@@ -164,20 +208,30 @@ public:
   bool run()
   {
     this->Result.trials.push_back({ 0.0, 0.0, this->BestStrain, 0.0 });
-    if (this->BestStrain <= this->Options.bound || !this->Surface.canMove())
+    if (this->met())
     {
+      return true;
+    }
+    if (!this->Surface.canMove())
+    {
+      this->Result.hindrance = "every vertex is kept where it is";
       return true;
     }
     double weak = firstAnchor;
     double strong = 0.0; // springs that were too strong
     ReshapedSurface before = this->Surface;
     this->Flat = this->Result.before;
-    while (weak >= lastAnchor && !this->relax(weak) && this->goesOn())
+    while (!this->relax(weak) && this->goesOn() && weak > weakening * lastAnchor)
     {
       strong = weak;
       before = this->Surface;
       weak /= weakening;
       this->reportProgress(weak);
+    }
+    if (!this->met())
+    {
+      strong = 0.0;
+      this->relaxLong(weak);
     }
     for (int k = 0; k < anchorHalvings && strong > 0.0 && this->met() && this->goesOn(); ++k)
     {
@@ -198,11 +252,26 @@ public:
     {
       this->goBack(weak);
     }
+    else if (this->Flat.status.refused())
+    {
+      this->Result.hindrance =
+        "the moved surface could not be flattened (" + this->Flat.status.message + ")";
+    }
+    else
+    {
+      this->Result.hindrance = this->Result.trials.size() < maximumTrials
+        ? "further moves hardly lower the strain"
+        : "the search ended after " + std::to_string(maximumTrials) + " flattenings";
+    }
     return !this->Cancelled;
   }
 
 private:
-  bool goesOn() const { return !this->Cancelled && !this->Flat.status.refused(); }
+  bool goesOn() const
+  {
+    return !this->Cancelled && !this->Flat.status.refused() &&
+      this->Result.trials.size() < maximumTrials;
+  }
   bool met() const { return this->BestStrain <= this->Options.bound; }
 
   /// Flattens the surface as it is, and keeps it where it is the best.
@@ -227,14 +296,14 @@ private:
   }
 
   /// Sews and flattens in turn. \return whether the bound holds
-  bool relax(double anchor)
+  bool relax(double anchor, double thickening = 1.0)
   {
     for (int round = 0; round < roundsPerAnchor && this->goesOn(); ++round)
     {
       ReshapingForces forces;
       forces.anchor = anchor;
       forces.outsideBias = this->Options.outsideBias;
-      forces.thickness = this->Options.thickness;
+      forces.thickness = thickening * this->Options.thickness;
       forces.body = this->Options.body;
       forces.gap = gapToBody;
       if (!this->Surface.sew(this->Flat, forces, this->Silent))
@@ -247,6 +316,28 @@ private:
       }
     }
     return false;
+  }
+
+  /// For as long as it lowers the strain, from where the surface is and from smoother ones.
+  void relaxLong(double anchor)
+  {
+    for (double thickening : thickenings)
+    {
+      for (; thickening > 1.0 && !this->met() && this->goesOn(); thickening *= 0.5)
+      {
+        this->relax(anchor, thickening);
+      }
+      std::vector<double> strains{ this->BestStrain };
+      const auto gains = [&strains] {
+        return strains.size() <= roundsToGain ||
+          strains.back() < (1.0 - leastGain) * *(strains.end() - 1 - roundsToGain);
+      };
+      while (!this->met() && this->goesOn() && gains())
+      {
+        this->relax(anchor);
+        strains.push_back(this->BestStrain);
+      }
+    }
   }
 
   /// From the best surface straight towards the design.
@@ -325,6 +416,15 @@ FlattenableSurface made(const TriangleMesh& mesh, const std::vector<FeatureCurve
   result.status = result.after.status;
   result.strainAfter = strainOf(result.after);
   result.boundMet = result.strainAfter <= options.bound;
+  if (!result.boundMet)
+  {
+    const std::string limits = describeLimits(mesh, result, options);
+    if (result.hindrance.empty())
+    {
+      result.hindrance = "the flattening afterwards strains it more than the search found";
+    }
+    result.hindrance += (limits.empty() ? "" : ": ") + limits;
+  }
   return result;
 }
 }

@@ -39,6 +39,8 @@ struct FlattenableSurface
   Status status;
   TriangleMesh mesh; ///< the moved surface, with the vertices and triangles of the design
   bool boundMet = false;
+  /// What ended the search short of the bound, and what was not free to move; empty: it is met.
+  std::string hindrance;
   double strainBefore = 0.0; ///< largest of a piece, on 95 % of its area
   double strainAfter = 0.0;
   SurfaceShift shift;
@@ -55,8 +57,10 @@ struct FlattenableSurface
 /// design by springs that are weakened until the bound holds; then they are strengthened again and
 /// the surface goes back towards the design as far as it holds (block descent on shift plus strain
 /// energy; the aim is that of C. C. L. Wang, "Towards flattenable mesh surfaces", Computer-Aided
-/// Design 40(1), 2008, with a bound on the strain in place of angles that sum to 2 pi). What is
-/// kept does not move at all. The same for any number of threads.
+/// Design 40(1), 2008, with a bound on the strain in place of angles that sum to 2 pi). Under the
+/// weakest springs it goes on for as long as that lowers the strain; where it does not, it starts
+/// again as a thicker plate, which takes wrinkles out. What is kept does not move at all. The same
+/// for any number of threads.
 ///
 /// A bound that is not met is no refusal: the result is then the surface with the least strain that
 /// was found.
