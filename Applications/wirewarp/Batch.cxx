@@ -5,6 +5,7 @@
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "OutputFiles.h"
+#include "OutputPaths.h"
 #include "PlainText.h"
 #include "Seconds.h"
 #include "Table.h"
@@ -56,7 +57,16 @@ Options optionsOf(const Options& options, const BatchEntry& entry)
   Options one = options;
   one.surface = entry.surface;
   one.curves = entry.curves;
-  one.output = (std::filesystem::path(outputFolder(options)) / entry.folder).string();
+  const std::filesystem::path folder = std::filesystem::path(options.output) / entry.folder;
+  one.command = options.batchCommand;
+  one.outputs = { folder.string() };
+  for (const std::string& file : options.batchOutputs)
+  {
+    one.outputs.push_back((folder / file).string());
+  }
+  one.output.clear();
+  one.batch.clear();
+  resolveOutputs(one);
   one.quiet = true; // no progress within a surface
   return one;
 }
@@ -74,7 +84,7 @@ void checkInputs(const Options& options, const std::vector<BatchEntry>& entries)
       inputs.add(path);
     }
   }
-  inputs.refuseToReplace(std::filesystem::path(outputFolder(options)) / batchName, "--output");
+  inputs.refuseToReplace(std::filesystem::path(options.output) / batchName, "--output");
   for (const BatchEntry& entry : entries)
   {
     refuseToReplaceInputs(inputs, optionsOf(options, entry));
@@ -202,10 +212,11 @@ int runBatch(const Options& options)
 {
   const Clock::time_point start = Clock::now();
   const std::vector<BatchEntry> entries = readBatch(options.batch);
-  const std::string folder = outputFolder(options);
+  const std::string& folder = options.output;
   checkInputs(options, entries);
-  OutputFiles files(folder);
-  files.claim();
+  OutputFiles files;
+  files.demandFolder(folder);
+  files.claim(folder);
   const std::size_t threads = options.threads > 0
     ? static_cast<std::size_t>(options.threads)
     : std::max(1u, std::thread::hardware_concurrency());
@@ -240,7 +251,7 @@ int runBatch(const Options& options)
   const Json report = { { "list", options.batch }, { "scheme", options.scheme },
     { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "workers", workers },
     { "surfaces", rows }, { "seconds", seconds }, { "surfaces_per_second", rate } };
-  files.add(batchName, textOf(report, 2) + '\n');
+  files.add(std::filesystem::path(folder) / batchName, textOf(report, 2) + '\n');
   files.publish();
   if (!options.quiet)
   {

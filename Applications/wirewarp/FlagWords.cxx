@@ -14,10 +14,10 @@ constexpr SpellingTable table{
   { "IsometricMaximumIterations", "--isometric-iterations" },
   { "LengthTolerance", "--tolerance" },
   { "RigidMaximumIterations", "--rigid-iterations" },
-  { "Sewing.MaximumIterations", "--resew-iterations" },
-  { "Sewing.Test", "--resew panel" },
+  { "Sewing.MaximumIterations", "--sewing-iterations" },
+  { "Sewing.Test", "--mode panel" },
   { "SplitTriangles", "leave out --no-split" },
-  { "vtkFeatureCurveSuggestion", "--suggest" },
+  { "vtkFeatureCurveSuggestion", "wirewarp cut" },
 };
 
 /// MaximumLengthError is --max-length-error.

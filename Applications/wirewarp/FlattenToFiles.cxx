@@ -6,6 +6,7 @@
 #include "Patterns.h"
 #include "PlainText.h"
 #include "Report.h"
+#include "ResultFolder.h"
 #include "Sizes.h"
 
 #include <array>
@@ -13,7 +14,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <optional>
+#include <set>
 #include <system_error>
 
 namespace wirewarp
@@ -23,8 +24,6 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vtp" };
-constexpr const char* curvesName = "curves.vtp";
-constexpr const char* flattenableName = "flattenable.vtp";
 constexpr const char* sewnName = "sewn.vtp";
 constexpr std::array<const char*, 11> allPatternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
   "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt", "nest.svg", "rules.csv",
@@ -34,7 +33,17 @@ constexpr const char* reportName = "report.json";
 InputFiles inputFiles(const Options& options)
 {
   InputFiles inputs;
-  inputs.add(options.surface);
+  if (options.source.empty())
+  {
+    inputs.add(options.surface);
+  }
+  for (const char* name : dataNames)
+  {
+    if (!options.source.empty())
+    {
+      inputs.add((std::filesystem::path(options.source) / name).string());
+    }
+  }
   for (const std::string& path : options.curves)
   {
     inputs.add(path);
@@ -53,77 +62,161 @@ InputFiles inputFiles(const Options& options)
   return inputs;
 }
 
-/// A pattern of an earlier run must not be cut for this one's.
-void discardPatterns(OutputFiles& files)
+/// Files of a run, by their places in the folder that keeps the result, if one does.
+std::vector<std::filesystem::path> kept(
+  const Options& options, const std::vector<const char*>& names)
 {
-  for (const char* name : allPatternNames)
+  std::vector<std::filesystem::path> paths;
+  for (const char* const name : names)
   {
-    files.discard(name);
+    if (!options.output.empty())
+    {
+      paths.push_back(std::filesystem::path(options.output) / name);
+    }
   }
+  return paths;
 }
 
-/// \return the names of the patterns among the files
-std::vector<std::string> writeResult(const Options& options, Flattening& result, OutputFiles& files)
+std::vector<std::filesystem::path> dataFiles(const Options& options)
 {
+  return kept(options, { dataNames.begin(), dataNames.end() });
+}
+
+/// Those of an earlier run must not be cut for this one's.
+std::vector<std::filesystem::path> formerPatterns(const Options& options)
+{
+  return kept(options, { allPatternNames.begin(), allPatternNames.end() });
+}
+
+/// The report, where one is kept: a result that is sewn later has it beside it.
+std::filesystem::path reportFile(const Options& options)
+{
+  const bool sewn = !options.source.empty() && options.outputs.empty() && options.resewing.any();
+  const std::string& folder = sewn ? options.source : options.output;
+  return folder.empty() ? std::filesystem::path() : std::filesystem::path(folder) / reportName;
+}
+
+/// All that may be written beside data and report.
+std::vector<std::filesystem::path> furtherFiles(const Options& options)
+{
+  std::vector<std::filesystem::path> paths;
+  for (const PatternFile& file : patternFiles(options.pattern, options.sizes.any(), options.output))
+  {
+    paths.emplace_back(file.path);
+  }
+  for (const std::string& file :
+    { options.curvesFile, options.surfaceFile, options.sewnFile, options.picture.path })
+  {
+    if (!file.empty())
+    {
+      paths.emplace_back(file);
+    }
+  }
+  return paths;
+}
+
+void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles& files)
+{
+  Flattening& result = written.result;
   const Clock::time_point start = Clock::now();
-  std::vector<std::string> patterns =
-    addPatterns(options.pattern, options.surface, options.quiet, result, files);
-  files.add(dataNames[0], result.flat);
-  files.add(dataNames[1], result.wires);
-  files.add(dataNames[2], result.cut);
-  vtkPolyData* const curves = result.flattenable ? result.flattenableCurves : result.curves;
-  if (curves)
+  const auto add = [&](const std::filesystem::path& file, vtkPolyData* data) {
+    if (data && !file.empty())
+    {
+      files.add(file, data);
+      written.files.push_back(file.string());
+    }
+  };
+  try
   {
-    files.add(curvesName, curves);
+    if (options.picture.any())
+    {
+      addPicture(options, result, files);
+      written.files.push_back(options.picture.path);
+    }
   }
-  if (result.flattenable)
+  catch (const InputError& error)
   {
-    files.add(flattenableName, result.flattenable);
+    result.unwritten.emplace_back(error.what());
   }
-  if (result.sewn)
+  const std::vector<std::string> patterns =
+    addPatterns(options.pattern, options.surface, options.quiet, result, options.output, files);
+  written.files.insert(written.files.end(), patterns.begin(), patterns.end());
+  add(options.curvesFile, result.flattenable ? result.flattenableCurves : result.curves);
+  add(options.surfaceFile, result.flattenable);
+  add(options.sewnFile, result.sewn);
+  const std::array<vtkPolyData*, 3> data{ result.flat, result.wires, result.cut };
+  const std::vector<std::filesystem::path> names = dataFiles(options);
+  for (std::size_t k = 0; k < names.size(); ++k)
   {
-    files.add(sewnName, result.sewn);
+    add(names[k], data[k]);
   }
   result.secondsWrite = std::chrono::duration<double>(Clock::now() - start).count();
   result.secondsTotal += result.secondsWrite;
-  files.add(reportName, makeReport(options, result));
-  discardPatterns(files);
+  if (const std::filesystem::path report = reportFile(options); !report.empty())
+  {
+    files.add(report, makeReport(options, result));
+    written.files.push_back(report.string());
+  }
+  for (const std::filesystem::path& file : formerPatterns(options))
+  {
+    files.discard(file);
+  }
   if (!result.sewn)
   {
-    files.discard(sewnName);
+    for (const std::filesystem::path& file : kept(options, { sewnName }))
+    {
+      files.discard(file);
+    }
   }
   files.publish();
-  return patterns;
 }
 
 /// Says so in report.json, and leaves no earlier result beside it but what a user may have edited
 /// since: curves and a moved surface.
 void writeRefusal(const Options& options, const Flattening& result, OutputFiles& files)
 {
-  files.add(reportName, makeReport(options, result));
-  for (const char* name : dataNames)
+  if (options.output.empty())
   {
-    files.discard(name);
+    return;
   }
-  files.discard(sewnName);
-  discardPatterns(files);
+  files.add(reportFile(options), makeReport(options, result));
+  for (const std::filesystem::path& file : dataFiles(options))
+  {
+    files.discard(file);
+  }
+  for (const std::filesystem::path& file : formerPatterns(options))
+  {
+    files.discard(file);
+  }
+  files.discard(kept(options, { sewnName }).front());
   files.publish();
 }
-}
 
-namespace
+/// Where files cannot be put is found before the work, which would be lost.
+void demandPlaces(const Options& options, OutputFiles& files)
 {
-void demandPlaces(const Options& options, const OutputFiles& files)
-{
-  for (const char* name : dataNames)
+  if (!options.output.empty())
   {
-    files.demandPlace(name);
+    files.demandFolder(options.output);
+    files.claim(options.output);
   }
-  for (const PatternName& name : patternNames(options.pattern, options.sizes.any()))
+  std::set<std::filesystem::path> folders{ options.output };
+  for (const std::filesystem::path& file : furtherFiles(options))
   {
-    files.demandPlace(name.file);
+    if (folders.insert(file.parent_path()).second)
+    {
+      files.demandFolder(file.parent_path());
+    }
+    files.demandPlace(file);
   }
-  files.demandPlace(reportName);
+  for (const std::filesystem::path& file : dataFiles(options))
+  {
+    files.demandPlace(file);
+  }
+  if (const std::filesystem::path report = reportFile(options); !report.empty())
+  {
+    files.demandPlace(report);
+  }
 }
 
 /// Of a run that takes long: whether its pattern fits on cloth and paper, as the surface lies flat
@@ -139,7 +232,6 @@ Flattening rehearse(const Options& options, OutputFiles& files)
   plain.picture = {};
   plain.quiet = true;
   plain.pattern = {};
-  plain.pattern.unit = options.pattern.unit;
   PatternRequest layout = plain.pattern;
   layout.allowance = options.pattern.allowance;
   layout.fairTolerance = 0.0;
@@ -163,13 +255,15 @@ Flattening rehearse(const Options& options, OutputFiles& files)
   const int pieces =
     options.suggest == "seams" || options.suggest == "all" ? options.maximumCuts + 1 : 1;
   const bool moves = !options.suggest.empty() || options.reshaping.any();
-  const std::string problem = layoutProblem(layout, options.surface, 1, trial, files);
+  const std::string problem =
+    layoutProblem(layout, options.surface, 1, trial, options.output, files);
   Flattening refused;
   if (problem.empty())
   {
     return refused;
   }
-  if (moves && layoutProblem(layout, options.surface, 2 * pieces, trial, files).empty())
+  if (moves &&
+    layoutProblem(layout, options.surface, 2 * pieces, trial, options.output, files).empty())
   {
     std::cerr << "wirewarp: warning: before any cut, " << plainText(problem) << '\n';
     return refused;
@@ -184,47 +278,29 @@ Flattening rehearse(const Options& options, OutputFiles& files)
 //------------------------------------------------------------------------------
 void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
 {
-  const std::filesystem::path folder = outputFolder(options);
-  for (const char* name : dataNames)
+  for (const auto& files : { dataFiles(options), formerPatterns(options), furtherFiles(options),
+         kept(options, { sewnName, reportName }) })
   {
-    inputs.refuseToReplace(folder / name, "--output");
-  }
-  for (const char* name : allPatternNames)
-  {
-    inputs.refuseToReplace(folder / name, "--output");
-  }
-  inputs.refuseToReplace(folder / reportName, "--output");
-  if (!options.suggest.empty() || options.reshaping.any())
-  {
-    inputs.refuseToReplace(folder / curvesName, "--output");
-  }
-  if (options.reshaping.any())
-  {
-    inputs.refuseToReplace(folder / flattenableName, "--output");
-  }
-  inputs.refuseToReplace(folder / sewnName, "--output");
-  if (options.picture.any())
-  {
-    inputs.refuseToReplace(options.picture.path, "--picture");
+    for (const std::filesystem::path& file : files)
+    {
+      inputs.refuseToReplace(file, "--output");
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-FilesOfFlattening flattenToFiles(const Options& options)
+FilesOfFlattening flattenToFiles(const Options& given)
 {
-  FilesOfFlattening written;
-  written.folder = outputFolder(options);
-  refuseToReplaceInputs(inputFiles(options), options);
-  std::optional<OutputFiles> picture;
-  if (options.picture.any())
+  Options options = given;
+  if (!options.source.empty())
   {
-    picture.emplace(options.picture.folder(), "--picture");
+    adoptReport(options);
   }
-  // Where files cannot be put is found before the work, which would be lost.
+  FilesOfFlattening written;
+  refuseToReplaceInputs(inputFiles(options), options);
   std::error_code ignored;
-  const bool existed = std::filesystem::exists(written.folder, ignored);
-  OutputFiles files(written.folder);
-  files.claim();
+  const bool existed = std::filesystem::exists(options.output, ignored);
+  OutputFiles files;
   demandPlaces(options, files);
   written.result = rehearse(options, files);
   if (!written.result.refused())
@@ -237,39 +313,24 @@ FilesOfFlattening flattenToFiles(const Options& options)
   }
   if (written.result.refused())
   {
-    if (existed || !options.output.empty())
+    if (existed || options.outputGiven)
     {
       writeRefusal(options, written.result, files);
     }
-    else // a default folder is not made for a refusal alone
+    else if (!options.output.empty()) // a default folder is not made for a refusal alone
     {
-      std::filesystem::remove(written.folder, ignored);
+      std::filesystem::remove(options.output, ignored);
     }
     return written;
   }
   try
   {
-    try
-    {
-      if (picture)
-      {
-        addPicture(options, written.result, *picture);
-        written.picture = true;
-      }
-    }
-    catch (const InputError& error)
-    {
-      written.result.unwritten.emplace_back(error.what());
-    }
-    written.patterns = writeResult(options, written.result, files);
-    if (written.picture)
-    {
-      picture->publish();
-    }
+    writeResult(options, written, files);
   }
   catch (const std::bad_alloc&)
   {
     written.result = outOfMemory(options.surface);
+    written.files.clear();
     files.abandon();
     writeRefusal(options, written.result, files);
   }

@@ -14,9 +14,7 @@ namespace wirewarp
 struct FilesOfFlattening
 {
   Flattening result;
-  std::string folder;
-  std::vector<std::string> patterns; ///< names of files in the folder
-  bool picture = false;              ///< one was drawn
+  std::vector<std::string> files; ///< all that are written
 };
 
 /// Throws InputError where a file that flattenToFiles() may replace or remove is an input.

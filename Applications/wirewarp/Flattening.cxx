@@ -11,6 +11,7 @@
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "ResultFolder.h"
 #include "Seconds.h"
 #include "SurfaceMending.h"
 #include "TextFile.h"
@@ -132,7 +133,7 @@ CurveFiles readSavedCurves(const Options& options)
 void setUnit(const Options& options, const CurveFiles& curves, const SurfaceContents& contents,
   Flattening& result)
 {
-  std::string stated = options.pattern.unit.empty() ? contents.unit : options.pattern.unit;
+  std::string stated = options.unit.empty() ? contents.unit : options.unit;
   for (const auto& [path, contentsOfFile] : curves)
   {
     const std::string unit = vtkFlatteningAlgorithm::GetLengthUnitOf(contentsOfFile.curves);
@@ -345,6 +346,12 @@ Flattening flattenOne(const Options& options, const std::string& base)
   const Clock::time_point start = Clock::now();
   try
   {
+    if (!options.source.empty())
+    {
+      result = readResult(options);
+      sewAgain(options.resewing, options.body, options.material, options.quiet, result);
+      return result;
+    }
     const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
     filter->CachingOff(); // it runs once
     setOptions(options, filter);

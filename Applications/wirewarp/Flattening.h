@@ -78,6 +78,8 @@ struct Flattening
   /// Files that were asked for and cannot be written, with the reasons; the others are.
   std::vector<std::string> unwritten;
 
+  std::string savedReport; ///< of the folder that the result was read from; empty: none
+
   double secondsRead = 0.0;
   double secondsWrite = 0.0; ///< of all files but the report itself
   double secondsTotal = 0.0;

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +35,15 @@ struct EaseRequest
 /// The command line. Of what vtkWireWarpingFilter is told defaultOptions() has the defaults.
 struct Options
 {
+  std::string command = "flatten";       ///< a name of the table in CommandLine.cxx
+  std::string batchCommand = "flatten";  ///< that a batch runs on each surface
+  std::vector<std::string> batchOutputs; ///< files of each surface in its folder
   std::string surface;
+  std::string source; ///< the folder of a result that takes the place of a flattening; empty: none
   std::vector<std::string> curves;
   std::string batch; ///< a list of surfaces in their place; empty: none
+
+  std::string unit; ///< empty: not stated, cm is taken
 
   std::string scheme;
   std::string solver;
@@ -101,15 +106,15 @@ struct Options
   SizeRequest sizes;
   PictureRequest picture;
 
-  std::string output; ///< empty: outputFolder() makes one of the input's name
-  int threads = 0;    ///< 0: as many as there are cores
+  std::vector<std::string> outputs; ///< files and at most one folder, as --output has them
+  std::string output;               ///< the folder that keeps the result; empty: none
+  bool outputGiven = false;         ///< it is not the default
+  std::string curvesFile;           ///< of proposals or moved curves; empty: none
+  std::string surfaceFile;          ///< of the moved surface; empty: none
+  std::string sewnFile;             ///< of the sewn shape; empty: none
+  int threads = 0;                  ///< 0: as many as there are cores
   bool listCurves = false;
+  bool table = false;
   bool quiet = false;
 };
-
-/// Where the files go.
-std::string outputFolder(const Options& options);
-
-/// Reads the command line. No value: everything is said already, and `exitCode` is what to return.
-std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode);
 }

@@ -13,28 +13,37 @@
 
 namespace wirewarp
 {
-//------------------------------------------------------------------------------
-OutputFiles::OutputFiles(const std::string& folder, const std::string& option)
-  : Folder(folder)
-  , SuggestedRemedy("; name another folder with " + option)
+namespace
 {
+constexpr const char* otherPlace = "; name another with --output";
+
+[[noreturn]] void cannotBeWritten(const std::filesystem::path& file, const std::string& reason)
+{
+  throw InputError(
+    file.string(), "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + otherPlace);
+}
+}
+
+//------------------------------------------------------------------------------
+void OutputFiles::demandFolder(const std::filesystem::path& folder)
+{
+  const std::filesystem::path place = folder.empty() ? "." : folder;
   std::error_code error;
-  std::filesystem::create_directories(this->Folder, error);
+  std::filesystem::create_directories(place, error);
   std::error_code ignored;
-  if (!std::filesystem::is_directory(this->Folder, ignored))
+  if (!std::filesystem::is_directory(place, ignored))
   {
     const std::string reason = error ? error.message() : "a file of this name is in the way";
-    throw InputError(
-      folder, "cannot make the output folder (" + reason + ")" + this->SuggestedRemedy);
+    throw InputError(place.string(), "cannot make the output folder (" + reason + ")" + otherPlace);
   }
-  const std::filesystem::path probe = this->addEntry("probe");
+  const std::filesystem::path probe = this->addEntry(place / "probe");
   std::ofstream(probe).put('\n');
   const bool writable = std::filesystem::file_size(probe, error) == 1;
   std::filesystem::remove(probe, error);
-  this->Entries.clear();
+  this->Entries.pop_back();
   if (!writable)
   {
-    throw InputError(folder, "cannot write to the output folder" + this->SuggestedRemedy);
+    throw InputError(place.string(), std::string("cannot write to the output folder") + otherPlace);
   }
 }
 
@@ -55,40 +64,38 @@ void OutputFiles::abandon()
 }
 
 //------------------------------------------------------------------------------
-void OutputFiles::claim()
+void OutputFiles::claim(const std::filesystem::path& folder)
 {
-  this->Lock.emplace(this->Folder);
+  this->Lock.emplace(folder);
   if (!this->Lock->held())
   {
-    throw InputError(this->Folder.string(),
-      "another run is writing to this folder; wait for its end, or" +
-        this->SuggestedRemedy.substr(1));
+    throw InputError(folder.string(),
+      "another run is writing to this folder; wait for its end, or name another with --output");
   }
 }
 
 //------------------------------------------------------------------------------
-void OutputFiles::demandPlace(const std::string& name) const
+void OutputFiles::demandPlace(const std::filesystem::path& file) const
 {
-  const std::filesystem::path file = this->Folder / name;
   std::error_code ignored;
   if (std::filesystem::is_directory(std::filesystem::symlink_status(file, ignored)))
   {
-    throw InputError(file.string(),
-      "cannot be written (a folder of this name is in the way)" + this->SuggestedRemedy);
+    cannotBeWritten(file, "a folder of this name is in the way");
   }
 }
 
 //------------------------------------------------------------------------------
-std::filesystem::path OutputFiles::addEntry(const std::string& name)
+std::filesystem::path OutputFiles::addEntry(const std::filesystem::path& file)
 {
   std::random_device random; // where folders cannot be claimed two runs may write to one
-  const std::string aside = "." + name + "." + std::to_string(random()) + ".part";
-  this->Entries.push_back({ this->Folder / aside, this->Folder / name });
+  const std::string aside =
+    "." + file.filename().string() + "." + std::to_string(random()) + ".part";
+  this->Entries.push_back({ file.parent_path() / aside, file });
   return this->Entries.back().aside;
 }
 
 //------------------------------------------------------------------------------
-void OutputFiles::add(const std::string& name, vtkPolyData* data)
+void OutputFiles::add(const std::filesystem::path& file, vtkPolyData* data)
 {
   // By way of memory: on a full disk VTK's writer of files crashes.
   std::string text;
@@ -103,35 +110,31 @@ void OutputFiles::add(const std::string& name, vtkPolyData* data)
     writer->SetInputData(data);
     if (writer->Write() != 1 || !messages.errors().empty())
     {
-      const std::string reason = messages.firstError();
-      throw InputError((this->Folder / name).string(),
-        "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->SuggestedRemedy);
+      cannotBeWritten(file, messages.firstError());
     }
     text = writer->GetOutputString();
   }
-  this->add(name, text);
+  this->add(file, text);
 }
 
 //------------------------------------------------------------------------------
-void OutputFiles::add(const std::string& name, const std::string& text)
+void OutputFiles::add(const std::filesystem::path& file, const std::string& text)
 {
   errno = 0;
-  std::ofstream file(this->addEntry(name), std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
+  std::ofstream stream(this->addEntry(file), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream)
   {
-    const std::string reason = errno != 0 ? std::generic_category().message(errno) : "";
-    throw InputError((this->Folder / name).string(),
-      "cannot be written" + (reason.empty() ? "" : " (" + reason + ")") + this->SuggestedRemedy);
+    cannotBeWritten(file, errno != 0 ? std::generic_category().message(errno) : "");
   }
 }
 
 //------------------------------------------------------------------------------
 std::string OutputFiles::add(
-  const std::string& name, const std::function<std::string(const std::string&)>& write)
+  const std::filesystem::path& file, const std::function<std::string(const std::string&)>& write)
 {
-  std::string problem = write(this->addEntry(name).string());
+  std::string problem = write(this->addEntry(file).string());
   if (!problem.empty())
   {
     std::error_code ignored;
@@ -147,7 +150,7 @@ void OutputFiles::publish()
   for (const Entry& entry : this->Entries)
   {
     // Before any file is in place, so that none is where another is missing.
-    this->demandPlace(entry.final.filename().string());
+    this->demandPlace(entry.final);
   }
   std::error_code error;
   if (this->Entries.size() > 1)
@@ -164,16 +167,9 @@ void OutputFiles::publish()
     std::filesystem::rename(entry.aside, entry.final, error);
     if (error)
     {
-      throw InputError(entry.final.string(),
-        "cannot be written (" + error.message() + ")" + this->SuggestedRemedy);
+      cannotBeWritten(entry.final, error.message());
     }
   }
   this->Entries.clear();
-}
-
-//------------------------------------------------------------------------------
-void OutputFiles::discard(const std::string& name)
-{
-  this->Outdated.push_back(this->Folder / name);
 }
 }

@@ -11,21 +11,30 @@ class App;
 
 namespace wirewarp
 {
+/// A file of a pattern.
+struct PatternFile
+{
+  std::string path;
+  int format;           ///< of vtkPatternWriter
+  bool onCloth = false; ///< its pieces are laid on cloth
+};
+
 /// Which patterns to write and how. Lengths are millimetres; defaults are those of
 /// vtkPatternWriter.
 struct PatternRequest
 {
+  std::vector<PatternFile> files;
   bool svg = false;
   bool pdf = false;
   bool dxf = false;
   bool plt = false;
   bool garmentCode = false;
   bool walk = false;
-  std::string unit; ///< empty: not stated, cm is taken
-  std::string name; ///< empty: that of the surface's file
+  bool seamTable = false; ///< in the PDF
+  std::string name;       ///< empty: that of the surface's file
   std::string size;
   int quantity = 1;
-  std::vector<int> pieceQuantities;
+  std::vector<int> pieceQuantities; ///< 0: that of all
   std::vector<std::string> pieceNames;
   double allowance = 10.0;
   std::vector<std::string> curveAllowances; ///< NAME=MM
@@ -55,10 +64,15 @@ struct PatternRequest
 
   bool any() const
   {
-    return this->svg || this->pdf || this->dxf || this->plt || this->garmentCode || this->walk ||
-      this->fabricWidth > 0.0;
+    return !this->files.empty() || this->svg || this->pdf || this->dxf || this->plt ||
+      this->garmentCode || this->walk || this->fabricWidth > 0.0;
   }
 };
 
-void addPatternOptions(CLI::App& app, PatternRequest& request);
+void addFormerPatternOptions(CLI::App& app, PatternRequest& request);
+
+/// How pieces are drawn.
+void addDrawing(CLI::App& app, PatternRequest& request);
+/// How they are laid on cloth.
+void addNesting(CLI::App& app, PatternRequest& request);
 }

@@ -45,11 +45,17 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
   writer->SetQuantity(request.quantity);
   for (std::size_t p = 0; p < request.pieceQuantities.size(); ++p)
   {
-    writer->SetPieceQuantity(static_cast<int>(p), request.pieceQuantities[p]);
+    if (request.pieceQuantities[p] > 0)
+    {
+      writer->SetPieceQuantity(static_cast<int>(p), request.pieceQuantities[p]);
+    }
   }
   for (std::size_t p = 0; p < request.pieceNames.size(); ++p)
   {
-    writer->SetPieceName(static_cast<int>(p), request.pieceNames[p]);
+    if (!request.pieceNames[p].empty())
+    {
+      writer->SetPieceName(static_cast<int>(p), request.pieceNames[p]);
+    }
   }
   writer->SetAllowance(request.allowance);
   for (const std::string& text : request.curveAllowances)
@@ -95,7 +101,7 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
     splitNameAndNumber(text, name, distance);
     writer->SetCurveDartTip(name, distance);
   }
-  writer->SetWalkTable(request.walk);
+  writer->SetWalkTable(request.walk || request.seamTable);
   writer->SetCutPairs(request.cutPairs);
   writer->SetFairTolerance(request.fairTolerance);
   writer->SetSymmetrize(request.symmetrize);
@@ -139,10 +145,10 @@ std::string refusalOf(vtkPatternWriter* writer, const std::string& path)
 }
 
 /// \return what is wrong, or nothing
-std::string write(vtkPatternWriter* writer, const PatternName& name, OutputFiles& files)
+std::string write(vtkPatternWriter* writer, const PatternFile& file, OutputFiles& files)
 {
-  writer->SetFileFormat(name.format);
-  return files.add(name.file, [writer](const std::string& path) {
+  writer->SetFileFormat(file.format);
+  return files.add(file.path, [writer](const std::string& path) {
     writer->SetFileName(path.c_str());
     return writer->Write() == 1 ? std::string() : refusalOf(writer, path);
   });
@@ -150,9 +156,14 @@ std::string write(vtkPatternWriter* writer, const PatternName& name, OutputFiles
 }
 
 //------------------------------------------------------------------------------
-std::vector<PatternName> patternNames(const PatternRequest& request, bool graded)
+std::vector<PatternFile> patternFiles(
+  const PatternRequest& request, bool graded, const std::string& folder)
 {
-  const std::vector<std::pair<bool, PatternName>> all{
+  if (!request.files.empty())
+  {
+    return request.files;
+  }
+  const std::vector<std::pair<bool, PatternFile>> all{
     { request.svg, { "pattern.svg", vtkPatternWriter::SVG } },
     { request.pdf, { "pattern.pdf", vtkPatternWriter::PDF } },
     { request.dxf, { "pattern.dxf", vtkPatternWriter::DXF } },
@@ -165,15 +176,16 @@ std::vector<PatternName> patternNames(const PatternRequest& request, bool graded
     { request.fabricWidth > 0.0, { "lay.svg", vtkPatternWriter::SVG, true } },
     { request.fabricWidth > 0.0 && request.plt, { "lay.plt", vtkPatternWriter::HPGL, true } },
   };
-  std::vector<PatternName> names;
-  for (const auto& [wanted, name] : all)
+  std::vector<PatternFile> files;
+  for (const auto& [wanted, file] : all)
   {
     if (wanted)
     {
-      names.push_back(name);
+      files.push_back(file);
+      files.back().path = (std::filesystem::path(folder) / file.path).string();
     }
   }
-  return names;
+  return files;
 }
 
 //------------------------------------------------------------------------------
@@ -210,7 +222,7 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
 
 //------------------------------------------------------------------------------
 std::string layoutProblem(const PatternRequest& request, const std::string& surface, int times,
-  const Flattening& result, OutputFiles& files)
+  const Flattening& result, const std::string& folder, OutputFiles& files)
 {
   const VtkMessages messages;
   vtkNew<vtkPatternWriter> writer;
@@ -221,9 +233,9 @@ std::string layoutProblem(const PatternRequest& request, const std::string& surf
   writer->SetFabricWidth(times * request.fabricWidth);
   writer->SetMaximumPages(times * request.maximumPages);
   std::string problem;
-  for (const PatternName& name : patternNames(request, false))
+  for (const PatternFile& file : patternFiles(request, false, folder))
   {
-    problem = problem.empty() ? write(writer, name, files) : problem;
+    problem = problem.empty() ? write(writer, file, files) : problem;
   }
   files.abandon();
   return problem;
@@ -231,7 +243,7 @@ std::string layoutProblem(const PatternRequest& request, const std::string& surf
 
 //------------------------------------------------------------------------------
 std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
-  bool quiet, Flattening& result, OutputFiles& files)
+  bool quiet, Flattening& result, const std::string& folder, OutputFiles& files)
 {
   std::vector<std::string> names;
   std::set<std::string> warnings;              // of all formats alike
@@ -246,15 +258,15 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   {
     writer->SetInputData(3, result.grading);
   }
-  for (const PatternName& name : patternNames(request, result.grading))
+  for (const PatternFile& file : patternFiles(request, result.grading, folder))
   {
     const VtkMessages messages;
-    writer->SetFabricWidth(name.onCloth ? request.fabricWidth : 0.0);
-    const std::string problem = write(writer, name, files);
+    writer->SetFabricWidth(file.onCloth ? request.fabricWidth : 0.0);
+    const std::string problem = write(writer, file, files);
     if (!problem.empty())
     {
       std::string& failed = failures[problem];
-      failed += (failed.empty() ? "" : ", ") + files.path(name.file);
+      failed += (failed.empty() ? "" : ", ") + file.path;
       continue;
     }
     for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
@@ -265,7 +277,7 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     {
       notes.emplace(writer->GetNote(k), writer->GetNoteKind(k));
     }
-    names.emplace_back(name.file);
+    names.push_back(file.path);
   }
   for (const auto& [problem, failed] : failures)
   {

@@ -50,14 +50,7 @@ figures::PolyData withDistance(const figures::PolyData& flat, const figures::Pol
 }
 
 //------------------------------------------------------------------------------
-std::string PictureRequest::folder() const
-{
-  const std::filesystem::path parent = std::filesystem::path(this->path).parent_path();
-  return parent.empty() ? "." : parent.string();
-}
-
-//------------------------------------------------------------------------------
-void addPictureOptions(CLI::App& app, PictureRequest& request)
+void addFormerPictureOptions(CLI::App& app, PictureRequest& request)
 {
   const std::string group = "Picture";
   app
@@ -84,6 +77,19 @@ void addPictureOptions(CLI::App& app, PictureRequest& request)
 }
 
 //------------------------------------------------------------------------------
+void addPicture(CLI::App& app, PictureRequest& request)
+{
+  app
+    .add_option("--color", request.coloring,
+      "What the colors show: developability (angle defects of the surface), homogeneity, area, "
+      "aspect-ratio (what flattening does to triangles); with a material stretch, warp, weft, "
+      "shear; with sewn pieces distance (from the surface)")
+    ->transform(CLI::IsMember(coloringNames(), CLI::ignore_case).description(""))
+    ->type_name("MEASURE")
+    ->capture_default_str();
+}
+
+//------------------------------------------------------------------------------
 void checkPicture(const PictureRequest& request)
 {
   if (!request.any())
@@ -93,7 +99,7 @@ void checkPicture(const PictureRequest& request)
   std::error_code ignored;
   if (std::filesystem::is_directory(request.path, ignored))
   {
-    throw InputError(request.path, "is a folder; name a file with --picture");
+    throw InputError(request.path, "is a folder; name a file with --output");
   }
   try
   {
@@ -136,12 +142,11 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
     }
     catch (const std::runtime_error&)
     {
-      return std::string("cannot be written; name another file with --picture");
+      return std::string("cannot be written; name another file with --output");
     }
     return std::string();
   };
-  const std::string problem =
-    files.add(std::filesystem::path(options.picture.path).filename().string(), write);
+  const std::string problem = files.add(options.picture.path, write);
   if (!problem.empty())
   {
     throw InputError(options.picture.path, problem);

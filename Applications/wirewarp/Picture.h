@@ -21,11 +21,10 @@ struct PictureRequest
   std::string coloring = "homogeneity";
 
   bool any() const { return !this->path.empty(); }
-  /// The folder of the path.
-  std::string folder() const;
 };
 
-void addPictureOptions(CLI::App& app, PictureRequest& request);
+void addFormerPictureOptions(CLI::App& app, PictureRequest& request);
+void addPicture(CLI::App& app, PictureRequest& request);
 
 /// Throws InputError where a picture is asked for and none can be drawn here.
 void checkPicture(const PictureRequest& request);

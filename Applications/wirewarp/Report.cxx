@@ -335,6 +335,14 @@ std::string makeReport(const Options& options, const Flattening& result)
 {
   const FieldRows flat(result.flat);
   const FieldRows wires(result.wires);
+  if (!result.savedReport.empty())
+  {
+    Json saved = Json::parse(result.savedReport);
+    saved["resewn"] = resewnReports(options, FieldRows(result.sewn));
+    saved["pattern_notes"] = result.patternNotes;
+    saved["unwritten"] = result.unwritten;
+    return saved.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  }
   const bool conformal = options.scheme == "lscm"; // it has neither
   const Json report = { { "surface", options.surface }, { "curve_files", options.curves },
     { "scheme", options.scheme }, { "solver", conformal ? Json() : Json(options.solver) },

@@ -32,7 +32,7 @@ ResewingRequest::ResewingRequest()
 }
 
 //------------------------------------------------------------------------------
-void addResewingOptions(CLI::App& app, ResewingRequest& request)
+void addFormerResewingOptions(CLI::App& app, ResewingRequest& request)
 {
   const std::string group = "Sewing again";
   CLI::Option* const resew = app.add_option("--resew", request.test,
@@ -77,6 +77,44 @@ void addResewingOptions(CLI::App& app, ResewingRequest& request)
       "have at rest are not looked for")
     ->needs(resew)
     ->group(group);
+}
+
+//------------------------------------------------------------------------------
+void addResewing(CLI::App& app, ResewingRequest& request)
+{
+  app
+    .add_option("--mode", request.test,
+      "panel (each piece, its boundary held) or product (all that is sewn together, hems free)")
+    ->transform(CLI::IsMember({ "panel", "product" }, CLI::ignore_case).description(""))
+    ->type_name("MODE")
+    ->default_str("panel");
+  app
+    .add_option("--gravity", request.gravity,
+      "Weight of the cloth and where it pulls, such as 0 0 -0.0002 where z is up. Per area, times "
+      "its size over its stiffness; a product needs a --body to lie on")
+    ->check(number(-1.0, 1.0, "[-1, 1]"))
+    ->expected(3)
+    ->type_name("X Y Z");
+  app
+    .add_option("--pressure", request.pressure,
+      "Pressure behind the cloth. Times its size over its stiffness; a product must be closed")
+    ->check(number(-1.0, 1.0, "[-1, 1]"))
+    ->type_name("P")
+    ->capture_default_str();
+  app
+    .add_option("--thickness", request.thickness,
+      "Thickness of a plate that bends as the cloth does, over the size of a piece")
+    ->check(number(0.0, 1.0, "[0, 1]"))
+    ->type_name("T")
+    ->capture_default_str();
+  app.add_flag_callback(
+    "--once", [&request]() { request.secondStart = false; },
+    "Sew from one start, in half the time. Other shapes at rest are not looked for");
+  app
+    .add_option("--sewing-iterations", request.maximumIterations,
+      "Most iterations until the cloth is at rest")
+    ->check(wholeNumber(1, std::numeric_limits<int>::max(), "from 1"))
+    ->capture_default_str();
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reshaping.h"
 
+#include "Cutting.h"
 #include "Flattening.h"
 #include "NumberOptions.h"
 #include "ReadSurface.h"
@@ -25,7 +26,7 @@ ReshapingRequest::ReshapingRequest()
 }
 
 //------------------------------------------------------------------------------
-void addReshapingOptions(CLI::App& app, ReshapingRequest& request)
+void addFormerReshapingOptions(CLI::App& app, ReshapingRequest& request)
 {
   const std::string group = "Changing the surface";
   CLI::Option* const flattenable =
@@ -62,6 +63,29 @@ void addReshapingOptions(CLI::App& app, ReshapingRequest& request)
     ->capture_default_str()
     ->needs(flattenable)
     ->group(group);
+}
+
+//------------------------------------------------------------------------------
+void addReshaping(CLI::App& app, ReshapingRequest& request)
+{
+  app
+    .add_option("--max-strain", request.bound,
+      "The strain within which 95 % of each piece's area is to lie, as 0.02 or 2%")
+    ->transform(percentage(1e-6, 0.99, "[1e-6, 0.99]"))
+    ->type_name("STRAIN")
+    ->capture_default_str();
+  app.add_option("--keep", request.keep, "A curve that stays where it is; repeat it for the next")
+    ->type_name("NAME")
+    ->allow_extra_args(false);
+  app.add_flag_callback(
+    "--free-boundary", [&request]() { request.keepBoundary = false; }, "Move the boundary as well");
+  app
+    .add_option("--outward", request.outsideBias,
+      "How much to move outward rather than inward; 0: both alike, 1: no point moves inward. "
+      "Outward is where triangles turn counter-clockwise")
+    ->check(number(0.0, 1.0, "[0, 1]"))
+    ->type_name("SHARE")
+    ->capture_default_str();
 }
 
 //------------------------------------------------------------------------------

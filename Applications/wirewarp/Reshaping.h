@@ -31,7 +31,8 @@ struct ReshapingRequest
   bool any() const { return this->wanted; }
 };
 
-void addReshapingOptions(CLI::App& app, ReshapingRequest& request);
+void addFormerReshapingOptions(CLI::App& app, ReshapingRequest& request);
+void addReshaping(CLI::App& app, ReshapingRequest& request);
 
 /// The filter that moves the surface before it flattens it.
 vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request);

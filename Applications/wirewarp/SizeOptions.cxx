@@ -55,7 +55,7 @@ std::string SizeRequest::fault(const std::string& base) const
 }
 
 //------------------------------------------------------------------------------
-void addSizeOptions(CLI::App& app, SizeRequest& request)
+void addFormerSizeOptions(CLI::App& app, SizeRequest& request)
 {
   const std::string group = "Sizes";
   CLI::Option* const grade =
@@ -76,5 +76,23 @@ void addSizeOptions(CLI::App& app, SizeRequest& request)
     ->type_name("NAME")
     ->needs(grade)
     ->group(group);
+}
+
+//------------------------------------------------------------------------------
+void addSizes(
+  CLI::App& app, std::vector<std::string>& words, SizeRequest& request, std::string& base)
+{
+  app
+    .add_option("SIZE=SURFACE", words,
+      "Surfaces of one connectivity by the names of their sizes, in order, and files of curves, "
+      "which are of the base")
+    ->type_name("...");
+  app.add_option("--base", base, "The size whose curves are given (default: the first)")
+    ->type_name("SIZE");
+  app
+    .add_option("--at", request.alignment,
+      "Lay sizes on each other at the first point of this curve and along it (default: the first "
+      "key curve within each piece; where there is none, as they fit the base best)")
+    ->type_name("NAME");
 }
 }

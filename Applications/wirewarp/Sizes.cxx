@@ -23,7 +23,6 @@ Options optionsOf(const Options& options, const std::string& surface)
   one.picture = {};
   one.resewing = {};
   one.pattern = {};
-  one.pattern.unit = options.pattern.unit;
   one.quiet = true;
   return one;
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Batch.h"
+#include "Check.h"
+#include "CommandLine.h"
 #include "FieldRows.h"
+#include "FileFormats.h"
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "KeyPriceTable.h"
+#include "Materials.h"
 #include "Options.h"
+#include "Patterns.h"
 #include "PlainText.h"
 #include "Reshaping.h"
 #include "SuggestedCuts.h"
@@ -16,9 +21,12 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 namespace
 {
@@ -50,10 +58,28 @@ void finishOutput()
 #endif
 }
 
+/// The files by their folders.
+std::string writtenFiles(const std::vector<std::string>& files)
+{
+  std::string text;
+  std::string before = "?";
+  for (const std::string& file : files)
+  {
+    const std::filesystem::path path = file;
+    const std::string folder = path.parent_path().string();
+    text += folder == before ? ", "
+                             : (text.empty() ? "" : "\n") + std::string("written") +
+        (folder.empty() ? "" : " to " + plainText(folder)) + ": ";
+    text += plainText(path.filename().string());
+    before = folder;
+  }
+  return text + (text.empty() ? "" : "\n");
+}
+
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  const bool unitAsked =
-    !written.patterns.empty() || FieldRows(written.result.flat).count("SizeWarning") > 0;
+  const bool unitAsked = !patternFiles(options.pattern, false, "").empty() ||
+    FieldRows(written.result.flat).count("SizeWarning") > 0;
   std::cout << pieceTable(written.result) << verdicts(written.result, unitAsked);
   std::cout << curveDistance(written.result) << fallbacks(written.result)
             << releaseAdvice(written.result) << suggestionTable(written.result)
@@ -63,27 +89,25 @@ void say(const Options& options, const FilesOfFlattening& written)
   {
     std::cout << '\n' << curveTable(written.result);
   }
-  std::cout << '\n';
-  for (const std::string& name : written.patterns)
-  {
-    std::cout << name << ", ";
-  }
-  if (written.result.curves || written.result.flattenable)
-  {
-    std::cout << "curves.vtp, ";
-  }
-  std::cout << (written.result.flattenable ? "flattenable.vtp, " : "")
-            << (written.result.sewn ? "sewn.vtp, " : "");
-  std::cout << "flat.vtp, wires.vtp, cut.vtp and report.json written to "
-            << plainText(written.folder) << '\n';
-  if (written.picture)
-  {
-    std::cout << "picture written to " << plainText(options.picture.path) << '\n';
-  }
+  std::cout << '\n' << writtenFiles(written.files);
 }
 
 int run(const Options& options)
 {
+  if (options.command == "materials")
+  {
+    printMaterials(std::cout);
+    return Done;
+  }
+  if (options.command == "formats")
+  {
+    printFormats(std::cout);
+    return Done;
+  }
+  if (options.command == "check")
+  {
+    return runCheck(options);
+  }
   if (!options.batch.empty())
   {
     return runBatch(options);

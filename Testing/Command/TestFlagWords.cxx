@@ -16,14 +16,18 @@ using wirewarp::remedyWords;
 
 namespace
 {
-/// Those that its help lists.
+/// What the help of all commands lists.
 std::set<std::string> flagsOfTheCommand()
 {
-  const std::unique_ptr<FILE, int (*)(FILE*)> help(popen(WIREWARP " --help 2>&1", "r"), pclose);
   std::string text;
-  for (int c = std::fgetc(help.get()); c != EOF; c = std::fgetc(help.get()))
+  for (const char* const help : { WIREWARP " --help", WIREWARP " flatten --help-all",
+         WIREWARP " pattern --help-all", WIREWARP " sew --help-all" })
   {
-    text += static_cast<char>(c);
+    const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(help, "r"), pclose);
+    for (int c = std::fgetc(output.get()); c != EOF; c = std::fgetc(output.get()))
+    {
+      text += static_cast<char>(c);
+    }
   }
   const std::regex flag("--[a-z-]+");
   std::set<std::string> flags;

@@ -86,7 +86,7 @@ class Picture(CommandTest):
         os.mkdir(self.path("a.png"))
         run = self.run_command(SURFACE, "-o", "out", "--picture", "a.png")
         self.assertEqual(run.returncode, 3)
-        self.assertIn("--picture", run.stderr)
+        self.assertIn("--output", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["a.png"])
 
     def test_the_sewn_surface_is_drawn_over_its_design_by_its_distance(self):

@@ -101,7 +101,7 @@ class Resewing(command.CommandTest):
         run = self.run_command("sheet.obj", "--resew", "product", "--output", "out")
         self.assertEqual(run.returncode, 3)
         self.assertIn("sewn to nothing", run.stderr)
-        self.assertIn("use --resew panel", run.stderr)
+        self.assertIn("use --mode panel", run.stderr)
         report = self.report("out")
         self.assertEqual((report["status"], report["resewn"], report["pieces"]), ("InvalidOption", [], []))
         self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
@@ -114,7 +114,7 @@ class Resewing(command.CommandTest):
         run = self.run_command(
             "hill.obj", "--resew", "panel", "--resew-iterations", "1", "--output", "out")
         self.assertEqual(run.returncode, 4, run.stderr)
-        self.assertIn("raise --resew-iterations", run.stderr)
+        self.assertIn("raise --sewing-iterations", run.stderr)
         self.assertFalse(self.report("out")["resewn"][0]["converged"])
 
     def test_its_options_need_it(self):

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Check.h"
+
+#include "BoundaryLoops.h"
+#include "InputError.h"
+#include "InputFiles.h"
+#include "Options.h"
+#include "OutputFiles.h"
+#include "PlainText.h"
+#include "ReadSurface.h"
+#include "SurfaceMending.h"
+#include "TextFile.h"
+#include "TriangleList.h"
+#include "Units.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkFlatteningAlgorithm.h>
+#include <vtkMath.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wirewarp
+{
+namespace
+{
+using Edge = std::pair<vtkIdType, vtkIdType>;
+
+/// What the triangles of a surface form.
+struct Shape
+{
+  std::size_t points = 0;
+  std::size_t parts = 0;
+  std::size_t handles = 0;
+  std::size_t closedParts = 0;
+  std::vector<Edge> crowded; ///< edges of more than two triangles
+};
+
+vtkIdType rootOf(std::vector<vtkIdType>& parents, vtkIdType point)
+{
+  while (parents[point] != point)
+  {
+    parents[point] = parents[parents[point]];
+    point = parents[point];
+  }
+  return point;
+}
+
+Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
+{
+  std::vector<vtkIdType> parents(list.points ? list.points->GetNumberOfPoints() : 0);
+  std::iota(parents.begin(), parents.end(), vtkIdType{ 0 });
+  std::map<Edge, int> edges;
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const vtkIdType a = triangle.corners[k];
+      const vtkIdType b = triangle.corners[(k + 1) % 3];
+      ++edges[std::minmax(a, b)];
+      parents[rootOf(parents, a)] = rootOf(parents, b);
+    }
+  }
+  Shape shape;
+  /// Per part points - edges + triangles, and its boundaries.
+  std::map<vtkIdType, std::pair<long long, long long>> parts;
+  std::vector<bool> counted(parents.size(), false);
+  for (const auto& [edge, triangles] : edges)
+  {
+    auto& [euler, boundaries] = parts[rootOf(parents, edge.first)];
+    --euler;
+    for (const vtkIdType point : { edge.first, edge.second })
+    {
+      euler += counted[point] ? 0 : 1;
+      shape.points += counted[point] ? 0 : 1;
+      counted[point] = true;
+    }
+    if (triangles > 2)
+    {
+      shape.crowded.push_back(edge);
+    }
+  }
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    ++parts[rootOf(parents, triangle.corners[0])].first;
+  }
+  for (const BoundaryLoop& loop : loops)
+  {
+    ++parts[rootOf(parents, loop.points.front())].second;
+  }
+  shape.parts = parts.size();
+  for (const auto& [root, counts] : parts)
+  {
+    shape.closedParts += counts.second == 0 ? 1 : 0;
+    shape.handles += static_cast<std::size_t>(
+      std::max(0LL, (2 - counts.first - counts.second) / 2)); // 2 - 2 handles - boundaries
+  }
+  return shape;
+}
+
+double lengthOf(const BoundaryLoop& loop, vtkPoints* points)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.points.size(); ++k)
+  {
+    std::array<double, 3> a{};
+    std::array<double, 3> b{};
+    points->GetPoint(loop.points[k], a.data());
+    points->GetPoint(loop.points[(k + 1) % loop.points.size()], b.data());
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
+  }
+  return length;
+}
+
+/// The unit in which a thing of this size is nearest to what people wear and sit on.
+std::string likelyUnit(double size)
+{
+  constexpr double usual = 800.0; // mm
+  std::string likely;
+  double least = 0.0;
+  for (const char* const unit : { "cm", "m", "mm" })
+  {
+    const double off = std::abs(std::log(size * millimetresOf(unit) / usual));
+    if (likely.empty() || off < least)
+    {
+      likely = unit;
+      least = off;
+    }
+  }
+  return likely;
+}
+
+std::string inShort(double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+void sayUnit(const Options& options, const std::string& stated, double size)
+{
+  const std::string likely = likelyUnit(size);
+  if (!stated.empty())
+  {
+    std::cout << "unit: " << stated
+              << (options.unit.empty() ? ", as the file states" : ", by --unit") << '\n';
+    return;
+  }
+  std::cout << "unit: not stated, " << inShort(size) << ' ' << likely << " is likely"
+            << (likely == "cm" ? "" : "; cm is taken unless you state") << ": --unit " << likely
+            << '\n';
+}
+
+/// \return whether the surface can be flattened without a cut
+bool saySurface(const TriangleList& list, const Shape& shape, const std::string& unit)
+{
+  const std::vector<BoundaryLoop> loops = boundaryLoops(list);
+  std::vector<double> lengths;
+  for (const BoundaryLoop& loop : loops)
+  {
+    lengths.push_back(lengthOf(loop, list.points));
+  }
+  std::sort(lengths.rbegin(), lengths.rend());
+  std::cout << "parts: " << shape.parts << ", boundaries: " << loops.size();
+  for (std::size_t k = 0; k < std::min<std::size_t>(lengths.size(), 6); ++k)
+  {
+    std::cout << (k == 0 ? " (" : ", ") << inShort(lengths[k]);
+  }
+  std::cout << (lengths.empty()         ? ""
+                   : lengths.size() > 6 ? ", ... " + unit + " long)"
+                                        : ' ' + unit + " long)")
+            << ", handles: " << shape.handles << '\n';
+  bool flattens = true;
+  if (!shape.crowded.empty())
+  {
+    std::cout << "defect: " << shape.crowded.size()
+              << " edges of more than two triangles, the first between points "
+              << shape.crowded.front().first << " and " << shape.crowded.front().second
+              << "; remove one of them\n";
+    flattens = false;
+  }
+  if (shape.closedParts > 0 || shape.handles > 0)
+  {
+    std::cout << (shape.closedParts > 0 ? "closed" : "it has handles")
+              << ": cut it open first, see wirewarp cut --kind seams\n";
+    flattens = false;
+  }
+  else if (loops.size() > shape.parts)
+  {
+    std::cout << "more boundaries than parts: holes stay open, a tube is to be cut\n";
+  }
+  return flattens;
+}
+}
+
+//------------------------------------------------------------------------------
+int runCheck(const Options& options)
+{
+  InputFiles inputs;
+  inputs.add(options.surface);
+  if (!options.surfaceFile.empty())
+  {
+    inputs.refuseToReplace(options.surfaceFile, "--output");
+  }
+  const SurfaceContents contents = readSurface(options.surface);
+  const std::string stated = options.unit.empty() ? contents.unit : options.unit;
+  const std::string unit = stated.empty() ? "cm" : stated;
+  MendingRequest request;
+  if (double distance = 0.0; parseNumber(options.weld, distance))
+  {
+    request.weld = distance;
+  }
+  request.doubled = contents.doubled;
+  request.fillHoles = options.fillHoles;
+  request.millimetres = millimetresOf(unit);
+  request.outerSide = options.outerSide;
+  const MendedSurface mend = mendSurface(contents.surface, request);
+  const TriangleList list = listTriangles(mend.surface);
+  if (list.triangles.empty())
+  {
+    throw InputError(options.surface, "holds no triangles with finite points");
+  }
+  vtkBoundingBox box;
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    for (const vtkIdType corner : triangle.corners)
+    {
+      box.AddPoint(list.points->GetPoint(corner));
+    }
+  }
+  const Shape shape = shapeOf(list, boundaryLoops(list));
+  bool flattens = shape.crowded.empty();
+  if (!options.quiet)
+  {
+    std::array<double, 3> sides{};
+    box.GetLengths(sides.data());
+    std::cout << plainText(options.surface) << ": " << list.triangles.size() << " triangles, "
+              << shape.points << " points\nsize: " << inShort(sides[0]) << " x "
+              << inShort(sides[1]) << " x " << inShort(sides[2]) << ' '
+              << (stated.empty() ? "units" : stated) << '\n';
+    sayUnit(options, stated, box.GetMaxLength());
+    flattens = saySurface(list, shape, stated.empty() ? "units" : stated);
+  }
+  for (const std::string& note : mend.notes)
+  {
+    std::cerr << "wirewarp: warning: " << plainText(note) << '\n';
+  }
+  if (!options.surfaceFile.empty())
+  {
+    if (!stated.empty())
+    {
+      vtkFlatteningAlgorithm::SetLengthUnitOf(mend.surface, stated);
+    }
+    OutputFiles files;
+    files.demandFolder(std::filesystem::path(options.surfaceFile).parent_path());
+    files.add(options.surfaceFile, mend.surface);
+    files.publish();
+    std::cout << "written: " << plainText(options.surfaceFile) << '\n';
+  }
+  else if (flattens && !options.quiet)
+  {
+    std::cout << "next: wirewarp flatten " << plainText(options.surface) << ", or wirewarp cut\n";
+  }
+  return flattens ? Done : PromiseBroken;
+}
+}

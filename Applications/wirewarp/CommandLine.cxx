@@ -1,0 +1,879 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+#include "Cutting.h"
+#include "FaceSeams.h"
+#include "FilterOptions.h"
+#include "IdleOptions.h"
+#include "InputError.h"
+#include "Materials.h"
+#include "MethodOptions.h"
+#include "NearestOption.h"
+#include "NumberOptions.h"
+#include "OutputPaths.h"
+#include "PlainText.h"
+#include "SuggestionOptions.h"
+#include "TextFile.h"
+#include "Units.h"
+
+#include <vtkVersion.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+namespace wirewarp
+{
+namespace
+{
+// Options without a group would have no name in messages.
+constexpr const char* commonGroup = "Options";
+constexpr const char* globalGroup = "Options of every command";
+constexpr const char* expertGroup = "Options for experts";
+constexpr const char* formerGroup = "Former options";
+
+/// Puts millimetres in place of a length that may have a unit; without a length 0.
+std::string weldLength(std::string& text)
+{
+  const std::size_t end = text.find_first_not_of("+-.0123456789eE");
+  const std::string_view unit =
+    end == std::string::npos ? std::string_view("mm") : std::string_view(text).substr(end);
+  double value = 0.0;
+  const bool given = text != "true";
+  if (given &&
+    (!parseNumber(text.substr(0, end), value) || !(value >= 0.0) || unitNamed(unit).empty()))
+  {
+    return inQuotes(text) + " is not a length in mm; write a number from 0, as 0.05 or 0.05mm";
+  }
+  std::ostringstream millimetres;
+  millimetres << std::setprecision(17) << value * millimetresOf(unitNamed(unit));
+  text = millimetres.str();
+  return "";
+}
+
+/// The arguments, with a length behind --weld as its value: a file behind it is none.
+std::vector<std::string> argumentsOf(int argc, char** argv)
+{
+  std::vector<std::string> arguments;
+  for (int k = 1; k < argc; ++k)
+  {
+    std::string next(argv[k]);
+    const bool joins = !arguments.empty() && arguments.back() == "--weld" && next != "true" &&
+      weldLength(next).empty();
+    if (joins)
+    {
+      arguments.back() += '=' + next;
+    }
+    else
+    {
+      arguments.emplace_back(argv[k]);
+    }
+  }
+  return arguments;
+}
+
+/// Puts the name that the unit has here in place of another one of it, such as "CM" or "inches".
+std::string unitWord(std::string& word)
+{
+  const std::string unit = unitNamed(word);
+  if (unit.empty())
+  {
+    return inQuotes(word) + " is none of mm, cm, m, inch";
+  }
+  word = unit;
+  return {};
+}
+
+void addMending(CLI::App& app, Options& options)
+{
+  const std::string group = "Mending SURFACE";
+  app
+    .add_flag("--weld", options.weld,
+      "Join points of the boundary that lie on each other, as texture seams leave them, within a "
+      "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to that "
+      "distance apart")
+    ->transform(CLI::Validator(weldLength, ""))
+    ->group(group);
+  app
+    .add_option("--fill-holes", options.fillHoles,
+      "Close openings up to so many millimetres across, where triangles are missing")
+    ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
+    ->type_name("MM")
+    ->group(group);
+  app
+    .add_flag("--outer-side", options.outerSide,
+      "Of a closed sheet with thickness take the outer side alone: the larger one within its rim")
+    ->group(group);
+}
+
+void addSeams(CLI::App& app, Options& options)
+{
+  static const std::map<std::string, SeamSource> sources{ { "uv", SeamSource::Textures },
+    { "material", SeamSource::Materials }, { "group", SeamSource::Groups } };
+  app
+    .add_option("--seams-from", options.seamsFrom,
+      "Cut an OBJ surface along the seams of its texture (uv), or where two materials (material), "
+      "or two objects or groups (group) meet; pieces are named after objects or groups")
+    ->transform(CLI::CheckedTransformer(sources, CLI::ignore_case).description(""))
+    ->type_name("uv|material|group")
+    ->group("Input");
+}
+
+void addMaterials(CLI::App& app, Options& options)
+{
+  const std::string group = "Material";
+  CLI::Option* const material = app.add_option("--material", options.material,
+    "What the pieces are cut from: a name of --list-materials, or a JSON file with its numbers. "
+    "isometric keeps the strain of its threads small and within its limits; other schemes only "
+    "measure it");
+  material->type_name("NAME|FILE")
+    ->check(CLI::Validator(
+      [](std::string& text) { return text.empty() ? std::string("it has no name") : ""; }, ""))
+    ->group(group);
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--grain",
+      [&options](const std::vector<std::string>& entries) {
+        options.grain.clear();
+        for (const std::string& entry : entries)
+        {
+          options.grain += (options.grain.empty() ? "" : ";") + entry;
+        }
+      },
+      "How pieces lie on it: along a curve, or NAME:DEGREES at an angle from it (several times: "
+      "each "
+      "piece by the first that it has); by an angle from the upright of the piece (its first key "
+      "curve, else its long side) to the warp, counter-clockwise; or free, where the material is "
+      "strained least (default: 0)")
+    ->type_name("CURVE|DEGREES|free")
+    ->allow_extra_args(false)
+    ->needs(material)
+    ->group(group);
+}
+
+void addLayout(CLI::App& app, Options& options)
+{
+  const std::string group = "Layout";
+  app
+    .add_flag_callback(
+      "--no-arrange", [&options]() { options.arrange = false; },
+      "Leave pieces where they arise instead of turning them upright, side by side")
+    ->group(group);
+  app
+    .add_option("--spacing", options.spacing,
+      "Space between the bounding boxes of pieces as a fraction of the largest side of one")
+    ->check(number(0.0, 1e6, "[0, 1e6]"))
+    ->capture_default_str()
+    ->group(group);
+}
+
+void addLimits(CLI::App& app, Options& options)
+{
+  const std::string group = "Limits";
+  const double large = std::numeric_limits<double>::max();
+  const auto addNumber = [&app, &group](const std::string& name, double& value, double least,
+                           double most, const std::string& range, const std::string& text) {
+    app.add_option(name, value, text)
+      ->check(number(least, most, range))
+      ->capture_default_str()
+      ->group(group);
+  };
+  const auto addCount = [&app, &group](
+                          const std::string& name, int& value, int least, const std::string& text) {
+    app.add_option(name, value, text)
+      ->check(wholeNumber(least, std::numeric_limits<int>::max(), "from " + std::to_string(least)))
+      ->capture_default_str()
+      ->group(group);
+  };
+  addCount(
+    "--max-iterations", options.maximumIterations, 1, "Most iterations of the solver, a piece");
+  addNumber("--closure-tolerance", options.closureTolerance, 0.0, large, "[0, inf)",
+    "The solver stops when no loop of wires is open by more than this fraction of the perimeter");
+  addNumber("--optimality-tolerance", options.optimalityTolerance, 0.0, large, "[0, inf)",
+    "The solver stops when no entry of the gradient of the Lagrangian is larger");
+  addNumber("--max-length-error", options.maximumLengthError, 0.0, large, "[0, inf)",
+    "Largest relative error of a wire edge that is no broken promise");
+  addNumber("--relaxation-factor", options.relaxationFactor, std::numeric_limits<double>::min(),
+    std::nextafter(2.0, 0.0), "(0, 2)", "relaxation: factor tau of the iteration");
+  addNumber("--relaxation-movement", options.relaxationMovement, 0.0, large, "[0, inf)",
+    "relaxation: stop when no point moves farther, as a fraction of the mean wire edge");
+  addCount("--relaxation-min-iterations", options.relaxationMinimumIterations, 0,
+    "relaxation: fewest iterations; more than --relaxation-max-iterations are refused");
+  addCount("--relaxation-max-iterations", options.relaxationMaximumIterations, 1,
+    "relaxation: most iterations");
+  addNumber("--rigid-tolerance", options.rigidTolerance, 0.0, large, "[0, inf)",
+    "arap: stop when the energy falls by less than this fraction of itself");
+  addCount("--rigid-iterations", options.rigidMaximumIterations, 1, "arap: most iterations");
+  addNumber("--isometric-tolerance", options.isometricTolerance, 0.0, large, "[0, inf)",
+    "isometric: stop when the relative gradient of the Lagrangian is smaller");
+  addCount(
+    "--isometric-iterations", options.isometricMaximumIterations, 1, "isometric: most iterations");
+  app
+    .add_flag_callback(
+      "--no-split", [&options]() { options.split = false; },
+      "Refuse curves that do not run along mesh edges instead of splitting triangles")
+    ->group(group);
+  addNumber("--imprint-tolerance", options.imprintTolerance, 0.0, 1.0, "[0, 1]",
+    "Greatest distance of a curve from the surface as a fraction of the surface's diagonal");
+  addNumber("--snap-tolerance", options.snapTolerance, 0.0, 0.5, "[0, 0.5]",
+    "A curve's point or crossing nearer to a vertex or an edge than this fraction of the mean edge "
+    "length, or of the longest edge there where that is shorter, moves onto it");
+}
+
+void addGlobals(CLI::App& app, Options& options)
+{
+  const std::string group = globalGroup;
+  app
+    .add_option("--unit", options.unit,
+      "Unit of SURFACE: mm, cm, m, inch (default: what the files state, or cm)")
+    ->transform(CLI::Validator(unitWord, ""))
+    ->type_name("mm|cm|m|inch")
+    ->group(group);
+  app
+    .add_option("-t,--threads", options.threads,
+      "Threads, which change no result (default: as many as there are cores)")
+    ->check(wholeNumber(0, 1024, "from 0 to 1024"))
+    ->type_name("N")
+    ->group(group);
+  app.add_flag("--table", options.table, "Print the numbers of pieces and curves")->group(group);
+  app.add_flag("-q,--quiet", options.quiet, "Print errors and warnings alone")->group(group);
+}
+
+void addOutput(CLI::App& app, Options& options, const char* type, const char* text)
+{
+  app.add_option("-o,--output", options.outputs, text)->type_name(type)->allow_extra_args(false);
+}
+
+void addSurface(CLI::App& app, Options& options, const char* name = "SURFACE")
+{
+  app
+    .add_option(name, options.surface,
+      name == std::string("SURFACE")
+        ? "The surface: .vtp .vtk .obj .ply .stl .off .gltf .glb"
+        : "A surface, or the folder that 'wirewarp flatten' has written")
+    ->type_name("");
+}
+
+void addCurves(CLI::App& app, Options& options)
+{
+  app.add_option("CURVES", options.curves, "Feature curves: .vtp .vtk .obj .dxf .csv, or text")
+    ->type_name("");
+}
+
+/// How a surface becomes flat, for every command that may be given one.
+void addFlattening(CLI::App& app, Options& options)
+{
+  addSeams(app, options);
+  addMending(app, options);
+  addMethods(app, options);
+  addMaterials(app, options);
+  addLayout(app, options);
+  addLimits(app, options);
+}
+
+void addBody(CLI::App& app, Options& options)
+{
+  app
+    .add_option("--body", options.body,
+      "A surface, its normals outwards, that the result does not enter: a body, a shoe last")
+    ->type_name("FILE");
+}
+
+/// The options of a command before there were several, each with what replaces it.
+void addFormerOptions(CLI::App& app, Options& options)
+{
+  const std::size_t before = app.get_options().size();
+  addSuggestionOptions(app, options);
+  addFormerReshapingOptions(app, options.reshaping);
+  addKeyPriceOptions(app, options);
+  addFormerResewingOptions(app, options.resewing);
+  addFormerPatternOptions(app, options.pattern);
+  addFormerSizeOptions(app, options.sizes);
+  addFormerPictureOptions(app, options.picture);
+  addBody(app, options);
+  app.add_flag("--list-curves", options.listCurves, "Print the length of each feature curve");
+  app.add_option("--batch", options.batch, "")
+    ->excludes(app.get_option("SURFACE"), app.get_option("--pins"), app.get_option("--list-curves"),
+      app.get_option("--picture"), app.get_option("--grade"));
+  app.add_flag_callback("--list-materials", []() {
+    printMaterials(std::cout);
+    throw CLI::Success();
+  });
+  const std::vector<CLI::Option*> all = app.get_options();
+  for (std::size_t k = before; k < all.size(); ++k)
+  {
+    all[k]->group(formerGroup);
+  }
+}
+
+void declareCheck(CLI::App& app, Options& options)
+{
+  addSurface(app, options);
+  addOutput(app, options, "FILE", "Write the mended surface: .vtp");
+  addMending(app, options);
+}
+
+void declareCut(CLI::App& app, Options& options)
+{
+  addSurface(app, options);
+  addCurves(app, options);
+  addOutput(app, options, "FILE|DIR",
+    "File for the curves, .vtp (default: <name of SURFACE>_cuts.vtp); or a folder, which keeps the "
+    "flat pieces as well");
+  addFlattening(app, options);
+  options.bound = 0.05; // cloth gives as much
+  addCutting(app, options);
+}
+
+void declareFlatten(CLI::App& app, Options& options)
+{
+  addSurface(app, options);
+  addCurves(app, options);
+  addOutput(app, options, "DIR", "The folder of the result (default: <name of SURFACE>_flat)");
+  addFlattening(app, options);
+  addFormerOptions(app, options);
+}
+
+void declarePattern(CLI::App& app, Options& options)
+{
+  addSurface(app, options, "SOURCE");
+  addCurves(app, options);
+  addOutput(app, options, "FILE|DIR",
+    "File of the pattern: .pdf .svg .dxf .plt .json (GarmentCode) .csv (both sides of seams); "
+    "repeat "
+    "it for the next. A folder keeps the result (default: pattern.pdf)");
+  addDrawing(app, options.pattern);
+  addFlattening(app, options);
+}
+
+void declareNest(CLI::App& app, Options& options)
+{
+  addSurface(app, options, "SOURCE");
+  addCurves(app, options);
+  addOutput(app, options, "FILE|DIR",
+    "File of the lay: .svg or .plt (HPGL) (default: lay.svg); repeat it for the next. A folder "
+    "keeps the result");
+  addNesting(app, options.pattern);
+  addDrawing(app, options.pattern);
+  addFlattening(app, options);
+}
+
+void declareGrade(CLI::App& app, Options& options)
+{
+  addSizes(app, options.curves, options.sizes, options.pattern.size);
+  addOutput(app, options, "FILE|DIR",
+    "File of the sizes: .svg (all on each other) .csv (how far points go) .dxf .rul (rule table); "
+    "repeat it for the next. A folder keeps the result of the base (default: nest.svg and "
+    "rules.csv)");
+  addDrawing(app, options.pattern);
+  addFlattening(app, options);
+}
+
+void declareSew(CLI::App& app, Options& options)
+{
+  addSurface(app, options, "SOURCE");
+  addCurves(app, options);
+  addOutput(app, options, "FILE|DIR",
+    "File for the sewn shape, .vtp (default: sewn.vtp); or a folder, which keeps the result as "
+    "well. The default is in SOURCE where that is a folder, or in <name of SURFACE>_sewn");
+  addResewing(app, options.resewing);
+  addBody(app, options);
+  addFlattening(app, options);
+}
+
+void declareReshape(CLI::App& app, Options& options)
+{
+  addSurface(app, options);
+  addCurves(app, options);
+  addOutput(app, options, "FILE|DIR",
+    "File for the moved surface, .vtp; or a folder, which keeps curves and flat pieces as well "
+    "(default: <name of SURFACE>_reshaped)");
+  addReshaping(app, options.reshaping);
+  addBody(app, options);
+  addFlattening(app, options);
+}
+
+void declarePicture(CLI::App& app, Options& options)
+{
+  addSurface(app, options, "SOURCE");
+  addCurves(app, options);
+  addOutput(app, options, "FILE.png|DIR", "File for the picture (default: <name of SOURCE>.png)");
+  addPicture(app, options.picture);
+  addFlattening(app, options);
+}
+
+void declarePrices(CLI::App& app, Options& options)
+{
+  addSurface(app, options);
+  addCurves(app, options);
+  addOutput(app, options, "DIR", "A folder that keeps the result with report.json");
+  addFlattening(app, options);
+}
+
+void declareBatch(CLI::App& app, Options& options)
+{
+  app
+    .add_option("LIST", options.batch,
+      "A file with SURFACE [CURVES...] on each line, names with blanks in double quotes")
+    ->required()
+    ->type_name("");
+  addOutput(app, options, "DIR",
+    "A folder with one of the surface's name for each (default: <name of LIST>_flat)");
+  addFlattening(app, options);
+}
+
+void declareNothing(CLI::App&, Options&) {}
+
+struct Command
+{
+  const char* name;
+  const char* text;
+  void (*declare)(CLI::App&, Options&);
+  std::vector<const char*> shown; ///< options in its help; the others are in --help-all
+};
+
+const std::vector<Command>& commands()
+{
+  static const std::vector<Command> all{
+    { "check", "Print size, likely unit, holes, symmetry and defects of a surface; mend it",
+      declareCheck, { "--weld", "--fill-holes", "--outer-side" } },
+    { "cut", "Propose darts and seams with which a surface lies flat, or lines on it", declareCut,
+      { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--symmetric",
+        "--prefer", "--weights", "--material", "--grain", "--seams-from" } },
+    { "flatten", "Flatten a surface so that boundary and curves keep their length", declareFlatten,
+      { "--material", "--grain", "--tolerance", "--ease", "--dart-legs", "--close-cuts",
+        "--release-keys", "--skip-closed", "--seams-from", "--weld", "--scheme",
+        "--paper-method" } },
+    { "pattern", "Draw flat pieces as a pattern to cut: PDF, SVG, DXF, HPGL, GarmentCode",
+      declarePattern,
+      { "--allowance", "--notch-spacing", "--notch", "--double-notch", "--smooth", "--fold",
+        "--pairs", "--dart-tip", "--piece", "--quantity", "--name", "--size", "--paper", "--style",
+        "--seam-table" } },
+    { "nest", "Lay all pieces on cloth of a width, as short as a search finds", declareNest,
+      { "--roll-width", "--nap", "--gap", "--quantity", "--piece", "--pairs", "--fold",
+        "--allowance" } },
+    { "grade", "Flatten a surface in several sizes and lay them on each other", declareGrade,
+      { "--base", "--at", "--material", "--grain", "--scheme" } },
+    { "sew", "Sew flat pieces together again: how far is that from the surface?", declareSew,
+      { "--mode", "--body", "--gravity", "--pressure", "--thickness", "--once", "--material" } },
+    { "reshape", "Move a surface as little as it takes to lie flat within a strain", declareReshape,
+      { "--max-strain", "--keep", "--free-boundary", "--outward", "--body", "--material" } },
+    { "picture", "Draw surface and flat pieces into a PNG file", declarePicture,
+      { "--color", "--material" } },
+    { "prices", "Print what the planar shape of each key curve costs", declarePrices,
+      { "--material", "--scheme" } },
+    { "batch", "Flatten the surfaces of a list, or run another command on each", declareBatch,
+      { "--material", "--grain", "--scheme", "--close-cuts", "--skip-closed", "--seams-from" } },
+    { "materials", "Print the materials known by name with the sources of their numbers",
+      declareNothing, {} },
+    { "formats", "Explain files of surfaces and curves, units and exit codes", declareNothing, {} },
+  };
+  return all;
+}
+
+const Command* commandNamed(const std::string& name)
+{
+  for (const Command& command : commands())
+  {
+    if (name == command.name)
+    {
+      return &command;
+    }
+  }
+  return nullptr;
+}
+
+/// Sentences to the first full stop, and everything wrapped.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+  explicit HelpFormatter(bool whole)
+    : Whole(whole)
+  {
+    this->column_width(34);
+  }
+
+  std::string make_help(
+    const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
+  {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    for (std::size_t at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n"))
+    {
+      text.erase(at, 1);
+    }
+    return text;
+  }
+
+  std::string make_group(
+    std::string group, bool positional, std::vector<const CLI::Option*> options) const override
+  {
+    const bool hidden = group == formerGroup ||
+      (!this->Whole && !positional && group != commonGroup && group != globalGroup);
+    return hidden ? "" : CLI::Formatter::make_group(group, positional, options);
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override
+  {
+    std::string text = CLI::Formatter::make_option_desc(option);
+    if (!this->Whole)
+    {
+      text = text.substr(0, std::min(text.find(". "), text.find("; ")));
+      text += text.find('(') != std::string::npos && text.find(')') == std::string::npos ? ")" : "";
+    }
+    constexpr std::size_t width = 66;
+    std::string lines;
+    std::size_t start = 0;
+    while (text.size() - start > width)
+    {
+      const std::size_t blank = text.rfind(' ', start + width);
+      if (blank == std::string::npos || blank <= start)
+      {
+        break;
+      }
+      lines += text.substr(start, blank - start) + '\n';
+      start = blank + 1;
+    }
+    return lines + text.substr(start);
+  }
+
+  std::string make_option_opts(const CLI::Option* option) const override
+  {
+    const std::string type = option->get_type_name();
+    const std::string value = option->get_default_str();
+    return (type.empty() ? ""
+                         : ' ' +
+                 type.substr(0,
+                   type.find_first_of(
+                     ':', type.find("[:") == std::string::npos ? 0 : type.find(']')))) +
+      (option->get_positional() && option->get_expected_max() > 1 ? " ..." : "") +
+      (value.empty() ? "" : " (" + value + ')');
+  }
+
+private:
+  bool Whole;
+};
+
+constexpr const char* examples =
+  R"(wirewarp SURFACE [CURVES...] is short for wirewarp flatten SURFACE [CURVES...].
+wirewarp COMMAND --help lists the options of a command, --help-all those for experts as well.
+
+  wirewarp check shirt.obj
+  wirewarp cut shirt.obj --kind darts -o curves.vtp
+  wirewarp flatten shirt.obj curves.vtp -o shirt
+  wirewarp pattern shirt -o shirt.pdf)";
+
+/// Leaves what few need to --help-all.
+void sortOptions(CLI::App& app, const std::vector<const char*>& shown)
+{
+  for (CLI::Option* const option : app.get_options())
+  {
+    if (option->get_positional())
+    {
+      continue;
+    }
+    if (option->get_group() == formerGroup)
+    {
+      continue;
+    }
+    const bool common = option->check_name("--output") || option == app.get_help_ptr() ||
+      std::any_of(
+        shown.begin(), shown.end(), [&](const char* name) { return option->check_name(name); });
+    if (common || option->get_group() == commonGroup)
+    {
+      option->group(common ? commonGroup : expertGroup);
+    }
+  }
+}
+
+void addCommand(CLI::App& app, const Command& command, Options& options)
+{
+  app.set_help_flag("-h,--help", "Print these options; --help-all: those for experts as well");
+  command.declare(app, options);
+  sortOptions(app, command.shown);
+  app.fallthrough();
+  app.final_callback([&app, &options, &command]() {
+    const bool nested = app.get_parent()->get_name() == "batch";
+    (nested ? options.batchCommand : options.command) = command.name;
+  });
+}
+
+/// The place of the word that is a command or a file: behind options of every command.
+std::size_t firstWord(const std::vector<std::string>& arguments)
+{
+  static const std::set<std::string> withValue{ "--unit", "-t", "--threads" };
+  static const std::set<std::string> flags{ "--table", "-q", "--quiet" };
+  std::size_t k = 0;
+  while (k < arguments.size() &&
+    (flags.count(arguments[k]) > 0 || withValue.count(arguments[k]) > 0 ||
+      arguments[k].rfind("--unit=", 0) == 0 || arguments[k].rfind("--threads=", 0) == 0))
+  {
+    k += withValue.count(arguments[k]) > 0 ? 2 : 1;
+  }
+  return std::min(k, arguments.size());
+}
+
+bool isGiven(const CLI::App& app, const std::string& option)
+{
+  const CLI::Option* const found = app.get_option_no_throw(option);
+  return found && found->count() > 0;
+}
+
+/// Takes the words of `wirewarp grade` apart: sizes and curves.
+void sortSizes(Options& options)
+{
+  std::vector<std::string> words;
+  words.swap(options.curves);
+  std::string& base = options.pattern.size;
+  for (const std::string& word : words)
+  {
+    const std::size_t sign = word.find('=');
+    if (sign == std::string::npos)
+    {
+      options.curves.push_back(word);
+      continue;
+    }
+    const std::string name = word.substr(0, sign);
+    base = base.empty() ? name : base;
+    if (name == base && options.surface.empty())
+    {
+      options.surface = word.substr(sign + 1);
+      options.sizes.texts.push_back(name);
+    }
+    else
+    {
+      options.sizes.texts.push_back(word);
+    }
+  }
+  if (options.surface.empty() || options.sizes.texts.size() < 2)
+  {
+    throw CLI::ValidationError("name two sizes or more as SIZE=SURFACE" +
+      (base.empty() ? std::string() : ", one of them the base " + inQuotes(base)));
+  }
+}
+
+/// What the command does beside flattening.
+void selectTask(const std::string& command, Options& options)
+{
+  if (command == "cut" && options.suggest.empty())
+  {
+    options.suggest = "all";
+  }
+  if (command == "grade")
+  {
+    sortSizes(options);
+  }
+  if (command == "sew" && options.resewing.test.empty())
+  {
+    options.resewing.test = "panel";
+  }
+  options.reshaping.wanted = options.reshaping.wanted || command == "reshape";
+  options.priceKeys = options.priceKeys || command == "prices";
+}
+
+/// Takes the folder of a result in the place of a surface.
+void takeSource(const CLI::App& app, Options& options)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(options.surface, ignored) ||
+    !app.get_option_no_throw("SOURCE"))
+  {
+    return;
+  }
+  options.source = options.surface;
+  CLI::App flattening;
+  Options unused = options;
+  addFlattening(flattening, unused);
+  const std::string lead = inQuotes(options.source) + " holds what is flattened already; ";
+  if (!options.curves.empty())
+  {
+    throw CLI::ValidationError(lead + "leave out " + inQuotes(options.curves.front()));
+  }
+  for (const CLI::Option* const option : flattening.get_options())
+  {
+    const std::string name = option->get_name();
+    if (name != "--help" && name != "--material" && isGiven(app, name))
+    {
+      throw CLI::ValidationError(lead + "leave out " + name + ", or name the surface");
+    }
+  }
+}
+
+/// Throws CLI::ParseError or InputError where what was given does not go together.
+void checkOptions(const CLI::App& app, Options& options)
+{
+  const bool nested = app.get_parent()->get_name() == "batch";
+  selectTask(nested ? app.get_name() : options.command, options);
+  if (nested)
+  {
+    options.outputs = app.get_parent()->get_option("--output")->results();
+    options.batchOutputs = app.get_option("--output")->results();
+  }
+  const bool batch = isGiven(app, "--batch") || options.command == "batch";
+  if (batch && options.batch.empty())
+  {
+    throw CLI::ValidationError(
+      isGiven(app, "--batch") ? "--batch" : "LIST", "the file has no name");
+  }
+  const bool prints = options.command == "materials" || options.command == "formats";
+  if (!batch && !prints)
+  {
+    const char* const surface = app.get_option_no_throw("SOURCE") ? "SOURCE" : "SURFACE";
+    if (options.surface.empty())
+    {
+      if (isGiven(app, surface))
+      {
+        throw CLI::ValidationError(surface, "the file has no name");
+      }
+      throw CLI::RequiredError(surface);
+    }
+    takeSource(app, options);
+  }
+  const std::string fault =
+    options.sizes.any() ? options.sizes.fault(options.pattern.size) : std::string();
+  if (!fault.empty())
+  {
+    throw CLI::ValidationError(fault);
+  }
+  if (options.pins[0] >= 0 && options.pins[0] == options.pins[1])
+  {
+    throw CLI::ValidationError("--pins", "the two vertices must differ");
+  }
+  resolveOutputs(options);
+  Options task = options; // of each surface
+  if (nested)
+  {
+    task.command = options.batchCommand;
+    task.outputs = options.batchOutputs;
+    task.outputs.emplace_back("folder");
+    task.output.clear();
+    task.batch.clear();
+    resolveOutputs(task);
+  }
+  const std::string idle =
+    idleOption(task, [&app](const std::string& option) { return isGiven(app, option); });
+  if (!idle.empty())
+  {
+    throw CLI::ValidationError(idle);
+  }
+}
+
+/// What a batch may run: a flattening and all that reads one surface. Files of --output are named
+/// within the folder of each surface.
+void addCommandsOfBatch(CLI::App& batch, Options& options)
+{
+  static const std::set<std::string> left{ "check", "grade", "batch", "materials", "formats" };
+  for (const Command& command : commands())
+  {
+    if (left.count(command.name) > 0)
+    {
+      continue;
+    }
+    CLI::App* const sub = batch.add_subcommand(command.name, command.text)->group("Commands");
+    addCommand(*sub, command, options);
+    for (const char* const operand : { "SURFACE", "SOURCE", "CURVES" })
+    {
+      if (CLI::Option* const option = sub->get_option_no_throw(operand))
+      {
+        sub->remove_option(option);
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
+{
+  Options options = defaultOptions();
+  std::vector<std::string> arguments = argumentsOf(argc, argv);
+  const auto all = std::find(arguments.begin(), arguments.end(), "--help-all");
+  const bool whole = all != arguments.end();
+  if (whole)
+  {
+    *all = "--help";
+  }
+  const std::size_t first = firstWord(arguments);
+  static const std::set<std::string> own{ "-h", "--help", "--version" };
+  if (first < arguments.size() && !commandNamed(arguments[first]) &&
+    own.count(arguments[first]) == 0)
+  {
+    arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(first), "flatten");
+  }
+
+  CLI::App app("Flattens triangulated surfaces into pieces whose boundary and feature curves keep "
+               "their length.",
+    "wirewarp");
+  app.formatter(std::make_shared<HelpFormatter>(whole));
+  app.footer(examples);
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  std::ostringstream version;
+  version << "wirewarp " << WIREWARP_VERSION << " (VTK " << vtkVersion::GetVTKVersion() << ')';
+  app.set_version_flag("--version", version.str(), "Print the version and exit");
+  addGlobals(app, options);
+  app.require_subcommand(0, 1);
+  const CLI::App* chosen = &app;
+  for (const Command& command : commands())
+  {
+    CLI::App* const sub = app.add_subcommand(command.name, command.text)->group("Commands");
+    sub->footer("wirewarp --help lists --unit, --threads, --table and --quiet.");
+    if (first >= arguments.size() || arguments[first] != command.name)
+    {
+      continue;
+    }
+    chosen = sub;
+    addCommand(*sub, command, options);
+    if (std::string(command.name) == "batch")
+    {
+      sub->require_subcommand(0, 1);
+      addCommandsOfBatch(*sub, options);
+    }
+  }
+
+  exitCode = Done;
+  try
+  {
+    std::reverse(arguments.begin(), arguments.end()); // as CLI::App takes them
+    app.parse(arguments);
+    if (chosen == &app)
+    {
+      throw CLI::RequiredError("COMMAND or SURFACE");
+    }
+    if (!chosen->get_subcommands().empty())
+    {
+      chosen = chosen->get_subcommands().front();
+    }
+    checkOptions(*chosen, options);
+  }
+  catch (const CLI::Success& request) // --help, --version
+  {
+    app.exit(request, std::cout, std::cerr);
+    return std::nullopt;
+  }
+  catch (const InputError& error)
+  {
+    std::cerr << "wirewarp: error: " << plainText(error.what()) << "\nTry 'wirewarp "
+              << chosen->get_name() << " --help'.\n";
+    exitCode = BadUsage;
+    return std::nullopt;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    std::cerr << "wirewarp: error: " << plainText(error.what())
+              << plainText(nearestOption(*chosen, app.remaining())) << "\nTry 'wirewarp "
+              << (chosen == &app ? "" : chosen->get_name() + ' ') << "--help'.\n";
+    exitCode = BadUsage;
+    return std::nullopt;
+  }
+  return options;
+}
+}

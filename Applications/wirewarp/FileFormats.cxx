@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileFormats.h"
+
+#include <ostream>
+
+namespace wirewarp
+{
+//------------------------------------------------------------------------------
+void printFormats(std::ostream& out)
+{
+  out << R"(Surfaces
+  .vtp .vtk .obj .ply .stl .off .gltf .glb, of polygons or triangles. Coordinates are read in double
+  precision where the file holds them (STL holds single precision).
+
+Curves
+  .vtp or .vtk with polylines on the surface (cell arrays CurveType: 0 accessory, 1 key, 2 dart,
+  3 seam; CurveName; for more see vtkFeatureCurveAlgorithm); .obj with line elements, .dxf with LINE,
+  LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE, whose group or layer is called TYPE NAME;
+  .csv with the columns name, x, y, z and, unless names begin with it, type, an empty row between two
+  of one name; or text, one curve a line, '#' starts a comment, a NAME with blanks stands in double
+  quotes:
+    TYPE NAME v0 v1 ...
+    edge NAME v0 v1 ...
+  TYPE is accessory (length kept), key (length and shape kept), straight (a key that is straight in
+  the plane: center line, grainline, fold), dart (cut open) or seam (cut through); edge is an
+  accessory curve along the boundary, the shorter way from each vertex to the next: by its name a hem
+  or neckline has its own allowance and notches, and it stays a sew line of the pattern; v0 v1 ... are
+  vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too. Points of curves
+  need not be vertices: they are laid on SURFACE if no farther from it than --imprint-tolerance.
+  Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a
+  name, options that take a NAME mean all of them.
+
+Results
+  A folder holds flat.vtp (pieces in the plane), wires.vtp (their wires), cut.vtp (the cut surface in
+  space, point for point like flat.vtp) and report.json (all measures); of cut and reshape also
+  curves.vtp (all curves), of reshape flattenable.vtp (the moved surface), of sew sewn.vtp (the cloth
+  at rest, point for point like flat.vtp). Earlier files are replaced. pattern, nest, sew and picture
+  read such a folder.
+  Pieces are numbered from 1 where they are read of; PieceId and "piece" of report.json count from 0.
+
+Units
+  Lengths are in the unit of SURFACE, angles in radians, times in seconds; sizes are printed in mm and
+  cm, by --unit, or by what SURFACE or CURVES state (the field data LengthUnit of .vtp and .vtk, a
+  comment of OBJ such as "# units: mm"), or as if SURFACE were in cm. Files that are written keep a
+  unit that is stated. Lengths of patterns are in mm.
+
+Exit codes
+  0 done; 2 bad usage; 3 input rejected, no result, or files or the table cannot be written;
+  4 flattened, but with a warning (not converged, a length error above --max-length-error, a flipped
+  triangle, an overlap), or a given --max-strain is missed by more than half of it: files are written.
+  Of a batch the worst.
+)";
+}
+}

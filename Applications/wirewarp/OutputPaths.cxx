@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutputPaths.h"
+
+#include "InputError.h"
+#include "Options.h"
+#include "TextFile.h"
+
+#include <vtkPatternWriter.h>
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+namespace wirewarp
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// Formats of vtkPatternWriter by endings of files.
+using Formats = std::map<std::string, int>;
+
+const std::map<std::string, Formats>& drawnFormats()
+{
+  static const std::map<std::string, Formats> all{
+    { "pattern",
+      { { ".pdf", vtkPatternWriter::PDF }, { ".svg", vtkPatternWriter::SVG },
+        { ".dxf", vtkPatternWriter::DXF }, { ".plt", vtkPatternWriter::HPGL },
+        { ".hpgl", vtkPatternWriter::HPGL }, { ".json", vtkPatternWriter::GARMENT_CODE },
+        { ".csv", vtkPatternWriter::WALK } } },
+    { "nest",
+      { { ".svg", vtkPatternWriter::SVG }, { ".plt", vtkPatternWriter::HPGL },
+        { ".hpgl", vtkPatternWriter::HPGL } } },
+    { "grade",
+      { { ".svg", vtkPatternWriter::NEST }, { ".csv", vtkPatternWriter::GRADE_LIST },
+        { ".dxf", vtkPatternWriter::DXF }, { ".rul", vtkPatternWriter::RULE_TABLE } } },
+  };
+  return all;
+}
+
+/// The command that writes files of an ending; empty where none does.
+std::string writerOf(const std::string& extension)
+{
+  if (extension == ".png")
+  {
+    return "picture";
+  }
+  if (extension == ".vtp")
+  {
+    return "cut, sew and reshape";
+  }
+  for (const char* const command : { "pattern", "grade" })
+  {
+    if (drawnFormats().at(command).count(extension) > 0)
+    {
+      return command;
+    }
+  }
+  return "";
+}
+
+/// Whether the command writes such a file, which is among the options then.
+bool takeFile(Options& options, const std::string& path)
+{
+  const std::string extension = lowerCaseExtension(path);
+  const std::string& command = options.command;
+  const auto formats = drawnFormats().find(command);
+  if (formats != drawnFormats().end() && formats->second.count(extension) > 0)
+  {
+    options.pattern.files.push_back({ path, formats->second.at(extension), command == "nest" });
+    return true;
+  }
+  std::string* const file = extension == ".png" && command == "picture" ? &options.picture.path
+    : extension != ".vtp"                                               ? nullptr
+    : command == "cut"                                                  ? &options.curvesFile
+    : command == "sew"                                                  ? &options.sewnFile
+    : command == "reshape" || command == "check"                        ? &options.surfaceFile
+                                                                        : nullptr;
+  if (!file)
+  {
+    return false;
+  }
+  if (!file->empty())
+  {
+    throw InputError("--output names two files, " + inQuotes(*file) + " and " + inQuotes(path) +
+      "; leave one of them out");
+  }
+  *file = path;
+  return true;
+}
+
+void takeFolder(Options& options, const std::string& path)
+{
+  std::error_code ignored;
+  const std::string writer = writerOf(lowerCaseExtension(path));
+  if (!writer.empty() && !fs::is_directory(path, ignored))
+  {
+    throw InputError("wirewarp " + options.command + " does not write " + inQuotes(path) +
+      "; name a folder, or see wirewarp " + writer);
+  }
+  if (!options.source.empty() && options.command != "sew")
+  {
+    throw InputError("--output " + inQuotes(path) + ": the result is kept in " +
+      inQuotes(options.source) + "; name a file");
+  }
+  if (!options.output.empty())
+  {
+    throw InputError("--output names two folders, " + inQuotes(options.output) + " and " +
+      inQuotes(path) + "; leave one of them out");
+  }
+  options.output = path;
+  options.outputGiven = true;
+}
+
+/// Where the command writes to unless told otherwise.
+void takeDefaults(Options& options)
+{
+  const std::string& command = options.command;
+  const fs::path input = options.batch.empty() ? options.surface : options.batch;
+  const std::string stem = input.stem().string();
+  const fs::path within = options.source;
+  const auto beside = [&](const std::string& name) {
+    return within.empty() ? stem + "_" + name : (within / name).string();
+  };
+  if (command == "flatten" || command == "batch")
+  {
+    options.output = stem + "_flat";
+  }
+  else if (command == "cut")
+  {
+    options.curvesFile = stem + "_cuts.vtp";
+  }
+  else if (command == "pattern")
+  {
+    takeFile(options, beside("pattern.pdf"));
+  }
+  else if (command == "nest")
+  {
+    takeFile(options, beside("lay.svg"));
+  }
+  else if (command == "grade")
+  {
+    takeFile(options, stem + "_nest.svg");
+    takeFile(options, stem + "_rules.csv");
+  }
+  else if (command == "sew" && within.empty())
+  {
+    options.output = stem + "_sewn";
+  }
+  else if (command == "sew")
+  {
+    options.sewnFile = (within / "sewn.vtp").string();
+  }
+  else if (command == "reshape")
+  {
+    options.output = stem + "_reshaped";
+  }
+  else if (command == "picture")
+  {
+    options.picture.path = within.empty() ? stem + ".png" : (within / "picture.png").string();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void resolveOutputs(Options& options)
+{
+  for (const std::string& path : options.outputs)
+  {
+    if (path.empty())
+    {
+      throw InputError("--output: the file or folder has no name");
+    }
+    if (!takeFile(options, path))
+    {
+      takeFolder(options, path);
+    }
+  }
+  if (options.outputs.empty())
+  {
+    takeDefaults(options);
+  }
+  else if (options.command == "picture" && options.picture.path.empty())
+  {
+    options.picture.path = (fs::path(options.output) / "picture.png").string();
+  }
+  else if ((options.command == "pattern" || options.command == "nest") &&
+    options.pattern.files.empty())
+  {
+    takeFile(options,
+      (fs::path(options.output) / (options.command == "nest" ? "lay.svg" : "pattern.pdf"))
+        .string());
+  }
+  else if (options.command == "grade" && options.pattern.files.empty())
+  {
+    takeFile(options, (fs::path(options.output) / "nest.svg").string());
+    takeFile(options, (fs::path(options.output) / "rules.csv").string());
+  }
+  if (!options.batch.empty()) // whose surfaces have files of their own
+  {
+    return;
+  }
+  const fs::path folder = options.output;
+  const auto within = [&](std::string& file, const char* name) {
+    if (file.empty() && !folder.empty())
+    {
+      file = (folder / name).string();
+    }
+  };
+  if (!options.suggest.empty() || options.reshaping.any())
+  {
+    within(options.curvesFile, "curves.vtp");
+  }
+  if (options.reshaping.any())
+  {
+    within(options.surfaceFile, "flattenable.vtp");
+  }
+  if (options.resewing.any())
+  {
+    within(options.sewnFile, "sewn.vtp");
+  }
+}
+}

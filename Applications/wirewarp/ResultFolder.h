@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening.h"
+#include "Options.h"
+
+namespace wirewarp
+{
+/// Takes from report.json in the folder what the result was made of: surface, scheme, material and
+/// grain where they are not given anew. Throws InputError where the folder holds no result.
+void adoptReport(Options& options);
+
+/// Reads flat pieces, wires, cut surface and, if there is one, sewn shape of a folder that
+/// flattenToFiles() has written. Throws InputError.
+Flattening readResult(const Options& options);
+}

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What one command writes another reads."""
+
+import os
+
+import command
+
+
+class Commands(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles, arc = command.quarter_sphere()
+        self.write("a.obj", command.obj([tuple(20 * x for x in p) for p in points], triangles))
+        self.write("a.txt", "accessory arc %s\n" % " ".join(map(str, arc)))
+
+    def run_well(self, *arguments):
+        run = self.run_command(*arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def test_a_result_is_drawn_as_its_surface_is(self):
+        self.run_well("flatten", "a.obj", "a.txt", "--unit", "cm", "-o", "out")
+        before = self.report("out")
+        drawn = ("-o", "%s.svg", "-o", "%s.dxf", "-o", "%s.json", "-o", "%s.csv", "--allowance", "7",
+                 "--allowance", "boundary=12", "--piece", "front:2")
+        self.run_well("pattern", "out", *[word.replace("%s", "one") for word in drawn])
+        self.run_well("pattern", "a.obj", "a.txt", "--unit", "cm", *[word.replace("%s", "two") for word in drawn])
+        for ending in (".svg", ".dxf", ".json", ".csv"):
+            self.assertEqual(self.read("one" + ending), self.read("two" + ending), ending)
+        self.assertEqual(self.report("out"), before)
+
+    def test_a_result_of_a_material_keeps_its_grain(self):
+        points, triangles = command.sheet()
+        self.write("sheet.obj", command.obj([tuple(20 * x for x in p) for p in points], triangles))
+        made = ("sheet.obj", "--unit", "cm", "--material", "twill", "--grain", "30")
+        self.run_well(*made, "-o", "out")
+        self.run_well("pattern", "out", "-o", "one.dxf")
+        self.run_well("pattern", *made, "-o", "two.dxf")
+        self.assertEqual(self.read("one.dxf"), self.read("two.dxf"))
+
+    def test_files_of_a_pattern_are_made_without_a_result_beside_them(self):
+        run = self.run_well("--unit", "cm", "pattern", "a.obj", "-o", "new/front.svg")
+        self.assertEqual(os.listdir(self.path("new")), ["front.svg"])
+        self.assertIn("written to new: front.svg", run.stdout)
+
+    def test_a_result_is_laid_on_cloth(self):
+        self.run_well("a.obj", "--unit", "cm", "-o", "out")
+        self.run_well("nest", "out", "--roll-width", "1400", "-o", "lay.svg", "-o", "lay.plt")
+        self.run_well("nest", "a.obj", "--unit", "cm", "--roll-width", "1400", "-o", "two.svg")
+        self.assertEqual(self.read("lay.svg"), self.read("two.svg"))
+
+    def test_a_result_is_sewn_into_its_folder(self):
+        self.run_well("a.obj", "--unit", "cm", "-o", "out")
+        pieces = self.report("out")["pieces"]
+        self.run_well("sew", "out", "--once")
+        report = self.report("out")
+        self.assertEqual(report["pieces"], pieces)
+        self.run_well("sew", "a.obj", "--unit", "cm", "--once", "-o", "two")
+        for mine, other in zip(report["resewn"], self.report("two")["resewn"]):
+            self.assertEqual(mine, other)
+        self.assertEqual(self.read("out/sewn.vtp"), self.read("two/sewn.vtp"))
+
+    def test_proposals_are_curves_to_flatten_with(self):
+        self.run_well("cut", "a.obj", "--kind", "darts", "--max-strain", "4%", "--effort", "quick", "-o", "cuts.vtp")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["a.obj", "a.txt", "cuts.vtp"])
+        report = self.flatten("flatten", "a.obj", "cuts.vtp", "--unit", "cm")
+        self.assertTrue(report["curves"])
+        self.assertEqual({curve["type"] for curve in report["curves"]} - {"accessory"}, {"dart"})
+
+    def test_a_moved_surface_is_flattened(self):
+        self.run_well("reshape", "a.obj", "--max-strain", "3%", "-o", "moved.vtp")
+        report = self.flatten("moved.vtp", "--unit", "cm")
+        self.assertLess(report["pieces"][0]["strain_p95"], 0.031)
+
+    def test_sizes_are_named_with_their_surfaces(self):
+        points, triangles, _ = command.quarter_sphere()
+        self.write("l.obj", command.obj([tuple(22 * x for x in p) for p in points], triangles))
+        run = self.run_well("grade", "M=a.obj", "L=l.obj", "a.txt", "--unit", "cm", "-o", "nest.svg", "-o", "rules.csv")
+        self.assertIn("written: nest.svg, rules.csv", run.stdout)
+        self.run_well("grade", "S=a.obj", "M=l.obj", "--base", "M", "--unit", "cm")
+        self.assertIn("l_nest.svg", os.listdir(self.folder))
+
+    def test_a_batch_runs_a_command_on_each_surface(self):
+        self.write("list.txt", "a.obj a.txt\n")
+        self.run_well("batch", "list.txt", "-o", "out", "--unit", "cm", "pattern", "-o", "front.svg", "--allowance", "7")
+        self.run_well("pattern", "a.obj", "a.txt", "--unit", "cm", "-o", "front.svg", "--allowance", "7")
+        self.assertEqual(self.read("out/a/front.svg"), self.read("front.svg"))
+        self.run_well("batch", "list.txt", "-o", "cuts", "cut", "--kind", "darts", "--effort", "quick")
+        self.assertIn("curves.vtp", os.listdir(self.path("cuts/a")))
+
+    def test_check_tells_size_unit_and_openings(self):
+        run = self.run_well("check", "a.obj")
+        self.assertIn("20 x 20 x 40", run.stdout)
+        self.assertIn("boundaries: 1", run.stdout)
+        self.assertIn("--unit cm", run.stdout)
+        self.write("box.obj", command.obj(*command.TETRAHEDRON))
+        run = self.run_command("check", "box.obj")
+        self.assertEqual(run.returncode, 4)
+        self.assertIn("wirewarp cut --kind seams", run.stdout)
+        self.run_well("check", "a.obj", "--unit", "cm", "-o", "mended.vtp")
+        self.assertEqual(self.flatten("mended.vtp")["unit_stated"], True)
+
+    def assert_usage_error(self, words, *arguments):
+        run = self.run_command(*arguments)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn(words, run.stderr)
+
+    def test_what_does_not_fit_the_command_is_bad_usage(self):
+        self.run_well("a.obj", "-o", "out")
+        self.assert_usage_error("see wirewarp pattern", "flatten", "a.obj", "-o", "a.pdf")
+        self.assert_usage_error("see wirewarp picture", "pattern", "a.obj", "-o", "a.png")
+        self.assert_usage_error("leave out --scheme", "pattern", "out", "--scheme", "global")
+        self.assert_usage_error("leave out 'a.txt'", "pattern", "out", "a.txt")
+        self.assert_usage_error("two folders", "pattern", "a.obj", "-o", "one", "-o", "two")
+        self.assert_usage_error("two sizes", "grade", "M=a.obj", "a.txt")
+        self.assert_usage_error("--roll-width is required", "nest", "out")
+        self.assert_usage_error("--allowance", "pattern", "out", "--allowance", "wide")
+
+    def test_a_folder_without_a_result_is_refused(self):
+        os.mkdir(self.path("empty"))
+        run = self.run_command("pattern", "empty")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("empty: holds no result", run.stderr)
+        self.run_well("a.obj", "-o", "out")
+        self.write("out/report.json", "{}")
+        run = self.run_command("pattern", "out")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("report.json: is not a report", run.stderr)
+
+
+if __name__ == "__main__":
+    command.main()
