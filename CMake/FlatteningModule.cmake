@@ -1,4 +1,4 @@
-# Builds the modules of the project: the filters', whose vtk.module stands at the root, and the optional ones.
+# Builds the modules of the project: the filters', whose vtk.module stands at the root, the readers', and the optional ones.
 #
 # vtk_module_build adds the folder of a module as a subdirectory of CMAKE_SOURCE_DIR. The filters' folder
 # IS the source directory, and CMake refuses to enter a directory twice with the same binary directory.
@@ -10,8 +10,8 @@ function (flattening_build_module)
   if (BUILD_TESTING)
     set(with_tests ON)
   endif ()
-  set(files "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module")
-  set(names SurfaceFlattening::FiltersFlattening)
+  set(files "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/IO/Flattening/vtk.module")
+  set(names SurfaceFlattening::FiltersFlattening SurfaceFlattening::IOFlattening)
   if (SURFACEFLATTENING_BUILD_PATTERN)
     list(APPEND files "${CMAKE_CURRENT_SOURCE_DIR}/IO/vtk.module")
     list(APPEND names SurfaceFlattening::IOPattern)

@@ -57,7 +57,7 @@ class Packages(unittest.TestCase):
     def test_there_are_all(self):
         editor = {"surfaceflattening-editor"} if EDITOR else set()
         self.assertEqual(set(self.packages), {"surfaceflattening", "surfaceflattening-dev"} | editor)
-        self.assertEqual(len(self.binaries), 8 + len(editor))  # three libraries, command, its reader, three Python modules
+        self.assertEqual(len(self.binaries), 10 + len(editor))  # four libraries, command, its reader, four Python modules
         version = field(self.packages["surfaceflattening"], "Version")
         self.assertIn(f"surfaceflattening (= {version})",
                       field(self.packages["surfaceflattening-dev"], "Depends"))
@@ -65,7 +65,7 @@ class Packages(unittest.TestCase):
     def test_places_are_those_of_debian(self):
         listing = run("dpkg-deb", "-c", self.packages["surfaceflattening"])
         for place in (r"/usr/bin/wirewarp\n", r"/usr/libexec/surfaceflattening/wirewarp-read\n", r"/usr/lib/.*libvtkFiltersFlattening\.so\.\d",
-                      r"/usr/lib/.*libvtkIOPattern\.so\.\d",
+                      r"/usr/lib/.*libvtkIOFlattening\.so\.\d", r"/usr/lib/.*libvtkIOPattern\.so\.\d",
                       r"/usr/lib/python3/dist-packages/surfaceflattening/__init__\.py\n",
                       r"/usr/share/doc/surfaceflattening/copyright\n"):
             self.assertRegex(listing, place)

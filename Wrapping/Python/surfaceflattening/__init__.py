@@ -11,7 +11,8 @@ Two ways to use it:
   :func:`suggest` and :func:`suggest_polydata` propose the cuts as well, and :func:`price_keys` says what
   each key curve costs; :func:`resew` sews the pieces together again to say how far that is from
   the design; :func:`make_flattenable` and :func:`make_flattenable_polydata` move the surface until it
-  lies flat with little strain. :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
+  lies flat with little strain. :func:`read_surface` and :func:`read_curves` read files.
+  :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
 Neither needs a screen. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
@@ -39,6 +40,7 @@ try:
     if _vtk.GetVTKVersion().split(".")[:2] != BUILT_WITH_VTK.split(".")[:2]:
         raise ImportError(f"this is VTK {_vtk.GetVTKVersion()}")
     from .vtkFiltersFlattening import *  # noqa: F401,F403
+    from .vtkIOFlattening import *  # noqa: F401,F403
     if _import.find_spec(".vtkIOPattern", __name__):  # built without patterns there is none
         from .vtkIOPattern import *  # noqa: F401,F403
 except ImportError as _error:
@@ -60,13 +62,14 @@ from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
 from ._grading import GradeRule, Grading, grade
 from ._keys import KeyPrice, KeyPrices, KeyTrial
 from ._materials import materials
+from ._readers import read_curves, read_surface
 from ._reshaping import Flattenable
 from ._resewing import Resewn, ResewnShape, resew
 from ._result import Flattening, Wire
 from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
     ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy, Interior,
-    KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SewingTest, Solver, Unit, WireType)
+    KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, WireType)
 
 # Without the filters, of whose methods help() would print 31,000 lines.
 __all__ = [
@@ -104,6 +107,7 @@ __all__ = [
     "Resewn",
     "ResewnShape",
     "Scheme",
+    "SeamSource",
     "SewingTest",
     "Solver",
     "Stitch",
@@ -122,7 +126,9 @@ __all__ = [
     "make_surface",
     "materials",
     "price_keys",
+    "read_curves",
     "read_garmentcode",
+    "read_surface",
     "resew",
     "suggest",
     "suggest_polydata",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -28,4 +29,31 @@ public:
   {
   }
 };
+
+/// Runs a job that reads a file. \return why it failed; empty after success
+template <typename Job>
+std::string failureOf(const std::string& path, Job job)
+{
+  try
+  {
+    if (path.empty())
+    {
+      throw InputError("there is no file name; set FileName");
+    }
+    job();
+    return {};
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return path + ": out of memory; " + wayOutOfMemory;
+  }
+  catch (const std::length_error&)
+  {
+    return path + ": out of memory; " + wayOutOfMemory;
+  }
+}
 }

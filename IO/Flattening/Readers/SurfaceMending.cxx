@@ -2,7 +2,6 @@
 #include "SurfaceMending.h"
 
 #include "BoundaryWeld.h"
-#include "FlatTriangles.h"
 #include "InputError.h"
 #include "OuterSide.h"
 #include "TriangleList.h"

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceMeshReader.h"
+
+#include "FaceSeams.h"
+#include "InputError.h"
+#include "ReadSurface.h"
+#include "TextFile.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkErrorCode.h"
+#include "vtkFlatteningAlgorithm.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstddef>
+
+vtkStandardNewMacro(vtkSurfaceMeshReader);
+
+namespace
+{
+bool isKnown(const std::string& extension)
+{
+  return extension == ".obj" || extension == ".ply" || extension == ".off";
+}
+
+/// Lines of the file and seams between its faces as one; either may be null.
+vtkSmartPointer<vtkPolyData> joined(vtkPolyData* lines, vtkPolyData* seams)
+{
+  if (!lines || !seams)
+  {
+    return lines ? lines : seams;
+  }
+  vtkNew<vtkAppendPolyData> both;
+  both->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  both->AddInputData(lines);
+  both->AddInputData(seams);
+  both->Update();
+  return both->GetOutput();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceMeshReader::vtkSurfaceMeshReader()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceMeshReader::~vtkSurfaceMeshReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSurfaceMeshReader::GetSeamSourceAsString() const
+{
+  constexpr std::array<const char*, 4> words{ "None", "Textures", "Materials", "Groups" };
+  return words[static_cast<std::size_t>(this->SeamSource)];
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceMeshReader::CanReadFile(const char* name)
+{
+  return name && isKnown(wirewarp::lowerCaseExtension(name)) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  using namespace wirewarp;
+  const std::string path = this->FileName ? this->FileName : "";
+  this->ErrorMessage = failureOf(path, [&] {
+    if (!isKnown(lowerCaseExtension(path)))
+    {
+      checkedFileSize(path); // a missing file has no format
+      throw InputError(
+        path, "the extension is not .obj, .ply or .off; read other formats by VTK's readers");
+    }
+    const SurfaceContents contents = readSurface(path);
+    const vtkSmartPointer<vtkPolyData> seams = this->SeamSource == SEAMS_NONE
+      ? nullptr
+      : seamsOf(contents.surface, contents.labels, static_cast<enum SeamSource>(this->SeamSource));
+    vtkPolyData* const surface = vtkPolyData::GetData(outputVector, 0);
+    surface->ShallowCopy(contents.surface);
+    vtkFlatteningAlgorithm::SetLengthUnitOf(surface, contents.unit);
+    vtkPolyData* const curves = vtkPolyData::GetData(outputVector, 1);
+    if (const vtkSmartPointer<vtkPolyData> lines = joined(contents.curves, seams))
+    {
+      curves->ShallowCopy(lines);
+    }
+    vtkFlatteningAlgorithm::SetLengthUnitOf(curves, contents.unit);
+  });
+  if (!this->ErrorMessage.empty())
+  {
+    this->SetErrorCode(
+      path.empty() ? vtkErrorCode::NoFileNameError : vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< this->ErrorMessage);
+    return 0; // the pipeline empties the outputs
+  }
+  this->SetErrorCode(vtkErrorCode::NoError);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceMeshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "SeamSource: " << this->GetSeamSourceAsString() << "\n";
+}

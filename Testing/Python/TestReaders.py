@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces and curves from files: coordinates to the last bit, lengths of drawn shapes by their formulas, and what is
+wrong by file and line."""
+
+import math
+import os
+import struct
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+import surfaceflattening as sf
+from surfaces import quarter_sphere
+
+# Two squares side by side; coordinates that single precision does not hold. Texture coordinates break between them.
+X = (0.1, 1.0 / 3.0, 1e-9)
+CORNERS = [(X[0] + i, X[1] + j, X[2]) for j in range(2) for i in range(3)]
+FACES = [(0, 1, 4, 3), (1, 2, 5, 4)]
+OBJ = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in CORNERS) + "".join(
+    f"vt {u} {v}\n" for u, v in ((0, 0), (1, 0), (1, 1), (0, 1))) + """# units: inch
+o left
+usemtl red
+f 1/1 2/2 5/3 4/4
+o right
+usemtl blue
+f 2/1 3/2 6/3 5/4
+g dart middle
+l 2 5
+"""
+
+
+def lengths(curves):
+    points = vtk_to_numpy(curves.GetPoints().GetData())
+    result = []
+    for k in range(curves.GetNumberOfCells()):
+        ids = curves.GetCell(k).GetPointIds()
+        x = points[[ids.GetId(i) for i in range(ids.GetNumberOfIds())]]
+        result.append(np.linalg.norm(np.diff(x, axis=0), axis=1).sum())
+    return result
+
+
+def names(curves):
+    array = curves.GetCellData().GetAbstractArray("CurveName")
+    return [array.GetValue(k) for k in range(array.GetNumberOfValues())]
+
+
+def types(curves):
+    return vtk_to_numpy(curves.GetCellData().GetArray("CurveType")).tolist()
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, content):
+        path = os.path.join(self.folder, name)
+        with open(path, "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return path
+
+
+class Surfaces(Files):
+    def test_coordinates_are_those_of_the_file_to_the_last_bit(self):
+        ply = ("ply\nformat binary_little_endian 1.0\nelement vertex 6\nproperty double x\nproperty double y\n"
+               "property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n").encode()
+        ply += b"".join(struct.pack("<3d", *x) for x in CORNERS)
+        ply += b"".join(struct.pack("<B4i", 4, *ids) for ids in FACES)
+        off = "OFF\n6 2 0\n" + "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in CORNERS) + "".join(
+            "4 " + " ".join(map(str, ids)) + "\n" for ids in FACES)
+        for name, content in (("a.obj", OBJ), ("a.ply", ply), ("a.off", off)):
+            with self.subTest(name=name):
+                surface, _ = sf.read_surface(self.write(name, content))
+                self.assertEqual(vtk_to_numpy(surface.GetPoints().GetData()).tolist(), [list(x) for x in CORNERS])
+                self.assertEqual(surface.GetNumberOfPolys(), 2)
+
+    def test_an_obj_file_gives_its_unit_names_lines_and_seams(self):
+        path = self.write("a.obj", OBJ)
+        surface, curves = sf.read_surface(path)
+        self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(surface), "inch")
+        array = surface.GetCellData().GetAbstractArray("PieceName")
+        self.assertEqual([array.GetValue(k) for k in range(2)], ["left", "right"])
+        self.assertEqual((names(curves), types(curves)), (["middle"], [2]))
+        for seams in ("textures", "materials", "groups"):
+            with self.subTest(seams=seams):
+                _, curves = sf.read_surface(path, seams=seams)
+                self.assertEqual(types(curves), [2, 3])
+                np.testing.assert_allclose(lengths(curves), [1.0, 1.0], rtol=1e-15)
+
+    def test_what_was_read_is_flattened(self):
+        curve = "v 0 0 0\nv 10 0 0\nv 20 0 3\nv 0 10 0\nv 10 10 0\nv 20 10 3\nf 1 2 5 4\nf 2 3 6 5\ng fold\nl 2 5\n"
+        surface, curves = sf.read_surface(self.write("fold.obj", curve))
+        flat = sf.flatten_polydata(surface, curves)
+        self.assertEqual(flat.report["status"], "Ok")
+        self.assertIn("fold", [wire.name for wire in flat.wires])
+
+    def test_what_is_wrong_is_raised_with_file_and_line(self):
+        for name, content, words in (
+                ("a.obj", "v 0 0 0\nv 0 0\n", "a.obj:2:"),
+                ("a.obj", "v 0 0 0\nf 1 2 3\n", "a.obj:2:"),
+                ("a.ply", "ply\nformat ascii 1.0\nelement vertex 9\n", "a.ply"),
+                ("a.off", "OFF\n3 1 0\n0 0 0\n", "a.off"),
+                ("a.stl", "solid\n", "a.stl"),
+                ("a.obj", "", "empty")):
+            with self.subTest(name=name, content=content):
+                with self.assertRaises(ValueError) as raised:
+                    sf.read_surface(self.write(name, content))
+                self.assertIn(words, str(raised.exception))
+        with self.assertRaises(FileNotFoundError):
+            sf.read_surface(os.path.join(self.folder, "none.obj"))
+        with self.assertRaises(ValueError) as raised:
+            sf.read_surface(self.write("a.ply", "ply\n"), seams="folds")
+        self.assertIn("textures", str(raised.exception))
+
+
+class Curves(Files):
+    def test_shapes_of_a_drawing_have_their_lengths(self):
+        def entity(kind, layer, *groups):
+            return f"0\n{kind}\n8\n{layer}\n" + "".join(f"{code}\n{value}\n" for code, value in groups)
+        drawing = "0\nSECTION\n2\nENTITIES\n" + "".join((
+            entity("LINE", "dart one", (10, 0), (20, 0), (30, 0), (11, 3), (21, 4), (31, 12)),
+            entity("ARC", "hem", (10, 1), (20, 2), (30, 3), (40, 5), (50, 30), (51, 120)),
+            entity("LWPOLYLINE", "key arc", (90, 2), (70, 0), (10, 0), (20, 0), (42, 1), (10, 2), (20, 0)),
+            entity("TEXT", "0", (1, "words")),
+            entity("HATCH", "0"))) + "0\nENDSEC\n0\nEOF\n"
+        with self.assertWarnsRegex(sf.FlatteningWarning, "HATCH"):
+            curves = sf.read_curves(self.write("a.dxf", drawing))
+        self.assertEqual(names(curves), ["one", "hem", "arc"])
+        self.assertEqual(types(curves), [2, 0, 1])
+        # Chords of an arc leave it by at most 1e-4 of its size: 8/3 (h/c)^2 of its length.
+        np.testing.assert_allclose(lengths(curves), [13.0, 2.5 * math.pi, math.pi], rtol=1e-4)
+
+    def test_tables_texts_and_lines_are_the_same_curve(self):
+        points, triangles, _ = quarter_sphere()
+        surface = sf.make_surface(points, triangles)
+        ids = [0, 1, 2]
+        rows = "name,type,x,y,z\n" + "".join(
+            f"\"hem, left\",key,{x!r},{y!r},{z!r}\n" for x, y, z in points[ids].tolist())
+        text = 'key "hem, left" 0 1 2\n'
+        lines = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points[ids].tolist()) + "g key hem, left\nl 1 2 3\n"
+        for name, content in (("a.csv", rows), ("a.txt", text), ("a.obj", lines)):
+            with self.subTest(name=name):
+                curves = sf.read_curves(self.write(name, content), surface)
+                self.assertEqual((names(curves), types(curves)), (["hem, left"], [1]))
+                np.testing.assert_allclose(
+                    lengths(curves), [np.linalg.norm(np.diff(points[ids], axis=0), axis=1).sum()], rtol=1e-15)
+
+    def test_what_is_wrong_is_raised_with_file_and_line(self):
+        surface = sf.make_surface(*quarter_sphere()[:2])
+        last = surface.GetNumberOfPoints() - 1
+        for name, content, owner, words in (
+                ("a.txt", "key a 0 1\n", None, "surface"),
+                ("a.txt", f"key a 0 {last + 1}\n", surface, "a.txt:1:"),
+                ("a.txt", "fold a 0 1\n", surface, "accessory, key"),
+                ("a.csv", "name,x,y,z\na,0,0,0\nb,0,0,0\n", surface, "a.csv:3:"),
+                ("a.csv", "name,type,x,y,z\na,edge,0,0,0\na,edge,1,0,0\n", None, "no boundary"),
+                ("a.dxf", "0\nSECTION\n", surface, "a.dxf"),
+                ("a.obj", "v 0 0 0\n", surface, "line element"),
+                ("a.vtp", "<VTKFile/>", surface, "vtkXMLPolyDataReader")):
+            with self.subTest(name=name, content=content):
+                with self.assertRaises(ValueError) as raised:
+                    sf.read_curves(self.write(name, content), owner)
+                self.assertIn(words, str(raised.exception))
+        with self.assertRaises(FileNotFoundError):
+            sf.read_curves(os.path.join(self.folder, "none.csv"))
+        with self.assertRaises(TypeError):
+            sf.read_curves(self.write("a.txt", "key a 0 1\n"), "surface")
+
+    def test_a_failed_run_leaves_an_empty_output(self):
+        reader = sf.vtkFeatureCurveReader()
+        errors = []
+        reader.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        surface = vtkPolyData()
+        reader.SetInputData(surface)
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfCells(), 0)
+        self.assertIn("FileName", reader.GetErrorMessage())
+        self.assertNotEqual(reader.GetErrorCode(), 0)
+        self.assertTrue(errors)
+
+
+if __name__ == "__main__":
+    unittest.main()
