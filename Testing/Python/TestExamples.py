@@ -39,7 +39,7 @@ def share(colors, lowest, highest):
 
 
 def write_obj(path, name):
-    """A piece of Data/ as a modeller writes it: an object a curve, a line an edge. Lengths by curve."""
+    """A piece of Data/ as a modeller writes it: an object a curve, a line an edge. Lengths and sides by curve."""
     surface, curves = read(name), read(name + "_curves")
     points, ends, data = points_of(surface), points_of(curves), curves.GetCellData()
     ids = {tuple(point): index + 1 for index, point in enumerate(points)}
@@ -50,10 +50,10 @@ def write_obj(path, name):
         file.writelines("f %d/1/1 %d/2/2 %d//3\n" % tuple(ids) for ids in triangles_of(surface) + 1)
         for row, line in enumerate(polylines_of(curves)):
             kind = ("", "key ", "dart ", "seam ")[int(data.GetArray("CurveType").GetValue(row))]
-            title = kind + data.GetAbstractArray("CurveName").GetValue(row)
-            lengths[title] = np.linalg.norm(np.diff(ends[line], axis=0), axis=1).sum()
+            name = data.GetAbstractArray("CurveName").GetValue(row)
+            lengths[name] = np.linalg.norm(np.diff(ends[line], axis=0), axis=1).sum(), 2 if kind == "dart " else 1
             chain = [ids[tuple(ends[point])] for point in line]
-            file.write(f"o {title}\n")
+            file.write(f"o {kind}{name}\n")
             file.writelines(f"l {a} {b}\n" for a, b in zip(chain, chain[1:]))
     return lengths
 
@@ -136,8 +136,7 @@ class Examples(unittest.TestCase):
             if path.get("data-curve") and path.get("data-length"):  # no notches, no outline
                 drawn.setdefault(path.get("data-curve"), []).append(drawn_length(path))
         self.assertEqual(set(drawn), set(lengths))
-        for name, length in lengths.items():
-            sides = 2 if name.startswith("dart") else 1
+        for name, (length, sides) in lengths.items():
             self.assertEqual(len(drawn[name]), sides, name)
             for millimetres in drawn[name]:
                 self.assertAlmostEqual(millimetres, 10.0 * length, delta=1e-6 * length, msg=name)
