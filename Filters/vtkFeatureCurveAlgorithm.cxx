@@ -8,6 +8,9 @@
 #include "FilterExecution.h"
 #include "KeptRun.h"
 #include "ListChanges.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -88,10 +91,16 @@ ConnectedCurves leavesOf(vtkInformationVector* connected)
 vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
-  const flattening::ImprintOptions defaults;
-  this->SplitTriangles = defaults.split;
-  this->ImprintTolerance = defaults.tolerance;
-  this->SnapTolerance = defaults.snap;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Curves);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -142,8 +151,8 @@ void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
 //------------------------------------------------------------------------------
 const char* vtkFeatureCurveAlgorithm::GetCoincidentPointsAsString() const
 {
-  static const char* const names[] = { "Automatic", "Join", "Keep" };
-  return names[this->CoincidentPoints];
+  return flattening::bridge::nameOf(
+    flattening::OptionOwner::Curves, "CoincidentPoints", this->CoincidentPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -217,10 +226,7 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   const std::vector<vtkPolyData*> curves(connected.data.begin(), connected.data.end());
   static_assert(static_cast<int>(flattening::CoincidentPoints::Join) == JOIN, "");
   static_assert(static_cast<int>(flattening::CoincidentPoints::Keep) == KEEP, "");
-  flattening::ImprintOptions options;
-  options.split = this->SplitTriangles;
-  options.tolerance = this->ImprintTolerance;
-  options.snap = this->SnapTolerance;
+  const flattening::OptionStructures options = this->OptionsForCore();
   if (!this->Caching)
   {
     this->Kept.reset();
@@ -233,8 +239,7 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   const auto source =
     this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedSurface>();
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
-    static_cast<flattening::CoincidentPoints>(this->CoincidentPoints), options,
-    flattening::bridge::executionOf(this), *source);
+    options.coincidentPoints, options.imprint, flattening::bridge::executionOf(this), *source);
   const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
   this->StatusConnection =
     blamed == curves.end() ? -1 : connected.connections[blamed - curves.begin()];
@@ -268,10 +273,9 @@ flattening::FlatteningCache* vtkFeatureCurveAlgorithm::KeptPieces() const
 void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "CoincidentPoints: " << this->GetCoincidentPointsAsString() << "\n";
-  os << indent << "SplitTriangles: " << (this->SplitTriangles ? "On" : "Off") << "\n";
-  os << indent << "ImprintTolerance: " << this->ImprintTolerance << "\n";
-  os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Curves, os, indent);
+  this->VisitOwnOptions(print);
   for (const auto& entry : this->CurveTolerances)
   {
     os << indent << "CurveTolerance " << entry.first << ": " << entry.second << "\n";

@@ -206,6 +206,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void BeginRun(vtkInformationVector** inputVector) override;
   void FinishData(vtkInformationVector* outputVector) override;
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
 
   /**
    * Reads surface and curves. Null after a refusal, which has been told then.
@@ -218,10 +219,11 @@ protected:
    */
   flattening::FlatteningCache* KeptPieces() const;
 
-  int CoincidentPoints = AUTOMATIC;
-  bool SplitTriangles;
-  double ImprintTolerance;
-  double SnapTolerance;
+  // Options have the defaults of the algorithms.
+  int CoincidentPoints = 0;
+  bool SplitTriangles = false;
+  double ImprintTolerance = 0.0;
+  double SnapTolerance = 0.0;
   bool Caching = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   std::map<std::string, double> CurveTolerances;
@@ -229,6 +231,15 @@ protected:
 private:
   vtkFeatureCurveAlgorithm(const vtkFeatureCurveAlgorithm&) = delete;
   void operator=(const vtkFeatureCurveAlgorithm&) = delete;
+
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("CoincidentPoints", this->CoincidentPoints);
+    visit("SplitTriangles", this->SplitTriangles);
+    visit("ImprintTolerance", this->ImprintTolerance);
+    visit("SnapTolerance", this->SnapTolerance);
+  }
 
   std::unique_ptr<flattening::bridge::KeptRun> Kept;
   std::unique_ptr<flattening::bridge::ConnectedCurves> Gathered; // in a run

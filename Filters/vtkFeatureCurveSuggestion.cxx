@@ -6,6 +6,9 @@
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
 #include "ListChanges.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 #include "Suggestion/CurveSuggestion.h"
 #include "SuggestionOutput.h"
 #include "WeightInput.h"
@@ -28,12 +31,16 @@ bool vtkFeatureCurveSuggestion::IsProposedName(const std::string& name)
 vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 {
   this->SetNumberOfOutputPorts(6);
-  const flattening::SearchOptions defaults;
-  this->SuggestedCuts = static_cast<int>(defaults.cuts);
-  this->Bound = defaults.bound;
-  this->MaximumCuts = defaults.maximumCuts;
-  this->MaximumWork = defaults.maximumWork;
-  this->Symmetric = defaults.symmetric;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Suggestion);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureCurveSuggestion::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -42,8 +49,8 @@ vtkFeatureCurveSuggestion::~vtkFeatureCurveSuggestion() = default;
 //------------------------------------------------------------------------------
 const char* vtkFeatureCurveSuggestion::GetSuggestedCutsAsString() const
 {
-  static const char* const names[] = { "Darts", "Seams", "DartsAndSeams", "Lines" };
-  return names[this->SuggestedCuts];
+  return flattening::bridge::nameOf(
+    flattening::OptionOwner::Suggestion, "SuggestedCuts", this->SuggestedCuts);
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +86,7 @@ int vtkFeatureCurveSuggestion::RequestData(
 {
   static_assert(static_cast<int>(flattening::SuggestedCuts::Seams) == SEAMS, "");
   static_assert(static_cast<int>(flattening::SuggestedCuts::All) == DARTS_AND_SEAMS, "");
+  static_assert(static_cast<int>(flattening::SuggestedCuts::Lines) == LINES, "");
   this->Begin(outputVector);
   flattening::CurveSuggestions suggestions;
   const auto source = this->LoadInput(inputVector);
@@ -87,27 +95,16 @@ int vtkFeatureCurveSuggestion::RequestData(
   if (source &&
     this->Conclude(flattening::bridge::readWeights(*source, this->WeightArray, options.weights)))
   {
-    const bool lines = this->SuggestedCuts == LINES;
-    if (!lines)
-    {
-      options.search.cuts = static_cast<flattening::SuggestedCuts>(this->SuggestedCuts);
-    }
-    options.search.bound = this->Bound;
-    options.search.maximumCuts = this->MaximumCuts;
-    if (this->MaximumCutLength > 0.0)
-    {
-      options.search.maximumCutLength = this->MaximumCutLength;
-    }
-    options.search.maximumWork = this->MaximumWork;
-    options.search.symmetric = this->Symmetric;
+    const flattening::OptionStructures all = this->OptionsForCore();
+    options.search = all.search;
+    options.imprint = all.imprint;
+    options.flattening = this->Settings();
     for (const auto& [curve, weight] : this->Preferences)
     {
       options.search.preferences.push_back({ curve, weight });
     }
-    options.imprint.tolerance = this->ImprintTolerance;
-    options.imprint.snap = this->SnapTolerance;
-    options.flattening = this->Settings();
-    const auto& suggest = lines ? flattening::suggestLines : flattening::suggestCurves;
+    const auto& suggest =
+      this->SuggestedCuts == LINES ? flattening::suggestLines : flattening::suggestCurves;
     suggestions = suggest(source->surface.prepared.mesh, source->curves.polylines, options,
       flattening::bridge::executionOf(this));
     if (suggestions.end == flattening::SearchEnd::Interrupted)
@@ -155,15 +152,11 @@ int vtkFeatureCurveSuggestion::RequestData(
 void vtkFeatureCurveSuggestion::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SuggestedCuts: " << this->GetSuggestedCutsAsString() << "\n";
-  os << indent << "Bound: " << this->Bound << "\n";
-  os << indent << "MaximumCuts: " << this->MaximumCuts << "\n";
-  os << indent << "MaximumCutLength: " << this->MaximumCutLength << "\n";
-  os << indent << "MaximumWork: " << this->MaximumWork << "\n";
-  os << indent << "Symmetric: " << (this->Symmetric ? "On" : "Off") << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Suggestion, os, indent);
+  this->VisitOwnOptions(print);
   for (const auto& entry : this->Preferences)
   {
     os << indent << "Preference " << entry.first << ": " << entry.second << "\n";
   }
-  os << indent << "WeightArray: " << this->WeightArray << "\n";
 }

@@ -190,18 +190,33 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int SuggestedCuts;
-  double Bound;
-  int MaximumCuts;
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
+
+  // Options have the defaults of the algorithms.
+  int SuggestedCuts = 0;
+  double Bound = 0.0;
+  int MaximumCuts = 0;
   double MaximumCutLength = 0.0;
-  double MaximumWork;
-  bool Symmetric;
+  double MaximumWork = 0.0;
+  bool Symmetric = false;
   std::map<std::string, double> Preferences;
   std::string WeightArray;
 
 private:
   vtkFeatureCurveSuggestion(const vtkFeatureCurveSuggestion&) = delete;
   void operator=(const vtkFeatureCurveSuggestion&) = delete;
+
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("SuggestedCuts", this->SuggestedCuts);
+    visit("Bound", this->Bound);
+    visit("MaximumCuts", this->MaximumCuts);
+    visit("MaximumCutLength", this->MaximumCutLength);
+    visit("MaximumWork", this->MaximumWork);
+    visit("Symmetric", this->Symmetric);
+    visit("WeightArray", this->WeightArray);
+  }
 };
 
 #endif

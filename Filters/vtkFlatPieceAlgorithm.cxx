@@ -9,6 +9,9 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "FlatteningOutput.h"
 #include "FlatteningTables.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 #include "PieceOutput.h"
 #include "PieceSizes.h"
 
@@ -31,10 +34,16 @@ vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
 {
   this->SetNumberOfOutputPorts(5);
   this->Reports = std::make_unique<flattening::bridge::ReportTables>();
-  const flattening::FlatteningOptions defaults;
-  this->SkipClosed = defaults.skipClosed;
-  this->Arrange = defaults.arrange;
-  this->Spacing = defaults.spacing;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Pieces);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -115,14 +124,6 @@ void vtkFlatPieceAlgorithm::EndRun(vtkDataObject* input, vtkDataObject* output)
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatPieceAlgorithm::ApplyPieceOptions(flattening::FlatteningOptions& options) const
-{
-  options.skipClosed = this->SkipClosed;
-  options.arrange = this->Arrange;
-  options.spacing = this->Spacing;
-}
-
-//------------------------------------------------------------------------------
 void vtkFlatPieceAlgorithm::Flatten(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, flattening::FlatteningOptions options,
   const vtkIdType pins[2])
@@ -176,9 +177,9 @@ void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedSurf
 void vtkFlatPieceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SkipClosed: " << (this->SkipClosed ? "On" : "Off") << "\n";
-  os << indent << "Arrange: " << (this->Arrange ? "On" : "Off") << "\n";
-  os << indent << "Spacing: " << this->Spacing << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Pieces, os, indent);
+  this->VisitOwnOptions(print);
   os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
   os << indent << "Seconds: " << this->Seconds[3] << "\n";
   os << indent << "SizeWarning: " << this->SizeWarning << "\n";

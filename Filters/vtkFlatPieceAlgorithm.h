@@ -177,11 +177,7 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void FinishData(vtkInformationVector* outputVector) override;
   void EndRun(vtkDataObject* input, vtkDataObject* output) override;
-
-  /**
-   * Sets the options that the properties of this class stand for.
-   */
-  void ApplyPieceOptions(flattening::FlatteningOptions& options) const;
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
 
   /**
    * Flattens surface and curves into the five outputs. The pins are two points of the surface, or
@@ -201,13 +197,21 @@ private:
   vtkFlatPieceAlgorithm(const vtkFlatPieceAlgorithm&) = delete;
   void operator=(const vtkFlatPieceAlgorithm&) = delete;
 
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("SkipClosed", this->SkipClosed);
+    visit("Arrange", this->Arrange);
+    visit("Spacing", this->Spacing);
+  }
+
   std::unique_ptr<flattening::bridge::ReportTables> Reports; // of the last run
   std::string SizeWarning;
   double Seconds[4] = { 0.0, 0.0, 0.0, 0.0 };
-  // Defaults are those of the algorithms.
-  bool SkipClosed;
-  bool Arrange;
-  double Spacing;
+  // Options have the defaults of the algorithms.
+  bool SkipClosed = false;
+  bool Arrange = false;
+  double Spacing = 0.0;
   bool BesideSurface = false;
 };
 

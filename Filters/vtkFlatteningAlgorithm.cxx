@@ -5,6 +5,9 @@
 #include "Base/Memory.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 #include "StatusInInput.h"
 #include "StatusOutput.h"
 #include "Surface/SurfacePreparation.h"
@@ -30,11 +33,23 @@
 
 #include <algorithm>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 namespace
 {
 using flattening::StatusCode;
+
+/// Of the most derived class that has options.
+flattening::OptionOwner ownerOf(vtkObject* filter)
+{
+  auto owner = flattening::OptionOwner::Curves;
+  for (const flattening::Option& option : flattening::optionTable())
+  {
+    owner = filter->IsA(flattening::className(option.owner)) ? option.owner : owner;
+  }
+  return owner;
+}
 
 // The public codes are Core's.
 constexpr bool same(int publicCode, StatusCode code)
@@ -146,6 +161,50 @@ vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
     std::make_unique<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>>();
   this->Owners = std::make_unique<flattening::bridge::SurfaceOwners>();
   this->AddObserver(vtkCommand::EndEvent, this, &vtkFlatteningAlgorithm::LeaveRun);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& vtkNotUsed(visit)) {}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetOptions(const flattening::OptionValues& values)
+{
+  flattening::bridge::OptionVisitor visit(
+    [this, &values](const std::string& property, flattening::OptionValue& value) {
+      const flattening::Option* const given = findOption(values.owner(), property);
+      if (given && given->owner == findOption(ownerOf(this), property)->owner)
+      {
+        value = values[property];
+      }
+    });
+  this->VisitOptions(visit);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFlatteningAlgorithm::DescribeIdleOption(const std::string& given, int spelling)
+{
+  flattening::OptionValues values(ownerOf(this));
+  flattening::bridge::OptionVisitor visit(
+    [&values](const std::string& property, flattening::OptionValue& value) {
+      values.set(property, value);
+    });
+  this->VisitOptions(visit);
+  std::istringstream names(given);
+  for (std::string name; names >> name;)
+  {
+    values.markGiven(name);
+  }
+  return flattening::describeIdleOption(values, static_cast<flattening::OptionSpelling>(spelling));
+}
+
+//------------------------------------------------------------------------------
+flattening::OptionStructures vtkFlatteningAlgorithm::OptionsForCore()
+{
+  flattening::OptionStructures structures;
+  flattening::bridge::OptionVisitor visit = flattening::bridge::copierTo(ownerOf(this), structures);
+  this->VisitOptions(visit);
+  return structures;
 }
 
 //------------------------------------------------------------------------------

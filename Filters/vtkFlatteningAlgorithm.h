@@ -58,9 +58,12 @@ class vtkStringArray;
 
 namespace flattening
 {
+struct OptionStructures;
+class OptionValues;
 struct Status;
 namespace bridge
 {
+class OptionVisitor;
 struct SurfaceOwners;
 }
 }
@@ -196,6 +199,27 @@ public:
   ///@}
 
   /**
+   * Sets all properties that are options, for programs that are built with this project.
+   */
+  void SetOptions(const flattening::OptionValues& values);
+
+  /**
+   * How DescribeIdleOption() calls options: as properties, as the command or as Python does.
+   */
+  enum OptionSpellings
+  {
+    PROPERTIES = 0,
+    COMMAND = 1,
+    PYTHON = 2
+  };
+
+  /**
+   * What is wrong with the first of these properties (names with blanks between them) that has no
+   * effect with the values of the others; empty: nothing. A run ignores such properties.
+   */
+  std::string DescribeIdleOption(const std::string& given, int spelling = PROPERTIES);
+
+  /**
    * A run that was aborted is done again by the next Update(), although nothing was changed.
    */
   vtkMTimeType GetMTime() override;
@@ -203,6 +227,16 @@ public:
 protected:
   vtkFlatteningAlgorithm();
   ~vtkFlatteningAlgorithm() override;
+
+  /**
+   * Visits the members that are options.
+   */
+  virtual void VisitOptions(flattening::bridge::OptionVisitor& visit);
+
+  /**
+   * The values of all options, for Core.
+   */
+  flattening::OptionStructures OptionsForCore();
 
   /**
    * Called before and after a run, once also where the input is a composite data set, for whose

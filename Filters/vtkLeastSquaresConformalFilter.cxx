@@ -2,6 +2,9 @@
 #include "vtkLeastSquaresConformalFilter.h"
 
 #include "Flattening/SurfaceFlattening.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -13,7 +16,16 @@ vtkStandardNewMacro(vtkLeastSquaresConformalFilter);
 //------------------------------------------------------------------------------
 vtkLeastSquaresConformalFilter::vtkLeastSquaresConformalFilter()
 {
-  this->AreaNormalized = flattening::FlatteningOptions().conformal.areaNormalized;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Conformal);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkLeastSquaresConformalFilter::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -23,10 +35,8 @@ vtkLeastSquaresConformalFilter::~vtkLeastSquaresConformalFilter() = default;
 int vtkLeastSquaresConformalFilter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  flattening::FlatteningOptions options;
+  flattening::FlatteningOptions options = this->OptionsForCore().flattening;
   options.scheme = flattening::Scheme::LeastSquaresConformal;
-  options.conformal.areaNormalized = this->AreaNormalized;
-  this->ApplyPieceOptions(options);
   this->Flatten(inputVector, outputVector, options, this->Pins);
   return 1;
 }
@@ -35,6 +45,7 @@ int vtkLeastSquaresConformalFilter::RequestData(vtkInformation* vtkNotUsed(reque
 void vtkLeastSquaresConformalFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Pins: " << this->Pins[0] << " " << this->Pins[1] << "\n";
-  os << indent << "AreaNormalized: " << (this->AreaNormalized ? "On" : "Off") << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Conformal, os, indent);
+  this->VisitOwnOptions(print);
 }

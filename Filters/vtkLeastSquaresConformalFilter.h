@@ -62,6 +62,7 @@ protected:
   vtkLeastSquaresConformalFilter();
   ~vtkLeastSquaresConformalFilter() override;
 
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -69,7 +70,14 @@ private:
   void operator=(const vtkLeastSquaresConformalFilter&) = delete;
 
   vtkIdType Pins[2] = { -1, -1 };
-  bool AreaNormalized;
+  bool AreaNormalized = false; ///< its default is the algorithm's
+
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("AreaNormalized", this->AreaNormalized);
+    visit("Pins", this->Pins);
+  }
 };
 
 #endif

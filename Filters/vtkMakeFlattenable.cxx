@@ -8,6 +8,9 @@
 #include "FlattenableOutput.h"
 #include "FlatteningTables.h"
 #include "ListChanges.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -32,11 +35,16 @@ vtkMakeFlattenable::vtkMakeFlattenable()
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(10);
   this->Trials = vtkSmartPointer<vtkTable>::New();
-  const flattening::FlattenableOptions defaults;
-  this->Bound = defaults.bound;
-  this->KeepBoundary = defaults.keepBoundary;
-  this->OutsideBias = defaults.outsideBias;
-  this->Thickness = defaults.thickness;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Reshaping);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkMakeFlattenable::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -109,11 +117,7 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   this->Trials = vtkSmartPointer<vtkTable>::New(); // the caller may have kept that of the last run
   const auto output = [outputVector](int port) { return vtkPolyData::GetData(outputVector, port); };
-  flattening::FlattenableOptions options;
-  options.bound = this->Bound;
-  options.keepBoundary = this->KeepBoundary;
-  options.outsideBias = this->OutsideBias;
-  options.thickness = this->Thickness;
+  flattening::FlattenableOptions options = this->OptionsForCore().reshaping;
   options.flattening = this->Settings();
   const bridge::LoadedBody body = bridge::loadBody(vtkPolyData::GetData(inputVector[2]));
   options.body = body.get();
@@ -163,10 +167,9 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkMakeFlattenable::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Bound: " << this->Bound << "\n";
-  os << indent << "KeepBoundary: " << (this->KeepBoundary ? "On" : "Off") << "\n";
-  os << indent << "OutsideBias: " << this->OutsideBias << "\n";
-  os << indent << "Thickness: " << this->Thickness << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Reshaping, os, indent);
+  this->VisitOwnOptions(print);
   for (const std::string& curve : this->KeptCurves)
   {
     os << indent << "KeptCurve: " << curve << "\n";

@@ -143,15 +143,27 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  double Bound;
-  bool KeepBoundary;
-  double OutsideBias;
-  double Thickness;
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
+
+  // Options have the defaults of the algorithms.
+  double Bound = 0.0;
+  bool KeepBoundary = false;
+  double OutsideBias = 0.0;
+  double Thickness = 0.0;
   std::set<std::string> KeptCurves;
 
 private:
   vtkMakeFlattenable(const vtkMakeFlattenable&) = delete;
   void operator=(const vtkMakeFlattenable&) = delete;
+
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("Bound", this->Bound);
+    visit("KeepBoundary", this->KeepBoundary);
+    visit("OutsideBias", this->OutsideBias);
+    visit("Thickness", this->Thickness);
+  }
 
   vtkSmartPointer<vtkTable> Trials; // of the last run
 };

@@ -5,6 +5,9 @@
 #include "ClothInput.h"
 #include "FilterExecution.h"
 #include "ListChanges.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 #include "Sewing/PieceSewing.h"
 #include "SewnInput.h"
 #include "SewnOutput.h"
@@ -24,14 +27,16 @@ vtkSewnShape::vtkSewnShape()
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
-  const flattening::SewingOptions defaults;
-  this->Test = defaults.test == flattening::SewingTest::Product ? PRODUCT : PANEL;
-  this->Thickness = defaults.thickness;
-  this->AreaBias = defaults.areaBias;
-  this->MaximumIterations = defaults.maximumIterations;
-  this->Pressure = defaults.pressure;
-  std::copy(defaults.gravity.begin(), defaults.gravity.end(), this->Gravity);
-  this->SecondStart = defaults.secondStart;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Sewing);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkSewnShape::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -79,7 +84,7 @@ void vtkSewnShape::SetMaterial(const char* text)
 //------------------------------------------------------------------------------
 const char* vtkSewnShape::GetTestAsString() const
 {
-  return this->Test == PRODUCT ? "product" : "panel";
+  return flattening::bridge::nameOf(flattening::OptionOwner::Sewing, "Test", this->Test);
 }
 
 //------------------------------------------------------------------------------
@@ -106,15 +111,7 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
     flattening::bridge::loadBody(vtkPolyData::GetData(inputVector[2]));
   if (this->Conclude(input.outcome) && this->Conclude(body.outcome))
   {
-    flattening::SewingOptions options;
-    options.test =
-      this->Test == PRODUCT ? flattening::SewingTest::Product : flattening::SewingTest::Panel;
-    options.thickness = this->Thickness;
-    options.areaBias = this->AreaBias;
-    options.maximumIterations = this->MaximumIterations;
-    options.pressure = this->Pressure;
-    options.secondStart = this->SecondStart;
-    options.gravity = flattening::Point3(this->Gravity);
+    flattening::SewingOptions options = this->OptionsForCore().sewing;
     if (!this->Material.empty())
     {
       options.material = flattening::bridge::readCloth(this->Material, "").material;
@@ -139,13 +136,7 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkSewnShape::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Test: " << this->GetTestAsString() << "\n";
-  os << indent << "Thickness: " << this->Thickness << "\n";
-  os << indent << "AreaBias: " << this->AreaBias << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "Pressure: " << this->Pressure << "\n";
-  os << indent << "Gravity: " << this->Gravity[0] << ", " << this->Gravity[1] << ", "
-     << this->Gravity[2] << "\n";
-  os << indent << "Material: " << this->Material << "\n";
-  os << indent << "SecondStart: " << (this->SecondStart ? "On" : "Off") << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Sewing, os, indent);
+  this->VisitOwnOptions(print);
 }

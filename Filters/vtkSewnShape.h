@@ -218,20 +218,35 @@ protected:
   ~vtkSewnShape() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkSewnShape(const vtkSewnShape&) = delete;
   void operator=(const vtkSewnShape&) = delete;
 
-  int Test;
-  double Thickness;
-  double AreaBias;
-  int MaximumIterations;
-  double Pressure;
-  double Gravity[3];
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("Test", this->Test);
+    visit("Thickness", this->Thickness);
+    visit("AreaBias", this->AreaBias);
+    visit("MaximumIterations", this->MaximumIterations);
+    visit("Pressure", this->Pressure);
+    visit("Gravity", this->Gravity);
+    visit("Material", this->Material);
+    visit("SecondStart", this->SecondStart);
+  }
+
+  // Options have the defaults of the algorithms.
+  int Test = 0;
+  double Thickness = 0.0;
+  double AreaBias = 0.0;
+  int MaximumIterations = 0;
+  double Pressure = 0.0;
+  double Gravity[3] = { 0.0, 0.0, 0.0 };
   std::string Material;
-  bool SecondStart;
+  bool SecondStart = false;
 };
 
 #endif

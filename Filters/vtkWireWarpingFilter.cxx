@@ -5,6 +5,9 @@
 #include "CurveFractions.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "ListChanges.h"
+#include "OptionVisitor.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,33 +21,16 @@ vtkStandardNewMacro(vtkWireWarpingFilter);
 //------------------------------------------------------------------------------
 vtkWireWarpingFilter::vtkWireWarpingFilter()
 {
-  const flattening::FlatteningOptions defaults;
-  this->Scheme = static_cast<int>(defaults.scheme);
-  this->Solver = static_cast<int>(defaults.angles.method);
-  this->MaximumIterations = defaults.angles.maximumIterations;
-  this->ClosureTolerance = defaults.angles.closureTolerance;
-  this->OptimalityTolerance = defaults.angles.optimalityTolerance;
-  this->Interior = static_cast<int>(defaults.interior.method);
-  this->RelaxationFactor = defaults.interior.relaxation;
-  this->RelaxationMovement = defaults.interior.movement;
-  this->RelaxationMinimumIterations = defaults.interior.minimumIterations;
-  this->RelaxationMaximumIterations = defaults.interior.maximumIterations;
-  this->RigidEnergyTolerance = defaults.interior.energyTolerance;
-  this->RigidMaximumIterations = defaults.interior.maximumRigidIterations;
-  this->DistortionEnergy = static_cast<int>(defaults.isometric.energy.kind);
-  this->AreaBias = defaults.isometric.energy.bias;
-  this->AngleWeight = defaults.isometric.angleWeight;
-  this->IsometricMaximumIterations = defaults.isometric.maximumIterations;
-  this->IsometricTolerance = defaults.isometric.tolerance;
-  for (int pin = 0; pin < 2; ++pin)
-  {
-    this->ConformalPins[pin] = defaults.conformal.pins[pin];
-  }
-  this->CloseCuts = defaults.closeCuts;
-  this->DartLegs = static_cast<int>(defaults.dartLegs);
-  this->ReleaseKeys = defaults.releaseKeys;
-  this->ReleaseTrials = defaults.tryReleases;
-  this->MaximumLengthError = defaults.lengthTolerance;
+  flattening::bridge::OptionVisitor visit =
+    flattening::bridge::defaultsOf(flattening::OptionOwner::Warping);
+  this->VisitOwnOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  this->Superclass::VisitOptions(visit);
+  this->VisitOwnOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -53,9 +39,7 @@ vtkWireWarpingFilter::~vtkWireWarpingFilter() = default;
 //------------------------------------------------------------------------------
 const char* vtkWireWarpingFilter::GetSchemeAsString() const
 {
-  static const char* const names[] = { "Progressive", "Global", "Isometric",
-    "LeastSquaresConformal" };
-  return names[this->Scheme];
+  return flattening::bridge::nameOf(flattening::OptionOwner::Warping, "Scheme", this->Scheme);
 }
 
 //------------------------------------------------------------------------------
@@ -68,22 +52,20 @@ void vtkWireWarpingFilter::UsePaperMethod()
 //------------------------------------------------------------------------------
 const char* vtkWireWarpingFilter::GetSolverAsString() const
 {
-  static const char* const names[] = { "Newton", "Sequential" };
-  return names[this->Solver];
+  return flattening::bridge::nameOf(flattening::OptionOwner::Warping, "Solver", this->Solver);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkWireWarpingFilter::GetInteriorAsString() const
 {
-  static const char* const names[] = { "Laplacian", "Relaxation", "AsRigidAsPossible" };
-  return names[this->Interior];
+  return flattening::bridge::nameOf(flattening::OptionOwner::Warping, "Interior", this->Interior);
 }
 
 //------------------------------------------------------------------------------
 const char* vtkWireWarpingFilter::GetDistortionEnergyAsString() const
 {
-  static const char* const names[] = { "Rigid", "SymmetricDirichlet" };
-  return names[this->DistortionEnergy];
+  return flattening::bridge::nameOf(
+    flattening::OptionOwner::Warping, "DistortionEnergy", this->DistortionEnergy);
 }
 
 //------------------------------------------------------------------------------
@@ -189,12 +171,11 @@ const char* vtkWireWarpingFilter::GetCurveTolerances() const
 //------------------------------------------------------------------------------
 const char* vtkWireWarpingFilter::GetDartLegsAsString() const
 {
-  static const char* const names[] = { "Free", "Straight", "Mirrored" };
-  return names[this->DartLegs];
+  return flattening::bridge::nameOf(flattening::OptionOwner::Warping, "DartLegs", this->DartLegs);
 }
 
 //------------------------------------------------------------------------------
-flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
+flattening::FlatteningOptions vtkWireWarpingFilter::Settings()
 {
   static_assert(static_cast<int>(flattening::Scheme::Progressive) == PROGRESSIVE, "");
   static_assert(
@@ -207,39 +188,15 @@ flattening::FlatteningOptions vtkWireWarpingFilter::Settings() const
     "");
   static_assert(static_cast<int>(flattening::DartLegs::Mirrored) == MIRRORED, "");
 
-  flattening::FlatteningOptions options;
-  options.scheme = static_cast<flattening::Scheme>(this->Scheme);
-  options.angles.method = static_cast<flattening::AngleMethod>(this->Solver);
-  options.angles.maximumIterations = this->MaximumIterations;
-  options.angles.closureTolerance = this->ClosureTolerance;
-  options.angles.optimalityTolerance = this->OptimalityTolerance;
-  options.interior.method = static_cast<flattening::InteriorMethod>(this->Interior);
-  options.interior.relaxation = this->RelaxationFactor;
-  options.interior.movement = this->RelaxationMovement;
-  options.interior.minimumIterations = this->RelaxationMinimumIterations;
-  options.interior.maximumIterations = this->RelaxationMaximumIterations;
-  options.interior.energyTolerance = this->RigidEnergyTolerance;
-  options.interior.maximumRigidIterations = this->RigidMaximumIterations;
-  options.isometric.energy.kind =
-    static_cast<flattening::DistortionEnergyKind>(this->DistortionEnergy);
-  options.isometric.energy.bias = this->AreaBias;
-  options.isometric.angleWeight = this->AngleWeight;
-  options.isometric.maximumIterations = this->IsometricMaximumIterations;
-  options.isometric.tolerance = this->IsometricTolerance;
+  flattening::FlatteningOptions options = this->OptionsForCore().flattening;
   if (!this->Material.empty())
   {
     options.cloth = flattening::bridge::readCloth(this->Material, this->Grain);
   }
-  options.closeCuts = this->CloseCuts;
   for (const auto& ease : this->Eases)
   {
     options.eases.push_back({ ease.curve, ease.piece, ease.fraction });
   }
-  options.dartLegs = static_cast<flattening::DartLegs>(this->DartLegs);
-  options.releaseKeys = this->ReleaseKeys;
-  options.tryReleases = this->ReleaseTrials;
-  this->ApplyPieceOptions(options);
-  options.lengthTolerance = this->MaximumLengthError;
   return options;
 }
 
@@ -264,35 +221,12 @@ int vtkWireWarpingFilter::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkWireWarpingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Scheme: " << this->GetSchemeAsString() << "\n";
-  os << indent << "Solver: " << this->GetSolverAsString() << "\n";
-  os << indent << "Interior: " << this->GetInteriorAsString() << "\n";
-  os << indent << "ReleaseKeys: " << (this->ReleaseKeys ? "On" : "Off") << "\n";
-  os << indent << "ReleaseTrials: " << (this->ReleaseTrials ? "On" : "Off") << "\n";
-  os << indent << "CloseCuts: " << (this->CloseCuts ? "On" : "Off") << "\n";
-  os << indent << "DartLegs: " << this->GetDartLegsAsString() << "\n";
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(flattening::OptionOwner::Warping, os, indent);
+  this->VisitOwnOptions(print);
   for (const auto& ease : this->Eases)
   {
     os << indent << "CurveEase " << ease.curve << " in piece " << ease.piece << ": "
        << ease.fraction << "\n";
   }
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "ClosureTolerance: " << this->ClosureTolerance << "\n";
-  os << indent << "OptimalityTolerance: " << this->OptimalityTolerance << "\n";
-  os << indent << "RelaxationFactor: " << this->RelaxationFactor << "\n";
-  os << indent << "RelaxationMovement: " << this->RelaxationMovement << "\n";
-  os << indent << "RelaxationMinimumIterations: " << this->RelaxationMinimumIterations << "\n";
-  os << indent << "RelaxationMaximumIterations: " << this->RelaxationMaximumIterations << "\n";
-  os << indent << "RigidEnergyTolerance: " << this->RigidEnergyTolerance << "\n";
-  os << indent << "RigidMaximumIterations: " << this->RigidMaximumIterations << "\n";
-  os << indent << "DistortionEnergy: " << this->GetDistortionEnergyAsString() << "\n";
-  os << indent << "AreaBias: " << this->AreaBias << "\n";
-  os << indent << "AngleWeight: " << this->AngleWeight << "\n";
-  os << indent << "IsometricMaximumIterations: " << this->IsometricMaximumIterations << "\n";
-  os << indent << "IsometricTolerance: " << this->IsometricTolerance << "\n";
-  os << indent << "Material: " << this->Material << "\n";
-  os << indent << "Grain: " << this->Grain << "\n";
-  os << indent << "ConformalPins: " << this->ConformalPins[0] << " " << this->ConformalPins[1]
-     << "\n";
-  os << indent << "MaximumLengthError: " << this->MaximumLengthError << "\n";
 }

@@ -574,43 +574,74 @@ protected:
   /**
    * What the properties say, for Core.
    */
-  flattening::FlatteningOptions Settings() const;
+  flattening::FlatteningOptions Settings();
 
+  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
   void operator=(const vtkWireWarpingFilter&) = delete;
 
-  // Defaults are those of the algorithms.
-  int Scheme;
-  int Solver;
-  int Interior;
-  bool ReleaseKeys;
-  bool ReleaseTrials;
-  bool CloseCuts;
-  int DartLegs;
-  int MaximumIterations;
-  double ClosureTolerance;
-  double OptimalityTolerance;
-  double RelaxationFactor;
-  double RelaxationMovement;
-  int RelaxationMinimumIterations;
-  int RelaxationMaximumIterations;
-  double RigidEnergyTolerance;
-  int RigidMaximumIterations;
-  int DistortionEnergy;
-  double AreaBias;
-  double AngleWeight;
-  int IsometricMaximumIterations;
-  double IsometricTolerance;
+  template <class Visitor>
+  void VisitOwnOptions(Visitor& visit)
+  {
+    visit("Scheme", this->Scheme);
+    visit("Interior", this->Interior);
+    visit("ReleaseKeys", this->ReleaseKeys);
+    visit("CloseCuts", this->CloseCuts);
+    visit("DartLegs", this->DartLegs);
+    visit("Solver", this->Solver);
+    visit("ReleaseTrials", this->ReleaseTrials);
+    visit("DistortionEnergy", this->DistortionEnergy);
+    visit("AreaBias", this->AreaBias);
+    visit("AngleWeight", this->AngleWeight);
+    visit("Material", this->Material);
+    visit("Grain", this->Grain);
+    visit("MaximumIterations", this->MaximumIterations);
+    visit("ClosureTolerance", this->ClosureTolerance);
+    visit("OptimalityTolerance", this->OptimalityTolerance);
+    visit("IsometricMaximumIterations", this->IsometricMaximumIterations);
+    visit("IsometricTolerance", this->IsometricTolerance);
+    visit("RigidEnergyTolerance", this->RigidEnergyTolerance);
+    visit("RigidMaximumIterations", this->RigidMaximumIterations);
+    visit("RelaxationFactor", this->RelaxationFactor);
+    visit("RelaxationMovement", this->RelaxationMovement);
+    visit("RelaxationMinimumIterations", this->RelaxationMinimumIterations);
+    visit("RelaxationMaximumIterations", this->RelaxationMaximumIterations);
+    visit("MaximumLengthError", this->MaximumLengthError);
+    visit("ConformalPins", this->ConformalPins);
+  }
+
+  // Options have the defaults of the algorithms.
+  int Scheme = 0;
+  int Solver = 0;
+  int Interior = 0;
+  bool ReleaseKeys = false;
+  bool ReleaseTrials = false;
+  bool CloseCuts = false;
+  int DartLegs = 0;
+  int MaximumIterations = 0;
+  double ClosureTolerance = 0.0;
+  double OptimalityTolerance = 0.0;
+  double RelaxationFactor = 0.0;
+  double RelaxationMovement = 0.0;
+  int RelaxationMinimumIterations = 0;
+  int RelaxationMaximumIterations = 0;
+  double RigidEnergyTolerance = 0.0;
+  int RigidMaximumIterations = 0;
+  int DistortionEnergy = 0;
+  double AreaBias = 0.0;
+  double AngleWeight = 0.0;
+  int IsometricMaximumIterations = 0;
+  double IsometricTolerance = 0.0;
   std::vector<flattening::bridge::CurveFraction> Eases;
   mutable std::string CurveEasesText;      ///< that Get gave last
   mutable std::string CurveTolerancesText; ///< that Get gave last
   std::string Material;
   std::string Grain;
-  vtkIdType ConformalPins[2];
-  double MaximumLengthError;
+  vtkIdType ConformalPins[2] = { -1, -1 };
+  double MaximumLengthError = 0.0;
 };
 
 #endif

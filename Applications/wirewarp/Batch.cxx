@@ -248,7 +248,7 @@ int runBatch(const Options& options)
   }
   const double seconds = secondsSince(start);
   const double rate = static_cast<double>(entries.size()) / seconds;
-  const Json report = { { "list", options.batch }, { "scheme", options.scheme },
+  const Json report = { { "list", options.batch }, { "scheme", options.values.text("Scheme") },
     { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "workers", workers },
     { "surfaces", rows }, { "seconds", seconds }, { "surfaces_per_second", rate } };
   files.add(std::filesystem::path(folder) / batchName, textOf(report, 2) + '\n');

@@ -3,7 +3,6 @@
 
 #include "Cutting.h"
 #include "FaceSeams.h"
-#include "FilterOptions.h"
 #include "IdleOptions.h"
 #include "InputError.h"
 #include "Materials.h"
@@ -12,7 +11,6 @@
 #include "NumberOptions.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
-#include "SuggestionOptions.h"
 #include "TextFile.h"
 #include "Units.h"
 
@@ -21,7 +19,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -31,6 +28,8 @@
 #include <set>
 #include <sstream>
 #include <system_error>
+#include <variant>
+#include <vector>
 
 namespace wirewarp
 {
@@ -129,107 +128,6 @@ void addSeams(CLI::App& app, Options& options)
     ->group("Input");
 }
 
-void addMaterials(CLI::App& app, Options& options)
-{
-  const std::string group = "Material";
-  CLI::Option* const material = app.add_option("--material", options.material,
-    "What the pieces are cut from: a name of --list-materials, or a JSON file with its numbers. "
-    "isometric keeps the strain of its threads small and within its limits; other schemes only "
-    "measure it");
-  material->type_name("NAME|FILE")
-    ->check(CLI::Validator(
-      [](std::string& text) { return text.empty() ? std::string("it has no name") : ""; }, ""))
-    ->group(group);
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--grain",
-      [&options](const std::vector<std::string>& entries) {
-        options.grain.clear();
-        for (const std::string& entry : entries)
-        {
-          options.grain += (options.grain.empty() ? "" : ";") + entry;
-        }
-      },
-      "How pieces lie on it: along a curve, or NAME:DEGREES at an angle from it (several times: "
-      "each "
-      "piece by the first that it has); by an angle from the upright of the piece (its first key "
-      "curve, else its long side) to the warp, counter-clockwise; or free, where the material is "
-      "strained least (default: 0)")
-    ->type_name("CURVE|DEGREES|free")
-    ->allow_extra_args(false)
-    ->needs(material)
-    ->group(group);
-}
-
-void addLayout(CLI::App& app, Options& options)
-{
-  const std::string group = "Layout";
-  app
-    .add_flag_callback(
-      "--no-arrange", [&options]() { options.arrange = false; },
-      "Leave pieces where they arise instead of turning them upright, side by side")
-    ->group(group);
-  app
-    .add_option("--spacing", options.spacing,
-      "Space between the bounding boxes of pieces as a fraction of the largest side of one")
-    ->check(number(0.0, 1e6, "[0, 1e6]"))
-    ->capture_default_str()
-    ->group(group);
-}
-
-void addLimits(CLI::App& app, Options& options)
-{
-  const std::string group = "Limits";
-  const double large = std::numeric_limits<double>::max();
-  const auto addNumber = [&app, &group](const std::string& name, double& value, double least,
-                           double most, const std::string& range, const std::string& text) {
-    app.add_option(name, value, text)
-      ->check(number(least, most, range))
-      ->capture_default_str()
-      ->group(group);
-  };
-  const auto addCount = [&app, &group](
-                          const std::string& name, int& value, int least, const std::string& text) {
-    app.add_option(name, value, text)
-      ->check(wholeNumber(least, std::numeric_limits<int>::max(), "from " + std::to_string(least)))
-      ->capture_default_str()
-      ->group(group);
-  };
-  addCount(
-    "--max-iterations", options.maximumIterations, 1, "Most iterations of the solver, a piece");
-  addNumber("--closure-tolerance", options.closureTolerance, 0.0, large, "[0, inf)",
-    "The solver stops when no loop of wires is open by more than this fraction of the perimeter");
-  addNumber("--optimality-tolerance", options.optimalityTolerance, 0.0, large, "[0, inf)",
-    "The solver stops when no entry of the gradient of the Lagrangian is larger");
-  addNumber("--max-length-error", options.maximumLengthError, 0.0, large, "[0, inf)",
-    "Largest relative error of a wire edge that is no broken promise");
-  addNumber("--relaxation-factor", options.relaxationFactor, std::numeric_limits<double>::min(),
-    std::nextafter(2.0, 0.0), "(0, 2)", "relaxation: factor tau of the iteration");
-  addNumber("--relaxation-movement", options.relaxationMovement, 0.0, large, "[0, inf)",
-    "relaxation: stop when no point moves farther, as a fraction of the mean wire edge");
-  addCount("--relaxation-min-iterations", options.relaxationMinimumIterations, 0,
-    "relaxation: fewest iterations; more than --relaxation-max-iterations are refused");
-  addCount("--relaxation-max-iterations", options.relaxationMaximumIterations, 1,
-    "relaxation: most iterations");
-  addNumber("--rigid-tolerance", options.rigidTolerance, 0.0, large, "[0, inf)",
-    "arap: stop when the energy falls by less than this fraction of itself");
-  addCount("--rigid-iterations", options.rigidMaximumIterations, 1, "arap: most iterations");
-  addNumber("--isometric-tolerance", options.isometricTolerance, 0.0, large, "[0, inf)",
-    "isometric: stop when the relative gradient of the Lagrangian is smaller");
-  addCount(
-    "--isometric-iterations", options.isometricMaximumIterations, 1, "isometric: most iterations");
-  app
-    .add_flag_callback(
-      "--no-split", [&options]() { options.split = false; },
-      "Refuse curves that do not run along mesh edges instead of splitting triangles")
-    ->group(group);
-  addNumber("--imprint-tolerance", options.imprintTolerance, 0.0, 1.0, "[0, 1]",
-    "Greatest distance of a curve from the surface as a fraction of the surface's diagonal");
-  addNumber("--snap-tolerance", options.snapTolerance, 0.0, 0.5, "[0, 0.5]",
-    "A curve's point or crossing nearer to a vertex or an edge than this fraction of the mean edge "
-    "length, or of the longest edge there where that is shorter, moves onto it");
-}
-
 void addGlobals(CLI::App& app, Options& options)
 {
   const std::string group = globalGroup;
@@ -276,9 +174,6 @@ void addFlattening(CLI::App& app, Options& options)
   addSeams(app, options);
   addMending(app, options);
   addMethods(app, options);
-  addMaterials(app, options);
-  addLayout(app, options);
-  addLimits(app, options);
 }
 
 void addBody(CLI::App& app, Options& options)
@@ -331,7 +226,7 @@ void declareCut(CLI::App& app, Options& options)
     "File for the curves, .vtp (default: <name of SURFACE>_cuts.vtp); or a folder, which keeps the "
     "flat pieces as well");
   addFlattening(app, options);
-  options.bound = 0.05; // cloth gives as much
+  options.values.set("Bound", 0.05); // cloth gives as much
   addCutting(app, options);
 }
 
@@ -448,7 +343,7 @@ const std::vector<Command>& commands()
     { "check", "Print size, likely unit, holes, symmetry and defects of a surface; mend it",
       declareCheck, { "--weld", "--fill-holes", "--outer-side" } },
     { "cut", "Propose darts and seams with which a surface lies flat, or lines on it", declareCut,
-      { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--symmetric",
+      { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--no-symmetric",
         "--prefer", "--weights", "--material", "--grain", "--seams-from" } },
     { "flatten", "Flatten a surface so that boundary and curves keep their length", declareFlatten,
       { "--material", "--grain", "--tolerance", "--ease", "--dart-legs", "--close-cuts",
@@ -664,9 +559,9 @@ void sortSizes(Options& options)
 /// What the command does beside flattening.
 void selectTask(const std::string& command, Options& options)
 {
-  if (command == "cut" && options.suggest.empty())
+  if (command == "cut")
   {
-    options.suggest = "all";
+    options.suggest = options.values.text("SuggestedCuts");
   }
   if (command == "grade")
   {
@@ -744,7 +639,8 @@ void checkOptions(const CLI::App& app, Options& options)
   {
     throw CLI::ValidationError(fault);
   }
-  if (options.pins[0] >= 0 && options.pins[0] == options.pins[1])
+  const auto& pins = std::get<std::vector<double>>(options.values["ConformalPins"]);
+  if (pins[0] >= 0.0 && pins[0] == pins[1])
   {
     throw CLI::ValidationError("--pins", "the two vertices must differ");
   }
@@ -794,7 +690,7 @@ void addCommandsOfBatch(CLI::App& batch, Options& options)
 //------------------------------------------------------------------------------
 std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
 {
-  Options options = defaultOptions();
+  Options options;
   std::vector<std::string> arguments = argumentsOf(argc, argv);
   const auto all = std::find(arguments.begin(), arguments.end(), "--help-all");
   const bool whole = all != arguments.end();

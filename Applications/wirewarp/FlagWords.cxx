@@ -16,7 +16,7 @@ constexpr SpellingTable table{
   { "RigidMaximumIterations", "--rigid-iterations" },
   { "Sewing.MaximumIterations", "--sewing-iterations" },
   { "Sewing.Test", "--mode panel" },
-  { "SplitTriangles", "leave out --no-split" },
+  { "SplitTriangles", "leave out --no-split-triangles" },
   { "vtkFeatureCurveSuggestion", "wirewarp cut" },
 };
 

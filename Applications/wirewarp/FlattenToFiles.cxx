@@ -252,8 +252,9 @@ Flattening rehearse(const Options& options, OutputFiles& files)
   {
     return {};
   }
-  const int pieces =
-    options.suggest == "seams" || options.suggest == "all" ? options.maximumCuts + 1 : 1;
+  const int pieces = options.suggest == "seams" || options.suggest == "all"
+    ? options.values.integer("MaximumCuts") + 1
+    : 1;
   const bool moves = !options.suggest.empty() || options.reshaping.any();
   const std::string problem =
     layoutProblem(layout, options.surface, 1, trial, options.output, files);

@@ -3,8 +3,8 @@
 
 #include "CurveDistance.h"
 #include "FieldRows.h"
-#include "FilterOptions.h"
 #include "InputError.h"
+#include "MethodOptions.h"
 #include "MovedCurves.h"
 #include "NumberNames.h"
 #include "Patterns.h"
@@ -88,8 +88,9 @@ private:
 void checkBound(const Options& options, Flattening& result)
 {
   const FieldRows field(result.curves);
-  if (!options.boundGiven || options.bound == 0.0 || result.exitCode != Done ||
-    field.count("Strain") < 2 || field.number("Strain", 1) <= missedBy * options.bound)
+  const double bound = options.values.number("Bound");
+  if (!options.values.isGiven("Bound") || bound == 0.0 || result.exitCode != Done ||
+    field.count("Strain") < 2 || field.number("Strain", 1) <= missedBy * bound)
   {
     return;
   }
@@ -99,12 +100,12 @@ void checkBound(const Options& options, Flattening& result)
   if (std::isnan(strain))
   {
     message << "no cuts are found with which the surface can be flattened, so that the bound of "
-            << options.bound << " is not met; draw seams that open the surface";
+            << bound << " is not met; draw seams that open the surface";
   }
   else
   {
     message << "the proposed cuts leave a strain of " << strain
-            << ", more than half above the bound of " << options.bound
+            << ", more than half above the bound of " << bound
             << "; allow more cuts (--max-cuts) or work (--max-work), or a larger bound";
   }
   result.exitCode = PromiseBroken;
@@ -254,14 +255,6 @@ std::vector<std::string> readInput(
     connect(path, curves.curves);
   }
   result.curveDistance = largestDistance(contents.surface, read);
-  for (const EaseRequest& ease : options.eases)
-  {
-    filter->AddCurveEase(ease.curve, ease.piece, ease.fraction);
-  }
-  for (const auto& [curve, tolerance] : options.tolerances)
-  {
-    filter->AddCurveTolerance(curve, tolerance);
-  }
   return files;
 }
 
@@ -349,7 +342,8 @@ Flattening flattenOne(const Options& options, const std::string& base)
     if (!options.source.empty())
     {
       result = readResult(options);
-      sewAgain(options.resewing, options.body, options.material, options.quiet, result);
+      sewAgain(
+        options.resewing, options.body, options.values.text("Material"), options.quiet, result);
       return result;
     }
     const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
@@ -368,7 +362,8 @@ Flattening flattenOne(const Options& options, const std::string& base)
     checkBound(options, result);
     const int curves = filter->GetStatusConnection();
     const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
-    sewAgain(options.resewing, options.body, options.material, options.quiet, result);
+    sewAgain(
+      options.resewing, options.body, options.values.text("Material"), options.quiet, result);
     if (result.refused())
     {
       result.message = file + ": " + result.message;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkWireWarpingFilter.h>
+
 namespace CLI
 {
 class App;
@@ -8,8 +13,17 @@ class App;
 
 namespace wirewarp
 {
-struct Options;
-
 /// Adds the options of how surfaces are flattened.
 void addMethods(CLI::App& app, Options& options);
+
+/// Adds --suggest and what it needs.
+void addSuggestionOptions(CLI::App& app, Options& options);
+
+/// Adds --price-keys, after the options that it excludes.
+void addKeyPriceOptions(CLI::App& app, Options& options);
+
+/// The filter that does what the options say, without their values.
+vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options);
+
+void setOptions(const Options& options, vtkWireWarpingFilter* filter);
 }

@@ -4,6 +4,9 @@
 #include "PlainText.h"
 #include "TextFile.h"
 
+#include <iomanip>
+#include <sstream>
+
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
@@ -16,6 +19,30 @@ CLI::Validator number(double least, double most, const std::string& range)
       return valid ? std::string() : inQuotes(text) + " is not a number in " + range;
     },
     "in " + range);
+}
+
+//------------------------------------------------------------------------------
+CLI::Validator percentage(double least, double most, const std::string& range)
+{
+  return CLI::Validator(
+    [least, most, range](std::string& text) {
+      const bool percent = !text.empty() && text.back() == '%';
+      double value = 0.0;
+      if (!parseNumber(percent ? text.substr(0, text.size() - 1) : text, value))
+      {
+        return inQuotes(text) + " is not a number in " + range + " or as much in %";
+      }
+      value = percent ? value / 100.0 : value;
+      if (!(value >= least && value <= most))
+      {
+        return inQuotes(text) + " is not a number in " + range + " or as much in %";
+      }
+      std::ostringstream fraction;
+      fraction << std::setprecision(17) << value;
+      text = fraction.str();
+      return std::string();
+    },
+    "");
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,9 @@ namespace wirewarp
 /// Checks that an option is a number within bounds. \param range the bounds in words: "[0, 1]".
 CLI::Validator number(double least, double most, const std::string& range);
 
+/// The same for a number that may be given in percent: 0.05 or 5%.
+CLI::Validator percentage(double least, double most, const std::string& range);
+
 /// The same for a whole number. \param range as "from 1".
 CLI::Validator wholeNumber(long long least, long long most, const std::string& range);
 

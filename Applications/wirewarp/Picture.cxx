@@ -117,11 +117,12 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   figures::PatternScene scene;
   scene.piece = { result.flat, result.wires, result.cut };
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
-  scene.title =
-    std::filesystem::path(options.surface).stem().string() + ", scheme " + options.scheme;
-  if (!options.material.empty())
+  scene.title = std::filesystem::path(options.surface).stem().string() + ", scheme " +
+    options.values.text("Scheme");
+  const std::string material = options.values.text("Material");
+  if (!material.empty())
   {
-    scene.title += ", " + std::filesystem::path(options.material).stem().string();
+    scene.title += ", " + std::filesystem::path(material).stem().string();
   }
   if (scene.coloring == figures::Coloring::Distance)
   {

@@ -343,15 +343,18 @@ std::string makeReport(const Options& options, const Flattening& result)
     saved["unwritten"] = result.unwritten;
     return saved.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   }
-  const bool conformal = options.scheme == "lscm"; // it has neither
+  const bool conformal = options.values.text("Scheme") == "lscm"; // it has neither
+  const std::string material = options.values.text("Material");
   const Json report = { { "surface", options.surface }, { "curve_files", options.curves },
-    { "scheme", options.scheme }, { "solver", conformal ? Json() : Json(options.solver) },
-    { "interior", conformal ? Json() : Json(options.interior) },
-    { "material", options.material.empty() ? Json() : Json(options.material) },
-    { "grain", options.material.empty() ? Json() : Json(options.grain) },
-    { "release_keys", options.releaseKeys }, { "skip_closed", options.skipClosed },
-    { "version", WIREWARP_VERSION }, { "exit_code", result.outcome() }, { "status", result.status },
-    { "message", result.message }, { "ids", result.ids }, { "id_kind", result.idKind },
+    { "scheme", options.values.text("Scheme") },
+    { "solver", conformal ? Json() : Json(options.values.text("Solver")) },
+    { "interior", conformal ? Json() : Json(options.values.text("Interior")) },
+    { "material", material.empty() ? Json() : Json(material) },
+    { "grain", material.empty() ? Json() : Json(options.values.text("Grain")) },
+    { "release_keys", options.values.flag("ReleaseKeys") },
+    { "skip_closed", options.values.flag("SkipClosed") }, { "version", WIREWARP_VERSION },
+    { "exit_code", result.outcome() }, { "status", result.status }, { "message", result.message },
+    { "ids", result.ids }, { "id_kind", result.idKind },
     { "remedies", remedyReports(result.remedies) }, { "warnings", warningReports(result) },
     { "pattern_notes", result.patternNotes }, { "unwritten", result.unwritten },
     { "unit", result.unit }, { "unit_stated", result.unitStated },

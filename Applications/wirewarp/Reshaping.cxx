@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reshaping.h"
 
-#include "Cutting.h"
 #include "Flattening.h"
 #include "NumberOptions.h"
 #include "ReadSurface.h"

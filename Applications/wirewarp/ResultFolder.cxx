@@ -57,14 +57,14 @@ void adoptReport(Options& options)
         options.source, "holds no result: " + report.at("message").get<std::string>());
     }
     options.surface = report.at("surface").get<std::string>();
-    options.scheme = report.at("scheme").get<std::string>();
-    if (options.material.empty() && report.at("material").is_string())
+    options.values.setWord("Scheme", report.at("scheme").get<std::string>());
+    if (options.values.text("Material").empty() && report.at("material").is_string())
     {
-      options.material = report.at("material").get<std::string>();
+      options.values.set("Material", report.at("material").get<std::string>());
     }
     if (report.at("grain").is_string())
     {
-      options.grain = report.at("grain").get<std::string>();
+      options.values.set("Grain", report.at("grain").get<std::string>());
     }
   }
   catch (const Json::exception&)

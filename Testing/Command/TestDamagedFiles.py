@@ -154,7 +154,7 @@ class Damaged(command.CommandTest):
         self.write("names.vtk", coded)
         for name in ("names.txt", "names.vtk"):
             for arguments in (
-                ("--list-curves",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split",),
+                ("--list-curves",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split-triangles",),
             ):
                 with self.subTest(name=name, arguments=arguments):
                     run = self.run_command("good.obj", name, *arguments, "--output", "out")

@@ -231,7 +231,7 @@ class Refusals(command.CommandTest):
         self.write("across.txt", "accessory far 5 12\n")
         for arguments, option in (
             (("loose.vtk",), "raise --imprint-tolerance to 0."),
-            (("across.txt", "--no-split"), "leave out --no-split"),
+            (("across.txt", "--no-split-triangles"), "leave out --no-split-triangles"),
             (("--scheme", "lscm", "--pins", "3", "77"), "--pins"),
             (("--tolerance", "belt=0.1"), "for --tolerance"),
             (
@@ -266,7 +266,7 @@ class Refusals(command.CommandTest):
     def test_curve_edge_that_is_no_mesh_edge_where_splitting_is_off(self):
         self.write("curves.txt", "accessory far 5 12\n")
         self.refuse(
-            "good.obj", "curves.txt", "--no-split", says=("far",), status="CurveNotOnEdges"
+            "good.obj", "curves.txt", "--no-split-triangles", says=("far",), status="CurveNotOnEdges"
         )
 
     # Output

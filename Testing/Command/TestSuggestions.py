@@ -159,7 +159,7 @@ class Suggestions(command.CommandTest):
             for number, expected in zip(end, (0, y, 0)):
                 self.assertAlmostEqual(number, expected, 9)
         self.assertIn("mirrored, by lengths and angles, across the axis from (", table)
-        none, table = mirror("bumps.obj", "--symmetric", "off")
+        none, table = mirror("bumps.obj", "--no-symmetric")
         self.assertIsNone(none)
         self.assertNotIn("mirrored", table)
 
@@ -270,10 +270,10 @@ class Suggestions(command.CommandTest):
         self.assertIn("curves.vtp", os.listdir(self.path("out")))
 
     def test_options_of_cuts_are_not_for_lines(self):
-        for option in (("--bound", "0.1"), ("--max-cuts", "3"), ("--max-work", "1"), ("--weights", "w")):
-            run = self.run_command("dome.obj", "--suggest", "lines", *option)
+        for option in (("--max-strain", "0.1"), ("--max-cuts", "3"), ("--max-work", "1"), ("--weights", "w")):
+            run = self.run_command("cut", "dome.obj", "--kind", "lines", *option)
             self.assertEqual(run.returncode, 2, run.stdout)
-            self.assertIn(f"{option[0]} is for cuts, not for --suggest lines", run.stderr)
+            self.assertIn(f"{option[0]} is for --kind darts, seams or all, not for --kind lines", run.stderr)
 
     def test_the_same_for_any_number_of_threads(self):
         cuts = [self.flatten("dome.obj", "--suggest", "all", "--bound", "0", "--max-cuts", "2",
@@ -288,7 +288,7 @@ class Suggestions(command.CommandTest):
     def test_bad_usage_is_refused(self):
         for arguments in (["--bound", "0.02"], ["--suggest", "pleats"], ["--suggest", "all", "--bound", "-1"],
                           ["--suggest", "all", "--bound", "nan"], ["--suggest", "all", "--max-cuts", "0"],
-                          ["--suggest", "all", "--prefer", "waist"], ["--suggest", "all", "--symmetric", "x"],
+                          ["--suggest", "all", "--prefer", "waist"], ["--suggest", "all", "--max-cuts", "x"],
                           ["--suggest", "all", "--prefer", "waist=-1"],
                           ["--weights", "matters"]):
             run = self.run_command("dome.obj", *arguments)

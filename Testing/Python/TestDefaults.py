@@ -1,66 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Documentation of the filters, the command's --help and the signature of flatten() name one set of
-defaults: the filters'. Testing/Cxx compares those with the algorithms', TestPluginDescription.py the
-plugin's with them."""
+"""Documentation of the filters and the signature of flatten() name one set of defaults: the filters'.
+TestPluginDescription.py compares the plugin's with them."""
 
 import ast
 import glob
 import inspect
 import os
 import re
-import subprocess
-import sys
 import typing
 import unittest
 
 import surfaceflattening as sf
 from surfaces import SOURCE
 
-COMMAND = os.environ["WIREWARP"]
 SCHEMES = ("progressive", "global", "isometric", "lscm")
 SOLVERS = ("newton", "sequential")
 INTERIORS = ("laplacian", "relaxation", "arap")
 ENERGIES = ("rigid", "dirichlet")
 DART_LEGS = ("free", "straight", "mirrored")
 COINCIDENT = ("automatic", "join", "keep")
-
-# Option of the command, property of the filter; words in the order of its enumeration.
-OPTIONS = {
-    "--scheme": ("Scheme", SCHEMES),
-    "--solver": ("Solver", SOLVERS),
-    "--interior": ("Interior", INTERIORS),
-    "--dart-legs": ("DartLegs", DART_LEGS),
-    "--energy": ("DistortionEnergy", ENERGIES),
-    "--area-bias": ("AreaBias", None),
-    "--angle-weight": ("AngleWeight", None),
-    "--spacing": ("Spacing", None),
-    "--max-iterations": ("MaximumIterations", None),
-    "--closure-tolerance": ("ClosureTolerance", None),
-    "--optimality-tolerance": ("OptimalityTolerance", None),
-    "--max-length-error": ("MaximumLengthError", None),
-    "--relaxation-factor": ("RelaxationFactor", None),
-    "--relaxation-movement": ("RelaxationMovement", None),
-    "--relaxation-min-iterations": ("RelaxationMinimumIterations", None),
-    "--relaxation-max-iterations": ("RelaxationMaximumIterations", None),
-    "--rigid-tolerance": ("RigidEnergyTolerance", None),
-    "--rigid-iterations": ("RigidMaximumIterations", None),
-    "--isometric-tolerance": ("IsometricTolerance", None),
-    "--isometric-iterations": ("IsometricMaximumIterations", None),
-    "--imprint-tolerance": ("ImprintTolerance", None),
-    "--snap-tolerance": ("SnapTolerance", None),
-}
-# Flags that turn a property from its default to this.
-FLAGS = {
-    "--release-keys": ("ReleaseKeys", True),
-    "--no-release-trials": ("ReleaseTrials", False),
-    "--close-cuts": ("CloseCuts", True),
-    "--skip-closed": ("SkipClosed", True),
-    "--no-arrange": ("Arrange", False),
-    "--no-split": ("SplitTriangles", False),
-}
-OTHER_OPTIONS = {"--help", "--help-all", "--output", "--weld", "--fill-holes", "--outer-side", "--seams-from",
-                 "--material", "--grain", "--scheme", "--unit", "--threads", "--table", "--quiet"} - set(OPTIONS)
-WITHOUT_DEFAULT = {"--paper-method", "--tolerance", "--ease", "--pins"}
 
 PARAMETERS = {
     "scheme": ("Scheme", SCHEMES),
@@ -130,16 +88,6 @@ def same(text, value, filter_):
 
 
 class Defaults(unittest.TestCase):
-    def help(self):
-        return subprocess.run([COMMAND, "flatten", "--help-all"], capture_output=True, text=True, check=True).stdout
-
-    def test_the_command_shows_those_of_the_filter(self):
-        shown = dict(re.findall(r"^ +(--[\w-]+) [A-Z]+ \(([\w.+-]+)\)\s", self.help(), re.M))
-        for option, (name, words) in OPTIONS.items():
-            with self.subTest(option):
-                default = default_of(name, words)
-                self.assertEqual(shown[option] if words else float(shown[option]), default)
-
     def test_suggest_has_those_of_the_filter(self):
         parameters = inspect.signature(sf.suggest).parameters
         suggestion = sf.vtkFeatureCurveSuggestion()
@@ -151,27 +99,11 @@ class Defaults(unittest.TestCase):
             self.assertEqual(
                 parameters[parameter].default, default_of(name, words, suggestion), parameter)
 
-    def test_flags_of_the_command_turn_what_the_filter_has_not(self):
-        for option, (name, turned) in FLAGS.items():
-            self.assertIs(default_of(name), not turned, option)
-
-    def test_every_option_of_the_method_is_compared(self):
-        listed = set(re.findall(r"^ +(?:-\w,)?(--[\w-]+)", self.help(), re.M))
-        self.assertEqual(listed - OTHER_OPTIONS, set(OPTIONS) | set(FLAGS) | WITHOUT_DEFAULT)
-
     def test_flatten_has_those_of_the_filter(self):
         parameters = inspect.signature(sf.flatten).parameters
         self.assertEqual(set(parameters), set(PARAMETERS) | OTHER_PARAMETERS)
         for parameter, (name, words) in PARAMETERS.items():
             self.assertEqual(parameters[parameter].default, default_of(name, words), parameter)
-
-    def test_flatten_has_each_option_of_the_command_under_its_name(self):
-        parameters = set(inspect.signature(sf.flatten).parameters)
-        for option in set(OPTIONS) | set(FLAGS) | WITHOUT_DEFAULT:
-            name = option[2:].replace("-", "_")
-            if name == "no_split":
-                name = "split_triangles"
-            self.assertIn(name[3:] if name.startswith("no_") else name, parameters)
 
     def test_type_checkers_are_told_the_same_options_and_defaults(self):
         stub = os.path.join(os.path.dirname(sf.__file__), "_calls.pyi")
@@ -216,6 +148,4 @@ class Defaults(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not COMMAND:
-        sys.exit("the command wirewarp is not built")
     unittest.main()

@@ -96,7 +96,7 @@ OPTIONS = (
      "--material jersey --grain none_such --grain grainline:45 --release-keys"),
     ({"material": "isotropic", "grain": "free", "scheme": "global"},
      "--material isotropic --grain free --scheme global"),
-    ({"spacing": 0.5, "split_triangles": False}, "--spacing 0.5 --no-split"),
+    ({"spacing": 0.5, "split_triangles": False}, "--spacing 0.5 --no-split-triangles"),
     ({"max_length_error": 1e-18}, "--max-length-error 1e-18"),
     ({"imprint_tolerance": 1e-3, "snap_tolerance": 0.1}, "--imprint-tolerance 1e-3 --snap-tolerance 0.1"),
 )

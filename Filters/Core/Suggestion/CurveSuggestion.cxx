@@ -255,7 +255,7 @@ private:
           : wanted.cuts == SuggestedCuts::Seams ? CurveType::Dart
                                                 : CurveType::Accessory);
     return kinds && static_cast<Index>(set.cuts.size()) <= wanted.maximumCuts &&
-        set.outcome.cutLength() <= wanted.maximumCutLength
+        set.outcome.cutLength() <= wanted.cutLengthLimit()
       ? std::optional<CutSet>(set)
       : std::nullopt;
   }

@@ -77,10 +77,10 @@ Status checkSuggestion(
     return refusal(
       "the bound of the strain is " + shortNumber(options.bound), "a number from 0 to below 1");
   }
-  if (std::isnan(options.maximumCutLength) || options.maximumCutLength <= 0.0)
+  if (std::isnan(options.maximumCutLength) || options.maximumCutLength < 0.0)
   {
     return refusal("the greatest length of cuts is " + shortNumber(options.maximumCutLength),
-      "a length above 0");
+      "a length from 0, 0 for no limit");
   }
   if (options.maximumCuts < 1)
   {

@@ -19,7 +19,8 @@ enum class SuggestedCuts
 {
   Darts,
   Seams,
-  All
+  All,
+  Lines, ///< no cuts: suggestLines()
 };
 
 /// All lengths are in units of R = sqrt(area / pi) of the piece, except where said.
@@ -30,8 +31,13 @@ struct SearchOptions
   /// are used up, or no cut is worth its price.
   double bound = 0.02;
   Index maximumCuts = 8;
-  /// Of all proposed cuts together, in the surface's unit.
-  double maximumCutLength = std::numeric_limits<double>::infinity();
+  /// Of all proposed cuts together, in the surface's unit; 0: no limit.
+  double maximumCutLength = 0.0;
+  double cutLengthLimit() const
+  {
+    return this->maximumCutLength > 0.0 ? this->maximumCutLength
+                                        : std::numeric_limits<double>::infinity();
+  }
   /// Find a mirror plane and keep to it.
   bool symmetric = true;
   /// Curves along which a cut may begin or end at another price: it is divided by the weight; 0

@@ -234,7 +234,7 @@ private:
 
   double lengthLeft() const
   {
-    double left = this->Search.maximumCutLength;
+    double left = this->Search.cutLengthLimit();
     for (const SuggestedCurve& cut : this->Result.cuts)
     {
       left -= cut.length;
@@ -347,7 +347,7 @@ private:
     {
       return false;
     }
-    double left = this->Search.maximumCutLength;
+    double left = this->Search.cutLengthLimit();
     for (std::size_t k = 0; k < cuts.size(); ++k)
     {
       cuts[k].length = after.lengths[k];

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TableOptions.h"
+
+#include "NumberOptions.h"
+#include "PlainText.h"
+#include "TextFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <variant>
+
+namespace wirewarp
+{
+namespace
+{
+using flattening::OptionType;
+
+/// Adds the options of a subset one by one.
+class TableOptions
+{
+public:
+  TableOptions(CLI::App& app, flattening::OptionValues& values)
+    : App(app)
+    , Values(values)
+  {
+  }
+
+  CLI::Option* add(const flattening::Option& option, const std::string& name)
+  {
+    switch (option.type)
+    {
+      case OptionType::Flag:
+      {
+        const double turned = std::get<double>(option.byDefault) != 0.0 ? 0.0 : 1.0;
+        return this->App.add_flag_callback(
+          name, [turned, keep = this->keeper(option)]() { keep(turned); },
+          (turned == 0.0 ? "Turn this off: " : "") + option.help);
+      }
+      case OptionType::Integer:
+      case OptionType::Number:
+        return this->addNumber(name, option);
+      case OptionType::Word:
+        return this->addWord(name, option);
+      case OptionType::Ids:
+      case OptionType::Numbers:
+        return this->addNumbers(name, option);
+      default:
+        return this->addTexts(name, option);
+    }
+  }
+
+private:
+  using Keeper = std::function<void(flattening::OptionValue)>;
+
+  Keeper keeper(const flattening::Option& option)
+  {
+    return [&values = this->Values, property = option.property](flattening::OptionValue value) {
+      values.set(property, std::move(value));
+      values.markGiven(property);
+    };
+  }
+
+  static CLI::Validator within(const flattening::Option& option)
+  {
+    return CLI::Validator(
+      [&option](std::string& text) {
+        double value = 0.0;
+        long long count = 0;
+        const bool whole = option.type == OptionType::Integer;
+        const bool read = whole ? parseInteger(text, count) : parseNumber(text, value);
+        const bool valid = read && isValid(option, whole ? static_cast<double>(count) : value);
+        return valid ? std::string()
+                     : inQuotes(text) +
+            (whole ? " is not a whole number " : " is not a number in ") + rangeOf(option);
+      },
+      (option.type == OptionType::Integer ? "" : "in ") + rangeOf(option));
+  }
+
+  CLI::Option* addNumber(const std::string& name, const flattening::Option& option)
+  {
+    CLI::Option* const added = this->App.add_option_function<double>(
+      name, [keep = this->keeper(option)](double value) { keep(value); }, option.help);
+    if (option.form == "STRAIN")
+    {
+      added->transform(percentage(option.minimum, option.maximum, rangeOf(option)));
+    }
+    else
+    {
+      added->check(within(option));
+    }
+    const char* const kind = option.type == OptionType::Integer ? "INT" : "FLOAT";
+    return added->type_name(option.form.empty() ? kind : option.form)
+      ->default_str(this->Values.text(option.property));
+  }
+
+  CLI::Option* addWord(const std::string& name, const flattening::Option& option)
+  {
+    std::vector<std::string> words;
+    std::string kind;
+    for (const flattening::OptionWord& word : option.words)
+    {
+      words.push_back(word.word);
+      kind += (kind.empty() ? "" : "|") + word.word;
+    }
+    return this->App
+      .add_option_function<std::string>(
+        name,
+        [words, keep = this->keeper(option)](const std::string& word) {
+          keep(static_cast<double>(std::find(words.begin(), words.end(), word) - words.begin()));
+        },
+        option.help)
+      ->transform(CLI::IsMember(words, CLI::ignore_case).description(""))
+      ->type_name(kind)
+      ->default_str(this->Values.text(option.property));
+  }
+
+  CLI::Option* addNumbers(const std::string& name, const flattening::Option& option)
+  {
+    const bool ids = option.type == OptionType::Ids;
+    return this->App
+      .add_option_function<std::vector<double>>(
+        name, [keep = this->keeper(option)](const std::vector<double>& all) { keep(all); },
+        option.help)
+      ->expected(static_cast<int>(std::get<std::vector<double>>(option.byDefault).size()))
+      ->check(ids ? wholeNumber(0, std::numeric_limits<int>::max(), "from 0") : within(option))
+      ->type_name(option.form);
+  }
+
+  CLI::Option* addTexts(const std::string& name, const flattening::Option& option)
+  {
+    const bool list = option.type == OptionType::List;
+    CLI::Option* const added = this->App.add_option_function<std::vector<std::string>>(
+      name,
+      [list, &option, keep = this->keeper(option)](const std::vector<std::string>& entries) {
+        if (list)
+        {
+          std::for_each(entries.begin(), entries.end(),
+            [&option](const std::string& entry) { checkEntry(entry, option); });
+          keep(entries);
+          return;
+        }
+        std::string text;
+        for (const std::string& entry : entries)
+        {
+          text += (text.empty() ? "" : ";") + entry;
+        }
+        keep(text);
+      },
+      option.help + (list || option.repeats ? " May be given several times." : ""));
+    added
+      ->check(CLI::Validator(
+        [](std::string& text) { return text.empty() ? std::string("it has no name") : ""; }, ""))
+      ->type_name(option.form)
+      ->allow_extra_args(false);
+    return list || option.repeats ? added : added->expected(1);
+  }
+
+  static void checkEntry(const std::string& entry, const flattening::Option& option)
+  {
+    if (option.form == "NAME[:PIECE]=PERCENT%")
+    {
+      easeRequest(entry);
+    }
+    else if (option.form.find('=') != std::string::npos)
+    {
+      namedNumber(entry, option);
+    }
+  }
+
+  CLI::App& App;
+  flattening::OptionValues& Values;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<CLI::Option*> addOptions(
+  CLI::App& app, const TableSubset& subset, flattening::OptionValues& values)
+{
+  std::vector<CLI::Option*> added;
+  for (const flattening::Option* const option : optionsOf(values.owner()))
+  {
+    const auto other = subset.names.find(option->property);
+    const std::string name = other == subset.names.end()
+      ? spelled(*option, flattening::OptionSpelling::Command)
+      : other->second;
+    if (option->group == subset.group && !name.empty())
+    {
+      added.push_back(TableOptions(app, values).add(*option, name));
+    }
+  }
+  return added;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::string, double> namedNumber(
+  const std::string& entry, const flattening::Option& option)
+{
+  std::pair<std::string, double> named;
+  const bool fraction = option.form == "NAME=FRACTION";
+  if (!splitNameAndNumber(entry, named.first, named.second) || !std::isfinite(named.second) ||
+    named.second < 0.0 || (fraction && named.second >= 1.0))
+  {
+    throw CLI::ValidationError(spelled(option, flattening::OptionSpelling::Command),
+      inQuotes(entry) + " is not " + option.form +
+        (fraction ? " with a fraction in [0, 1)" : " with a number from 0"));
+  }
+  return named;
+}
+
+//------------------------------------------------------------------------------
+EaseRequest easeRequest(const std::string& entry)
+{
+  EaseRequest ease;
+  const std::size_t sign = entry.rfind('=');
+  std::string value = sign == std::string::npos ? std::string() : entry.substr(sign + 1);
+  const bool percent = !value.empty() && value.back() == '%';
+  value.resize(value.size() - (percent ? 1 : 0));
+  value.erase(0, value.size() > 1 && value[0] == '+' && value[1] != '-' ? 1 : 0);
+  if (!percent || sign == 0 || !parseNumber(value, ease.fraction) ||
+    !(std::abs(ease.fraction) < 100.0))
+  {
+    throw CLI::ValidationError("--ease",
+      inQuotes(entry) + " is not NAME=PERCENT% or NAME:PIECE=PERCENT% with less than 100 %");
+  }
+  ease.fraction /= 100.0;
+  ease.curve = entry.substr(0, sign);
+  const std::size_t colon = ease.curve.rfind(':');
+  long long piece = 0;
+  if (colon != std::string::npos && colon > 0 && parseInteger(ease.curve.substr(colon + 1), piece))
+  {
+    if (piece < 1 || piece > std::numeric_limits<int>::max())
+    {
+      throw CLI::ValidationError("--ease", inQuotes(entry) + ": pieces are numbered from 1");
+    }
+    ease.piece = static_cast<int>(piece) - 1;
+    ease.curve.resize(colon);
+  }
+  return ease;
+}
+}

@@ -1,0 +1,822 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/OptionTable.h"
+
+#include "Options/OptionStructures.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+constexpr double unlimited = std::numeric_limits<double>::max();
+
+/// "AngleWeight" as "angle-weight", "MaximumCuts" as "max-cuts".
+std::string spellingOf(const std::string& property)
+{
+  std::string words;
+  for (const char letter : property)
+  {
+    const bool capital = std::isupper(static_cast<unsigned char>(letter)) != 0;
+    words += capital && !words.empty() ? "-" : "";
+    words += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  for (const auto& [whole, part] : { std::pair("maximum", "max"), std::pair("minimum", "min") })
+  {
+    const std::size_t place = words.find(whole);
+    if (place != std::string::npos)
+    {
+      words.replace(place, std::string(whole).size(), part);
+    }
+  }
+  return words;
+}
+
+template <class Member>
+constexpr OptionType typeOf()
+{
+  return std::is_same_v<Member, bool>  ? OptionType::Flag
+    : std::is_enum_v<Member>           ? OptionType::Word
+    : std::is_integral_v<Member>       ? OptionType::Integer
+    : std::is_floating_point_v<Member> ? OptionType::Number
+    : std::is_same_v<Member, Point3>   ? OptionType::Numbers
+                                       : OptionType::Ids;
+}
+
+/// Fills in a row of the table.
+class Row
+{
+public:
+  explicit Row(Option& option)
+    : Kept(&option)
+  {
+  }
+
+  /// \param argument where Python has another name
+  Row& spelled(const char* spelling, const char* argument = "")
+  {
+    return this->with(&Option::spelling, spelling).with(&Option::argument, argument);
+  }
+  Row& help(const char* text) { return this->with(&Option::help, text); }
+  Row& form(const char* text) { return this->with(&Option::form, text); }
+  Row& words(std::vector<OptionWord> all) { return this->with(&Option::words, std::move(all)); }
+  /// What it means depends on the input of the filter.
+  Row& byFilter() { return this->with(&Option::set, nullptr); }
+  Row& repeats() { return this->with(&Option::repeats, true); }
+  Row& expert() { return this->with(&Option::expert, true); }
+
+  Row& range(double least, double most)
+  {
+    this->Kept->minimum = least;
+    this->Kept->maximum = most;
+    return this->slider(least, most);
+  }
+  /// Without the ends.
+  Row& within(double least, double most)
+  {
+    this->Kept->open = true;
+    return this->range(least, most);
+  }
+  Row& slider(double least, double most)
+  {
+    this->Kept->sliderMinimum = least;
+    this->Kept->sliderMaximum = most;
+    return *this;
+  }
+  Row& where(const OptionCondition& condition)
+  {
+    this->Kept->conditions.push_back(condition);
+    return *this;
+  }
+
+private:
+  template <class Member, class Value>
+  Row& with(Member Option::*member, Value&& value)
+  {
+    this->Kept->*member = std::forward<Value>(value);
+    return *this;
+  }
+
+  Option* Kept;
+};
+
+class Table
+{
+public:
+  /// The rows that follow are of this filter and stand under this heading.
+  void group(OptionOwner owner, const char* heading)
+  {
+    this->Owner = owner;
+    this->Heading = heading;
+  }
+
+  /// An option that is a member of the structures.
+  template <class Access>
+  Row add(const char* property, Access access)
+  {
+    using Member = std::remove_pointer_t<decltype(access(std::declval<OptionStructures&>()))>;
+    Option& option = this->append(property, typeOf<Member>());
+    OptionStructures defaults;
+    option.byDefault = optionValueOf<OptionValue>(*access(defaults));
+    option.set = [access](OptionStructures& structures, const OptionValue& value) {
+      assignOption(*access(structures), value);
+    };
+    return Row(option);
+  }
+
+  /// An option that the filter reads itself, empty by default.
+  Row text(const char* property, OptionType type = OptionType::Text)
+  {
+    Option& option = this->append(property, type);
+    if (type == OptionType::List)
+    {
+      option.byDefault = std::vector<std::string>();
+    }
+    else
+    {
+      option.byDefault = std::string();
+    }
+    return Row(option);
+  }
+
+  std::vector<Option> Rows;
+
+private:
+  Option& append(const char* property, OptionType type)
+  {
+    Option& option = this->Rows.emplace_back();
+    option.owner = this->Owner;
+    option.property = property;
+    option.spelling = spellingOf(property);
+    option.type = type;
+    option.group = this->Heading;
+    return option;
+  }
+
+  OptionOwner Owner = OptionOwner::Curves;
+  std::string Heading;
+};
+
+using All = OptionStructures;
+
+void addCurves(Table& table)
+{
+  table.group(OptionOwner::Curves, "Surface and Curves");
+  table.add("CoincidentPoints", [](All& all) { return &all.coincidentPoints; })
+    .words({ { "automatic", "Automatic" }, { "join", "Join" }, { "keep", "Keep" } })
+    .expert()
+    .help("Whether points of the surface with equal coordinates are one: automatic (where hardly "
+          "any two triangles share a point, as in files of separate triangles), join, or keep.");
+  table.add("SplitTriangles", [](All& all) { return &all.imprint.split; })
+    .expert()
+    .help("Split triangles where a curve does not run along mesh edges; off: such a curve is an "
+          "error.");
+  table.add("ImprintTolerance", [](All& all) { return &all.imprint.tolerance; })
+    .range(0.0, 1.0)
+    .expert()
+    .help("Greatest distance of a curve from the surface, as a fraction of the diagonal of the "
+          "surface's bounding box.");
+  table.add("SnapTolerance", [](All& all) { return &all.imprint.snap; })
+    .range(0.0, 0.5)
+    .expert()
+    .help("A point or crossing of a curve nearer to a vertex or an edge than this fraction of the "
+          "mean edge length, or of the longest edge there where that is shorter, moves onto it.");
+}
+
+void addMethod(Table& table)
+{
+  const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
+  const OptionCondition isometric{ "Scheme", { "isometric" } };
+  table.group(OptionOwner::Warping, "Method");
+  table.add("Scheme", [](All& all) { return &all.flattening.scheme; })
+    .words({ { "progressive", "Progressive" }, { "global", "Global" }, { "isometric", "Isometric" },
+      { "lscm", "LeastSquaresConformal" } })
+    .help("How the wires get their shape: isometric (wires and interior together, which distorts "
+          "least), global (all angles together, Eq. 13 of the paper), progressive (wire-patch by "
+          "wire-patch, Algorithm 2), lscm (least squares conformal, for comparison: keeps no "
+          "length).");
+  table.add("Interior", [](All& all) { return &all.flattening.interior.method; })
+    .words({ { "laplacian", "Laplacian" }, { "relaxation", "Relaxation" },
+      { "arap", "AsRigidAsPossible" } })
+    .where(keepsLengths)
+    .help("How points between wires are placed: arap (as rigid as possible), laplacian (Eq. 11), "
+          "relaxation (the paper's iteration for it, Eq. 12). The isometric scheme only starts "
+          "there.");
+  table.add("ReleaseKeys", [](All& all) { return &all.flattening.releaseKeys; })
+    .help("Treat key curves as accessory curves: their length is kept, their shape is free.");
+  table.add("CloseCuts", [](All& all) { return &all.flattening.closeCuts; })
+    .help("Close darts and other cuts where their sides would overlap, which costs distortion; "
+          "off: they overlap, with a warning.");
+  table.add("DartLegs", [](All& all) { return &all.flattening.dartLegs; })
+    .words({ { "free", "Free" }, { "straight", "Straight" }, { "mirrored", "Mirrored" } })
+    .where(keepsLengths)
+    .help("How the legs of a dart lie: free (as the piece distorts least; sewn they fit, folded "
+          "they may miss each other), straight, or mirrored (both the mean of free ones). Legs "
+          "that are not free fold on each other exactly, which costs distortion.");
+  table.add("Solver", [](All& all) { return &all.flattening.angles.method; })
+    .words({ { "newton", "Newton" }, { "sequential", "Sequential" } })
+    .where(keepsLengths)
+    .expert()
+    .help("How the angles are solved for: newton (exact steps) or sequential (the paper's "
+          "sequential linearly constrained programming, Eq. 15). The isometric scheme only starts "
+          "from that solution.");
+  table.add("ReleaseTrials", [](All& all) { return &all.flattening.tryReleases; })
+    .where({ "Scheme", { "global", "isometric" } })
+    .expert()
+    .help("Where a piece lies poorly, try what a release of a curve would improve: up to six more "
+          "flattenings of the piece, about two seconds by the isometric scheme; off: curves are "
+          "ranked by their sensitivity alone.");
+  const OptionCondition withoutThreads{ "Material", { "", "isotropic" } };
+  table.add("DistortionEnergy", [](All& all) { return &all.flattening.isometric.energy.kind; })
+    .spelled("energy")
+    .words({ { "rigid", "Rigid" }, { "dirichlet", "SymmetricDirichlet" } })
+    .where(isometric)
+    .where(withoutThreads)
+    .expert()
+    .help("What deforming the sheet costs: rigid (as rigid as possible) or dirichlet (symmetric "
+          "Dirichlet, which forbids flipped triangles).");
+  table.add("AreaBias", [](All& all) { return &all.flattening.isometric.energy.bias; })
+    .range(-0.99, 0.99)
+    .where(isometric)
+    .where(withoutThreads)
+    .where({ "DistortionEnergy", { "rigid" } })
+    .expert()
+    .help("Above 0 a change of area costs more than one of angle (stiff sheet), below 0 less "
+          "(stretchy sheet).");
+  table.add("AngleWeight", [](All& all) { return &all.flattening.isometric.angleWeight; })
+    .range(0.0, 100.0)
+    .where(isometric)
+    .expert()
+    .help("Weight of the wires' bending against the sheet: the larger, the nearer their angles are "
+          "to those on the surface; 0 lets wires buckle.");
+}
+
+void addMaterial(Table& table)
+{
+  const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
+  table.group(OptionOwner::Warping, "Material");
+  table.text("Material")
+    .form("NAME|FILE")
+    .help("What the pieces are cut from: the name of a known material, or a JSON file with its "
+          "numbers. The isometric scheme keeps the strain of its threads small and within its "
+          "limits; other schemes only measure it.");
+  table.text("Grain")
+    .form("CURVE|DEGREES|free")
+    .repeats()
+    .where({ "Material", {} })
+    .help("How pieces lie on the material: along a curve, or NAME:DEGREES at an angle from it "
+          "(each piece by the first that it has); by an angle from the upright of the piece (its "
+          "first key curve, else its long side) to the warp, counter-clockwise; or free, where the "
+          "material is strained least.");
+  table.group(OptionOwner::Warping, "Ease");
+  table.text("CurveTolerances", OptionType::List)
+    .spelled("tolerance")
+    .form("NAME=FRACTION")
+    .where(keepsLengths)
+    .help("Make a curve elastic: its length may change by up to this fraction, from 0 to below 1.");
+  table.text("CurveEases", OptionType::List)
+    .spelled("ease")
+    .form("NAME[:PIECE]=PERCENT%")
+    .where(keepsLengths)
+    .help("Make a seam or a named edge longer in one piece (numbered from 1) than on the surface "
+          "and than what it is sewn to; below 0 shorter. The curve needs a tolerance as large.");
+}
+
+void addPieces(Table& table)
+{
+  table.group(OptionOwner::Pieces, "Method");
+  table.add("SkipClosed", [](All& all) { return &all.flattening.skipClosed; })
+    .help("Leave out pieces that cannot be laid flat, since they have no boundary or have handles, "
+          "and flatten the others, with a warning; off: such a surface is an error.");
+  table.group(OptionOwner::Pieces, "Layout");
+  table.add("Arrange", [](All& all) { return &all.flattening.arrange; })
+    .help("Turn pieces upright (the first key curve, else the long side, along y) and lay them "
+          "side by side; off: each stays where its first wire edge put it.");
+  table.add("Spacing", [](All& all) { return &all.flattening.spacing; })
+    .range(0.0, 1e6)
+    .slider(0.0, 1.0)
+    .where({ "Arrange", {} })
+    .help("Space between the bounding boxes of pieces, as a fraction of the largest side of one.");
+}
+
+void addSolver(Table& table)
+{
+  const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
+  const OptionCondition isometric{ "Scheme", { "isometric" } };
+  const OptionCondition rigid{ "Interior", { "arap" } };
+  const OptionCondition relaxes{ "Interior", { "relaxation" } };
+  const auto tolerance = [](Row row) {
+    return row.range(0.0, unlimited).slider(0.0, 1e-3).expert();
+  };
+  const auto count = [](Row row, double least = 1.0) {
+    return row.range(least, std::numeric_limits<int>::max()).slider(least, 1000.0).expert();
+  };
+  table.group(OptionOwner::Warping, "Solver");
+  count(table.add(
+          "MaximumIterations", [](All& all) { return &all.flattening.angles.maximumIterations; }))
+    .where(keepsLengths)
+    .help("Maximum iterations of the solver of the angles, per piece.");
+  tolerance(
+    table.add("ClosureTolerance", [](All& all) { return &all.flattening.angles.closureTolerance; }))
+    .where(keepsLengths)
+    .help("The solver stops when no loop of wires is open by more than this fraction of the "
+          "perimeter.");
+  tolerance(table.add("OptimalityTolerance",
+              [](All& all) { return &all.flattening.angles.optimalityTolerance; }))
+    .where(keepsLengths)
+    .help("The solver stops when no entry of the gradient of the Lagrangian is larger.");
+  count(table.add("IsometricMaximumIterations",
+          [](All& all) { return &all.flattening.isometric.maximumIterations; }))
+    .spelled("isometric-iterations")
+    .where(isometric)
+    .help("Maximum iterations of the isometric scheme.");
+  tolerance(
+    table.add("IsometricTolerance", [](All& all) { return &all.flattening.isometric.tolerance; }))
+    .where(isometric)
+    .help("The isometric scheme stops when the relative gradient of the Lagrangian is smaller.");
+  tolerance(table.add("RigidEnergyTolerance",
+              [](All& all) { return &all.flattening.interior.energyTolerance; }))
+    .spelled("rigid-tolerance")
+    .where(keepsLengths)
+    .where(rigid)
+    .help("Interior arap stops when the energy falls by less than this fraction of itself.");
+  count(table.add("RigidMaximumIterations",
+          [](All& all) { return &all.flattening.interior.maximumRigidIterations; }))
+    .spelled("rigid-iterations")
+    .where(keepsLengths)
+    .where(rigid)
+    .help("Maximum iterations of interior arap.");
+  table.add("RelaxationFactor", [](All& all) { return &all.flattening.interior.relaxation; })
+    .within(0.0, 2.0)
+    .slider(0.01, 1.99)
+    .where(keepsLengths)
+    .where(relaxes)
+    .expert()
+    .help("Factor tau of interior relaxation (Eq. 12).");
+  tolerance(
+    table.add("RelaxationMovement", [](All& all) { return &all.flattening.interior.movement; }))
+    .slider(0.0, 0.1)
+    .where(keepsLengths)
+    .where(relaxes)
+    .help("Interior relaxation stops when no point moves farther, as a fraction of the mean wire "
+          "edge.");
+  count(table.add("RelaxationMinimumIterations",
+          [](All& all) { return &all.flattening.interior.minimumIterations; }),
+    0.0)
+    .where(keepsLengths)
+    .where(relaxes)
+    .help("Minimum iterations of interior relaxation; more than the maximum is an error.");
+  count(table.add("RelaxationMaximumIterations",
+          [](All& all) { return &all.flattening.interior.maximumIterations; }))
+    .where(keepsLengths)
+    .where(relaxes)
+    .help("Maximum iterations of interior relaxation.");
+  tolerance(
+    table.add("MaximumLengthError", [](All& all) { return &all.flattening.lengthTolerance; }))
+    .slider(0.0, 1.0)
+    .where(keepsLengths)
+    .help("A relative error of a wire edge above this is a warning.");
+  table.add("ConformalPins", [](All& all) { return &all.flattening.conformal.pins; })
+    .byFilter()
+    .spelled("pins")
+    .form("V0 V1")
+    .where({ "Scheme", { "lscm" } })
+    .expert()
+    .help("The two vertices that lscm pins, ids counted from 0; -1: the boundary vertices farthest "
+          "apart.");
+}
+
+void addSuggestion(Table& table)
+{
+  const OptionCondition cuts{ "SuggestedCuts", { "darts", "seams", "all" } };
+  table.group(OptionOwner::Suggestion, "Suggestions");
+  table.add("SuggestedCuts", [](All& all) { return &all.search.cuts; })
+    .spelled("kind", "cuts")
+    .words({ { "darts", "Darts" }, { "seams", "Seams" }, { "all", "DartsAndSeams" },
+      { "lines", "Lines" } })
+    .help("What is proposed: darts, seams, or all; or lines: no cuts, but center and grain lines, "
+          "girths and style lines, each with its cost. What opens a closed surface, a tube or a "
+          "handle is proposed with each kind of cut.");
+  table.add("Bound", [](All& all) { return &all.search.bound; })
+    .spelled("max-strain", "bound")
+    .form("STRAIN")
+    .range(0.0, 0.99)
+    .where(cuts)
+    .help("The strain that is good enough, on 95 % of each piece's area; 0: cut until the number "
+          "of cuts or their length is used up.");
+  table.add("MaximumCuts", [](All& all) { return &all.search.maximumCuts; })
+    .range(1.0, std::numeric_limits<int>::max())
+    .slider(1.0, 50.0)
+    .where(cuts)
+    .help("Maximum number of cuts to propose; a mirror image counts.");
+  table.add("MaximumCutLength", [](All& all) { return &all.search.maximumCutLength; })
+    .spelled("max-length", "max_cut_length")
+    .range(0.0, unlimited)
+    .slider(0.0, 1000.0)
+    .where(cuts)
+    .help("Maximum length of all proposed cuts together, in the unit of the surface; 0: no limit.");
+  table.add("MaximumWork", [](All& all) { return &all.search.maximumWork; })
+    .range(0.0, unlimited)
+    .slider(0.0, 1000.0)
+    .where(cuts)
+    .help("Maximum work of the search, in millions of steps on one triangle, each about a third of "
+          "a second of one processor; the best cuts found by then are proposed; 0: no limit.");
+  table.add("Symmetric", [](All& all) { return &all.search.symmetric; })
+    .help("Where the surface is its own mirror image, propose cuts that are mirrored as well.");
+  table.text("Preferences", OptionType::List)
+    .spelled("prefer")
+    .form("NAME=WEIGHT")
+    .where(cuts)
+    .help("Preference weight of a curve as a place where cuts begin or end: their price is divided "
+          "by it; 0 forbids it.");
+  table.text("WeightArray")
+    .spelled("weights")
+    .form("ARRAY")
+    .where(cuts)
+    .help("Cell array of the surface with the weight of distortion there, from 0; only ratios "
+          "count.");
+}
+
+void addOthers(Table& table)
+{
+  table.group(OptionOwner::Reshaping, "Moving the Surface");
+  table.add("Bound", [](All& all) { return &all.reshaping.bound; })
+    .spelled("max-strain", "bound")
+    .form("STRAIN")
+    .range(1e-6, 0.99)
+    .help("The strain that is good enough, on 95 % of each piece's area.");
+  table.text("KeptCurves", OptionType::List)
+    .spelled("keep")
+    .form("NAME")
+    .help("A curve that stays where it is.");
+  table.add("KeepBoundary", [](All& all) { return &all.reshaping.keepBoundary; })
+    .help("Leave the boundary of the surface where it is.");
+  table.add("OutsideBias", [](All& all) { return &all.reshaping.outsideBias; })
+    .range(0.0, 1.0)
+    .help("How much the surface moves outwards, along the normals of the design, rather than "
+          "inwards; 0: both alike, 1: no point moves inwards.");
+  table.add("Thickness", [](All& all) { return &all.reshaping.thickness; })
+    .range(0.0, 1.0)
+    .expert()
+    .help("Thickness of a plate that bends as the surface does while it moves, as a fraction of "
+          "its size.");
+
+  table.group(OptionOwner::Sewing, "Sewing Simulation");
+  table.add("Test", [](All& all) { return &all.sewing.test; })
+    .words({ { "panel", "Panel" }, { "product", "Product" } })
+    .help("What is held: panel (the boundary of each piece where the design has it) or product "
+          "(nothing; seams are shared, hems free).");
+  table.add("Thickness", [](All& all) { return &all.sewing.thickness; })
+    .range(0.0, 1.0)
+    .help("Thickness of a plate that bends as the cloth does, as a fraction of the size of a "
+          "piece.");
+  table.add("AreaBias", [](All& all) { return &all.sewing.areaBias; })
+    .range(-0.99, 0.99)
+    .expert()
+    .help("Above 0 a change of area costs the cloth more than one of angle, below 0 less.");
+  table.add("MaximumIterations", [](All& all) { return &all.sewing.maximumIterations; })
+    .range(1.0, std::numeric_limits<int>::max())
+    .slider(1.0, 1000.0)
+    .expert()
+    .help("Maximum iterations until the cloth is at rest, per shape.");
+  table.add("Pressure", [](All& all) { return &all.sewing.pressure; })
+    .range(-1.0, 1.0)
+    .help(
+      "Pressure behind the cloth, times its size over its stiffness; a product must be closed.");
+  table.add("Gravity", [](All& all) { return &all.sewing.gravity; })
+    .range(-1.0, 1.0)
+    .form("X Y Z")
+    .help("Weight of the cloth per area and its direction, times its size over its stiffness, such "
+          "as 0 0 -0.0002 where z is up; a product needs a body to lie on.");
+  table.text("Material")
+    .form("NAME|FILE")
+    .help(
+      "What the cloth is made of, with its warp along y of the flat pieces: the name of a known "
+      "material, or a JSON file; empty: an isotropic sheet.");
+  table.add("SecondStart", [](All& all) { return &all.sewing.secondStart; })
+    .expert()
+    .help("Come to rest from a second start as well, to find other shapes, in twice the time.");
+
+  table.group(OptionOwner::Conformal, "Method");
+  table.add("AreaNormalized", [](All& all) { return &all.flattening.conformal.areaNormalized; })
+    .help("Let every triangle count by its area; off: large triangles count more.");
+  table.add("Pins", [](All& all) { return &all.flattening.conformal.pins; })
+    .byFilter()
+    .expert()
+    .help("The two points that are pinned, ids counted from 0; -1: the boundary points farthest "
+          "apart.");
+}
+
+/// Number of an option with this value: the only one but for ids and components.
+std::vector<double> numbersOf(const OptionValue& value)
+{
+  const double* const number = std::get_if<double>(&value);
+  return number ? std::vector<double>{ *number } : std::get<std::vector<double>>(value);
+}
+
+std::string numberText(double number)
+{
+  char text[40];
+  const bool whole = number == std::floor(number) && std::abs(number) < 1e15;
+  for (int digits = whole ? 15 : 1; digits <= 17; ++digits)
+  {
+    std::snprintf(text, sizeof(text), "%.*g", digits, number);
+    if (std::strtod(text, nullptr) == number)
+    {
+      break;
+    }
+  }
+  return text;
+}
+
+/// With commas, or something else before the last.
+std::string joined(const std::vector<std::string>& words, const std::string& last = ", ")
+{
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+  {
+    text += (k == 0 ? "" : k + 1 < words.size() ? ", " : last) + words[k];
+  }
+  return text;
+}
+
+bool holds(const OptionCondition& condition, const Option& other, const OptionValues& values)
+{
+  if (!condition.words.empty())
+  {
+    const std::string word = values.text(other.property);
+    return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
+  }
+  return other.type == OptionType::Flag ? values.flag(other.property)
+                                        : !values.text(other.property).empty();
+}
+
+/// How a word of an option is written: "--scheme lscm", "scheme='lscm'".
+std::string setting(
+  const Option& option, const std::vector<std::string>& words, OptionSpelling spelling)
+{
+  std::vector<std::string> shown;
+  for (const std::string& word : words)
+  {
+    const auto known = std::find_if(option.words.begin(), option.words.end(),
+      [&word](const OptionWord& one) { return one.word == word; });
+    const bool named = spelling == OptionSpelling::Property && known != option.words.end();
+    shown.push_back(spelling == OptionSpelling::Python ? "'" + word + "'"
+        : named                                        ? known->name
+                                                       : word);
+  }
+  return spelled(option, spelling) + (spelling == OptionSpelling::Python ? "=" : " ") +
+    joined(shown, " or ");
+}
+
+/// What the other option must be.
+std::string wanted(const OptionCondition& condition, const Option& other, OptionSpelling spelling)
+{
+  if (other.type == OptionType::Flag)
+  {
+    return spelling == OptionSpelling::Command ? "pieces without " + spelled(other, spelling)
+      : spelling == OptionSpelling::Python     ? spelled(other, spelling) + "=True"
+                                               : spelled(other, spelling) + " on";
+  }
+  if (condition.words.empty())
+  {
+    return spelling == OptionSpelling::Command ? spelled(other, spelling) + " " + other.form
+                                               : "a " + spelled(other, spelling);
+  }
+  std::vector<std::string> words = condition.words;
+  const bool none = words.front().empty();
+  words.erase(words.begin(), words.begin() + (none ? 1 : 0));
+  return (none ? "a sheet without " + spelled(other, spelling) + " or with " : "") +
+    setting(other, words, spelling);
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Option>& optionTable()
+{
+  static const std::vector<Option> rows = [] {
+    Table table;
+    addCurves(table);
+    addPieces(table);
+    addMethod(table);
+    addMaterial(table);
+    addSolver(table);
+    addSuggestion(table);
+    addOthers(table);
+    return std::move(table.Rows);
+  }();
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+const char* className(OptionOwner owner)
+{
+  static constexpr std::array<const char*, 7> names{ "vtkFeatureCurveAlgorithm",
+    "vtkFlatPieceAlgorithm", "vtkWireWarpingFilter", "vtkFeatureCurveSuggestion",
+    "vtkMakeFlattenable", "vtkLeastSquaresConformalFilter", "vtkSewnShape" };
+  return names[static_cast<std::size_t>(owner)];
+}
+
+//------------------------------------------------------------------------------
+std::vector<const Option*> optionsOf(OptionOwner owner)
+{
+  std::set<OptionOwner> owners{ owner };
+  if (owner == OptionOwner::Suggestion || owner == OptionOwner::Reshaping)
+  {
+    owners.insert(OptionOwner::Warping);
+  }
+  if (owner != OptionOwner::Sewing && owner != OptionOwner::Curves)
+  {
+    owners.insert({ OptionOwner::Curves, OptionOwner::Pieces });
+  }
+  std::vector<const Option*> options;
+  for (const Option& option : optionTable())
+  {
+    if (owners.count(option.owner) > 0)
+    {
+      options.push_back(&option);
+    }
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+const Option* findOption(OptionOwner owner, const std::string& property)
+{
+  const std::vector<const Option*> options = optionsOf(owner);
+  const auto found = std::find_if(options.begin(), options.end(),
+    [&property](const Option* option) { return option->property == property; });
+  return found == options.end() ? nullptr : *found;
+}
+
+//------------------------------------------------------------------------------
+std::string rangeOf(const Option& option)
+{
+  if (option.minimum == option.maximum)
+  {
+    return "";
+  }
+  if (option.type == OptionType::Integer)
+  {
+    const bool above = option.maximum < std::numeric_limits<int>::max();
+    return "from " + numberText(option.minimum) +
+      (above ? " to " + numberText(option.maximum) : "");
+  }
+  const bool endless = option.maximum == unlimited;
+  return (option.open ? "(" : "[") + numberText(option.minimum) + ", " +
+    (endless ? "inf" : numberText(option.maximum)) + (option.open || endless ? ")" : "]");
+}
+
+//------------------------------------------------------------------------------
+bool isValid(const Option& option, const OptionValue& value)
+{
+  if (option.minimum == option.maximum)
+  {
+    return true;
+  }
+  const std::vector<double> numbers = numbersOf(value);
+  return std::all_of(numbers.begin(), numbers.end(), [&option](double number) {
+    return std::isfinite(number) &&
+      (option.open ? number > option.minimum && number < option.maximum
+                   : number >= option.minimum && number <= option.maximum);
+  });
+}
+
+//------------------------------------------------------------------------------
+std::string textOf(const Option& option, const OptionValue& value)
+{
+  if (const std::string* const text = std::get_if<std::string>(&value))
+  {
+    return *text;
+  }
+  if (const auto* const list = std::get_if<std::vector<std::string>>(&value))
+  {
+    return joined(*list);
+  }
+  if (option.type == OptionType::Word)
+  {
+    return option.words[static_cast<std::size_t>(std::get<double>(value))].word;
+  }
+  std::string text;
+  for (const double number : numbersOf(value))
+  {
+    text += (text.empty() ? "" : " ") + numberText(number);
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string spelled(const Option& option, OptionSpelling spelling)
+{
+  if (spelling == OptionSpelling::Property)
+  {
+    return option.property;
+  }
+  if (spelling == OptionSpelling::Python)
+  {
+    std::string text = option.argument.empty() ? option.spelling : option.argument;
+    std::replace(text.begin(), text.end(), '-', '_');
+    return text;
+  }
+  const bool off = option.type == OptionType::Flag && std::get<double>(option.byDefault) != 0.0;
+  return (off ? "--no-" : "--") + option.spelling;
+}
+
+//------------------------------------------------------------------------------
+OptionValues::OptionValues(OptionOwner owner)
+  : Owner(owner)
+{
+  for (const Option* const option : optionsOf(owner))
+  {
+    this->Values.emplace(option->property, option->byDefault);
+  }
+}
+
+//------------------------------------------------------------------------------
+const OptionValue& OptionValues::operator[](const std::string& property) const
+{
+  return this->Values.at(property);
+}
+
+//------------------------------------------------------------------------------
+void OptionValues::set(const std::string& property, OptionValue value)
+{
+  this->Values.at(property) = std::move(value);
+}
+
+//------------------------------------------------------------------------------
+bool OptionValues::setWord(const std::string& property, const std::string& word)
+{
+  const std::vector<OptionWord>& words = findOption(this->Owner, property)->words;
+  const auto found = std::find_if(
+    words.begin(), words.end(), [&word](const OptionWord& one) { return one.word == word; });
+  if (found == words.end())
+  {
+    return false;
+  }
+  this->set(property, static_cast<double>(found - words.begin()));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int OptionValues::integer(const std::string& property) const
+{
+  return static_cast<int>(this->number(property));
+}
+
+//------------------------------------------------------------------------------
+double OptionValues::number(const std::string& property) const
+{
+  return std::get<double>((*this)[property]);
+}
+
+//------------------------------------------------------------------------------
+std::string OptionValues::text(const std::string& property) const
+{
+  return textOf(*findOption(this->Owner, property), (*this)[property]);
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& OptionValues::list(const std::string& property) const
+{
+  return std::get<std::vector<std::string>>((*this)[property]);
+}
+
+//------------------------------------------------------------------------------
+std::string describeIdleOption(const OptionValues& values, OptionSpelling spelling)
+{
+  for (const Option* const option : optionsOf(values.owner()))
+  {
+    if (!values.isGiven(option->property))
+    {
+      continue;
+    }
+    for (const OptionCondition& condition : option->conditions)
+    {
+      const Option& other = *findOption(values.owner(), condition.property);
+      if (holds(condition, other, values))
+      {
+        continue;
+      }
+      const std::string name = spelled(*option, spelling);
+      std::string text = name + " is for " + wanted(condition, other, spelling);
+      if (other.type != OptionType::Flag && !values.text(other.property).empty())
+      {
+        text += ", not for " + setting(other, { values.text(other.property) }, spelling);
+      }
+      return text +
+        (values.isGiven(other.property) ? "; leave one of them out"
+                                        : "; give that as well, or leave " + name + " out");
+    }
+  }
+  return "";
+}
+}

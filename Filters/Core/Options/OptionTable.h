@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of all filters, each declared once. Front ends may include this header: it needs the
+// standard library alone.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace flattening
+{
+struct OptionStructures;
+
+/// The filter that has an option as a property; the class is named by className().
+enum class OptionOwner
+{
+  Curves,     ///< what all filters on surfaces and curves have
+  Pieces,     ///< beside those of Curves, what all have that give flat pieces
+  Warping,    ///< beside those of Pieces
+  Suggestion, ///< beside those of Warping
+  Reshaping,  ///< beside those of Warping
+  Conformal,  ///< beside those of Pieces
+  Sewing,
+};
+
+enum class OptionType
+{
+  Flag,
+  Integer,
+  Number,
+  Word,    ///< one of an enumeration; its value is the place
+  Text,    ///< read when a run begins
+  List,    ///< texts that Add methods of the filter take one by one
+  Ids,     ///< two points
+  Numbers, ///< three components
+};
+
+/// Flags and words are numbers as well.
+using OptionValue =
+  std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
+
+struct OptionWord
+{
+  std::string word; ///< of command and Python
+  std::string name; ///< that the filter's Get...AsString() returns
+};
+
+/// Another option has one of these words, or without words is on or not empty.
+struct OptionCondition
+{
+  std::string property;
+  std::vector<std::string> words;
+};
+
+struct Option
+{
+  OptionOwner owner = OptionOwner::Curves;
+  std::string property; ///< of the filter, as "AngleWeight"
+  std::string spelling; ///< of the command without dashes at its start, as "angle-weight"
+  std::string argument; ///< of Python, as "angle_weight"
+  OptionType type = OptionType::Flag;
+  std::vector<OptionWord> words;
+  double minimum = 0.0;
+  double maximum = 0.0;
+  bool open = false; ///< the range is without its ends
+  double sliderMinimum = 0.0;
+  double sliderMaximum = 0.0; ///< of a panel, where the range is too wide for it
+  std::string form;           ///< of a text or list, as "NAME=FRACTION"
+  bool repeats = false;       ///< a text may be several, separated by semicolons
+  std::string group;          ///< heading of a help or a panel
+  bool expert = false;
+  std::vector<OptionCondition> conditions; ///< all must hold that the option has an effect
+  std::string help;                        ///< a sentence or two, without range and default
+  OptionValue byDefault;
+  std::function<void(OptionStructures&, const OptionValue&)> set; ///< empty: the filter reads it
+};
+
+/// All options, ordered by owner and group.
+const std::vector<Option>& optionTable();
+
+/// Name of the VTK class.
+const char* className(OptionOwner owner);
+
+/// The options of a filter: those of the classes that it derives from, then its own.
+std::vector<const Option*> optionsOf(OptionOwner owner);
+
+/// \return the option of this filter, or null.
+const Option* findOption(OptionOwner owner, const std::string& property);
+
+/// As "[0, 100]", "(0, 2)", "[0, inf)" or "from 1"; empty for options without numbers.
+std::string rangeOf(const Option& option);
+
+/// Whether numbers are within the range. \pre the value is of the option's type
+bool isValid(const Option& option, const OptionValue& value);
+
+/// Text, or the word, or numbers with blanks between them, as short as they are read back exactly.
+std::string textOf(const Option& option, const OptionValue& value);
+
+/// How a message calls options.
+enum class OptionSpelling
+{
+  Property, ///< AngleWeight, Scheme Isometric
+  Command,  ///< --angle-weight, --scheme isometric
+  Python,   ///< angle_weight, scheme='isometric'
+};
+
+/// A flag that is on by default is called by the one that turns it off: --no-arrange.
+std::string spelled(const Option& option, OptionSpelling spelling);
+
+/// Values of all options of a filter, and which of them the user gave.
+class OptionValues
+{
+public:
+  explicit OptionValues(OptionOwner owner);
+
+  OptionOwner owner() const { return this->Owner; }
+  const OptionValue& operator[](const std::string& property) const;
+  /// \pre the value is of the option's type
+  void set(const std::string& property, OptionValue value);
+
+  /// \return whether the enumeration has the word
+  bool setWord(const std::string& property, const std::string& word);
+
+  bool flag(const std::string& property) const { return this->number(property) != 0.0; }
+  int integer(const std::string& property) const;
+  double number(const std::string& property) const;
+  /// Of a text or list, or the word of an enumeration.
+  std::string text(const std::string& property) const;
+  const std::vector<std::string>& list(const std::string& property) const;
+
+  void markGiven(const std::string& property) { this->Given.insert(property); }
+  bool isGiven(const std::string& property) const { return this->Given.count(property) > 0; }
+
+private:
+  OptionOwner Owner;
+  std::map<std::string, OptionValue> Values;
+  std::set<std::string> Given;
+};
+
+/// What is wrong with the first option that is given although it has no effect with the values of
+/// the others; empty: nothing.
+std::string describeIdleOption(const OptionValues& values, OptionSpelling spelling);
+}
