@@ -217,12 +217,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   const RunningMark mark(this->Running);
   // Core answers itself where its own memory runs out; here what stands around it does. TBB throws
   // a std::runtime_error where it cannot start a thread.
-  const auto ranOut = [this, outputVector](const char* limit) {
-    flattening::Status status = flattening::outOfMemory(0);
-    if (limit)
-    {
-      status.message += std::string(", or another limit of the system was met (") + limit + ")";
-    }
+  const auto ranOut = [this, outputVector](const flattening::Status& status) {
     this->Begin(outputVector);
     this->Conclude(status);
     this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
@@ -253,13 +248,17 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     }
     return done;
   }
+  catch (const flattening::SystemLimit& error)
+  {
+    return ranOut(flattening::outOfThreads(error.what()));
+  }
   catch (const std::bad_alloc&)
   {
-    return ranOut(nullptr);
+    return ranOut(flattening::outOfMemory(0));
   }
   catch (const std::runtime_error& error)
   {
-    return ranOut(error.what());
+    return ranOut(flattening::outOfThreads(error.what()));
   }
 }
 

@@ -326,8 +326,10 @@ Flattening outOfMemory(const std::string& surface, const std::string& limit)
   Flattening result;
   result.exitCode = InputRefused;
   result.status = "OutOfMemory";
-  result.message = surface + ": memory ran out around the flattening" +
-    (limit.empty() ? "" : ", or another limit of the system was met (" + limit + ")") + "; " +
+  result.message = surface + ": memory ran out" +
+    (limit.empty() ? " around the flattening; "
+                   : ", or the limit of threads was met (" + limit +
+          "); give a higher limit of processes (ulimit -u), or ") +
     wayOutOfMemory;
   return result;
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterExecution.h"
 
+#include "Base/Memory.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"
 
 #include <chrono>
 #include <memory>
-#include <new>
 #include <stdexcept>
 
 namespace flattening
@@ -61,10 +62,10 @@ Execution executionOf(vtkAlgorithm* algorithm)
         body(static_cast<Index>(begin), static_cast<Index>(end));
       });
     }
-    catch (const std::runtime_error&)
+    catch (const std::runtime_error& error)
     {
-      // Bodies keep what they throw; TBB says so that there is no memory for a thread.
-      throw std::bad_alloc();
+      // Bodies keep what they throw; TBB reports so that it cannot start a thread.
+      throw SystemLimit(error.what());
     }
   };
   return execution;

@@ -153,3 +153,28 @@ TEST(OutOfMemory, OfAVectorThatNoMachineHoldsIsToldAsWell)
   });
   EXPECT_EQ(result.status.code, StatusCode::OutOfMemory);
 }
+
+TEST(OutOfMemory, ThreadsThatAreNotGivenAreToldWithTheSystemsReason)
+{
+  for (const char* reason : { "Resource temporarily unavailable", "Operation not permitted" })
+  {
+    for (const int rings : { 4, 12 })
+    {
+      Execution execution;
+      execution.parallel = [reason](Index, const std::function<void(Index, Index)>&) {
+        throw SystemLimit(reason);
+      };
+      const Surface surface = cushion(rings, rings, 0.4);
+      const PreparedSurface prepared =
+        prepareSurface(surface.mesh.points(), surface.mesh.triangles());
+      const Status status =
+        flattenSurface(prepared.mesh, {}, FlatteningOptions(), execution, nullptr).status;
+      EXPECT_EQ(status.code, StatusCode::OutOfMemory);
+      EXPECT_NE(status.message.find(std::string("(") + reason + ")"), std::string::npos)
+        << status.message;
+      EXPECT_NE(status.message.find("the limit of threads was met"), std::string::npos);
+      ASSERT_EQ(status.remedies.size(), 2U);
+      EXPECT_EQ(status.remedies[0].subject, "a higher limit of processes (ulimit -u)");
+    }
+  }
+}

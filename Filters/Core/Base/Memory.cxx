@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Memory.h"
 
+#include <string>
+
 namespace flattening
 {
 void throwOutOfMemory(std::size_t bytes)
@@ -15,5 +17,12 @@ Status outOfMemory(std::size_t bytes)
     "memory ran out" +
       (bytes > 0 ? " (one factorization wants " + shortNumber(gigabytes) + " GB)" : std::string()),
     {}, { Remedy::FreeMemory } };
+}
+
+Status outOfThreads(const std::string& reason)
+{
+  return { StatusCode::OutOfMemory,
+    "memory ran out, or the limit of threads was met (" + reason + ")", {},
+    { { Remedy::Give, "a higher limit of processes (ulimit -u)" }, Remedy::FreeMemory } };
 }
 }

@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 
 namespace flattening
 {
@@ -26,11 +27,28 @@ private:
   std::size_t Bytes;
 };
 
+/// Thrown where no thread can be started, for want of memory or by another limit of the system.
+class SystemLimit : public std::bad_alloc
+{
+public:
+  /// \param reason as the system has it
+  explicit SystemLimit(const char* reason)
+    : Reason(reason)
+  {
+  }
+  const char* what() const noexcept override { return this->Reason.what(); }
+
+private:
+  std::runtime_error Reason; ///< whose copies do not throw
+};
+
 /// Ends the run because of so many bytes that are not there.
 [[noreturn]] void throwOutOfMemory(std::size_t bytes);
 
 /// The status of a run that ended by it. \param bytes that were wanted; 0: not known.
 Status outOfMemory(std::size_t bytes);
+/// The same where no thread could be started. \param reason as the system has it
+Status outOfThreads(const std::string& reason);
 
 /// The result of body(), or one with the status OutOfMemory alone.
 template <typename Body>
@@ -44,6 +62,10 @@ auto withinMemory(const Body& body) -> decltype(body())
   catch (const OutOfMemory& error)
   {
     failed.status = outOfMemory(error.bytes());
+  }
+  catch (const SystemLimit& error)
+  {
+    failed.status = outOfThreads(error.what());
   }
   catch (const std::bad_alloc&)
   {
