@@ -119,7 +119,7 @@ class Materials(unittest.TestCase):
             filter_.SetMaterial("twill")
             filter_.Update()
             self.assertFalse(filter_.IsRefused(), class_)
-        with self.assertRaisesRegex(ValueError, r"grain = 30 is for a material .*, or leave grain out$"):
+        with self.assertRaisesRegex(ValueError, r"grain is for a material; .*, or leave grain out$"):
             sf.flatten(points, triangles, grain=30)
         with self.assertRaisesRegex(TypeError, "name or the path"):
             sf.flatten(points, triangles, material=3)

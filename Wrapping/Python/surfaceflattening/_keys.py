@@ -68,7 +68,7 @@ class KeyPrices(NamedTuple):
         return "\n".join(lines)
 
 
-@with_options
+@with_options(vtkKeyCurvePrices)
 def price_keys(
     points: ArrayLike,
     triangles: ArrayLike,

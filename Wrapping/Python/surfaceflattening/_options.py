@@ -7,94 +7,58 @@ import difflib
 import inspect
 import os
 import sys
+import textwrap
 from numbers import Real
-from typing import (
-    Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, TypeVar,
-    get_args, get_type_hints)
+from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Set, TypeVar, get_type_hints
 
 import numpy as np
 
 from ._materials import materials
-from ._types import CoincidentPoints, DartLegs, Energy, Interior, Options, Scheme, Solver
+from ._option_table import TABLE, Option, Options
 from .vtkFiltersFlattening import vtkWireWarpingFilter
-
 
 Word = TypeVar("Word", bound=str)
 
-
-class _Option(NamedTuple):
-    property: str
-    words: Tuple[str, ...] = ()
+# Options of flatten() alone.
+_OTHERS: Dict[str, Any] = {"paper_method": False, "progress": None}
 
 
-# Those that are a property of the filter, under the names of the command.
-PROPERTIES = {
-    "scheme": _Option("Scheme", get_args(Scheme)),
-    "solver": _Option("Solver", get_args(Solver)),
-    "interior": _Option("Interior", get_args(Interior)),
-    "release_keys": _Option("ReleaseKeys"),
-    "release_trials": _Option("ReleaseTrials"),
-    "close_cuts": _Option("CloseCuts"),
-    "dart_legs": _Option("DartLegs", get_args(DartLegs)),
-    "skip_closed": _Option("SkipClosed"),
-    "energy": _Option("DistortionEnergy", get_args(Energy)),
-    "area_bias": _Option("AreaBias"),
-    "angle_weight": _Option("AngleWeight"),
-    "material": _Option("Material"),
-    "grain": _Option("Grain"),
-    "coincident_points": _Option("CoincidentPoints", get_args(CoincidentPoints)),
-    "split_triangles": _Option("SplitTriangles"),
-    "imprint_tolerance": _Option("ImprintTolerance"),
-    "snap_tolerance": _Option("SnapTolerance"),
-    "arrange": _Option("Arrange"),
-    "spacing": _Option("Spacing"),
-    "pins": _Option("ConformalPins"),
-    "max_iterations": _Option("MaximumIterations"),
-    "closure_tolerance": _Option("ClosureTolerance"),
-    "optimality_tolerance": _Option("OptimalityTolerance"),
-    "max_length_error": _Option("MaximumLengthError"),
-    "relaxation_factor": _Option("RelaxationFactor"),
-    "relaxation_movement": _Option("RelaxationMovement"),
-    "relaxation_min_iterations": _Option("RelaxationMinimumIterations"),
-    "relaxation_max_iterations": _Option("RelaxationMaximumIterations"),
-    "rigid_tolerance": _Option("RigidEnergyTolerance"),
-    "rigid_iterations": _Option("RigidMaximumIterations"),
-    "isometric_tolerance": _Option("IsometricTolerance"),
-    "isometric_iterations": _Option("IsometricMaximumIterations"),
-}
-_OTHERS: Dict[str, Any] = {"paper_method": False, "tolerance": None, "ease": None, "progress": None}
+def options_of(filter_class: Any) -> Dict[str, Option]:
+    """The options of a filter by their names in Python, those that others have as well first."""
+    names = {cls.__name__ for cls in filter_class.__mro__}
+    return {option.name: option for option in TABLE if option.cls in names}
 
 
-def _defaults() -> Dict[str, Any]:
-    """In the order of Options; those of the filter are its own."""
-    filter_ = vtkWireWarpingFilter()
-    result = {}
-    for name in Options.__annotations__:
-        if name in PROPERTIES:
-            value = getattr(filter_, "Get" + PROPERTIES[name].property)()
-            words = PROPERTIES[name].words
-            result[name] = words[value] if words else value
-        else:
-            result[name] = _OTHERS[name]
-    return result
+def _documented(option: Option) -> str:
+    extent = f" In {option.range}." if option.range.startswith(("[", "(")) else f" {option.range}." if option.range else ""
+    return textwrap.fill(
+        f"{option.name}: {option.help[0].lower()}{option.help[1:]}{extent.replace(' f', ' F')}", 110,
+        initial_indent=8 * " ", subsequent_indent=12 * " ", break_on_hyphens=False)
 
 
-DEFAULTS = _defaults()
+def with_options(filter_class: Any) -> Callable[[Any], Any]:
+    """Shows the options of a filter in the signature and the help of a function that takes them as keywords."""
+    options = options_of(filter_class)
 
-
-def with_options(function: Any) -> Any:
-    """Shows the options in the signature and the hints of a function that takes them as keywords."""
-    hints = get_type_hints(Options)
-    signature = inspect.signature(function)
-    own = [parameter.replace(default=parameter.empty) if parameter.name == "triangles" else parameter
-           for parameter in signature.parameters.values()
-           if parameter.kind is not parameter.VAR_KEYWORD]
-    options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default)
-               for name, default in DEFAULTS.items()]  # defaults say what a hint would
-    function.__signature__ = signature.replace(parameters=own + options)
-    kept = {name: hint for name, hint in function.__annotations__.items() if name != "options"}
-    function.__annotations__ = {**kept, **hints}
-    return function
+    def decorate(function: Any) -> Any:
+        signature = inspect.signature(function)
+        own = [parameter.replace(default=parameter.empty) if parameter.name == "triangles" else parameter
+               for parameter in signature.parameters.values()
+               if parameter.kind is not parameter.VAR_KEYWORD]
+        defaults = {**{name: option.default for name, option in options.items()}, **_OTHERS}
+        keywords = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default)
+                    for name, default in defaults.items() if name not in signature.parameters]
+        function.__signature__ = signature.replace(parameters=own + keywords)
+        hints = get_type_hints(Options)
+        kept = {name: hint for name, hint in function.__annotations__.items() if name != "options"}
+        function.__annotations__ = {**kept, **hints}
+        derived = filter_class is not vtkWireWarpingFilter
+        shown = [option for option in options.values()
+                 if option.name not in signature.parameters and (option.cls == filter_class.__name__ or not derived)]
+        function.__doc__ = (function.__doc__ or "").replace(
+            "        _OPTIONS_", "\n".join(_documented(option) for option in shown))
+        return function
+    return decorate
 
 
 def set_property(filter_: Any, option: str, property_: str, value: Any) -> None:
@@ -130,61 +94,20 @@ def flag(value: Any, what: str) -> bool:
     return bool(value)
 
 
-def _refuse_unknown(names: Iterable[str], function: str) -> None:
+def _refuse_unknown(names: Iterable[str], known: Mapping[str, Any], function: str) -> None:
     for name in names:
-        if name not in DEFAULTS:
-            near = difflib.get_close_matches(name.replace("-", "_"), DEFAULTS, 1)
+        if name not in known:
+            near = difflib.get_close_matches(name.replace("-", "_"), known, 1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
             raise TypeError(f"{function}() got an unexpected keyword argument {name!r}{hint}")
 
 
-def _given(options: Mapping[str, Any]) -> Set[str]:
+def _given(options: Mapping[str, Any], defaults: Mapping[str, Any]) -> Set[str]:
     """What a caller of the command would have to write; flags at their default say nothing there."""
-    silent = {name for name, default in DEFAULTS.items()
+    silent = {name for name, default in defaults.items()
               if default is None or isinstance(default, bool) or name == "pins"}
     return {name for name, value in options.items()
-            if name not in silent or value != DEFAULTS[name]}
-
-
-def _refuse_idle(
-    options: Mapping[str, Any], given: Set[str], written: Mapping[str, Any]
-) -> None:
-    """An option that the method has no use for means something else than it does; as the command.
-
-    `written` are options as the caller wrote them, which messages repeat.
-    """
-    scheme, interior, energy = options["scheme"], options["interior"], options["energy"]
-    isometric, conformal = scheme == "isometric", scheme == "lscm"
-    wires = "schemes that keep lengths, not for 'lscm'"
-    method = ("scheme", "paper_method")
-    filling = (*method, "interior")
-    # Options, on which others it depends that they mean something, whether they do, and for what they are.
-    scopes: List[Tuple[Sequence[str], Sequence[str], bool, str]] = [
-        (("solver", "interior", "tolerance", "ease", "dart_legs", "max_iterations", "closure_tolerance",
-          "optimality_tolerance", "max_length_error"), method, not conformal, wires),
-        (("release_trials",), method, isometric or scheme == "global",
-         f"schemes 'isometric' and 'global', not for {scheme!r}"),
-        (("energy", "area_bias", "angle_weight", "isometric_tolerance", "isometric_iterations"),
-         method, isometric, f"scheme='isometric', not for {scheme!r}"),
-        (("energy", "area_bias"), ("material",), options["material"] in ("", None, "isotropic"),
-         "a sheet without a material, or material='isotropic'"),
-        (("area_bias",), ("energy",), energy == "rigid", f"energy='rigid', not for {energy!r}"),
-        (("pins",), method, conformal, f"scheme='lscm', not for {scheme!r}"),
-        (("relaxation_factor", "relaxation_movement", "relaxation_min_iterations",
-          "relaxation_max_iterations"), filling, not conformal and interior == "relaxation",
-         wires if conformal else f"interior='relaxation', not for {interior!r}"),
-        (("rigid_tolerance", "rigid_iterations"), filling, not conformal and interior == "arap",
-         wires if conformal else f"interior='arap', not for {interior!r}"),
-        (("spacing",), ("arrange",), bool(options["arrange"]), "arrange=True"),
-        (("grain",), (), bool(options["material"]), "a material (material=...; materials() names them)"),
-    ]
-    for names, others, holds, condition in scopes:
-        for name in names:
-            if not holds and name in given:
-                way = ("leave one of them out" if given.intersection(others)
-                       else f"give that as well, or leave {name} out")
-                raise ValueError(
-                    f"{name} = {written.get(name, options[name])!r} is for {condition}; {way}")
+            if name not in silent or value != defaults[name]}
 
 
 def _set_tolerances(filter_: Any, tolerances: Optional[Mapping[str, float]]) -> None:
@@ -254,34 +177,61 @@ def _texts(options: Mapping[str, Any]) -> Dict[str, str]:
     return texts
 
 
+def _set_preferences(filter_: Any, preferences: Optional[Mapping[str, float]]) -> None:
+    for name, weight in (preferences or {}).items():
+        filter_.AddPreference(name, weight)
+
+
+def _keep_curves(filter_: Any, names: Sequence[str]) -> None:
+    if isinstance(names, str):
+        raise TypeError(f"keep is {names!r}; it must be a sequence of names")
+    for name in names:
+        filter_.AddKeptCurve(name)
+
+
+_LISTS: Dict[str, Callable[[Any, Any], None]] = {
+    "CurveTolerances": _set_tolerances, "CurveEases": _set_eases, "Preferences": _set_preferences,
+    "KeptCurves": _keep_curves}
+
+
+def set_option(filter_: Any, option: Option, value: Any) -> None:
+    """Sets a property or list of a filter, or raises what is wrong with the value."""
+    if option.type == "list":
+        _LISTS[option.property](filter_, value)
+        return
+    if option.type == "word":
+        value = index_of(value, [word for word, _ in option.words], option.name)
+    elif option.type == "flag":
+        value = flag(value, option.name)
+    elif option.type == "text" and value is None:
+        value = ""
+    set_property(filter_, option.name, option.property, value)
+
+
 def make_filter(
     options: Mapping[str, Any], function: str, filter_class: Any = vtkWireWarpingFilter
 ) -> Any:
     """A filter with these options, or an exception that names the wrong one."""
-    _refuse_unknown(options, function)
-    written = options
+    table = options_of(filter_class)
+    defaults = {**{name: option.default for name, option in table.items()}, **_OTHERS}
+    _refuse_unknown(options, defaults, function)
     options = {**options, **_texts(options)}
     if isinstance(options.get("pins"), Iterable):
         options = {**options, "pins": tuple(options["pins"])}
-    values, given = {**DEFAULTS, **options}, _given(options)
-    for name, value in values.items():
-        if isinstance(DEFAULTS[name], bool):
-            values[name] = flag(value, name)
-    if values["paper_method"]:
+    values, given = {**defaults, **options}, _given(options, defaults)
+    if flag(values["paper_method"], "paper_method"):
         for name, chosen in (("scheme", "global"), ("interior", "laplacian")):
             if name in given:
                 raise ValueError(f"{name} = {values[name]!r} and paper_method=True, which is "
                                  f"{name}={chosen!r}, exclude each other; leave one of them out")
             values[name] = chosen
-    for name, option in PROPERTIES.items():
-        if option.words:
-            values[name] = word_of(values[name], option.words, name)
-    _refuse_idle(values, given, written)
+            given.add(name)
     filter_ = filter_class()
     filter_.CachingOff()  # it runs once
-    for name, option in PROPERTIES.items():
-        value = option.words.index(values[name]) if option.words else values[name]
-        set_property(filter_, name, option.property, value)
-    _set_tolerances(filter_, values["tolerance"])
-    _set_eases(filter_, values["ease"])
+    for name, option in table.items():
+        set_option(filter_, option, values[name])
+    idle = filter_.DescribeIdleOption(
+        " ".join(option.property for name, option in table.items() if name in given), filter_.PYTHON)
+    if idle:
+        raise ValueError(idle)
     return filter_

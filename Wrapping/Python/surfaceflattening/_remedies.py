@@ -4,12 +4,11 @@
 import re
 from typing import Iterable, Match, Tuple
 
-from ._options import PROPERTIES
+from ._option_table import TABLE
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
-_ARGUMENTS = {option.property: name for name, option in PROPERTIES.items()}
-_ARGUMENTS.update(CurveTolerances="tolerance", CurveType="type",
-                  vtkFeatureCurveSuggestion="suggest()")
+_ARGUMENTS = {option.property: option.name for option in TABLE}
+_ARGUMENTS.update(CurveType="type", vtkFeatureCurveSuggestion="suggest()")
 _VALUES = {"on": "True", "AS_RIGID_AS_POSSIBLE": '"arap"', "0": '"accessory"'}
 
 

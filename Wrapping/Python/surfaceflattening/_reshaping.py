@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curves_on, demand_polydata, make_curves, make_surface
 from ._flatten import _update
-from ._options import flag, make_filter, set_property, with_options
+from ._options import make_filter, with_options
 from ._report import values_of
 from ._result import Flattening, make_result
 from .vtkFiltersFlattening import vtkMakeFlattenable
@@ -54,17 +54,12 @@ class Flattenable(NamedTuple):
                 f"{self.strain_after:.3g}, bound {'met' if self.bound_met else 'not met'}; {self.flattening!r}>")
 
 
-@with_options
+@with_options(vtkMakeFlattenable)
 def make_flattenable(
     points: ArrayLike,
     triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
-    bound: float = 0.02,
-    keep: Sequence[str] = (),
-    keep_boundary: bool = True,
-    outside_bias: float = 0.0,
-    thickness: float = 0.001,
     body: Optional[vtkPolyData] = None,
     **options: Any,
 ) -> Flattenable:
@@ -72,44 +67,28 @@ def make_flattenable(
 
     Args:
         points, triangles, curves: as for :func:`flatten`.
-        bound: the strain that is good enough, on 95 % of each piece's area, in [1e-6, 0.99].
-        keep: names of curves that stay where they are.
-        keep_boundary: the boundary of the surface stays where it is.
-        outside_bias: how much the surface moves outwards, along the normals of the design, rather than
-            inwards: a step inwards costs 1 / (1 - outside_bias) times one outwards, at 1 no point moves
-            inwards; in [0, 1].
-        thickness: of a plate that bends as the cloth does that the surface is made of while it moves,
-            over its size, in [0, 1].
+        _OPTIONS_
         body: a surface that is not entered, its normals outwards, such as :func:`make_surface` makes of
             points and triangles.
         options: the options of :func:`flatten`.
 
     Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
     """
-    return _make_flattenable(
-        make_surface(points, triangles), make_curves(curves, points), bound=bound, keep=keep,
-        keep_boundary=keep_boundary, outside_bias=outside_bias, thickness=thickness, body=body, **options)
+    return _make_flattenable(make_surface(points, triangles), make_curves(curves, points), body, **options)
 
 
-@with_options
+@with_options(vtkMakeFlattenable)
 def make_flattenable_polydata(
     surface: vtkPolyData,
     curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
     *,
-    bound: float = 0.02,
-    keep: Sequence[str] = (),
-    keep_boundary: bool = True,
-    outside_bias: float = 0.0,
-    thickness: float = 0.001,
     body: Optional[vtkPolyData] = None,
     **options: Any,
 ) -> Flattenable:
     """:func:`make_flattenable` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for
     one."""
     demand_polydata(surface, "surface", "; make_flattenable() takes arrays")
-    return _make_flattenable(
-        surface, curves_on(surface, curves), bound=bound, keep=keep, keep_boundary=keep_boundary, outside_bias=outside_bias,
-        thickness=thickness, body=body, **options)
+    return _make_flattenable(surface, curves_on(surface, curves), body, **options)
 
 
 def _curves_of(data: vtkPolyData) -> List[Curve]:
@@ -130,28 +109,11 @@ def _curves_of(data: vtkPolyData) -> List[Curve]:
 
 
 def _make_flattenable(
-    surface: vtkPolyData,
-    curves: Optional[vtkPolyData],
-    *,
-    bound: float,
-    keep: Sequence[str],
-    keep_boundary: bool,
-    outside_bias: float,
-    thickness: float,
-    body: Optional[vtkPolyData],
-    **options: Any,
+    surface: vtkPolyData, curves: Optional[vtkPolyData], body: Optional[vtkPolyData], **options: Any
 ) -> Flattenable:
     if body is not None:
         demand_polydata(body, "body")
-    if isinstance(keep, str):
-        raise TypeError(f"keep is {keep!r}; it must be a sequence of names")
     filter_ = make_filter(options, "make_flattenable", vtkMakeFlattenable)
-    set_property(filter_, "bound", "Bound", bound)
-    set_property(filter_, "keep_boundary", "KeepBoundary", flag(keep_boundary, "keep_boundary"))
-    set_property(filter_, "outside_bias", "OutsideBias", outside_bias)
-    set_property(filter_, "thickness", "Thickness", thickness)
-    for name in keep:
-        filter_.AddKeptCurve(name)
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, get_args
+from typing import Any, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,14 +12,10 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, Curve, add_weights, curves_on, demand_polydata, make_curves, make_surface
 from ._flatten import _update
-from ._options import flag, index_of, make_filter, set_property, with_options
+from ._options import make_filter, with_options
 from ._report import values_of
 from ._result import Flattening, make_result
-from ._types import CutChoice
 from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
-
-# The words of the command wirewarp, in the order of the filter's enumeration.
-SUGGESTED_CUTS: Tuple[CutChoice, ...] = get_args(CutChoice)
 
 
 class SuggestedCut(NamedTuple):
@@ -147,19 +143,12 @@ def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
     return Suggestion(cuts, bool(met and met[0]), flattening, left_out, mirror)
 
 
-@with_options
+@with_options(vtkFeatureCurveSuggestion)
 def suggest(
     points: ArrayLike,
     triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
-    cuts: CutChoice = "all",
-    bound: float = 0.02,
-    max_cuts: int = 8,
-    max_cut_length: float = 0.0,
-    max_work: float = 40.0,
-    symmetric: bool = True,
-    prefer: Optional[Mapping[str, float]] = None,
     weights: Optional[ArrayLike] = None,
     **options: Any,
 ) -> Suggestion:
@@ -170,19 +159,7 @@ def suggest(
 
     Args:
         points, triangles, curves: as for :func:`flatten`.
-        cuts: "darts", "seams" or "all"; or "lines": no cuts, but centre and grain lines as straight key
-            curves, girths and style lines as accessory curves, each with what it costs.
-        bound: the strain that is good enough, on 95 % of each piece's area; 0: cut until max_cuts or
-            max_cut_length are used up. In [0, 0.99].
-        max_cuts: the most cuts to propose; a mirror image counts.
-        max_cut_length: the greatest length of all proposed cuts together, unit of `points`; 0: no
-            limit.
-        max_work: the most work of the search, in millions of steps on one triangle, each about a third
-            of a second of one processor; the best cuts that are found by then are proposed, as after
-            KeyboardInterrupt; 0: no limit.
-        symmetric: where the surface is its own mirror image so are the cuts.
-        prefer: by name of a curve, how gladly a cut may begin or end on it: its price is divided by
-            the number, and 0 forbids it.
+        _OPTIONS_
         weights: how much distortion matters, a number from 0 for each triangle (of a flat list: each
             polygon), shape (m,): gains and strains of the cuts, and the bound, count each as if its area
             were so many times as large. Only ratios count. Default: None, everywhere alike.
@@ -196,65 +173,32 @@ def suggest(
     """
     surface = make_surface(points, triangles)
     return _suggest(
-        surface, make_curves(curves, points), cuts=cuts, bound=bound,
-        max_cuts=max_cuts, max_cut_length=max_cut_length, max_work=max_work, symmetric=symmetric,
-        prefer=prefer, weights="" if weights is None else add_weights(surface, weights), **options)
+        surface, make_curves(curves, points), weights=None if weights is None else add_weights(surface, weights), **options)
 
 
-@with_options
+@with_options(vtkFeatureCurveSuggestion)
 def suggest_polydata(
     surface: vtkPolyData,
     curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
     *,
-    cuts: CutChoice = "all",
-    bound: float = 0.02,
-    max_cuts: int = 8,
-    max_cut_length: float = 0.0,
-    max_work: float = 40.0,
-    symmetric: bool = True,
-    prefer: Optional[Mapping[str, float]] = None,
-    weights: str = "",
+    weights: Optional[str] = None,
     **options: Any,
 ) -> Suggestion:
     """:func:`suggest` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for one.
 
     curves: as for :func:`flatten_polydata`, which takes those that are proposed as such a list.
-    weights: the name of a cell array. Default: empty, everywhere alike.
+    weights: the name of a cell array. Default: None, everywhere alike.
     """
     demand_polydata(surface, "surface", "; suggest() takes arrays")
-    return _suggest(
-        surface, curves_on(surface, curves), cuts=cuts, bound=bound, max_cuts=max_cuts, max_cut_length=max_cut_length,
-        max_work=max_work, symmetric=symmetric, prefer=prefer, weights=weights, **options)
+    return _suggest(surface, curves_on(surface, curves), weights=weights, **options)
 
 
-def _suggest(
-    surface: vtkPolyData,
-    curves: Optional[vtkPolyData],
-    *,
-    cuts: CutChoice,
-    bound: float,
-    max_cuts: int,
-    max_cut_length: float,
-    max_work: float,
-    symmetric: bool,
-    prefer: Optional[Mapping[str, float]],
-    weights: str,
-    **options: Any,
-) -> Suggestion:
+def _suggest(surface: vtkPolyData, curves: Optional[vtkPolyData], **options: Any) -> Suggestion:
     filter_ = make_filter(options, "suggest", vtkFeatureCurveSuggestion)
-    set_property(filter_, "cuts", "SuggestedCuts", index_of(cuts, SUGGESTED_CUTS, "cuts"))
-    set_property(filter_, "bound", "Bound", bound)
-    set_property(filter_, "max_cuts", "MaximumCuts", max_cuts)
-    set_property(filter_, "max_cut_length", "MaximumCutLength", max_cut_length)
-    set_property(filter_, "max_work", "MaximumWork", max_work)
-    set_property(filter_, "symmetric", "Symmetric", flag(symmetric, "symmetric"))
-    for name, weight in (prefer or {}).items():
-        filter_.AddPreference(name, weight)
-    set_property(filter_, "weights", "WeightArray", weights)
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)
-    _update(filter_, options.get("progress"), finishes=cuts != "lines")
+    _update(filter_, options.get("progress"), finishes=filter_.GetSuggestedCuts() != filter_.LINES)
     flattening = make_result(
         filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
     return make_suggestion(filter_.GetOutput(5), flattening)

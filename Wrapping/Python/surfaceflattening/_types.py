@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Words, options and reports as type checkers see them; help() prints the docstrings."""
 
-import os
-from typing import (
-    Any, Callable, List, Literal, Mapping, Optional, Sequence, Tuple, TypedDict, Union)
+from typing import List, Literal, Optional, TypedDict
 
-# The words of the command wirewarp, in the order of the filters' enumerations.
-Scheme = Literal["progressive", "global", "isometric", "lscm"]
-Solver = Literal["newton", "sequential"]
-Interior = Literal["laplacian", "relaxation", "arap"]
-Energy = Literal["rigid", "dirichlet"]
-DartLegs = Literal["free", "straight", "mirrored"]
-CutChoice = Literal["darts", "seams", "all", "lines"]
-SewingTest = Literal["panel", "product"]
-CoincidentPoints = Literal["automatic", "join", "keep"]
+from ._option_table import CoincidentPoints as CoincidentPoints
+from ._option_table import DartLegs as DartLegs
+from ._option_table import DistortionEnergy as Energy
+from ._option_table import Interior as Interior
+from ._option_table import Options as Options
+from ._option_table import Scheme as Scheme
+from ._option_table import Solver as Solver
+from ._option_table import SuggestedCuts as CutChoice
+from ._option_table import Test as SewingTest
+
+__all__ = ["CoincidentPoints", "CutChoice", "DartLegs", "Energy", "Interior", "Options", "Scheme", "SewingTest", "Solver"]
+
 CurveType = Literal["accessory", "key", "dart", "seam"]
 KeyShape = Literal["surface", "straight"]
 WireType = Literal["accessory", "key", "dart", "seam", "boundary", "connector"]
@@ -22,51 +23,6 @@ Part = Literal["flat", "wires", "cut"]
 Coloring = Literal["homogeneity", "area", "aspect-ratio", "developability", "stretch", "warp", "weft", "shear"]
 Unit = Literal["mm", "cm", "m", "inch"]
 Paper = Literal["A4", "letter", "A3", "A0", "sheet"]
-
-
-class Options(TypedDict, total=False):
-    """The options of flatten() and flatten_polydata(), to be kept and handed over as ``**options``.
-
-    They are those of the command wirewarp: --max-iterations is max_iterations, --no-arrange
-    arrange=False. flatten() says what each means.
-    """
-
-    scheme: Scheme
-    solver: Solver
-    interior: Interior
-    paper_method: bool
-    release_keys: bool
-    release_trials: bool
-    close_cuts: bool
-    dart_legs: DartLegs
-    skip_closed: bool
-    energy: Energy
-    area_bias: float
-    angle_weight: float
-    material: Union[None, str, "os.PathLike[str]"]
-    grain: Union[None, float, str, Sequence[str]]
-    tolerance: Optional[Mapping[str, float]]
-    ease: Optional[Mapping[Union[str, Tuple[str, int]], float]]
-    coincident_points: CoincidentPoints
-    split_triangles: bool
-    imprint_tolerance: float
-    snap_tolerance: float
-    arrange: bool
-    spacing: float
-    pins: Tuple[int, int]
-    max_iterations: int
-    closure_tolerance: float
-    optimality_tolerance: float
-    max_length_error: float
-    relaxation_factor: float
-    relaxation_movement: float
-    relaxation_min_iterations: int
-    relaxation_max_iterations: int
-    rigid_tolerance: float
-    rigid_iterations: int
-    isometric_tolerance: float
-    isometric_iterations: int
-    progress: Optional[Callable[[float], Any]]
 
 
 class Remedy(TypedDict):

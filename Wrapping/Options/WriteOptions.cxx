@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// write-options TEMPLATE FILE: copies a text, with what the table of options says in the place of
+// each line @KIND:CLASS@. write-options [--check] PAGE: the same between the lines
+// <!-- options:CLASS --> and <!-- end --> of a page; with --check it only says whether they differ.
+#include "Options/OptionTable.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+using namespace flattening;
+
+namespace
+{
+OptionOwner ownerNamed(const std::string& name)
+{
+  for (const Option& option : optionTable())
+  {
+    if (className(option.owner) == name)
+    {
+      return option.owner;
+    }
+  }
+  throw std::runtime_error("no class " + name + " has options");
+}
+
+std::vector<const Option*> ownOptions(OptionOwner owner)
+{
+  std::vector<const Option*> own;
+  for (const Option& option : optionTable())
+  {
+    if (option.owner == owner)
+    {
+      own.push_back(&option);
+    }
+  }
+  return own;
+}
+
+std::string number(double value, bool real)
+{
+  Option plain;
+  std::string text = textOf(plain, value);
+  return real && text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// "AngleWeight" as "Angle Weight".
+std::string label(const std::string& property)
+{
+  std::string text;
+  for (const char letter : property)
+  {
+    text += !text.empty() && std::isupper(static_cast<unsigned char>(letter)) ? " " : "";
+    text += letter;
+  }
+  return text;
+}
+
+// Python ----------------------------------------------------------------------
+
+std::string argument(const Option& option)
+{
+  return spelled(option, OptionSpelling::Python);
+}
+
+std::string pythonType(const Option& option)
+{
+  switch (option.type)
+  {
+    case OptionType::Flag:
+      return "bool";
+    case OptionType::Integer:
+      return "int";
+    case OptionType::Number:
+      return "float";
+    case OptionType::Word:
+      return option.property;
+    case OptionType::Ids:
+      return "Tuple[int, int]";
+    case OptionType::Numbers:
+      return "Sequence[float]";
+    case OptionType::List:
+      return option.form == "NAME" ? "Sequence[str]"
+        : option.form == "NAME[:PIECE]=PERCENT%"
+        ? "Optional[Mapping[Union[str, Tuple[str, int]], float]]"
+        : "Optional[Mapping[str, float]]";
+    default:
+      return option.repeats          ? "Union[None, float, str, Sequence[str]]"
+        : option.form == "NAME|FILE" ? "Union[None, str, \"os.PathLike[str]\"]"
+        : option.form == "ARRAY"     ? "Union[None, str, ArrayLike]"
+                                     : "str";
+  }
+}
+
+std::string pythonDefault(const Option& option)
+{
+  switch (option.type)
+  {
+    case OptionType::Flag:
+      return std::get<double>(option.byDefault) != 0.0 ? "True" : "False";
+    case OptionType::Integer:
+    case OptionType::Number:
+      return number(std::get<double>(option.byDefault), option.type == OptionType::Number);
+    case OptionType::Ids:
+    case OptionType::Numbers:
+    {
+      std::string text;
+      for (const double one : std::get<std::vector<double>>(option.byDefault))
+      {
+        text += (text.empty() ? "(" : ", ") + number(one, option.type == OptionType::Numbers);
+      }
+      return text + ")";
+    }
+    case OptionType::List:
+      return option.form == "NAME" ? "()" : "None";
+    default:
+      if (option.form == "ARRAY")
+      {
+        return "None";
+      }
+      return '"' + textOf(option, option.byDefault) + '"';
+  }
+}
+
+/// The words of all enumerations as types.
+void writeLiterals(OptionOwner, std::ostream& out)
+{
+  for (const Option& option : optionTable())
+  {
+    if (option.type == OptionType::Word)
+    {
+      out << option.property << " = Literal[";
+      for (const OptionWord& word : option.words)
+      {
+        out << (&word == &option.words.front() ? "" : ", ") << '"' << word.word << '"';
+      }
+      out << "]\n";
+    }
+  }
+}
+
+/// Members of a TypedDict.
+void writeMembers(OptionOwner owner, std::ostream& out)
+{
+  for (const Option* const option : optionsOf(owner))
+  {
+    out << "    " << argument(*option) << ": " << pythonType(*option) << '\n';
+  }
+}
+
+/// Keywords of a function in a stub.
+void writeKeywords(const std::vector<const Option*>& options, std::ostream& out)
+{
+  for (const Option* const option : options)
+  {
+    out << "    " << argument(*option) << ": " << pythonType(*option) << " = "
+        << pythonDefault(*option) << ",\n";
+  }
+  out << "    paper_method: bool = False,\n"
+         "    progress: Optional[Callable[[float], Any]] = None,\n";
+}
+
+/// Rows of a tuple of _Option.
+void writeRows(OptionOwner, std::ostream& out)
+{
+  const std::map<OptionType, const char*> names{ { OptionType::Flag, "flag" },
+    { OptionType::Integer, "integer" }, { OptionType::Number, "number" },
+    { OptionType::Word, "word" }, { OptionType::Text, "text" }, { OptionType::List, "list" },
+    { OptionType::Ids, "ids" }, { OptionType::Numbers, "numbers" } };
+  for (const Option& option : optionTable())
+  {
+    out << "    Option(\"" << className(option.owner) << "\", \"" << option.property << "\", \""
+        << argument(option) << "\", \"" << names.at(option.type) << "\", " << pythonDefault(option)
+        << ",\n           (";
+    for (const OptionWord& word : option.words)
+    {
+      out << "(\"" << word.word << "\", \"" << word.name << "\"), ";
+    }
+    const double most =
+      option.maximum == std::numeric_limits<double>::max() ? 1e300 : option.maximum;
+    out << "), " << number(option.minimum, true) << ", " << number(most, true) << ", "
+        << (option.open ? "True" : "False") << ", \"" << rangeOf(option) << "\",\n           \""
+        << option.help << "\"),\n";
+  }
+}
+
+// ParaView --------------------------------------------------------------------
+
+std::string escaped(const std::string& text)
+{
+  std::string safe;
+  for (const char letter : text)
+  {
+    safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
+  }
+  return safe;
+}
+
+std::string xmlNumbers(const Option& option, double value)
+{
+  const bool three = option.type == OptionType::Numbers;
+  const std::string text = number(value, false);
+  return three ? text + ' ' + text + ' ' + text : text;
+}
+
+void writeDecorators(const Option& option, std::ostream& out)
+{
+  std::ostringstream hints;
+  for (const OptionCondition& condition : option.conditions)
+  {
+    const Option& other = *findOption(option.owner, condition.property);
+    std::string values = other.type == OptionType::Flag ? "1" : "";
+    for (std::size_t k = 0; k < other.words.size(); ++k)
+    {
+      const auto& words = condition.words;
+      if (std::find(words.begin(), words.end(), other.words[k].word) != words.end())
+      {
+        values += (values.empty() ? "" : " ") + std::to_string(k);
+      }
+    }
+    if (!values.empty())
+    {
+      hints << "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" "
+               "property=\""
+            << other.property << (values.size() == 1 ? "\" value=\"" : "\" values=\"") << values
+            << "\" />\n";
+    }
+  }
+  if (!hints.str().empty())
+  {
+    out << "        <Hints>\n" << hints.str() << "        </Hints>\n";
+  }
+}
+
+void writeProperty(const Option& option, std::ostream& out)
+{
+  const bool whole = option.type == OptionType::Flag || option.type == OptionType::Integer ||
+    option.type == OptionType::Word;
+  const std::string tag = std::string(option.type == OptionType::Text ? "String"
+                              : option.type == OptionType::Ids        ? "IdType"
+                              : whole                                 ? "Int"
+                                                                      : "Double") +
+    "VectorProperty";
+  const auto* const numbers = std::get_if<std::vector<double>>(&option.byDefault);
+  Option plain;
+  out << "      <" << tag << " name=\"" << option.property << '"';
+  if (label(option.property) != option.property)
+  {
+    out << " label=\"" << label(option.property) << '"';
+  }
+  out << " command=\"Set" << option.property << "\" number_of_elements=\""
+      << (numbers ? numbers->size() : 1) << "\"\n          default_values=\""
+      << textOf(plain, option.byDefault) << '"'
+      << (option.expert ? "\n          panel_visibility=\"advanced\"" : "") << ">\n";
+  if (option.type == OptionType::Flag)
+  {
+    out << "        <BooleanDomain name=\"bool\" />\n";
+  }
+  for (std::size_t k = 0; k < option.words.size(); ++k)
+  {
+    out << (k == 0 ? "        <EnumerationDomain name=\"enum\">\n" : "")
+        << "          <Entry value=\"" << k << "\" text=\"" << label(option.words[k].name)
+        << "\" />\n"
+        << (k + 1 == option.words.size() ? "        </EnumerationDomain>\n" : "");
+  }
+  if (option.minimum != option.maximum)
+  {
+    out << "        <" << (whole ? "Int" : "Double") << "RangeDomain name=\"range\" min=\""
+        << xmlNumbers(option, option.sliderMinimum) << "\" max=\""
+        << xmlNumbers(option, option.sliderMaximum) << "\" />\n";
+  }
+  out << "        <Documentation>" << escaped(option.help) << "</Documentation>\n";
+  writeDecorators(option, out);
+  out << "      </" << tag << ">\n";
+}
+
+/// Properties and their groups; lists are written by hand, since their methods are.
+void writeProperties(OptionOwner owner, std::ostream& out)
+{
+  std::map<std::string, std::string> groups;
+  for (const Option* const option : ownOptions(owner))
+  {
+    if (option->type != OptionType::List)
+    {
+      writeProperty(*option, out);
+    }
+    groups[option->group] += "        <Property name=\"" + option->property + "\" />\n";
+  }
+  for (const auto& [group, properties] : groups)
+  {
+    out << "      <PropertyGroup label=\"" << group << "\">\n"
+        << properties << "      </PropertyGroup>\n";
+  }
+}
+
+// Documentation ---------------------------------------------------------------
+
+void writeTable(OptionOwner owner, std::ostream& out)
+{
+  out << "| command, property | default | range or words | with | |\n|---|---|---|---|---|\n";
+  for (const Option* const option : ownOptions(owner))
+  {
+    std::string words;
+    for (const OptionWord& word : option->words)
+    {
+      words += (words.empty() ? "" : ", ") + word.word;
+    }
+    std::string with;
+    for (const OptionCondition& condition : option->conditions)
+    {
+      with += (with.empty() ? "" : "; ") + condition.property;
+      for (const std::string& word : condition.words)
+      {
+        with += (&word == &condition.words.front() ? " " : ", ") + (word.empty() ? "none" : word);
+      }
+    }
+    const std::string value = textOf(*option, option->byDefault);
+    out << "| `" << spelled(*option, OptionSpelling::Command) << "` `" << option->property << "` | "
+        << (option->type != OptionType::Flag ? value
+               : value == "0"                ? "off"
+                                             : "on")
+        << " | " << (words.empty() ? rangeOf(*option) : words) << " | " << with << " | "
+        << option->help << " |\n";
+  }
+}
+
+// -----------------------------------------------------------------------------
+
+std::string readFile(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+  {
+    throw std::runtime_error("cannot read " + path);
+  }
+  return text.str();
+}
+
+void writeFile(const std::string& path, const std::string& text)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush())
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+/// The template with what each line @KIND:CLASS@ stands for.
+std::string filled(const std::string& text)
+{
+  using Writer = std::function<void(OptionOwner, std::ostream&)>;
+  const std::map<std::string, Writer> writers{ { "literals", writeLiterals },
+    { "members", writeMembers }, { "rows", writeRows }, { "properties", writeProperties },
+    { "keywords",
+      [](OptionOwner owner, std::ostream& out) { writeKeywords(optionsOf(owner), out); } } };
+  std::istringstream in(text);
+  std::ostringstream out;
+  for (std::string line; std::getline(in, line);)
+  {
+    const std::size_t colon = line.find(':');
+    const auto writer = line.size() > 2 && line.front() == '@' && line.back() == '@'
+      ? writers.find(line.substr(1, colon - 1))
+      : writers.end();
+    if (writer == writers.end())
+    {
+      out << line << '\n';
+      continue;
+    }
+    writer->second(ownerNamed(line.substr(colon + 1, line.size() - colon - 2)), out);
+  }
+  return out.str();
+}
+
+/// The page with its tables anew.
+std::string withTables(const std::string& page)
+{
+  const std::string lead = "<!-- options:";
+  std::istringstream in(page);
+  std::ostringstream out;
+  bool copies = true;
+  for (std::string line; std::getline(in, line);)
+  {
+    copies = copies || line == "<!-- end -->";
+    if (copies)
+    {
+      out << line << '\n';
+    }
+    if (line.compare(0, lead.size(), lead) == 0)
+    {
+      writeTable(
+        ownerNamed(line.substr(lead.size(), line.find(' ', lead.size()) - lead.size())), out);
+      copies = false;
+    }
+  }
+  return out.str();
+}
+}
+
+int main(int argc, char** argv)
+{
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  try
+  {
+    if (words.size() == 2 && words[0] == "--check")
+    {
+      const std::string page = readFile(words[1]);
+      if (withTables(page) != page)
+      {
+        std::cerr << words[1] << " differs from the table of options; run write-options on it\n";
+        return 1;
+      }
+    }
+    else if (words.size() == 1)
+    {
+      writeFile(words[0], withTables(readFile(words[0])));
+    }
+    else if (words.size() == 2)
+    {
+      writeFile(words[1], filled(readFile(words[0])));
+    }
+    else
+    {
+      std::cerr << "usage: write-options TEMPLATE FILE | write-options [--check] PAGE\n";
+      return 2;
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "write-options: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
