@@ -365,6 +365,48 @@ TEST(CurveSuggestion, IsMirroredOnlyWhereCutsAreImagesOfEachOther)
   }
 }
 
+TEST(CurveSuggestion, PairsCutsOfASymmetricShapeWhoseTrianglesAreNotMirrored)
+{
+  std::mt19937 random(3);
+  const auto jitter = [&random] { return 0.5 * (random() / 4294967295.0 - 0.5); };
+  for (const Index columns : { 17, 24 }) // odd: alternating diagonals have no mirror image
+  {
+    for (const double moved : { 0.0, 1.0 })
+    {
+      const double half = columns / 2.0;
+      const TriangleMesh mesh = patch(columns, 18, [&](double i, double j) {
+        const bool inside = i > 0 && i < columns && j > 0 && j < 18;
+        const double x = (i + (inside ? moved * jitter() : 0.0)) / half - 1.0;
+        const double y = (j + (inside ? moved * jitter() : 0.0)) / 9.0 - 1.0;
+        const double bump =
+          std::exp(-8.0 * ((std::abs(x) - 0.5) * (std::abs(x) - 0.5) + (y - 0.1) * (y - 0.1)));
+        return Point3(x, y, 0.25 * bump);
+      }).mesh;
+      SuggestionOptions options = optionsOf(0.03, 6);
+      options.search.cuts = SuggestedCuts::Darts;
+      options.search.maximumWork = 2.0;
+      const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+      ASSERT_TRUE(suggestions.mirror && suggestions.mirror->plane()) << columns << " " << moved;
+      for (const SuggestedCurve& cut : suggestions.curves)
+      {
+        if (cut.mirrorOf == none)
+        {
+          continue;
+        }
+        // Over other triangles, and so near to the image, not on it.
+        const Points3& image = suggestions.curves[cut.mirrorOf].curve.points;
+        for (const Point3& end : { cut.curve.points.front(), cut.curve.points.back() })
+        {
+          const Point3 mirrored = suggestions.mirror->mirrored(end);
+          const double distance =
+            std::min((mirrored - image.front()).norm(), (mirrored - image.back()).norm());
+          EXPECT_LT(distance, 0.02) << columns << " " << moved << " " << cut.curve.name;
+        }
+      }
+    }
+  }
+}
+
 TEST(CurveSuggestion, EndsWhenItIsCancelledWithTheBestSoFar)
 {
   Execution execution;
