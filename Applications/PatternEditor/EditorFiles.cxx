@@ -3,6 +3,7 @@
 #include "EditorWindow.h"
 
 #include "CurveList.h"
+#include "FaceSeams.h"
 #include "Files.h"
 #include "InputError.h"
 #include "ReadCurves.h"
@@ -102,6 +103,7 @@ bool EditorWindow::openSurface(const std::string& path)
       throw std::runtime_error(this->Curves->GetMessage());
     }
     this->Surface = surface;
+    this->Labels = contents.labels;
     this->Name = std::filesystem::path(path).stem().string();
     this->Folder = QFileInfo(QString::fromStdString(path)).absolutePath();
     this->Cloth->setFolder(this->Folder);
@@ -141,6 +143,25 @@ bool EditorWindow::openCurves(const std::string& path)
     const wirewarp::CurveContents read = wirewarp::readCurves(path, this->Surface);
     this->showCurves(read.curves, read.note);
     this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(read.curves));
+  });
+}
+
+//------------------------------------------------------------------------------
+bool EditorWindow::takeSeams(wirewarp::SeamSource source)
+{
+  return this->attempt([&] {
+    if (!this->Surface)
+    {
+      throw std::runtime_error("open a surface before its seams");
+    }
+    const figures::PolyData seams = wirewarp::seamsOf(this->Surface, this->Labels, source);
+    if (!seams)
+    {
+      throw std::runtime_error("the faces of the surface have no edge to cut along");
+    }
+    this->showCurves(seams);
+    this->Saved = 0; // no file has them
+    this->followSaving();
   });
 }
 

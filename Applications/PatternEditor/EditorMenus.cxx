@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The menus and the bar of EditorWindow.
 #include "EditorWindow.h"
+#include "FaceSeams.h"
 #include "PatternDialog.h"
 
 #include <QActionGroup>
@@ -11,8 +12,10 @@
 #include <QRegularExpression>
 #include <QToolBar>
 
+#include <array>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace editor
@@ -21,6 +24,13 @@ namespace
 {
 /// What readSurface() takes.
 const char* const surfaceFiles = "Surfaces (*.vtp *.vtk *.obj *.ply *.stl *.off *.gltf *.glb)";
+
+/// Edges along which the faces of a file differ.
+const std::array<std::pair<const char*, wirewarp::SeamSource>, 3> seamSources{
+  { { "Where the texture breaks (UV)", wirewarp::SeamSource::Textures },
+    { "Between materials", wirewarp::SeamSource::Materials },
+    { "Between objects or groups", wirewarp::SeamSource::Groups } }
+};
 
 /// A key of VTK in the words of Qt.
 QKeySequence keyOf(const QString& key)
@@ -76,6 +86,16 @@ void EditorWindow::makeFileMenu()
   this->addAction(menu, "Open surface...", "Ctrl+O", &EditorWindow::askSurface);
   QAction* const open =
     this->addAction(menu, "Open curves...", "Ctrl+Shift+O", &EditorWindow::askCurves);
+  QMenu* const seams = menu->addMenu("Seams from faces");
+  for (const auto& [words, source] : seamSources)
+  {
+    QObject::connect(seams->addAction(words), &QAction::triggered, [this, source = source] {
+      if (this->mayForgetCurves())
+      {
+        this->takeSeams(source);
+      }
+    });
+  }
   QAction* const save = this->addAction(menu, "Save curves...", "Ctrl+S", &EditorWindow::askSave);
   QAction* const surface =
     this->addAction(menu, "Save surface...", "Ctrl+Shift+S", &EditorWindow::askSaveSurface);
@@ -83,7 +103,7 @@ void EditorWindow::makeFileMenu()
   QAction* const pattern =
     this->addAction(menu, "Export pattern...", "Ctrl+E", &EditorWindow::askPattern);
   this->addAction(menu, "Pattern options...", "Ctrl+Shift+E", &EditorWindow::askPatternOptions);
-  this->SurfaceActions = { open, save, surface, pattern };
+  this->SurfaceActions = { open, seams->menuAction(), save, surface, pattern };
   this->BarActions = { save, pattern };
   this->addAction(menu, "Save picture...", "Ctrl+P", &EditorWindow::askPicture);
   menu->addSeparator();

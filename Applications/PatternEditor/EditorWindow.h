@@ -4,6 +4,7 @@
 #include "ClothBox.h"
 #include "CurveJournal.h"
 #include "CurvePanel.h"
+#include "FaceSeams.h"
 #include "LiveFlattening.h"
 #include "PlaneView.h"
 #include "PointReadout.h"
@@ -50,6 +51,8 @@ public:
   /// Files. False where it was not possible; the message then says why.
   bool openSurface(const std::string& path);
   bool openCurves(const std::string& path);
+  /// Seams along edges where the faces of the surface's file differ, replacing the curves.
+  bool takeSeams(wirewarp::SeamSource source);
   bool saveCurves(const std::string& path);
   /// As pattern() says.
   bool savePattern(const std::string& path);
@@ -175,6 +178,7 @@ private:
   std::unique_ptr<LiveFlattening> Live;
   CurveJournal Journal;
   figures::PolyData Surface;
+  wirewarp::FaceLabels Labels; ///< what its file tells of its faces
   figures::Coloring Coloring = figures::Coloring::Homogeneity;
   std::string Name;
   QString Folder;          ///< where the next dialog for a file starts: that of the last file

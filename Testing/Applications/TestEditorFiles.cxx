@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Proposals, files and patterns of PatternEditor.
 #include "EditorSession.h"
+#include "FaceSeams.h"
 
 #include <vtkActor2DCollection.h>
 #include <vtkDoubleArray.h>
@@ -16,7 +17,9 @@
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QTemporaryDir>
 
+#include <fstream>
 #include <functional>
 #include <initializer_list>
 #include <iterator>
@@ -25,6 +28,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace session;
 
@@ -379,6 +383,44 @@ TEST_F(PatternEditor, AnObjFileKeepsItsDigitsItsVerticesAndItsLines)
   this->window->curves()->GetCurves(drawn);
   ASSERT_EQ(drawn->GetNumberOfPoints(), 2);
   EXPECT_NEAR(drawn->GetPoint(0)[0] - 1000000.0, 0.01, 1e-9);
+}
+
+TEST_F(PatternEditor, SeamsAreTakenFromTheFacesOfAnObjFile)
+{
+  const QTemporaryDir folder;
+  const std::string file = folder.filePath("labels.obj").toStdString();
+  std::ofstream text(file); // a strip of quads
+  for (int i = 0; i < 5; ++i)
+  {
+    text << "v " << 40 * i << " 0 " << 5 * i * i << "\nv " << 40 * i << " 50 " << 5 * i * i << "\n";
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    text << "usemtl " << (i < 2 ? "red" : "blue") << "\ng panel" << i << "\nf " << 2 * i + 1 << " "
+         << 2 * i + 3 << " " << 2 * i + 4 << " " << 2 * i + 2 << "\n";
+  }
+  text.close();
+  EXPECT_FALSE(this->window->takeSeams(wirewarp::SeamSource::Textures)); // there is no surface
+  ASSERT_TRUE(this->window->openSurface(file)) << this->window->message().toStdString();
+  vtkFeatureCurveEditor* const curves = this->window->curves();
+  const std::vector<std::pair<wirewarp::SeamSource, int>> sources{
+    { wirewarp::SeamSource::Materials, 1 }, { wirewarp::SeamSource::Groups, 3 }
+  };
+  for (const auto& [source, count] : sources)
+  {
+    ASSERT_TRUE(this->window->takeSeams(source)) << this->window->message().toStdString();
+    ASSERT_EQ(curves->GetNumberOfCurves(), count);
+    for (int k = 0; k < count; ++k)
+    {
+      EXPECT_EQ(curves->GetCurveType(k), 3);
+      EXPECT_NEAR(curves->GetCurveLength(k), 50.0, 1e-9);
+    }
+    EXPECT_TRUE(this->window->isWindowModified()); // no file has them
+  }
+  EXPECT_FALSE(this->window->takeSeams(wirewarp::SeamSource::Textures));
+  EXPECT_TRUE(this->window->message().contains("has no texture coordinates"))
+    << this->window->message().toStdString();
+  EXPECT_EQ(curves->GetNumberOfCurves(), 3);
 }
 
 TEST_F(PatternEditor, CurvesByVertexIdsAreReadAsTheCommandReadsThem)

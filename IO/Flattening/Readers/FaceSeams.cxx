@@ -168,10 +168,10 @@ void checkLabels(const FaceLabels& labels, SeamSource source)
   if (!has)
   {
     throw InputError(source == SeamSource::Textures
-        ? "has no texture coordinates for --seams-from uv; export it as .obj with them ('vt' lines)"
+        ? "has no texture coordinates to take seams from; export it as .obj with them ('vt' lines)"
         : source == SeamSource::Materials
-        ? "has not two materials for --seams-from material; export it as .obj with them ('usemtl')"
-        : "has not two groups for --seams-from group; export it as .obj with them ('g' or 'o')");
+        ? "has not two materials to take seams from; export it as .obj with them ('usemtl')"
+        : "has not two groups to take seams from; export it as .obj with them ('g' or 'o')");
   }
 }
 
