@@ -104,7 +104,7 @@ def run_tutorial(folder, images):
     for name in ("first", "second"):
         write(scaled(read(os.path.join(made, name + ".png")), WIDTH), f"{images}/{name}.png")
     subprocess.run(["pdftoppm", "-png", "-singlefile", "-r", "28",
-                    os.path.join(made, "pattern", "pattern.pdf"), f"{images}/pattern"], check=True)
+                    os.path.join(made, "pattern.pdf"), f"{images}/pattern"], check=True)
 
 
 def draw_editor(folder, images):
@@ -124,18 +124,20 @@ def draw_editor(folder, images):
 def draw_suggestion(folder, images):
     """What is proposed for a piece without curves."""
     picture = os.path.join(folder, "suggestions.png")
-    subprocess.run([COMMAND, f"{DATA}/wetsuit_upper_front.vtp", "--suggest", "all", "--bound", "0.03",
-                    "--quiet", "--output", os.path.join(folder, "suggestions"), "--picture", picture],
+    result = os.path.join(folder, "suggestions")
+    subprocess.run([COMMAND, "cut", f"{DATA}/wetsuit_upper_front.vtp", "--max-strain", "3%", "--quiet", "-o", result],
                    check=True)
+    subprocess.run([COMMAND, "picture", result, "--quiet", "-o", picture], check=True)
     write(scaled(read(picture), WIDTH), f"{images}/suggestions.png")
 
 
 def draw_sewn(folder, images):
     """The T-shirt, sewn again and drawn over its design."""
     picture = os.path.join(folder, "sewn.png")
-    subprocess.run([COMMAND, f"{DATA}/tshirt.vtp", f"{DATA}/tshirt_curves.vtp", "--resew", "product",
-                    "--quiet", "--output", os.path.join(folder, "sewn"), "--picture", picture,
-                    "--color-by", "distance"], check=True)
+    result = os.path.join(folder, "sewn")
+    subprocess.run([COMMAND, "sew", f"{DATA}/tshirt.vtp", f"{DATA}/tshirt_curves.vtp", "--mode", "product",
+                    "--quiet", "-o", result], check=True)
+    subprocess.run([COMMAND, "picture", result, "--color", "distance", "--quiet", "-o", picture], check=True)
     write(scaled(read(picture), WIDTH), f"{images}/sewn.png")
 
 
@@ -145,9 +147,8 @@ def draw_materials(folder, images):
     for material in ("jersey", "twill"):
         picture = os.path.join(folder, f"{material}.png")
         run = subprocess.run(
-            [COMMAND, f"{DATA}/tshirt.vtp", f"{DATA}/tshirt_curves.vtp", "--material", material,
-             "--color-by", "stretch", "--quiet", "--output", os.path.join(folder, material),
-             "--picture", picture], check=False)
+            [COMMAND, "picture", f"{DATA}/tshirt.vtp", f"{DATA}/tshirt_curves.vtp", "--material", material,
+             "--color", "stretch", "--quiet", "-o", picture], check=False)
         if run.returncode not in (0, 4):
             raise RuntimeError(f"wirewarp ended with {run.returncode} on the T-shirt in {material}")
         drawn.append(scaled(read(picture), WIDTH))
@@ -182,9 +183,8 @@ def draw_cloths(folder, images):
         for material in ("plain", "twill", "jersey"):
             path = os.path.join(folder, f"{name}_{material}.png")
             run = subprocess.run(
-                [COMMAND, f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--release-keys",
-                 "--material", material, "--color-by", "stretch", "--quiet",
-                 "--output", os.path.join(folder, "cloths"), "--picture", path],
+                [COMMAND, "picture", f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--release-keys",
+                 "--material", material, "--color", "stretch", "--quiet", "-o", path],
                 capture_output=True, check=False)
             if run.returncode not in (0, 4):
                 raise RuntimeError(f"wirewarp ended with {run.returncode} on {name} in {material}")
@@ -196,15 +196,13 @@ def draw_cloths(folder, images):
 
 
 def draw_pieces(folder, images):
-    pieces = os.path.join(folder, "pieces")
-    os.makedirs(pieces, exist_ok=True)
     small, page = [], "# Pictures of the pieces\n"
     for name in PIECES:
         run = subprocess.run(
-            [COMMAND, f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--scheme", "isometric",
-             "--quiet", "--output", f"{pieces}/{name}", "--picture", f"{images}/piece_{name}.png"],
+            [COMMAND, "picture", f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--color", "homogeneity",
+             "--quiet", "-o", f"{images}/piece_{name}.png"],
             check=False)
-        if run.returncode not in (0, 4):  # 4: a broken promise, which the picture shows
+        if run.returncode not in (0, 4):  # 4: a warning, which the picture shows
             raise RuntimeError(f"wirewarp ended with {run.returncode} on {name}")
         picture = read(f"{images}/piece_{name}.png")
         # Without the table and the legend below the drawings.

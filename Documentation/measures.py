@@ -68,7 +68,7 @@ def flatten_all(method):
         names = os.path.join(folder, "list.txt")
         with open(names, "w", encoding="utf-8") as file:
             file.writelines(f'"{DATA}/{name}.vtp" "{DATA}/{name}_curves.vtp"\n' for name in PIECES)
-        run("--batch", names, *METHODS[method], "--resew", "panel", "--resew-once", "--output", folder)
+        run("batch", names, "--output", folder, "sew", *METHODS[method], "--once")
         return {name: report(os.path.join(folder, name)) for name in PIECES}
 
 

@@ -113,9 +113,9 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
   {
     complaint += "wirewarp: error: " + plainText(result.message) + '\n';
   }
-  else if (result.exitCode == PromiseBroken)
+  else if (result.exitCode == Flawed)
   {
-    complaint += brokenPromises(result, entry.folder + ": ");
+    complaint += pieceWarnings(result, entry.folder + ": ");
   }
   const FieldRows flat(result.flat);
   const double total = secondsSince(start);

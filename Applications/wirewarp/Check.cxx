@@ -270,6 +270,6 @@ int runCheck(const Options& options)
   {
     std::cout << "next: wirewarp flatten " << plainText(options.surface) << ", or wirewarp cut\n";
   }
-  return flattens ? Done : PromiseBroken;
+  return flattens ? Done : Flawed;
 }
 }

@@ -3,9 +3,9 @@
 
 #include "Cutting.h"
 #include "FaceSeams.h"
+#include "FormerOptions.h"
 #include "IdleOptions.h"
 #include "InputError.h"
-#include "Materials.h"
 #include "MethodOptions.h"
 #include "NearestOption.h"
 #include "NumberOptions.h"
@@ -39,7 +39,6 @@ namespace
 constexpr const char* commonGroup = "Options";
 constexpr const char* globalGroup = "Options of every command";
 constexpr const char* expertGroup = "Options for experts";
-constexpr const char* formerGroup = "Former options";
 
 /// Puts millimetres in place of a length that may have a unit; without a length 0.
 std::string weldLength(std::string& text)
@@ -184,33 +183,6 @@ void addBody(CLI::App& app, Options& options)
     ->type_name("FILE");
 }
 
-/// The options of a command before there were several, each with what replaces it.
-void addFormerOptions(CLI::App& app, Options& options)
-{
-  const std::size_t before = app.get_options().size();
-  addSuggestionOptions(app, options);
-  addFormerReshapingOptions(app, options.reshaping);
-  addKeyPriceOptions(app, options);
-  addFormerResewingOptions(app, options.resewing);
-  addFormerPatternOptions(app, options.pattern);
-  addFormerSizeOptions(app, options.sizes);
-  addFormerPictureOptions(app, options.picture);
-  addBody(app, options);
-  app.add_flag("--list-curves", options.listCurves, "Print the length of each feature curve");
-  app.add_option("--batch", options.batch, "")
-    ->excludes(app.get_option("SURFACE"), app.get_option("--pins"), app.get_option("--list-curves"),
-      app.get_option("--picture"), app.get_option("--grade"));
-  app.add_flag_callback("--list-materials", []() {
-    printMaterials(std::cout);
-    throw CLI::Success();
-  });
-  const std::vector<CLI::Option*> all = app.get_options();
-  for (std::size_t k = before; k < all.size(); ++k)
-  {
-    all[k]->group(formerGroup);
-  }
-}
-
 void declareCheck(CLI::App& app, Options& options)
 {
   addSurface(app, options);
@@ -236,7 +208,6 @@ void declareFlatten(CLI::App& app, Options& options)
   addCurves(app, options);
   addOutput(app, options, "DIR", "The folder of the result (default: <name of SURFACE>_flat)");
   addFlattening(app, options);
-  addFormerOptions(app, options);
 }
 
 void declarePattern(CLI::App& app, Options& options)
@@ -245,8 +216,7 @@ void declarePattern(CLI::App& app, Options& options)
   addCurves(app, options);
   addOutput(app, options, "FILE|DIR",
     "File of the pattern: .pdf .svg .dxf .plt .json (GarmentCode) .csv (both sides of seams); "
-    "repeat "
-    "it for the next. A folder keeps the result (default: pattern.pdf)");
+    "repeat it for the next. A folder keeps the result (default: pattern.pdf)");
   addDrawing(app, options.pattern);
   addFlattening(app, options);
 }
@@ -340,8 +310,8 @@ struct Command
 const std::vector<Command>& commands()
 {
   static const std::vector<Command> all{
-    { "check", "Print size, likely unit, holes, symmetry and defects of a surface; mend it",
-      declareCheck, { "--weld", "--fill-holes", "--outer-side" } },
+    { "check", "Print size, likely unit, openings and defects of a surface; mend it", declareCheck,
+      { "--weld", "--fill-holes", "--outer-side" } },
     { "cut", "Propose darts and seams with which a surface lies flat, or lines on it", declareCut,
       { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--no-symmetric",
         "--prefer", "--weights", "--material", "--grain", "--seams-from" } },
@@ -412,8 +382,7 @@ public:
   std::string make_group(
     std::string group, bool positional, std::vector<const CLI::Option*> options) const override
   {
-    const bool hidden = group == formerGroup ||
-      (!this->Whole && !positional && group != commonGroup && group != globalGroup);
+    const bool hidden = !this->Whole && !positional && group != commonGroup && group != globalGroup;
     return hidden ? "" : CLI::Formatter::make_group(group, positional, options);
   }
 
@@ -473,10 +442,6 @@ void sortOptions(CLI::App& app, const std::vector<const char*>& shown)
   for (CLI::Option* const option : app.get_options())
   {
     if (option->get_positional())
-    {
-      continue;
-    }
-    if (option->get_group() == formerGroup)
     {
       continue;
     }
@@ -613,11 +578,10 @@ void checkOptions(const CLI::App& app, Options& options)
     options.outputs = app.get_parent()->get_option("--output")->results();
     options.batchOutputs = app.get_option("--output")->results();
   }
-  const bool batch = isGiven(app, "--batch") || options.command == "batch";
+  const bool batch = options.command == "batch";
   if (batch && options.batch.empty())
   {
-    throw CLI::ValidationError(
-      isGiven(app, "--batch") ? "--batch" : "LIST", "the file has no name");
+    throw CLI::ValidationError("LIST", "the file has no name");
   }
   const bool prints = options.command == "materials" || options.command == "formats";
   if (!batch && !prints)
@@ -684,6 +648,46 @@ void addCommandsOfBatch(CLI::App& batch, Options& options)
       }
     }
   }
+}
+
+/// The commands that have an option, "wirewarp pattern, wirewarp nest"; empty: none.
+std::string commandsWith(const std::string& option)
+{
+  std::string names;
+  for (const Command& command : commands())
+  {
+    CLI::App app;
+    Options unused;
+    command.declare(app, unused);
+    const CLI::Option* const found = app.get_option_no_throw(option);
+    names += found && !found->get_lnames().empty()
+      ? (names.empty() ? "wirewarp " : ", wirewarp ") + std::string(command.name)
+      : "";
+  }
+  return names;
+}
+
+/// What is meant by the arguments that no option took, after a semicolon; empty where that is not
+/// known.
+std::string meantBy(const CLI::App& app, const std::vector<std::string>& unknown)
+{
+  for (const std::string& argument : unknown)
+  {
+    const std::string option = argument.substr(0, argument.find('='));
+    if (const std::string successor = successorOf(option); !successor.empty())
+    {
+      return "; " + option + " is now " + successor;
+    }
+    if (option.rfind("--", 0) == 0)
+    {
+      const std::string others = commandsWith(option);
+      if (!others.empty())
+      {
+        return "; it is an option of " + others;
+      }
+    }
+  }
+  return nearestOption(app, unknown);
 }
 }
 
@@ -765,7 +769,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   catch (const CLI::ParseError& error)
   {
     std::cerr << "wirewarp: error: " << plainText(error.what())
-              << plainText(nearestOption(*chosen, app.remaining())) << "\nTry 'wirewarp "
+              << plainText(meantBy(*chosen, app.remaining())) << "\nTry 'wirewarp "
               << (chosen == &app ? "" : chosen->get_name() + ' ') << "--help'.\n";
     exitCode = BadUsage;
     return std::nullopt;

@@ -100,7 +100,7 @@ std::filesystem::path reportFile(const Options& options)
 std::vector<std::filesystem::path> furtherFiles(const Options& options)
 {
   std::vector<std::filesystem::path> paths;
-  for (const PatternFile& file : patternFiles(options.pattern, options.sizes.any(), options.output))
+  for (const PatternFile& file : options.pattern.files)
   {
     paths.emplace_back(file.path);
   }
@@ -139,7 +139,7 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
     result.unwritten.emplace_back(error.what());
   }
   const std::vector<std::string> patterns =
-    addPatterns(options.pattern, options.surface, options.quiet, result, options.output, files);
+    addPatterns(options.pattern, options.surface, options.quiet, result, files);
   written.files.insert(written.files.end(), patterns.begin(), patterns.end());
   add(options.curvesFile, result.flattenable ? result.flattenableCurves : result.curves);
   add(options.surfaceFile, result.flattenable);
@@ -219,61 +219,6 @@ void demandPlaces(const Options& options, OutputFiles& files)
   }
 }
 
-/// Of a run that takes long: whether its pattern fits on cloth and paper, as the surface lies flat
-/// without it. A refusal where that is out of the question; what proposed cuts may mend is warned
-/// of.
-Flattening rehearse(const Options& options, OutputFiles& files)
-{
-  Options plain = options;
-  plain.suggest.clear();
-  plain.reshaping = {};
-  plain.resewing = {};
-  plain.priceKeys = false;
-  plain.picture = {};
-  plain.quiet = true;
-  plain.pattern = {};
-  PatternRequest layout = plain.pattern;
-  layout.allowance = options.pattern.allowance;
-  layout.fairTolerance = 0.0;
-  layout.fabricWidth = options.pattern.fabricWidth;
-  layout.paper = options.pattern.paper;
-  layout.maximumPages = options.pattern.maximumPages;
-  // A sheet that is too large for PDF may be divided.
-  layout.pdf = options.pattern.pdf && (options.suggest.empty() || layout.paper != "sheet");
-  const bool isLong = !options.suggest.empty() || options.reshaping.any() ||
-    options.resewing.any() || options.priceKeys;
-  Flattening trial;
-  if (!isLong || !layout.any())
-  {
-    return trial;
-  }
-  trial = flattenOne(plain);
-  if (trial.refused()) // closed surfaces, for example, which cuts open
-  {
-    return {};
-  }
-  const int pieces = options.suggest == "seams" || options.suggest == "all"
-    ? options.values.integer("MaximumCuts") + 1
-    : 1;
-  const bool moves = !options.suggest.empty() || options.reshaping.any();
-  const std::string problem =
-    layoutProblem(layout, options.surface, 1, trial, options.output, files);
-  Flattening refused;
-  if (problem.empty())
-  {
-    return refused;
-  }
-  if (moves &&
-    layoutProblem(layout, options.surface, 2 * pieces, trial, options.output, files).empty())
-  {
-    std::cerr << "wirewarp: warning: before any cut, " << plainText(problem) << '\n';
-    return refused;
-  }
-  refused.exitCode = InputRefused;
-  refused.status = "PatternTooLarge";
-  refused.message = options.surface + ": " + problem;
-  return refused;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -303,11 +248,7 @@ FilesOfFlattening flattenToFiles(const Options& given)
   const bool existed = std::filesystem::exists(options.output, ignored);
   OutputFiles files;
   demandPlaces(options, files);
-  written.result = rehearse(options, files);
-  if (!written.result.refused())
-  {
-    written.result = flattenOne(options);
-  }
+  written.result = flattenOne(options);
   if (options.sizes.any() && !written.result.refused())
   {
     gradeSizes(options, written.result);

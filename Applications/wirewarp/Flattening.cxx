@@ -108,7 +108,7 @@ void checkBound(const Options& options, Flattening& result)
             << ", more than half above the bound of " << bound
             << "; allow more cuts (--max-cuts) or work (--max-work), or a larger bound";
   }
-  result.exitCode = PromiseBroken;
+  result.exitCode = Flawed;
   result.status = "BoundMissed";
   result.message = message.str();
 }
@@ -311,7 +311,7 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   }
   else if (filter->GetStatusCode() != vtkWireWarpingFilter::OK)
   {
-    result.exitCode = PromiseBroken;
+    result.exitCode = Flawed;
   }
   else if (!messages.errors().empty())
   {

@@ -42,43 +42,6 @@ void addMethods(CLI::App& app, Options& options)
 }
 
 //------------------------------------------------------------------------------
-void addSuggestionOptions(CLI::App& app, Options& options)
-{
-  const flattening::Option& cuts =
-    *findOption(flattening::OptionOwner::Suggestion, "SuggestedCuts");
-  CLI::Option* const suggest = app.add_option_function<std::string>(
-    "--suggest",
-    [&options, &cuts](const std::string& word) {
-      options.suggest = word;
-      options.values.setWord(cuts.property, word);
-      options.values.markGiven(cuts.property);
-    },
-    cuts.help +
-      " Writes curves.vtp, all curves ready to be edited. Scheme and options are those of the "
-      "flattening to come");
-  suggest->transform(CLI::IsMember({ "darts", "seams", "all", "lines" }, CLI::ignore_case));
-  for (CLI::Option* const option : addOptions(app,
-         { "Suggestions",
-           { { cuts.property, "" }, { "Bound", "--bound" },
-             { "MaximumCutLength", "--max-cut-length" } } },
-         options.values))
-  {
-    option->needs(suggest);
-  }
-}
-
-//------------------------------------------------------------------------------
-void addKeyPriceOptions(CLI::App& app, Options& options)
-{
-  app
-    .add_flag("--price-keys", options.priceKeys,
-      "Print the cost of the planar shape of each key curve, by flattenings without each and with "
-      "each alone")
-    ->excludes("--suggest")
-    ->excludes("--flattenable");
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
 {
   vtkSmartPointer<vtkWireWarpingFilter> filter;

@@ -16,12 +16,6 @@ namespace wirewarp
 /// Adds the options of how surfaces are flattened.
 void addMethods(CLI::App& app, Options& options);
 
-/// Adds --suggest and what it needs.
-void addSuggestionOptions(CLI::App& app, Options& options);
-
-/// Adds --price-keys, after the options that it excludes.
-void addKeyPriceOptions(CLI::App& app, Options& options);
-
 /// The filter that does what the options say, without their values.
 vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options);
 

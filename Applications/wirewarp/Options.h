@@ -20,7 +20,7 @@ enum ExitCode
   Done = 0,
   BadUsage = 2,
   InputRefused = 3,
-  PromiseBroken = 4,
+  Flawed = 4,
 };
 
 /// The command line.
@@ -61,7 +61,6 @@ struct Options
   std::string surfaceFile;          ///< of the moved surface; empty: none
   std::string sewnFile;             ///< of the sewn shape; empty: none
   int threads = 0;                  ///< 0: as many as there are cores
-  bool listCurves = false;
   bool table = false;
   bool quiet = false;
 };

@@ -24,12 +24,6 @@ struct PatternFile
 struct PatternRequest
 {
   std::vector<PatternFile> files;
-  bool svg = false;
-  bool pdf = false;
-  bool dxf = false;
-  bool plt = false;
-  bool garmentCode = false;
-  bool walk = false;
   bool seamTable = false; ///< in the PDF
   std::string name;       ///< empty: that of the surface's file
   std::string size;
@@ -62,14 +56,8 @@ struct PatternRequest
   double overlap = 10.0;
   int maximumPages = 200;
 
-  bool any() const
-  {
-    return !this->files.empty() || this->svg || this->pdf || this->dxf || this->plt ||
-      this->garmentCode || this->walk || this->fabricWidth > 0.0;
-  }
+  bool any() const { return !this->files.empty(); }
 };
-
-void addFormerPatternOptions(CLI::App& app, PatternRequest& request);
 
 /// How pieces are drawn.
 void addDrawing(CLI::App& app, PatternRequest& request);

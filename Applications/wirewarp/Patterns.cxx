@@ -101,7 +101,7 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
     splitNameAndNumber(text, name, distance);
     writer->SetCurveDartTip(name, distance);
   }
-  writer->SetWalkTable(request.walk || request.seamTable);
+  writer->SetWalkTable(request.seamTable);
   writer->SetCutPairs(request.cutPairs);
   writer->SetFairTolerance(request.fairTolerance);
   writer->SetSymmetrize(request.symmetrize);
@@ -156,39 +156,6 @@ std::string write(vtkPatternWriter* writer, const PatternFile& file, OutputFiles
 }
 
 //------------------------------------------------------------------------------
-std::vector<PatternFile> patternFiles(
-  const PatternRequest& request, bool graded, const std::string& folder)
-{
-  if (!request.files.empty())
-  {
-    return request.files;
-  }
-  const std::vector<std::pair<bool, PatternFile>> all{
-    { request.svg, { "pattern.svg", vtkPatternWriter::SVG } },
-    { request.pdf, { "pattern.pdf", vtkPatternWriter::PDF } },
-    { request.dxf, { "pattern.dxf", vtkPatternWriter::DXF } },
-    { request.plt, { "pattern.plt", vtkPatternWriter::HPGL } },
-    { request.garmentCode, { "pattern.json", vtkPatternWriter::GARMENT_CODE } },
-    { request.walk, { "walk.csv", vtkPatternWriter::WALK } },
-    { graded, { "nest.svg", vtkPatternWriter::NEST } },
-    { graded, { "rules.csv", vtkPatternWriter::GRADE_LIST } },
-    { graded && request.dxf, { "pattern.rul", vtkPatternWriter::RULE_TABLE } },
-    { request.fabricWidth > 0.0, { "lay.svg", vtkPatternWriter::SVG, true } },
-    { request.fabricWidth > 0.0 && request.plt, { "lay.plt", vtkPatternWriter::HPGL, true } },
-  };
-  std::vector<PatternFile> files;
-  for (const auto& [wanted, file] : all)
-  {
-    if (wanted)
-    {
-      files.push_back(file);
-      files.back().path = (std::filesystem::path(folder) / file.path).string();
-    }
-  }
-  return files;
-}
-
-//------------------------------------------------------------------------------
 void checkCurveNames(const PatternRequest& request, const std::string& surface,
   vtkFeatureCurveAlgorithm* filter, Flattening& result)
 {
@@ -221,29 +188,8 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
 }
 
 //------------------------------------------------------------------------------
-std::string layoutProblem(const PatternRequest& request, const std::string& surface, int times,
-  const Flattening& result, const std::string& folder, OutputFiles& files)
-{
-  const VtkMessages messages;
-  vtkNew<vtkPatternWriter> writer;
-  configure(writer, request, surface, result.unit);
-  writer->SetInputData(0, result.flat);
-  writer->SetInputData(1, result.wires);
-  writer->SetInputData(2, result.cut);
-  writer->SetFabricWidth(times * request.fabricWidth);
-  writer->SetMaximumPages(times * request.maximumPages);
-  std::string problem;
-  for (const PatternFile& file : patternFiles(request, false, folder))
-  {
-    problem = problem.empty() ? write(writer, file, files) : problem;
-  }
-  files.abandon();
-  return problem;
-}
-
-//------------------------------------------------------------------------------
 std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
-  bool quiet, Flattening& result, const std::string& folder, OutputFiles& files)
+  bool quiet, Flattening& result, OutputFiles& files)
 {
   std::vector<std::string> names;
   std::set<std::string> warnings;              // of all formats alike
@@ -258,7 +204,7 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   {
     writer->SetInputData(3, result.grading);
   }
-  for (const PatternFile& file : patternFiles(request, result.grading, folder))
+  for (const PatternFile& file : request.files)
   {
     const VtkMessages messages;
     writer->SetFabricWidth(file.onCloth ? request.fabricWidth : 0.0);

@@ -2,6 +2,7 @@
 #include "Picture.h"
 
 #include "Display.h"
+#include "FieldRows.h"
 #include "Flattening.h"
 #include "InputError.h"
 #include "Options.h"
@@ -14,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace wirewarp
@@ -47,33 +49,6 @@ figures::PolyData withDistance(const figures::PolyData& flat, const figures::Pol
   result->GetPointData()->AddArray(sewn->GetPointData()->GetArray("Distance"));
   return result;
 }
-}
-
-//------------------------------------------------------------------------------
-void addFormerPictureOptions(CLI::App& app, PictureRequest& request)
-{
-  const std::string group = "Picture";
-  app
-    .add_option("--picture", request.path,
-      "Write a picture: the cut surface and its flat pieces. Needs an X server (xvfb-run -a)")
-    ->check(CLI::Validator(
-      [](std::string& text) {
-        return lowerCaseExtension(text) == ".png" ? std::string()
-                                                  : inQuotes(text) + " does not end in .png";
-      },
-      "FILE.png"))
-    ->group(group);
-  app
-    .add_option("--color-by", request.coloring,
-      "What the picture's colours show: the surface's angle defects, or for each triangle what "
-      "flattening does to its area (homogeneity, area) and its shape; with --material what its "
-      "threads do: stretch (the largest, 100 to 120 %), warp, weft (strains), shear (trellis "
-      "angle); with --resew distance: the sewn surface, coloured by how far it lies from the "
-      "design, "
-      "which is seen through")
-    ->transform(CLI::IsMember(coloringNames(), CLI::ignore_case))
-    ->capture_default_str()
-    ->group(group);
 }
 
 //------------------------------------------------------------------------------
@@ -114,9 +89,22 @@ void checkPicture(const PictureRequest& request)
 //------------------------------------------------------------------------------
 void addPicture(const Options& options, const Flattening& result, OutputFiles& files)
 {
+  const auto demand = [&](bool isThere, const char* what) {
+    if (!isThere)
+    {
+      throw InputError(options.picture.path,
+        "--color " + options.picture.coloring + " needs " + what + ", or choose another");
+    }
+  };
+  const auto& threads = figures::threadColorings;
   figures::PatternScene scene;
   scene.piece = { result.flat, result.wires, result.cut };
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
+  demand(scene.coloring != figures::Coloring::Distance || result.sewn,
+    "sewn pieces: run wirewarp sew on the result first");
+  demand(std::find(threads.begin(), threads.end(), scene.coloring) == threads.end() ||
+      FieldRows(result.flat).count("StrainWarpRms") > 0,
+    "pieces of a material: flatten with --material");
   scene.title = std::filesystem::path(options.surface).stem().string() + ", scheme " +
     options.values.text("Scheme");
   const std::string material = options.values.text("Material");
@@ -128,9 +116,9 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   {
     scene.sewn = result.sewn;
     scene.piece.flat = withDistance(result.flat, result.sewn);
-    scene.title += ", sewn again (" + options.resewing.test + ")";
+    scene.title += ", sewn again";
   }
-  scene.warning = result.exitCode == PromiseBroken;
+  scene.warning = result.exitCode == Flawed;
   scene.message = scene.warning ? result.message : "";
   const VtkMessages messages;
   figures::PatternPicture picture(pictureWidth, height, samples);

@@ -23,7 +23,6 @@ struct PictureRequest
   bool any() const { return !this->path.empty(); }
 };
 
-void addFormerPictureOptions(CLI::App& app, PictureRequest& request);
 void addPicture(CLI::App& app, PictureRequest& request);
 
 /// Throws InputError where a picture is asked for and none can be drawn here.

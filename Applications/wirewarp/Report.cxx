@@ -339,8 +339,6 @@ std::string makeReport(const Options& options, const Flattening& result)
   {
     Json saved = Json::parse(result.savedReport);
     saved["resewn"] = resewnReports(options, FieldRows(result.sewn));
-    saved["pattern_notes"] = result.patternNotes;
-    saved["unwritten"] = result.unwritten;
     return saved.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   }
   const bool conformal = options.values.text("Scheme") == "lscm"; // it has neither

@@ -32,54 +32,6 @@ ResewingRequest::ResewingRequest()
 }
 
 //------------------------------------------------------------------------------
-void addFormerResewingOptions(CLI::App& app, ResewingRequest& request)
-{
-  const std::string group = "Sewing again";
-  CLI::Option* const resew = app.add_option("--resew", request.test,
-    "Sew the flat pieces together again, let them come to rest and say how far that is from "
-    "SURFACE: panel (each piece, its boundary held), product (all that is sewn together, hems "
-    "free); writes sewn.vtp. With --material it is sewn of that");
-  resew->transform(CLI::IsMember({ "panel", "product" }, CLI::ignore_case))->group(group);
-  app
-    .add_option("--resew-thickness", request.thickness,
-      "Thickness of a plate that bends as the cloth does, over the size of a piece")
-    ->check(number(0.0, 1.0, "[0, 1]"))
-    ->capture_default_str()
-    ->needs(resew)
-    ->group(group);
-  app
-    .add_option(
-      "--resew-iterations", request.maximumIterations, "Most iterations until the cloth is at rest")
-    ->check(wholeNumber(1, std::numeric_limits<int>::max(), "from 1"))
-    ->capture_default_str()
-    ->needs(resew)
-    ->group(group);
-  app
-    .add_option("--resew-pressure", request.pressure,
-      "Pressure behind the cloth, times its size over its stiffness; a product must be closed")
-    ->check(number(-1.0, 1.0, "[-1, 1]"))
-    ->capture_default_str()
-    ->needs(resew)
-    ->group(group);
-  app
-    .add_option("--resew-gravity", request.gravity,
-      "Weight of the cloth per area and where it pulls, times its size over its stiffness, such as "
-      "0 0 -0.0002 where z is up (default: none); a product needs a --body to lie on")
-    ->check(number(-1.0, 1.0, "[-1, 1]"))
-    ->expected(3)
-    ->type_name("X Y Z")
-    ->needs(resew)
-    ->group(group);
-  app
-    .add_flag_callback(
-      "--resew-once", [&request]() { request.secondStart = false; },
-      "Let the cloth come to rest from one start alone, in half the time; other shapes that it may "
-      "have at rest are not looked for")
-    ->needs(resew)
-    ->group(group);
-}
-
-//------------------------------------------------------------------------------
 void addResewing(CLI::App& app, ResewingRequest& request)
 {
   app
@@ -146,7 +98,7 @@ void sewAgain(const ResewingRequest& request, const std::string& body, const std
   }
   if (sewn->IsRefused() || (sewn->GetStatusCode() != vtkSewnShape::OK && result.exitCode == Done))
   {
-    result.exitCode = sewn->IsRefused() ? InputRefused : PromiseBroken;
+    result.exitCode = sewn->IsRefused() ? InputRefused : Flawed;
     result.status = sewn->GetStatusName();
     result.remedies = remediesOf(sewn);
     result.message = messageOf(sewn->GetStatusDefect(), result.remedies);

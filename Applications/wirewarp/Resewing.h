@@ -28,7 +28,6 @@ struct ResewingRequest
   bool any() const { return !this->test.empty(); }
 };
 
-void addFormerResewingOptions(CLI::App& app, ResewingRequest& request);
 void addResewing(CLI::App& app, ResewingRequest& request);
 
 /// Sews the flat pieces together again where that is asked for. What the cloth cannot do ends in

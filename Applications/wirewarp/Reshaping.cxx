@@ -25,46 +25,6 @@ ReshapingRequest::ReshapingRequest()
 }
 
 //------------------------------------------------------------------------------
-void addFormerReshapingOptions(CLI::App& app, ReshapingRequest& request)
-{
-  const std::string group = "Changing the surface";
-  CLI::Option* const flattenable =
-    app
-      .add_option_function<double>(
-        "--flattenable",
-        [&request](double bound) {
-          request.wanted = true;
-          request.bound = bound;
-        },
-        "Move SURFACE as little as it takes for the strain on 95 % of each piece's area to be "
-        "within this bound (0.02: 2 %), and flatten that; writes flattenable.vtp")
-      ->check(number(1e-6, 0.99, "[1e-6, 0.99]"))
-      ->excludes("--suggest")
-      ->group(group);
-  app
-    .add_option("--keep", request.keep,
-      "A curve that --flattenable leaves where it is; may be given several times")
-    ->type_name("NAME")
-    ->allow_extra_args(false)
-    ->needs(flattenable)
-    ->group(group);
-  app
-    .add_flag_callback(
-      "--free-boundary", [&request]() { request.keepBoundary = false; },
-      "Let --flattenable move the boundary as well")
-    ->needs(flattenable)
-    ->group(group);
-  app
-    .add_option("--outside-bias", request.outsideBias,
-      "How much --flattenable moves the surface outwards, to where its triangles turn "
-      "counter-clockwise, rather than inwards; 0: both alike, 1: no point moves inwards")
-    ->check(number(0.0, 1.0, "[0, 1]"))
-    ->capture_default_str()
-    ->needs(flattenable)
-    ->group(group);
-}
-
-//------------------------------------------------------------------------------
 void addReshaping(CLI::App& app, ReshapingRequest& request)
 {
   app

@@ -31,7 +31,6 @@ struct ReshapingRequest
   bool any() const { return this->wanted; }
 };
 
-void addFormerReshapingOptions(CLI::App& app, ReshapingRequest& request);
 void addReshaping(CLI::App& app, ReshapingRequest& request);
 
 /// The filter that moves the surface before it flattens it.

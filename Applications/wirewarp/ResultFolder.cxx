@@ -82,7 +82,7 @@ Flattening readResult(const Options& options)
   try
   {
     const int exitCode = report.at("exit_code").get<int>();
-    result.exitCode = exitCode == PromiseBroken ? PromiseBroken : Done;
+    result.exitCode = exitCode == Flawed ? Flawed : Done;
     result.status = report.at("status").get<std::string>();
     result.message = report.at("message").get<std::string>();
     result.unit = report.at("unit").get<std::string>();

@@ -34,7 +34,7 @@ std::string SizeRequest::fault(const std::string& base) const
 {
   if (base.empty())
   {
-    return "--grade needs the name of SURFACE's own size; give it with --size";
+    return "a size has no name; write SIZE=SURFACE";
   }
   std::set<std::string> names;
   const std::vector<SizeSurface> sizes = this->all(base);
@@ -42,40 +42,14 @@ std::string SizeRequest::fault(const std::string& base) const
   {
     if (size.name.empty() || (size.surface.empty() && size.name != base))
     {
-      return "--grade " + inQuotes(size.name) +
-        " is neither NAME=SURFACE nor the name that --size gives";
+      return inQuotes(size.name) + " is not a size; write SIZE=SURFACE";
     }
     if (!names.insert(size.name).second)
     {
-      return "--grade: the size " + inQuotes(size.name) +
-        " is named twice (--size names that of SURFACE)";
+      return "the size " + inQuotes(size.name) + " is named twice; leave one of them out";
     }
   }
-  return sizes.size() < 2 ? "--grade names no size beside that of SURFACE" : "";
-}
-
-//------------------------------------------------------------------------------
-void addFormerSizeOptions(CLI::App& app, SizeRequest& request)
-{
-  const std::string group = "Sizes";
-  CLI::Option* const grade =
-    app
-      .add_option("--grade", request.texts,
-        "Another size of the pattern, NAME=SURFACE, a surface of the same connectivity, with the "
-        "same CURVES; repeat it for the next. SURFACE is the base, its size that of --size, the "
-        "first one, or where --grade NAME alone puts it. Writes nest.svg, the sew lines of all "
-        "sizes on each other, rules.csv, how far each corner and end of a curve goes from size to "
-        "size, and with --dxf the rule table pattern.rul")
-      ->type_name("NAME=SURFACE")
-      ->allow_extra_args(false)
-      ->group(group);
-  app
-    .add_option("--grade-at", request.alignment,
-      "Lay sizes on each other at the first point of this curve and along it (default: the first "
-      "key curve within each piece; where there is none, as they fit the base best)")
-    ->type_name("NAME")
-    ->needs(grade)
-    ->group(group);
+  return "";
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,6 @@ struct SizeRequest
   std::string fault(const std::string& base) const;
 };
 
-void addFormerSizeOptions(CLI::App& app, SizeRequest& request);
 /// \param words SIZE=SURFACE and files of curves
 void addSizes(
   CLI::App& app, std::vector<std::string>& words, SizeRequest& request, std::string& base);

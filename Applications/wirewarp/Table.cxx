@@ -150,7 +150,9 @@ std::string verdicts(const Flattening& result, bool unitAsked)
   std::string text;
   for (vtkIdType piece = 0; piece < field.count("SizeInWords"); ++piece)
   {
-    text += "piece " + nameOf(piece) + ": " + field.text("SizeInWords", piece) +
+    const std::string name = plainText(field.text("PieceNames", piece));
+    text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
+      field.text("SizeInWords", piece) +
       (result.unitStated || unitAsked || piece > 0 ? "" : " (lengths taken as cm: --unit)") + "; " +
       plainText(field.text("EaseInWords", piece)) + '\n';
   }
@@ -259,7 +261,7 @@ std::string fallbacks(const Flattening& result)
 }
 
 //------------------------------------------------------------------------------
-std::string brokenPromises(const Flattening& result, const std::string& where)
+std::string pieceWarnings(const Flattening& result, const std::string& where)
 {
   const FieldRows field(result.flat);
   std::string text;
@@ -267,11 +269,10 @@ std::string brokenPromises(const Flattening& result, const std::string& where)
   {
     if (field.text("Status", piece) != "Ok")
     {
-      text += "wirewarp: broken promise: " + plainText(where) + "piece " + nameOf(piece) + ": " +
+      text += "wirewarp: warning: " + plainText(where) + "piece " + nameOf(piece) + ": " +
         plainText(messageOf(field.text("StatusDefect", piece), remediesOf(field, piece))) + '\n';
     }
   }
-  return text.empty() ? "wirewarp: broken promise: " + plainText(where + result.message) + '\n'
-                      : text;
+  return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;
 }
 }

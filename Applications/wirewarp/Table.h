@@ -32,6 +32,6 @@ std::string warnings(const Flattening& result, const std::string& where = "");
 /// A line for each file that could not be written.
 std::string writeErrors(const Flattening& result);
 
-/// Broken promises, a line a piece. \param where stands before each piece
-std::string brokenPromises(const Flattening& result, const std::string& where = "");
+/// What is wrong with pieces, a line each. \param where stands before each piece
+std::string pieceWarnings(const Flattening& result, const std::string& where = "");
 }

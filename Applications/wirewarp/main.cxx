@@ -9,7 +9,6 @@
 #include "KeyPriceTable.h"
 #include "Materials.h"
 #include "Options.h"
-#include "Patterns.h"
 #include "PlainText.h"
 #include "Reshaping.h"
 #include "SuggestedCuts.h"
@@ -78,18 +77,17 @@ std::string writtenFiles(const std::vector<std::string>& files)
 
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  const bool unitAsked = !patternFiles(options.pattern, false, "").empty() ||
-    FieldRows(written.result.flat).count("SizeWarning") > 0;
-  std::cout << pieceTable(written.result) << verdicts(written.result, unitAsked);
-  std::cout << curveDistance(written.result) << fallbacks(written.result)
-            << releaseAdvice(written.result) << suggestionTable(written.result)
-            << reshapingTable(written.result) << resewingTable(options.resewing, written.result)
-            << keyPriceTable(written.result);
-  if (options.listCurves)
+  const bool unitAsked =
+    options.pattern.any() || FieldRows(written.result.flat).count("SizeWarning") > 0;
+  if (options.table)
   {
-    std::cout << '\n' << curveTable(written.result);
+    std::cout << pieceTable(written.result) << '\n' << curveTable(written.result) << '\n';
   }
-  std::cout << '\n' << writtenFiles(written.files);
+  std::cout << verdicts(written.result, unitAsked) << curveDistance(written.result)
+            << fallbacks(written.result) << releaseAdvice(written.result)
+            << suggestionTable(written.result) << reshapingTable(written.result)
+            << resewingTable(options.resewing, written.result) << keyPriceTable(written.result)
+            << writtenFiles(written.files);
 }
 
 int run(const Options& options)
@@ -129,9 +127,9 @@ int run(const Options& options)
   }
   std::cout.flush();
   std::cerr << writeErrors(written.result) << warnings(written.result);
-  if (written.result.exitCode == PromiseBroken)
+  if (written.result.exitCode == Flawed)
   {
-    std::cerr << brokenPromises(written.result);
+    std::cerr << pieceWarnings(written.result);
   }
   return written.result.outcome();
 }

@@ -65,7 +65,9 @@ def main(command, folder, material="twill", pictures=None):
             for name in ("plain", "twill", "jersey") if pictures and piece_name in PICTURED else ():
                 os.makedirs(pictures, exist_ok=True)
                 target = os.path.abspath(os.path.join(pictures, f"{piece_name}_{name}.png"))
-                flatten(command, piece, out, "--material", name, "--color-by", "stretch", "--picture", target)
+                flatten(command, piece, out, "--material", name)
+                subprocess.run([command, "picture", out, "--color", "stretch", "--quiet", "-o", target],
+                               capture_output=True, check=False, timeout=300)
         # Of a garment in several pieces the mean counts.
         before, after = ([piece["cloth"] for piece in report["pieces"]] for report in (base, free))
         strain = [statistics.fmean(map(rms, cloths)) for cloths in (before, after)]

@@ -58,7 +58,7 @@ def batch(options, folder):
         for k in range(SURFACES):
             file.write(" ".join(f'"{name}"' for name in sets[k % len(sets)]) + "\n")
     # 4: a broken promise, such as a piece that overlaps itself
-    run(f"{options.bin}/wirewarp", "--batch", f"{folder}/list.txt", "--output", f"{folder}/batch",
+    run(f"{options.bin}/wirewarp", "batch", f"{folder}/list.txt", "--output", f"{folder}/batch",
         "--threads", "2", "--quiet", codes=(0, 4))
 
 

@@ -116,7 +116,7 @@ class Paths:
         return chains
 
 
-def measures(command, *arguments):
+def measures(command, *arguments, picture=None):
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run([command, *arguments, "--quiet", "--output", folder], check=False,
                              capture_output=True, text=True)
@@ -124,6 +124,8 @@ def measures(command, *arguments):
             sys.exit(run.stderr)
         with open(f"{folder}/report.json", encoding="utf-8") as file:
             report = json.load(file)
+        if picture:
+            subprocess.run([command, "picture", folder, "--quiet", "-o", picture], check=False)
     triangles = sum(piece["triangles"] for piece in report["pieces"])
     mean = {key: sum(piece[key] * piece["triangles"] for piece in report["pieces"]) / triangles
             for key in ("energy_rigid", "E_area")}
@@ -141,20 +143,21 @@ def measure(command, name, folder):
         return None
     text = folder / "darts.txt"
 
-    def with_darts(chains, *options):
+    def with_darts(chains, *options, drawn=None):
         write_darts(chains, text)
-        return measures(command, str(surface), *([str(text)] if chains else []), *options)
+        return measures(command, str(surface), *([str(text)] if chains else []), *options, picture=drawn)
 
     def picture(what):
-        return ("--picture", str(folder / f"{name}_{what}.png")) if name in SHOWN and "--write" in sys.argv else ()
+        return str(folder / f"{name}_{what}.png") if name in SHOWN and "--write" in sys.argv else None
 
     def point(run):
         return run["length"] / paths.size, 100 * run["p95"], 1e3 * run["energy_rigid"]
 
-    uncut, designed = with_darts([]), with_darts(darts, *picture("designed"))
+    uncut, designed = with_darts([]), with_darts(darts, drawn=picture("designed"))
     closed = with_darts(darts, "--close-cuts") if designed["overlaps"] else None
-    proposed = measures(command, str(surface), "--suggest", "all", "--bound", "0", "--max-cut-length",
-                        repr(designed["length"]), "--max-cuts", "10", *picture("proposed"))
+    proposed = measures(command, "cut", str(surface), "--max-strain", "0", "--max-length",
+                        repr(designed["length"]), "--max-cuts", "10", "--effort", "quick",
+                        picture=picture("proposed"))
     steps, length, energy = [point(uncut)], 0.0, uncut["energy_rigid"]
     for k, cut in enumerate(proposed["suggestions"]):
         length += cut["length"]

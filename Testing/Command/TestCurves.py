@@ -121,7 +121,7 @@ class Curves(command.CommandTest):
         said = {}
         for kind in ("key", "straight"):
             self.write("fold.txt", f"{kind} fold {line}\n")
-            run = self.run_command("dome.obj", "fold.txt", "--svg", "--dxf", "--unit", "m", "--output", "out")
+            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", "m", "--output", "out")
             self.assertIn(run.returncode, (0, 4), run.stderr)
             said[kind] = [row for row in run.stderr.splitlines() if "grainline" in row]
         self.assertEqual(len(said["key"]), 1, said)
@@ -131,7 +131,7 @@ class Curves(command.CommandTest):
 
     def test_a_pattern_says_of_all_darts_in_one_sentence_how_far_their_legs_miss_each_other(self):
         surface, curves = (os.path.join(command.DATA, name) for name in ("pants_back.vtp", "pants_back_curves.vtp"))
-        run = self.run_command(surface, curves, "--svg", "--unit", "cm", "--output", "out")
+        run = self.run_command("pattern", surface, curves, "-o", "out/pattern.svg", "--unit", "cm", "--output", "out")
         self.assertIn(run.returncode, (0, 4), run.stderr)
         said = [row for row in run.stderr.splitlines() if "miss each other" in row]
         self.assertEqual(len(said), 1, run.stderr)
@@ -454,7 +454,7 @@ class Curves(command.CommandTest):
         self.assertIn('here "bad0", "bad1" and "bad2" have given up the shape, "good" keeps its own', report["message"])
         self.assertIn('turn "bad0", "bad1" and "bad2" into accessory curves', report["message"])
         self.assertEqual([curve["released"] for curve in report["curves"]], [True, True, True, False])
-        run = self.run_command("sheet.obj", "keys.vtk", "--output", "out", "--list-curves")
+        run = self.run_command("sheet.obj", "keys.vtk", "--output", "out", "--table")
         self.assertEqual(run.stdout.count("key (released)"), 3)
         report = self.flatten("sheet.obj", "keys.vtk", "--release-keys")
         self.assertEqual({curve["released"] for curve in report["curves"]}, {True})
@@ -525,8 +525,8 @@ class Curves(command.CommandTest):
 
     def test_the_walk_of_the_t_shirts_seams_adds_up_to_their_lengths_and_finds_no_difference(self):
         data = os.environ["WIREWARP_DATA"]
-        report = self.flatten(os.path.join(data, "tshirt.vtp"), os.path.join(data, "tshirt_curves.vtp"),
-                              "--walk", "--unit", "cm", "--name", "shirt")
+        report = self.flatten("pattern", os.path.join(data, "tshirt.vtp"), os.path.join(data, "tshirt_curves.vtp"),
+                              "-o", "out/walk.csv", "--unit", "cm", "--name", "shirt")
         with open(self.path("out/walk.csv"), encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
         walked = {}

@@ -51,8 +51,8 @@ class Damaged(command.CommandTest):
             self.write("curve.vtp", curve.replace(coordinate, number, 1))
             self.write("sheet.vtp", self.xml.replace(coordinate, number, 1))
             for arguments in (("good.obj", "curve.vtp"), ("sheet.vtp", "curve.vtp"),
-                              ("good.obj", "curve.vtp", "--size", "S", "--grade", "M=good.obj"),
-                              ("good.obj", "--size", "S", "--grade", "M=sheet.vtp")):
+                              ("grade", "S=good.obj", "M=good.obj", "curve.vtp"),
+                              ("grade", "S=good.obj", "M=sheet.vtp")):
                 with self.subTest(number, arguments=arguments):
                     run = self.run_command(*arguments, "--output", "out")
                     self.assertIn(run.returncode, (1, 3), run.stdout + run.stderr)
@@ -108,7 +108,7 @@ class Damaged(command.CommandTest):
         names = [self.write(name, text) for name, text in self.killing.items()]
         self.write("fine.vtp", self.xml)
         self.write("list.txt", "\n".join(["fine.vtp", *names, "good.obj " + names[0], "fine.vtp"]) + "\n")
-        run = self.run_command("--batch", "list.txt", "--output", "out", "--threads", "1")
+        run = self.run_command("batch", "list.txt", "--output", "out", "--threads", "1")
         self.assertEqual(run.returncode, 3, run.stderr)
         with open(self.path("out/batch.json"), encoding="utf-8") as file:
             statuses = [row["status"] for row in json.load(file)["surfaces"]]
@@ -132,7 +132,7 @@ class Damaged(command.CommandTest):
                     self.refuse(*arguments, says=(arguments[-1], word))
                     self.assertLess(time.monotonic() - start, 20)
         for name, word in (("pipe.obj", "pipe"), ("zero.ply", "device"), ("folder.txt", "folder")):
-            run = self.run_command("--batch", name, "--output", "out")
+            run = self.run_command("batch", name, "--output", "out")
             self.assertEqual(run.returncode, 3)
             self.assertIn(word, command.error_lines(run)[0])
 
@@ -154,14 +154,14 @@ class Damaged(command.CommandTest):
         self.write("names.vtk", coded)
         for name in ("names.txt", "names.vtk"):
             for arguments in (
-                ("--list-curves",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split-triangles",),
+                ("--table",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split-triangles",),
             ):
                 with self.subTest(name=name, arguments=arguments):
                     run = self.run_command("good.obj", name, *arguments, "--output", "out")
                     text = run.stdout + run.stderr
                     self.assertRegex(text, "^[\n -~]+$")
                     self.assertIn(run.returncode, (0, 3, 4))
-                    if arguments == ("--list-curves",):
+                    if arguments == ("--table",):
                         self.assertIn("a?[31m", text)
         bad = "bogus\x1b[31m"
         self.write("bad.txt", f"accessory a{escape} 10 99\n{bad} b 1 2\n")

@@ -101,8 +101,8 @@ class Edges(command.CommandTest):
             self.assertEqual(run.stdout, "")
 
     def test_an_edge_has_its_own_allowance_and_notches_and_is_sewn(self):
-        self.flatten("flat.obj", self.curves(f"edge hem {at(0, 0)} {at(8, 0)}\n"), "--unit", "mm", "--dxf",
-                     "--curve-allowance", "hem=40", "--curve-notch", "hem=250", "--curve-notch", "hem=600")
+        self.flatten("pattern", "flat.obj", self.curves(f"edge hem {at(0, 0)} {at(8, 0)}\n"), "--unit", "mm", "-o", "out/pattern.dxf",
+                     "--allowance", "hem=40", "--notch", "hem=250", "--notch", "hem=600")
         border = next(entity for entity in self.lines("1") if entity.dxftype() == "POLYLINE")
         sizes = sorted(max(p[k] for p in border.points()) for k in (0, 1))
         self.assertAlmostEqual(sizes[0], 820.0, delta=0.01)
@@ -113,8 +113,8 @@ class Edges(command.CommandTest):
         self.assertEqual(sum(entity.dxftype() == "POLYLINE" for entity in self.lines("8")), 0)
 
     def test_a_notch_beyond_the_end_of_its_edge_leaves_no_file(self):
-        run = self.run_command("flat.obj", self.curves(f"edge hem {at(0, 0)} {at(8, 0)}\n"), "--unit", "mm",
-                               "--dxf", "--curve-notch", "hem=801", "--output", "none")
+        run = self.run_command("pattern", "flat.obj", self.curves(f"edge hem {at(0, 0)} {at(8, 0)}\n"), "--unit", "mm",
+                               "-o", "none/pattern.dxf", "--notch", "hem=801")
         self.assertEqual(run.returncode, 3, run.stderr)
         for word in ("hem", "801", "800"):
             self.assertIn(word, run.stderr)
@@ -122,8 +122,8 @@ class Edges(command.CommandTest):
 
     def test_the_walk_of_an_eased_seam_tells_the_ease_of_every_interval(self):
         seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
-        words = ("--unit", "mm", "--walk", "--tolerance", "side=0.05")
-        self.flatten("bulged.obj", seam, *words, "--ease", "side:1=+3%")
+        words = ("--unit", "mm", "-o", "out/walk.csv", "--tolerance", "side=0.05")
+        self.flatten("pattern", "bulged.obj", seam, *words, "--ease", "side:1=+3%")
         with open(self.path("out/walk.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertGreater(len(rows), 5)
@@ -149,8 +149,8 @@ class Edges(command.CommandTest):
                 file.write("\n".join(lines).format(fraction, piece) + "\n")
             return self.path("eased.vtk")
 
-        words = ("--unit", "mm", "--walk")
-        self.flatten("bulged.obj", ease(0.03, 0), *words)
+        words = ("--unit", "mm", "-o", "out/walk.csv")
+        self.flatten("pattern", "bulged.obj", ease(0.03, 0), *words)
         with open(self.path("out/walk.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertGreater(len(rows), 5)
@@ -160,7 +160,7 @@ class Edges(command.CommandTest):
             self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
         for fraction, piece, says in ((0.06, 0, ["6 %", "5 %"]), (0.03, 2, ["piece 3"]), (0.03, -1, ["1, 2"]),
                                       (1.0, 0, ["LengthEase", "(-1, 1)"]), (0.03, -2, ["EasedPiece"])):
-            run = self.run_command("bulged.obj", ease(fraction, piece), *words, "--output", "none")
+            run = self.run_command("pattern", "bulged.obj", ease(fraction, piece), *words, "--output", "none")
             self.assertEqual(run.returncode, 3, run.stderr)
             for word in says:
                 self.assertIn(word, run.stderr)
@@ -180,7 +180,7 @@ class Edges(command.CommandTest):
                 self.assertIn(word, run.stderr)
 
     def test_a_symmetric_piece_is_cut_on_the_fold(self):
-        self.flatten("bulged.obj", "--unit", "mm", "--dxf", "--cut-on-fold", "--notch-spacing", "0")
+        self.flatten("pattern", "bulged.obj", "--unit", "mm", "-o", "out/pattern.dxf", "--fold", "symmetric", "--notch-spacing", "0")
         (fold,) = self.lines("6")
         border = next(entity for entity in self.lines("1") if entity.dxftype() == "POLYLINE")
         span = [max(p[k] for p in border.points()) for k in (0, 1)]
@@ -190,17 +190,15 @@ class Edges(command.CommandTest):
     def test_a_fold_along_a_curve_about_which_its_piece_is_not_symmetric_leaves_no_pattern(self):
         middle = "straight middle " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n"
         beside = "straight beside " + " ".join(str(at(3, j)) for j in range(SIZE + 1)) + "\n"
-        self.flatten("flat.obj", self.curves(middle), "--unit", "mm", "--dxf", "--fold", "middle")
+        self.flatten("pattern", "flat.obj", self.curves(middle), "--unit", "mm", "-o", "out/pattern.dxf", "--fold", "middle")
         (fold,) = self.lines("6")
         self.assertAlmostEqual((fold.dxf.end - fold.dxf.start).magnitude, 820.0, delta=0.01)
-        run = self.run_command("flat.obj", self.curves(beside), "--unit", "mm", "--dxf", "--svg", "--piece-name",
-                               "front", "--fold", "beside", "--output", "none")
+        run = self.run_command("pattern", "flat.obj", self.curves(beside), "--unit", "mm", "-o", "none/pattern.dxf", "--piece",
+                               "front", "--fold", "beside")
         self.assertEqual(run.returncode, 3, run.stderr)
         for word in ("front", "beside", "symmetric", "200 mm"):
             self.assertIn(word, run.stderr)
-        # The flattening is kept; of the patterns not even a part is.
-        self.assertEqual(
-            sorted(os.listdir(self.path("none"))), ["cut.vtp", "flat.vtp", "report.json", "wires.vtp"])
+        self.assertEqual(os.listdir(self.path("none")), [])
 
 
 command.main()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--flattenable moves the surface until its flat pieces are strained by no more than a bound."""
+"""wirewarp reshape moves the surface until its flat pieces are strained by no more than a bound."""
 
 import os
 import pathlib
@@ -23,7 +23,7 @@ class Flattenable(command.CommandTest):
         return pathlib.Path(self.path(name)).read_bytes()
 
     def test_the_bound_is_met_and_both_reports_are_there(self):
-        report = self.flatten("hill.obj", "--flattenable", "0.02")
+        report = self.flatten("reshape", "hill.obj", "--max-strain", "0.02")
         moved = report["flattenable"]
         self.assertTrue(moved["bound_met"])
         self.assertEqual((moved["bound"], moved["keep"], moved["keep_boundary"]), (0.02, [], True))
@@ -38,14 +38,14 @@ class Flattenable(command.CommandTest):
         self.assertEqual(before["strain_p95"], self.flatten("hill.obj")["pieces"][0]["strain_p95"])
 
     def test_what_it_writes_lies_flat_by_itself_and_goes_with_the_next_run(self):
-        strain = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.03")["pieces"][0]["strain_p95"]
+        strain = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.03")["pieces"][0]["strain_p95"]
         again = self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "out")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertAlmostEqual(self.report("out")["pieces"][0]["strain_p95"], strain, 9)
         self.assertIsNone(self.flatten("hill.obj")["flattenable"])
 
     def test_what_may_have_been_edited_is_replaced_by_what_writes_it_alone(self):
-        self.flatten("hill.obj", "curves.txt", "--flattenable", "0.03")
+        self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.03")
         kept = {name: self.bytes_of(f"out/{name}") for name in ("flattenable.vtp", "curves.vtp")}
         self.flatten("hill.obj")
         self.write("typo.txt", "dert middle 1 2 3\n")
@@ -54,21 +54,21 @@ class Flattenable(command.CommandTest):
         self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
         for name, before in kept.items():
             self.assertEqual(self.bytes_of(f"out/{name}"), before)
-        run = self.run_command(self.path("out/flattenable.vtp"), "--flattenable", "0.02", "--output", "out")
+        run = self.run_command("reshape", self.path("out/flattenable.vtp"), "--max-strain", "0.02", "--output", "out")
         self.assertIn("is an input, which the result would replace", run.stderr)
         self.assertEqual(self.bytes_of("out/flattenable.vtp"), kept["flattenable.vtp"])
 
     def test_it_says_how_far_the_surface_moved_and_what_was_written(self):
-        said = self.run_command("hill.obj", "--flattenable", "0.02", "--unit", "mm", "--output", "out").stdout
+        said = self.run_command("reshape", "hill.obj", "--max-strain", "0.02", "--unit", "mm", "--output", "out").stdout
         moved = self.report("out")["flattenable"]
         self.assertIn(f"surface moved by {moved['shift_mean']:.3g} mm in the mean "
                       f"({100 * moved['shift_mean_relative']:.3g} % of its size)", said)
         self.assertIn("curves.vtp, flattenable.vtp, flat.vtp", said)
 
     def test_kept_curves_are_named(self):
-        report = self.flatten("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "middle")
+        report = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "middle")
         self.assertEqual(report["flattenable"]["keep"], ["middle"])
-        run = self.run_command("hill.obj", "curves.txt", "--flattenable", "0.1", "--keep", "centre", "--output", "refused")
+        run = self.run_command("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "centre", "--output", "refused")
         self.assertEqual(run.returncode, 3)
         self.assertIn('no curve is named "centre"; the curves are middle', run.stderr)
         self.assertNotIn("--tolerance", run.stderr)
@@ -78,33 +78,35 @@ class Flattenable(command.CommandTest):
         lines = "".join(f"accessory row{j} " + " ".join(str(7 * j + i) for i in range(7)) + "\n" for j in range(1, 6))
         self.write("all.txt", lines)
         keep = [word for j in range(1, 6) for word in ("--keep", f"row{j}")]
-        run = self.run_command("hill.obj", "all.txt", "--flattenable", "0.01", *keep, "--output", "out")
+        run = self.run_command("reshape", "hill.obj", "all.txt", "--max-strain", "0.01", *keep, "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("above the bound of 0.01", run.stderr)
         self.assertFalse(self.report("out")["flattenable"]["bound_met"])
 
     def test_the_moved_surface_is_sewn_again(self):
-        row, = self.flatten("hill.obj", "--flattenable", "0.02", "--resew", "panel")["resewn"]
-        plain, = self.flatten("hill.obj", "--resew", "panel")["resewn"]
+        self.flatten("reshape", "hill.obj", "--max-strain", "0.02")
+        self.assertEqual(self.run_command("sew", "out").returncode, 0)
+        row, = self.report("out")["resewn"]
+        plain, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
         self.assertLess(row["distance_mean"], 0.7 * plain["distance_mean"])
 
     def test_a_body_is_not_entered(self):
         # The plane through z = 0.3, facing down, is below the top of the hill.
         self.write("plane.obj", command.obj(
             [(-9, -9, 0.3), (-9, 15, 0.3), (15, 15, 0.3), (15, -9, 0.3)], [(0, 1, 2), (0, 2, 3)]))
-        row, = self.flatten("hill.obj", "--resew", "panel", "--body", "plane.obj")["resewn"]
+        row, = self.flatten("sew", "hill.obj", "--mode", "panel", "--body", "plane.obj")["resewn"]
         self.assertEqual(row["body_depth"], 0)
-        free, = self.flatten("hill.obj", "--resew", "panel")["resewn"]
+        free, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
         self.assertNotEqual(row["distance_mean"], free["distance_mean"])
         self.assertEqual(self.run_command("hill.obj", "--body", "plane.obj").returncode, 2)
-        run = self.run_command("hill.obj", "--resew", "panel", "--body", "missing.obj", "--output", "out")
+        run = self.run_command("sew", "hill.obj", "--mode", "panel", "--body", "missing.obj", "--output", "out")
         self.assertEqual(run.returncode, 3)
         self.assertIn("missing.obj", run.stderr)
 
     def test_a_full_bias_moves_no_point_inwards(self):
         self.write("saddle.obj", command.obj(
             [(i, j, 0.06 * ((i - 3) ** 2 - (j - 3) ** 2)) for j in range(7) for i in range(7)], hill()[1]))
-        either, outside = (self.flatten("saddle.obj", "--flattenable", "0.02", "--outside-bias", bias)["flattenable"]
+        either, outside = (self.flatten("reshape", "saddle.obj", "--max-strain", "0.02", "--outward", bias)["flattenable"]
                            for bias in ("0", "1"))
         self.assertTrue(outside["bound_met"])
         self.assertEqual((either["outside_bias"], outside["outside_bias"]), (0, 1))
@@ -114,12 +116,10 @@ class Flattenable(command.CommandTest):
         self.assertEqual(max(0, -min(along)), outside["shift_inwards_max"])
         self.assertGreater(max(along), 0.01)
 
-    def test_its_options_need_it(self):
-        for arguments in (("--keep", "middle"), ("--free-boundary",), ("--outside-bias", "1"),
-                          ("--flattenable", "0.02", "--outside-bias", "1.5"), ("--flattenable", "0"),
-                          ("--flattenable", "1"), ("--flattenable", "nan"),
-                          ("--flattenable", "0.02", "--suggest", "darts")):
-            self.assertEqual(self.run_command("hill.obj", *arguments).returncode, 2, arguments)
+    def test_bad_usage_is_refused(self):
+        for arguments in (("--outward", "1.5"), ("--max-strain", "0"), ("--max-strain", "100%"), ("--max-strain", "nan"),
+                          ("--kind", "darts")):
+            self.assertEqual(self.run_command("reshape", "hill.obj", *arguments).returncode, 2, arguments)
 
 
 if __name__ == "__main__":

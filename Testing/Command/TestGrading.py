@@ -48,9 +48,15 @@ class Grading(command.CommandTest):
         with open(self.path(folder + "/rules.csv"), encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))
 
+    def grade(self, *words, files=("nest.svg", "rules.csv"), code=0):
+        """Grades into the folder `out`."""
+        outputs = [word for name in files for word in ("-o", "out/" + name)]
+        run = self.run_command("grade", *words, "-o", "out", *outputs)
+        self.assertEqual(run.returncode, code, run.stderr)
+        return self.report("out")
+
     def grade_scaled(self, *more):
-        return self.flatten("38.obj", "curves.txt", "--size", "38", "--grade", "36=36.obj", "--grade", "38",
-                            "--grade", "40=40.obj", "--unit", "cm", *more)
+        return self.grade("36=36.obj", "38=38.obj", "40=40.obj", "curves.txt", "--base", "38", "--unit", "cm", *more)
 
     def layers(self):
         root = ElementTree.parse(self.path("out/nest.svg")).getroot()
@@ -62,8 +68,7 @@ class Grading(command.CommandTest):
         return layers
 
     def test_corners_of_plates_go_with_their_width_and_height(self):
-        self.flatten("medium.obj", "curves.txt", "--size", "M", "--grade", "S=small.obj", "--grade", "L=large.obj",
-                     "--unit", "cm")
+        self.grade("M=medium.obj", "S=small.obj", "L=large.obj", "curves.txt", "--unit", "cm")
         rows = self.rules()
         self.assertEqual(list(rows[0]), ["piece", "point", "name"] + [f"d{axis} {size} mm" for size in "MSL"
                                                                       for axis in "xy"])
@@ -78,7 +83,7 @@ class Grading(command.CommandTest):
                 self.assertAlmostEqual(abs(float(found[point][f"dy {size} mm"])), abs(y * (height / 50 - 1)), delta=1e-4)
 
     def test_larger_surfaces_give_their_factor_and_the_base_nothing(self):
-        report = self.grade_scaled("--dxf")
+        report = self.grade_scaled()
         layers = self.layers()
         self.assertEqual(list(layers), list(FACTORS))
         base = dict(layers["38"])
@@ -105,8 +110,8 @@ class Grading(command.CommandTest):
 
     def test_the_rule_table_moves_the_points_of_the_dxf(self):
         for unit, word in (("cm", "METRIC"), ("inch", "ENGLISH")):
-            self.flatten("38.obj", "curves.txt", "--size", "38", "--grade", "36=36.obj", "--grade", "38",
-                         "--grade", "40=40.obj", "--unit", unit, "--dxf", "--fair", "0", "--no-arrange")
+            self.grade("36=36.obj", "38=38.obj", "40=40.obj", "curves.txt", "--base", "38", "--unit", unit, "--smooth", "0",
+                       "--no-arrange", files=("pattern.dxf", "pattern.rul", "rules.csv"))
             with open(self.path("out/pattern.rul"), encoding="ascii") as file:
                 head, *rules = re.split(r"RULE: DELTA ", file.read())
             fields = dict(line.split(": ", 1) for line in head.splitlines() if ": " in line)
@@ -139,7 +144,7 @@ class Grading(command.CommandTest):
         points, _ = plate(30, 50, 4.0)
         self.write("centre.csv", "name,x,y,z\n" + "".join(
             "key centre,%r,%r,%r\n" % points[at(COLUMNS // 2, j)] for j in range(ROWS + 1)))
-        self.flatten("38.obj", "centre.csv", "--size", "38", "--grade", "40=40.obj", "--unit", "cm")
+        self.grade("38=38.obj", "40=40.obj", "centre.csv", "--unit", "cm")
         layers = self.layers()
         self.assertEqual(list(layers), ["38", "40"])
         for (name, small), (other, large) in zip(*layers.values()):
@@ -152,20 +157,19 @@ class Grading(command.CommandTest):
         points, triangles = plate(30, 50)
         self.write("turned.obj", command.obj(points, [(b, c, a) for a, b, c in triangles]))
         for arguments, code, words in (
-            (["--grade", "L=large.obj"], 2, ["--size"]),
-            (["--size", "M", "--grade", "L=large.obj", "--grade", "L=small.obj"], 2, ["'L'", "twice"]),
-            (["--size", "M", "--grade", "M=large.obj"], 2, ["'M'", "twice"]),
-            (["--size", "M", "--grade", "L"], 2, ["'L'", "NAME=SURFACE"]),
-            (["--size", "M", "--grade", "M"], 2, ["no size beside"]),
-            (["--size", "M", "--grade", "L=large.obj", "--suggest", "darts"], 2, ["--grade", "--suggest"]),
-            (["--size", "M", "--grade-at", "hem"], 2, ["--grade"]),
-            (["--size", "M", "--grade", "L=none.obj"], 3, ["'L'", "none.obj"]),
-            (["--size", "M", "--grade", "L=other.obj"], 3, ["'L'", "other.obj", "connectivity", "77 vertices"]),
-            (["--size", "M", "--grade", "L=turned.obj"], 3, ["'L'", "turned.obj", "corners"]),
-            (["--size", "M", "--grade", "L=large.obj", "--grade-at", "waist"], 3, ["'waist'", "centre"]),
+            (["L=large.obj", "L=small.obj"], 2, ["'L'", "twice"]),
+            (["M=large.obj"], 2, ["'M'", "twice"]),
+            (["L"], 2, ["two sizes"]),
+            (["=large.obj"], 2, ["SIZE=SURFACE"]),
+            (["L=large.obj", "--base", "XL"], 2, ["'XL'"]),
+            (["L=large.obj", "--kind", "darts"], 2, ["wirewarp cut"]),
+            (["L=none.obj"], 3, ["'L'", "none.obj"]),
+            (["L=other.obj"], 3, ["'L'", "other.obj", "connectivity", "77 vertices"]),
+            (["L=turned.obj"], 3, ["'L'", "turned.obj", "corners"]),
+            (["L=large.obj", "--at", "waist"], 3, ["'waist'", "centre"]),
         ):
             with self.subTest(arguments=arguments):
-                run = self.run_command("medium.obj", "curves.txt", "--unit", "cm", "--output", "none", *arguments)
+                run = self.run_command("grade", "M=medium.obj", "curves.txt", "--unit", "cm", "-o", "none", *arguments)
                 self.assertEqual(run.returncode, code, run.stderr)
                 for word in words:
                     self.assertIn(word, run.stderr)
@@ -173,7 +177,7 @@ class Grading(command.CommandTest):
                 self.assertLessEqual(set(os.listdir(folder) if os.path.isdir(folder) else []), {"report.json"})
 
     def test_a_run_without_sizes_takes_those_of_an_earlier_one_away(self):
-        self.grade_scaled("--dxf")
+        self.grade_scaled("-o", "out/pattern.rul")
         self.assertLessEqual({"nest.svg", "rules.csv", "pattern.rul"}, set(os.listdir(self.path("out"))))
         self.flatten("38.obj", "curves.txt")
         self.assertFalse({"nest.svg", "rules.csv", "pattern.rul"} & set(os.listdir(self.path("out"))))

@@ -175,7 +175,7 @@ class Materials(command.CommandTest):
         self.assertIn('the material file "Denim"', run.stderr)
 
     def test_the_list_has_every_material_with_its_source(self):
-        run = self.run_command("--list-materials")
+        run = self.run_command("materials")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         for name in ("isotropic", "plain", "twill", "denim", "stretch-woven", "jersey", "rib", "neoprene",
                      "leather", "laminate", "woven-carbon"):

@@ -32,8 +32,8 @@ def count(pixels, color):
 
 
 class Picture(CommandTest):
-    def draw(self, name, *arguments):
-        run = self.run_command(SURFACE, CURVES, "-o", "out", "--picture", name, *arguments)
+    def draw(self, name, *arguments, source=(SURFACE, CURVES)):
+        run = self.run_command("picture", *source, "-o", name, *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr, "")
         return read_picture(self.path(name))
@@ -47,7 +47,7 @@ class Picture(CommandTest):
 
     def test_each_colouring_gives_another_picture(self):
         names = ("developability", "homogeneity", "aspect-ratio", "area")
-        pictures = [self.draw(name + ".png", "--color-by", name) for name in names]
+        pictures = [self.draw(name + ".png", "--color", name) for name in names]
         for k, picture in enumerate(pictures):
             for other in pictures[:k]:
                 self.assertGreater((picture != other).any(axis=2).mean(), 0.1)
@@ -61,7 +61,7 @@ class Picture(CommandTest):
             environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
             if display is not None:
                 environment["DISPLAY"] = display
-            run = self.run_command(SURFACE, "-o", "out", "--picture", "a.png", env=environment)
+            run = self.run_command("picture", SURFACE, "-o", "out", "-o", "a.png", env=environment)
             if run.returncode == 0:  # VTK 9.4 and later draw by EGL or OSMesa then
                 version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
                 self.assertGreaterEqual(version, (9, 4))
@@ -77,35 +77,36 @@ class Picture(CommandTest):
 
     def test_a_folder_that_cannot_be_written_to_is_refused(self):
         self.write("file", "in the way")
-        run = self.run_command(SURFACE, "-o", "out", "--picture", os.path.join("file", "a.png"))
+        run = self.run_command("picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"))
         self.assertEqual(run.returncode, 3)
         self.assertIn("cannot make", run.stderr)
         self.assertFalse(os.path.exists(self.path("out/flat.vtp")))
 
     def test_a_folder_in_its_place_is_refused_before_anything_is_written(self):
         os.mkdir(self.path("a.png"))
-        run = self.run_command(SURFACE, "-o", "out", "--picture", "a.png")
+        run = self.run_command("picture", SURFACE, "-o", "out", "-o", "a.png")
         self.assertEqual(run.returncode, 3)
         self.assertIn("--output", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["a.png"])
 
     def test_the_sewn_surface_is_drawn_over_its_design_by_its_distance(self):
-        plain = self.draw("plain.png", "--resew", "panel", "--resew-once")
-        sewn = self.draw("sewn.png", "--resew", "panel", "--resew-once", "--color-by", "distance")
+        self.assertEqual(self.run_command("sew", SURFACE, CURVES, "--once", "-o", "out").returncode, 0)
+        plain, sewn = (self.draw(color + ".png", "--color", color, source=["out"]) for color in ("area", "distance"))
         middle = plain.shape[1] // 2
         changed = (plain[200:] != sewn[200:]).any(axis=2)
         for side in (changed[:, :middle], changed[:, middle:]):
             self.assertGreater(side.mean(), 0.1)
 
     def test_colourings_need_what_they_show(self):
-        for coloring, option in (("distance", "--resew"), ("stretch", "--material"), ("shear", "--material")):
-            run = self.run_command(SURFACE, "--picture", "a.png", "--color-by", coloring)
-            self.assertEqual(run.returncode, 2)
-            self.assertIn(option, run.stderr)
+        for coloring, remedy in (("distance", "wirewarp sew"), ("stretch", "--material"), ("shear", "--material")):
+            run = self.run_command("picture", SURFACE, "-o", "a.png", "--color", coloring)
+            self.assertEqual(run.returncode, 3)
+            self.assertIn(remedy, run.stderr)
+            self.assertEqual(os.listdir(self.folder), [])
 
     def test_other_endings_and_colourings_are_bad_usage(self):
-        for arguments in (("--picture", "a.jpg"), ("--picture", "a.png", "--color-by", "taste")):
-            run = self.run_command(SURFACE, *arguments)
+        for arguments in (("-o", "a.pdf"), ("-o", "a.png", "--color", "taste")):
+            run = self.run_command("picture", SURFACE, *arguments)
             self.assertEqual(run.returncode, 2)
             self.assertIn(arguments[-1], run.stderr)
 

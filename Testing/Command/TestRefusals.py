@@ -371,7 +371,7 @@ class Refusals(command.CommandTest):
 
     def test_a_table_that_cannot_be_printed_is_no_success(self):
         self.write("list.txt", "good.obj\n")
-        for arguments in (("good.obj",), ("--batch", "list.txt"), ("--help",), ("--version",)):
+        for arguments in (("good.obj",), ("batch", "list.txt"), ("--help",), ("--version",)):
             with self.subTest(arguments), open("/dev/full", "w", encoding="utf-8") as full:
                 run = subprocess.run(
                     [command.EXECUTABLE, *arguments], cwd=self.folder, stdout=full,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--resew sews the flat pieces together again and reports how far that is from the surface."""
+"""wirewarp sew sews the flat pieces together again and reports how far that is from the surface."""
 
 import math
 import os
@@ -27,7 +27,7 @@ class Resewing(command.CommandTest):
         self.write("seams.txt", f"seam front {seams[0]}\nseam back {seams[1]}\n")
 
     def test_panels_have_a_row_each(self):
-        report = self.flatten("tube.obj", "seams.txt", "--resew", "panel")
+        report = self.flatten("sew", "tube.obj", "seams.txt", "--mode", "panel")
         rows = report["resewn"]
         self.assertEqual([row["test"] for row in rows], ["panel", "panel"])
         self.assertEqual([row["pieces"] for row in rows], [1, 1])
@@ -44,21 +44,21 @@ class Resewing(command.CommandTest):
         self.assertNotIn("sewn.vtp", os.listdir(self.path("out")))
 
     def test_once_does_not_look_for_other_shapes(self):
-        row, = self.flatten("tube.obj", "seams.txt", "--resew", "product")["resewn"]
+        row, = self.flatten("sew", "tube.obj", "seams.txt", "--mode", "product")["resewn"]
         self.assertFalse(row["several_shapes"])
         self.assertGreater(row["second_distance_mean"], 0)
-        once, = self.flatten("tube.obj", "seams.txt", "--resew", "product", "--resew-once")["resewn"]
+        once, = self.flatten("sew", "tube.obj", "seams.txt", "--mode", "product", "--once")["resewn"]
         self.assertEqual((once["several_shapes"], once["second_distance_mean"]), (None, None))
         self.assertEqual(once["distance_mean"], row["distance_mean"])
 
     def test_a_product_has_one_row(self):
-        report = self.flatten("tube.obj", "seams.txt", "--resew", "product")
+        report = self.flatten("sew", "tube.obj", "seams.txt", "--mode", "product")
         row, = report["resewn"]
         self.assertEqual((row["test"], row["pieces"]), ("product", 2))
         self.assertLess(row["distance_max_relative"], 0.005)
 
     def test_it_says_how_far_the_cloth_is_and_what_was_written(self):
-        run = self.run_command("tube.obj", "seams.txt", "--resew", "panel", "--unit", "m", "--output", "out")
+        run = self.run_command("sew", "tube.obj", "seams.txt", "--mode", "panel", "--unit", "m", "--output", "out")
         rows = self.report("out")["resewn"]
         said = [line for line in run.stdout.splitlines() if "sewn again" in line]
         self.assertEqual(len(said), 2)
@@ -66,7 +66,7 @@ class Resewing(command.CommandTest):
             self.assertIn(f"piece {number} sewn again: {row['distance_mean']:.2g} m from the surface", line)
         self.assertIn("sewn.vtp, flat.vtp", run.stdout)
         self.assertNotIn("sewn", self.run_command("tube.obj", "seams.txt", "--output", "out").stdout)
-        product = self.run_command("tube.obj", "seams.txt", "--resew", "product", "--output", "out").stdout
+        product = self.run_command("sew", "tube.obj", "seams.txt", "--mode", "product", "--output", "out").stdout
         self.assertIn("product sewn again: ", product)
 
     def test_it_is_sewn_of_the_material_that_it_is_cut_from_and_hangs_by_its_weight(self):
@@ -74,31 +74,31 @@ class Resewing(command.CommandTest):
             [(i, j, 0.03 * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
             [t for j in range(6) for i in range(6) for a in [7 * j + i]
              for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))]))
-        sheet, = self.flatten("hill.obj", "--resew", "panel")["resewn"]
+        sheet, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
         self.assertIsNone(sheet["cloth"])
-        knit, = self.flatten("hill.obj", "--resew", "panel", "--material", "jersey")["resewn"]
+        knit, = self.flatten("sew", "hill.obj", "--mode", "panel", "--material", "jersey")["resewn"]
         self.assertEqual(sorted(knit["cloth"]), ["shear_rms", "strain_warp_rms", "strain_weft_rms"])
         self.assertGreater(min(knit["cloth"].values()), 0.0)
         self.assertEqual(len(self.array("out/sewn.vtp", "SewnShearAngle")), 72)
         heights = {}
         for pull in ("-0.002", "0.002"):
-            self.flatten("hill.obj", "--resew", "panel", "--resew-gravity", "0", "0", pull)
+            self.flatten("sew", "hill.obj", "--mode", "panel", "--gravity", "0", "0", pull)
             points = self.array("out/sewn.vtp", "Points", "Points")
             heights[pull] = sum(points[2::3])
         self.assertLess(heights["-0.002"], heights["0.002"])
-        run = self.run_command("tube.obj", "seams.txt", "--resew", "product", "--resew-gravity", "0", "0", "-0.001",
+        run = self.run_command("sew", "tube.obj", "seams.txt", "--mode", "product", "--gravity", "0", "0", "-0.001",
                                "--output", "out")
         self.assertEqual(run.returncode, 3)
         self.assertIn("nothing holds", run.stderr)
 
     def test_thinner_cloth_comes_nearer(self):
-        thick, thin = (self.flatten("tube.obj", "seams.txt", "--resew", "panel", "--resew-thickness", value)
+        thick, thin = (self.flatten("sew", "tube.obj", "seams.txt", "--mode", "panel", "--thickness", value)
                        ["resewn"][0]["distance_max"] for value in ("1e-3", "1e-5"))
         self.assertLess(thin, 0.1 * thick)
 
     def test_a_lone_panel_with_free_boundary_is_refused(self):
         self.write("sheet.obj", command.obj(*command.sheet()))
-        run = self.run_command("sheet.obj", "--resew", "product", "--output", "out")
+        run = self.run_command("sew", "sheet.obj", "--mode", "product", "--output", "out")
         self.assertEqual(run.returncode, 3)
         self.assertIn("sewn to nothing", run.stderr)
         self.assertIn("use --mode panel", run.stderr)
@@ -112,15 +112,14 @@ class Resewing(command.CommandTest):
             [t for j in range(6) for i in range(6) for a in [7 * j + i]
              for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))]))
         run = self.run_command(
-            "hill.obj", "--resew", "panel", "--resew-iterations", "1", "--output", "out")
+            "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1", "--output", "out")
         self.assertEqual(run.returncode, 4, run.stderr)
         self.assertIn("raise --sewing-iterations", run.stderr)
         self.assertFalse(self.report("out")["resewn"][0]["converged"])
 
-    def test_its_options_need_it(self):
-        for arguments in (("--resew-thickness", "1e-3"), ("--resew-iterations", "5"), ("--resew-once",), ("--resew", "dress"),
-                          ("--resew", "panel", "--resew-thickness", "2")):
-            run = self.run_command("tube.obj", *arguments)
+    def test_bad_usage_is_refused(self):
+        for arguments in (("--sewing-iterations", "0"), ("--mode", "dress"), ("--thickness", "2")):
+            run = self.run_command("sew", "tube.obj", *arguments)
             self.assertEqual(run.returncode, 2, arguments)
 
 

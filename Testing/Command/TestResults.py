@@ -49,7 +49,7 @@ class Results(command.CommandTest):
             (self.points, self.triangles), command.TETRAHEDRON,
             (command.torus()[0], command.torus()[1][1:]))))
         run = self.run_command("shirt.obj", "arc.txt", "--skip-closed", "--unit", "inch",
-                               "--output", "out")
+                               "--output", "out", "--table")
         self.assertEqual(run.returncode, 0, run.stderr)
         report = self.report("out")
         self.assertEqual(report["status"], "Ok")
@@ -76,7 +76,7 @@ class Results(command.CommandTest):
         self.write("shirt.obj", command.obj(*command.together(
             (self.points, self.triangles), command.TETRAHEDRON)))
         self.write("list.txt", "shirt.obj\n")
-        run = self.run_command("--batch", "list.txt", "--skip-closed", "--output", "out")
+        run = self.run_command("batch", "list.txt", "--skip-closed", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("wirewarp: warning: shirt: 1 of 2 pieces", run.stderr)
 
@@ -140,7 +140,7 @@ class Results(command.CommandTest):
                 self.assertEqual(round(1e3 * piece["E_ang"], 1), angle)
                 self.assertEqual(round(piece["E_h"], 3), homogeneity)
                 run = self.run_command(
-                    "lune.obj", "arc.txt", "--scheme", scheme, "--interior", "laplacian"
+                    "lune.obj", "arc.txt", "--scheme", scheme, "--interior", "laplacian", "--table"
                 )
                 row = run.stdout.splitlines()[1].split()
                 for cell in ("56", "2", "0.00", str(angle), "%.3f" % homogeneity, "Ok"):
@@ -197,7 +197,7 @@ class Results(command.CommandTest):
         points, triangles = command.sheet()
         self.write("sheet.obj", command.obj(points, triangles))
         self.write("seam.txt", "seam s 2 7 12 17 22\n")
-        run = self.run_command("sheet.obj", "seam.txt", "--list-curves")
+        run = self.run_command("sheet.obj", "seam.txt", "--table")
         lines = run.stdout.splitlines()
         for column in ("size [mm]", "E_len x1e3", "E_ang x1e3", "E_h", "E_r", "strain p95", "flips", "T_opt", "T_all", "status"):
             self.assertIn(column, lines[0])
@@ -224,8 +224,7 @@ class Results(command.CommandTest):
             "--output", "out"
         )
         self.assertEqual(run.returncode, 4, run.stderr)
-        self.assertIn("NotConverged", run.stdout)
-        self.assertIn("broken promise: piece 1", command.error_lines(run)[-1])
+        self.assertIn("warning: piece 1", command.error_lines(run)[-1])
         report = self.report("out")
         self.assertEqual(report["exit_code"], 4)
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")

@@ -103,7 +103,7 @@ class Runs(command.CommandTest):
         self.write("list.txt", "slow.vtk\nslow.vtk\n")
         for signal_number in (signal.SIGTERM, signal.SIGKILL, signal.SIGINT, signal.SIGHUP):
             with self.subTest(signal_number):
-                run = self.start("--batch", "list.txt", "--output", "out", "--threads", "2")
+                run = self.start("batch", "list.txt", "--output", "out", "--threads", "2")
                 self.end(run, signal_number, 4)
 
     def test_a_run_that_is_ended_ends_its_reader(self):
@@ -115,7 +115,7 @@ class Runs(command.CommandTest):
         points, triangles = command.sheet()
         self.write("fine.vtp", command.xml_polydata(points, triangles))
         self.write("list.txt", "fine.vtp\n" * 5 + "slow.vtk\n")
-        run = self.start("--batch", "list.txt", "--output", "out", "--threads", "1")
+        run = self.start("batch", "list.txt", "--output", "out", "--threads", "1")
         self.assertTrue(wait_until(lambda: os.path.exists(self.path("out/fine_5/report.json"))))
         self.assertTrue(wait_until(lambda: len(children(run.pid)) == 2))  # worker and reader, no zombie
         self.end(run, signal.SIGKILL, 2)
@@ -125,12 +125,12 @@ class Runs(command.CommandTest):
         self.write("slow_list.txt", "slow.vtk\n")
         for first, second, folder in (
             (("slow.vtk",), ("good.obj",), "out"),
-            (("--batch", "slow_list.txt"), ("--batch", "list.txt"), "out"),
-            (("--batch", "slow_list.txt"), ("good.obj",), "out"),
+            (("batch", "slow_list.txt"), ("batch", "list.txt"), "out"),
+            (("batch", "slow_list.txt"), ("good.obj",), "out"),
         ):
             with self.subTest(first=first, second=second):
                 run = self.start(*first, "--output", folder)
-                reading = 1 if first[0] != "--batch" else 2  # its reader; a worker and that one's reader
+                reading = 1 if first[0] != "batch" else 2  # its reader; a worker and that one's reader
                 self.assertTrue(wait_until(lambda: len(children(run.pid)) >= reading))
                 before = sorted(os.listdir(self.path("out")))
                 other = self.run_command(*second, "--output", folder)

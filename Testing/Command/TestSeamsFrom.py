@@ -10,7 +10,7 @@ LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 class SeamsFrom(command.CommandTest):
     def names(self, *arguments):
-        run = self.run_command(*arguments, "--unit", "cm", "--svg", "--fair", "0", "--output", "out")
+        run = self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         root = command.xml_root(self.path("out/pattern.svg"))
         layers = [group.get(LABEL) for group in root if group.get(LABEL)]
@@ -37,11 +37,11 @@ class SeamsFrom(command.CommandTest):
                          ["Vorder ärmel 1", "Vorder ärmel 2", "Back 1", "Back 2"])
         # One name tells nothing apart, and what is given goes before it.
         self.assertEqual(self.names(self.sheets(("o Cube.001\n", 2))), ["sheets 1", "sheets 2"])
-        self.assertEqual(self.names(self.sheets(("o Front\n", 1), ("o Back\n", 1)), "--piece-name", "left"),
+        self.assertEqual(self.names(self.sheets(("o Front\n", 1), ("o Back\n", 1)), "--piece", "left"),
                          ["left", "Back"])
         # Files that are written keep the names, and the table and report.json tell them.
         for second in (("o Back\n", 1), ("o Back \u202e\x07part\n", 2)):
-            run = self.run_command(self.sheets(("o Front\n", 1), second), "--output", "out")
+            run = self.run_command(self.sheets(("o Front\n", 1), second), "--output", "out", "--table")
             name = second[0][2:-1]
             wanted = ["Front"] + ([name] if second[1] == 1 else [name + " 1", name + " 2"])
             self.assertEqual([piece["name"] for piece in self.report("out")["pieces"]], wanted)

@@ -54,8 +54,8 @@ class Sizes(command.CommandTest):
         # What is said on the command line goes before it, and patterns take the same.
         self.write("plate.obj", "# units: mm\n" + text)
         self.assertEqual(self.flatten("plate.obj", "--unit", "cm")["unit"], "cm")
-        self.assertEqual(self.run_command("plate.obj", "--svg", "--output", "of file").stderr, "")
-        self.run_command("plate.obj", "--svg", "--unit", "mm", "--output", "stated")
+        self.assertEqual(self.run_command("pattern", "plate.obj", "-o", "of file/pattern.svg").stderr, "")
+        self.run_command("pattern", "plate.obj", "-o", "stated/pattern.svg", "--unit", "mm")
         patterns = []
         for folder in ("of file", "stated"):
             with open(self.path(folder + "/pattern.svg"), "rb") as file:
@@ -80,14 +80,16 @@ class Sizes(command.CommandTest):
         points, triangles = plate(6, 10)
         for scale, size in ((0.1, "small"), (5.0, "usual"), (100.0, "large")):
             self.write("plate.obj", command.obj([tuple(scale * x for x in point) for point in points], triangles))
-            for formats in ((), ("--svg",), ("--svg", "--dxf", "--plt")):
+            for formats in ((), (".svg",), (".svg", ".dxf", ".plt")):
                 with self.subTest(size=size, formats=formats):
-                    run = self.run_command("plate.obj", *formats, "--output", "out")
+                    files = [word for ending in formats for word in ("-o", "out/pattern" + ending)]
+                    run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--output", "out")
                     warned = run.stderr.count("--unit")
                     self.assertEqual(warned, 1 if formats or size != "usual" else 0, run.stderr)
                     self.assertEqual(warned + run.stdout.count("--unit"), 1, run.stdout)
                     for unit in ("mm", "cm", "m", "inch"):
-                        run = self.run_command("plate.obj", *formats, "--unit", unit, "--output", "out")
+                        run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--unit", unit,
+                                               "--output", "out")
                         self.assertEqual((run.stderr + run.stdout).count("--unit"), 0, run.stderr)
 
     def test_a_stated_unit_is_kept_by_all_files_that_are_written(self):
@@ -97,10 +99,10 @@ class Sizes(command.CommandTest):
         for unit, name, *inputs in (("m", "m", "plate.obj", curves), ("INCH", "inch", os.path.join("first", "cut.vtp")),
                                     ("mm", "mm", os.path.join("first", "flat.vtp")),
                                     ("cm", "cm", "plate.obj", "line.txt", curves)):
-            run = self.run_command("plate.obj", "line.txt", "--unit", unit, "--suggest", "darts", "--output", "first")
+            run = self.run_command("cut", "plate.obj", "line.txt", "--unit", unit, "--kind", "darts", "--output", "first")
             self.assertEqual(run.returncode, 0, run.stderr)
             with self.subTest(unit=name, inputs=inputs):
-                run = self.run_command(*inputs, "--svg", "--fair", "0", "--output", "out")
+                run = self.run_command("pattern", *inputs, "-o", "out/pattern.svg", "--smooth", "0", "--output", "out")
                 self.assertEqual(run.returncode, 0, run.stderr)
                 self.assertNotIn("--unit", run.stderr + run.stdout)
                 report = self.report("out")
@@ -162,7 +164,7 @@ class Sizes(command.CommandTest):
         points = [(x, y, 0.06 * (x - 4) * (x - 4) + 0.05 * (y - 6) * x) for y in side for x in side]
         quads = [(13 * y + x, 13 * y + x + 1, 13 * y + x + 14, 13 * y + x + 13) for y in side[:-1] for x in side[:-1]]
         self.write("saddle.obj", command.obj(points, quads))
-        run = self.run_command("saddle.obj", "--unit", "cm", "--suggest", "all", "--bound", "0", "--max-cuts", "2",
+        run = self.run_command("cut", "saddle.obj", "--unit", "cm", "--kind", "all", "--max-strain", "0", "--max-cuts", "2",
                                "--output", "first")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertGreater(len(self.report("first")["suggestions"]), 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--suggest proposes cuts, writes all curves ready for the next run, and says what each gives."""
+"""wirewarp cut proposes cuts, writes all curves ready for the next run, and says what each gives."""
 
 import math
 import os
@@ -43,7 +43,7 @@ class Suggestions(command.CommandTest):
         self.write("dome.obj", command.obj(self.points, self.triangles))
 
     def test_its_curves_give_the_next_run_the_same_pieces(self):
-        report = self.flatten("dome.obj", "--suggest", "all", "--bound", "0.04")
+        report = self.flatten("cut", "dome.obj", "--kind", "all", "--max-strain", "0.04")
         cuts = report["suggestions"]
         self.assertTrue(cuts)
         self.assertLessEqual(max(piece["strain_p95"] for piece in report["pieces"]), 0.04)
@@ -68,68 +68,26 @@ class Suggestions(command.CommandTest):
 
     def test_names_that_are_not_there_are_refused_before_the_search(self):
         self.write("hem.txt", "edge hem 0 1 2 3\n")
+        self.write("stiff.json", '{"warp": 100, "weft": 100, "shear": 5, "cross": 0}')
         for cuts in ("all", "darts", "lines"):
-            for option in ("--fold", "--double-notches", "--curve-notch", "--curve-allowance", "--curve-fair",
-                           "--curve-dart-tip"):
-                for name in ("hen", "dart", "dart 1x", "seams 2"):
-                    with self.subTest(cuts=cuts, option=option, name=name):
-                        value = name if option in ("--fold", "--double-notches") else name + "=3"
-                        report = self.flatten("dome.obj", "hem.txt", "--unit", "cm", "--svg", "--suggest", cuts,
-                                              option, value, code=3)
-                        self.assertEqual(report["status"], "InvalidOption")
-                        self.assertIn(name + ", which is not there; there are boundary, hem", report["message"])
-                        self.assertEqual(os.listdir(self.path("out")), ["report.json"])
-            self.write("stiff.json", '{"warp": 100, "weft": 100, "shear": 5, "cross": 0}')
-            report = self.flatten("dome.obj", "hem.txt", "--suggest", cuts, "--material", "stiff.json",
+            report = self.flatten("cut", "dome.obj", "hem.txt", "--kind", cuts, "--material", "stiff.json",
                                   "--grain", "hen:45", code=3)
             self.assertEqual(report["status"], "InvalidOption")
             self.assertIn('no curve is named "hen"', report["message"])
             self.assertIn('--grain: "hem"', report["message"])
-        # Those of proposed cuts are known only then, those of curves are there.
-        for name in ("dart 1", "hem", "boundary"):
-            report = self.flatten("dome.obj", "hem.txt", "--unit", "cm", "--svg", "--suggest", "darts",
-                                  "--bound", "0.06", "--curve-allowance", name + "=7")
-            self.assertEqual((report["status"], report["unwritten"]), ("Ok", []))
-
-    def test_cloth_and_paper_that_cannot_do_are_refused_before_the_search(self):
-        for factor, unit in ((1, "m"), (100, "cm"), (1000, "mm")):
-            points = [tuple(factor * x for x in point) for point in self.points]
-            self.write("dome.obj", command.obj(points, self.triangles))
-            for search, asked, width in (
-                    (("--suggest", "darts"), ("--fabric-width", "140"), 280),
-                    (("--suggest", "lines"), ("--fabric-width", "140"), 280),
-                    (("--suggest", "all"), ("--fabric-width", "1.4"), 280),
-                    (("--suggest", "seams", "--max-cuts", "2"), ("--fabric-width", "140"), 840),
-                    (("--resew", "panel"), ("--fabric-width", "1400"), 1400),
-                    (("--suggest", "all"), ("--pdf", "--max-pages", "1"), 0),
-                    (("--flattenable", "0.05"), ("--pdf", "--max-pages", "1"), 0)):
-                with self.subTest(unit=unit, search=search, asked=asked):
-                    report = self.flatten("dome.obj", "--unit", unit, "--svg", *search, *asked, code=3)
-                    self.assertEqual(report["status"], "PatternTooLarge")
-                    self.assertIn("the cloth " + asked[1] + " mm" if width else "more than 1;", report["message"])
-                    self.assertEqual(os.listdir(self.path("out")), ["report.json"])
-        # Seams may divide what is too wide, and a cloth that is wide enough is not a word worth.
-        for width, said in (("1000", True), ("4000", False)):
-            run = self.run_command("dome.obj", "--unit", "mm", "--suggest", "all", "--bound", "0.1",
-                                   "--fabric-width", width, "--output", "out", "--quiet")
-            self.assertEqual("before any cut, piece dome is" in run.stderr, said, run.stderr)
-            self.assertIn("flat.vtp", os.listdir(self.path("out")))
 
     def test_folders_in_the_way_of_files_are_found_before_the_search(self):
-        for name, asked in (("pattern.svg", "--svg"), ("pattern.dxf", "--dxf"), ("walk.csv", "--walk"),
-                            ("flat.vtp", "--walk"), ("report.json", "--svg")):
-            for folder in ("dome_flat", "out"):
-                os.makedirs(os.path.join(self.path(folder), name))
-                options = () if folder == "dome_flat" else ("--output", folder)
-                run = self.run_command("dome.obj", "--unit", "cm", "--suggest", "all", asked, *options)
-                self.assertEqual((run.returncode, run.stdout), (3, ""))
-                self.assertRegex(run.stderr, f"^wirewarp: error: .*{name}: cannot be written .a folder of this name")
-                self.assertEqual(os.listdir(self.path(folder)), [name])
-                os.rmdir(os.path.join(self.path(folder), name))
+        for name in ("flat.vtp", "curves.vtp", "report.json"):
+            os.makedirs(os.path.join(self.path("out"), name))
+            run = self.run_command("cut", "dome.obj", "--unit", "cm", "--output", "out")
+            self.assertEqual((run.returncode, run.stdout), (3, ""))
+            self.assertRegex(run.stderr, f"^wirewarp: error: .*{name}: cannot be written .a folder of this name")
+            self.assertEqual(os.listdir(self.path("out")), [name])
+            os.rmdir(os.path.join(self.path("out"), name))
 
     def test_nothing_is_cut_that_lies_flat(self):
         self.write("sheet.obj", command.obj(*command.sheet()))
-        run = self.run_command("sheet.obj", "--suggest", "all", "--output", "out")
+        run = self.run_command("cut", "sheet.obj", "--kind", "all", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("nothing is proposed", run.stdout)
         self.assertEqual(self.report("out")["suggestions"], [])
@@ -143,7 +101,7 @@ class Suggestions(command.CommandTest):
                                             for (x, y, _), o, hill in zip(bumps, out, hills)], self.triangles))
 
         def mirror(surface, *options):
-            run = self.run_command(surface, "--suggest", "darts", "--bound", "0", "--max-cuts", "2", *options,
+            run = self.run_command("cut", surface, "--kind", "darts", "--max-strain", "0", "--max-cuts", "2", *options,
                                    "--output", "out")
             self.assertIn(run.returncode, (0, 4), run.stderr)
             return self.report("out")["suggestions_mirror"], run.stdout
@@ -166,23 +124,23 @@ class Suggestions(command.CommandTest):
     def test_weights_say_where_distortion_matters(self):
         middles = [sum(self.points[v][0] for v in t) / 3 for t in self.triangles]
         self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [float(x > 0) for x in middles]))
-        options = ("--suggest", "darts", "--bound", "0", "--max-cuts", "1")
-        run = self.run_command("dome.vtk", *options, "--weights", "matters", "--output", "out")
+        options = ("--kind", "darts", "--max-strain", "0", "--max-cuts", "1")
+        run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "out")
         self.assertIn(run.returncode, (0, 4), run.stderr)
         self.assertEqual(len(self.report("out")["suggestions"]), 1)
         self.assertGreater(self.array("out/curves.vtp", "Points")[-3], 0.0)  # its tip
-        run = self.run_command("dome.vtk", *options, "--weights", "mattes", "--output", "none")
+        run = self.run_command("cut", "dome.vtk", *options, "--weights", "mattes", "--output", "none")
         self.assertEqual(run.returncode, 3)
         self.assertIn('no cell array of numbers named "mattes"; give one of matters', run.stderr)
         self.assertFalse(os.path.exists(self.path("none/flat.vtp")))
         self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [-1.0] + middles[1:]))
-        run = self.run_command("dome.vtk", *options, "--weights", "matters", "--output", "none")
+        run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "none")
         self.assertEqual(run.returncode, 3)
         self.assertIn("are negative or no numbers", run.stderr)
 
     def test_what_ended_a_search_is_named(self):
         run = self.run_command(
-            "dome.obj", "--suggest", "darts", "--bound", "0.001", "--max-work", "0.2", "--output", "out")
+            "cut", "dome.obj", "--kind", "darts", "--max-strain", "0.001", "--max-work", "0.2", "--output", "out")
         self.assertIn("above the bound of 0.001, the largest at (", run.stderr)
         self.assertIn("the limit of work ended the search after ", run.stderr)
 
@@ -192,7 +150,7 @@ class Suggestions(command.CommandTest):
         upper = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4)]
         self.write("octahedron.obj", command.obj(points, upper + [(b, a, 5) for a, b, _ in upper]))
         self.write("key.txt", "key meridian 4 0 5\n")
-        run = self.run_command("octahedron.obj", "key.txt", "--suggest", "all", "--output", "out")
+        run = self.run_command("cut", "octahedron.obj", "key.txt", "--kind", "all", "--output", "out")
         self.assertIn("meet a key curve, or cannot be made; make it an accessory curve", run.stderr)
         for cut in self.report("out")["suggestions"]:
             self.assertIsNone(cut["strain_p95_before"])
@@ -200,7 +158,7 @@ class Suggestions(command.CommandTest):
             self.assertIsNone(cut["gain"])
 
     def test_lines_cut_nothing_and_tell_what_they_cost(self):
-        run = self.run_command("dome.obj", "--suggest", "lines", "--output", "out")
+        run = self.run_command("cut", "dome.obj", "--kind", "lines", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         report = self.report("out")
         self.assertEqual(len(report["pieces"]), 1)
@@ -219,7 +177,7 @@ class Suggestions(command.CommandTest):
         curves = os.path.join(command.DATA, "pants_front_curves_set3.vtp")
         surface = os.path.join(command.DATA, "pants_front.vtp")
         run = self.run_command(
-            surface, curves, "--price-keys", "--scheme", "global", "--output", "out")
+            "prices", surface, curves, "--scheme", "global", "--output", "out")
         rows = self.report("out")["key_prices"]
         self.assertEqual([rows[0]["trial"], rows[-1]["trial"]], ["all keys", "no key"])
         self.assertEqual(rows[0]["status"], "IncompatibleKeys")
@@ -231,16 +189,14 @@ class Suggestions(command.CommandTest):
             self.assertIn(row["trial"], run.stdout)
         released = self.flatten(surface, curves, "--release-keys", "--scheme", "global")
         self.assertAlmostEqual(rows[-1]["E_area"], released["pieces"][0]["E_area"], 12)
-        run = self.run_command("dome.obj", "--price-keys", "--output", "none")
+        run = self.run_command("prices", "dome.obj", "--output", "none")
         self.assertEqual(run.returncode, 3)
         self.assertIn("there is no key curve", run.stderr)
-        run = self.run_command("dome.obj", "--price-keys", "--suggest", "all")
-        self.assertEqual(run.returncode, 2)
 
     def test_a_bound_out_of_reach_is_told(self):
         for unit in ("mm", "m"):
-            options = ("--suggest", "darts", "--max-cuts", "1", "--unit", unit, "--output", "out")
-            run = self.run_command("dome.obj", *options, "--bound", "0.001")
+            options = ("--kind", "darts", "--max-cuts", "1", "--unit", unit, "--output", "out")
+            run = self.run_command("cut", "dome.obj", *options, "--max-strain", "0.001")
             self.assertEqual(run.returncode, 4, run.stderr)
             report = self.report("out")
             self.assertEqual((report["status"], report["exit_code"]), ("BoundMissed", 4))
@@ -249,15 +205,15 @@ class Suggestions(command.CommandTest):
             self.assertEqual([cut["type"] for cut in report["suggestions"]], ["dart"])
             self.assertTrue(any("above the bound of 0.001" in text for text in report["warnings"]))
             # One that is missed by less, and the default, are warned of.
-            for bound in (("--bound", str(0.8 * strain)), ()):
-                run = self.run_command("dome.obj", *options, *bound)
+            for bound in (("--max-strain", str(0.8 * strain)), ()):
+                run = self.run_command("cut", "dome.obj", *options, *bound)
                 self.assertEqual(run.returncode, 0, run.stderr)
                 self.assertIn("above the bound of", run.stderr)
 
     def test_a_search_that_is_interrupted_ends_with_the_best_so_far(self):
         self.write("fine.obj", command.obj(*dome(40, 40, 0.9)))
         process = subprocess.Popen(
-            [command.EXECUTABLE, "fine.obj", "--suggest", "all", "--bound", "0", "--max-cuts", "30", "--max-work", "0",
+            [command.EXECUTABLE, "cut", "fine.obj", "--kind", "all", "--max-strain", "0", "--max-cuts", "30", "--max-work", "0",
              "--output", "out"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(5)
         self.assertIsNone(process.poll())
@@ -276,22 +232,20 @@ class Suggestions(command.CommandTest):
             self.assertIn(f"{option[0]} is for --kind darts, seams or all, not for --kind lines", run.stderr)
 
     def test_the_same_for_any_number_of_threads(self):
-        cuts = [self.flatten("dome.obj", "--suggest", "all", "--bound", "0", "--max-cuts", "2",
+        cuts = [self.flatten("cut", "dome.obj", "--kind", "all", "--max-strain", "0", "--max-cuts", "2",
                              "--threads", threads)["suggestions"] for threads in ("1", "3")]
         self.assertEqual(cuts[0], cuts[1])
 
     def test_a_preference_names_a_curve(self):
-        run = self.run_command("dome.obj", "--suggest", "all", "--prefer", "waist=2")
+        run = self.run_command("cut", "dome.obj", "--kind", "all", "--prefer", "waist=2")
         self.assertEqual(run.returncode, 3)
         self.assertIn('no curve is named "waist"', run.stderr)
 
     def test_bad_usage_is_refused(self):
-        for arguments in (["--bound", "0.02"], ["--suggest", "pleats"], ["--suggest", "all", "--bound", "-1"],
-                          ["--suggest", "all", "--bound", "nan"], ["--suggest", "all", "--max-cuts", "0"],
-                          ["--suggest", "all", "--prefer", "waist"], ["--suggest", "all", "--max-cuts", "x"],
-                          ["--suggest", "all", "--prefer", "waist=-1"],
-                          ["--weights", "matters"]):
-            run = self.run_command("dome.obj", *arguments)
+        for arguments in (["--kind", "pleats"], ["--max-strain", "-1"], ["--max-strain", "nan"], ["--max-cuts", "0"],
+                          ["--prefer", "waist"], ["--max-cuts", "x"], ["--prefer", "waist=-1"], ["--effort", "huge"],
+                          ["--effort", "long", "--max-work", "3"]):
+            run = self.run_command("cut", "dome.obj", *arguments)
             self.assertEqual(run.returncode, 2, arguments)
 
 

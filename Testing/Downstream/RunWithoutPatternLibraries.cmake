@@ -27,13 +27,13 @@ run(0 "without CAIRO and FRIBIDI: PDF is refused;without QPDF: PDF has no layers
   -DSURFACEFLATTENING_PATTERN_LIBRARIES=OFF)
 run(0 "" "${CMAKE_COMMAND}" --build "${folder}" --target wirewarp)
 
-set(flatten "${folder}/bin/wirewarp" "${source}/Data/shirt_front.vtp"
+set(draw "${folder}/bin/wirewarp" pattern "${source}/Data/shirt_front.vtp"
   "${source}/Data/shirt_front_curves.vtp" --unit cm --output "${folder}/result")
-run(0 "" ${flatten} --svg --dxf --allowance 0)
+run(0 "" ${draw} -o "${folder}/result/pattern.svg" -o "${folder}/result/pattern.dxf" --allowance 0)
 foreach (file IN ITEMS flat.vtp pattern.svg pattern.dxf)
   if (NOT EXISTS "${folder}/result/${file}")
     message(FATAL_ERROR "There is no ${file}")
   endif ()
 endforeach ()
-run(3 "made without Clipper" ${flatten} --svg)
-run(3 "made without cairo or FriBidi" ${flatten} --pdf --allowance 0)
+run(3 "made without Clipper" ${draw} -o "${folder}/result/pattern.svg")
+run(3 "made without cairo or FriBidi" ${draw} -o "${folder}/result/pattern.pdf" --allowance 0)

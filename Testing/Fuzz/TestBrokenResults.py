@@ -18,8 +18,7 @@ import tempfile
 import command
 
 SECONDS = 120
-PATTERNS = {"--svg": "pattern.svg", "--pdf": "pattern.pdf", "--dxf": "pattern.dxf", "--plt": "pattern.plt",
-            "--garmentcode": "pattern.json", "--walk": "walk.csv"}
+PATTERNS = ("pattern.svg", "pattern.pdf", "pattern.dxf", "pattern.plt", "pattern.json", "walk.csv")
 ALWAYS = {"cut.vtp", "flat.vtp", "wires.vtp", "report.json"}
 
 
@@ -66,49 +65,51 @@ def grid(chance):
     return points, triangles, "\n".join(curves) + "\n"
 
 
-def options_of(chance):
-    formats = [name for name in PATTERNS if chance.random() < 0.7]
+def commands_of(chance, operands):
+    """The runs of a case: from the surface alone, or from the result of the first run."""
+    drawn = [name for name in PATTERNS if chance.random() < 0.7]
     scheme = chance.choice(("isometric", "isometric", "global", "progressive", "lscm"))
-    options = ["--scheme", scheme,
-               "--unit", chance.choice(("mm", "cm", "m", "inch")), "--allowance", chance.choice(("0", "6", "10", "100")),
-               "--fair", chance.choice(("0", "0.2", "5")), *formats]
-    for flag, share in (("--cut-on-fold", 0.3), ("--cut-darts-out", 0.3), ("--notch-corners", 0.3), ("--cut-pairs", 0.3),
-                        ("--close-cuts", 0.2), ("--weld", 0.3), ("--skip-closed", 0.3)):
-        options += [flag] if chance.random() < share else []
-    options += ["--max-pages", "30"] if "--pdf" in formats else []
+    flattening = ["--scheme", scheme, "--unit", chance.choice(("mm", "cm", "m", "inch"))]
+    for flag, share in (("--close-cuts", 0.2), ("--weld", 0.3), ("--skip-closed", 0.3)):
+        flattening += [flag] if chance.random() < share else []
     if scheme != "lscm" and chance.random() < 0.3:
-        options += ["--max-iterations", "1"]
+        flattening += ["--max-iterations", "1"]
+    drawing = ["--allowance", chance.choice(("0", "6", "10", "100")), "--smooth", chance.choice(("0", "0.2", "5"))]
+    for flags, share in ((("--fold", "symmetric"), 0.3), (("--cut-darts-out",), 0.3), (("--notch-corners",), 0.3),
+                         (("--pairs",), 0.3)):
+        drawing += flags if chance.random() < share else []
+    paper = ["--max-pages", "30"] if "pattern.pdf" in drawn else []
+    files = [word for name in drawn for word in ("-o", "out/" + name)]
+    if not drawn:
+        runs = [["flatten", *operands, "-o", "out", *flattening]]
+    elif chance.random() < 0.5:
+        runs = [["pattern", *operands, "-o", "out", *files, *flattening, *drawing, *paper]]
+    else:
+        runs = [["flatten", *operands, "-o", "out", *flattening], ["pattern", "out", *files, *drawing, *paper]]
     if chance.random() < 0.4:
-        options += ["--fabric-width", "1500"]
+        runs.append(["nest", "out", "--roll-width", "1500", *drawing])
     if chance.random() < 0.3:
-        options += ["--resew", "panel", "--resew-once"]
+        runs.append(["sew", "out", "--once"])
     if os.environ.get("DISPLAY") and chance.random() < 0.3:
-        options += ["--picture", "picture.png"]
+        runs.append(["picture", "out"])
     if chance.random() < 0.3:
-        options += ["--size", "M", "--grade", "M", "--grade", "L=large.obj"]
-    return options
+        runs.append(["grade", "M=surface.obj", "L=large.obj", *operands[1:], "-o", "sizes", *flattening])
+    return drawn, runs
 
 
-def what_is_wrong(folder, options, run):
-    if run.returncode not in (0, 3, 4):
-        return f"exit code {run.returncode}"
+def what_is_wrong(folder, drawn, run, told):
+    """Of the first run and, where patterns are drawn by the second, of that one."""
     names = set(os.listdir(os.path.join(folder, "out")))
     with open(os.path.join(folder, "out", "report.json"), encoding="utf-8") as file:
         report = json.load(file, parse_constant=command.refuse_constant)
     if report["exit_code"] != run.returncode:
         return f"report.json says {report['exit_code']}, the command {run.returncode}"
-    errors = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: error: ")]
-    if (run.returncode == 3) != bool(errors):
-        return f"exit code {run.returncode} with the errors {errors}"
-    if any(name.endswith(".part") for name in names | set(os.listdir(folder))):
-        return f"half of a file: {names}"
     if run.returncode == 3 and not report["unwritten"]:
-        return "" if names == {"report.json"} else f"files of a refusal: {names}"
+        return "" if names <= {"report.json"} else f"files of a refusal: {names}"
     if not ALWAYS <= names:
         return f"files of a result: {names}"
-    for option, name in PATTERNS.items():
-        told = any("/" + name in error for error in errors)
-        if (option in options) != (name in names or told):
+    for name in PATTERNS:
+        if (name in drawn) != (name in names or "/" + name in told):
             return f"{name} is neither there nor told to be missing, or was not asked for"
         if name in names and name != "pattern.pdf":
             with open(os.path.join(folder, "out", name), encoding="utf-8") as file:
@@ -117,11 +118,21 @@ def what_is_wrong(folder, options, run):
     return ""
 
 
+def ends_wrong(folder, run):
+    """Whatever the command."""
+    if run.returncode not in (0, 3, 4):
+        return f"exit code {run.returncode}"
+    errors = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: error: ")]
+    if (run.returncode == 3) != bool(errors):
+        return f"exit code {run.returncode} with the errors {errors}"
+    halves = [name for _, _, names in os.walk(folder) for name in names if name.endswith(".part")]
+    return f"half of a file: {halves}" if halves else ""
+
+
 def attempt(number):
     """What came of one case, and what is wrong with it."""
     chance = random.Random(number)
     points, triangles, curves = grid(chance)
-    options = options_of(chance)
     with tempfile.TemporaryDirectory(prefix="broken ") as folder:
         def write(name, text):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
@@ -129,13 +140,22 @@ def attempt(number):
         write("surface.obj", command.obj(points, triangles))
         write("large.obj", command.obj([[1.1 * x for x in point] for point in points], triangles))
         write("curves.txt", curves)
-        arguments = ["surface.obj", *(["curves.txt"] if curves.strip() else []), "--output", "out", *options]
-        words = " ".join(arguments)
+        drawn, runs = commands_of(chance, ["surface.obj", *(["curves.txt"] if curves.strip() else [])])
+        words = ""
         try:
-            run = subprocess.run([command.EXECUTABLE, *arguments], cwd=folder, capture_output=True, text=True,
-                                 timeout=SECONDS, check=False)
-            wrong = what_is_wrong(folder, options, run)
-            return run.returncode, f"{wrong} ({words}): {run.stderr}" if wrong else ""
+            first, told, wrong = None, "", ""
+            for arguments in runs:
+                words = " ".join(arguments)
+                run = subprocess.run([command.EXECUTABLE, *arguments], cwd=folder, capture_output=True, text=True,
+                                     timeout=SECONDS, check=False)
+                first = first or run
+                told += run.stderr if arguments[0] == "pattern" else ""
+                wrong = wrong or ends_wrong(folder, run)
+                if wrong:
+                    return first.returncode, f"{wrong} ({words}): {run.stderr}"
+            words = " ".join(runs[0])
+            wrong = what_is_wrong(folder, drawn, first, told)
+            return first.returncode, f"{wrong} ({words}): {first.stderr}" if wrong else ""
         except Exception as error:  # whatever it is, the case has to be named
             return "none", f"{error!r} ({words})"
 

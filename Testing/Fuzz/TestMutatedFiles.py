@@ -88,7 +88,7 @@ def run_many(folder, cases, seen):
         lines.append(" ".join(arguments))
     with open(os.path.join(folder, "batch.txt"), "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
-    worst = run(folder, "--batch", "batch.txt", "--output", "out", "--quiet")
+    worst = run(folder, "batch", "batch.txt", "--output", "out", "--quiet")
     rows = read_json(os.path.join(folder, "out", "batch.json"))["surfaces"]
     expect(len(rows) == len(cases), "rows of batch.json")
     codes = {row["exit_code"] for row in rows}
@@ -106,7 +106,7 @@ def run_alone(folder, name, data, seen):
     with open(os.path.join(folder, path), "wb") as file:
         file.write(data)
     if name == "list.txt":
-        code = run(folder, "--batch", path, "--output", "out")
+        code = run(folder, "batch", path, "--output", "out")
         expect(code != 2, "bad usage")
         if os.path.exists(os.path.join(folder, "out", "batch.json")):
             rows = read_json(os.path.join(folder, "out", "batch.json"))["surfaces"]
@@ -115,7 +115,7 @@ def run_alone(folder, name, data, seen):
         else:
             expect(code == 3, "a list without a result")
         return
-    code = run(folder, *arguments_of(name, path), "--output", "out", "--list-curves")
+    code = run(folder, *arguments_of(name, path), "--output", "out", "--table")
     seen[check_result(os.path.join(folder, "out"), code)] += 1
 
 

@@ -38,8 +38,8 @@ class Patterns(unittest.TestCase):
                   encoding="utf-8") as file:
             drawn = file.read()
         subprocess.run(
-            [COMMAND, os.path.join(DATA, "pants_front.vtp"), os.path.join(DATA, "pants_front_curves.vtp"),
-             "--unit", "cm", "--svg", "--name", "trousers", "--allowance", "15", "--output", self.folder],
+            [COMMAND, "pattern", os.path.join(DATA, "pants_front.vtp"), os.path.join(DATA, "pants_front_curves.vtp"),
+             "--unit", "cm", "--name", "trousers", "--allowance", "15", "-o", os.path.join(self.folder, "pattern.svg")],
             check=False, capture_output=True)
         with open(os.path.join(self.folder, "pattern.svg"), encoding="utf-8") as file:
             expected = file.read()

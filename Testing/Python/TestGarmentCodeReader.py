@@ -94,10 +94,10 @@ class Reading(pattern.PatternTest):
         return [wire for wire in garment.wires if wire.name == name][number]
 
     def test_what_was_written_comes_back_bit_for_bit(self):
-        for piece, options in (("tshirt", ()), ("tshirt", ("--fair", "1.0")), ("shirt_front", ()),
-                               ("shirt_front", ("--fair", "0.5"))):
+        for piece, options in (("tshirt", ()), ("tshirt", ("--smooth", "1.0")), ("shirt_front", ()),
+                               ("shirt_front", ("--smooth", "0.5"))):
             with self.subTest(piece=piece, options=options):
-                self.make(piece, "--garmentcode", *options)
+                self.make(piece, "-o", "out/pattern.json", *options)
                 garment = sf.read_garmentcode(self.path("out", "pattern.json"))
                 self.assertEqual(self.again(garment), self.content("pattern.json"))
 
@@ -123,7 +123,7 @@ class Reading(pattern.PatternTest):
 
     def test_seams_and_darts_that_were_written_are_read_with_their_names_and_lengths(self):
         for piece in ("tshirt", "shirt_front"):
-            self.make_raw(piece, "--garmentcode")
+            self.make_raw(piece, "-o", "out/pattern.json")
             garment = sf.read_garmentcode(self.path("out", "pattern.json"))
             wanted = {}
             for wire in pattern.wires_in_space(self.path("out"), "cm"):

@@ -44,7 +44,7 @@ class Measures(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 run = subprocess.run(
                     [COMMAND, f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves{curves}.vtp",
-                     "--scheme", scheme, *options, "--output", folder],
+                     "--scheme", scheme, *options, "--table", "--output", folder],
                     capture_output=True, text=True, check=False)
                 with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
                     report = json.load(file)

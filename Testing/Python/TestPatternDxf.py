@@ -52,7 +52,7 @@ class Layers(pattern.PatternTest):
         return document, [document.blocks.get(insert.dxf.name) for insert in inserts]
 
     def test_each_piece_is_one_block_inserted_once(self):
-        self.make("tshirt", "--dxf")
+        self.make("tshirt", "-o", "out/pattern.dxf")
         _, blocks = self.blocks()
         self.assertEqual(len(blocks), 4)
         self.assertEqual(len({block.name for block in blocks}), 4)
@@ -61,7 +61,7 @@ class Layers(pattern.PatternTest):
             self.assertTrue(cut[1], "the boundary is not closed")
 
     def test_corners_are_turn_points_and_all_other_vertices_curve_points(self):
-        self.make("tshirt", "--dxf")
+        self.make("tshirt", "-o", "out/pattern.dxf")
         _, blocks = self.blocks()
         for block in blocks:
             turns, curves = set(marks(block, "2")), set(marks(block, "3"))
@@ -77,7 +77,7 @@ class Layers(pattern.PatternTest):
                     self.assertIn(point, curves)
 
     def test_notches_lie_on_the_boundary_as_many_as_the_svg_has(self):
-        self.make_raw("tshirt", "--dxf", "--svg")
+        self.make_raw("tshirt", "-o", "out/pattern.dxf", "-o", "out/pattern.svg")
         _, blocks = self.blocks()
         drawn = pattern.svg_paths(pattern.svg_root(self.path("out", "pattern.svg")), "notch")
         for number, block in enumerate(blocks):
@@ -89,7 +89,7 @@ class Layers(pattern.PatternTest):
                 self.assertLess(pattern.distance_to(notch, cut), 0.01)
 
     def test_who_knows_no_notches_and_drill_holes_sees_lines_and_circles(self):
-        self.make("shirt_front", "--dxf")
+        self.make("shirt_front", "-o", "out/pattern.dxf")
         _, (block,) = self.blocks()
         lines = [line for line in block.query("LINE") if line.dxf.layer == "4"]
         starts = {tuple(line.dxf.start)[:2] for line in lines}
@@ -103,14 +103,14 @@ class Layers(pattern.PatternTest):
     def test_the_header_says_the_unit_as_programs_read_it(self):
         for unit in pattern.MILLIMETRES:
             for options in ((), ("--allowance", "0")):
-                self.make("quarter_sphere", "--dxf", *options, unit=unit)
+                self.make("quarter_sphere", "-o", "out/pattern.dxf", *options, unit=unit)
                 document, _ = self.blocks()
                 inches = unit == "inch"
                 self.assertEqual(document.header["$INSUNITS"], 1 if inches else 4)
                 self.assertEqual(document.header["$MEASUREMENT"], 0 if inches else 1)
 
     def test_colours_of_layers_can_be_read_on_black_and_on_white(self):
-        self.make("tshirt", "--dxf")
+        self.make("tshirt", "-o", "out/pattern.dxf")
         document, _ = self.blocks()
         read = 0
         for layer in document.layers:
@@ -123,7 +123,7 @@ class Layers(pattern.PatternTest):
         self.assertEqual(read, 9)
 
     def test_layers_blocks_and_entities_have_handles_of_their_own(self):
-        self.make("tshirt", "--dxf")
+        self.make("tshirt", "-o", "out/pattern.dxf")
         pairs = records(self.content("pattern.dxf").decode("ascii"))
         handles = []
         for at, (code, value) in enumerate(pairs):
@@ -137,8 +137,8 @@ class Layers(pattern.PatternTest):
         self.assertEqual(seed, (5, f"{max(handles) + 1:08X}"))
 
     def test_blocks_bear_the_names_of_their_pieces(self):
-        self.make("tshirt", "--dxf", "--piece-name", "front", "--piece-name", "front",
-                  "--piece-name", "Ärmel", "--piece-name", "x" * 40)
+        self.make("tshirt", "-o", "out/pattern.dxf", "--piece", "front", "--piece", "front",
+                  "--piece", "Ärmel", "--piece", "x" * 40)
         _, blocks = self.blocks()
         names = [block.name for block in blocks]
         self.assertEqual(names[:2], ["FRONT", "FRONT_2"])
@@ -146,7 +146,7 @@ class Layers(pattern.PatternTest):
         self.assertEqual(names[3], "X" * 31)
 
     def test_the_grainline_runs_along_the_key_curve(self):
-        self.make("tshirt", "--dxf")
+        self.make("tshirt", "-o", "out/pattern.dxf")
         _, blocks = self.blocks()
         for block, key in zip(blocks, ("centre_front", "centre_back", None, None)):
             (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
@@ -161,7 +161,7 @@ class Layers(pattern.PatternTest):
 
     def test_sew_lines_are_dashed_and_their_dashes_run_on_over_the_points(self):
         for unit, scale in (("cm", 1.0), ("in", 1 / 25.4)):
-            self.make("shirt_front", "--dxf", unit=unit)
+            self.make("shirt_front", "-o", "out/pattern.dxf", unit=unit)
             document, blocks = self.blocks()
             self.assertEqual(document.layers.get("14").dxf.linetype, "DASHEDTINY")
             self.assertEqual({document.layers.get(layer).dxf.linetype for layer in ("1", "4", "7", "8", "11")},
@@ -178,7 +178,7 @@ class Layers(pattern.PatternTest):
 
     def test_the_grain_has_a_head_at_its_upper_end_or_at_both_where_none_is_known(self):
         for piece, known in (("shirt_front", True), ("quarter_sphere", False)):
-            self.make(piece, "--dxf")
+            self.make(piece, "-o", "out/pattern.dxf")
             _, (block,) = self.blocks()
             (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
             heads = [[tuple(head.dxf.get(f"vtx{k}"))[:2] for k in range(4)]
@@ -192,7 +192,7 @@ class Layers(pattern.PatternTest):
 
     def test_the_grainline_of_a_piece_on_cloth_is_its_warp(self):
         # Along the key curve lies the bias.
-        self.make("tshirt", "--dxf", "--material", "twill", "--grain", "centre_front:45")
+        self.make("tshirt", "-o", "out/pattern.dxf", "--material", "twill", "--grain", "centre_front:45")
         _, blocks = self.blocks()
         (grain,) = [line for line in blocks[0].query("LINE") if line.dxf.layer == "7"]
         start, end = tuple(grain.dxf.start)[:2], tuple(grain.dxf.end)[:2]
@@ -205,7 +205,7 @@ class Layers(pattern.PatternTest):
     def test_a_hole_is_a_cutout_smaller_by_the_allowance(self):
         with open(self.path("ring.obj"), "w", encoding="ascii") as file:
             file.write(ring())
-        run = self.run_command("ring.obj", "--dxf", "--unit", "cm", "--allowance", "4", "-q",
+        run = self.run_command("pattern", "ring.obj", "-o", "out/pattern.dxf", "--unit", "cm", "--allowance", "4", "-q",
                                "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         _, (block,) = self.blocks()
@@ -221,8 +221,8 @@ class Layers(pattern.PatternTest):
             self.assertLess(max(radii), inner / side + 0.01)
 
     def test_texts_say_what_the_one_who_cuts_must_know(self):
-        self.make("tshirt", "--dxf", "--name", "Ärmel 1", "--size", "M", "--quantity", "3",
-                  "--piece-name", "front")
+        self.make("tshirt", "-o", "out/pattern.dxf", "--name", "Ärmel 1", "--size", "M", "--quantity", "3",
+                  "--piece", "front")
         document, blocks = self.blocks()
         texts = [text.dxf.text for text in document.modelspace().query("TEXT")]
         self.assertIn("Style Name: \\U+00C4rmel 1", texts)

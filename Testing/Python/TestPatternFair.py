@@ -61,13 +61,13 @@ class Fair(pattern.PatternTest):
                                                 ("tshirt", "cm", "0.2", "1")):
             with self.subTest(piece):
                 begin = seconds()
-                self.make(piece, "--svg", "--fair", tolerance, "--notch-spacing", spacing, unit=unit)
+                self.make(piece, "-o", "out/pattern.svg", "--smooth", tolerance, "--notch-spacing", spacing, unit=unit)
                 self.assertLess(seconds() - begin, 40.0)
 
     def test_every_curve_of_the_svg_has_its_length_on_the_surface(self):
         for piece in ("tshirt", "shirt_front", "shoe_upper"):
             with self.subTest(piece):
-                self.make(piece, "--svg", "--fair", str(TOLERANCE))
+                self.make(piece, "-o", "out/pattern.svg", "--smooth", str(TOLERANCE))
                 wires = pattern.wires_in_space(self.path("out"), "cm")
                 _, paths = self.paths()
                 self.assertEqual(len(paths), len(wires))
@@ -78,7 +78,7 @@ class Fair(pattern.PatternTest):
                 self.assertTrue(any("C" in element.get("d") for _, element in paths))
 
     def test_each_notch_lies_on_its_curve_at_its_length(self):
-        self.make("tshirt", "--svg", "--fair", str(TOLERANCE))
+        self.make("tshirt", "-o", "out/pattern.svg", "--smooth", str(TOLERANCE))
         root, paths = self.paths()
         checked = 0
         for piece, notch, points, _ in pattern.svg_paths(root, "notch"):
@@ -96,7 +96,7 @@ class Fair(pattern.PatternTest):
         self.assertGreater(checked, 20)
 
     def test_the_walk_finds_both_sides_of_every_interval_alike(self):
-        self.make("tshirt", "--walk", "--fair", str(TOLERANCE))
+        self.make("tshirt", "-o", "out/walk.csv", "--smooth", str(TOLERANCE))
         rows = list(csv.DictReader(io.StringIO(self.content("walk.csv").decode())))
         self.assertGreater(len(rows), 10)
         for row in rows:
@@ -105,9 +105,9 @@ class Fair(pattern.PatternTest):
                                    float(row["to_mm"]) - float(row["from_mm"]), delta=2e-6)
 
     def test_the_dxf_keeps_lengths_with_few_curve_points(self):
-        self.make_raw("tshirt", "--dxf", "--svg")
+        self.make_raw("tshirt", "-o", "out/pattern.dxf", "-o", "out/pattern.svg")
         raw = self.curve_points()
-        self.make("tshirt", "--dxf", "--svg", "--fair", str(TOLERANCE))
+        self.make("tshirt", "-o", "out/pattern.dxf", "-o", "out/pattern.svg", "--smooth", str(TOLERANCE))
         self.assertLess(2 * self.curve_points(), raw)
         document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
         self.assertEqual(audit, [])
@@ -158,21 +158,21 @@ class Fair(pattern.PatternTest):
     def test_outlines_of_symmetric_pieces_are_mirror_images_in_the_file(self):
         for piece in ("wetsuit_upper_front", "shirt_front", "wetsuit_pants_back"):
             with self.subTest(piece):
-                self.make(piece, "--svg", "--symmetrize")
+                self.make(piece, "-o", "out/pattern.svg", "--symmetrize")
                 self.assertLess(max(self.misses()), 1e-3)
                 self.assert_lengths_are_kept(1e-6)
-        self.make("wetsuit_pants_back", "--svg")
+        self.make("wetsuit_pants_back", "-o", "out/pattern.svg")
         self.assertGreater(max(self.misses()), 0.1)
 
     def test_curves_within_symmetric_pieces_are_mirror_images_in_the_file(self):
         for piece in ("shirt_front", "shirt_back", "wetsuit_pants_back", "wetsuit_upper_front"):
             with self.subTest(piece):
-                self.make(piece, "--svg", "--symmetrize")
+                self.make(piece, "-o", "out/pattern.svg", "--symmetrize")
                 self.assertLess(max(self.misses("internal", "key-curve")), 1e-3)
                 self.assert_lengths_are_kept(1e-6)
                 self.assertTrue(any("within it are drawn as mirror images as well, to 0.001 mm" in note
                                     for note in self.notes()), self.notes())
-        self.make("shirt_front", "--svg")
+        self.make("shirt_front", "-o", "out/pattern.svg")
         self.assertGreater(max(self.misses("internal", "key-curve")), 0.1)
 
     def sheet_with_two_holes(self):
@@ -201,7 +201,7 @@ class Fair(pattern.PatternTest):
     def test_holes_and_curves_are_mirrored_though_the_mesh_is_not(self):
         self.sheet_with_two_holes()
         for options, exact in (((), False), (("--symmetrize",), True)):
-            run = self.run_command("sheet.obj", "curves.txt", "--unit", "mm", "--svg", "--output", "out", "-q", *options)
+            run = self.run_command("pattern", "sheet.obj", "curves.txt", "--unit", "mm", "-o", "out/pattern.svg", "--output", "out", "-q", *options)
             self.assertEqual(run.returncode, 0, run.stderr)
             for miss in self.misses() + self.misses("internal", "key-curve"):
                 self.assertEqual(miss < 1e-3, exact, miss)
@@ -209,13 +209,13 @@ class Fair(pattern.PatternTest):
         self.assertLess(float(told[1]), 0.05)
 
     def test_a_symmetric_piece_strained_by_too_much_is_nearer_to_its_points_and_stays_symmetric(self):
-        self.make("shirt_shoulder", "--svg", "--fair", "0.5", "--symmetrize")
+        self.make("shirt_shoulder", "-o", "out/pattern.svg", "--smooth", "0.5", "--symmetrize")
         self.assertLess(max(self.misses()), 1e-3)
         notes = json.loads(self.content("report.json"))["pattern_notes"]
         self.assertTrue(any(re.search(r"kept within [5-9]\d(\.\d)? % of the tolerance", note) for note in notes), notes)
 
     def test_what_was_made_symmetric_is_told_piece_by_piece(self):
-        self.make("tshirt", "--svg", "--symmetrize")
+        self.make("tshirt", "-o", "out/pattern.svg", "--symmetrize")
         notes = json.loads(self.content("report.json"))["pattern_notes"]
         told = [note for note in notes if "its own mirror image" in note]
         self.assertEqual(len(told), 4)
@@ -227,7 +227,7 @@ class Fair(pattern.PatternTest):
                                          r"mirrored, it misses itself by \d\.\d+ mm", note) for note in told), told)
 
     def test_a_piece_that_symmetry_would_strain_keeps_its_own_outline(self):
-        self.make("quarter_sphere", "--svg", "--symmetrize")
+        self.make("quarter_sphere", "-o", "out/pattern.svg", "--symmetrize")
         notes = json.loads(self.content("report.json"))["pattern_notes"]
         self.assertTrue(any("not drawn as its own mirror image: it would strain" in note for note in notes), notes)
 
@@ -245,7 +245,7 @@ class Fair(pattern.PatternTest):
 
     def test_unless_another_distance_is_asked_for_a_pattern_is_smooth_within_a_fifth_of_a_millimetre(self):
         for piece in ("tshirt", "quarter_sphere"):
-            run = self.make(piece, "--svg", "--dxf")
+            run = self.make(piece, "-o", "out/pattern.svg", "-o", "out/pattern.dxf")
             self.assertNotIn("wirewarp: note", run.stderr)
             usual = self.content("pattern.svg"), self.content("pattern.dxf")
             found = re.findall(r"at most ([\d.]+) mm from their points, with 95 % of the area strained by no more "
@@ -254,16 +254,16 @@ class Fair(pattern.PatternTest):
             for deviation, strain, before in found:
                 self.assertLessEqual(float(deviation), 0.2)
                 self.assertLessEqual(float(strain) - float(before), 0.3 + 0.01)  # of two digits each
-            self.make(piece, "--svg", "--dxf", "--fair", "0.2")
+            self.make(piece, "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--smooth", "0.2")
             self.assertEqual((self.content("pattern.svg"), self.content("pattern.dxf")), usual)
-            self.make_raw(piece, "--svg", "--dxf")
+            self.make_raw(piece, "-o", "out/pattern.svg", "-o", "out/pattern.dxf")
             self.assertNotIn(b"C", b"".join(re.findall(rb' d="([^"]*)"', self.content("pattern.svg"))))
             self.assertFalse([note for note in self.notes() if "curves and" in note])
 
     def test_what_was_done_is_said_and_what_could_not_be_is_named(self):
         def printed(*options):
             arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
-            run = self.run_command(*arguments, "--unit", "cm", "--output", "out", "--svg", *options)
+            run = self.run_command("pattern", *arguments, "--unit", "cm", "--output", "out", "-o", "out/pattern.svg", *options)
             self.assertIn(run.returncode, (0, 4), run.stderr)
             mark = "wirewarp: note: "
             return [line[len(mark):] for line in run.stderr.splitlines() if line.startswith(mark)]
@@ -274,12 +274,12 @@ class Fair(pattern.PatternTest):
         def left(note):
             return "left as the mesh has them" in note
 
-        for asked in (("--fair", "0.001"), ("--curve-fair", "boundary=0.001")):
+        for asked in (("--smooth", "0.001"), ("--smooth", "boundary=0.001")):
             notes = printed(*asked)
             self.assertTrue(any(map(done, notes)), notes)
             self.assertEqual(notes, self.notes())
-        self.assertTrue(any(map(left, printed("--fair", "0.001"))))
-        quiet = printed("--fair", "0.001", "--quiet")
+        self.assertTrue(any(map(left, printed("--smooth", "0.001"))))
+        quiet = printed("--smooth", "0.001", "--quiet")
         self.assertEqual(quiet, list(filter(left, self.notes())))
         self.assertTrue(any(map(done, self.notes())))
         # Unasked there is no news, but in the report.

@@ -50,7 +50,7 @@ class Svg(pattern.PatternTest):
                 if child.get(INKSCAPE + "groupmode") == "layer"]
 
     def test_pieces_are_layers_and_each_role_is_one_layer_in_them(self):
-        self.make("shirt_front", "--svg", "--piece-name", "front & facing")
+        self.make("shirt_front", "-o", "out/pattern.svg", "--piece", "front & facing")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         layers = self.layers(root)
         self.assertEqual([layer.get(INKSCAPE + "label") for layer in layers],
@@ -65,7 +65,7 @@ class Svg(pattern.PatternTest):
             self.assertIn(label, labels)
 
     def test_a_laser_gets_thin_whole_lines_in_a_colour_a_role(self):
-        self.make("shirt_front", "--svg", "--laser-colors")
+        self.make("shirt_front", "-o", "out/pattern.svg", "--style", "laser")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         (piece,) = pattern.pieces_of(root)
         colours = {}
@@ -81,8 +81,8 @@ class Svg(pattern.PatternTest):
         self.assertGreater(len(colours), 6)
 
     def test_heads_of_the_grain_are_filled_but_for_a_laser_which_would_engrave_them(self):
-        for options, fill in (((), "#000000"), (("--laser-colors",), None)):
-            self.make("shirt_front", "--svg", *options)
+        for options, fill in (((), "#000000"), (("--style", "laser",), None)):
+            self.make("shirt_front", "-o", "out/pattern.svg", *options)
             (piece,) = pattern.pieces_of(pattern.svg_root(self.path("out", "pattern.svg")))
             (grain,) = [role for role in self.layers(piece) if role.get("class") == "grain"]
             heads = [path for path in grain if path.get("d").endswith("Z")]
@@ -109,7 +109,7 @@ class BordersWithoutAllowance(pattern.PatternTest):
         for piece, unit in (("quarter_sphere", "m"), ("tshirt", "cm"), ("tshirt", "inch"), ("shoe_upper", "mm")):
             for fair in ("0", "0.2"):
                 with self.subTest(piece, unit=unit, fair=fair):
-                    self.make(piece, "--svg", "--dxf", "--plt", "--allowance", "0", "--fair", fair, unit=unit)
+                    self.make(piece, "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "-o", "out/pattern.plt", "--allowance", "0", "--smooth", fair, unit=unit)
                     root = pattern.svg_root(self.path("out", "pattern.svg"))
                     self.assertEqual(pattern.svg_elements(root, "sew-line"), [])
                     wires = [wire for wire in pattern.wires_in_space(self.path("out"), unit)
@@ -136,7 +136,7 @@ class BordersWithoutAllowance(pattern.PatternTest):
     def test_one_border_without_allowance_among_others_is_drawn_once(self):
         seams = {wire.name for wire in self.wires("tshirt") if wire.kind == pattern.SEAM}
         for bare in sorted(seams)[:3]:
-            self.make("tshirt", "--svg", "--allowance", "8", "--curve-allowance", bare + "=0")
+            self.make("tshirt", "-o", "out/pattern.svg", "--allowance", "8", "--allowance", bare + "=0")
             root = pattern.svg_root(self.path("out", "pattern.svg"))
             cut = {number: points for number, points in self.outlines(root, "cut-line")}
             names = {element.get("data-curve") for _, element in pattern.svg_elements(root, "sew-line")}
@@ -151,7 +151,7 @@ class BordersWithoutAllowance(pattern.PatternTest):
 
 class Hpgl(pattern.PatternTest):
     def test_every_line_of_the_svg_is_drawn_at_its_place_and_cut_lines_are_cut_last(self):
-        self.make_raw("tshirt", "--svg", "--plt")
+        self.make_raw("tshirt", "-o", "out/pattern.svg", "-o", "out/pattern.plt")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         lines, _ = read_hpgl(self.content("pattern.plt").decode("ascii"))
         roles = {group.get("class") for piece in pattern.pieces_of(root) for group in piece} - {"text"}
@@ -179,7 +179,7 @@ class Hpgl(pattern.PatternTest):
         self.assertEqual(pens, sorted(pens))
 
     def test_texts_are_seven_bits(self):
-        self.make("quarter_sphere", "--plt", "--name", "Ärmel; \"2\"")
+        self.make("quarter_sphere", "-o", "out/pattern.plt", "--name", "Ärmel; \"2\"")
         _, texts = read_hpgl(self.content("pattern.plt").decode("ascii"))
         self.assertIn("?rmel; \"2\"", texts)
 

@@ -78,13 +78,13 @@ class GarmentCode(pattern.PatternTest):
         return document
 
     def test_edges_of_the_mesh_are_stitched_to_edges_of_equal_length(self):
-        self.make_raw("tshirt", "--garmentcode")
+        self.make_raw("tshirt", "-o", "out/pattern.json")
         document = self.check(1e-9)
         self.assertFalse(any("curvature" in edge for panel in document["pattern"]["panels"].values()
                              for edge in panel["edges"]))
 
     def test_smooth_borders_are_cubic_edges_of_the_seams_lengths(self):
-        self.make("tshirt", "--garmentcode", "--fair", "1.0")
+        self.make("tshirt", "-o", "out/pattern.json", "--smooth", "1.0")
         document = self.check(1e-6)
         edges = [edge for panel in document["pattern"]["panels"].values() for edge in panel["edges"]]
         self.assertTrue(any("curvature" in edge for edge in edges))
@@ -92,12 +92,12 @@ class GarmentCode(pattern.PatternTest):
         for panel in document["pattern"]["panels"].values():
             for edge in panel["edges"]:
                 self.assertGreater(pattern.bezier_length(bezier(panel, edge)), 0.5)
-        self.make_raw("tshirt", "--garmentcode")
+        self.make_raw("tshirt", "-o", "out/pattern.json")
         raw = sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values())
         self.assertLess(2 * len(edges), raw)
 
     def test_legs_of_a_dart_are_stitched_to_each_other(self):
-        self.make("shirt_front", "--garmentcode")
+        self.make("shirt_front", "-o", "out/pattern.json")
         document = self.check(1e-9)
         for sides in document["pattern"]["stitches"]:
             self.assertEqual(sides[0]["panel"], sides[1]["panel"])
@@ -110,7 +110,7 @@ class GarmentCode(pattern.PatternTest):
             for point in in_space:
                 file.write("v " + " ".join(repr(float(value)) for value in point) + "\n")
             file.write("f 1 2 3\nf 1 3 4\nf 1 4 5\n")
-        run = self.run_command("flat.obj", "--garmentcode", "--unit", "cm", "-q", "--output", "out")
+        run = self.run_command("pattern", "flat.obj", "-o", "out/pattern.json", "--unit", "cm", "-q", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         (panel,) = self.read()["pattern"]["panels"].values()
         placed = [rotation(panel["rotation"]) @ (x, y, 0) + panel["translation"]
@@ -127,8 +127,8 @@ class GarmentCode(pattern.PatternTest):
                 for k in range(12):
                     a, b = inner + k + 1, inner + (k + 1) % 12 + 1
                     file.write(f"f {a} {a + 12} {b + 12}\nf {a} {b + 12} {b}\n")
-        run = self.run_command("ring.obj", "--garmentcode", "--unit", "cm", "-q", "--output", "out",
-                               "--piece-name", "washer")
+        run = self.run_command("pattern", "ring.obj", "-o", "out/pattern.json", "--unit", "cm", "-q", "--output", "out",
+                               "--piece", "washer")
         self.assertEqual(run.returncode, 3)
         self.assertIn("washer", run.stderr)
         self.assertIn("hole", run.stderr)

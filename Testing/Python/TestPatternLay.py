@@ -44,8 +44,17 @@ class Lay(pattern.PatternTest):
         return [(numbers[at], np.array(points))
                 for at, _, points, _ in pattern.svg_paths(root, "cut-line")], root
 
+    def nest(self, piece, *options, formats):
+        """Lays a piece of Data on cloth."""
+        files = [word for ending in formats for word in ("-o", "out/lay." + ending)]
+        surface, curves = (os.path.join(pattern.DATA, piece + end + ".vtp") for end in ("", "_curves"))
+        run = self.run_command("nest", surface, curves, "--unit", "cm", "-o", "out", *files, "--quiet", *options)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+
     def lay(self, width, *options, copies=None):
-        self.make("tshirt", "--svg", "--fabric-width", str(width), *options)
+        self.nest("tshirt", "--roll-width", str(width), *options, formats=("svg",))
+        drawn = self.run_command("pattern", "out", "-o", "out/pattern.svg", *(["--pairs"] if "--pairs" in options else []))
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
         laid, root = self.outlines("lay.svg")
         flat = dict(self.outlines("pattern.svg")[0])
         counts = {}
@@ -109,7 +118,7 @@ class Lay(pattern.PatternTest):
 
     def test_of_a_pair_one_is_turned_over_and_quantities_are_laid(self):
         laid, flat, _, _ = self.lay(
-            1100.0, "--nap", "--cut-pairs", "--piece-quantity", "2", "--piece-quantity", "1",
+            1100.0, "--nap", "--pairs", "--piece", ":2", "--piece", ":1",
             copies={1: 2, 2: 1, 3: 2})
         ways = self.ways(laid, flat)
         self.assertEqual(sum("over up" in found for number, found in ways if number == 3), 1)
@@ -118,12 +127,12 @@ class Lay(pattern.PatternTest):
     def test_pieces_to_be_cut_on_the_fold_are_laid_whole(self):
         self.lay(1400.0)
         whole = {number: abs(area(ring)) for number, ring in self.outlines("lay.svg")[0]}
-        self.make("tshirt", "--svg", "--fabric-width", "1400", "--cut-on-fold")
+        self.nest("tshirt", "--roll-width", "1400", "--fold", "symmetric", formats=("svg",))
         for number, ring in self.outlines("lay.svg")[0]:
             self.assertAlmostEqual(abs(area(ring)), whole[number], delta=1e-6 * whole[number])
 
     def test_a_plotter_gets_the_same_lay(self):
-        self.make("tshirt", "--svg", "--plt", "--fabric-width", "1400")
+        self.nest("tshirt", "--roll-width", "1400", formats=("svg", "plt"))
         text = self.content("lay.plt").decode("ascii")
         cuts = text[text.index("SP2;"):]
         corners = [tuple(map(int, pair)) for run in re.findall(r"P[UD]([-\d,]+);", cuts)
@@ -132,18 +141,17 @@ class Lay(pattern.PatternTest):
         self.assertGreater(max(x for x, _ in corners), 40 * 1000)
         self.assertEqual(text.count("PD") > 0, True)
 
-    def test_cloth_that_is_narrower_than_a_piece_gives_no_lay_but_the_pattern(self):
+    def test_cloth_that_is_narrower_than_a_piece_gives_no_lay_but_the_result(self):
         arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
-        run = self.run_command(*arguments, "--unit", "cm", "--svg", "--fabric-width", "300", "--output", "none",
-                               "--piece-name", "front", "--quiet")
+        run = self.run_command("nest", *arguments, "--unit", "cm", "--roll-width", "300", "--output", "none",
+                               "--piece", "front", "--quiet")
         self.assertEqual(run.returncode, 3)
         for word in ("front", "300 mm", "wide"):
             self.assertIn(word, run.stderr)
         self.assertFalse(os.path.exists(self.path("none", "lay.svg")))
-        with open(self.path("none", "pattern.svg"), encoding="utf-8") as file:
-            self.assertIn("<svg", file.read())
-        for options in (("--nap",), ("--fabric-width", "0"), ("--fabric-width", "900", "--fabric-gap", "-1")):
-            run = self.run_command(*arguments, *options)
+        self.assertTrue(os.path.exists(self.path("none", "flat.vtp")))
+        for options in (("--nap",), ("--roll-width", "0"), ("--roll-width", "900", "--gap", "-1")):
+            run = self.run_command("nest", *arguments, *options)
             self.assertEqual(run.returncode, 2, options)
 
     def test_more_pieces_than_can_be_laid_are_refused_before_they_are_counted_out(self):
@@ -157,14 +165,14 @@ class Lay(pattern.PatternTest):
 
     def test_a_quantity_of_a_piece_that_is_not_there_is_refused(self):
         arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
-        run = self.run_command(*arguments, "--unit", "cm", "--svg", "--output", "none", "--quiet",
-                               *("--piece-quantity", "2") * 5)
+        run = self.run_command("pattern", *arguments, "--unit", "cm", "-o", "none/pattern.svg", "--quiet",
+                               *("--piece", ":2") * 5)
         self.assertEqual(run.returncode, 3)
         for word in ("piece 5", "4 pieces"):
             self.assertIn(word, run.stderr)
 
     def test_quantities_are_written_on_their_pieces(self):
-        self.make("tshirt", "--svg", "--quantity", "3", "--piece-quantity", "2", "--piece-quantity", "5")
+        self.make("tshirt", "-o", "out/pattern.svg", "--quantity", "3", "--piece", ":2", "--piece", ":5")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         self.assertEqual([group.get("data-quantity") for group in pattern.pieces_of(root)], ["2", "5", "3", "3"])
         texts = [text.text for text in root.iter(pattern.SVG + "text")]

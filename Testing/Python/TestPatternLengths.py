@@ -17,7 +17,7 @@ class Lengths(pattern.PatternTest):
     def test_every_wire_of_the_svg_has_its_length_on_the_surface(self):
         for piece, unit in PIECES:
             with self.subTest(piece):
-                self.make_raw(piece, "--svg", unit=unit)
+                self.make_raw(piece, "-o", "out/pattern.svg", unit=unit)
                 wires = pattern.wires_in_space(self.path("out"), unit)
                 root = pattern.svg_root(self.path("out", "pattern.svg"))
                 scale = pattern.svg_scale(root)
@@ -58,7 +58,7 @@ class Lengths(pattern.PatternTest):
     def test_every_edge_of_the_dxf_has_its_length_and_the_audit_finds_nothing(self):
         for piece, unit in PIECES:
             with self.subTest(piece):
-                self.make_raw(piece, "--dxf", unit=unit)
+                self.make_raw(piece, "-o", "out/pattern.dxf", unit=unit)
                 wires = pattern.wires_in_space(self.path("out"), unit)
                 document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
                 self.assertEqual(audit, [])
@@ -89,7 +89,7 @@ class Lengths(pattern.PatternTest):
         self.assertTrue(all(pattern.is_forgotten_owner(message) for message in found), found)
 
     def test_the_audit_finds_what_is_wrong(self):
-        self.make_raw("quarter_sphere", "--dxf")
+        self.make_raw("quarter_sphere", "-o", "out/pattern.dxf")
         with open(self.path("out", "pattern.dxf"), encoding="ascii") as file:
             text = file.read()
         inserted = re.search("INSERT\n  5\n.*\n  8\n1\n  2\n", text).end()
@@ -100,7 +100,7 @@ class Lengths(pattern.PatternTest):
     def test_units_are_told_and_meant(self):
         spans = {}
         for unit in pattern.MILLIMETRES:
-            self.make_raw("quarter_sphere", "--dxf", "--svg", "--allowance", "0", unit=unit)
+            self.make_raw("quarter_sphere", "-o", "out/pattern.dxf", "-o", "out/pattern.svg", "--allowance", "0", unit=unit)
             document, _ = pattern.read_dxf(self.path("out", "pattern.dxf"))
             texts = [text.dxf.text for text in document.modelspace().query("TEXT")]
             said = [text for text in texts if text.startswith("Units:")]
@@ -120,7 +120,7 @@ class Lengths(pattern.PatternTest):
 
     def test_both_sides_of_every_seam_and_dart_are_equally_long(self):
         for piece, kind in (("tshirt", "sew-line"), ("shirt_front", "dart-leg")):
-            self.make_raw(piece, "--svg")
+            self.make_raw(piece, "-o", "out/pattern.svg")
             root = pattern.svg_root(self.path("out", "pattern.svg"))
             sides = {}
             for _, element, points, _ in pattern.svg_paths(root, kind):
@@ -137,7 +137,7 @@ class Lengths(pattern.PatternTest):
                     self.assertLess(abs(a - b), 1e-5 * a, name)
 
     def test_notches_lie_at_the_same_lengths_on_the_surface_on_both_sides(self):
-        self.make_raw("tshirt", "--svg", "--notch-spacing", "70", "--allowance", "7")
+        self.make_raw("tshirt", "-o", "out/pattern.svg", "--notch-spacing", "70", "--allowance", "7")
         wires = pattern.wires_in_space(self.path("out"), "cm")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         sew = pattern.svg_paths(root, "sew-line")
@@ -166,7 +166,7 @@ class Lengths(pattern.PatternTest):
                 self.assertAlmostEqual(at[0], length / 2, places=5)
 
     def test_darts_have_legs_fold_line_mouth_notches_and_a_drill_hole(self):
-        self.make_raw("shirt_front", "--svg", "--dxf")
+        self.make_raw("shirt_front", "-o", "out/pattern.svg", "-o", "out/pattern.dxf")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         for name in ("bust_dart_left", "bust_dart_right"):
             legs = [line for line in pattern.svg_paths(root, "dart-leg")
@@ -191,7 +191,7 @@ class Lengths(pattern.PatternTest):
 
     def test_the_walk_has_the_legs_of_darts_as_they_are_drawn(self):
         for fair in ("0", "0.5"):
-            self.make("shirt_front", "--svg", "--walk", "--dart-tip", "13", "--fair", fair)
+            self.make("shirt_front", "-o", "out/pattern.svg", "-o", "out/walk.csv", "--dart-tip", "13", "--smooth", fair)
             root = pattern.svg_root(self.path("out", "pattern.svg"))
             drawn = {}
             for group in root.iter():
@@ -208,7 +208,7 @@ class Lengths(pattern.PatternTest):
 
     def test_a_folded_dart_reaches_the_cut_line_of_its_neighbour(self):
         """Folds the drawn pattern along a leg and its fold line, as the one who sews does."""
-        self.make_raw("shirt_front", "--svg", "--allowance", "0")
+        self.make_raw("shirt_front", "-o", "out/pattern.svg", "--allowance", "0")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         ((_, _, cut, _),) = pattern.svg_paths(root, "cut-line")
         for _, _, (tip, corner), _ in pattern.svg_paths(root, "dart-fold"):

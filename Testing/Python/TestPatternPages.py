@@ -27,7 +27,7 @@ class Pages(pattern.PatternTest):
     def test_the_test_rectangle_measures_100_by_50_mm_on_every_paper(self):
         for paper in ("A4", "letter", "A0", "sheet"):
             with self.subTest(paper):
-                self.make("quarter_sphere", "--pdf", "--paper", paper)
+                self.make("quarter_sphere", "-o", "out/pattern.pdf", "--paper", paper)
                 page = pattern.render(self.path("out", "pattern.pdf"), RESOLUTION, 1, 1)[0]
                 # Scan where the rectangle must be: its inside is crossed away from its texts.
                 left = self.first_line(page)
@@ -49,13 +49,13 @@ class Pages(pattern.PatternTest):
     def test_pages_have_the_size_of_their_paper_and_lie_one_way(self):
         for paper, (width, height) in PAPERS.items():
             with self.subTest(paper):
-                self.make("shirt_front", "--pdf", "--paper", paper)
+                self.make("shirt_front", "-o", "out/pattern.pdf", "--paper", paper)
                 sizes = page_sizes(self.path("out", "pattern.pdf"))
                 self.assertEqual(len(set(sizes)), 1)
                 self.assertEqual(sorted(round(size, 1) for size in sizes[0]), [width, height])
 
     def test_pages_bear_rows_columns_count_and_neighbours(self):
-        self.make("shirt_front", "--pdf", "--name", "front", "--size", "38", "--quantity", "2")
+        self.make("shirt_front", "-o", "out/pattern.pdf", "--name", "front", "--size", "38", "--quantity", "2")
         texts = page_texts(self.path("out", "pattern.pdf"))
         names = []
         for number, text in enumerate(texts, 1):
@@ -76,7 +76,7 @@ class Pages(pattern.PatternTest):
 
     def test_joined_pages_give_the_same_drawing_as_one_large_page(self):
         """Lays the pages on each other as their labels say and compares pixel by pixel."""
-        self.make("shirt_front", "--pdf")
+        self.make("shirt_front", "-o", "out/pattern.pdf")
         path = self.path("out", "pattern.pdf")
         texts = page_texts(path)
         resolution = 50.8  # 2 pixels a millimetre
@@ -96,7 +96,7 @@ class Pages(pattern.PatternTest):
                 ink[(x + corner[0], y + corner[1])] = True
         self.assertGreater(shared, 100)  # the bands that pages share show the same lines
 
-        self.make("shirt_front", "--pdf", "--paper", "sheet")
+        self.make("shirt_front", "-o", "out/pattern.pdf", "--paper", "sheet")
         (sheet,) = pattern.render(path, resolution, gray=False)
         whole = set(self.dark_pixels(sheet))
         # Both drawings have one piece below a legend; its lower half a metre is compared.
@@ -110,7 +110,7 @@ class Pages(pattern.PatternTest):
         self.assertLess(len(missing), 0.01 * len(piece))
 
     def test_each_layer_can_be_hidden_and_together_they_are_the_drawing(self):
-        self.make("tshirt", "--pdf", "--svg", "--paper", "sheet")
+        self.make("tshirt", "-o", "out/pattern.pdf", "-o", "out/pattern.svg", "--paper", "sheet")
         path = self.path("out", "pattern.pdf")
         content = self.content("pattern.pdf")
         groups = dict(re.findall(rb"(?s)\n(\d+) 0 obj\n<< /Name \(([^)]*)\) /Type /OCG >>", content))
@@ -163,7 +163,7 @@ class Pages(pattern.PatternTest):
         return any((x + i, y + j) in others for i in range(-2, 3) for j in range(-2, 3))
 
     def test_blank_pages_are_left_out(self):
-        self.make("tshirt", "--pdf")
+        self.make("tshirt", "-o", "out/pattern.pdf")
         path = self.path("out", "pattern.pdf")
         pages = pattern.render(path, 25.4, gray=False)
         for number, page in enumerate(pages, 1):
@@ -179,7 +179,7 @@ class Pages(pattern.PatternTest):
                     yield x, y
 
     def test_a_small_pattern_is_one_page_without_joints(self):
-        self.make("quarter_sphere", "--pdf")
+        self.make("quarter_sphere", "-o", "out/pattern.pdf")
         path = self.path("out", "pattern.pdf")
         (text,) = page_texts(path)
         self.assertNotIn("row", text)
@@ -188,7 +188,7 @@ class Pages(pattern.PatternTest):
     def test_the_same_input_gives_the_same_file(self):
         contents = []
         for _ in range(2):
-            self.make("quarter_sphere", "--pdf", "--svg", "--dxf")
+            self.make("quarter_sphere", "-o", "out/pattern.pdf", "-o", "out/pattern.svg", "-o", "out/pattern.dxf")
             contents.append([
                 self.content("pattern." + kind)
                 for kind in ("pdf", "svg", "dxf")

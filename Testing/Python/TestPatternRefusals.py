@@ -27,7 +27,7 @@ NAMES = (
 class Refusals(pattern.PatternTest):
     def arguments(self, *options):
         piece = os.path.join(pattern.DATA, "quarter_sphere")
-        return (piece + ".vtp", piece + "_curves.vtp", "--output", "out", *options)
+        return ("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out", *options)
 
     def assert_refused(self, code, *options):
         run = self.run_command(*self.arguments(*options))
@@ -38,7 +38,7 @@ class Refusals(pattern.PatternTest):
         return run.stderr
 
     def test_an_unknown_unit_is_bad_usage_that_lists_the_known_ones(self):
-        message = self.assert_refused(2, "--svg", "--unit", "furlong")
+        message = self.assert_refused(2, "-o", "out/pattern.svg", "--unit", "furlong")
         for word in ("furlong", "mm", "cm", "inch"):
             self.assertIn(word, message)
 
@@ -52,14 +52,14 @@ class Refusals(pattern.PatternTest):
             ("--page-overlap", "200"),
             ("--max-pages", "0"),
             ("--paper", "B7"),
-            ("--curve-allowance", "5"),
-            ("--curve-allowance", "a=wide"),
+            ("--allowance", "wide"),
+            ("--allowance", "a=wide"),
         ):
             with self.subTest(option=option, value=value):
-                self.assertIn(option, self.assert_refused(2, "--pdf", option, value))
+                self.assertIn(option, self.assert_refused(2, "-o", "out/pattern.pdf", option, value))
 
     def test_a_missing_unit_is_told_and_cm_taken(self):
-        run = self.run_command(*self.arguments("--svg"))
+        run = self.run_command(*self.arguments("-o", "out/pattern.svg"))
         self.assertEqual(run.returncode, 0)
         self.assertRegex(run.stderr, "^wirewarp: warning: .* taken as cm; .*--unit.*\n$")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
@@ -70,44 +70,44 @@ class Refusals(pattern.PatternTest):
         self.assertAlmostEqual(max(lengths), boundary, places=5)
 
     def test_a_stated_unit_gives_no_warning(self):
-        run = self.run_command(*self.arguments("--svg", "--unit", "m"))
+        run = self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "m"))
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_pattern_of_too_many_pages_names_the_piece_its_size_and_the_way_out(self):
         message = self.assert_refused(
-            3, "--pdf", "--unit", "m", "--max-pages", "3", "--name", "sail")
+            3, "-o", "out/pattern.pdf", "--unit", "m", "--max-pages", "3", "--name", "sail")
         self.assertRegex(message, r"measures [\d.]+ m x [\d.]+ m if the unit is m")
         for words in ("sail", "A4", "more than 3", "check the unit", "larger paper"):
             self.assertIn(words, message)
 
     def test_a_piece_larger_than_a_pdf_page_can_be_is_refused(self):
         piece = os.path.join(pattern.DATA, "pants_front")
-        run = self.run_command(piece + ".vtp", piece + "_curves.vtp", "--output", "out",
-                               "--pdf", "--unit", "m", "--paper", "sheet")
+        run = self.run_command("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out",
+                               "-o", "out/pattern.pdf", "--unit", "m", "--paper", "sheet")
         self.assertEqual(run.returncode, 3, run.stderr)
         self.assertIn("5.08 m", run.stderr)
         self.assertFalse(os.path.exists(self.path("out", "pattern.pdf")))
 
     def test_absurd_scales_are_refused_in_no_time(self):
         for paper in ("A4", "A0", "sheet"):
-            self.assert_refused(3, "--pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6")
+            self.assert_refused(3, "-o", "out/pattern.pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6")
 
     def test_an_allowance_for_a_curve_that_is_not_there_lists_those_that_are(self):
-        message = self.assert_refused(3, "--svg", "--unit", "cm", "--curve-allowance", "hem=20")
+        message = self.assert_refused(3, "-o", "out/pattern.svg", "--unit", "cm", "--allowance", "hem=20")
         for word in ("hem", "boundary"):
             self.assertIn(word, message)
 
     def test_a_folder_that_cannot_be_made_is_refused(self):
         with open(self.path("out"), "w", encoding="ascii") as file:
             file.write("in the way")
-        run = self.run_command(*self.arguments("--svg", "--unit", "cm"))
+        run = self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "cm"))
         self.assertEqual(run.returncode, 3)
         self.assertIn("out", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["out"])
 
     def test_of_a_pattern_that_cannot_be_drawn_the_flattening_is_written(self):
-        self.run_command(*self.arguments("--svg", "--unit", "cm"))
-        run = self.run_command(*self.arguments("--pdf", "--unit", "m", "--max-pages", "1"))
+        self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "cm"))
+        run = self.run_command(*self.arguments("-o", "out/pattern.pdf", "--unit", "m", "--max-pages", "1"))
         self.assertEqual(run.returncode, 3)
         self.assertEqual(set(os.listdir(self.path("out"))), {"flat.vtp", "wires.vtp", "cut.vtp", "report.json"})
 
@@ -128,19 +128,17 @@ class Refusals(pattern.PatternTest):
         return "plate.obj", "fish.txt"
 
     def test_formats_that_fail_leave_the_others_and_are_named(self):
-        every = ("--svg", "--dxf", "--plt", "--walk")
+        every = [word for name in ("pattern.svg", "pattern.dxf", "pattern.plt", "walk.csv") for word in ("-o", "out/" + name)]
         for unit in ("mm", "cm", "inch"):
             plate = self.write_plate(unit)
             for asked, failed, words in (
-                (("--garmentcode",), {"pattern.json"}, "hole"),
-                (("--pdf", "--max-pages", "1", "--paper", "A4", "--quantity", "3"), set(), ""),
-                (("--pdf", "--max-pages", "1", "--allowance", "200"), {"pattern.pdf"}, "pages"),
-                (("--fabric-width", "50"), {"lay.svg", "lay.plt"}, "wide across its grain"),
-                (("--pdf", "--paper", "sheet", "--allowance", "3000"), {"pattern.pdf"}, "5.08 m"),
-                (("--garmentcode", "--fabric-width", "50"), {"pattern.json", "lay.svg", "lay.plt"}, "hole"),
+                (("-o", "out/pattern.json",), {"pattern.json"}, "hole"),
+                (("-o", "out/pattern.pdf", "--max-pages", "1", "--paper", "A4", "--quantity", "3"), set(), ""),
+                (("-o", "out/pattern.pdf", "--max-pages", "1", "--allowance", "200"), {"pattern.pdf"}, "pages"),
+                (("-o", "out/pattern.pdf", "--paper", "sheet", "--allowance", "3000"), {"pattern.pdf"}, "5.08 m"),
             ):
                 with self.subTest(unit=unit, asked=asked):
-                    run = self.run_command(*plate, *every, *asked, "--unit", unit, "--output", "out")
+                    run = self.run_command("pattern", *plate, *every, *asked, "--unit", unit, "--output", "out")
                     self.assertEqual(run.returncode, 3 if failed else 0, run.stderr)
                     with open(self.path("out", "report.json"), encoding="utf-8") as file:
                         report = json.load(file)
@@ -153,7 +151,7 @@ class Refusals(pattern.PatternTest):
                     self.assertIn(words, "\n".join(errors))
                     wanted = {"flat.vtp", "wires.vtp", "cut.vtp", "report.json",
                               "pattern.svg", "pattern.dxf", "pattern.plt", "walk.csv"}
-                    if "--pdf" in asked:
+                    if "out/pattern.pdf" in asked:
                         wanted.add("pattern.pdf")
                     self.assertEqual(set(os.listdir(self.path("out"))), wanted - failed)
 
@@ -161,7 +159,8 @@ class Refusals(pattern.PatternTest):
         plate = self.write_plate("mm")
         with open(self.path("list.txt"), "w", encoding="ascii") as file:
             file.write(" ".join(plate) + "\nplate.obj\n")
-        run = self.run_command("--batch", "list.txt", "--svg", "--garmentcode", "--unit", "mm", "--output", "out")
+        run = self.run_command("batch", "list.txt", "--unit", "mm", "--output", "out", "pattern", "-o", "pattern.svg", "-o",
+                               "pattern.json")
         self.assertEqual(run.returncode, 3)
         self.assertEqual(run.stderr.count("wirewarp: error: "), 1)
         with open(self.path("out", "batch.json"), encoding="utf-8") as file:
@@ -185,7 +184,7 @@ class Refusals(pattern.PatternTest):
                         for x, y in corners:
                             file.write(f"v {x / pattern.MILLIMETRES[unit]!r} {y / pattern.MILLIMETRES[unit]!r} 0\n")
                         file.writelines("f %d %d %d\n" % face for face in faces)
-                    run = self.run_command("c.obj", "--svg", "--dxf", "--unit", unit, "--allowance", allowance,
+                    run = self.run_command("pattern", "c.obj", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", unit, "--allowance", allowance,
                                            "--output", "out")
                     self.assertEqual(run.returncode, 0, run.stderr)
                     self.assertEqual("allowances meet" in run.stderr, met, run.stderr)
@@ -197,21 +196,21 @@ class Refusals(pattern.PatternTest):
                     self.assertEqual(len(pattern.block_lines(block, "11")), holes)
 
     def test_a_pattern_of_an_earlier_run_does_not_survive_a_new_flattening(self):
-        self.run_command(*self.arguments("--unit", "cm"))
+        surface = self.arguments()[1]
+        self.run_command(surface, "--unit", "cm", "-o", "out")
         flattened = set(os.listdir(self.path("out")))
-        every = ("--svg", "--dxf", "--plt", "--garmentcode", "--walk", "--fabric-width", "3000")
-        self.run_command(*self.arguments(*every, "--unit", "cm"))
-        self.assertEqual(set(os.listdir(self.path("out"))) - flattened, {
-            "pattern.svg", "pattern.dxf", "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt"})
-        self.run_command(*self.arguments("--pdf", "--unit", "cm"))
+        drawn = {"pattern.svg", "pattern.dxf", "pattern.plt", "pattern.json", "walk.csv"}
+        self.run_command("pattern", "out", *(word for name in drawn for word in ("-o", os.path.join("out", name))))
+        self.assertEqual(set(os.listdir(self.path("out"))) - flattened, drawn)
+        self.run_command("pattern", surface, "-o", "out", "-o", "out/pattern.pdf", "--unit", "cm")
         self.assertEqual(set(os.listdir(self.path("out"))) - flattened, {"pattern.pdf"})
 
     def test_names_of_any_characters_survive_in_every_format(self):
         for name in NAMES:
             with self.subTest(name):
                 run = self.run_command(
-                    *self.arguments("--svg", "--pdf", "--dxf", "--unit", "m", "--paper", "A0",
-                                    "--name", name, "--size", name, "--piece-name", name))
+                    *self.arguments("-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0",
+                                    "--name", name, "--size", name, "--piece", name))
                 self.assertEqual(run.returncode, 0, run.stderr)
                 shown = name.replace("\t", " ").replace("\n", " ")
                 root = pattern.svg_root(self.path("out", "pattern.svg"))
@@ -236,7 +235,7 @@ class Refusals(pattern.PatternTest):
 
     def test_bytes_that_are_no_text_are_replaced(self):
         run = self.run_command(*self.arguments(
-            "--svg", "--pdf", "--dxf", "--unit", "cm", "--name", b"caf\xe9 \xff\xc3".decode(
+            "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "cm", "--name", b"caf\xe9 \xff\xc3".decode(
                 "utf-8", "surrogateescape")))
         self.assertEqual(run.returncode, 0, run.stderr)
         root = pattern.svg_root(self.path("out", "pattern.svg"))
@@ -246,8 +245,8 @@ class Refusals(pattern.PatternTest):
         with open(self.path("curves.txt"), "wb") as file:
             file.write(b"seam \xc4rmel 16 17 18 19 20\n")
         run = self.run_command(
-            os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "--output", "out",
-            "--svg", "--pdf", "--dxf", "--unit", "m", "--paper", "A0", "--allowance", "10")
+            "pattern", os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "--output", "out",
+            "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0", "--allowance", "10")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         pattern.svg_root(self.path("out", "pattern.svg"))
         self.assertIn("\ufffd", pattern.run_tool(

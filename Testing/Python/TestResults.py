@@ -324,15 +324,15 @@ class Patterns(unittest.TestCase):
 
     def test_they_are_those_of_the_command_with_the_same_options(self):
         root = os.environ["FLATTENING_SOURCE"]
-        words = ["--unit", "inch", "--name", "Trousers", "--size", "40", "--quantity", "2", "--piece-name",
-                 "front", "--allowance", "12", "--curve-allowance", "boundary=20", "--mitre-limit", "3",
+        words = ["--unit", "inch", "--name", "Trousers", "--size", "40", "--quantity", "2", "--piece",
+                 "front:4", "--allowance", "12", "--allowance", "boundary=20", "--mitre-limit", "3",
                  "--notch-spacing", "70", "--cut-darts-out", "--paper", "letter", "--page-overlap", "5",
-                 "--max-pages", "900", "--laser-colors", "--piece-quantity", "4", "--cut-on-fold", "--curve-notch", "boundary=30",
-                 "--double-notches", "boundary", "--notch-corners", "--notch-curve-ends", "--dart-tip", "9",
-                "--curve-dart-tip", "waist_dart=11", "--curve-fair", "boundary=0.4", "--symmetrize"]
-        subprocess.run([os.environ["WIREWARP"], os.path.join(root, "Data", "pants_front.vtp"),
-                        os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", "--output",
-                        self.path("out"), "--svg", "--dxf", "--pdf", "--plt", *words], check=True)
+                 "--max-pages", "900", "--style", "laser", "--fold", "symmetric", "--notch", "boundary=30",
+                 "--double-notch", "boundary", "--notch-corners", "--notch-curve-ends", "--dart-tip", "9",
+                "--dart-tip", "waist_dart=11", "--smooth", "boundary=0.4", "--symmetrize"]
+        files = [word for kind in ("svg", "dxf", "pdf", "plt") for word in ("-o", self.path(f"out/pattern.{kind}"))]
+        subprocess.run([os.environ["WIREWARP"], "pattern", os.path.join(root, "Data", "pants_front.vtp"),
+                        os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", *files, *words], check=True)
         for kind in ("svg", "dxf", "pdf", "plt"):
             flattened().write_pattern(
                 self.path("own." + kind), unit="inch", name="Trousers", size="40", quantity=2, piece_quantities=[4],
@@ -357,13 +357,18 @@ class Patterns(unittest.TestCase):
                 ("tshirt", "centre_back", "denim", "0", None, "cm", {"fabric_width": 1500}),
                 ("quarter_sphere", "cross_arc", "neoprene", "free", None, "m", {}),
                 ("shoe_upper", "front_centre", "leather", 90, 90, "m", {"allowance": 3})):
-            words = ["--material", material, f"--grain={grain}", "--unit", unit, "--name", "pattern"]
+            words = ["--unit", unit, "--name", "pattern"]
+            laying = []
             for option, value in options.items():
-                words += [f"--{option.replace('_', '-')}"] + ([] if value is True else [str(value)])
-            folder = f"{name} {material}"
+                (words if option == "allowance" else laying).extend(
+                    ["--" + option.replace("fabric", "roll").replace("_", "-")] + ([] if value is True else [str(value)]))
+            folder = self.path(f"{name} {material}")
+            run = {"check": False, "capture_output": True}
             subprocess.run([os.environ["WIREWARP"], *(os.path.join(DATA, name + end + ".vtp") for end in ("", "_curves")),
-                            "--quiet", "--output", self.path(folder), "--svg", "--dxf", *words],
-                           check=False, capture_output=True)
+                            "--quiet", "--output", folder, "--material", material, f"--grain={grain}", "--unit", unit], **run)
+            subprocess.run([os.environ["WIREWARP"], "pattern", folder, "-o", folder + "/pattern.svg", "-o",
+                            folder + "/pattern.dxf", *words], **run)
+            subprocess.run([os.environ["WIREWARP"], "nest", folder, *words, *laying], **run)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", sf.FlatteningWarning)
                 result = flattened(name, material=material, grain=grain)

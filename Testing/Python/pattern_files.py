@@ -56,7 +56,7 @@ class PatternTest(unittest.TestCase):
     def make(self, piece, *options, unit="cm", curves=None):
         """Flattens a piece of Data into `out` with the given patterns."""
         run = self.run_command(
-            os.path.join(DATA, piece + ".vtp"),
+            "pattern" if "-o" in options else "flatten", os.path.join(DATA, piece + ".vtp"),
             os.path.join(DATA, (curves or piece + "_curves") + ".vtp"),
             "--unit", unit, "--output", "out", "--quiet", *options,
         )
@@ -69,7 +69,7 @@ class PatternTest(unittest.TestCase):
 
     def make_raw(self, piece, *options, **more):
         """The same with an edge of the pattern for each edge of the mesh."""
-        return self.make(piece, "--fair", "0", *options, **more)
+        return self.make(piece, "--smooth", "0", *options, **more)
 
 
 def bezier_length(control):

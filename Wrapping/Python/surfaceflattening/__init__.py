@@ -24,7 +24,7 @@ results of a single one. It saves no time: VTK's Python holds the interpreter's 
 runs, so that they take turns, and other threads of the program get a turn only each time the run
 reports progress. One run uses several cores by itself. For many surfaces take processes
 (concurrent.futures.ProcessPoolExecutor; results, curves and errors can be sent between them) or the
-command wirewarp --batch.
+command wirewarp batch.
 
 The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
 approach with length-preserved feature curves", Computer-Aided Design 40(3), 2008.

@@ -15,7 +15,7 @@ _COLUMNS = {
 
 
 def materials() -> List[Dict[str, Any]]:
-    """The materials that `material` takes by name, as wirewarp --list-materials prints them.
+    """The materials that `material` takes by name, as wirewarp materials prints them.
 
     Returns:
         A dict a material: name, description; warp, weft, shear, stiffness in N/m (0: a sheet alike in

@@ -12,7 +12,7 @@ from ._types import Coloring
 if TYPE_CHECKING:
     from ._result import Flattening
 
-# Array, whether of points, title, values of the first and the last color, as wirewarp --picture has them (of the
+# Array, whether of points, title, values of the first and the last color, as wirewarp picture has them (of the
 # developability the largest value), and the color map: a uniform one, light where nothing is changed, or of values
 # to both sides of that a diverging one.
 _COLORINGS = {
