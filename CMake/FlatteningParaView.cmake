@@ -19,6 +19,7 @@ set(plugin_dir "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN")
 set(flattening_library_dir "${plugin_dir}/SurfaceFlattening")
 flattening_build_module()
+add_subdirectory(Wrapping/Options)
 
 paraview_plugin_scan(
   PLUGIN_FILES     "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"

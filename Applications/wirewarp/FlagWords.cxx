@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlagWords.h"
 
+#include "Options/OptionTable.h"
+
 namespace wirewarp
 {
 namespace
 {
-/// Where an option is not the property's name.
+/// Where a remedy is not an option of the table.
 constexpr SpellingTable table{
-  { "ConformalPins", "--pins" },
-  { "CurveTolerances", "--tolerance" },
   { "CurveType", "in the curves' file" },
   { "Interior=AS_RIGID_AS_POSSIBLE", "--interior arap" },
-  { "IsometricMaximumIterations", "--isometric-iterations" },
   { "LengthTolerance", "--tolerance" },
-  { "RigidMaximumIterations", "--rigid-iterations" },
   { "Sewing.MaximumIterations", "--sewing-iterations" },
   { "Sewing.Test", "--mode panel" },
   { "SplitTriangles", "leave out --no-split-triangles" },
@@ -28,17 +26,10 @@ std::string flagOf(const std::string& property, const std::string& value)
   {
     return flag;
   }
-  for (const char c : property)
-  {
-    const bool capital = c >= 'A' && c <= 'Z';
-    flag += capital ? std::string(flag.empty() ? "--" : "-") + static_cast<char>(c - 'A' + 'a')
-                    : std::string(1, c);
-  }
-  for (const char* const word : { "maximum", "minimum" })
-  {
-    const std::size_t at = flag.find(word);
-    flag = at == std::string::npos ? flag : flag.erase(at + 3, 4);
-  }
+  const flattening::Option* const option =
+    findOption(flattening::OptionOwner::Suggestion, property);
+  flag = option ? spelled(*option, flattening::OptionSpelling::Command)
+                : "--" + flattening::spellingOf(property);
   flag += value.empty() || value == "on" ? "" : " ";
   for (const char c : value == "on" ? std::string() : value)
   {

@@ -17,7 +17,7 @@ namespace wirewarp
 void addMethods(CLI::App& app, Options& options)
 {
   for (const char* const group :
-    { "Method", "Material", "Ease", "Layout", "Solver", "Surface and Curves" })
+    { "Method", "Material", "Ease", "Pieces", "Solver", "Surface and Curves" })
   {
     for (CLI::Option* const option : addOptions(app, { group }, options.values))
     {

@@ -21,7 +21,7 @@ class Plugin(unittest.TestCase):
             pv.Delete(proxy)
 
     def test_every_proxy_can_be_made(self):
-        tree = ElementTree.parse(os.path.join(SOURCE, "Plugin", "SurfaceFlattening.xml"))
+        tree = ElementTree.parse(os.path.join(os.environ["FLATTENING_BINARY"], "Plugin", "SurfaceFlattening.xml"))
         proxies = [(group, proxy) for group in ("sources", "filters")
                    for proxy in tree.getroot().findall(f"./ProxyGroup[@name='{group}']/SourceProxy")]
         self.assertGreaterEqual(len(proxies), 6)

@@ -3,13 +3,15 @@
 
 import os
 import re
+import subprocess
+import tempfile
 import unittest
 from xml.etree import ElementTree
 
 import surfaceflattening as sf
 from surfaces import SOURCE
 
-XML = os.path.join(SOURCE, "Plugin", "SurfaceFlattening.xml")
+TEMPLATE = os.path.join(SOURCE, "Plugin", "SurfaceFlattening.xml.in")
 # Set methods of a filter that are inputs of its proxy, set what another one sets, or are of a data set.
 INPUTS = {"SetCurvesConnection", "SetCurvesData", "SetFlatConnection", "SetFlatData",
           "SetEdgesConnection", "SetEdgesData", "SetDesignConnection", "SetDesignData", "SetBodyConnection", "SetBodyData",
@@ -52,7 +54,10 @@ def with_inherited(proxy, root):
 class Description(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        root = ElementTree.parse(XML).getroot()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "plugin.xml")
+            subprocess.run([os.environ["WRITE_OPTIONS"], TEMPLATE, path], check=True)
+            root = ElementTree.parse(path).getroot()
         cls.proxies = [with_inherited(proxy, root) for group in ("sources", "filters")
                        for proxy in root.findall(f"./ProxyGroup[@name='{group}']/SourceProxy")]
         cls.writers = [with_inherited(proxy, root)
@@ -104,7 +109,7 @@ class Description(unittest.TestCase):
                              expected - others)
 
     def test_every_icon_is_a_picture_of_the_resources(self):
-        folder = os.path.dirname(XML)
+        folder = os.path.dirname(TEMPLATE)
         resources = ElementTree.parse(os.path.join(folder, "SurfaceFlattening.qrc")).getroot()[0]
         files = {f":{resources.get('prefix')}/{file.get('alias')}": file.text for file in resources}
         icons = {proxy.find("Hints/ShowInMenu").get("icon") for proxy in self.proxies}

@@ -54,7 +54,7 @@ std::string number(double value, bool real)
   return real && text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-/// "AngleWeight" as "Angle Weight".
+/// "CloseCuts" as "Close Cuts".
 std::string label(const std::string& property)
 {
   std::string text;
@@ -64,6 +64,18 @@ std::string label(const std::string& property)
     text += letter;
   }
   return text;
+}
+
+/// "AsRigidAsPossible" as "As rigid as possible"; names of people keep their capital.
+std::string phrase(const std::string& name)
+{
+  std::string text = label(name);
+  for (std::size_t k = 1; k < text.size(); ++k)
+  {
+    text[k] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[k])));
+  }
+  const std::size_t person = text.find("dirichlet");
+  return person == std::string::npos ? text : text.replace(person, 1, "D");
 }
 
 // Python ----------------------------------------------------------------------
@@ -269,7 +281,7 @@ void writeProperty(const Option& option, std::ostream& out)
   for (std::size_t k = 0; k < option.words.size(); ++k)
   {
     out << (k == 0 ? "        <EnumerationDomain name=\"enum\">\n" : "")
-        << "          <Entry value=\"" << k << "\" text=\"" << label(option.words[k].name)
+        << "          <Entry value=\"" << k << "\" text=\"" << phrase(option.words[k].name)
         << "\" />\n"
         << (k + 1 == option.words.size() ? "        </EnumerationDomain>\n" : "");
   }
@@ -284,22 +296,29 @@ void writeProperty(const Option& option, std::ostream& out)
   out << "      </" << tag << ">\n";
 }
 
-/// Properties and their groups; lists are written by hand, since their methods are.
+/// Properties and their groups. Lists are written by hand, since their methods are.
 void writeProperties(OptionOwner owner, std::ostream& out)
 {
-  std::map<std::string, std::string> groups;
-  for (const Option* const option : ownOptions(owner))
+  std::vector<const Option*> options = ownOptions(owner);
+  options.erase(std::remove_if(options.begin(), options.end(),
+                  [](const Option* option) { return option->type == OptionType::List; }),
+    options.end());
+  for (const Option* const option : options)
   {
-    if (option->type != OptionType::List)
-    {
-      writeProperty(*option, out);
-    }
-    groups[option->group] += "        <Property name=\"" + option->property + "\" />\n";
+    writeProperty(*option, out);
   }
-  for (const auto& [group, properties] : groups)
+  for (std::size_t k = 0; k < options.size(); ++k)
   {
-    out << "      <PropertyGroup label=\"" << group << "\">\n"
-        << properties << "      </PropertyGroup>\n";
+    const std::string& group = options[k]->group;
+    if (k == 0 || options[k - 1]->group != group)
+    {
+      out << "      <PropertyGroup label=\"" << group << "\">\n";
+    }
+    out << "        <Property name=\"" << options[k]->property << "\" />\n";
+    if (k + 1 == options.size() || options[k + 1]->group != group)
+    {
+      out << "      </PropertyGroup>\n";
+    }
   }
 }
 

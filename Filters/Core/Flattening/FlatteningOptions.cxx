@@ -10,31 +10,23 @@ namespace flattening
 {
 Status checkOptions(const FlatteningOptions& options)
 {
-  struct Range
-  {
-    const char* name;
-    double value;
-    double most;
-  };
   constexpr double large = std::numeric_limits<double>::max();
-  for (const Range& range :
-    { Range{ "closure tolerance", options.angles.closureTolerance, large },
-      Range{ "optimality tolerance", options.angles.optimalityTolerance, large },
-      Range{ "number of iterations", static_cast<double>(options.angles.maximumIterations), large },
-      Range{ "number of isometric iterations",
-        static_cast<double>(options.isometric.maximumIterations), large },
-      Range{ "isometric tolerance", options.isometric.tolerance, large },
-      Range{ "angle weight", options.isometric.angleWeight, 100.0 },
-      Range{ "length tolerance", options.lengthTolerance, large },
-      Range{ "spacing", options.spacing, 1e6 } })
+  std::vector<OptionRange> ranges = rangesOf(options.isometric);
+  ranges.insert(ranges.begin(),
+    { { "closure tolerance", options.angles.closureTolerance, large },
+      { "optimality tolerance", options.angles.optimalityTolerance, large },
+      { "number of iterations", static_cast<double>(options.angles.maximumIterations), large } });
+  ranges.push_back({ "length tolerance", options.lengthTolerance, large });
+  ranges.push_back({ "spacing", options.spacing, 1e6 });
+  for (const OptionRange& range : ranges)
   {
-    if (!std::isfinite(range.value) || range.value < 0.0 || range.value > range.most)
+    if (!std::isfinite(range.value) || range.value < 0.0 || range.value > range.maximum)
     {
       return { StatusCode::InvalidOption,
         std::string("the ") + range.name + " is " + shortNumber(range.value), {},
         { { Remedy::Give,
           "a number from 0" +
-            (range.most < large ? " to " + shortNumber(range.most) : std::string()) } } };
+            (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()) } } };
     }
   }
   if (options.cloth)

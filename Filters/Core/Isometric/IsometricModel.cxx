@@ -27,12 +27,12 @@ double rootOfMeanArea(const TriangleMesh& mesh)
 }
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
-  const SheetEnergy& energy, double angleWeight, const GrainHold& hold)
+  const SheetEnergy& energy, double bendingWeight, const GrainHold& hold)
   : Problem(problem)
   , Unit(rootOfMeanArea(piece.mesh))
   , Sheet(piece.mesh, Unit, energy)
   , Hold(energy.turnsFreely() ? GrainHold() : hold)
-  , Stiffness(angleWeight, piece.mesh.triangleCount(), Sheet.modulus())
+  , Stiffness(bendingWeight, piece.mesh.triangleCount(), Sheet.modulus())
   , CoordinateCount(2 * piece.mesh.vertexCount())
   , Assembler(0)
 {

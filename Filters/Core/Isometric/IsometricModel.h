@@ -35,7 +35,7 @@ class IsometricModel : public NewtonKktModel
 public:
   /// \param hold of a sheet that does not turn freely; without one it turns as its energy asks.
   IsometricModel(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
-    double angleWeight, const GrainHold& hold = {});
+    double bendingWeight, const GrainHold& hold = {});
 
   Index unknownCount() const override { return this->CoordinateCount + this->groupCount(); }
   Index coordinateCount() const { return this->CoordinateCount; }

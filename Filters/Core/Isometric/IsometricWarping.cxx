@@ -7,7 +7,9 @@
 #include "Sparse/PenaltyDescent.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace flattening
 {
@@ -196,6 +198,15 @@ void correctLengths(const AngleProblem& problem, IsometricSolution& solution)
   }
   correctWireLengths(network, length, solution.positions);
 }
+}
+
+std::vector<OptionRange> rangesOf(const IsometricOptions& options)
+{
+  constexpr double large = std::numeric_limits<double>::max();
+  return { { "number of isometric iterations", static_cast<double>(options.maximumIterations),
+             large },
+    { "isometric tolerance", options.tolerance, large },
+    { "angle weight", options.angleWeight, 100.0 } };
 }
 
 IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,

@@ -7,6 +7,7 @@
 #include "Isometric/IsometricSheet.h"
 
 #include <optional>
+#include <vector>
 
 namespace flattening
 {
@@ -40,6 +41,15 @@ struct IsometricOptions
   double tolerance = 1e-9;
   double lengthTolerance = 1e-10;
 };
+
+/// A number of an option that must lie between 0 and an end, as messages call it.
+struct OptionRange
+{
+  const char* name;
+  double value;
+  double maximum;
+};
+std::vector<OptionRange> rangesOf(const IsometricOptions& options);
 
 struct IsometricIteration
 {

@@ -19,27 +19,6 @@ namespace
 {
 constexpr double unlimited = std::numeric_limits<double>::max();
 
-/// "AngleWeight" as "angle-weight", "MaximumCuts" as "max-cuts".
-std::string spellingOf(const std::string& property)
-{
-  std::string words;
-  for (const char letter : property)
-  {
-    const bool capital = std::isupper(static_cast<unsigned char>(letter)) != 0;
-    words += capital && !words.empty() ? "-" : "";
-    words += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
-  for (const auto& [whole, part] : { std::pair("maximum", "max"), std::pair("minimum", "min") })
-  {
-    const std::size_t place = words.find(whole);
-    if (place != std::string::npos)
-    {
-      words.replace(place, std::string(whole).size(), part);
-    }
-  }
-  return words;
-}
-
 template <class Member>
 constexpr OptionType typeOf()
 {
@@ -292,11 +271,10 @@ void addMaterial(Table& table)
 
 void addPieces(Table& table)
 {
-  table.group(OptionOwner::Pieces, "Method");
+  table.group(OptionOwner::Pieces, "Pieces");
   table.add("SkipClosed", [](All& all) { return &all.flattening.skipClosed; })
     .help("Leave out pieces that cannot be laid flat, since they have no boundary or have handles, "
           "and flatten the others, with a warning; off: such a surface is an error.");
-  table.group(OptionOwner::Pieces, "Layout");
   table.add("Arrange", [](All& all) { return &all.flattening.arrange; })
     .help("Turn pieces upright (the first key curve, else the long side, along y) and lay them "
           "side by side; off: each stays where its first wire edge put it.");
@@ -655,6 +633,27 @@ const Option* findOption(OptionOwner owner, const std::string& property)
   const auto found = std::find_if(options.begin(), options.end(),
     [&property](const Option* option) { return option->property == property; });
   return found == options.end() ? nullptr : *found;
+}
+
+//------------------------------------------------------------------------------
+std::string spellingOf(const std::string& property)
+{
+  std::string words;
+  for (const char letter : property)
+  {
+    const bool capital = std::isupper(static_cast<unsigned char>(letter)) != 0;
+    words += capital && !words.empty() ? "-" : "";
+    words += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  for (const auto& [whole, part] : { std::pair("maximum", "max"), std::pair("minimum", "min") })
+  {
+    const std::size_t place = words.find(whole);
+    if (place != std::string::npos)
+    {
+      words.replace(place, std::string(whole).size(), part);
+    }
+  }
+  return words;
 }
 
 //------------------------------------------------------------------------------

@@ -58,9 +58,9 @@ struct OptionCondition
 struct Option
 {
   OptionOwner owner = OptionOwner::Curves;
-  std::string property; ///< of the filter, as "AngleWeight"
-  std::string spelling; ///< of the command without dashes at its start, as "angle-weight"
-  std::string argument; ///< of Python, as "angle_weight"
+  std::string property; ///< of the filter, as "CloseCuts"
+  std::string spelling; ///< of the command without dashes at its start, as "close-cuts"
+  std::string argument; ///< of Python, as "close_cuts"
   OptionType type = OptionType::Flag;
   std::vector<OptionWord> words;
   double minimum = 0.0;
@@ -90,6 +90,9 @@ std::vector<const Option*> optionsOf(OptionOwner owner);
 /// \return the option of this filter, or null.
 const Option* findOption(OptionOwner owner, const std::string& property);
 
+/// "CloseCuts" as "close-cuts", "MaximumCuts" as "max-cuts".
+std::string spellingOf(const std::string& property);
+
 /// As "[0, 100]", "(0, 2)", "[0, inf)" or "from 1"; empty for options without numbers.
 std::string rangeOf(const Option& option);
 
@@ -102,9 +105,9 @@ std::string textOf(const Option& option, const OptionValue& value);
 /// How a message calls options.
 enum class OptionSpelling
 {
-  Property, ///< AngleWeight, Scheme Isometric
-  Command,  ///< --angle-weight, --scheme isometric
-  Python,   ///< angle_weight, scheme='isometric'
+  Property, ///< CloseCuts, Scheme Isometric
+  Command,  ///< --close-cuts, --scheme isometric
+  Python,   ///< close_cuts, scheme='isometric'
 };
 
 /// A flag that is on by default is called by the one that turns it off: --no-arrange.
