@@ -532,9 +532,9 @@ void selectTask(const std::string& command, Options& options)
   {
     sortSizes(options);
   }
-  if (command == "sew" && options.resewing.test.empty())
+  if (command == "sew")
   {
-    options.resewing.test = "panel";
+    options.resewing.test = options.resewing.values.text("Test");
   }
   options.reshaping.wanted = options.reshaping.wanted || command == "reshape";
   options.priceKeys = options.priceKeys || command == "prices";

@@ -235,9 +235,11 @@ Json flattenableReport(const Options& options, const Flattening& result)
     return nullptr;
   }
   const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
-  return { { "bound", options.reshaping.bound }, { "bound_met", number("BoundMet") != 0 },
-    { "keep", options.reshaping.keep }, { "keep_boundary", options.reshaping.keepBoundary },
-    { "outside_bias", options.reshaping.outsideBias },
+  return { { "bound", options.reshaping.values.number("Bound") },
+    { "bound_met", number("BoundMet") != 0 },
+    { "keep", options.reshaping.values.list("KeptCurves") },
+    { "keep_boundary", options.reshaping.values.flag("KeepBoundary") },
+    { "outside_bias", options.reshaping.values.number("OutsideBias") },
     { "strain_p95_before", number("StrainBefore") }, { "strain_p95_after", number("StrainAfter") },
     { "size", number("Size") }, { "shift_mean", number("ShiftMean") },
     { "shift_p95", number("ShiftP95") }, { "shift_max", number("ShiftMax") },
@@ -295,9 +297,11 @@ Json resewnReports(const Options& options, const FieldRows& field)
       { "energy_bending", field.number("BendingEnergy", row) },
       { "body_depth", field.number("BodyDepth", row) },
       { "second_distance_mean",
-        options.resewing.secondStart ? Json(field.number("SecondDistanceMean", row)) : nullptr },
+        options.resewing.values.flag("SecondStart") ? Json(field.number("SecondDistanceMean", row))
+                                                    : nullptr },
       { "several_shapes",
-        options.resewing.secondStart ? Json(field.integer("SeveralShapes", row) != 0) : nullptr },
+        options.resewing.values.flag("SecondStart") ? Json(field.integer("SeveralShapes", row) != 0)
+                                                    : nullptr },
       { "iterations", field.integer("Iterations", row) },
       { "converged", field.integer("Converged", row) != 0 } });
   }

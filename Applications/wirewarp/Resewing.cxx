@@ -3,70 +3,28 @@
 
 #include "FieldRows.h"
 #include "Flattening.h"
-#include "NumberOptions.h"
 #include "Progress.h"
 #include "ReadSurface.h"
+#include "TableOptions.h"
 #include "VtkMessages.h"
 
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkSewnShape.h>
 
-#include <CLI/CLI.hpp>
-
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
-ResewingRequest::ResewingRequest()
-{
-  const vtkNew<vtkSewnShape> sewn;
-  this->thickness = sewn->GetThickness();
-  this->maximumIterations = sewn->GetMaximumIterations();
-  this->pressure = sewn->GetPressure();
-  this->gravity.assign(sewn->GetGravity(), sewn->GetGravity() + 3);
-  this->secondStart = sewn->GetSecondStart();
-}
-
-//------------------------------------------------------------------------------
 void addResewing(CLI::App& app, ResewingRequest& request)
 {
-  app
-    .add_option("--mode", request.test,
-      "panel (each piece, its boundary held) or product (all that is sewn together, hems free)")
-    ->transform(CLI::IsMember({ "panel", "product" }, CLI::ignore_case).description(""))
-    ->type_name("MODE")
-    ->default_str("panel");
-  app
-    .add_option("--gravity", request.gravity,
-      "Weight of the cloth and where it pulls, such as 0 0 -0.0002 where z is up. Per area, times "
-      "its size over its stiffness; a product needs a --body to lie on")
-    ->check(number(-1.0, 1.0, "[-1, 1]"))
-    ->expected(3)
-    ->type_name("X Y Z");
-  app
-    .add_option("--pressure", request.pressure,
-      "Pressure behind the cloth. Times its size over its stiffness; a product must be closed")
-    ->check(number(-1.0, 1.0, "[-1, 1]"))
-    ->type_name("P")
-    ->capture_default_str();
-  app
-    .add_option("--thickness", request.thickness,
-      "Thickness of a plate that bends as the cloth does, over the size of a piece")
-    ->check(number(0.0, 1.0, "[0, 1]"))
-    ->type_name("T")
-    ->capture_default_str();
-  app.add_flag_callback(
-    "--once", [&request]() { request.secondStart = false; },
-    "Sew from one start, in half the time. Other shapes at rest are not looked for");
-  app
-    .add_option("--sewing-iterations", request.maximumIterations,
-      "Most iterations until the cloth is at rest")
-    ->check(wholeNumber(1, std::numeric_limits<int>::max(), "from 1"))
-    ->capture_default_str();
+  addOptions(app,
+    { "Sewing Simulation",
+      { { "Test", "--mode" }, { "MaximumIterations", "--sewing-iterations" },
+        { "SecondStart", "--once" }, { "AreaBias", "" }, { "Material", "" } } },
+    request.values);
 }
 
 //------------------------------------------------------------------------------
@@ -80,13 +38,8 @@ void sewAgain(const ResewingRequest& request, const std::string& body, const std
   const vtkNew<vtkSewnShape> sewn;
   sewn->SetInputData(result.flat);
   sewn->SetDesignData(result.cut);
-  sewn->SetTest(request.test == "product" ? vtkSewnShape::PRODUCT : vtkSewnShape::PANEL);
-  sewn->SetThickness(request.thickness);
-  sewn->SetMaximumIterations(request.maximumIterations);
-  sewn->SetPressure(request.pressure);
-  sewn->SetGravity(request.gravity.data());
+  sewn->SetOptions(request.values);
   sewn->SetMaterial(material.c_str());
-  sewn->SetSecondStart(request.secondStart);
   if (!body.empty())
   {
     sewn->SetBodyData(readSurface(body).surface);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/OptionTable.h"
+
 #include <string>
-#include <vector>
 
 namespace CLI
 {
@@ -13,17 +14,11 @@ namespace wirewarp
 {
 struct Flattening;
 
-/// What is asked for by --resew, with the defaults of vtkSewnShape.
+/// Whether and how flat pieces are sewn together again.
 struct ResewingRequest
 {
-  ResewingRequest();
-
   std::string test; ///< "panel" or "product"; empty: none
-  double thickness;
-  int maximumIterations;
-  double pressure;
-  std::vector<double> gravity; ///< three components
-  bool secondStart;
+  flattening::OptionValues values{ flattening::OptionOwner::Sewing };
 
   bool any() const { return !this->test.empty(); }
 };

@@ -2,13 +2,10 @@
 #include "Reshaping.h"
 
 #include "Flattening.h"
-#include "NumberOptions.h"
 #include "ReadSurface.h"
+#include "TableOptions.h"
 
 #include <vtkMakeFlattenable.h>
-#include <vtkNew.h>
-
-#include <CLI/CLI.hpp>
 
 #include <iomanip>
 #include <sstream>
@@ -16,45 +13,21 @@
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
-ReshapingRequest::ReshapingRequest()
-{
-  const vtkNew<vtkMakeFlattenable> filter;
-  this->bound = filter->GetBound();
-  this->keepBoundary = filter->GetKeepBoundary();
-  this->outsideBias = filter->GetOutsideBias();
-}
-
-//------------------------------------------------------------------------------
 void addReshaping(CLI::App& app, ReshapingRequest& request)
 {
-  app
-    .add_option("--max-strain", request.bound,
-      "The strain within which 95 % of each piece's area is to lie, as 0.02 or 2%")
-    ->transform(percentage(1e-6, 0.99, "[1e-6, 0.99]"))
-    ->type_name("STRAIN")
-    ->capture_default_str();
-  app.add_option("--keep", request.keep, "A curve that stays where it is; repeat it for the next")
-    ->type_name("NAME")
-    ->allow_extra_args(false);
-  app.add_flag_callback(
-    "--free-boundary", [&request]() { request.keepBoundary = false; }, "Move the boundary as well");
-  app
-    .add_option("--outward", request.outsideBias,
-      "How much to move outward rather than inward; 0: both alike, 1: no point moves inward. "
-      "Outward is where triangles turn counter-clockwise")
-    ->check(number(0.0, 1.0, "[0, 1]"))
-    ->type_name("SHARE")
-    ->capture_default_str();
+  addOptions(app,
+    { "Moving the Surface",
+      { { "KeepBoundary", "--free-boundary" }, { "OutsideBias", "--outward" },
+        { "Thickness", "" } } },
+    request.values);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request)
 {
   const auto filter = vtkSmartPointer<vtkMakeFlattenable>::New();
-  filter->SetBound(request.bound);
-  filter->SetKeepBoundary(request.keepBoundary);
-  filter->SetOutsideBias(request.outsideBias);
-  for (const std::string& curve : request.keep)
+  filter->SetOptions(request.values);
+  for (const std::string& curve : request.values.list("KeptCurves"))
   {
     filter->AddKeptCurve(curve);
   }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/OptionTable.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
-#include <vector>
 
 class vtkWireWarpingFilter;
 
@@ -17,16 +18,11 @@ namespace wirewarp
 {
 struct Flattening;
 
-/// What is asked for by --flattenable, with the defaults of vtkMakeFlattenable.
+/// Whether and how the surface is moved.
 struct ReshapingRequest
 {
-  ReshapingRequest();
-
   bool wanted = false;
-  double bound;
-  std::vector<std::string> keep; ///< names of curves
-  bool keepBoundary;
-  double outsideBias;
+  flattening::OptionValues values{ flattening::OptionOwner::Reshaping };
 
   bool any() const { return this->wanted; }
 };

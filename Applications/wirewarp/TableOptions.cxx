@@ -39,7 +39,7 @@ public:
         const double turned = std::get<double>(option.byDefault) != 0.0 ? 0.0 : 1.0;
         return this->App.add_flag_callback(
           name, [turned, keep = this->keeper(option)]() { keep(turned); },
-          (turned == 0.0 ? "Turn this off: " : "") + option.help);
+          turned == 0.0 ? option.helpOff : option.help);
       }
       case OptionType::Integer:
       case OptionType::Number:

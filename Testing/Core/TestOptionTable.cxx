@@ -43,6 +43,9 @@ TEST(OptionTable, NamesAreUniqueInEachFilterAndHelpIsASentence)
       EXPECT_TRUE(properties.insert(option->property).second) << option->property;
       EXPECT_TRUE(spellings.insert(spelled(*option, OptionSpelling::Command)).second);
       EXPECT_EQ(option->help.back(), '.') << option->property;
+      const bool turnsOff =
+        option->type == OptionType::Flag && textOf(*option, option->byDefault) == "1";
+      EXPECT_EQ(turnsOff, !option->helpOff.empty()) << option->property;
       EXPECT_EQ(option->type == OptionType::Word, !option->words.empty()) << option->property;
     }
   }

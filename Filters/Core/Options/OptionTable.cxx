@@ -45,6 +45,7 @@ public:
     return this->with(&Option::spelling, spelling).with(&Option::argument, argument);
   }
   Row& help(const char* text) { return this->with(&Option::help, text); }
+  Row& off(const char* text) { return this->with(&Option::helpOff, text); }
   Row& form(const char* text) { return this->with(&Option::form, text); }
   Row& words(std::vector<OptionWord> all) { return this->with(&Option::words, std::move(all)); }
   /// What it means depends on the input of the filter.
@@ -156,6 +157,8 @@ void addCurves(Table& table)
           "any two triangles share a point, as in files of separate triangles), join, or keep.");
   table.add("SplitTriangles", [](All& all) { return &all.imprint.split; })
     .expert()
+    .off("Report a curve that does not run along mesh edges as an error instead of splitting "
+         "triangles.")
     .help("Split triangles where a curve does not run along mesh edges; off: such a curve is an "
           "error.");
   table.add("ImprintTolerance", [](All& all) { return &all.imprint.tolerance; })
@@ -210,6 +213,8 @@ void addMethod(Table& table)
   table.add("ReleaseTrials", [](All& all) { return &all.flattening.tryReleases; })
     .where({ "Scheme", { "global", "isometric" } })
     .expert()
+    .off("Rank the curves to release by their sensitivity alone, without trial flattenings of "
+         "pieces that lie poorly.")
     .help("Where a piece lies poorly, try what a release of a curve would improve: up to six more "
           "flattenings of the piece, about two seconds by the isometric scheme; off: curves are "
           "ranked by their sensitivity alone.");
@@ -276,6 +281,7 @@ void addPieces(Table& table)
     .help("Leave out pieces that cannot be laid flat, since they have no boundary or have handles, "
           "and flatten the others, with a warning; off: such a surface is an error.");
   table.add("Arrange", [](All& all) { return &all.flattening.arrange; })
+    .off("Leave pieces where they arise instead of turning them upright, side by side.")
     .help("Turn pieces upright (the first key curve, else the long side, along y) and lay them "
           "side by side; off: each stays where its first wire edge put it.");
   table.add("Spacing", [](All& all) { return &all.flattening.spacing; })
@@ -408,6 +414,7 @@ void addSuggestion(Table& table)
     .help("Maximum work of the search, in millions of steps on one triangle, each about a third of "
           "a second of one processor; the best cuts found by then are proposed; 0: no limit.");
   table.add("Symmetric", [](All& all) { return &all.search.symmetric; })
+    .off("Propose cuts without regard to a mirror plane of the surface.")
     .help("Where the surface is its own mirror image, propose cuts that are mirrored as well.");
   table.text("Preferences", OptionType::List)
     .spelled("prefer")
@@ -436,6 +443,7 @@ void addOthers(Table& table)
     .form("NAME")
     .help("A curve that stays where it is.");
   table.add("KeepBoundary", [](All& all) { return &all.reshaping.keepBoundary; })
+    .off("Move the boundary as well.")
     .help("Leave the boundary of the surface where it is.");
   table.add("OutsideBias", [](All& all) { return &all.reshaping.outsideBias; })
     .range(0.0, 1.0)
@@ -451,7 +459,7 @@ void addOthers(Table& table)
   table.add("Test", [](All& all) { return &all.sewing.test; })
     .words({ { "panel", "Panel" }, { "product", "Product" } })
     .help("What is held: panel (the boundary of each piece where the design has it) or product "
-          "(nothing; seams are shared, hems free).");
+          "(nothing: seams are shared, hems free).");
   table.add("Thickness", [](All& all) { return &all.sewing.thickness; })
     .range(0.0, 1.0)
     .help("Thickness of a plate that bends as the cloth does, as a fraction of the size of a "
@@ -481,10 +489,13 @@ void addOthers(Table& table)
       "material, or a JSON file; empty: an isotropic sheet.");
   table.add("SecondStart", [](All& all) { return &all.sewing.secondStart; })
     .expert()
+    .off("Come to rest from one start alone, in half the time. Other shapes at rest are not looked "
+         "for.")
     .help("Come to rest from a second start as well, to find other shapes, in twice the time.");
 
   table.group(OptionOwner::Conformal, "Method");
   table.add("AreaNormalized", [](All& all) { return &all.flattening.conformal.areaNormalized; })
+    .off("Let large triangles count more.")
     .help("Let every triangle count by its area; off: large triangles count more.");
   table.add("Pins", [](All& all) { return &all.flattening.conformal.pins; })
     .byFilter()
