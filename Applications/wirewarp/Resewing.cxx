@@ -20,11 +20,7 @@ namespace wirewarp
 //------------------------------------------------------------------------------
 void addResewing(CLI::App& app, ResewingRequest& request)
 {
-  addOptions(app,
-    { "Sewing Simulation",
-      { { "Test", "--mode" }, { "MaximumIterations", "--sewing-iterations" },
-        { "SecondStart", "--once" }, { "AreaBias", "" }, { "Material", "" } } },
-    request.values);
+  addOptions(app, { "Sewing Simulation", { "AreaBias", "Material" } }, request.values);
 }
 
 //------------------------------------------------------------------------------

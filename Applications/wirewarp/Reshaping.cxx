@@ -15,11 +15,7 @@ namespace wirewarp
 //------------------------------------------------------------------------------
 void addReshaping(CLI::App& app, ReshapingRequest& request)
 {
-  addOptions(app,
-    { "Moving the Surface",
-      { { "KeepBoundary", "--free-boundary" }, { "OutsideBias", "--outward" },
-        { "Thickness", "" } } },
-    request.values);
+  addOptions(app, { "Moving the Surface", { "Thickness" } }, request.values);
 }
 
 //------------------------------------------------------------------------------

@@ -30,8 +30,9 @@ public:
   {
   }
 
-  CLI::Option* add(const flattening::Option& option, const std::string& name)
+  CLI::Option* add(const flattening::Option& option)
   {
+    const std::string name = spelled(option, flattening::OptionSpelling::Command);
     switch (option.type)
     {
       case OptionType::Flag:
@@ -184,13 +185,9 @@ std::vector<CLI::Option*> addOptions(
   std::vector<CLI::Option*> added;
   for (const flattening::Option* const option : optionsOf(values.owner()))
   {
-    const auto other = subset.names.find(option->property);
-    const std::string name = other == subset.names.end()
-      ? spelled(*option, flattening::OptionSpelling::Command)
-      : other->second;
-    if (option->group == subset.group && !name.empty())
+    if (option->group == subset.group && subset.leftOut.count(option->property) == 0)
     {
-      added.push_back(TableOptions(app, values).add(*option, name));
+      added.push_back(TableOptions(app, values).add(*option));
     }
   }
   return added;

@@ -3,7 +3,7 @@
 
 #include "Options/OptionTable.h"
 
-#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +19,8 @@ namespace wirewarp
 /// Some of the table's options, as a command has them.
 struct TableSubset
 {
-  std::string group;                             ///< of the table
-  std::map<std::string, std::string> names = {}; ///< other ones, by property; empty: left out
+  std::string group;                  ///< of the table
+  std::set<std::string> leftOut = {}; ///< properties
 };
 
 /// Adds options of the table, with the values as defaults. What is given is checked by type, range

@@ -45,7 +45,11 @@ public:
     return this->with(&Option::spelling, spelling).with(&Option::argument, argument);
   }
   Row& help(const char* text) { return this->with(&Option::help, text); }
-  Row& off(const char* text) { return this->with(&Option::helpOff, text); }
+  /// What the command's flag does that turns this off, and its name where that is not no-SPELLING.
+  Row& off(const char* text, const char* spelling = "")
+  {
+    return this->with(&Option::helpOff, text).with(&Option::spellingOff, spelling);
+  }
   Row& form(const char* text) { return this->with(&Option::form, text); }
   Row& words(std::vector<OptionWord> all) { return this->with(&Option::words, std::move(all)); }
   /// What it means depends on the input of the filter.
@@ -443,9 +447,10 @@ void addOthers(Table& table)
     .form("NAME")
     .help("A curve that stays where it is.");
   table.add("KeepBoundary", [](All& all) { return &all.reshaping.keepBoundary; })
-    .off("Move the boundary as well.")
+    .off("Move the boundary as well.", "free-boundary")
     .help("Leave the boundary of the surface where it is.");
   table.add("OutsideBias", [](All& all) { return &all.reshaping.outsideBias; })
+    .spelled("outward", "outside_bias")
     .range(0.0, 1.0)
     .help("How much the surface moves outwards, along the normals of the design, rather than "
           "inwards; 0: both alike, 1: no point moves inwards.");
@@ -457,6 +462,7 @@ void addOthers(Table& table)
 
   table.group(OptionOwner::Sewing, "Sewing Simulation");
   table.add("Test", [](All& all) { return &all.sewing.test; })
+    .spelled("mode", "test")
     .words({ { "panel", "Panel" }, { "product", "Product" } })
     .help("What is held: panel (the boundary of each piece where the design has it) or product "
           "(nothing: seams are shared, hems free).");
@@ -469,6 +475,7 @@ void addOthers(Table& table)
     .expert()
     .help("Above 0 a change of area costs the cloth more than one of angle, below 0 less.");
   table.add("MaximumIterations", [](All& all) { return &all.sewing.maximumIterations; })
+    .spelled("sewing-iterations", "max_iterations")
     .range(1.0, std::numeric_limits<int>::max())
     .slider(1.0, 1000.0)
     .expert()
@@ -490,7 +497,8 @@ void addOthers(Table& table)
   table.add("SecondStart", [](All& all) { return &all.sewing.secondStart; })
     .expert()
     .off("Come to rest from one start alone, in half the time. Other shapes at rest are not looked "
-         "for.")
+         "for.",
+      "once")
     .help("Come to rest from a second start as well, to find other shapes, in twice the time.");
 
   table.group(OptionOwner::Conformal, "Method");
@@ -737,7 +745,10 @@ std::string spelled(const Option& option, OptionSpelling spelling)
     return text;
   }
   const bool off = option.type == OptionType::Flag && std::get<double>(option.byDefault) != 0.0;
-  return (off ? "--no-" : "--") + option.spelling;
+  return "--" +
+    (!off                            ? option.spelling
+        : option.spellingOff.empty() ? "no-" + option.spelling
+                                     : option.spellingOff);
 }
 
 //------------------------------------------------------------------------------
@@ -822,9 +833,9 @@ std::string describeIdleOption(const OptionValues& values, OptionSpelling spelli
       {
         text += ", not for " + setting(other, { values.text(other.property) }, spelling);
       }
-      return text +
-        (values.isGiven(other.property) ? "; leave one of them out"
-                                        : "; give that as well, or leave " + name + " out");
+      text += values.isGiven(other.property) ? "; leave one of them out"
+                                             : "; give that as well, or leave " + name + " out";
+      return text;
     }
   }
   return "";

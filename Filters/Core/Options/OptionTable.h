@@ -74,6 +74,7 @@ struct Option
   bool expert = false;
   std::vector<OptionCondition> conditions; ///< all must hold that the option has an effect
   std::string help;                        ///< a sentence or two, without range and default
+  std::string spellingOff; ///< of the command's flag that turns this off; empty: no-SPELLING
   std::string helpOff; ///< what a flag does that turns this off; for flags that are on by default
   OptionValue byDefault;
   std::function<void(OptionStructures&, const OptionValue&)> set; ///< empty: the filter reads it
