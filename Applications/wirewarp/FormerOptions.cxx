@@ -12,6 +12,8 @@ std::string successorOf(const std::string& option)
     { "--suggest", "wirewarp cut SURFACE --kind darts|seams|all|lines -o curves.vtp" },
     { "--bound", "wirewarp cut SURFACE --max-strain STRAIN" },
     { "--max-cut-length", "wirewarp cut SURFACE --max-length LENGTH" },
+    { "--symmetric", "wirewarp cut SURFACE --no-symmetric" },
+    { "--no-split", "--no-split-triangles" },
     { "--price-keys", "wirewarp prices SURFACE CURVES" },
     { "--flattenable", "wirewarp reshape SURFACE --max-strain STRAIN" },
     { "--outside-bias", "wirewarp reshape SURFACE --outward SHARE" },

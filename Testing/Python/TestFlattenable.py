@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """make_flattenable() moves a surface until it lies flat with little strain."""
 
-import inspect
 import unittest
 import warnings
 
@@ -18,14 +17,6 @@ def dome(columns=10, rows=10, height=0.3):
 
 
 class Flattenable(unittest.TestCase):
-    def test_defaults_are_those_of_the_filter(self):
-        parameters = inspect.signature(sf.make_flattenable).parameters
-        filter_ = sf.vtkMakeFlattenable()
-        self.assertEqual(parameters["bound"].default, filter_.GetBound())
-        self.assertEqual(parameters["keep_boundary"].default, filter_.GetKeepBoundary())
-        self.assertEqual(parameters["thickness"].default, filter_.GetThickness())
-        self.assertEqual(parameters["outside_bias"].default, filter_.GetOutsideBias())
-
     def test_the_moved_surface_lies_flat_and_its_boundary_stays(self):
         points, triangles = dome()
         moved = sf.make_flattenable(points, triangles, bound=0.01)

@@ -120,6 +120,12 @@ class Options(unittest.TestCase):
             self.assertEqual({**seen, "weights": shown.get("weights")}, {"weights": None, **shown}, node.name)
             self.assertLessEqual(set(sf.Options.__annotations__), set(seen))
 
+    def test_resew_has_the_defaults_of_the_table(self):
+        parameters = inspect.signature(sf.resew).parameters
+        for option in TABLE:
+            if option.cls == "vtkSewnShape":
+                self.assertEqual(parameters[option.name].default or option.default, option.default, option.name)
+
     def test_help_has_a_sentence_for_every_option(self):
         for function, cls in ((sf.flatten, sf.vtkWireWarpingFilter), (sf.suggest, sf.vtkFeatureCurveSuggestion),
                               (sf.make_flattenable, sf.vtkMakeFlattenable)):

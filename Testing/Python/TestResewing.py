@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """resew() sews flat pieces together again and says how far that is from the design."""
 
-import inspect
 import unittest
 import warnings
 
 import numpy as np
 
 import surfaceflattening as sf
-from surfaceflattening._resewing import SEWING_TESTS
 from surfaces import grid
 
 
@@ -26,18 +24,6 @@ def half_pipe(columns=12, rows=6):
 
 
 class Resewing(unittest.TestCase):
-    def test_defaults_are_those_of_the_filter(self):
-        defaults = {name: parameter.default for name, parameter in inspect.signature(sf.resew).parameters.items()}
-        sewn = sf.vtkSewnShape()
-        self.assertEqual(defaults["test"], SEWING_TESTS[sewn.GetTest()])
-        self.assertEqual(defaults["thickness"], sewn.GetThickness())
-        self.assertEqual(defaults["area_bias"], sewn.GetAreaBias())
-        self.assertEqual(defaults["max_iterations"], sewn.GetMaximumIterations())
-        self.assertEqual(defaults["pressure"], sewn.GetPressure())
-        self.assertEqual(defaults["gravity"], sewn.GetGravity())
-        self.assertEqual(defaults["material"] or "", sewn.GetMaterial())
-        self.assertEqual(defaults["second_start"], sewn.GetSecondStart())
-
     def test_a_body_is_not_entered_and_pressure_lifts(self):
         flat = sf.flatten(*dome())
         free = sf.resew(flat)

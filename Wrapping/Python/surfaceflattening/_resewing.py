@@ -5,7 +5,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import math
 import os
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple, Union, get_args
+from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +13,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._flatten import _update
-from ._options import flag, index_of, material_text, set_property
+from ._options import material_text, options_of, set_option
 from ._report import values_of
 from ._result import Flattening
 from ._types import SewingTest
 from .vtkFiltersFlattening import vtkSewnShape
-
-# The words of the command wirewarp, in the order of the filter's enumeration.
-SEWING_TESTS: Tuple[SewingTest, ...] = get_args(SewingTest)
 
 
 class ResewnShape(NamedTuple):
@@ -163,12 +160,6 @@ def resew(
     """
     if not isinstance(flattening, Flattening):
         raise TypeError(f"flattening is {type(flattening).__name__}; it must be what flatten() gave")
-    filter_ = vtkSewnShape()
-    set_property(filter_, "test", "Test", index_of(test, SEWING_TESTS, "test"))
-    set_property(filter_, "thickness", "Thickness", thickness)
-    set_property(filter_, "area_bias", "AreaBias", area_bias)
-    set_property(filter_, "max_iterations", "MaximumIterations", max_iterations)
-    set_property(filter_, "pressure", "Pressure", pressure)
     try:
         pull = tuple(float(component) for component in gravity)
     except (TypeError, ValueError):
@@ -177,10 +168,11 @@ def resew(
         raise TypeError(f"gravity = {gravity!r} must be three numbers")
     if not math.hypot(*pull) <= 1.0:
         raise ValueError(f"gravity = {gravity!r} is out of range; it must be at most 1 long")
-    set_property(filter_, "gravity", "Gravity", pull)
-    if material is not None:
-        set_property(filter_, "material", "Material", material_text(material))
-    set_property(filter_, "second_start", "SecondStart", flag(second_start, "second_start"))
+    filter_ = vtkSewnShape()
+    values = {"test": test, "thickness": thickness, "area_bias": area_bias, "max_iterations": max_iterations,
+              "pressure": pressure, "gravity": pull, "material": material_text(material), "second_start": second_start}
+    for name, option in options_of(vtkSewnShape).items():
+        set_option(filter_, option, values[name])
     if body is not None:
         if not isinstance(body, vtkPolyData):
             raise TypeError(f"body is {type(body).__name__}; it must be a vtkPolyData")
