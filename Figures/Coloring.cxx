@@ -5,12 +5,12 @@
 
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace figures
 {
@@ -68,10 +68,10 @@ vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, d
 constexpr double rightAngle = 90.0;
 
 /// By how many degrees the threads' angle may change, of the pieces' material.
-double lockingAngle(const PolyData& flat)
+double lockingAngle(const FlatPiece& piece)
 {
-  vtkDataArray* const limits = flat->GetFieldData()->GetArray("ShearLimit");
-  return limits && limits->GetNumberOfTuples() > 0 ? limits->GetTuple1(0) : rightAngle;
+  const double limit = piece.number("ShearLimit");
+  return std::isnan(limit) ? rightAngle : limit;
 }
 }
 
@@ -119,14 +119,14 @@ std::optional<Coloring> coloringOf(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
+ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece)
 {
   switch (coloring)
   {
     case Coloring::Developability:
     {
       const char* const name = "Developability";
-      vtkDataArray* const values = flat->GetPointData()->GetArray(name);
+      vtkDataArray* const values = piece.flat->GetPointData()->GetArray(name);
       const double largest = values ? values->GetRange()[1] : 0.0;
       return { name, true, "developability: angle defect (rad)",
         makeSequentialColors({ 0.0, std::max(largest, developable) }), 3 };
@@ -146,7 +146,7 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
     case Coloring::Distance:
     {
       const char* const name = "Distance";
-      vtkDataArray* const values = flat->GetPointData()->GetArray(name);
+      vtkDataArray* const values = piece.flat->GetPointData()->GetArray(name);
       const double largest = values ? values->GetRange()[1] : 0.0;
       return { name, true, "sewn surface: distance from the design (unit of length)",
         makeSequentialColors({ 0.0, largest > 0.0 ? largest : 1.0 }), 3 };
@@ -159,7 +159,7 @@ ColorMap makeColorMap(Coloring coloring, const PolyData& flat)
         makeDivergingColors(-0.05, 0.0, 0.05), 5 };
     case Coloring::Shear:
     {
-      const double limit = lockingAngle(flat);
+      const double limit = lockingAngle(piece);
       const bool locks = limit < rightAngle;
       const double end = locks ? limit : 15.0;
       return { "ShearAngle", false,

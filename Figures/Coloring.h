@@ -53,5 +53,5 @@ struct ColorMap
 /// drawn; of the shear, blue and red are its two senses, up to the material's limit, where threads
 /// lock, or 15 degrees where it has none.
 /// @param flat what is coloured: the ranges of developability and distance follow its largest value
-ColorMap makeColorMap(Coloring coloring, const PolyData& flat);
+ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece);
 }

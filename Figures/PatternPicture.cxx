@@ -6,7 +6,6 @@
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkTextProperty.h>
@@ -96,8 +95,7 @@ std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumR
   std::vector<std::string> rows{
     "piece    E_len   E_ang     E_h     E_r  E_area  flips  overlaps"
   };
-  vtkDataArray* const lengths = piece.flat->GetFieldData()->GetArray("EdgeLengthError");
-  const vtkIdType count = lengths ? lengths->GetNumberOfTuples() : 0;
+  const vtkIdType count = piece.pieces ? piece.pieces->GetNumberOfRows() : 0;
   for (vtkIdType row = 0; row < count; ++row)
   {
     if (rows.size() == maximumRows && row + 1 < count)
@@ -139,7 +137,7 @@ PatternPicture::PatternPicture(int width, int height, int samples)
 //------------------------------------------------------------------------------
 void PatternPicture::show(const PatternScene& scene)
 {
-  const ColorMap map = makeColorMap(scene.coloring, scene.piece.flat);
+  const ColorMap map = makeColorMap(scene.coloring, scene.piece);
   this->drawPanels(scene, map);
   this->Overlay->RemoveAllViewProps();
   this->drawTexts(scene);

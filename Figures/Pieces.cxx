@@ -3,12 +3,11 @@
 
 #include "Files.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkLeastSquaresConformalFilter.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkSurfaceDevelopability.h>
+#include <vtkVariant.h>
 #include <vtkWireWarpingFilter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtksys/Directory.hxx>
@@ -33,7 +32,7 @@ PolyData read(const std::string& path)
   return reader->GetOutput();
 }
 
-FlatPiece run(vtkFeatureCurveAlgorithm* filter, const Piece& piece)
+FlatPiece run(vtkFlatPieceAlgorithm* filter, const Piece& piece)
 {
   // The outputs tell of broken promises too, and a refusal is thrown.
   silence(filter);
@@ -44,7 +43,7 @@ FlatPiece run(vtkFeatureCurveAlgorithm* filter, const Piece& piece)
   {
     throw std::runtime_error(filter->GetStatusMessage());
   }
-  return { filter->GetOutput(0), filter->GetOutput(1), filter->GetOutput(2) };
+  return outputsOf(filter);
 }
 
 bool endsWith(const std::string& text, const std::string& end)
@@ -79,6 +78,14 @@ std::vector<std::string> listPieces(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
+FlatPiece outputsOf(vtkFlatPieceAlgorithm* filter)
+{
+  const double* const seconds = filter->GetSeconds();
+  return { filter->GetOutput(0), filter->GetOutput(1), filter->GetOutput(2), filter->GetPieces(),
+    filter->GetCurves(), { seconds[0], seconds[1], seconds[2], seconds[3] } };
+}
+
+//------------------------------------------------------------------------------
 PolyData FlatPiece::wiresOn(const PolyData& surface) const
 {
   PolyData result = vtkSmartPointer<vtkPolyData>::New();
@@ -88,10 +95,11 @@ PolyData FlatPiece::wiresOn(const PolyData& surface) const
 }
 
 //------------------------------------------------------------------------------
-double FlatPiece::number(const char* array, vtkIdType row) const
+double FlatPiece::number(const char* column, vtkIdType row) const
 {
-  vtkDataArray* const values = this->flat->GetFieldData()->GetArray(array);
-  return values && row < values->GetNumberOfTuples() ? values->GetComponent(row, 0) : std::nan("");
+  const bool known =
+    this->pieces && this->pieces->GetColumnByName(column) && row < this->pieces->GetNumberOfRows();
+  return known ? this->pieces->GetValueByName(row, column).ToDouble() : std::nan("");
 }
 
 //------------------------------------------------------------------------------

@@ -3,9 +3,13 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
+#include <array>
 #include <string>
 #include <vector>
+
+class vtkFlatPieceAlgorithm;
 
 namespace figures
 {
@@ -44,12 +48,18 @@ struct FlatPiece
   PolyData flat;
   PolyData wires;
   PolyData cut;
+  vtkSmartPointer<vtkTable> pieces = nullptr; ///< null: not known
+  vtkSmartPointer<vtkTable> curves = nullptr;
+  std::array<double, 4> seconds{}; ///< as vtkFlatPieceAlgorithm::GetSeconds()
 
   /// The wires on a surface that is point for point the flat piece.
   PolyData wiresOn(const PolyData& surface) const;
-  /// A value of the flat piece's field data.
-  double number(const char* array, vtkIdType row = 0) const;
+  /// A value of the table of pieces; not a number where there is none.
+  double number(const char* column, vtkIdType row = 0) const;
 };
+
+/// The outputs of a filter that has run.
+FlatPiece outputsOf(vtkFlatPieceAlgorithm* filter);
 
 /// Throws std::runtime_error with the filter's message where the piece is refused.
 FlatPiece flatten(const Piece& piece, Method method, Interior interior = Interior::Rigid);

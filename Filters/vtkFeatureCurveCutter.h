@@ -11,8 +11,8 @@
  * point, cell and field data. Cell arrays: `PieceId` (id; connected components, in the order of
  * their first triangle), `vtkOriginalCellIds` (id). Point array: `vtkOriginalPointIds` (id; -1 for
  * a point made by imprinting). Field data: `SeamPairs` (id, 5 components; see
- * vtkWireWarpingFilter), `RunStatus`, `RunStatusMessage`, `RunWarnings` (string), `RunStatusIds`
- * (id).
+ * vtkFlatPieceAlgorithm; component 4 is the id of the curve), `RunStatus`, `RunStatusMessage`
+ * (string).
  *
  * **Output 1, the wires** (boundary and curves; a cut curve has both of its sides) as polylines
  * over the points of output 0. Cell arrays: `CurveType` (int; -1 for the boundary), `CurveId` (id;

@@ -16,7 +16,7 @@
  * **Output 0, the surface**: the triangles of the input in the order of its cells, behind them
  * those made by splitting, with its point data (interpolated at new points), cell and field data.
  * Cell array: `vtkOriginalCellIds` (id). Point array: `vtkOriginalPointIds` (id; -1 for a new
- * point). Field data: `RunStatus`, `RunStatusMessage`, `RunWarnings` (string), `RunStatusIds` (id).
+ * point). Field data: `RunStatus`, `RunStatusMessage` (string).
  *
  * **Output 1, the curves** as polylines over the points of output 0, in the order of
  * vtkFeatureCurveAlgorithm, with the cell arrays that all of their data sets have, and: `CurveType`

@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 vtkStandardNewMacro(vtkFeatureCurveSuggestion);
 
@@ -30,7 +31,8 @@ bool vtkFeatureCurveSuggestion::IsProposedName(const std::string& name)
 //------------------------------------------------------------------------------
 vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 {
-  this->SetNumberOfOutputPorts(6);
+  this->SetTablePort(6);
+  this->LeftOutLines = vtkSmartPointer<vtkTable>::New();
   flattening::bridge::OptionVisitor visit =
     flattening::bridge::defaultsOf(flattening::OptionOwner::Suggestion);
   this->VisitOwnOptions(visit);
@@ -51,6 +53,12 @@ const char* vtkFeatureCurveSuggestion::GetSuggestedCutsAsString() const
 {
   return flattening::bridge::nameOf(
     flattening::OptionOwner::Suggestion, "SuggestedCuts", this->SuggestedCuts);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkFeatureCurveSuggestion::GetLeftOutLines() const
+{
+  return this->LeftOutLines;
 }
 
 //------------------------------------------------------------------------------
@@ -136,6 +144,8 @@ int vtkFeatureCurveSuggestion::RequestData(
   if (!this->IsRefused())
   {
     vtkPolyData::GetData(outputVector, 5)->ShallowCopy(all);
+    flattening::bridge::writeSearch(suggestions, vtkTable::GetData(outputVector, 6));
+    this->LeftOutLines = flattening::bridge::leftOutLines(suggestions);
     const std::string shortfall = this->SuggestedCuts == LINES
       ? std::string()
       : flattening::bridge::describeShortfall(suggestions, this->Bound);

@@ -37,16 +37,14 @@
  * `StrainP95`; these four and `Gain` are NaN where the surface cannot be flattened with no more
  * cuts, as a closed one, or MaximumWork is used up), `MirrorOf` (int; the rank of the cut that it
  * is the mirror image of, or
- * -1). Point array, where a curve has one: `PlanarShape`. Field data: `BoundMet` (int), `Strain` (double;
- * without and with all cuts), where cuts are mirror images of each other `MirrorPlane` (double;
- * normal and offset) or
- * `MirrorAxis` (double; the points of the boundary between which the axis runs across which the
- * surface is its own mirror image by its lengths and angles alone, where no plane mirrors it),
- * `Trials` (int; how many flattenings were made), `Work` (double; what they took, see MaximumWork),
- * and for lines that were tried and not proposed `LeftOutCurveName`, `LeftOutCurveType`,
- * `LeftOutLength`, `LeftOutGain`, `LeftOutAreaErrorBefore`, `LeftOutAreaErrorAfter`,
- * `LeftOutStrainBefore`, `LeftOutStrainAfter` and `LeftOutSound` (int; 1: the line only costs too
- * much, 0: it breaks a promise, such as that no triangle is turned over).
+ * -1). Point array, where a curve has one: `PlanarShape`. Field data, where
+ * cuts are mirror images of each other: `MirrorPlane` (double; normal and offset) or `MirrorAxis`
+ * (double; the points of the boundary between which the axis runs across which the surface is its
+ * own mirror image by its lengths and angles alone, where no plane mirrors it).
+ *
+ * **Output 6, the search**: a vtkTable of one row with the columns `BoundMet` (int),
+ * `StrainBefore`, `StrainAfter` (double; without and with all cuts), `Trials` (id; how many
+ * flattenings were made) and `Work` (double; what they took, see MaximumWork).
  *
  * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
  * left, where, and what ended the search: the most cuts or their length, MaximumWork, an abort, or
@@ -77,9 +75,12 @@
 #define vtkFeatureCurveSuggestion_h
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for the lines left out
 #include "vtkWireWarpingFilter.h"
 
 #include <string> // for names
+
+class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveSuggestion : public vtkWireWarpingFilter
 {
@@ -184,6 +185,13 @@ public:
   vtkGetCharFromStdStringMacro(WeightArray);
   ///@}
 
+  /**
+   * Lines that the last run tried and does not propose, with the columns `Name`, `Type`, `Sound`
+   * (1: the line only costs too much, 0: it breaks a promise, such as that no triangle is turned
+   * over), `Length`, `Gain`, `AreaErrorBefore`, `AreaErrorAfter`, `StrainBefore`, `StrainAfter`.
+   */
+  vtkTable* GetLeftOutLines() const;
+
 protected:
   vtkFeatureCurveSuggestion();
   ~vtkFeatureCurveSuggestion() override;
@@ -217,6 +225,8 @@ private:
     visit("Symmetric", this->Symmetric);
     visit("WeightArray", this->WeightArray);
   }
+
+  vtkSmartPointer<vtkTable> LeftOutLines; // of the last run
 };
 
 #endif

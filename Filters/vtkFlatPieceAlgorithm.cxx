@@ -12,7 +12,6 @@
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "PieceOutput.h"
 #include "PieceSizes.h"
 
 #include "vtkDataObject.h"
@@ -32,7 +31,8 @@ constexpr int curvePort = 4;
 //------------------------------------------------------------------------------
 vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
 {
-  this->SetNumberOfOutputPorts(5);
+  this->SetTablePort(piecePort);
+  this->SetTablePort(curvePort);
   this->Reports = std::make_unique<flattening::bridge::ReportTables>();
   flattening::bridge::OptionVisitor visit =
     flattening::bridge::defaultsOf(flattening::OptionOwner::Pieces);
@@ -74,7 +74,7 @@ vtkTable* vtkFlatPieceAlgorithm::GetIsometricIterations() const
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkFlatPieceAlgorithm::GetReleaseTrials() const
+vtkTable* vtkFlatPieceAlgorithm::GetReleases() const
 {
   return this->Reports->releaseTrials;
 }
@@ -89,14 +89,6 @@ vtkTable* vtkFlatPieceAlgorithm::GetPieceRemedies() const
 vtkTable* vtkFlatPieceAlgorithm::GetLeftOutPieces() const
 {
   return this->Reports->leftOutPieces;
-}
-
-//------------------------------------------------------------------------------
-int vtkFlatPieceAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(),
-    port == piecePort || port == curvePort ? "vtkTable" : "vtkPolyData");
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +157,6 @@ void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedSurf
     vtkPolyData::GetData(outputVector, 2));
   bridge::writePieceTable(source, result, unit, flat, vtkTable::GetData(outputVector, piecePort));
   bridge::writeCurveTable(result.curves, vtkTable::GetData(outputVector, curvePort));
-  bridge::writePieceSizes(bridge::pieceSizes(result), unit, flat);
   this->Reports = std::make_unique<bridge::ReportTables>(source, result);
   this->SizeWarning = bridge::sizeWarning(bridge::pieceSizes(result), unit);
   const flattening::StageSeconds& seconds = result.seconds;

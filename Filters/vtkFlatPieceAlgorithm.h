@@ -101,7 +101,7 @@ public:
    * whole), `Tried`, and `Objective`, `AreaError` and `Homogeneity` of the piece flattened without
    * that by the same options; -1 where it was not tried or has no solution.
    */
-  vtkTable* GetReleaseTrials() const;
+  vtkTable* GetReleases() const;
 
   /**
    * The remedies of the pieces' statuses, the best first: `Piece`, `Remedy` (see
@@ -174,7 +174,6 @@ protected:
   vtkFlatPieceAlgorithm();
   ~vtkFlatPieceAlgorithm() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   void FinishData(vtkInformationVector* outputVector) override;
   void EndRun(vtkDataObject* input, vtkDataObject* output) override;
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;

@@ -154,6 +154,7 @@ std::string vtkFlatteningAlgorithm::LengthUnitOf(vtkInformationVector** inputVec
 vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
 {
   this->Keep({});
+  this->StatusWarnings = vtkSmartPointer<vtkStringArray>::New();
   this->StatusCode = NOT_RUN;
   this->StatusDefect = "the filter has not run";
   this->StatusMessage = this->StatusDefect + "; update it, and see that its input can be read";
@@ -395,6 +396,27 @@ vtkStringArray* vtkFlatteningAlgorithm::GetStatusRemedySubjects() const
 }
 
 //------------------------------------------------------------------------------
+vtkStringArray* vtkFlatteningAlgorithm::GetStatusWarnings() const
+{
+  return this->StatusWarnings;
+}
+
+//------------------------------------------------------------------------------
+int vtkFlatteningAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    this->TablePorts.count(port) != 0 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetTablePort(int port)
+{
+  this->TablePorts.insert(port);
+  this->SetNumberOfOutputPorts(std::max(this->GetNumberOfOutputPorts(), port + 1));
+}
+
+//------------------------------------------------------------------------------
 int vtkFlatteningAlgorithm::GetNumberOfRemedies()
 {
   return flattening::remedyCount;
@@ -451,7 +473,7 @@ bool vtkFlatteningAlgorithm::IsRefused() const
 void vtkFlatteningAlgorithm::Begin(vtkInformationVector* outputVector)
 {
   this->Keep({});
-  this->Warnings.clear();
+  this->StatusWarnings = vtkSmartPointer<vtkStringArray>::New();
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject::GetData(outputVector, port)->Initialize();
@@ -505,9 +527,9 @@ void vtkFlatteningAlgorithm::Warn(const std::vector<std::string>& messages)
 {
   for (const std::string& message : messages)
   {
-    if (std::find(this->Warnings.begin(), this->Warnings.end(), message) == this->Warnings.end())
+    if (this->StatusWarnings->LookupValue(message) < 0)
     {
-      this->Warnings.push_back(message);
+      this->StatusWarnings->InsertNextValue(message);
       vtkWarningMacro(<< message);
     }
   }
@@ -519,18 +541,6 @@ void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
   vtkFieldData* field = output->GetFieldData();
   flattening::bridge::addStrings(field, "RunStatus", { this->GetStatusName() });
   flattening::bridge::addStrings(field, "RunStatusMessage", { this->StatusMessage });
-  flattening::bridge::addStrings(field, "RunStatusDefect", { this->StatusDefect });
-  flattening::bridge::addStrings(field, "RunStatusIdKind", { this->StatusIdKind });
-  const auto addCopy = [field](vtkAbstractArray* array, const char* name) {
-    const auto copy = vtk::TakeSmartPointer(array->NewInstance());
-    copy->DeepCopy(array);
-    copy->SetName(name);
-    flattening::bridge::addUnlessEmpty(field, copy);
-  };
-  addCopy(this->StatusIds, "RunStatusIds");
-  addCopy(this->StatusRemedies, "RunRemedyName");
-  addCopy(this->StatusRemedySubjects, "RunRemedySubject");
-  flattening::bridge::addStrings(field, "RunWarnings", this->Warnings);
 }
 
 //------------------------------------------------------------------------------
@@ -541,5 +551,5 @@ void vtkFlatteningAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StatusMessage: " << this->StatusMessage << "\n";
   os << indent << "StatusIds: " << this->StatusIds->GetNumberOfValues() << " ids\n";
   os << indent << "Distributed: " << (this->Distributed ? "On" : "Off") << "\n";
-  os << indent << "Warnings: " << this->Warnings.size() << "\n";
+  os << indent << "StatusWarnings: " << this->StatusWarnings->GetNumberOfValues() << "\n";
 }

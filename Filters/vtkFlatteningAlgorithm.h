@@ -13,12 +13,11 @@
  *   vtkWarningMacro says what is not as it should be.
  *
  * A vtkWarningMacro also says what the filter left out of an input that it can use, such as an
- * array that is too short; the status is OK then, and the field data `RunWarnings` (string), where
- * a filter documents a `RunStatus` array, has a row for each.
+ * array that is too short; the status is OK then, and GetStatusWarnings() has all of them.
  *
  * The status of the last run can be read from the filter after Update(). With composite input the
- * filter runs once a block, and the status is that of the block that ran last; those filters that
- * document a `RunStatus` array leave each block's own status in the field data of its output.
+ * filter runs once per block, and the status is that of the block that ran last; the field data
+ * `RunStatus` and `RunStatusMessage` (string) of output 0 are those of each block.
  *
  * Lists in the field data that have no row are left out.
  *
@@ -49,6 +48,7 @@
 
 #include <map>    // for the processes
 #include <memory> // for the processes
+#include <set>    // for the tables
 #include <string> // for the message
 #include <vector> // for the warnings
 
@@ -159,6 +159,11 @@ public:
   vtkStringArray* GetStatusRemedySubjects() const;
   ///@}
 
+  /**
+   * The warnings of the last run that the status does not say, each once. Never null.
+   */
+  vtkStringArray* GetStatusWarnings() const;
+
   ///@{
   /**
    * All remedies: their number, the name of each ("CloseCuts"), and what the one with a name says.
@@ -228,6 +233,13 @@ protected:
   vtkFlatteningAlgorithm();
   ~vtkFlatteningAlgorithm() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  /**
+   * Makes an output a vtkTable; the filter has at least the outputs up to it.
+   */
+  void SetTablePort(int port);
+
   /**
    * Visits the members that are options.
    */
@@ -275,13 +287,12 @@ protected:
 
   /**
    * Gives warnings of what the status does not say, each sentence once, and keeps them for
-   * `RunWarnings`.
+   * GetStatusWarnings().
    */
   void Warn(const std::vector<std::string>& messages);
 
   /**
-   * Adds the field data `RunStatus`, `RunStatusMessage`, `RunStatusDefect`, `RunStatusIds`,
-   * `RunStatusIdKind`, `RunRemedyName`, `RunRemedySubject` and `RunWarnings`.
+   * Adds the field data `RunStatus` and `RunStatusMessage`.
    */
   void WriteRunStatus(vtkPolyData* output) const;
 
@@ -307,7 +318,8 @@ private:
   vtkSmartPointer<vtkIdTypeArray> StatusIds;
   vtkSmartPointer<vtkStringArray> StatusRemedies;
   vtkSmartPointer<vtkStringArray> StatusRemedySubjects;
-  std::vector<std::string> Warnings;
+  vtkSmartPointer<vtkStringArray> StatusWarnings;
+  std::set<int> TablePorts;
 };
 
 #endif

@@ -10,6 +10,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 vtkStandardNewMacro(vtkFlatteningQuality);
 
@@ -17,6 +18,7 @@ vtkStandardNewMacro(vtkFlatteningQuality);
 vtkFlatteningQuality::vtkFlatteningQuality()
 {
   this->SetNumberOfInputPorts(3);
+  this->SetTablePort(1);
   this->MaximumOverlaps = static_cast<int>(flattening::mostListedOverlaps);
 }
 
@@ -48,6 +50,12 @@ void vtkFlatteningQuality::SetEdgesData(vtkPolyData* edges)
 }
 
 //------------------------------------------------------------------------------
+vtkTable* vtkFlatteningQuality::GetMeasures()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
 int vtkFlatteningQuality::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -64,14 +72,14 @@ int vtkFlatteningQuality::RequestData(vtkInformation* vtkNotUsed(request),
 {
   this->Begin(outputVector);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   const flattening::bridge::MappedSurface map = flattening::bridge::loadMappedSurface(
     surface, vtkPolyData::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]));
   if (this->Conclude(map.outcome))
   {
     std::vector<std::string> warnings;
     flattening::bridge::writeQuality(surface, map, static_cast<std::size_t>(this->MaximumOverlaps),
-      flattening::bridge::executionOf(this), output, warnings);
+      flattening::bridge::executionOf(this), output, vtkTable::GetData(outputVector, 1), warnings);
     this->Warn(warnings);
   }
   this->WriteRunStatus(output);

@@ -15,24 +15,25 @@
  * are taken as they are: a surface that is cut open is measured cut open. A map that turns
  * the whole surface over (the sum of signed areas is negative) is measured as if seen from behind.
  *
- * **Output**: the triangles of the surface over its points, in the order of its cells, with its
+ * **Output 0**: the triangles of the surface over its points, in the order of its cells, with its
  * data and the cell arrays `HomogeneityOfDistortion`, `AspectRatio`, `AreaRatio`, `AngleError`
- * (double), `Flipped` (unsigned char), `vtkOriginalCellIds` (id). Field data, one row: `Triangles`,
- * `Vertices`, `FlippedTriangles`, `Overlaps` (id), `OverlapsComplete` (int), `EdgeLengthError`,
+ * (double), `Flipped` (unsigned char), `vtkOriginalCellIds` (id). Field data: `OverlapEdges` (id, 4
+ * components: the points of two boundary edges that cross, one row per pair; at most
+ * MaximumOverlaps of all).
+ *
+ * **Output 1, the measures**: a vtkTable of one row, with the columns `EdgeLengthError`,
  * `MaxEdgeLengthError`, `AngleErrorMean`, `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError`,
- * `StrainP95`, `RigidEnergy`, `CutLength` (double; cuts are boundary edges whose ends have exactly
- * the coordinates in space of those of another one, each place counts once), `Mirrored` (id, 1
- * where the map turned the surface over), `RunStatus`, `RunStatusMessage`, `RunWarnings` (string);
- * `RunStatusIds` (id); `OverlapEdges` (id, 4 components: the points of two boundary edges that
- * cross, a row a pair; at most MaximumOverlaps of all). Meanings: see vtkWireWarpingFilter. Flips
- * and overlaps are a result here, not a broken promise.
+ * `StrainP95`, `RigidEnergy` (double), `FlippedTriangles`, `Overlaps` (id), `OverlapsComplete`
+ * (int), `CutLength` (double; cuts are boundary edges whose ends have exactly the coordinates in
+ * space of those of another one, each place counts once), `Triangles`, `Vertices` (id), `Mirrored`
+ * (int, 1 where the map turned the surface over). Meanings: see vtkFlatPieceAlgorithm. Flips and
+ * overlaps are a result here, not a warning.
  *
  * @code
  * vtkNew<vtkFlatteningQuality> quality;
  * quality->SetInputData(surface); // in space, with its flat positions as texture coordinates
  * quality->Update();
- * vtkFieldData* measures = quality->GetOutput()->GetFieldData();
- * std::cout << measures->GetArray("AreaError")->GetComponent(0, 0) << "\n";
+ * std::cout << quality->GetMeasures()->GetValueByName(0, "AreaError").ToDouble() << "\n";
  * @endcode
  *
  * @warning Texture coordinates between 0 and 1 are no lengths: scale them, or all areas are wrong.
@@ -44,6 +45,8 @@
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkFlatteningAlgorithm.h"
+
+class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkFlatteningQuality : public vtkFlatteningAlgorithm
 {
@@ -76,6 +79,11 @@ public:
   vtkSetClampMacro(MaximumOverlaps, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumOverlaps, int);
   ///@}
+
+  /**
+   * Output 1, the measures.
+   */
+  vtkTable* GetMeasures();
 
 protected:
   vtkFlatteningQuality();

@@ -23,22 +23,11 @@ constexpr int pricePort = 5;
 //------------------------------------------------------------------------------
 vtkKeyCurvePrices::vtkKeyCurvePrices()
 {
-  this->SetNumberOfOutputPorts(6);
+  this->SetTablePort(pricePort);
 }
 
 //------------------------------------------------------------------------------
 vtkKeyCurvePrices::~vtkKeyCurvePrices() = default;
-
-//------------------------------------------------------------------------------
-int vtkKeyCurvePrices::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == pricePort)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
-  }
-  return this->Superclass::FillOutputPortInformation(port, info);
-}
 
 //------------------------------------------------------------------------------
 int vtkKeyCurvePrices::RequestData(

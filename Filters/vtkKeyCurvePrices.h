@@ -53,7 +53,6 @@ protected:
   vtkKeyCurvePrices();
   ~vtkKeyCurvePrices() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -33,7 +33,8 @@ constexpr int measurePort = 9;
 vtkMakeFlattenable::vtkMakeFlattenable()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(10);
+  this->SetTablePort(piecesBeforePort);
+  this->SetTablePort(measurePort);
   this->Trials = vtkSmartPointer<vtkTable>::New();
   flattening::bridge::OptionVisitor visit =
     flattening::bridge::defaultsOf(flattening::OptionOwner::Reshaping);
@@ -90,17 +91,6 @@ int vtkMakeFlattenable::FillInputPortInformation(int port, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkMakeFlattenable::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == piecesBeforePort || port == measurePort)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
-  }
-  return this->Superclass::FillOutputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------

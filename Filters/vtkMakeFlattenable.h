@@ -140,7 +140,6 @@ protected:
   ~vtkMakeFlattenable() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;

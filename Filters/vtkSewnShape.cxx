@@ -17,6 +17,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 
@@ -26,7 +27,8 @@ vtkStandardNewMacro(vtkSewnShape);
 vtkSewnShape::vtkSewnShape()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(2);
+  this->SetTablePort(2);
+  this->Iterations = vtkSmartPointer<vtkTable>::New();
   flattening::bridge::OptionVisitor visit =
     flattening::bridge::defaultsOf(flattening::OptionOwner::Sewing);
   this->VisitOwnOptions(visit);
@@ -73,6 +75,18 @@ vtkPolyData* vtkSewnShape::GetDesignOutput()
 }
 
 //------------------------------------------------------------------------------
+vtkTable* vtkSewnShape::GetShapes()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkSewnShape::GetIterations() const
+{
+  return this->Iterations;
+}
+
+//------------------------------------------------------------------------------
 void vtkSewnShape::SetMaterial(const char* text)
 {
   if (flattening::bridge::change(this->Material, std::string(text ? text : "")))
@@ -103,6 +117,7 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Begin(outputVector);
+  this->Iterations = vtkSmartPointer<vtkTable>::New();
   vtkPolyData* design = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   const flattening::bridge::SewnInput input =
@@ -123,8 +138,9 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
           flattening::bridge::inInput(result.status, input.map.surface.input.cellOfTriangle)))
     {
       std::vector<std::string> warnings;
-      flattening::bridge::writeSewn(
-        design, input, result, output, vtkPolyData::GetData(outputVector, 1), warnings);
+      flattening::bridge::writeSewn(design, input, result, output,
+        vtkPolyData::GetData(outputVector, 1), vtkTable::GetData(outputVector, 2), warnings);
+      this->Iterations = flattening::bridge::sewingIterations(result);
       this->Warn(warnings);
     }
   }

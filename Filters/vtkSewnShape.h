@@ -34,29 +34,27 @@
  * | `NormalDeviation` | cells | double | angle between the normals on both surfaces, radians |
  * | `PrincipalStrains` | cells | double, 2 components | S - 1 and s - 1 |
  * | `Compressed` | cells | unsigned char | 1 where s is below 0.999: cloth wrinkles there |
- * | `ShapeId` | cells | id | row of the field data |
+ * | `ShapeId` | cells | id | row of output 2 |
  * | `SewnStrainWarp`, `SewnStrainWeft` | cells | double | with a Material: length of a thread at rest over that in the piece, less 1 |
  * | `SewnShearAngle` | cells | double | with a Material: by how many degrees its threads leave the right angle |
  *
- * Field data of output 0, **one row a shape** (Test PANEL: a piece; PRODUCT: all that is sewn
- * together): `Pieces`, `Triangles`, `Iterations` (id), `Converged` (int), `Size` (root of the area
- * of the design), `DistanceMean`, `DistanceRMS`, `DistanceP95` (of the points of output 0, by area
- * in the pieces; P95 is not exceeded on 95 % of it), `DistanceMax` (Hausdorff distance of the two
- * surfaces, by their points) (unit of length), `RelativeDistanceMean`, `RelativeDistanceRMS`,
- * `RelativeDistanceP95`, `RelativeDistanceMax` (over Size), `NormalDeviationMean` (radians),
- * `StrainMean`, `StrainP95`, `StrainMax` (of max abs(ln sigma), by area), `CompressedArea` (share
- * of the area), with a Material `StrainWarpRms`, `StrainWeftRms`, `ShearRms` (degrees; root mean
- * squares by area in the pieces), `BodyDepth` (how deep a point that is not held
- * lies in the body, 0: none does; unit of length), `SecondDistanceMean` (of the shape that a second
- * start finds; unit of length; SecondStart), `SeveralShapes` (int; 1: the two differ by more than a
- * tenth), `MembraneEnergy`, `BendingEnergy` (over half of Young's modulus; unit of length
- * squared) (double), `Status`, `StatusMessage` (string). **One row an iteration**: `HistoryShape`
- * (id), `HistoryEnergy` (mean triangle areas times half the modulus), `HistoryForce` (largest on a
- * vertex, over modulus times the root of the mean triangle area), `HistoryMove` (of the point that
- * moved farthest, in roots of the mean triangle area) (double). **One row a pair of cut edges**:
- * `SeamPairs` (as in port 0), `SeamStrains` (double, 2 components: how much longer each of the two
- * edges is at rest than in its piece, as a fraction). **One row a run**: see
- * vtkFlatteningAlgorithm.
+ * Field data of output 0: `SeamPairs` (as in port 0) and `SeamStrains` (double, 2 components: how
+ * much longer each of the two edges is at rest than in its piece, as a fraction).
+ *
+ * **Output 2, the shapes**: a vtkTable with one row per shape (Test PANEL: a piece; PRODUCT: all
+ * that is sewn together). Columns: `Shape` (id), `Status` (string), `Pieces` (id), `Size` (root of
+ * the area of the design), `DistanceMean`, `DistanceRms`, `DistanceP95` (of the points of output 0,
+ * by area in the pieces; P95 is not exceeded on 95 % of it), `DistanceMax` (Hausdorff distance of
+ * the two surfaces, by their points) (unit of length), `RelativeDistanceMean`,
+ * `RelativeDistanceRms`, `RelativeDistanceP95`, `RelativeDistanceMax` (over Size),
+ * `NormalDeviationMean` (radians), `StrainMean`, `StrainP95`, `StrainMax` (of max abs(ln sigma), by
+ * area), `CompressedArea` (share of the area), with a Material `StrainWarpRms`, `StrainWeftRms`,
+ * `ShearRms` (degrees; root mean squares by area in the pieces), `BodyDepth` (how deep a point that
+ * is not held lies in the body, 0: none does; unit of length), `SecondDistanceMean` (of the shape
+ * that a second start finds; unit of length; SecondStart), `SeveralShapes` (int; 1: the two differ
+ * by more than a tenth), `MembraneEnergy`, `BendingEnergy` (over half of Young's modulus; unit of
+ * length squared) (double), `Triangles`, `Iterations` (id), `Converged` (int), `StatusMessage`
+ * (string).
  *
  * Refused are pieces without area (DEGENERATE_TRIANGLE), inputs that do not belong together
  * (INVALID_OPTION), and with PRODUCT a piece that is sewn to nothing (INVALID_OPTION): with a free
@@ -72,8 +70,7 @@
  * sewn->SetInputConnection(flattening->GetOutputPort(0));
  * sewn->SetDesignConnection(flattening->GetOutputPort(2));
  * sewn->Update();
- * vtkFieldData* measures = sewn->GetOutput()->GetFieldData();
- * std::cout << measures->GetArray("RelativeDistanceMean")->GetComponent(0, 0) << "\n";
+ * std::cout << sewn->GetShapes()->GetValueByName(0, "RelativeDistanceMean").ToDouble() << "\n";
  * @endcode
  *
  * @warning The thinner the cloth, the closer a developable comes to its design: by the square of
@@ -88,8 +85,11 @@
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkFlatteningAlgorithm.h"
+#include "vtkSmartPointer.h" // for the iterations
 
 #include <string>
+
+class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkSewnShape : public vtkFlatteningAlgorithm
 {
@@ -120,6 +120,18 @@ public:
    * Output 1, the design with the arrays.
    */
   vtkPolyData* GetDesignOutput();
+
+  /**
+   * Output 2, the shapes.
+   */
+  vtkTable* GetShapes();
+
+  /**
+   * The iterations of the last run: `Shape`, `Energy` (mean triangle areas times half the modulus),
+   * `Force` (largest on a vertex, over modulus times the root of the mean triangle area), `Move`
+   * (of the point that moved farthest, in roots of the mean triangle area).
+   */
+  vtkTable* GetIterations() const;
 
   /**
    * What is held while the cloth comes to rest.
@@ -247,6 +259,7 @@ private:
   double Gravity[3] = { 0.0, 0.0, 0.0 };
   std::string Material;
   bool SecondStart = false;
+  vtkSmartPointer<vtkTable> Iterations; // of the last run
 };
 
 #endif

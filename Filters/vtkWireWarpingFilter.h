@@ -5,153 +5,13 @@
  *
  * The surface's boundary and its feature curves are *wires*: in the plane each of their edges has
  * the length that it has in space. Darts are opened and seams are cut through first; every piece
- * that comes of it is flattened on its own and laid beside the others. Inputs: see
- * vtkFeatureCurveAlgorithm.
+ * is flattened on its own, and the pieces are laid beside each other.
  *
- * **Output 0, the flat pieces**: z = 0; the triangles of the input in the order of its cells (those
- * of one polygon in a row), counter-clockwise, with the input's point data, cell data and field
- * data.
+ * Inputs: see vtkFeatureCurveAlgorithm. Outputs: see vtkFlatPieceAlgorithm.
  *
- * | array | on | type | meaning |
- * |---|---|---|---|
- * | `HomogeneityOfDistortion` | cells | double | min(a, 1/a) with a = flat area / area on the surface; 1 is ideal, 0 where flipped |
- * | `AspectRatio` | cells | double | s / S, the singular values of the map of the triangle; 1 is ideal, negative where flipped |
- * | `AreaRatio` | cells | double | a, negative where flipped |
- * | `AngleError` | cells | double | mean of abs(flat angle - angle) / angle over the corners |
- * | `Flipped` | cells | unsigned char | 1 where the triangle is turned over or without area |
- * | `PieceId` | cells | id | row of the field data |
- * | `WirePatchId` | cells | id | region between wires, counted through all pieces |
- * | `WarpingOrder` | cells | id | scheme PROGRESSIVE only: when the wire-patch was warped, from 0 in each piece |
- * | `vtkOriginalCellIds` | cells | id | cell of the input |
- * | `Developability` | points | double | abs(2 pi - sum of angles) on the surface in radians, 0 on the boundary |
- * | `vtkOriginalPointIds` | points | id | point of the input; -1 for a point made by imprinting |
- *
- * With a Material also, on cells (double unless stated): `StrainWarp`, `StrainWeft` (the length of
- * a thread on the surface over its length in the plane, less 1: above 0 it is drawn there, below 0
- * compressed), `ShearAngle` (degrees by which the angle between the threads leaves the right one,
- * the trellis angle; signed), `OutOfLimit` (unsigned char; 1 where a thread or the shear is beyond
- * the limits of the material), `DominantThread` (unsigned char: which strain is the largest, 0
- * warp, 1 weft, 2 the bias between them), `DominantStretch` (percent: 100 plus that strain in
- * percent). Triangles that are turned over have strains of 100 and a shear of 90 degrees. The warp
- * of every piece lies along y.
- *
- * Field data of output 0, **one row a piece**: `Triangles`, `Vertices`, `WirePatches`, `WireNodes`,
- * `FreeWireNodes`, `Constraints`, `Iterations`, `FlippedTriangles`, `Overlaps` (id; all pairs of
- * boundary edges that cross), `OverlapsComplete` (int; 0 where there were too many edges near each
- * other to look at them all, so that there may be more); `Objective`
- * (of Eq. 13 on the flat piece, whatever the scheme: half the sum of the squared changes of the
- * wires' angles, without those on key curves and around holes; rad^2), `ClosureResidual` (on the
- * flat piece: the largest distance by which a loop of wires misses its start when its edges are
- * laid one after the other with their lengths in space and their angles in the plane; unit of
- * length), `EdgeLengthError` (E_len, Eq. 26, over all edges of wires but those of connectors and
- * elastic curves), `MaxEdgeLengthError`, `AngleErrorMean` (E_ang, Eq. 27), `GlobalHomogeneity` (E_h
- * = min a / max a), `GlobalAspectRatio` (E_r = min s / max S), `AreaError` (sum of abs(flat area -
- * area) / sum of area), `StrainP95` (the strain max abs(ln sigma) of a triangle, sigma its singular
- * values, that is not exceeded on 95 % of the area on the surface; flipped and collapsed triangles
- * count as strained by 100, and none by more), `RigidEnergy` (mean over the area on the surface of
- * abs(J - R)^2 = (S - 1)^2 + (s - 1)^2, J the map of a triangle and R the rotation nearest to it),
- * `CutLength` (unit of length, on the surface: of the darts and seams that bound or slit the piece,
- * each once, as far as CloseCuts has not closed them) (double); `Status`, `StatusMessage`,
- * `StatusDefect`, `StatusIdKind` (string). Scheme ISOMETRIC: `DistortionEnergy` and `AngleEnergy`,
- * the two terms of its energy in units of the mean triangle area (double). With a Material:
- * `StrainWarpRms`, `StrainWeftRms` (root mean square of StrainWarp and StrainWeft by area on the
- * surface), `ShearRms` (the same of ShearAngle, degrees), `ShareOutOfLimit`, `ShareOver5Percent`
- * (shares of that area where OutOfLimit is 1, and where warp or weft is drawn or compressed by more
- * than 5 %), `ShareLocked` (that where the threads are sheared to the limit or beyond),
- * `ShearLimit` (that limit, by which the angle between the threads may change: the locking angle of
- * a woven composite; degrees, infinite where there is none), `GrainAngle` (degrees, see Grain)
- * (double), `GrainCurve` (string; the curve from which it is measured, empty: the upright),
- * `OneWay` (int; 1 where the material must not be turned by half a turn). Where to start if a piece
- * is poor: `ReleaseFirst` (id; the first of the ranking below, -1 where there is none) and
- * `ObjectiveWithoutFirst` (double; its `ReleaseObjective`).
- *
- * **One row a run**: `RunStatus`, `RunStatusMessage` (string), `SecondsWires`, `SecondsInterior`,
- * `SecondsQuality`, `SecondsTotal` (double). `RunStatusIds` (id): GetStatusIds(), and
- * `RunStatusDefect`, `RunStatusIdKind`, `RunRemedyName`, `RunRemedySubject` (string): the parts of
- * the message (GetStatusDefect()). Of a piece: `StatusIdPiece`, `StatusId` (id), one row an id, and
- * `RemedyPiece` (id), `RemedyName`, `RemedySubject` (string), one row a way out.
- *
- * **One row a warning**: `RunWarnings` (string). **One row a piece that SkipClosed left out**,
- * whose points and cells no output has: `LeftOutCells` (id; the first of its cells in the input),
- * `LeftOutTriangles` (id), `LeftOutReasons` (string; `ClosedSurface` or `Handle`).
- *
- * What was done, **one row a piece** (string unless stated): `SolverUsed` ("newton", "sequential",
- * empty with LEAST_SQUARES_CONFORMAL), `EnergyUsed` (scheme ISOMETRIC: "rigid",
- * "symmetric-dirichlet", "cloth"), `Repaired` (int; 1 where progressive angles did not close and
- * the nearest that do were taken), `Fallbacks` (what was done in place of what was asked for, but
- * another energy, which is a warning; and why, and what a last correction of lengths left off by
- * more than MaximumLengthError; else empty),
- * `Verdict` (that the plane has no room for the piece, where it may be cut, and which other energy
- * was used; else empty; it is a warning as well).
- * `PieceNames` (by the cell array `PieceName` of the surface, numbered where several pieces have
- * one; else empty). Of each piece on the sheet: `FlatWidth`, `FlatHeight` (double, unit of length),
- * `AreaEasedIn`, `AreaStretched` (double; by how much flat triangles are larger than those on the
- * surface, and smaller, over the area of the piece), `WorstAreaChange` (double; of the triangles
- * around a point), `WorstPlace` (where that is), and the same in words: `SizeInWords` ("51 x 55
- * cm", of a length unit that is stated, or of cm) and `EaseInWords`. `SizeWarning` (one row; none
- * where pieces have usual sizes; a warning where the unit is stated).
- * `ForecastAreaLoss`, `ForecastAreaLossAfterCut` (double; known before flattening: the part of the
- * area that is lost where the boundary keeps its lengths, and with that cut; 0 where it is less
- * than 0.3), `ForecastCutFrom`, `ForecastCutTo` (id; points of the input that the cut joins along
- * edges, -1: none).
- *
- * **One row an iteration of the wires' angles**: `HistoryPiece` (id), `HistoryPhase` (string),
- * `HistoryObjective` (rad^2), `HistoryClosure` (fraction of the perimeter), `HistoryOptimality`
- * (largest entry of the gradient of the Lagrangian), `HistoryStep` (radians, root mean square)
- * (double). **One row an iteration of the whole piece**, scheme ISOMETRIC, which goes on from
- * there: `IsometricHistoryPiece` (id), `IsometricHistoryExact` (int; 1 where the Hessian was exact,
- * 0 its convex part), `IsometricHistoryEnergy` (in mean triangle areas),
- * `IsometricHistoryLengthError` (largest, in roots of the mean triangle area),
- * `IsometricHistoryOptimality` (largest entry of the gradient of the Lagrangian),
- * `IsometricHistoryMove` (of the vertex that moved farthest, in roots of the mean triangle area)
- * (double).
- *
- * **One row a piece and curve that may be released**, for each piece the best first:
- * `ReleasePiece`, `ReleaseCurve` (id), `ReleaseShape` (int; 1: of a key curve its shape alone, so
- * that it becomes an accessory curve; 0: the curve as a whole), `ReleaseTried` (int, 0 or 1),
- * `ReleaseObjective`, `ReleaseAreaError`, `ReleaseHomogeneity` (double; Objective, AreaError and
- * GlobalHomogeneity of the piece flattened without that by the same scheme with the same options;
- * -1 where it was not tried or has no solution). ReleaseTrials tries them in pieces that lie poorly: an
- * angle changed by more than 0.7 radians or, with Interior AS_RIGID_AS_POSSIBLE, GlobalHomogeneity
- * below 0.4 or flipped triangles, by ISOMETRIC as many as can be expected to take about two
- * seconds; of a large piece none may be left. Those that were tried are ranked by AreaError with
- * scheme ISOMETRIC, by Objective else. Curves that were not tried follow by the magnitude of their
- * sensitivity.
- *
- * **One row a pair of cut edges**: `SeamPairs` (id, 5 components): the edge between points 0 and 1
- * is sewn to the edge between points 2 and 3, point 0 to 2 and 1 to 3; component 4 is the curve, a
- * row of output 1's field data; `SeamClosed` (unsigned char): 1 where CloseCuts has closed the cut
- * between them, so that they lie on each other. **One row a pair of boundary edges that cross**,
- * 1000 pairs a piece at most: `OverlapEdges` (id, 5 components): the points of both edges, the
- * piece. Point ids are those of output 0.
- *
- * **Output 1, the wires in the plane** as polylines over the points of output 0. Cell arrays:
- * `CurveType` (int; -1 for boundary and connectors), `CurveId` (id; row of the field data, -1),
- * `CurveName` (string), `PieceId` (id), `Boundary` (unsigned char, 1 where the whole wire bounds
- * its piece; 0 also where CloseCuts has closed a part of it), `Connector` (unsigned char, 1 where
- * it joins a loose loop and its length is free), `WireKind` (int, for colours: `CurveType`, but -2
- * for connectors), `RestLength`, `FlatLength` (unit of length),
- * `LengthError` (double; the largest relative error of one of its edges). Field data, one row a
- * feature curve: `CurveNames` (string), `CurveTypes` (int), `CurveRestLengths`, `CurveFlatLengths`,
- * `CurveLengthErrors`, `CurveTolerances` (0 where rigid), `CurveClosedLengths` (of a cut, see
- * CloseCuts), `CurveSensitivities` (derivative of the objective by the logarithm of the length)
- * (double), `CurveReleased` (int; 1 where a key curve's shape was given up, by ReleaseKeys or
- * because it clashes with others); both sides of a cut count once.
- *
- * **Output 2, the cut surface in space**: point for point and cell for cell like output 0, with the
- * same arrays, and the flat positions as active texture coordinates (`FlatPositions`, in the unit
- * of length, so that a pattern keeps its scale).
- *
- * Active scalars, by which viewers colour at first, are `HomogeneityOfDistortion` of outputs 0 and
- * 2 and `WireKind` of output 1, unless the input has active scalars of its own.
- *
- * **A list without rows is no array**: where there is no cut, no crossing, no warning, nothing left
- * out or to release, ..., the field data has none of that name.
- *
- * After a refusal all outputs are without points and cells, and the field data of output 0 has
- * the arrays of `RunStatus`, its message and ids, and `RunWarnings` alone. Promises whose breach is
- * told as a warning and in `Status`: the solver converged, key curves are compatible, no wire edge
- * is off by more than MaximumLengthError, no triangle is flipped, no piece overlaps itself.
+ * Warnings about a result, which are told and in `Status`: the solver did not converge, key curves
+ * contradict each other, a wire edge is off by more than MaximumLengthError, a triangle is flipped,
+ * a piece overlaps itself, strains are beyond the limits of the Material.
  *
  * @code
  * vtkNew<vtkXMLPolyDataReader> surface;
@@ -164,9 +24,9 @@
  * flattening->Update();
  * if (!flattening->IsRefused())
  * {
- *   vtkPolyData* flat = flattening->GetOutput();
- *   std::cout << flat->GetNumberOfCells() << " triangles, strained by at most "
- *             << flat->GetFieldData()->GetArray("StrainP95")->GetRange()[1] << "\n";
+ *   vtkTable* pieces = flattening->GetPieces();
+ *   std::cout << pieces->GetNumberOfRows() << " pieces, strain of the first "
+ *             << pieces->GetValueByName(0, "StrainP95").ToDouble() << "\n";
  * }
  * @endcode
  *
@@ -174,9 +34,9 @@
  * length-preserved feature curves", Computer-Aided Design 40(3), 2008,
  * https://doi.org/10.1016/j.cad.2007.11.005; equation numbers are the paper's.
  *
- * @warning What is refused gives empty outputs, not an exception: ask IsRefused() before reading
- * arrays. A piece that overlaps itself is given, with a warning: ask the status before cutting
- * cloth.
+ * @warning A rejected input gives empty outputs, not an exception: check IsRefused() before reading
+ * arrays. A piece that overlaps itself is an output, with a warning: check the status before
+ * cutting cloth.
  *
  * @sa vtkFeatureCurveCutter vtkLeastSquaresConformalFilter vtkFlatteningQuality
  */

@@ -24,9 +24,10 @@ constexpr std::chrono::milliseconds patience(Care care)
 /// rigid one would take as long as no draft. Of 22,600 triangles: 0.13 s in place of 3.7 s.
 constexpr vtkIdType mostRigidTriangles = 5000;
 
-figures::PolyData copyOf(vtkPolyData* data)
+template <class Data>
+vtkSmartPointer<Data> copyOf(Data* data)
 {
-  figures::PolyData copy = figures::PolyData::New();
+  auto copy = vtkSmartPointer<Data>::New();
   copy->DeepCopy(data);
   return copy;
 }
@@ -237,7 +238,8 @@ std::optional<LiveFlattening::Answer> LiveFlattening::flatten(const Order& order
   if (!refused)
   {
     answer.piece = { copyOf(this->Filter->GetOutput(0)), copyOf(this->Filter->GetOutput(1)),
-      copyOf(this->Filter->GetOutput(2)) };
+      copyOf(this->Filter->GetOutput(2)), copyOf(this->Filter->GetPieces()),
+      copyOf(this->Filter->GetCurves()) };
   }
   return answer;
 }

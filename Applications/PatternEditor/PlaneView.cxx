@@ -126,7 +126,7 @@ void PlaneView::start(vtkPolyData* surface, vtkCamera* camera)
   {
     this->Scale->VisibilityOff();
   }
-  this->Shown = nullptr;
+  this->Shown = {};
   this->CameraSet = false;
 }
 
@@ -134,7 +134,7 @@ void PlaneView::start(vtkPolyData* surface, vtkCamera* camera)
 void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring)
 {
   const figures::FlatPiece settled = this->Steady.settle(piece);
-  const figures::ColorMap map = figures::makeColorMap(coloring, settled.flat);
+  const figures::ColorMap map = figures::makeColorMap(coloring, settled);
   this->Mapper->SetInputData(settled.flat);
   this->Mapper->SetLookupTable(map.colors);
   this->Mapper->UseLookupTableScalarRangeOn();
@@ -145,7 +145,7 @@ void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring
   this->WireMapper->SetInputData(colored(settled.wires));
   this->Actor->VisibilityOn();
   this->Wires->VisibilityOn();
-  this->Shown = settled.flat;
+  this->Shown = settled;
   this->showScale(map);
   const vtkIdType count = pieceCount(settled.flat);
   if (!this->CameraSet || count != this->PieceCount)

@@ -29,7 +29,7 @@ public:
   void dim(bool on);
   bool isDim() const { return this->Dim; }
   /// The pieces where they are shown; null: none are.
-  const figures::PolyData& shown() const { return this->Shown; }
+  const figures::FlatPiece& shown() const { return this->Shown; }
 
 private:
   void resetCamera(vtkPolyData* flat);
@@ -43,7 +43,7 @@ private:
   vtkNew<vtkActor> Wires;
   vtkSmartPointer<vtkScalarBarActor> Scale;
   vtkNew<vtkTextActor> Title; ///< of the scale
-  figures::PolyData Shown;
+  figures::FlatPiece Shown;
   bool CameraSet = false;
   bool Dim = false;
   vtkIdType PieceCount = 0;

@@ -3,7 +3,6 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -73,9 +72,9 @@ std::string threads(const CellValues& cell, double limit)
 }
 
 //------------------------------------------------------------------------------
-void PointReadout::setPiece(const figures::PolyData& flat)
+void PointReadout::setPiece(const figures::FlatPiece& piece)
 {
-  this->Flat = flat;
+  this->Piece = piece;
   this->Locator = nullptr;
 }
 
@@ -109,7 +108,7 @@ vtkIdType PointReadout::cellAt(vtkRenderer* plane, int x, int y)
   if (!this->Locator)
   {
     this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-    this->Locator->SetDataSet(this->Flat);
+    this->Locator->SetDataSet(this->Piece.flat);
     this->Locator->BuildLocator();
   }
   return this->Locator->FindCell(point.data());
@@ -119,19 +118,18 @@ vtkIdType PointReadout::cellAt(vtkRenderer* plane, int x, int y)
 std::string PointReadout::at(vtkRenderer* plane, int x, int y)
 {
   const vtkIdType found =
-    this->Flat && this->Flat->GetNumberOfCells() > 0 ? this->cellAt(plane, x, y) : -1;
+    this->Piece.flat && this->Piece.flat->GetNumberOfCells() > 0 ? this->cellAt(plane, x, y) : -1;
   if (found < 0)
   {
     return {};
   }
-  const CellValues cell(this->Flat, found);
+  const CellValues cell(this->Piece.flat, found);
   std::string text = measures(cell);
   if (cell.has("StrainWarp"))
   {
-    vtkDataArray* const limits = this->Flat->GetFieldData()->GetArray("ShearLimit");
-    const auto piece = static_cast<vtkIdType>(cell.value("PieceId"));
-    const bool known = limits && piece < limits->GetNumberOfTuples();
-    text += "; " + threads(cell, known ? limits->GetTuple1(piece) : 90.0);
+    const double limit =
+      this->Piece.number("ShearLimit", static_cast<vtkIdType>(cell.value("PieceId")));
+    text += "; " + threads(cell, std::isnan(limit) ? 90.0 : limit);
   }
   return text;
 }

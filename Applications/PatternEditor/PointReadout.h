@@ -17,7 +17,7 @@ class PointReadout
 {
 public:
   /// \param flat null: there is none
-  void setPiece(const figures::PolyData& flat);
+  void setPiece(const figures::FlatPiece& piece);
 
   /// At a pixel of the view of the plane; empty beside the pieces.
   std::string at(vtkRenderer* plane, int x, int y);
@@ -25,7 +25,7 @@ public:
 private:
   vtkIdType cellAt(vtkRenderer* plane, int x, int y);
 
-  figures::PolyData Flat;
+  figures::FlatPiece Piece;
   vtkSmartPointer<vtkStaticCellLocator> Locator; ///< made when somebody asks
 };
 }

@@ -71,7 +71,7 @@ void SpaceView::setSurface(const figures::PolyData& surface)
 //------------------------------------------------------------------------------
 void SpaceView::color(const figures::FlatPiece& piece, figures::Coloring coloring)
 {
-  const figures::ColorMap map = figures::makeColorMap(coloring, piece.flat);
+  const figures::ColorMap map = figures::makeColorMap(coloring, piece);
   this->Mapper->SetInputData(piece.cut);
   this->Mapper->SetLookupTable(map.colors);
   this->Mapper->UseLookupTableScalarRangeOn();

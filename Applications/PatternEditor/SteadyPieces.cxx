@@ -228,7 +228,8 @@ figures::FlatPiece SteadyPieces::settle(const figures::FlatPiece& piece)
     const double point = original->GetComponent(static_cast<vtkIdType>(k), 0);
     this->Shown[static_cast<std::size_t>(point)] = layout[k];
   }
-  figures::FlatPiece settled{ figures::PolyData::New(), figures::PolyData::New(), piece.cut };
+  figures::FlatPiece settled{ figures::PolyData::New(), figures::PolyData::New(), piece.cut,
+    piece.pieces, piece.curves };
   settled.flat->ShallowCopy(piece.flat);
   settled.wires->ShallowCopy(piece.wires);
   settled.flat->SetPoints(points);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Batch.h"
 
-#include "FieldRows.h"
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "OutputFiles.h"
@@ -117,9 +116,8 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
   {
     complaint += pieceWarnings(result, entry.folder + ": ");
   }
-  const FieldRows flat(result.flat);
   const double total = secondsSince(start);
-  const double core = flat.number("SecondsTotal", 0);
+  const double core = result.seconds[3];
   // What is neither reading nor flattening is writing, the report's own file included.
   const double write = result.refused() ? 0.0 : total - (result.secondsTotal - result.secondsWrite);
   const double filter = std::max(0.0, total - result.secondsRead - core - write);

@@ -50,18 +50,4 @@ std::string messageOf(const std::string& defect, const std::vector<Remedy>& reme
 {
   return describe(defect, remedies, flagOf);
 }
-
-//------------------------------------------------------------------------------
-std::vector<Remedy> remediesOf(const FieldRows& field, vtkIdType piece)
-{
-  std::vector<Remedy> remedies;
-  for (vtkIdType row = 0; row < field.count("RemedyPiece"); ++row)
-  {
-    if (field.integer("RemedyPiece", row) == piece)
-    {
-      remedies.push_back({ field.text("RemedyName", row), field.text("RemedySubject", row) });
-    }
-  }
-  return remedies;
-}
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FieldRows.h"
 #include "RemedySpelling.h"
 
 #include <string>
@@ -14,7 +13,4 @@ std::string remedyWords(const std::string& name);
 
 /// A defect and its remedies.
 std::string messageOf(const std::string& defect, const std::vector<Remedy>& remedies);
-
-/// The remedies that the report has for one piece.
-std::vector<Remedy> remediesOf(const FieldRows& field, vtkIdType piece);
 }

@@ -2,7 +2,6 @@
 #include "Flattening.h"
 
 #include "CurveDistance.h"
-#include "FieldRows.h"
 #include "InputError.h"
 #include "MethodOptions.h"
 #include "MovedCurves.h"
@@ -20,11 +19,14 @@
 
 #include <cmath>
 #include <vtkCommand.h>
+#include <vtkFeatureCurveSuggestion.h>
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkIdTypeArray.h>
+#include <vtkStringArray.h>
 #include <vtkTrivialProducer.h>
 #include <vtkWireWarpingFilter.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <iomanip>
@@ -87,14 +89,17 @@ private:
 /// A bound that was asked for and is missed by more than half of it.
 void checkBound(const Options& options, Flattening& result)
 {
-  const FieldRows field(result.curves);
   const double bound = options.values.number("Bound");
   if (!options.values.isGiven("Bound") || bound == 0.0 || result.exitCode != Done ||
-    field.count("Strain") < 2 || field.number("Strain", 1) <= missedBy * bound)
+    result.search->GetNumberOfRows() == 0)
   {
     return;
   }
-  const double strain = field.number("Strain", 1);
+  const double strain = numberIn(result.search, 0, "StrainAfter");
+  if (strain <= missedBy * bound)
+  {
+    return;
+  }
   std::ostringstream message;
   message << std::setprecision(4);
   if (std::isnan(strain))
@@ -261,11 +266,20 @@ std::vector<std::string> readInput(
 /// Where the unit is stated the filter itself warns of sizes that are hardly cut.
 void warnOfSizes(Flattening& result)
 {
-  const std::string warning = FieldRows(result.flat).text("SizeWarning", 0);
-  if (!result.unitStated && !warning.empty())
+  if (!result.unitStated && !result.sizeWarning.empty())
   {
-    result.notes.push_back(warning + "; state it with --unit mm, cm, m or inch");
+    result.notes.push_back(result.sizeWarning + "; state it with --unit mm, cm, m or inch");
   }
+}
+
+void takeTables(vtkWireWarpingFilter* filter, Flattening& result)
+{
+  result.tables = PieceTables{ filter->GetPieces(), filter->GetAngleIterations(),
+    filter->GetIsometricIterations(), filter->GetReleases(), filter->GetPieceRemedies() };
+  result.leftOutPieces = filter->GetLeftOutPieces();
+  result.curveTable = filter->GetCurves();
+  result.sizeWarning = filter->GetSizeWarning();
+  std::copy_n(filter->GetSeconds(), 4, result.seconds.begin());
 }
 
 void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
@@ -283,14 +297,21 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   result.flat = filter->GetOutput(0);
   result.wires = filter->GetOutput(1);
   result.cut = filter->GetOutput(2);
+  if (!filter->IsRefused())
+  {
+    takeTables(filter, result);
+  }
+  result.warnings = textsOf(filter->GetStatusWarnings());
   takeReshaped(filter, result);
   if (filter->IsA("vtkKeyCurvePrices"))
   {
     result.keyPrices = vtkTable::SafeDownCast(filter->GetOutputDataObject(5));
   }
-  else if (filter->IsA("vtkFeatureCurveSuggestion"))
+  else if (auto* const suggestion = vtkFeatureCurveSuggestion::SafeDownCast(filter))
   {
     result.curves = filter->GetOutput(5);
+    result.search = vtkTable::SafeDownCast(filter->GetOutputDataObject(6));
+    result.leftOutLines = suggestion->GetLeftOutLines();
   }
   result.status = filter->GetStatusName();
   result.remedies = remediesOf(filter);
@@ -318,6 +339,32 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
     throw InputError(messages.firstError());
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> textsOf(vtkStringArray* array)
+{
+  std::vector<std::string> texts;
+  for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k)
+  {
+    texts.push_back(array->GetValue(k));
+  }
+  return texts;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece)
+{
+  std::vector<Remedy> remedies;
+  vtkTable* const table = tables.remedies;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (integerIn(table, row, "Piece") == piece)
+    {
+      remedies.push_back({ textIn(table, row, "Remedy"), textIn(table, row, "Subject") });
+    }
+  }
+  return remedies;
 }
 
 //------------------------------------------------------------------------------

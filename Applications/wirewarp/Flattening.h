@@ -9,8 +9,11 @@
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
+#include <array>
 #include <string>
 #include <vector>
+
+class vtkStringArray;
 
 namespace wirewarp
 {
@@ -34,6 +37,22 @@ inline std::string textIn(vtkTable* table, vtkIdType row, const char* column)
   return table->GetValueByName(row, column).ToString();
 }
 
+/// The values of an array.
+std::vector<std::string> textsOf(vtkStringArray* array);
+
+/// The tables of pieces that vtkFlatPieceAlgorithm gives.
+struct PieceTables
+{
+  vtkSmartPointer<vtkTable> pieces = noTable();
+  vtkSmartPointer<vtkTable> angleIterations = noTable();
+  vtkSmartPointer<vtkTable> isometricIterations = noTable();
+  vtkSmartPointer<vtkTable> releaseTrials = noTable();
+  vtkSmartPointer<vtkTable> remedies = noTable();
+};
+
+/// The remedies of one piece.
+std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece);
+
 /// What became of one surface.
 struct Flattening
 {
@@ -49,8 +68,16 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> flat;
   vtkSmartPointer<vtkPolyData> wires;
   vtkSmartPointer<vtkPolyData> cut;
-  /// With --suggest: all curves, as vtkFeatureCurveSuggestion has them.
+  PieceTables tables; ///< without rows after an error
+  vtkSmartPointer<vtkTable> leftOutPieces = noTable();
+  vtkSmartPointer<vtkTable> curveTable = noTable();
+  std::string sizeWarning;
+  std::array<double, 4> seconds{}; ///< of wires, interior and quality, and in total
+
+  /// With --suggest: all curves, as vtkFeatureCurveSuggestion has them, and what else it found.
   vtkSmartPointer<vtkPolyData> curves;
+  vtkSmartPointer<vtkTable> search = noTable();
+  vtkSmartPointer<vtkTable> leftOutLines = noTable();
   /// With --price-keys: the prices of vtkKeyCurvePrices.
   vtkSmartPointer<vtkTable> keyPrices = noTable();
 
@@ -58,11 +85,13 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> flattenable;
   vtkSmartPointer<vtkPolyData> flattenableCurves;
   vtkSmartPointer<vtkPolyData> flatBefore;
+  PieceTables tablesBefore; ///< pieces alone
   vtkSmartPointer<vtkTable> shiftMeasures = noTable();
   vtkIdType shiftTrials = 0;
 
   /// With --resew: output 0 of vtkSewnShape.
   vtkSmartPointer<vtkPolyData> sewn;
+  vtkSmartPointer<vtkTable> sewnShapes = noTable();
 
   /// With --grade: the output of vtkPatternGrading.
   vtkSmartPointer<vtkPolyData> grading;
@@ -70,9 +99,9 @@ struct Flattening
   std::string unit = "cm"; ///< of the surface, as in Units.h
   bool unitStated = false; ///< by --unit or by the file; else it is taken for granted
 
-  double curveDistance = 0.0; ///< of the curves' points from the surface, at most
-  /// What the command itself warns of, beside the filter's RunWarnings.
-  std::vector<std::string> notes;
+  double curveDistance = 0.0;        ///< of the curves' points from the surface, at most
+  std::vector<std::string> warnings; ///< of the filter
+  std::vector<std::string> notes;    ///< what the command itself warns of
   /// What was done to the pieces of a pattern.
   std::vector<std::string> patternNotes;
   /// Files that were asked for and cannot be written, with the reasons; the others are.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns.h"
 
-#include "FieldRows.h"
 #include "FlagWords.h"
 #include "Flattening.h"
 #include "InputError.h"
@@ -244,8 +243,7 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
     }
     std::cerr << "wirewarp: note: " << plainText(note) << "\n";
   }
-  if (!names.empty() && !result.unitStated &&
-    FieldRows(result.flat).count("SizeWarning") == 0) // which tells of it
+  if (!names.empty() && !result.unitStated && result.sizeWarning.empty()) // which tells of it
   {
     std::cerr << "wirewarp: warning: the unit of " << plainText(surface)
               << " is taken as cm; state it with --unit mm, cm, m or inch\n";

@@ -2,7 +2,6 @@
 #include "Picture.h"
 
 #include "Display.h"
-#include "FieldRows.h"
 #include "Flattening.h"
 #include "InputError.h"
 #include "Options.h"
@@ -98,12 +97,12 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   };
   const auto& threads = figures::threadColorings;
   figures::PatternScene scene;
-  scene.piece = { result.flat, result.wires, result.cut };
+  scene.piece = { result.flat, result.wires, result.cut, result.tables.pieces, result.curveTable };
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
   demand(scene.coloring != figures::Coloring::Distance || result.sewn,
     "sewn pieces: run wirewarp sew on the result first");
   demand(std::find(threads.begin(), threads.end(), scene.coloring) == threads.end() ||
-      FieldRows(result.flat).count("StrainWarpRms") > 0,
+      result.tables.pieces->GetColumnByName("StrainWarpRms"),
     "pieces of a material: flatten with --material");
   scene.title = std::filesystem::path(options.surface).stem().string() + ", scheme " +
     options.values.text("Scheme");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
-#include "FieldRows.h"
 #include "FlagWords.h"
 #include "KeyPriceTable.h"
 #include "SeamReport.h"
@@ -9,8 +8,13 @@
 #include "Units.h"
 
 #include <nlohmann/json.hpp>
+#include <vtkAbstractArray.h>
+#include <vtkMath.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
+#include <sstream>
+#include <vector>
 
 namespace wirewarp
 {
@@ -18,44 +22,174 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-Json texts(const FieldRows& field, const char* array)
+enum class Kind
+{
+  Text,
+  Integer,
+  Number,
+  Truth
+};
+
+/// A key of the report and the column of a table that it has.
+struct Column
+{
+  const char* key;
+  const char* name;
+  Kind kind;
+};
+using Columns = std::vector<Column>;
+
+const Columns pieceColumns{ { "piece", "Piece", Kind::Integer }, { "name", "Name", Kind::Text },
+  { "status", "Status", Kind::Text }, { "id_kind", "StatusIdKind", Kind::Text },
+  { "size", "SizeInWords", Kind::Text }, { "ease", "EaseInWords", Kind::Text },
+  { "triangles", "Triangles", Kind::Integer }, { "vertices", "Vertices", Kind::Integer },
+  { "wire_patches", "WirePatches", Kind::Integer }, { "wire_nodes", "WireNodes", Kind::Integer },
+  { "free_wire_nodes", "FreeWireNodes", Kind::Integer },
+  { "constraints", "Constraints", Kind::Integer }, { "iterations", "Iterations", Kind::Integer },
+  { "objective", "Objective", Kind::Number },
+  { "closure_residual", "ClosureResidual", Kind::Number },
+  { "E_len", "EdgeLengthError", Kind::Number }, { "E_len_max", "MaxEdgeLengthError", Kind::Number },
+  { "E_ang", "AngleErrorMean", Kind::Number }, { "E_h", "GlobalHomogeneity", Kind::Number },
+  { "E_r", "GlobalAspectRatio", Kind::Number }, { "E_area", "AreaError", Kind::Number },
+  { "strain_p95", "StrainP95", Kind::Number }, { "energy_rigid", "RigidEnergy", Kind::Number },
+  { "energy_sheet", "DistortionEnergy", Kind::Number },
+  { "energy_angles", "AngleEnergy", Kind::Number }, { "cut_length", "CutLength", Kind::Number },
+  { "flipped", "FlippedTriangles", Kind::Integer }, { "overlaps", "Overlaps", Kind::Integer },
+  { "overlaps_complete", "OverlapsComplete", Kind::Truth },
+  { "solver_used", "SolverUsed", Kind::Text }, { "energy_used", "EnergyUsed", Kind::Text },
+  { "repaired", "Repaired", Kind::Truth }, { "fallbacks", "Fallbacks", Kind::Text },
+  { "verdict", "Verdict", Kind::Text }, { "forecast_area_loss", "ForecastAreaLoss", Kind::Number },
+  { "forecast_area_loss_after_cut", "ForecastAreaLossAfterCut", Kind::Number },
+  { "forecast_cut_from", "ForecastCutFrom", Kind::Integer },
+  { "forecast_cut_to", "ForecastCutTo", Kind::Integer } };
+
+/// Of threads, with a material; an infinite limit is null.
+const Columns clothColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
+  { "strain_weft_rms", "StrainWeftRms", Kind::Number }, { "shear_rms", "ShearRms", Kind::Number },
+  { "share_out_of_limit", "ShareOutOfLimit", Kind::Number },
+  { "share_over_5_percent", "ShareOver5Percent", Kind::Number },
+  { "share_locked", "ShareLocked", Kind::Number }, { "shear_limit", "ShearLimit", Kind::Number },
+  { "grain_angle", "GrainAngle", Kind::Number }, { "grain_curve", "GrainCurve", Kind::Text },
+  { "one_way", "OneWay", Kind::Truth } };
+
+const Columns sewnThreadColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
+  { "strain_weft_rms", "StrainWeftRms", Kind::Number }, { "shear_rms", "ShearRms", Kind::Number } };
+
+const Columns curveColumns{ { "name", "Name", Kind::Text }, { "type", "Type", Kind::Text },
+  { "length_3d", "RestLength", Kind::Number }, { "length_2d", "FlatLength", Kind::Number },
+  { "error", "LengthError", Kind::Number }, { "tolerance", "Tolerance", Kind::Number },
+  { "closed_length", "ClosedLength", Kind::Number }, { "sensitivity", "Sensitivity", Kind::Number },
+  { "released", "Released", Kind::Truth } };
+
+const Columns angleColumns{ { "phase", "Phase", Kind::Text },
+  { "objective", "Objective", Kind::Number }, { "closure", "Closure", Kind::Number },
+  { "optimality", "Optimality", Kind::Number }, { "step", "Step", Kind::Number } };
+
+const Columns isometricColumns{ { "exact", "Exact", Kind::Truth },
+  { "energy", "Energy", Kind::Number }, { "length_error", "LengthError", Kind::Number },
+  { "optimality", "Optimality", Kind::Number }, { "move", "Move", Kind::Number } };
+
+const Columns leftOutColumns{ { "reason", "Reason", Kind::Text }, { "cell", "Cell", Kind::Integer },
+  { "triangles", "Triangles", Kind::Integer } };
+
+const Columns sewnColumns{ { "pieces", "Pieces", Kind::Integer },
+  { "triangles", "Triangles", Kind::Integer }, { "size", "Size", Kind::Number },
+  { "distance_mean", "DistanceMean", Kind::Number },
+  { "distance_rms", "DistanceRms", Kind::Number }, { "distance_p95", "DistanceP95", Kind::Number },
+  { "distance_max", "DistanceMax", Kind::Number },
+  { "distance_mean_relative", "RelativeDistanceMean", Kind::Number },
+  { "distance_max_relative", "RelativeDistanceMax", Kind::Number },
+  { "normal_deviation_mean", "NormalDeviationMean", Kind::Number },
+  { "strain_mean", "StrainMean", Kind::Number }, { "strain_p95", "StrainP95", Kind::Number },
+  { "strain_max", "StrainMax", Kind::Number },
+  { "compressed_area", "CompressedArea", Kind::Number },
+  { "energy_membrane", "MembraneEnergy", Kind::Number },
+  { "energy_bending", "BendingEnergy", Kind::Number }, { "body_depth", "BodyDepth", Kind::Number },
+  { "second_distance_mean", "SecondDistanceMean", Kind::Number },
+  { "several_shapes", "SeveralShapes", Kind::Truth }, { "iterations", "Iterations", Kind::Integer },
+  { "converged", "Converged", Kind::Truth } };
+
+Json valueOf(vtkTable* table, vtkIdType row, const Column& column)
+{
+  switch (column.kind)
+  {
+    case Kind::Text:
+      return textIn(table, row, column.name);
+    case Kind::Integer:
+      return integerIn(table, row, column.name);
+    case Kind::Truth:
+      return integerIn(table, row, column.name) != 0;
+    default:
+      return numberIn(table, row, column.name);
+  }
+}
+
+Json rowOf(vtkTable* table, vtkIdType row, const Columns& columns)
+{
+  Json object = Json::object();
+  for (const Column& column : columns)
+  {
+    object[column.key] = valueOf(table, row, column);
+  }
+  return object;
+}
+
+Json rowsOf(vtkTable* table, const Columns& columns)
 {
   Json rows = Json::array();
-  for (vtkIdType row = 0; row < field.count(array); ++row)
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    rows.push_back(field.text(array, row));
+    rows.push_back(rowOf(table, row, columns));
   }
   return rows;
 }
 
-/// Curves to release, the best first, and what that would bring; null where there is none.
-Json releaseAdvice(const FieldRows& field, const FieldRows& wires, vtkIdType piece)
+/// The table that rows of a report were made of.
+void addColumn(const Json& rows, const Column& column, vtkTable* table)
 {
-  const vtkIdType curve = field.integer("ReleaseFirst", piece);
-  if (field.count("ReleaseFirst") == 0 || curve < 0)
+  const bool text = column.kind == Kind::Text;
+  const vtkSmartPointer<vtkAbstractArray> array =
+    vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(text ? VTK_STRING : VTK_DOUBLE));
+  array->SetName(column.name);
+  for (const Json& row : rows)
+  {
+    const Json& value = row.at(column.key);
+    array->InsertVariantValue(array->GetNumberOfValues(),
+      text ? vtkVariant(value.get<std::string>())
+        : value.is_null()
+        ? vtkVariant(vtkMath::Inf())
+        : vtkVariant(value.is_boolean() ? (value.get<bool>() ? 1.0 : 0.0) : value.get<double>()));
+  }
+  table->AddColumn(array);
+}
+
+/// Curves to release, the best first, and what that would bring; null where there is none.
+Json releaseAdvice(const PieceTables& tables, vtkIdType piece)
+{
+  const std::string first = textIn(tables.pieces, piece, "ReleaseFirst");
+  if (first.empty())
   {
     return nullptr;
   }
-  const double first = field.number("ObjectiveWithoutFirst", piece);
+  const double objective = numberIn(tables.pieces, piece, "ObjectiveWithoutFirst");
   Json ranking = Json::array();
-  for (vtkIdType row = 0; row < field.count("ReleasePiece"); ++row)
+  vtkTable* const trials = tables.releaseTrials;
+  for (vtkIdType row = 0; row < trials->GetNumberOfRows(); ++row)
   {
-    if (field.integer("ReleasePiece", row) == piece)
+    if (integerIn(trials, row, "Piece") == piece)
     {
-      const vtkIdType id = field.integer("ReleaseCurve", row);
-      const bool tried = field.integer("ReleaseTried", row) != 0;
+      const bool tried = integerIn(trials, row, "Tried") != 0;
       const auto without = [&](const char* name) {
-        return tried ? Json(field.number(name, row)) : Json(nullptr);
+        return tried ? Json(numberIn(trials, row, name)) : Json(nullptr);
       };
-      ranking.push_back({ { "curve", wires.text("CurveNames", id) },
-        { "release", field.integer("ReleaseShape", row) != 0 ? "shape" : "curve" },
-        { "objective_without", without("ReleaseObjective") },
-        { "E_area_without", without("ReleaseAreaError") },
-        { "E_h_without", without("ReleaseHomogeneity") } });
+      ranking.push_back({ { "curve", textIn(trials, row, "Name") },
+        { "release", integerIn(trials, row, "Shape") != 0 ? "shape" : "curve" },
+        { "objective_without", without("Objective") }, { "E_area_without", without("AreaError") },
+        { "E_h_without", without("Homogeneity") } });
     }
   }
-  return { { "first", wires.text("CurveNames", curve) },
-    { "objective_without_first", first >= 0.0 ? Json(first) : Json(nullptr) },
+  return { { "first", first },
+    { "objective_without_first", objective >= 0.0 ? Json(objective) : Json(nullptr) },
     { "ranking", ranking } };
 }
 
@@ -71,27 +205,13 @@ Json seamReports(const Flattening& result)
   return seams;
 }
 
-/// The rows of all iterations to their pieces.
-void addHistory(const FieldRows& field, Json& pieces)
+/// Adds the rows of a table to a list of their pieces.
+void addLists(vtkTable* table, const Columns& columns, const char* key, Json& pieces)
 {
-  for (vtkIdType row = 0; row < field.count("HistoryPiece"); ++row)
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const auto piece = static_cast<std::size_t>(field.integer("HistoryPiece", row));
-    pieces.at(piece)["history"].push_back({ { "phase", field.text("HistoryPhase", row) },
-      { "objective", field.number("HistoryObjective", row) },
-      { "closure", field.number("HistoryClosure", row) },
-      { "optimality", field.number("HistoryOptimality", row) },
-      { "step", field.number("HistoryStep", row) } });
-  }
-  for (vtkIdType row = 0; row < field.count("IsometricHistoryPiece"); ++row)
-  {
-    const auto piece = static_cast<std::size_t>(field.integer("IsometricHistoryPiece", row));
-    pieces.at(piece)["isometric_history"].push_back(
-      { { "exact", field.integer("IsometricHistoryExact", row) != 0 },
-        { "energy", field.number("IsometricHistoryEnergy", row) },
-        { "length_error", field.number("IsometricHistoryLengthError", row) },
-        { "optimality", field.number("IsometricHistoryOptimality", row) },
-        { "move", field.number("IsometricHistoryMove", row) } });
+    const auto piece = static_cast<std::size_t>(integerIn(table, row, "Piece"));
+    pieces.at(piece)[key].push_back(rowOf(table, row, columns));
   }
 }
 
@@ -105,90 +225,41 @@ Json remedyReports(const std::vector<Remedy>& remedies)
   return list;
 }
 
-/// What the threads of a piece have to do; null without a material.
-Json clothReport(const FieldRows& field, vtkIdType piece)
+/// How a piece ended.
+Json pieceStatus(const PieceTables& tables, vtkIdType piece)
 {
-  if (field.count("StrainWarpRms") == 0)
-  {
-    return nullptr;
-  }
-  return { { "strain_warp_rms", field.number("StrainWarpRms", piece) },
-    { "strain_weft_rms", field.number("StrainWeftRms", piece) },
-    { "shear_rms", field.number("ShearRms", piece) },
-    { "share_out_of_limit", field.number("ShareOutOfLimit", piece) },
-    { "share_over_5_percent", field.number("ShareOver5Percent", piece) },
-    { "share_locked", field.number("ShareLocked", piece) },
-    { "shear_limit", field.number("ShearLimit", piece) }, // infinite: null
-    { "grain_angle", field.number("GrainAngle", piece) },
-    { "grain_curve", field.text("GrainCurve", piece) },
-    { "one_way", field.integer("OneWay", piece) != 0 } };
-}
-
-/// How a piece ended, in the keys that the report has for all of them.
-Json pieceStatus(const FieldRows& field, vtkIdType piece)
-{
-  const std::vector<Remedy> remedies = remediesOf(field, piece);
+  const std::vector<Remedy> remedies = remediesOf(tables, piece);
   Json ids = Json::array();
-  for (vtkIdType row = 0; row < field.count("StatusIdPiece"); ++row)
+  std::istringstream words(textIn(tables.pieces, piece, "StatusIds"));
+  for (long long id = 0; words >> id;)
   {
-    if (field.integer("StatusIdPiece", row) == piece)
-    {
-      ids.push_back(field.integer("StatusId", row));
-    }
+    ids.push_back(id);
   }
-  return { { "status", field.text("Status", piece) },
-    { "message", messageOf(field.text("StatusDefect", piece), remedies) }, { "ids", ids },
-    { "id_kind", field.text("StatusIdKind", piece) }, { "remedies", remedyReports(remedies) } };
+  return { { "message", messageOf(textIn(tables.pieces, piece, "StatusDefect"), remedies) },
+    { "ids", ids }, { "remedies", remedyReports(remedies) } };
 }
 
-Json pieceReports(const FieldRows& field, const FieldRows& wires)
+Json pieceReports(const PieceTables& tables)
 {
-  Json pieces = Json::array();
-  for (vtkIdType piece = 0; piece < field.count("Triangles"); ++piece)
+  vtkTable* const table = tables.pieces;
+  const bool cloth = table->GetColumnByName("StrainWarpRms") != nullptr;
+  Json pieces = rowsOf(table, pieceColumns);
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    pieces.push_back({ { "piece", piece }, { "name", field.text("PieceNames", piece) },
-      { "size", field.text("SizeInWords", piece) }, { "ease", field.text("EaseInWords", piece) },
-      { "triangles", field.integer("Triangles", piece) },
-      { "vertices", field.integer("Vertices", piece) },
-      { "wire_patches", field.integer("WirePatches", piece) },
-      { "wire_nodes", field.integer("WireNodes", piece) },
-      { "free_wire_nodes", field.integer("FreeWireNodes", piece) },
-      { "constraints", field.integer("Constraints", piece) },
-      { "iterations", field.integer("Iterations", piece) },
-      { "objective", field.number("Objective", piece) },
-      { "closure_residual", field.number("ClosureResidual", piece) },
-      { "E_len", field.number("EdgeLengthError", piece) },
-      { "E_len_max", field.number("MaxEdgeLengthError", piece) },
-      { "E_ang", field.number("AngleErrorMean", piece) },
-      { "E_h", field.number("GlobalHomogeneity", piece) },
-      { "E_r", field.number("GlobalAspectRatio", piece) },
-      { "E_area", field.number("AreaError", piece) },
-      { "strain_p95", field.number("StrainP95", piece) },
-      { "energy_rigid", field.number("RigidEnergy", piece) },
-      { "cut_length", field.number("CutLength", piece) },
-      { "flipped", field.integer("FlippedTriangles", piece) },
-      { "overlaps", field.integer("Overlaps", piece) },
-      { "overlaps_complete", field.integer("OverlapsComplete", piece) != 0 },
-      { "solver_used", field.text("SolverUsed", piece) },
-      { "energy_used", field.text("EnergyUsed", piece) },
-      { "repaired", field.integer("Repaired", piece) != 0 },
-      { "fallbacks", field.text("Fallbacks", piece) }, { "verdict", field.text("Verdict", piece) },
-      { "forecast_area_loss", field.number("ForecastAreaLoss", piece) },
-      { "forecast_area_loss_after_cut", field.number("ForecastAreaLossAfterCut", piece) },
-      { "forecast_cut_from", field.integer("ForecastCutFrom", piece) },
-      { "forecast_cut_to", field.integer("ForecastCutTo", piece) },
-      { "release", releaseAdvice(field, wires, piece) }, { "history", Json::array() },
-      { "isometric_history", Json::array() } });
-    pieces.back().update(pieceStatus(field, piece));
-    pieces.back()["cloth"] = clothReport(field, piece);
+    Json& piece = pieces[static_cast<std::size_t>(row)];
+    piece.update(pieceStatus(tables, row));
+    piece["release"] = releaseAdvice(tables, row);
+    piece["history"] = piece["isometric_history"] = Json::array();
+    piece["cloth"] = cloth ? rowOf(table, row, clothColumns) : Json();
   }
-  addHistory(field, pieces);
+  addLists(tables.angleIterations, angleColumns, "history", pieces);
+  addLists(tables.isometricIterations, isometricColumns, "isometric_history", pieces);
   return pieces;
 }
 
 Json warningReports(const Flattening& result)
 {
-  Json warnings = texts(FieldRows(result.flat), "RunWarnings");
+  Json warnings = result.warnings;
   for (const std::string& note : result.notes)
   {
     warnings.push_back(note);
@@ -199,31 +270,18 @@ Json warningReports(const Flattening& result)
 Json sizeReports(const Flattening& result)
 {
   Json sizes = Json::array();
-  const FieldRows field(result.flat);
+  vtkTable* const table = result.tables.pieces;
   const double millimetres = millimetresOf(result.unit);
-  for (vtkIdType piece = 0; piece < field.count("FlatWidth"); ++piece)
+  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
   {
-    sizes.push_back({ { "width_mm", millimetres * field.number("FlatWidth", piece) },
-      { "height_mm", millimetres * field.number("FlatHeight", piece) },
-      { "eased_in", field.number("AreaEasedIn", piece) },
-      { "stretched", field.number("AreaStretched", piece) },
-      { "worst_change", field.number("WorstAreaChange", piece) },
-      { "worst_place", field.text("WorstPlace", piece) } });
+    sizes.push_back({ { "width_mm", millimetres * numberIn(table, piece, "FlatWidth") },
+      { "height_mm", millimetres * numberIn(table, piece, "FlatHeight") },
+      { "eased_in", numberIn(table, piece, "AreaEasedIn") },
+      { "stretched", numberIn(table, piece, "AreaStretched") },
+      { "worst_change", numberIn(table, piece, "WorstAreaChange") },
+      { "worst_place", textIn(table, piece, "WorstPlace") } });
   }
   return sizes;
-}
-
-/// Pieces that --skip-closed left out.
-Json leftOutReports(const FieldRows& field)
-{
-  Json pieces = Json::array();
-  for (vtkIdType row = 0; row < field.count("LeftOutCells"); ++row)
-  {
-    pieces.push_back({ { "reason", field.text("LeftOutReasons", row) },
-      { "cell", field.integer("LeftOutCells", row) },
-      { "triangles", field.integer("LeftOutTriangles", row) } });
-  }
-  return pieces;
 }
 
 /// How the surface was moved, and its pieces before; null without --flattenable.
@@ -247,7 +305,7 @@ Json flattenableReport(const Options& options, const Flattening& result)
     { "shift_inwards_max", number("ShiftInwardsMax") },
     { "shift_mean_relative", number("RelativeShiftMean") },
     { "shift_max_relative", number("RelativeShiftMax") }, { "trials", result.shiftTrials },
-    { "pieces_before", pieceReports(FieldRows(result.flatBefore), FieldRows(result.wires)) } };
+    { "pieces_before", pieceReports(result.tablesBefore) } };
 }
 
 Json keyPriceReports(const Flattening& result)
@@ -261,88 +319,74 @@ Json keyPriceReports(const Flattening& result)
   return trials;
 }
 
-/// Of sewn cloth; null without a material.
-Json sewnThreads(const FieldRows& field, vtkIdType row)
+/// One row per piece, or all that is sewn together; none without --resew.
+Json resewnReports(const Options& options, vtkTable* table)
 {
-  if (field.count("StrainWarpRms") == 0)
+  const bool cloth = table->GetColumnByName("StrainWarpRms") != nullptr;
+  Json rows = rowsOf(table, sewnColumns);
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    return nullptr;
-  }
-  return { { "strain_warp_rms", field.number("StrainWarpRms", row) },
-    { "strain_weft_rms", field.number("StrainWeftRms", row) },
-    { "shear_rms", field.number("ShearRms", row) } };
-}
-
-/// One row a piece, or all that is sewn together; none without --resew.
-Json resewnReports(const Options& options, const FieldRows& field)
-{
-  Json rows = Json::array();
-  for (vtkIdType row = 0; row < field.count("DistanceMean"); ++row)
-  {
-    rows.push_back({ { "test", options.resewing.test }, { "pieces", field.integer("Pieces", row) },
-      { "triangles", field.integer("Triangles", row) }, { "size", field.number("Size", row) },
-      { "distance_mean", field.number("DistanceMean", row) },
-      { "distance_rms", field.number("DistanceRMS", row) },
-      { "distance_p95", field.number("DistanceP95", row) },
-      { "distance_max", field.number("DistanceMax", row) },
-      { "distance_mean_relative", field.number("RelativeDistanceMean", row) },
-      { "distance_max_relative", field.number("RelativeDistanceMax", row) },
-      { "normal_deviation_mean", field.number("NormalDeviationMean", row) },
-      { "strain_mean", field.number("StrainMean", row) },
-      { "strain_p95", field.number("StrainP95", row) },
-      { "strain_max", field.number("StrainMax", row) },
-      { "compressed_area", field.number("CompressedArea", row) },
-      { "cloth", sewnThreads(field, row) },
-      { "energy_membrane", field.number("MembraneEnergy", row) },
-      { "energy_bending", field.number("BendingEnergy", row) },
-      { "body_depth", field.number("BodyDepth", row) },
-      { "second_distance_mean",
-        options.resewing.values.flag("SecondStart") ? Json(field.number("SecondDistanceMean", row))
-                                                    : nullptr },
-      { "several_shapes",
-        options.resewing.values.flag("SecondStart") ? Json(field.integer("SeveralShapes", row) != 0)
-                                                    : nullptr },
-      { "iterations", field.integer("Iterations", row) },
-      { "converged", field.integer("Converged", row) != 0 } });
+    Json& shape = rows[static_cast<std::size_t>(row)];
+    shape["test"] = options.resewing.test;
+    shape["cloth"] = cloth ? rowOf(table, row, sewnThreadColumns) : Json();
+    if (!options.resewing.values.flag("SecondStart"))
+    {
+      shape["second_distance_mean"] = shape["several_shapes"] = nullptr;
+    }
   }
   return rows;
-}
-
-Json curveReports(const FieldRows& field)
-{
-  Json curves = Json::array();
-  for (vtkIdType curve = 0; curve < field.count("CurveNames"); ++curve)
-  {
-    curves.push_back({ { "name", field.text("CurveNames", curve) },
-      { "type", curveTypeName(field.integer("CurveTypes", curve)) },
-      { "length_3d", field.number("CurveRestLengths", curve) },
-      { "length_2d", field.number("CurveFlatLengths", curve) },
-      { "error", field.number("CurveLengthErrors", curve) },
-      { "tolerance", field.number("CurveTolerances", curve) },
-      { "closed_length", field.number("CurveClosedLengths", curve) },
-      { "sensitivity", field.number("CurveSensitivities", curve) },
-      { "released", field.integer("CurveReleased", curve) != 0 } });
-  }
-  return curves;
 }
 }
 
 //------------------------------------------------------------------------------
-std::string curveTypeName(long long type)
+void takeReport(const std::string& text, Flattening& result)
 {
-  static constexpr std::array<const char*, 4> names{ "accessory", "key", "dart", "seam" };
-  return type >= 0 && type < 4 ? names[static_cast<std::size_t>(type)] : "unknown";
+  const Json report = Json::parse(text);
+  const Json& pieces = report.at("pieces");
+  vtkTable* const table = result.tables.pieces;
+  for (const Column& column : pieceColumns)
+  {
+    addColumn(pieces, column, table);
+  }
+  addColumn(pieces, { "message", "StatusDefect", Kind::Text }, table);
+  Json sizes = report.at("sizes");
+  Json cloths = Json::array();
+  const double millimetres = millimetresOf(report.at("unit").get<std::string>());
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+  {
+    for (const char* const side : { "width_mm", "height_mm" })
+    {
+      sizes[k][side] = sizes[k][side].get<double>() / millimetres;
+    }
+    cloths.push_back(pieces.at(k).at("cloth"));
+  }
+  addColumn(sizes, { "width_mm", "FlatWidth", Kind::Number }, table);
+  addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number }, table);
+  if (!cloths.empty() && cloths.front().is_object())
+  {
+    for (const Column& column : clothColumns)
+    {
+      addColumn(cloths, column, table);
+    }
+  }
+  for (const Column& column : curveColumns)
+  {
+    addColumn(report.at("curves"), column, result.curveTable);
+  }
+  const std::array<const char*, 4> stages{ "wires", "interior", "quality", "core" };
+  for (std::size_t k = 0; k < stages.size(); ++k)
+  {
+    result.seconds[k] = report.at("seconds").at(stages[k]).get<double>();
+  }
 }
 
 //------------------------------------------------------------------------------
 std::string makeReport(const Options& options, const Flattening& result)
 {
-  const FieldRows flat(result.flat);
-  const FieldRows wires(result.wires);
   if (!result.savedReport.empty())
   {
     Json saved = Json::parse(result.savedReport);
-    saved["resewn"] = resewnReports(options, FieldRows(result.sewn));
+    saved["resewn"] = resewnReports(options, result.sewnShapes);
     return saved.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   }
   const bool conformal = options.values.text("Scheme") == "lscm"; // it has neither
@@ -361,18 +405,18 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "pattern_notes", result.patternNotes }, { "unwritten", result.unwritten },
     { "unit", result.unit }, { "unit_stated", result.unitStated },
     { "curve_distance_mm", result.curveDistance * millimetresOf(result.unit) },
-    { "pieces", pieceReports(flat, wires) }, { "sizes", sizeReports(result) },
-    { "left_out", leftOutReports(flat) }, { "curves", curveReports(wires) },
-    { "seams", seamReports(result) }, { "suggestions", suggestionReports(result) },
+    { "pieces", pieceReports(result.tables) }, { "sizes", sizeReports(result) },
+    { "left_out", rowsOf(result.leftOutPieces, leftOutColumns) },
+    { "curves", rowsOf(result.curveTable, curveColumns) }, { "seams", seamReports(result) },
+    { "suggestions", suggestionReports(result) },
     { "flattenable", flattenableReport(options, result) },
     { "suggestions_left_out", leftOutLineReports(result) },
     { "suggestions_mirror", mirrorReport(result) }, { "key_prices", keyPriceReports(result) },
-    { "resewn", resewnReports(options, FieldRows(result.sewn)) },
+    { "resewn", resewnReports(options, result.sewnShapes) },
     { "seconds",
-      { { "read", result.secondsRead }, { "core", flat.number("SecondsTotal", 0) },
-        { "wires", flat.number("SecondsWires", 0) },
-        { "interior", flat.number("SecondsInterior", 0) },
-        { "quality", flat.number("SecondsQuality", 0) }, { "write", result.secondsWrite },
+      { { "read", result.secondsRead }, { "core", result.seconds[3] },
+        { "wires", result.seconds[0] }, { "interior", result.seconds[1] },
+        { "quality", result.seconds[2] }, { "write", result.secondsWrite },
         { "total", result.secondsTotal } } } };
   // File names may hold any bytes; those that are no UTF-8 become replacement characters.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Resewing.h"
 
-#include "FieldRows.h"
 #include "Flattening.h"
 #include "Progress.h"
 #include "ReadSurface.h"
@@ -59,14 +58,15 @@ void sewAgain(const ResewingRequest& request, const std::string& body, const std
   {
     result.flat = result.wires = result.cut = result.curves = nullptr;
     result.flattenable = result.flattenableCurves = result.flatBefore = nullptr;
+    result.tables = result.tablesBefore = PieceTables();
+    result.curveTable = result.leftOutPieces = result.leftOutLines = noTable();
+    result.shiftMeasures = noTable();
     return;
   }
   result.sewn = sewn->GetOutput(0);
-  const FieldRows field(result.sewn);
-  for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
-  {
-    result.notes.push_back(field.text("RunWarnings", row));
-  }
+  result.sewnShapes = sewn->GetShapes();
+  const std::vector<std::string> warnings = textsOf(sewn->GetStatusWarnings());
+  result.notes.insert(result.notes.end(), warnings.begin(), warnings.end());
 }
 
 //------------------------------------------------------------------------------
@@ -76,24 +76,24 @@ std::string resewingTable(const ResewingRequest& request, const Flattening& resu
   {
     return "";
   }
-  const FieldRows field(result.sewn);
-  const vtkIdType shapes = field.count("DistanceMean");
+  const vtkIdType shapes = result.sewnShapes->GetNumberOfRows();
   std::ostringstream text;
   text << std::setprecision(2) << '\n';
   for (vtkIdType row = 0; row < shapes; ++row)
   {
-    const auto percent = [&](const char* array) { return 100.0 * field.number(array, row); };
+    const auto number = [&](const char* name) { return numberIn(result.sewnShapes, row, name); };
+    const auto percent = [&](const char* name) { return 100.0 * number(name); };
     const bool product = request.test == "product";
     text << (product ? "product" : "piece");
     if (!product || shapes > 1)
     {
       text << ' ' << row + 1;
     }
-    text << " sewn again: " << field.number("DistanceMean", row) << ' ' << result.unit
+    text << " sewn again: " << number("DistanceMean") << ' ' << result.unit
          << " from the surface in the mean (" << percent("RelativeDistanceMean")
-         << " % of its size), " << field.number("DistanceP95", row) << " on 95 %, "
-         << field.number("DistanceMax", row) << " at most; strained by " << percent("StrainP95")
-         << " % on 95 %, " << percent("CompressedArea") << " % of it compressed\n";
+         << " % of its size), " << number("DistanceP95") << " on 95 %, " << number("DistanceMax")
+         << " at most; strained by " << percent("StrainP95") << " % on 95 %, "
+         << percent("CompressedArea") << " % of it compressed\n";
   }
   return text.str();
 }

@@ -48,6 +48,7 @@ void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result)
     result.flattenable = filter->GetOutput(5);
     result.flattenableCurves = filter->GetOutput(6);
     result.flatBefore = filter->GetOutput(7);
+    result.tablesBefore.pieces = vtkTable::SafeDownCast(filter->GetOutputDataObject(8));
     result.shiftMeasures = vtkTable::SafeDownCast(filter->GetOutputDataObject(9));
     result.shiftTrials = reshaping->GetTrials()->GetNumberOfRows();
   }

@@ -3,6 +3,7 @@
 
 #include "InputError.h"
 #include "ReadVtk.h"
+#include "Report.h"
 #include "TextFile.h"
 
 #include <nlohmann/json.hpp>
@@ -87,6 +88,8 @@ Flattening readResult(const Options& options)
     result.message = report.at("message").get<std::string>();
     result.unit = report.at("unit").get<std::string>();
     result.unitStated = report.at("unit_stated").get<bool>();
+    result.savedReport = report.dump();
+    takeReport(result.savedReport, result);
   }
   catch (const Json::exception&)
   {
@@ -106,7 +109,6 @@ Flattening readResult(const Options& options)
   {
     result.sewn = readVtk(sewn);
   }
-  result.savedReport = report.dump();
   return result;
 }
 }

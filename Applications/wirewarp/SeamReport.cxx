@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamReport.h"
 
-#include "FieldRows.h"
-
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -55,7 +53,6 @@ std::vector<SewnBanks> sewnBanks(const Flattening& result)
   {
     return {};
   }
-  const FieldRows wires(result.wires);
   const std::vector<long long> pieces = pieceOfPoint(result.flat);
   std::map<std::array<long long, 3>, SewnBanks> found;
   for (vtkIdType row = 0; row < pairs->GetNumberOfTuples(); ++row)
@@ -72,7 +69,7 @@ std::vector<SewnBanks> sewnBanks(const Flattening& result)
       std::swap(lengths[0], lengths[1]);
     }
     SewnBanks& banks = found[{ point(4), sides[0], sides[1] }];
-    banks.curve = wires.text("CurveNames", point(4));
+    banks.curve = textIn(result.curveTable, point(4), "Name");
     banks.pieces = sides;
     ++banks.edges;
     banks.lengths[0] += lengths[0];

@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SuggestedCuts.h"
 
-#include "FieldRows.h"
 #include "PlainText.h"
-#include "Report.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkStringArray.h>
 
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
 namespace wirewarp
 {
+namespace
+{
+std::string curveTypeName(double type)
+{
+  static constexpr std::array<const char*, 4> names{ "accessory", "key", "dart", "seam" };
+  return names.at(static_cast<std::size_t>(type));
+}
+}
+
 //------------------------------------------------------------------------------
 std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
 {
@@ -38,7 +46,7 @@ std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
   for (vtkIdType row = first; row < count; ++row)
   {
     SuggestedCut cut;
-    cut.type = static_cast<long long>(at("CurveType", row));
+    cut.type = curveTypeName(at("CurveType", row));
     cut.name = names->GetValue(row);
     cut.length = at("Length", row);
     cut.predictedGain = at("PredictedGain", row);
@@ -59,17 +67,13 @@ std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
 std::vector<LeftOutLine> leftOutLines(const Flattening& result)
 {
   std::vector<LeftOutLine> lines;
-  vtkFieldData* const field = result.curves ? result.curves->GetFieldData() : nullptr;
-  auto* const names =
-    field ? vtkStringArray::SafeDownCast(field->GetAbstractArray("LeftOutCurveName")) : nullptr;
-  for (vtkIdType row = 0; names && row < names->GetNumberOfValues(); ++row)
+  vtkTable* const table = result.leftOutLines;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const auto at = [field, row](const std::string& array) {
-      return field->GetArray(("LeftOut" + array).c_str())->GetComponent(row, 0);
-    };
+    const auto at = [table, row](const char* name) { return numberIn(table, row, name); };
     LeftOutLine line;
-    line.type = static_cast<long long>(at("CurveType"));
-    line.name = names->GetValue(row);
+    line.type = textIn(table, row, "Type");
+    line.name = textIn(table, row, "Name");
     line.length = at("Length");
     line.gain = at("Gain");
     line.areaErrorBefore = at("AreaErrorBefore");
@@ -80,6 +84,19 @@ std::vector<LeftOutLine> leftOutLines(const Flattening& result)
     lines.push_back(line);
   }
   return lines;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> mirrorNumbers(const Flattening& result, const char* array)
+{
+  std::vector<double> numbers;
+  vtkDataArray* const values =
+    result.curves ? result.curves->GetFieldData()->GetArray(array) : nullptr;
+  for (vtkIdType k = 0; values && k < values->GetNumberOfTuples(); ++k)
+  {
+    numbers.push_back(values->GetComponent(k, 0));
+  }
+  return numbers;
 }
 
 namespace
@@ -95,23 +112,24 @@ void writeHead(const char* what, std::ostream& text)
 /// What the proposals keep to; empty where that is nothing.
 std::string mirrorLine(const Flattening& result)
 {
-  const FieldRows field(result.curves);
-  const auto triple = [&field](const char* array, vtkIdType first) {
+  const std::vector<double> plane = mirrorNumbers(result, "MirrorPlane");
+  const std::vector<double> axis = mirrorNumbers(result, "MirrorAxis");
+  const auto triple = [](const double* numbers) {
     std::ostringstream words;
-    words << std::setprecision(4) << '(' << field.number(array, first) << ", "
-          << field.number(array, first + 1) << ", " << field.number(array, first + 2) << ')';
+    words << std::setprecision(4) << '(' << numbers[0] << ", " << numbers[1] << ", " << numbers[2]
+          << ')';
     return words.str();
   };
   std::ostringstream line;
-  if (field.count("MirrorPlane") > 0)
+  if (!plane.empty())
   {
-    line << "mirrored across the plane with normal " << triple("MirrorPlane", 0) << " and offset "
-         << std::setprecision(4) << field.number("MirrorPlane", 3) << '\n';
+    line << "mirrored across the plane with normal " << triple(plane.data()) << " and offset "
+         << std::setprecision(4) << plane[3] << '\n';
   }
-  else if (field.count("MirrorAxis") > 0)
+  else if (!axis.empty())
   {
-    line << "mirrored, by lengths and angles, across the axis from " << triple("MirrorAxis", 0)
-         << " to " << triple("MirrorAxis", 3) << '\n';
+    line << "mirrored, by lengths and angles, across the axis from " << triple(axis.data())
+         << " to " << triple(axis.data() + 3) << '\n';
   }
   return line.str();
 }

@@ -11,7 +11,7 @@ namespace wirewarp
 /// A row of vtkFeatureCurveSuggestion's curves.
 struct SuggestedCut
 {
-  long long type = 0;
+  std::string type;
   std::string name;
   double length = 0.0;
   double predictedGain = 0.0;
@@ -33,6 +33,9 @@ struct LeftOutLine : SuggestedCut
 /// What --suggest proposed; empty without it.
 std::vector<SuggestedCut> suggestedCuts(const Flattening& result);
 std::vector<LeftOutLine> leftOutLines(const Flattening& result);
+
+/// The numbers of MirrorPlane or MirrorAxis; none where there is no such mirror.
+std::vector<double> mirrorNumbers(const Flattening& result, const char* array);
 
 /// Both as tables, or that nothing is proposed; empty without --suggest.
 std::string suggestionTable(const Flattening& result);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SuggestionReport.h"
 
-#include "FieldRows.h"
-#include "Report.h"
 #include "SuggestedCuts.h"
 
 namespace wirewarp
@@ -13,21 +11,10 @@ using Json = nlohmann::ordered_json;
 
 Json suggestionReport(const SuggestedCut& cut)
 {
-  return { { "type", curveTypeName(cut.type) }, { "name", cut.name }, { "length", cut.length },
+  return { { "type", cut.type }, { "name", cut.name }, { "length", cut.length },
     { "gain", cut.gain }, { "E_area_before", cut.areaErrorBefore },
     { "E_area_after", cut.areaErrorAfter }, { "strain_p95_before", cut.strainBefore },
     { "strain_p95_after", cut.strainAfter } };
-}
-
-/// Some numbers of an array.
-Json numbers(const FieldRows& field, const char* array, vtkIdType first, vtkIdType count)
-{
-  Json list = Json::array();
-  for (vtkIdType k = first; k < first + count; ++k)
-  {
-    list.push_back(field.number(array, k));
-  }
-  return list;
 }
 }
 
@@ -62,17 +49,19 @@ Json leftOutLineReports(const Flattening& result)
 //------------------------------------------------------------------------------
 Json mirrorReport(const Flattening& result)
 {
-  const FieldRows field(result.curves);
-  if (field.count("MirrorPlane") > 0)
+  const std::vector<double> plane = mirrorNumbers(result, "MirrorPlane");
+  const std::vector<double> axis = mirrorNumbers(result, "MirrorAxis");
+  if (!plane.empty())
   {
-    return { { "type", "plane" }, { "normal", numbers(field, "MirrorPlane", 0, 3) },
-      { "offset", field.number("MirrorPlane", 3) } };
+    return { { "type", "plane" }, { "normal", Json::array({ plane[0], plane[1], plane[2] }) },
+      { "offset", plane[3] } };
   }
-  if (field.count("MirrorAxis") > 0)
+  if (!axis.empty())
   {
     return { { "type", "axis" },
       { "ends",
-        Json::array({ numbers(field, "MirrorAxis", 0, 3), numbers(field, "MirrorAxis", 3, 3) }) } };
+        Json::array({ Json::array({ axis[0], axis[1], axis[2] }),
+          Json::array({ axis[3], axis[4], axis[5] }) }) } };
   }
   return nullptr;
 }

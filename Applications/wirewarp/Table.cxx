@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Table.h"
 
-#include "FieldRows.h"
 #include "FlagWords.h"
 #include "PlainText.h"
-#include "Report.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -60,17 +58,17 @@ std::string nameOf(vtkIdType piece)
 
 std::string sizeInMillimetres(const Flattening& result, vtkIdType piece)
 {
-  const FieldRows field(result.flat);
+  vtkTable* const table = result.tables.pieces;
   const double millimetres = millimetresOf(result.unit);
-  return format("%.0f", millimetres * field.number("FlatWidth", piece)) + "x" +
-    format("%.0f", millimetres * field.number("FlatHeight", piece));
+  return format("%.0f", millimetres * numberIn(table, piece, "FlatWidth")) + "x" +
+    format("%.0f", millimetres * numberIn(table, piece, "FlatHeight"));
 }
 
 /// The row of the first curve to release in a piece; past the last where there is none.
-vtkIdType firstRelease(const FieldRows& field, vtkIdType piece)
+vtkIdType firstRelease(vtkTable* trials, vtkIdType piece)
 {
   vtkIdType row = 0;
-  while (row < field.count("ReleasePiece") && field.integer("ReleasePiece", row) != piece)
+  while (row < trials->GetNumberOfRows() && integerIn(trials, row, "Piece") != piece)
   {
     ++row;
   }
@@ -78,57 +76,58 @@ vtkIdType firstRelease(const FieldRows& field, vtkIdType piece)
 }
 
 /// What the trial of a release would better, in the measure of the scheme; empty where nothing.
-std::string gain(const FieldRows& field, vtkIdType piece, vtkIdType row)
+std::string gain(const PieceTables& tables, vtkIdType piece, vtkIdType row)
 {
   // Schemes that choose the wires' angles alone are judged by them.
-  const bool whole = field.count("IsometricHistoryPiece") > 0;
+  const bool whole = tables.isometricIterations->GetNumberOfRows() > 0;
   const char* const measure = whole ? "E_area" : "the objective";
-  const double now = field.number(whole ? "AreaError" : "Objective", piece);
-  const double then = field.number(whole ? "ReleaseAreaError" : "ReleaseObjective", row);
+  const char* const column = whole ? "AreaError" : "Objective";
+  const double now = numberIn(tables.pieces, piece, column);
+  const double then = numberIn(tables.releaseTrials, row, column);
   if (!(then < now))
   {
     return "";
   }
   return std::string(measure) + " would fall from " + format("%.4g", now) + " to " +
     format("%.4g", then) + ", E_h go from " +
-    format("%.3f", field.number("GlobalHomogeneity", piece)) + " to " +
-    format("%.3f", field.number("ReleaseHomogeneity", row));
+    format("%.3f", numberIn(tables.pieces, piece, "GlobalHomogeneity")) + " to " +
+    format("%.3f", numberIn(tables.releaseTrials, row, "Homogeneity"));
 }
 }
 
 //------------------------------------------------------------------------------
 std::string pieceTable(const Flattening& result)
 {
-  const FieldRows field(result.flat);
-  const vtkIdType pieces = field.count("Triangles");
-  const std::string optimized = format("%.3f", field.number("SecondsWires", 0));
-  const std::string all = format("%.3f", field.number("SecondsTotal", 0));
+  vtkTable* const table = result.tables.pieces;
+  const vtkIdType pieces = table->GetNumberOfRows();
+  const std::string optimized = format("%.3f", result.seconds[0]);
+  const std::string all = format("%.3f", result.seconds[3]);
   std::vector<Row> rows{ { "piece", "triangles", "size [mm]", "wire-patches", "E_len x1e3",
     "E_len max", "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips", "overlaps",
     "iterations", "T_opt [s]", "T_all [s]", "status" } };
   for (vtkIdType piece = 0; piece < pieces; ++piece)
   {
-    const std::string name = plainText(field.text("PieceNames", piece));
+    const std::string name = plainText(textIn(table, piece, "Name"));
     rows.push_back({ nameOf(piece) + (name.empty() ? "" : " " + name),
-      std::to_string(field.integer("Triangles", piece)), sizeInMillimetres(result, piece),
-      std::to_string(field.integer("WirePatches", piece)),
-      format("%.2f", 1e3 * field.number("EdgeLengthError", piece)),
-      format("%.1e", field.number("MaxEdgeLengthError", piece)),
-      format("%.1f", 1e3 * field.number("AngleErrorMean", piece)),
-      format("%.3f", field.number("GlobalHomogeneity", piece)),
-      format("%.3f", field.number("GlobalAspectRatio", piece)),
-      format("%.4f", field.number("AreaError", piece)),
-      format("%.4f", field.number("StrainP95", piece)),
-      std::to_string(field.integer("FlippedTriangles", piece)),
-      std::to_string(field.integer("Overlaps", piece)),
-      std::to_string(field.integer("Iterations", piece)), pieces == 1 ? optimized : "-",
-      pieces == 1 ? all : "-", field.text("Status", piece) });
+      std::to_string(integerIn(table, piece, "Triangles")), sizeInMillimetres(result, piece),
+      std::to_string(integerIn(table, piece, "WirePatches")),
+      format("%.2f", 1e3 * numberIn(table, piece, "EdgeLengthError")),
+      format("%.1e", numberIn(table, piece, "MaxEdgeLengthError")),
+      format("%.1f", 1e3 * numberIn(table, piece, "AngleErrorMean")),
+      format("%.3f", numberIn(table, piece, "GlobalHomogeneity")),
+      format("%.3f", numberIn(table, piece, "GlobalAspectRatio")),
+      format("%.4f", numberIn(table, piece, "AreaError")),
+      format("%.4f", numberIn(table, piece, "StrainP95")),
+      std::to_string(integerIn(table, piece, "FlippedTriangles")),
+      std::to_string(integerIn(table, piece, "Overlaps")),
+      std::to_string(integerIn(table, piece, "Iterations")), pieces == 1 ? optimized : "-",
+      pieces == 1 ? all : "-", textIn(table, piece, "Status") });
   }
-  for (vtkIdType row = 0; row < field.count("LeftOutCells"); ++row)
+  for (vtkIdType row = 0; row < result.leftOutPieces->GetNumberOfRows(); ++row)
   {
     Row leftOut(rows.front().size(), "-");
-    leftOut[1] = std::to_string(field.integer("LeftOutTriangles", row));
-    leftOut.back() = field.text("LeftOutReasons", row) + ", left out";
+    leftOut[1] = std::to_string(integerIn(result.leftOutPieces, row, "Triangles"));
+    leftOut.back() = textIn(result.leftOutPieces, row, "Reason") + ", left out";
     rows.push_back(leftOut);
   }
   if (rows.size() != 2)
@@ -146,15 +145,15 @@ std::string pieceTable(const Flattening& result)
 //------------------------------------------------------------------------------
 std::string verdicts(const Flattening& result, bool unitAsked)
 {
-  const FieldRows field(result.flat);
+  vtkTable* const table = result.tables.pieces;
   std::string text;
-  for (vtkIdType piece = 0; piece < field.count("SizeInWords"); ++piece)
+  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
   {
-    const std::string name = plainText(field.text("PieceNames", piece));
+    const std::string name = plainText(textIn(table, piece, "Name"));
     text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
-      field.text("SizeInWords", piece) +
+      textIn(table, piece, "SizeInWords") +
       (result.unitStated || unitAsked || piece > 0 ? "" : " (lengths taken as cm: --unit)") + "; " +
-      plainText(field.text("EaseInWords", piece)) + '\n';
+      plainText(textIn(table, piece, "EaseInWords")) + '\n';
   }
   return text;
 }
@@ -162,18 +161,18 @@ std::string verdicts(const Flattening& result, bool unitAsked)
 //------------------------------------------------------------------------------
 std::string curveTable(const Flattening& result)
 {
-  const FieldRows field(result.wires);
+  vtkTable* const table = result.curveTable;
   std::vector<Row> rows{ { "curve", "length", "flat length", "largest error", "tolerance",
     "type" } };
-  for (vtkIdType curve = 0; curve < field.count("CurveNames"); ++curve)
+  for (vtkIdType curve = 0; curve < table->GetNumberOfRows(); ++curve)
   {
-    rows.push_back({ plainText(field.text("CurveNames", curve)),
-      format("%.10g", field.number("CurveRestLengths", curve)),
-      format("%.10g", field.number("CurveFlatLengths", curve)),
-      format("%.1e", field.number("CurveLengthErrors", curve)),
-      format("%.3g", field.number("CurveTolerances", curve)),
-      curveTypeName(field.integer("CurveTypes", curve)) +
-        (field.integer("CurveReleased", curve) != 0 ? " (released)" : "") });
+    rows.push_back({ plainText(textIn(table, curve, "Name")),
+      format("%.10g", numberIn(table, curve, "RestLength")),
+      format("%.10g", numberIn(table, curve, "FlatLength")),
+      format("%.1e", numberIn(table, curve, "LengthError")),
+      format("%.3g", numberIn(table, curve, "Tolerance")),
+      textIn(table, curve, "Type") +
+        (integerIn(table, curve, "Released") != 0 ? " (released)" : "") });
   }
   return layOut(rows, 1);
 }
@@ -194,23 +193,22 @@ std::string curveDistance(const Flattening& result)
 //------------------------------------------------------------------------------
 std::string releaseAdvice(const Flattening& result)
 {
-  const FieldRows field(result.flat);
-  const FieldRows wires(result.wires);
+  vtkTable* const trials = result.tables.releaseTrials;
   std::string text;
-  for (vtkIdType piece = 0; piece < field.count("ReleaseFirst"); ++piece)
+  for (vtkIdType piece = 0; piece < result.tables.pieces->GetNumberOfRows(); ++piece)
   {
-    const vtkIdType row = firstRelease(field, piece);
-    if (row == field.count("ReleasePiece") || field.integer("ReleaseTried", row) == 0)
+    const vtkIdType row = firstRelease(trials, piece);
+    if (row == trials->GetNumberOfRows() || integerIn(trials, row, "Tried") == 0)
     {
       continue;
     }
-    const std::string better = gain(field, piece, row);
+    const std::string better = gain(result.tables, piece, row);
     if (!better.empty())
     {
-      const bool key = field.integer("ReleaseShape", row) != 0;
+      const bool key = integerIn(trials, row, "Shape") != 0;
       text += "piece " + nameOf(piece) + " has no good exact solution: without " +
         (key ? "the shape of the key curve " : "the curve ") +
-        plainText(wires.text("CurveNames", field.integer("ReleaseCurve", row))) + ' ' + better +
+        plainText(textIn(trials, row, "Name")) + ' ' + better +
         (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
              : "; remove it, or make it elastic with --tolerance\n");
     }
@@ -221,11 +219,10 @@ std::string releaseAdvice(const Flattening& result)
 //------------------------------------------------------------------------------
 std::string warnings(const Flattening& result, const std::string& where)
 {
-  const FieldRows field(result.flat);
   std::string text;
-  for (vtkIdType row = 0; row < field.count("RunWarnings"); ++row)
+  for (const std::string& warning : result.warnings)
   {
-    text += "wirewarp: warning: " + plainText(where + field.text("RunWarnings", row)) + '\n';
+    text += "wirewarp: warning: " + plainText(where + warning) + '\n';
   }
   for (const std::string& note : result.notes)
   {
@@ -248,13 +245,13 @@ std::string writeErrors(const Flattening& result)
 //------------------------------------------------------------------------------
 std::string fallbacks(const Flattening& result)
 {
-  const FieldRows field(result.flat);
+  vtkTable* const table = result.tables.pieces;
   std::string text;
-  for (vtkIdType piece = 0; piece < field.count("Fallbacks"); ++piece)
+  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
   {
-    if (!field.text("Fallbacks", piece).empty())
+    if (!textIn(table, piece, "Fallbacks").empty())
     {
-      text += "piece " + nameOf(piece) + ": " + field.text("Fallbacks", piece) + '\n';
+      text += "piece " + nameOf(piece) + ": " + textIn(table, piece, "Fallbacks") + '\n';
     }
   }
   return text;
@@ -263,14 +260,16 @@ std::string fallbacks(const Flattening& result)
 //------------------------------------------------------------------------------
 std::string pieceWarnings(const Flattening& result, const std::string& where)
 {
-  const FieldRows field(result.flat);
+  vtkTable* const table = result.tables.pieces;
   std::string text;
-  for (vtkIdType piece = 0; piece < field.count("Status"); ++piece)
+  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
   {
-    if (field.text("Status", piece) != "Ok")
+    if (textIn(table, piece, "Status") != "Ok")
     {
       text += "wirewarp: warning: " + plainText(where) + "piece " + nameOf(piece) + ": " +
-        plainText(messageOf(field.text("StatusDefect", piece), remediesOf(field, piece))) + '\n';
+        plainText(
+          messageOf(textIn(table, piece, "StatusDefect"), remediesOf(result.tables, piece))) +
+        '\n';
     }
   }
   return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;

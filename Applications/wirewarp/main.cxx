@@ -2,7 +2,6 @@
 #include "Batch.h"
 #include "Check.h"
 #include "CommandLine.h"
-#include "FieldRows.h"
 #include "FileFormats.h"
 #include "FlattenToFiles.h"
 #include "InputError.h"
@@ -77,8 +76,7 @@ std::string writtenFiles(const std::vector<std::string>& files)
 
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  const bool unitAsked =
-    options.pattern.any() || FieldRows(written.result.flat).count("SizeWarning") > 0;
+  const bool unitAsked = options.pattern.any() || !written.result.sizeWarning.empty();
   if (options.table)
   {
     std::cout << pieceTable(written.result) << '\n' << curveTable(written.result) << '\n';

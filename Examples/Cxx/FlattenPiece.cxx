@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The shortest useful pipeline: a surface and its feature curves in, the flat piece out.
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
 #include <vtkWireWarpingFilter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -32,11 +31,9 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE; // the filter or a reader has said why
   }
 
-  // What the filter measured stands in its field data, a row a piece.
-  std::cout
-    << "largest length error of a wire edge: "
-    << flattening->GetOutput()->GetFieldData()->GetArray("MaxEdgeLengthError")->GetRange()[1]
-    << '\n';
+  // What the filter measured is a table with one row per piece.
+  std::cout << "largest length error of a wire edge: "
+            << flattening->GetPieces()->GetValueByName(0, "MaxEdgeLengthError").ToDouble() << '\n';
 
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToBinary();

@@ -115,7 +115,7 @@ FlatPiece mapQuarterSphere(const Piece& piece)
   filter->SetPins(arcEnd, nextOnBoundary);
   filter->AreaNormalizedOff();
   filter->Update();
-  return { filter->GetOutput(0), filter->GetOutput(1), filter->GetOutput(2) };
+  return outputsOf(filter);
 }
 
 struct Measured
@@ -157,14 +157,14 @@ std::string opening(const std::string& title, const std::string& triangles, cons
 /// T_opt is the time for the wires, T_all that for the interior as well.
 std::string timeOfAll(const FlatPiece& piece)
 {
-  return milliseconds(piece.number("SecondsWires") + piece.number("SecondsInterior"));
+  return milliseconds(piece.seconds[0] + piece.seconds[1]);
 }
 
 void printRow(const Example& example, Method method, const Measured& measured)
 {
   const FlatPiece& paper = measured.paper;
   const std::string optimized =
-    method == Method::LeastSquaresConformal ? "Nil" : milliseconds(paper.number("SecondsWires"));
+    method == Method::LeastSquaresConformal ? "Nil" : milliseconds(paper.seconds[0]);
   std::cout << opening(example.title, format("%.0f", paper.number("Triangles")), nameOf(method))
             << format("%7s %7s %6.3f %6.3f %7s %7s %6.0f | ",
                  thousandths(paper.number("EdgeLengthError")).c_str(),

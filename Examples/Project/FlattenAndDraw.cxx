@@ -2,8 +2,6 @@
 // Flattens a surface with its feature curves and draws the pieces beside it, coloured by how their
 // area changed, in a window or into a PNG file.
 #include <vtkActor.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
@@ -15,8 +13,9 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
-#include <vtkStringArray.h>
+#include <vtkTable.h>
 #include <vtkTextProperty.h>
+#include <vtkVariant.h>
 #include <vtkVersionMacros.h>
 #include <vtkWindowToImageFilter.h>
 #include <vtkWireWarpingFilter.h>
@@ -103,14 +102,13 @@ int main(int argc, char* argv[])
     std::cerr << flattening->GetStatusName() << ": " << flattening->GetStatusMessage() << "\n";
     return EXIT_FAILURE;
   }
-  vtkFieldData* const pieces = flattening->GetOutput()->GetFieldData();
-  auto* const status = vtkStringArray::SafeDownCast(pieces->GetAbstractArray("Status"));
-  for (vtkIdType p = 0; p < status->GetNumberOfValues(); ++p)
+  vtkTable* const pieces = flattening->GetPieces();
+  for (vtkIdType p = 0; p < pieces->GetNumberOfRows(); ++p)
   {
-    std::cout << "piece " << p + 1 << ": " << status->GetValue(p)
+    std::cout << "piece " << p + 1 << ": " << pieces->GetValueByName(p, "Status").ToString()
               << ", largest length error of an edge "
-              << pieces->GetArray("MaxEdgeLengthError")->GetComponent(p, 0) << ", area error "
-              << pieces->GetArray("AreaError")->GetComponent(p, 0) << "\n";
+              << pieces->GetValueByName(p, "MaxEdgeLengthError").ToDouble() << ", area error "
+              << pieces->GetValueByName(p, "AreaError").ToDouble() << "\n";
   }
 
   if (!canDraw(argc == 4))

@@ -38,8 +38,8 @@ def main() -> None:
         filter_.Update()
         if filter_.IsRefused():
             sys.exit(1)  # the filter has said why
-        flat = filter_.GetOutput(0)
-        numbers = {name: flat.GetFieldData().GetArray(name).GetValue(0)
+        flat, pieces = filter_.GetOutput(0), filter_.GetPieces()
+        numbers = {name: pieces.GetValueByName(0, name).ToDouble()
                    for name in ("EdgeLengthError", "AngleErrorMean", "AreaError")}
         print(f"{title:28}", "  ".join(f"{name} {value:.3e}" for name, value in numbers.items()))
         panels.append((flat, filter_.GetOutput(1), title))

@@ -50,8 +50,7 @@ def main() -> None:
         sys.exit(1)  # the filter has said why
     flat, wires = filter_.GetOutput(0), filter_.GetOutput(1)
 
-    fields = flat.GetFieldData()
-    pairs = fields.GetArray("SeamPairs")
+    pairs = flat.GetFieldData().GetArray("SeamPairs")
     if pairs is None:
         sys.exit("no curve cuts this surface, so that nothing is to be sewn")
     pairs = np.array([pairs.GetTuple(k) for k in range(pairs.GetNumberOfTuples())], dtype=int)
@@ -61,9 +60,9 @@ def main() -> None:
         corners = flat.GetCell(cell).GetPointIds()
         for k in range(3):
             piece_of_point[corners.GetId(k)] = int(piece_of_cell.GetValue(cell))
-    names = wires.GetFieldData().GetAbstractArray("CurveNames")
+    names = filter_.GetCurves().GetColumnByName("Name")
     first, second = bank_lengths(flat, pairs)
-    print("pieces", fields.GetArray("Triangles").GetNumberOfTuples())
+    print("pieces", filter_.GetPieces().GetNumberOfRows())
     for curve in np.unique(pairs[:, 4]):
         rows = pairs[:, 4] == curve
         pieces = sorted({piece_of_point[k] for k in pairs[rows][:, [0, 2]].ravel()})

@@ -7,7 +7,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIntArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -41,16 +40,6 @@ Dominant dominantOf(const ThreadStrain& strain)
   consider(2, bias);
   return dominant;
 }
-
-template <class Value>
-void addPieces(const FlatteningResult& result, vtkFieldData* field, const char* name, Value value)
-{
-  const std::size_t rows = result.threads.empty() ? 0 : result.pieces.size();
-  addRows<vtkDoubleArray>(field, name, rows, [&](std::size_t row) {
-    const auto& cloth = result.pieces[row].cloth;
-    return cloth ? value(*cloth) : 0.0;
-  });
-}
 }
 
 void writeThreads(const FlatteningResult& result, vtkCellData* cells)
@@ -82,29 +71,14 @@ void writeThreads(const FlatteningResult& result, vtkCellData* cells)
     [&](std::size_t t) { return 100.0 * (1.0 + dominantOf(threads[t]).strain); });
 }
 
-void writeClothReports(const FlatteningResult& result, vtkFieldData* field)
+void writeGrain(const FlatteningResult& result, vtkFieldData* field)
 {
   // Without a material what the field data of the input had is removed: patterns of it would lie on
   // a cloth.
   const std::size_t rows = result.threads.empty() ? 0 : result.pieces.size();
-  using Report = const ClothReport&;
-  addPieces(result, field, "StrainWarpRms", [](Report r) { return r.threads.warpRms; });
-  addPieces(result, field, "StrainWeftRms", [](Report r) { return r.threads.weftRms; });
-  addPieces(result, field, "ShearRms", [](Report r) { return r.threads.shearRms / degree; });
-  addPieces(result, field, "ShareOutOfLimit", [](Report r) { return r.threads.shareOutOfLimit; });
-  addPieces(
-    result, field, "ShareOver5Percent", [](Report r) { return r.threads.shareOver5Percent; });
-  addPieces(result, field, "ShareLocked", [](Report r) { return r.threads.shareLocked; });
-  addPieces(result, field, "ShearLimit", [](Report r) { return r.shearLimit / degree; });
-  addPieces(result, field, "GrainAngle", [](Report r) { return r.grain.angle / degree; });
-  addRows<vtkStringArray>(field, "GrainCurve", rows, [&](std::size_t row) {
+  addRows<vtkDoubleArray>(field, "GrainAngle", rows, [&](std::size_t row) {
     const auto& cloth = result.pieces[row].cloth;
-    return cloth && cloth->grain.curve != none ? result.curves[cloth->grain.curve].name
-                                               : std::string();
-  });
-  addRows<vtkIntArray>(field, "OneWay", rows, [&](std::size_t row) {
-    const auto& cloth = result.pieces[row].cloth;
-    return cloth && cloth->oneWay ? 1 : 0;
+    return cloth ? cloth->grain.angle / degree : 0.0;
   });
 }
 }

@@ -10,8 +10,10 @@ namespace flattening
 {
 namespace bridge
 {
-/// What vtkWireWarpingFilter documents of threads; nothing where there is no material.
+/// The cell arrays of threads; none where there is no material.
 void writeThreads(const FlatteningResult& result, vtkCellData* cells);
-void writeClothReports(const FlatteningResult& result, vtkFieldData* field);
+
+/// `GrainAngle` of each piece, by which patterns know that pieces lie on a material.
+void writeGrain(const FlatteningResult& result, vtkFieldData* field);
 }
 }

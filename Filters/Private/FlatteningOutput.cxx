@@ -2,7 +2,6 @@
 #include "FlatteningOutput.h"
 
 #include "ClothOutput.h"
-#include "PieceOutput.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"
@@ -41,17 +40,6 @@ void writeOverlapEdges(const FlatteningResult& result, vtkFieldData* field)
   addUnlessEmpty(field, edges);
 }
 
-void writeSeconds(const StageSeconds& seconds, vtkFieldData* field)
-{
-  auto add = [field](const char* name, double value) {
-    addRows<vtkDoubleArray>(field, name, 1, [value](std::size_t) { return value; });
-  };
-  add("SecondsWires", seconds.wires);
-  add("SecondsInterior", seconds.interior);
-  add("SecondsQuality", seconds.quality);
-  add("SecondsTotal", seconds.total);
-}
-
 /// Per wire-patch its place in the order in which its piece was warped.
 Indices placesInOrder(const FlatteningResult& result)
 {
@@ -81,29 +69,6 @@ void writePatches(const FlatteningResult& result, vtkCellData* cells)
       return patch < place.size() ? place[patch] : none;
     });
   }
-}
-
-void writeCurves(const std::vector<CurveReport>& curves, vtkFieldData* field)
-{
-  const std::size_t rows = curves.size();
-  addRows<vtkStringArray>(
-    field, "CurveNames", rows, [&](std::size_t row) { return curves[row].name; });
-  addRows<vtkIntArray>(
-    field, "CurveTypes", rows, [&](std::size_t row) { return static_cast<int>(curves[row].type); });
-  addRows<vtkDoubleArray>(
-    field, "CurveRestLengths", rows, [&](std::size_t row) { return curves[row].restLength; });
-  addRows<vtkDoubleArray>(
-    field, "CurveFlatLengths", rows, [&](std::size_t row) { return curves[row].flatLength; });
-  addRows<vtkDoubleArray>(
-    field, "CurveLengthErrors", rows, [&](std::size_t row) { return curves[row].error; });
-  addRows<vtkDoubleArray>(
-    field, "CurveTolerances", rows, [&](std::size_t row) { return curves[row].tolerance; });
-  addRows<vtkDoubleArray>(
-    field, "CurveClosedLengths", rows, [&](std::size_t row) { return curves[row].closedLength; });
-  addRows<vtkDoubleArray>(
-    field, "CurveSensitivities", rows, [&](std::size_t row) { return curves[row].sensitivity; });
-  addRows<vtkIntArray>(
-    field, "CurveReleased", rows, [&](std::size_t row) { return curves[row].released ? 1 : 0; });
 }
 
 /// One number that colours wires: the type of the curve, -1 for the boundary, -2 for connectors.
@@ -260,15 +225,12 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
   writeWires(result.wires, source.imprinted.curves, flat, wires);
   writeFlatLengths(result.wires, wires->GetCellData());
   setActiveScalars(wires, "WireKind");
-  writeCurves(result.curves, wires->GetFieldData());
 
   vtkFieldData* field = flat->GetFieldData();
-  writePieceReports(source, result, field);
-  writeClothReports(result, field);
+  writeGrain(result, field);
   writeSeamPairs(*result.cut, flat);
   writeClosedSeams(result, field);
   writeOverlapEdges(result, field);
-  writeSeconds(result.seconds, field);
 }
 }
 }

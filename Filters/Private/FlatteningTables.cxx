@@ -2,16 +2,17 @@
 #include "FlatteningTables.h"
 
 #include "Base/LengthUnit.h"
-#include "PieceOutput.h"
 #include "PieceSizes.h"
 #include "StatusInInput.h"
 #include "StatusOutput.h"
+#include "SurfaceOutput.h"
 #include "TableColumns.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace flattening
 {
@@ -19,6 +20,73 @@ namespace bridge
 {
 namespace
 {
+/// The ends of a cut along edges as points of the input; -1 where one has none there.
+std::array<vtkIdType, 2> endsOf(
+  const CurvedSurface& source, const FlatteningResult& result, const Indices& cut)
+{
+  if (cut.empty())
+  {
+    return { -1, -1 };
+  }
+  const auto end = [&](Index v) { return source.pointOf(result.cut->originalVertex[v]); };
+  return { end(cut.front()), end(cut.back()) };
+}
+
+std::string wholePercent(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+/// Such as "from point 3 to point 7"; empty where an end is no point of the input.
+std::string wayOf(const std::array<vtkIdType, 2>& ends)
+{
+  return ends[0] < 0 || ends[1] < 0
+    ? ""
+    : "from point " + std::to_string(ends[0]) + " to point " + std::to_string(ends[1]);
+}
+
+/// What opens a tube.
+std::string openingsInWords(
+  const CurvedSurface& source, const FlatteningResult& result, const std::vector<Indices>& openings)
+{
+  std::string text = "this is a tube with " + std::to_string(openings.size() + 1) +
+    " openings, which no plane can hold: cut it open";
+  std::string join = " ";
+  for (const Indices& cut : openings)
+  {
+    const std::string way = wayOf(endsOf(source, result, cut));
+    text += way.empty() ? "" : join + way;
+    join = way.empty() ? join : ", ";
+  }
+  return text + ", or have seams proposed";
+}
+
+/// That the plane has no room for a piece, what would make some, and by which energy it is
+/// flattened then; empty where it has.
+std::string verdictOf(
+  const CurvedSurface& source, const FlatteningResult& result, const PieceReport& piece)
+{
+  const AreaForecast& area = piece.area;
+  std::string text;
+  if (area.tube())
+  {
+    text = openingsInWords(source, result, area.openings);
+  }
+  if (area.deep())
+  {
+    text += std::string(text.empty() ? "a plane cannot hold this piece: " : "; ") +
+      "with the lengths of its boundary it loses about " + wholePercent(area.loss) + " of its area";
+    const std::string way = wayOf(endsOf(source, result, area.cut));
+    text += area.tube() ? "" : "; cut it";
+    if (!area.tube() && !way.empty())
+    {
+      text += ", for example along edges " + way + ", which leaves a loss of about " +
+        wholePercent(area.lossAfterCut);
+    }
+  }
+  return text.empty() || piece.otherEnergy.empty() ? text : text + "; " + piece.otherEnergy;
+}
+
 struct PieceRow
 {
   const PieceReport& report;
@@ -92,23 +160,6 @@ void addSizes(const PieceColumns& columns, double millimetres)
   add("EaseInWords", easeInWords);
 }
 
-void addMeasures(const PieceColumns& columns)
-{
-  const auto add = [&columns](const char* name, double QualitySummary::*value) {
-    addOf(
-      columns, name,
-      [](const PieceRow& row) -> const QualitySummary& { return row.report.quality; }, value);
-  };
-  add("EdgeLengthError", &QualitySummary::edgeLengthError);
-  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
-  add("AngleErrorMean", &QualitySummary::angleError);
-  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
-  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
-  add("AreaError", &QualitySummary::areaError);
-  add("StrainP95", &QualitySummary::strainP95);
-  add("RigidEnergy", &QualitySummary::rigidEnergy);
-}
-
 void addReport(const PieceColumns& columns, const std::vector<CurveReport>& curves)
 {
   const auto add = [&columns](const char* name, auto value) {
@@ -116,7 +167,6 @@ void addReport(const PieceColumns& columns, const std::vector<CurveReport>& curv
       columns, name, [](const PieceRow& row) -> const PieceReport& { return row.report; }, value);
   };
   using Piece = const PieceReport&;
-  add("FlippedTriangles", [](Piece piece) { return piece.quality.flipped.size(); });
   add("Overlaps", [](Piece piece) { return piece.overlaps.count; });
   add("OverlapsComplete", [](Piece piece) { return piece.overlaps.complete; });
   add("Triangles", &PieceReport::triangles);
@@ -291,6 +341,23 @@ void writeLeftOut(
 }
 }
 
+std::vector<std::string> describeVerdicts(
+  const CurvedSurface& source, const FlatteningResult& result)
+{
+  std::vector<std::string> warnings;
+  for (std::size_t p = 0; p < result.pieces.size(); ++p)
+  {
+    const PieceReport& piece = result.pieces[p];
+    const std::string verdict = verdictOf(source, result, piece);
+    const std::string& said = verdict.empty() ? piece.otherEnergy : verdict;
+    if (!said.empty())
+    {
+      warnings.push_back("piece " + std::to_string(p + 1) + ": " + said);
+    }
+  }
+  return warnings;
+}
+
 ReportTables::ReportTables()
 {
   for (auto* const table : { &this->angleIterations, &this->isometricIterations,
@@ -327,7 +394,8 @@ void writePieceTable(const CurvedSurface& source, const FlatteningResult& result
   columns.add("Status", [](const PieceRow& row) { return statusName(row.status.code); });
   columns.add("Name", &PieceRow::name);
   addSizes(columns, millimetresPer(unitNamed(unit)));
-  addMeasures(columns);
+  addSummaries(
+    columns, [](const PieceRow& row) -> const QualitySummary& { return row.report.quality; });
   addReport(columns, result.curves);
   if (!result.threads.empty())
   {

@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 class vtkTable;
@@ -33,6 +34,11 @@ struct ReportTables
 /// \param unit of length; empty where none is stated
 void writePieceTable(const CurvedSurface& source, const FlatteningResult& result,
   const std::string& unit, vtkPolyData* flat, vtkTable* table);
+
+/// A warning for each piece that the plane has no room for, or that was flattened by another energy
+/// than the one requested.
+std::vector<std::string> describeVerdicts(
+  const CurvedSurface& source, const FlatteningResult& result);
 
 /// Writes one row per feature curve.
 void writeCurveTable(const std::vector<CurveReport>& curves, vtkTable* table);

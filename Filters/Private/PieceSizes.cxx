@@ -232,37 +232,6 @@ std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& 
                       : text + " in the stated unit, " + unit;
 }
 
-void writePieceSizes(
-  const std::vector<PieceSize>& sizes, const std::string& unit, vtkPolyData* flat)
-{
-  vtkFieldData* const field = flat->GetFieldData();
-  const auto addNumbers = [&](const char* name, auto&& value) {
-    addRows<vtkDoubleArray>(
-      field, name, sizes.size(), [&](std::size_t row) { return value(sizes[row]); });
-  };
-  addNumbers("FlatWidth", [](const PieceSize& size) { return size.extent.x(); });
-  addNumbers("FlatHeight", [](const PieceSize& size) { return size.extent.y(); });
-  addNumbers("AreaEasedIn", [](const PieceSize& size) { return size.easedIn; });
-  addNumbers("AreaStretched", [](const PieceSize& size) { return size.stretched; });
-  addNumbers("WorstAreaChange", [](const PieceSize& size) { return size.worst; });
-  std::vector<std::string> places;
-  std::vector<std::string> words;
-  std::vector<std::string> eases;
-  for (const PieceSize& size : sizes)
-  {
-    places.push_back(size.place);
-    words.push_back(sizeInWords(size, millimetresPer(unitNamed(unit))));
-    eases.push_back(easeInWords(size));
-  }
-  addStrings(field, "WorstPlace", places);
-  addStrings(field, "SizeInWords", words);
-  addStrings(field, "EaseInWords", eases);
-  const std::string warning = sizeWarning(sizes, unit);
-  addStrings(
-    field, "SizeWarning", warning.empty() ? std::vector<std::string>{} : std::vector{ warning });
-  addStrings(field, "PieceNames", pieceNames(flat, sizes.size()));
-}
-
 std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces)
 {
   std::vector<std::string> names(pieces);

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-class vtkFieldData;
 class vtkPolyData;
 
 namespace flattening
@@ -43,11 +42,5 @@ std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces);
 /// The size such as "51 x 55 cm", and what is to be eased in and stretched.
 std::string sizeInWords(const PieceSize& size, double millimetres);
 std::string easeInWords(const PieceSize& size);
-
-/// Writes them and the pieces' names, in numbers and words, as vtkWireWarpingFilter documents its
-/// field data.
-/// \param flat the pieces, with their cells' names
-void writePieceSizes(
-  const std::vector<PieceSize>& sizes, const std::string& unit, vtkPolyData* flat);
 }
 }

@@ -8,9 +8,7 @@
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -39,7 +37,8 @@ void writeOverlapEdges(
 }
 
 void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostListedOverlaps,
-  const Execution& execution, vtkPolyData* output, std::vector<std::string>& warnings)
+  const Execution& execution, vtkPolyData* output, vtkTable* measures,
+  std::vector<std::string>& warnings)
 {
   const TriangleMesh& mesh = map.surface.prepared.mesh;
   const FlatteningQuality quality = measureFlattening(mesh, map.positions, map.edges, execution);
@@ -57,18 +56,18 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
 
   vtkFieldData* field = output->GetFieldData();
   field->PassData(fieldArrays(input, warnings));
-  auto addCount = [field](const char* name, vtkIdType count) {
-    addRows<vtkIdTypeArray>(field, name, 1, [count](std::size_t) { return count; });
-  };
-  addCount("Triangles", mesh.triangleCount());
-  addCount("Vertices", mesh.vertexCount());
-  addCount("Overlaps", static_cast<vtkIdType>(overlaps.count));
-  addRows<vtkIntArray>(
-    field, "OverlapsComplete", 1, [&overlaps](std::size_t) { return overlaps.complete ? 1 : 0; });
-  addCount("Mirrored", map.mirrored ? 1 : 0);
-  writeSummaries({ quality.summary }, field);
-  addRows<vtkDoubleArray>(field, "CutLength", 1, [&mesh](std::size_t) { return cutLength(mesh); });
   writeOverlapEdges(map, overlaps.listed, field);
+
+  const std::vector<QualitySummary> rows{ quality.summary };
+  const TableColumns<QualitySummary> columns(measures, rows);
+  using Summary = const QualitySummary&;
+  addSummaries(columns, [](Summary summary) -> Summary { return summary; });
+  columns.add("Overlaps", [&overlaps](Summary) { return overlaps.count; });
+  columns.add("OverlapsComplete", [&overlaps](Summary) { return overlaps.complete; });
+  columns.add("CutLength", [&mesh](Summary) { return cutLength(mesh); });
+  columns.add("Triangles", [&mesh](Summary) { return mesh.triangleCount(); });
+  columns.add("Vertices", [&mesh](Summary) { return mesh.vertexCount(); });
+  columns.add("Mirrored", [&map](Summary) { return map.mirrored; });
 }
 }
 }

@@ -3,13 +3,12 @@
 
 #include "AttributeArrays.h"
 #include "Base/Types.h"
-#include "FieldArrays.h"
 #include "SurfaceOutput.h"
+#include "TableColumns.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -78,36 +77,28 @@ void writeCells(const SewingResult& result, vtkPolyData* output)
   ofThreads("SewnShearAngle", [](const ThreadStrain& strain) { return strain.shear / degree; });
 }
 
-void writeShapes(const std::vector<SewnReport>& shapes, vtkFieldData* field)
+void writeShapes(const std::vector<SewnReport>& shapes, vtkTable* table)
 {
-  const auto add = [&](const char* name, auto value) {
-    addRows<vtkDoubleArray>(
-      field, name, shapes.size(), [&](std::size_t row) { return value(shapes[row]); });
+  const TableColumns<SewnReport> columns(table, shapes);
+  using Shape = const SewnReport&;
+  const auto measure = [&columns](const char* name, double SewnMeasures::*member) {
+    columns.add(name, [member](Shape shape) { return shape.measures.*member; });
   };
-  const auto count = [&](const char* name, auto value) {
-    addRows<vtkIdTypeArray>(
-      field, name, shapes.size(), [&](std::size_t row) { return value(shapes[row]); });
-  };
-  const auto measure = [&](const char* name, double SewnMeasures::*member) {
-    add(name, [member](const SewnReport& shape) { return shape.measures.*member; });
-  };
-  count("Pieces", [](const SewnReport& shape) { return shape.pieces; });
-  count("Triangles", [](const SewnReport& shape) { return shape.triangles; });
-  count("Iterations", [](const SewnReport& shape) { return shape.iterations; });
-  addRows<vtkIntArray>(field, "Converged", shapes.size(),
-    [&](std::size_t row) { return shapes[row].converged ? 1 : 0; });
-  measure("Size", &SewnMeasures::size);
-  measure("DistanceMean", &SewnMeasures::distanceMean);
-  measure("DistanceRMS", &SewnMeasures::distanceRms);
-  measure("DistanceP95", &SewnMeasures::distanceP95);
-  measure("DistanceMax", &SewnMeasures::distanceMax);
-  const auto share = [&](const char* name, double SewnMeasures::*member) {
-    add(name, [member](const SewnReport& shape) {
+  const auto share = [&columns](const char* name, double SewnMeasures::*member) {
+    columns.add(name, [member](Shape shape) {
       return shape.measures.size > 0.0 ? shape.measures.*member / shape.measures.size : 0.0;
     });
   };
+  columns.addNumbers("Shape");
+  columns.add("Status", [](Shape shape) { return statusName(shape.status.code); });
+  columns.add("Pieces", &SewnReport::pieces);
+  measure("Size", &SewnMeasures::size);
+  measure("DistanceMean", &SewnMeasures::distanceMean);
+  measure("DistanceRms", &SewnMeasures::distanceRms);
+  measure("DistanceP95", &SewnMeasures::distanceP95);
+  measure("DistanceMax", &SewnMeasures::distanceMax);
   share("RelativeDistanceMean", &SewnMeasures::distanceMean);
-  share("RelativeDistanceRMS", &SewnMeasures::distanceRms);
+  share("RelativeDistanceRms", &SewnMeasures::distanceRms);
   share("RelativeDistanceP95", &SewnMeasures::distanceP95);
   share("RelativeDistanceMax", &SewnMeasures::distanceMax);
   measure("NormalDeviationMean", &SewnMeasures::normalDeviationMean);
@@ -117,45 +108,19 @@ void writeShapes(const std::vector<SewnReport>& shapes, vtkFieldData* field)
   measure("CompressedArea", &SewnMeasures::compressedArea);
   if (!shapes.empty() && shapes.front().threads)
   {
-    add("StrainWarpRms", [](const SewnReport& shape) { return shape.threads->summary.warpRms; });
-    add("StrainWeftRms", [](const SewnReport& shape) { return shape.threads->summary.weftRms; });
-    add(
-      "ShearRms", [](const SewnReport& shape) { return shape.threads->summary.shearRms / degree; });
+    columns.add("StrainWarpRms", [](Shape shape) { return shape.threads->summary.warpRms; });
+    columns.add("StrainWeftRms", [](Shape shape) { return shape.threads->summary.weftRms; });
+    columns.add("ShearRms", [](Shape shape) { return shape.threads->summary.shearRms / degree; });
   }
-  add("BodyDepth", [](const SewnReport& shape) { return shape.bodyDepth; });
-  add("SecondDistanceMean", [](const SewnReport& shape) { return shape.secondDistance; });
-  addRows<vtkIntArray>(field, "SeveralShapes", shapes.size(),
-    [&](std::size_t row) { return shapes[row].severalShapes ? 1 : 0; });
-  add("MembraneEnergy", [](const SewnReport& shape) { return shape.membraneEnergy; });
-  add("BendingEnergy", [](const SewnReport& shape) { return shape.bendingEnergy; });
-  std::vector<std::string> names;
-  std::vector<std::string> messages;
-  for (const SewnReport& shape : shapes)
-  {
-    names.emplace_back(statusName(shape.status.code));
-    messages.push_back(shape.status.message);
-  }
-  addStrings(field, "Status", names);
-  addStrings(field, "StatusMessage", messages);
-}
-
-void writeHistory(const std::vector<SewnReport>& shapes, vtkFieldData* field)
-{
-  std::vector<SewingIteration> rows;
-  Indices shapeOfRow;
-  for (std::size_t s = 0; s < shapes.size(); ++s)
-  {
-    rows.insert(rows.end(), shapes[s].history.begin(), shapes[s].history.end());
-    shapeOfRow.resize(rows.size(), static_cast<Index>(s));
-  }
-  addRows<vtkIdTypeArray>(
-    field, "HistoryShape", rows.size(), [&](std::size_t row) { return shapeOfRow[row]; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryEnergy", rows.size(), [&](std::size_t row) { return rows[row].energy; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryForce", rows.size(), [&](std::size_t row) { return rows[row].force; });
-  addRows<vtkDoubleArray>(
-    field, "HistoryMove", rows.size(), [&](std::size_t row) { return rows[row].move; });
+  columns.add("BodyDepth", &SewnReport::bodyDepth);
+  columns.add("SecondDistanceMean", &SewnReport::secondDistance);
+  columns.add("SeveralShapes", &SewnReport::severalShapes);
+  columns.add("MembraneEnergy", &SewnReport::membraneEnergy);
+  columns.add("BendingEnergy", &SewnReport::bendingEnergy);
+  columns.add("Triangles", &SewnReport::triangles);
+  columns.add("Iterations", &SewnReport::iterations);
+  columns.add("Converged", &SewnReport::converged);
+  columns.add("StatusMessage", [](Shape shape) { return shape.status.message; });
 }
 
 void writeSeams(const SewnInput& input, const SewingResult& result, vtkFieldData* field)
@@ -205,8 +170,20 @@ void describeShapes(const std::vector<SewnReport>& shapes, std::vector<std::stri
 }
 }
 
+vtkSmartPointer<vtkTable> sewingIterations(const SewingResult& result)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const auto rows = numberedElements(result.shapes, &SewnReport::history);
+  const TableColumns columns(table, rows);
+  columns.add("Shape", [](const auto& row) { return row.first; });
+  columns.add("Energy", [](const auto& row) { return row.second.energy; });
+  columns.add("Force", [](const auto& row) { return row.second.force; });
+  columns.add("Move", [](const auto& row) { return row.second.move; });
+  return table;
+}
+
 void writeSewn(vtkPolyData* design, const SewnInput& input, const SewingResult& result,
-  vtkPolyData* sewn, vtkPolyData* designed, std::vector<std::string>& warnings)
+  vtkPolyData* sewn, vtkPolyData* designed, vtkTable* shapes, std::vector<std::string>& warnings)
 {
   const LoadedSurface& surface = input.map.surface;
   const auto pointArrays = wholePointArrays(design, warnings);
@@ -229,8 +206,7 @@ void writeSewn(vtkPolyData* design, const SewnInput& input, const SewingResult& 
     output->GetPointData()->SetActiveScalars("Distance");
   }
   describeShapes(result.shapes, warnings);
-  writeShapes(result.shapes, sewn->GetFieldData());
-  writeHistory(result.shapes, sewn->GetFieldData());
+  writeShapes(result.shapes, shapes);
   writeSeams(input, result, sewn->GetFieldData());
 }
 }

@@ -2,7 +2,7 @@
 #include "SuggestionOutput.h"
 
 #include "EaseArrays.h"
-#include "FieldArrays.h"
+#include "TableColumns.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -67,32 +67,31 @@ void writeLines(const std::vector<SuggestedCurve>& rows, vtkPolyData* output)
 }
 }
 
-namespace
+vtkSmartPointer<vtkTable> leftOutLines(const CurveSuggestions& suggestions)
 {
-/// Lines that cost too much, in arrays that bear the names of the proposed ones' with "LeftOut"
-/// before them.
-void writeLeftOut(const std::vector<SuggestedCurve>& rows, vtkFieldData* field)
-{
-  const std::size_t count = rows.size();
-  if (count == 0)
-  {
-    return;
-  }
-  const auto addNumbers = [&](const char* name, double SuggestedCurve::*value) {
-    addRows<vtkDoubleArray>(field, name, count, [&](std::size_t c) { return rows[c].*value; });
-  };
-  addRows<vtkIntArray>(field, "LeftOutCurveType", count,
-    [&](std::size_t c) { return static_cast<int>(rows[c].curve.type); });
-  addRows<vtkStringArray>(
-    field, "LeftOutCurveName", count, [&](std::size_t c) { return rows[c].curve.name; });
-  addRows<vtkIntArray>(field, "LeftOutSound", count, [&](std::size_t c) { return rows[c].sound; });
-  addNumbers("LeftOutLength", &SuggestedCurve::length);
-  addNumbers("LeftOutGain", &SuggestedCurve::gain);
-  addNumbers("LeftOutAreaErrorBefore", &SuggestedCurve::areaErrorBefore);
-  addNumbers("LeftOutAreaErrorAfter", &SuggestedCurve::areaErrorAfter);
-  addNumbers("LeftOutStrainBefore", &SuggestedCurve::strainBefore);
-  addNumbers("LeftOutStrainAfter", &SuggestedCurve::strainAfter);
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const TableColumns<SuggestedCurve> columns(table, suggestions.leftOut);
+  columns.add("Name", [](const SuggestedCurve& line) { return line.curve.name; });
+  columns.add("Type", [](const SuggestedCurve& line) { return curveTypeName(line.curve.type); });
+  columns.add("Sound", &SuggestedCurve::sound);
+  columns.add("Length", &SuggestedCurve::length);
+  columns.add("Gain", &SuggestedCurve::gain);
+  columns.add("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
+  columns.add("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
+  columns.add("StrainBefore", &SuggestedCurve::strainBefore);
+  columns.add("StrainAfter", &SuggestedCurve::strainAfter);
+  return table;
 }
+
+void writeSearch(const CurveSuggestions& suggestions, vtkTable* table)
+{
+  const std::vector<const CurveSuggestions*> rows{ &suggestions };
+  const TableColumns<const CurveSuggestions*> columns(table, rows);
+  columns.add("BoundMet", &CurveSuggestions::boundMet);
+  columns.add("StrainBefore", &CurveSuggestions::strainBefore);
+  columns.add("StrainAfter", &CurveSuggestions::strainAfter);
+  columns.add("Trials", &CurveSuggestions::trials);
+  columns.add("Work", &CurveSuggestions::work);
 }
 
 void writeSuggestions(
@@ -136,12 +135,6 @@ void writeSuggestions(
   });
 
   vtkFieldData* const field = output->GetFieldData();
-  addRows<vtkIntArray>(field, "BoundMet", 1, [&](std::size_t) { return suggestions.boundMet; });
-  addRows<vtkIntArray>(field, "Trials", 1, [&](std::size_t) { return suggestions.trials; });
-  addRows<vtkDoubleArray>(field, "Work", 1, [&](std::size_t) { return suggestions.work; });
-  addRows<vtkDoubleArray>(field, "Strain", 2,
-    [&](std::size_t k) { return k == 0 ? suggestions.strainBefore : suggestions.strainAfter; });
-  writeLeftOut(suggestions.leftOut, field);
   if (suggestions.mirror && suggestions.mirror->intrinsic())
   {
     const std::array<Point3, 2>& axis = suggestions.mirror->intrinsic()->axis();

@@ -3,7 +3,10 @@
 
 #include "Suggestion/CurveSuggestion.h"
 
+#include "vtkSmartPointer.h"
+
 class vtkPolyData;
+class vtkTable;
 
 namespace flattening
 {
@@ -13,6 +16,12 @@ namespace bridge
 /// vtkFeatureCurveSuggestion.
 void writeSuggestions(
   const std::vector<Polyline>& curves, const CurveSuggestions& suggestions, vtkPolyData* output);
+
+/// The lines that were tried and not proposed.
+vtkSmartPointer<vtkTable> leftOutLines(const CurveSuggestions& suggestions);
+
+/// Writes one row: how the search ended.
+void writeSearch(const CurveSuggestions& suggestions, vtkTable* table);
 
 /// For a warning: how far the strain stays above the bound and where, and what ended the search.
 /// Empty where the bound is met, or there is none and no limit of work ended the search.

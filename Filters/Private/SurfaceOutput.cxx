@@ -199,23 +199,5 @@ void writeTriangleQuality(const std::vector<TriangleQuality>& quality, vtkPolyDa
   addRows<vtkUnsignedCharArray>(cells, "Flipped", count,
     [&](std::size_t t) { return static_cast<unsigned char>(quality[t].areaRatio <= 0.0); });
 }
-
-void writeSummaries(const std::vector<QualitySummary>& summaries, vtkFieldData* field)
-{
-  auto add = [&](const char* name, double QualitySummary::*member) {
-    addRows<vtkDoubleArray>(
-      field, name, summaries.size(), [&](std::size_t row) { return summaries[row].*member; });
-  };
-  add("EdgeLengthError", &QualitySummary::edgeLengthError);
-  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
-  add("AngleErrorMean", &QualitySummary::angleError);
-  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
-  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
-  add("AreaError", &QualitySummary::areaError);
-  add("StrainP95", &QualitySummary::strainP95);
-  add("RigidEnergy", &QualitySummary::rigidEnergy);
-  addRows<vtkIdTypeArray>(field, "FlippedTriangles", summaries.size(),
-    [&](std::size_t row) { return static_cast<vtkIdType>(summaries[row].flipped.size()); });
-}
 }
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "CurvedSurface.h"
-#include "FieldArrays.h"
 #include "Quality/FlatteningQuality.h"
+#include "TableColumns.h"
 
 class vtkCellArray;
 class vtkPoints;
@@ -38,7 +38,22 @@ void writeSeamPairs(const CutSurface& cut, vtkPolyData* output);
 /// cells.
 void writeTriangleQuality(const std::vector<TriangleQuality>& quality, vtkPolyData* output);
 
-/// A summary of a flattening as one row of each of its columns in the field data.
-void writeSummaries(const std::vector<QualitySummary>& summaries, vtkFieldData* field);
+/// Adds the columns of summaries of flattenings. \param summaryOf the summary of a row
+template <class Row, class SummaryOf>
+void addSummaries(const TableColumns<Row>& columns, SummaryOf summaryOf)
+{
+  const auto add = [&](const char* name, double QualitySummary::*value) {
+    columns.add(name, [&](const Row& row) { return summaryOf(row).*value; });
+  };
+  add("EdgeLengthError", &QualitySummary::edgeLengthError);
+  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
+  add("AngleErrorMean", &QualitySummary::angleError);
+  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
+  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
+  add("AreaError", &QualitySummary::areaError);
+  add("StrainP95", &QualitySummary::strainP95);
+  add("RigidEnergy", &QualitySummary::rigidEnergy);
+  columns.add("FlippedTriangles", [&](const Row& row) { return summaryOf(row).flipped.size(); });
+}
 }
 }

@@ -43,7 +43,7 @@ protected:
     ASSERT_TRUE(QTest::qWaitFor([this] { return !this->window.isWaiting(); }, 20000));
     QApplication::processEvents();
   }
-  vtkPolyData* flat() { return this->window.planeView().shown(); }
+  vtkPolyData* flat() { return this->window.planeView().shown().flat; }
   double value(const char* array, vtkIdType cell)
   {
     return this->flat()->GetCellData()->GetArray(array)->GetTuple1(cell);

@@ -216,7 +216,7 @@ TEST_F(EditorPieces, TheScaleOfColoursLiesBesideThePiece)
 {
   this->waitForPieces();
   vtkRenderer* const plane = this->window->plane();
-  const double* const bounds = this->window->planeView().shown()->GetBounds();
+  const double* const bounds = this->window->planeView().shown().flat->GetBounds();
   plane->SetWorldPoint(bounds[0], bounds[2], 0.0, 1.0);
   plane->WorldToDisplay();
   const double height = plane->GetSize()[1];

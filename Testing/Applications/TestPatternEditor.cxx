@@ -40,14 +40,14 @@ TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
       const double value = expected.result().number(name);
       EXPECT_NEAR(this->measure(name), value, 1e-6 * value) << name;
     }
-    vtkFieldData* const drawn = this->window->flattening().result().wires->GetFieldData();
-    vtkFieldData* const given = expected.result().wires->GetFieldData();
+    vtkTable* const drawn = this->window->flattening().result().curves;
+    vtkTable* const given = expected.result().curves;
     for (vtkIdType row = 0; row < 5; ++row)
     {
-      const double length = given->GetArray("CurveFlatLengths")->GetComponent(row, 0);
-      EXPECT_NEAR(drawn->GetArray("CurveFlatLengths")->GetComponent(row, 0), length, 1e-9 * length);
-      EXPECT_EQ(vtkStringArray::SafeDownCast(drawn->GetAbstractArray("CurveNames"))->GetValue(row),
-        vtkStringArray::SafeDownCast(given->GetAbstractArray("CurveNames"))->GetValue(row));
+      const double length = given->GetValueByName(row, "FlatLength").ToDouble();
+      EXPECT_NEAR(drawn->GetValueByName(row, "FlatLength").ToDouble(), length, 1e-9 * length);
+      EXPECT_EQ(drawn->GetValueByName(row, "Name").ToString(),
+        given->GetValueByName(row, "Name").ToString());
     }
   }
   // They are as editable as before.
@@ -406,7 +406,7 @@ TEST_F(PatternEditor, ACurveInTheMiddleIsNotJoinedToTheOutlineByALineThatLooksLi
     return length;
   };
   vtkNew<vtkFeatureEdges> outline;
-  outline->SetInputData(this->window->planeView().shown());
+  outline->SetInputData(this->window->planeView().shown().flat);
   outline->FeatureEdgesOff();
   outline->NonManifoldEdgesOff();
   outline->Update();

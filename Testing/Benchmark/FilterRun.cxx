@@ -5,8 +5,6 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -86,8 +84,7 @@ void FilterRun::update()
     throw std::runtime_error(this->Filter->GetStatusMessage());
   }
   // The filter reports Core's time by the clock on the wall; its share is what counts.
-  vtkFieldData* const field = this->Filter->GetOutput(0)->GetFieldData();
-  this->Core = processor * field->GetArray("SecondsTotal")->GetComponent(0, 0) / wall;
+  this->Core = processor * this->Filter->GetSeconds()[3] / wall;
   this->Overhead = processor - this->Core;
 }
 }

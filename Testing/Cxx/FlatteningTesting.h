@@ -10,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFlatPieceAlgorithm.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -18,6 +19,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <array>
@@ -226,6 +229,26 @@ inline vtkSmartPointer<vtkPolyData> makeQuarterSphereArc(vtkPolyData* surface)
     { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4), lunePoint(3, 4), lunePoint(4, 4) } });
 }
 
+/// A value of a table; infinite where there is none.
+inline double number(vtkTable* table, const char* column, vtkIdType row = 0)
+{
+  const bool known = table->GetColumnByName(column) && row < table->GetNumberOfRows();
+  return known ? table->GetValueByName(row, column).ToDouble() : vtkMath::Inf();
+}
+
+inline std::string text(vtkTable* table, const char* column, vtkIdType row = 0)
+{
+  const bool known = table->GetColumnByName(column) && row < table->GetNumberOfRows();
+  return known ? std::string(table->GetValueByName(row, column).ToString()) : "(none)";
+}
+
+/// A value of the table of pieces.
+inline double number(vtkFlatPieceAlgorithm* filter, const char* column, vtkIdType row = 0)
+{
+  return number(filter->GetPieces(), column, row);
+}
+
+/// A value of the field data.
 inline double number(vtkPolyData* data, const char* array, vtkIdType row = 0)
 {
   vtkDataArray* values = data->GetFieldData()->GetArray(array);

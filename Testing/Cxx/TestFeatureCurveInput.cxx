@@ -27,7 +27,7 @@ vtkSmartPointer<vtkStringArray> makeStrings(
 
 vtkIdType curveCount(vtkWireWarpingFilter* filter)
 {
-  return filter->GetOutput(1)->GetFieldData()->GetAbstractArray("CurveNames")->GetNumberOfTuples();
+  return filter->GetCurves()->GetNumberOfRows();
 }
 
 void typesMayBeNumbersOrNames(Checks& check)
@@ -45,14 +45,14 @@ void typesMayBeNumbersOrNames(Checks& check)
     filter->Update();
     check.equal(std::string(filter->GetStatusName()), "Ok", "status");
     check.equal(curveCount(filter), 4, "number of curves");
+    const std::array<const char*, 4> types{ "accessory", "key", "dart", "seam" };
     for (int c = 0; c < 4; ++c)
     {
-      check.equal(number(filter->GetOutput(1), "CurveTypes", c), static_cast<double>(c), "type");
+      check.equal(text(filter->GetCurves(), "Type", c), types[c], "type");
       check.equal(
-        text(filter->GetOutput(1), "CurveNames", c), "curve " + std::to_string(c), "default name");
+        text(filter->GetCurves(), "Name", c), "curve " + std::to_string(c), "default name");
     }
-    check.equal(filter->GetOutput()->GetFieldData()->GetArray("Triangles")->GetNumberOfTuples(), 2,
-      "the seam makes two pieces");
+    check.equal(filter->GetPieces()->GetNumberOfRows(), 2, "the seam makes two pieces");
   }
 }
 
@@ -75,10 +75,10 @@ void curvesComeFromSeveralDataSets(Checks& check)
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "Ok", "status");
   check.equal(curveCount(filter), 3, "number of curves");
-  check.equal(text(filter->GetOutput(1), "CurveNames", 0), "curve 0", "the surface's own curve");
-  check.equal(text(filter->GetOutput(1), "CurveNames", 1), "waist", "the first connection's");
-  check.equal(text(filter->GetOutput(1), "CurveNames", 2), "curve 2", "the second connection's");
-  check.equal(number(filter->GetOutput(), "WirePatches"), 4.0, "wire-patches");
+  check.equal(text(filter->GetCurves(), "Name", 0), "curve 0", "the surface's own curve");
+  check.equal(text(filter->GetCurves(), "Name", 1), "waist", "the first connection's");
+  check.equal(text(filter->GetCurves(), "Name", 2), "curve 2", "the second connection's");
+  check.equal(number(filter, "WirePatches"), 4.0, "wire-patches");
   check.equal(
     filter->GetOutput()->GetNumberOfLines(), 0, "own lines are no part of the flat piece");
   check.equal(filter->GetOutput()->GetNumberOfPolys(), 32, "triangles");
@@ -96,10 +96,9 @@ void twoPointLinesAreJoined(Checks& check)
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "Ok", "status");
   check.equal(curveCount(filter), 2, "number of curves");
-  check.near(
-    number(filter->GetOutput(1), "CurveRestLengths", 0), 1.0, 1e-12, "the accessory curve");
-  check.equal(number(filter->GetOutput(1), "CurveTypes", 1), 2.0, "the second is the dart");
-  check.near(number(filter->GetOutput(1), "CurveRestLengths", 1), 0.5, 1e-12, "the dart");
+  check.near(number(filter->GetCurves(), "RestLength", 0), 1.0, 1e-12, "the accessory curve");
+  check.equal(text(filter->GetCurves(), "Type", 1), "dart", "the second is the dart");
+  check.near(number(filter->GetCurves(), "RestLength", 1), 0.5, 1e-12, "the dart");
 }
 
 void namesKeepTwoPointLinesApart(Checks& check)
@@ -112,9 +111,9 @@ void namesKeepTwoPointLinesApart(Checks& check)
   filter->SetCurvesData(curves);
   filter->Update();
   check.equal(curveCount(filter), 2, "number of curves");
-  check.equal(text(filter->GetOutput(1), "CurveNames", 0), "left", "first name");
-  check.equal(text(filter->GetOutput(1), "CurveNames", 1), "right", "second name");
-  check.near(number(filter->GetOutput(1), "CurveRestLengths", 1), 0.5, 1e-12, "its length");
+  check.equal(text(filter->GetCurves(), "Name", 0), "left", "first name");
+  check.equal(text(filter->GetCurves(), "Name", 1), "right", "second name");
+  check.near(number(filter->GetCurves(), "RestLength", 1), 0.5, 1e-12, "its length");
 }
 
 // By the names of the report, also where the caller gave none; an update takes them back.
@@ -129,11 +128,11 @@ void tolerancesMayBeGivenByName(Checks& check)
   filter->AddCurveTolerance("curve 1", 0.02);
   filter->Update();
   check.equal(curveCount(filter), 2, "number of curves");
-  check.equal(number(filter->GetOutput(1), "CurveTolerances", 0), 0.0, "the other's tolerance");
-  check.equal(number(filter->GetOutput(1), "CurveTolerances", 1), 0.02, "tolerance");
+  check.equal(number(filter->GetCurves(), "Tolerance", 0), 0.0, "the other's tolerance");
+  check.equal(number(filter->GetCurves(), "Tolerance", 1), 0.02, "tolerance");
   filter->RemoveAllCurveTolerances();
   filter->Update();
-  check.equal(number(filter->GetOutput(1), "CurveTolerances", 1), 0.0, "tolerance, removed");
+  check.equal(number(filter->GetCurves(), "Tolerance", 1), 0.0, "tolerance, removed");
   for (const double tolerance : { 1.0, -0.1, vtkMath::Nan() })
   {
     filter->AddCurveTolerance("curve 1", tolerance);
@@ -192,7 +191,7 @@ void aClosedCurveMayComeInEdges(Checks& check)
     filter->Update();
     check.equal(std::string(filter->GetStatusName()), "Ok", "status");
     check.equal(curveCount(filter), 1, "number of curves");
-    check.near(number(filter->GetOutput(1), "CurveRestLengths"), 2.0, 1e-12, "length of the loop");
+    check.near(number(filter->GetCurves(), "RestLength"), 2.0, 1e-12, "length of the loop");
   }
 }
 
@@ -211,8 +210,8 @@ void featureEdgesAreCurves(Checks& check)
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "Ok", "status");
   check.equal(curveCount(filter), 1, "number of curves");
-  check.near(number(filter->GetOutput(1), "CurveRestLengths"), 1.0, 1e-6, "length of the ridge");
-  check.near(number(filter->GetOutput(), "AreaError"), 0.0, 1e-6, "a roof unrolls: E_area");
+  check.near(number(filter->GetCurves(), "RestLength"), 1.0, 1e-6, "length of the ridge");
+  check.near(number(filter, "AreaError"), 0.0, 1e-6, "a roof unrolls: E_area");
 }
 
 // A key curve of Eq. 1 on a developable surface keeps its shape; asked to be straight it is.
@@ -246,7 +245,7 @@ void keyShapesAreRead(Checks& check)
     high = std::max(high, flat->GetPoint(p)[0]);
   }
   check.near(high - low, 0.0, 1e-9, "width of the straightened zigzag");
-  check.near(number(flat, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+  check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
 }
 }
 

@@ -57,7 +57,7 @@ figures::FlatPiece leastSquaresConformalMap(const figures::Piece& piece)
   filter->SetPins(pointAt(0, latitudes / 2), pointAt(0, latitudes / 2 + 1));
   filter->AreaNormalizedOff();
   filter->Update();
-  return { filter->GetOutput(0), filter->GetOutput(1), filter->GetOutput(2) };
+  return figures::outputsOf(filter);
 }
 
 /// The piece turned so that one pole stands above the other.

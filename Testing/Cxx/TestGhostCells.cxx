@@ -170,9 +170,8 @@ void idsAreThoseOfTheInput(Checks& checks)
     least = std::min(least, points->GetComponent(p, 0));
   }
   checks.equal(least, double(columns + 1), "points of ghosts alone are not there");
-  vtkFieldData* curves = filter->GetOutput(1)->GetFieldData();
-  checks.equal(curves->GetAbstractArray("CurveNames")->GetNumberOfTuples(), vtkIdType{ 1 },
-    "a line that is a ghost is no curve");
+  checks.equal(
+    filter->GetCurves()->GetNumberOfRows(), vtkIdType{ 1 }, "a line that is a ghost is no curve");
 }
 
 /// Around a point at the border of a process the copies of the neighbour's cells count.

@@ -145,20 +145,17 @@ void theRestIsFlattened(Checks& checks)
   everyRowIsThatOfItsOriginal(checks, input, flat);
   everyRowIsThatOfItsOriginal(checks, input, filter->GetOutput(2));
 
-  vtkFieldData* field = flat->GetFieldData();
-  vtkDataArray* leftOut = field->GetArray("LeftOutCells");
-  checks.equal(leftOut->GetNumberOfTuples(), vtkIdType{ 2 }, "pieces left out");
-  checks.equal(leftOut->GetComponent(0, 0), 0.0, "the first cube");
-  checks.equal(leftOut->GetComponent(1, 0), double{ cubeCells + gridCells }, "the second cube");
-  checks.equal(
-    field->GetArray("LeftOutTriangles")->GetComponent(1, 0), 12.0, "six quads as triangles");
-  auto* reasons = vtkStringArray::SafeDownCast(field->GetAbstractArray("LeftOutReasons"));
-  checks.equal(std::string(reasons->GetValue(0)), std::string("ClosedSurface"), "the reason");
-  auto* warnings = vtkStringArray::SafeDownCast(field->GetAbstractArray("RunWarnings"));
-  checks.equal(warnings->GetNumberOfValues(), vtkIdType{ 1 }, "rows of RunWarnings");
+  vtkTable* leftOut = filter->GetLeftOutPieces();
+  checks.equal(leftOut->GetNumberOfRows(), vtkIdType{ 2 }, "pieces left out");
+  checks.equal(number(leftOut, "Cell", 0), 0.0, "the first cube");
+  checks.equal(number(leftOut, "Cell", 1), double{ cubeCells + gridCells }, "the second cube");
+  checks.equal(number(leftOut, "Triangles", 1), 12.0, "six quads as triangles");
+  checks.equal(text(leftOut, "Reason"), std::string("ClosedSurface"), "the reason");
+  vtkStringArray* warnings = filter->GetStatusWarnings();
+  checks.equal(warnings->GetNumberOfValues(), vtkIdType{ 1 }, "warnings beside the status");
   checks.contains(warnings->GetValue(0), "2 of 4 pieces", "the warning");
   checks.contains(warnings->GetValue(0), "cells 0, 46", "the warning");
-  checks.equal(field->GetArray("Triangles")->GetNumberOfTuples(), vtkIdType{ 2 }, "rows of pieces");
+  checks.equal(filter->GetPieces()->GetNumberOfRows(), vtkIdType{ 2 }, "rows of pieces");
 
   filter->SkipClosedOff();
   filter->Update();

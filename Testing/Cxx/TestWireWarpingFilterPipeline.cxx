@@ -29,7 +29,7 @@ void compositeInputFlattensBlockByBlock(Checks& check)
   vtkNew<vtkWireWarpingFilter> alone;
   alone->SetInputData(makePieceWithCurves());
   alone->Update();
-  check.equal(number(alone->GetOutput(), "WirePatches"), 2.0, "wire-patches of the piece alone");
+  check.equal(number(alone, "WirePatches"), 2.0, "wire-patches of the piece alone");
 
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, makePieceWithCurves());
@@ -176,9 +176,10 @@ void resultsDoNotDependOnTheNumberOfThreads(
       filter->SetInterior(interior);
       filter->Update();
       check.that(!filter->IsRefused(), std::string("is flattened: ") + filter->GetStatusMessage());
-      return vtkSmartPointer<vtkPolyData>(filter->GetOutput());
+      return std::pair(vtkSmartPointer<vtkPolyData>(filter->GetOutput()),
+        vtkSmartPointer<vtkTable>(filter->GetPieces()));
     };
-    vtkSmartPointer<vtkPolyData> flat[2];
+    std::pair<vtkSmartPointer<vtkPolyData>, vtkSmartPointer<vtkTable>> flat[2];
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(1, "Sequential", false), [&] { flat[0] = flatten(); });
     vtkSMPTools::LocalScope(vtkSMPTools::Config(4, "STDThread", false), [&] {
@@ -189,10 +190,10 @@ void resultsDoNotDependOnTheNumberOfThreads(
         "there are several threads");
       flat[1] = flatten();
     });
-    samePoints(check, flat[0], flat[1], "one thread and several");
+    samePoints(check, flat[0].first, flat[1].first, "one thread and several");
     for (const char* name : { "AngleErrorMean", "GlobalHomogeneity", "AreaError" })
     {
-      check.equal(number(flat[0], name), number(flat[1], name), name);
+      check.equal(number(flat[0].second, name), number(flat[1].second, name), name);
     }
   }
 }

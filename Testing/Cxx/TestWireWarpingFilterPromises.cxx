@@ -20,9 +20,9 @@ void thePinnedInteriorHalvesTheAngleError(Checks& check)
   filter->SetSchemeToGlobal();
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "Ok", "status");
-  check.near(number(filter->GetOutput(), "AngleErrorMean"), 0.0779, 5e-5, "E_ang");
-  check.near(number(filter->GetOutput(), "GlobalHomogeneity"), 0.786, 5e-4, "E_h");
-  check.near(number(filter->GetOutput(), "Objective"), 0.197157, 1e-6, "objective");
+  check.near(number(filter, "AngleErrorMean"), 0.0779, 5e-5, "E_ang");
+  check.near(number(filter, "GlobalHomogeneity"), 0.786, 5e-4, "E_h");
+  check.near(number(filter, "Objective"), 0.197157, 1e-6, "objective");
 }
 
 // Eq. 12 runs towards Eq. 11.
@@ -69,13 +69,12 @@ void theIsometricSchemeKeepsLengths(Checks& check)
       filter->SetDistortionEnergy(energy);
       filter->SetAngleWeight(weight);
       filter->Update();
-      vtkPolyData* flat = filter->GetOutput();
       check.equal(std::string(filter->GetStatusName()), "Ok", "status");
-      check.near(number(flat, "MaxEdgeLengthError"), 0.0, 1e-12, "E_len_max");
-      check.equal(number(flat, "FlippedTriangles"), 0.0, "FlippedTriangles");
-      check.that(number(flat, "DistortionEnergy") > 0.0, "DistortionEnergy is told");
-      check.that(number(flat, "AngleEnergy") > 0.0, "AngleEnergy is told");
-      angleChange[weight > 5.0] = number(flat, "AngleEnergy") / weight;
+      check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-12, "E_len_max");
+      check.equal(number(filter, "FlippedTriangles"), 0.0, "FlippedTriangles");
+      check.that(number(filter, "DistortionEnergy") > 0.0, "DistortionEnergy is told");
+      check.that(number(filter, "AngleEnergy") > 0.0, "AngleEnergy is told");
+      angleChange[weight > 5.0] = number(filter, "AngleEnergy") / weight;
     }
   }
   check.that(angleChange[1] < angleChange[0], "more weight keeps the wires' angles nearer");
@@ -99,9 +98,9 @@ void aRunThatDoesNotConvergeIsMarked(Checks& check)
   check.equal(filter->GetOutput(0)->GetNumberOfPolys(), 56, "flat triangles");
   check.equal(filter->GetOutput(2)->GetNumberOfPolys(), 56, "triangles in space");
   check.that(filter->GetOutput(1)->GetNumberOfLines() > 0, "there are wires");
-  check.equal(text(filter->GetOutput(), "Status"), "NotConverged", "Status of the piece");
+  check.equal(text(filter->GetPieces(), "Status"), "NotConverged", "Status of the piece");
   check.equal(text(filter->GetOutput(), "RunStatus"), "NotConverged", "RunStatus");
-  check.contains(text(filter->GetOutput(), "StatusMessage"), "2 iterations", "StatusMessage");
+  check.contains(text(filter->GetPieces(), "StatusMessage"), "2 iterations", "StatusMessage");
 }
 
 // A tube, which no plane can hold, is a warning with the points to cut it open between, although
@@ -136,8 +135,8 @@ void whatAPlaneCannotHoldIsAWarning(Checks& check)
       filter->SetInputData(tube);
       filter->Update();
       check.that(!filter->IsRefused(), "a tube is flattened");
-      check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-9, "E_len_max");
-      const std::string verdict = half ? "" : text(filter->GetOutput(), "Verdict");
+      check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-9, "E_len_max");
+      const std::string verdict = half ? "" : text(filter->GetPieces(), "Verdict");
       const std::size_t broken = filter->GetStatusCode() == vtkWireWarpingFilter::OK ? 0 : 1;
       check.equal(messages.warnings.size(), broken + (half ? 0 : 1), "warnings");
       if (!half && !messages.warnings.empty())
@@ -145,7 +144,8 @@ void whatAPlaneCannotHoldIsAWarning(Checks& check)
         check.contains(verdict, "this is a tube with 2 openings", "Verdict");
         check.contains(verdict, " to point ", "Verdict");
         check.contains(messages.warnings.back() + messages.warnings.front(), verdict, "warning");
-        check.equal(text(filter->GetOutput(), "RunWarnings"), "piece 1: " + verdict, "RunWarnings");
+        check.equal(std::string(filter->GetStatusWarnings()->GetValue(0)), "piece 1: " + verdict,
+          "the warning");
       }
     }
   }
@@ -164,7 +164,7 @@ void incompatibleKeysAreNamed(Checks& check, const std::string& data)
     "status of Fig. 13's keys");
   check.equal(messages.warnings.size(), std::size_t{ 1 }, "warnings");
   check.contains(filter->GetStatusMessage(), "accessory curves", "message");
-  check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+  check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
   vtkIdTypeArray* ids = filter->GetStatusIds();
   check.that(ids->GetNumberOfValues() > 0, "curves to release are told");
   auto* names = vtkStringArray::SafeDownCast(curves->GetCellData()->GetAbstractArray("CurveName"));
@@ -198,18 +198,15 @@ void crossingCutsAreNamedOrClosed(Checks& check, const std::string& data)
   filter->Update();
   check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::OK),
     "status with the darts closed");
-  check.equal(number(filter->GetOutput(), "Overlaps"), 0.0, "overlaps");
-  check.near(number(filter->GetOutput(), "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
-  vtkFieldData* curves = filter->GetOutput(1)->GetFieldData();
-  auto* names = vtkStringArray::SafeDownCast(curves->GetAbstractArray("CurveNames"));
-  vtkDataArray* closed = curves->GetArray("CurveClosedLengths");
-  vtkDataArray* rest = curves->GetArray("CurveRestLengths");
-  for (vtkIdType row = 0; row < closed->GetNumberOfTuples(); ++row)
+  check.equal(number(filter, "Overlaps"), 0.0, "overlaps");
+  check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
+  vtkTable* curves = filter->GetCurves();
+  for (vtkIdType row = 0; row < curves->GetNumberOfRows(); ++row)
   {
-    const bool dart = names->GetValue(row).find("waist_dart") == 0;
-    check.equal(closed->GetComponent(row, 0) > 0.0, dart, "closed " + names->GetValue(row));
-    check.that(closed->GetComponent(row, 0) <= rest->GetComponent(row, 0) * (1.0 + 1e-12),
-      "no longer than it");
+    const std::string name = text(curves, "Name", row);
+    const double closed = number(curves, "ClosedLength", row);
+    check.equal(closed > 0.0, name.find("waist_dart") == 0, "closed " + name);
+    check.that(closed <= number(curves, "RestLength", row) * (1.0 + 1e-12), "no longer than it");
   }
 }
 }

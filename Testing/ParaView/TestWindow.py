@@ -25,15 +25,15 @@ sources = {name: proxy for (name, _), proxy in pv.GetSources().items()}
 curve, flattening = sources["SurfaceCurve1"], sources["WireWarping1"]
 flattening.UpdatePipeline()
 flattening.UpdatePropertyInformation()
-wires = servermanager.Fetch(flattening, idx=1).GetFieldData()
+curves = servermanager.Fetch(flattening, idx=4)
 def column(name):
-    array = wires.GetAbstractArray(name)
+    array = curves.GetColumnByName(name)
     return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
 print("found", json.dumps({
     "name": str(curve.Name), "key": curve.Type == "Key", "offset": curve.Offset, "points": list(curve.Points),
     "status": str(flattening.Status), "bounds": servermanager.Fetch(flattening).GetBounds(),
     "curves": {name: [kind, flat] for name, kind, flat in zip(
-        column("CurveNames"), column("CurveTypes"), column("CurveFlatLengths"))}}))
+        column("Name"), column("Type"), column("FlatLength"))}}))
 """
 
 
@@ -190,7 +190,7 @@ class Window(unittest.TestCase):
         self.assertEqual(len(picked["points"]), 9)
         self.assertEqual(picked["status"], "Ok")
         kind, length = picked["curves"]["bust line"]
-        self.assertEqual(kind, 1)
+        self.assertEqual(kind, "key")
         self.assertEqual(loaded, picked)
 
         # The curve 2 cm to its left has another length, through the same picks.

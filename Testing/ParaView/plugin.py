@@ -25,7 +25,7 @@ def fetch(proxy, port=0):
     return servermanager.Fetch(proxy, idx=port)
 
 
-def values(polydata, name):
-    """A field data array as Python values."""
-    array = polydata.GetFieldData().GetAbstractArray(name)
+def values(data, name):
+    """A column of a table, or an array of the field data of another data set, as Python values."""
+    array = (data.GetRowData() if data.IsA("vtkTable") else data.GetFieldData()).GetAbstractArray(name)
     return [array.GetValue(row) for row in range(array.GetNumberOfValues())]

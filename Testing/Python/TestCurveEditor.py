@@ -68,10 +68,9 @@ def flattened(surface, curves):
     warping.SetInputData(surface)
     warping.SetCurvesData(curves)
     warping.Update()
-    rows = warping.GetOutput(0).GetFieldData()
-    lengths = warping.GetOutput(1).GetFieldData()
-    return ([rows.GetArray(name).GetValue(0) for name in ("AreaError", "AngleErrorMean", "Objective")],
-            vtk_to_numpy(lengths.GetArray("CurveFlatLengths")).tolist())
+    pieces, curves = warping.GetPieces(), warping.GetCurves()
+    return ([pieces.GetColumnByName(name).GetValue(0) for name in ("AreaError", "AngleErrorMean", "Objective")],
+            vtk_to_numpy(curves.GetColumnByName("FlatLength")).tolist())
 
 
 def curves_of(editor):

@@ -100,7 +100,6 @@ class Result:
         self.lines = polylines_of(wires)
         self.points, self.cells = arrays_of(flat.GetPointData()), arrays_of(flat.GetCellData())
         self.field, self.wires = arrays_of(flat.GetFieldData()), arrays_of(wires.GetCellData())
-        self.curves = arrays_of(wires.GetFieldData())
         self.maps = maps(self.space, self.flat, self.triangles)
         stretches = np.linalg.svd(self.maps, compute_uv=False)
         self.area_ratio = np.linalg.det(self.maps)
@@ -166,7 +165,7 @@ class Result:
                    if not closed and piece in (piece_of[a], piece_of[c]))
 
     def piece_measures(self, piece):
-        """Name in the field data to the value that the piece must have."""
+        """Column of the table of pieces to the value that the piece must have."""
         own = self.piece == piece
         vertices = np.unique(self.triangles[own])
         edges = self.wire_edges()

@@ -15,7 +15,7 @@ from ._errors import FlatteningError, FlatteningWarning
 from ._options import make_filter, with_options
 from ._remedies import make_message
 from ._report import as_text, remedies_of, texts_of
-from ._result import Flattening, make_result
+from ._result import Flattening, result_of
 from .vtkFiltersFlattening import vtkWireWarpingFilter
 
 
@@ -53,7 +53,7 @@ def _update(filter_: Any, progress: Optional[Callable[[float], Any]], finishes: 
         ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
         raise FlatteningError(
             filter_.GetStatusCode(), name, ids, message, filter_.GetStatusIdKind(), remedies)
-    for warning in texts_of(filter_.GetOutput(0).GetFieldData(), "RunWarnings"):
+    for warning in texts_of(filter_.GetStatusWarnings()):
         warnings.warn(warning, FlatteningWarning, stacklevel=4)
     if filter_.GetStatusCode() != vtkWireWarpingFilter.OK:
         warnings.warn(f"{name}: {message}", FlatteningWarning, stacklevel=4)
@@ -66,8 +66,7 @@ def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[s
     if curves is not None:
         filter_.SetCurvesData(curves)
     _update(filter_, options.get("progress"))
-    return make_result(
-        filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
+    return result_of(filter_, type(surface))
 
 
 @with_options(vtkWireWarpingFilter)

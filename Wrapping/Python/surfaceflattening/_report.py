@@ -1,21 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report of a run, read from the arrays of the filter's outputs."""
+"""The report of a run, read from the tables of the filter."""
 
 import math
-from typing import Any, Dict, List, Tuple, cast
+from typing import Any, Dict, List, Optional, Tuple, cast
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES
 from ._remedies import make_message
 from ._types import Report
 
 _Row = Dict[str, Any]
 
-# Name in the report and field data array, one row a piece.
-_PIECE_INTEGERS = {
+# Keys of the report and columns of the filter's tables.
+_PIECE = {
+    "piece": "Piece",
+    "status": "Status",
+    "name": "Name",
+    "message": "StatusDefect",
+    "id_kind": "StatusIdKind",
+    "ids": "StatusIds",
+    "size": "SizeInWords",
+    "ease": "EaseInWords",
     "triangles": "Triangles",
     "vertices": "Vertices",
     "wire_patches": "WirePatches",
@@ -25,10 +31,7 @@ _PIECE_INTEGERS = {
     "iterations": "Iterations",
     "flipped": "FlippedTriangles",
     "overlaps": "Overlaps",
-    "forecast_cut_from": "ForecastCutFrom",
-    "forecast_cut_to": "ForecastCutTo",
-}
-_PIECE_NUMBERS = {
+    "overlaps_complete": "OverlapsComplete",
     "objective": "Objective",
     "closure_residual": "ClosureResidual",
     "E_len": "EdgeLengthError",
@@ -39,42 +42,43 @@ _PIECE_NUMBERS = {
     "E_area": "AreaError",
     "strain_p95": "StrainP95",
     "energy_rigid": "RigidEnergy",
+    "energy_sheet": "DistortionEnergy",
+    "energy_angles": "AngleEnergy",
     "cut_length": "CutLength",
-    "forecast_area_loss": "ForecastAreaLoss",
-    "forecast_area_loss_after_cut": "ForecastAreaLossAfterCut",
-}
-_PIECE_TEXTS = {
-    "status": "Status",
-    "message": "StatusDefect",
-    "id_kind": "StatusIdKind",
     "solver_used": "SolverUsed",
     "energy_used": "EnergyUsed",
+    "repaired": "Repaired",
     "fallbacks": "Fallbacks",
     "verdict": "Verdict",
-    "name": "PieceNames",
-    "size": "SizeInWords",
-    "ease": "EaseInWords",
+    "forecast_area_loss": "ForecastAreaLoss",
+    "forecast_area_loss_after_cut": "ForecastAreaLossAfterCut",
+    "forecast_cut_from": "ForecastCutFrom",
+    "forecast_cut_to": "ForecastCutTo",
 }
-_SECONDS = {
-    "wires": "SecondsWires",
-    "interior": "SecondsInterior",
-    "quality": "SecondsQuality",
-    "core": "SecondsTotal",
-    "total": "SecondsTotal",
+_CURVE = {
+    "name": "Name",
+    "type": "Type",
+    "length_3d": "RestLength",
+    "length_2d": "FlatLength",
+    "error": "LengthError",
+    "tolerance": "Tolerance",
+    "closed_length": "ClosedLength",
+    "sensitivity": "Sensitivity",
+    "released": "Released",
 }
-_HISTORY = {
-    "phase": "HistoryPhase",
-    "objective": "HistoryObjective",
-    "closure": "HistoryClosure",
-    "optimality": "HistoryOptimality",
-    "step": "HistoryStep",
+_ANGLE_STEP = {
+    "phase": "Phase",
+    "objective": "Objective",
+    "closure": "Closure",
+    "optimality": "Optimality",
+    "step": "Step",
 }
-_ISOMETRIC_HISTORY = {
-    "exact": "IsometricHistoryExact",
-    "energy": "IsometricHistoryEnergy",
-    "length_error": "IsometricHistoryLengthError",
-    "optimality": "IsometricHistoryOptimality",
-    "move": "IsometricHistoryMove",
+_ISOMETRIC_STEP = {
+    "exact": "Exact",
+    "energy": "Energy",
+    "length_error": "LengthError",
+    "optimality": "Optimality",
+    "move": "Move",
 }
 # With a material.
 _CLOTH = {
@@ -89,12 +93,8 @@ _CLOTH = {
     "grain_curve": "GrainCurve",
     "one_way": "OneWay",
 }
-# Of a curve that may be released: what the piece would be without it.
-_RELEASE_NUMBERS = {
-    "objective_without": "ReleaseObjective",
-    "E_area_without": "ReleaseAreaError",
-    "E_h_without": "ReleaseHomogeneity",
-}
+_TRUTH_VALUES = (
+    "overlaps_complete", "repaired", "released", "exact", "one_way", "sound", "converged", "several_shapes")
 
 
 def as_text(value: Any) -> str:
@@ -109,110 +109,93 @@ def remedies_of(source: Any) -> List[Tuple[str, str]]:
             for k in range(names.GetNumberOfValues())]
 
 
+def texts_of(array: vtkStringArray) -> List[str]:
+    """A string array as Python values."""
+    return [as_text(array.GetValue(row)) for row in range(array.GetNumberOfValues())]
+
+
 def values_of(field: Any, name: str) -> List[Any]:
     """An array of one component as Python values; empty where there is none."""
     array = field.GetAbstractArray(name)
     if array is None:
         return []
     if isinstance(array, vtkStringArray):
-        return [as_text(array.GetValue(row)) for row in range(array.GetNumberOfValues())]
+        return texts_of(array)
     values: List[Any] = vtk_to_numpy(array).tolist()
     return values
 
 
-def texts_of(field: Any, name: str) -> List[str]:
-    """The rows of a string array; none where there is no such array."""
-    values: List[str] = values_of(field, name)
-    return values
+def rows_of(table: Any, columns: Dict[str, str]) -> List[_Row]:
+    """The rows of a vtkTable, with some of its columns by other names; none where one is not there."""
+    values = [values_of(table.GetRowData(), name) for name in columns.values()]
+    rows = [dict(zip(columns, row)) for row in zip(*values)]
+    for row in rows:
+        row.update((key, bool(row[key])) for key in _TRUTH_VALUES if key in row)
+    return rows
 
 
-def _add_history(
-        field: Any, key: str, owner: str, names: Dict[str, str], pieces: List[_Row]) -> None:
-    """Adds a list of iterations to each piece, from arrays with a row an iteration."""
-    columns = {column: values_of(field, name) for column, name in names.items()}
-    for entry in pieces:
-        entry[key] = []
-    for row, piece in enumerate(values_of(field, owner)):
-        pieces[piece][key].append({column: values[row] for column, values in columns.items()})
+def _lists_of(table: Any, columns: Dict[str, str], pieces: int) -> List[List[_Row]]:
+    """The rows of each piece of a table with the column Piece."""
+    lists: List[List[_Row]] = [[] for _ in range(pieces)]
+    for piece, row in zip(values_of(table.GetRowData(), "Piece"), rows_of(table, columns)):
+        lists[piece].append(row)
+    return lists
 
 
-def _add_cloth(field: Any, pieces: List[_Row]) -> None:
-    columns = {key: values_of(field, name) for key, name in _CLOTH.items()}
-    for row, entry in enumerate(pieces):
-        entry["cloth"] = {key: column[row] for key, column in columns.items()} if all(
-            columns.values()) else None
-        if entry["cloth"]:
-            entry["cloth"]["one_way"] = bool(entry["cloth"]["one_way"])
-            if not math.isfinite(entry["cloth"]["shear_limit"]):
-                entry["cloth"]["shear_limit"] = None
-
-
-def _message(defect: str, remedies: List[Dict[str, str]]) -> str:
+def _message(defect: str, remedies: List[_Row]) -> str:
     return make_message(defect, [(remedy["name"], remedy["subject"]) for remedy in remedies])
 
 
-def make_report(flat: vtkPolyData, wires: vtkPolyData) -> Report:
-    field, curve_field = flat.GetFieldData(), wires.GetFieldData()
-    columns = {key: values_of(field, name)
-               for key, name in {**_PIECE_INTEGERS, **_PIECE_NUMBERS, **_PIECE_TEXTS}.items()}
-    columns["overlaps_complete"] = [bool(all_) for all_ in values_of(field, "OverlapsComplete")]
-    pieces: List[_Row] = [
-        {"piece": piece, **{key: column[piece] for key, column in columns.items()}, "ids": [],
-         "remedies": []}
-        for piece in range(len(columns["triangles"]))
-    ]
-    for row, value in zip(values_of(field, "StatusIdPiece"), values_of(field, "StatusId")):
-        pieces[row]["ids"].append(value)
-    for row, name, subject in zip(
-            *(values_of(field, name) for name in ("RemedyPiece", "RemedyName", "RemedySubject"))):
-        pieces[row]["remedies"].append({"name": name, "subject": subject})
-    for piece in pieces:
-        piece["message"] = _message(piece["message"], piece["remedies"])
-    names = values_of(curve_field, "CurveNames")
-    for entry, first, objective in zip(
-            pieces, values_of(field, "ReleaseFirst"), values_of(field, "ObjectiveWithoutFirst")):
-        entry["release"] = None if first < 0 else {
-            "first": names[first],
-            "objective_without_first": objective if objective >= 0.0 else None,
-            "ranking": []}
-    without = {key: values_of(field, name) for key, name in _RELEASE_NUMBERS.items()}
-    for row, (owner, curve, shape, tried) in enumerate(zip(*(values_of(field, name) for name in (
-            "ReleasePiece", "ReleaseCurve", "ReleaseShape", "ReleaseTried")))):
-        pieces[owner]["release"]["ranking"].append(
-            {"curve": names[curve], "release": "shape" if shape else "curve",
-             **{key: column[row] if tried else None for key, column in without.items()}})
-    for repaired, entry in zip(values_of(field, "Repaired"), pieces):
-        entry["repaired"] = bool(repaired)
-    _add_history(field, "history", "HistoryPiece", _HISTORY, pieces)
-    _add_history(
-        field, "isometric_history", "IsometricHistoryPiece", _ISOMETRIC_HISTORY, pieces)
-    for entry in pieces:
-        for record in entry["isometric_history"]:
-            record["exact"] = bool(record["exact"])
-    _add_cloth(field, pieces)
-    curves = zip(*(values_of(curve_field, name) for name in (
-        "CurveNames", "CurveTypes", "CurveRestLengths", "CurveFlatLengths", "CurveLengthErrors",
-        "CurveTolerances", "CurveClosedLengths", "CurveSensitivities", "CurveReleased")))
-    remedies = [{"name": name, "subject": subject} for name, subject in zip(
-        values_of(field, "RunRemedyName"), values_of(field, "RunRemedySubject"))]
+def _releases(filter_: Any, pieces: List[_Row]) -> List[Optional[_Row]]:
+    """What to release of each piece, None where nothing can be."""
+    ranking = _lists_of(filter_.GetReleases(), {
+        "curve": "Name", "release": "Shape", "tried": "Tried", "objective_without": "Objective",
+        "E_area_without": "AreaError", "E_h_without": "Homogeneity"}, len(pieces))
+    result: List[Optional[_Row]] = []
+    for trials, first in zip(ranking, rows_of(filter_.GetPieces(), {
+            "first": "ReleaseFirst", "objective_without_first": "ObjectiveWithoutFirst"})):
+        for trial in trials:
+            trial["release"] = "shape" if trial["release"] else "curve"
+            if not trial.pop("tried"):
+                trial.update(objective_without=None, E_area_without=None, E_h_without=None)
+        if first["objective_without_first"] < 0.0:
+            first["objective_without_first"] = None
+        result.append({**first, "ranking": trials} if first["first"] else None)
+    return result
+
+
+def _pieces(filter_: Any) -> List[_Row]:
+    pieces = rows_of(filter_.GetPieces(), _PIECE)
+    cloths = rows_of(filter_.GetPieces(), _CLOTH) or [{}] * len(pieces)
+    remedies = _lists_of(filter_.GetPieceRemedies(), {"name": "Remedy", "subject": "Subject"}, len(pieces))
+    for piece, cloth, release, ways, angles, sheet in zip(
+            pieces, cloths, _releases(filter_, pieces), remedies,
+            _lists_of(filter_.GetAngleIterations(), _ANGLE_STEP, len(pieces)),
+            _lists_of(filter_.GetIsometricIterations(), _ISOMETRIC_STEP, len(pieces))):
+        if cloth and not math.isfinite(cloth["shear_limit"]):
+            cloth["shear_limit"] = None
+        piece.update(
+            ids=[int(id_) for id_ in piece["ids"].split()], remedies=ways,
+            message=_message(piece["message"], ways), release=release, history=angles,
+            isometric_history=sheet, cloth=cloth or None)
+    return pieces
+
+
+def make_report(filter_: Any) -> Report:
+    """What became of the last run of a filter that gave flat pieces."""
+    remedies = [{"name": name, "subject": subject} for name, subject in remedies_of(filter_)]
+    wires, interior, quality, total = filter_.GetSeconds()
     return cast(Report, {
-        "status": values_of(field, "RunStatus")[0],
-        "message": _message(values_of(field, "RunStatusDefect")[0], remedies),
-        "ids": values_of(field, "RunStatusIds"),
-        "id_kind": values_of(field, "RunStatusIdKind")[0],
+        "status": filter_.GetStatusName(),
+        "message": _message(as_text(filter_.GetStatusDefect()), remedies),
+        "ids": vtk_to_numpy(filter_.GetStatusIds()).tolist(),
+        "id_kind": filter_.GetStatusIdKind(),
         "remedies": remedies,
-        "warnings": texts_of(field, "RunWarnings"),
-        "pieces": pieces,
-        "left_out": [
-            {"reason": reason, "cell": cell, "triangles": triangles}
-            for reason, cell, triangles in zip(*(values_of(field, name) for name in (
-                "LeftOutReasons", "LeftOutCells", "LeftOutTriangles")))
-        ],
-        "curves": [
-            {"name": name, "type": CURVE_TYPES[kind], "length_3d": rest, "length_2d": length,
-             "error": error, "tolerance": tolerance, "closed_length": closed,
-             "sensitivity": sensitivity, "released": bool(released)}
-            for name, kind, rest, length, error, tolerance, closed, sensitivity, released in curves
-        ],
-        "seconds": {key: values_of(field, name)[0] for key, name in _SECONDS.items()},
+        "warnings": texts_of(filter_.GetStatusWarnings()),
+        "pieces": _pieces(filter_),
+        "left_out": rows_of(
+            filter_.GetLeftOutPieces(), {"reason": "Reason", "cell": "Cell", "triangles": "Triangles"}),
+        "curves": rows_of(filter_.GetCurves(), _CURVE),
+        "seconds": {
+            "wires": wires, "interior": interior, "quality": quality, "core": total, "total": total},
     })

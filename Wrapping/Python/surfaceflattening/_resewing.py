@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._flatten import _update
 from ._options import material_text, options_of, set_option
-from ._report import values_of
+from ._report import rows_of
 from ._result import Flattening
 from ._types import SewingTest
 from .vtkFiltersFlattening import vtkSewnShape
@@ -62,9 +62,9 @@ class ResewnShape(NamedTuple):
     shear_rms: Optional[float] = None
 
 
-_ARRAYS = {
+_COLUMNS = {
     "pieces": "Pieces", "triangles": "Triangles", "size": "Size", "distance_mean": "DistanceMean",
-    "distance_rms": "DistanceRMS", "distance_p95": "DistanceP95", "distance_max": "DistanceMax",
+    "distance_rms": "DistanceRms", "distance_p95": "DistanceP95", "distance_max": "DistanceMax",
     "distance_mean_relative": "RelativeDistanceMean", "distance_max_relative": "RelativeDistanceMax",
     "normal_deviation_mean": "NormalDeviationMean", "strain_mean": "StrainMean",
     "strain_p95": "StrainP95", "strain_max": "StrainMax", "compressed_area": "CompressedArea",
@@ -181,12 +181,9 @@ def resew(
     filter_.SetDesignData(flattening._parts.cut)
     _update(filter_, progress)
     sewn, design = filter_.GetOutput(0), filter_.GetOutput(1)
-    field, cells = sewn.GetFieldData(), sewn.GetCellData()
-    threads = field.GetArray("StrainWarpRms") is not None
-    names = {**_ARRAYS, **(_THREADS if threads else {})}
-    columns = [values_of(field, array) for array in names.values()]
-    shapes = [row._replace(converged=row.converged != 0, several_shapes=row.several_shapes != 0)
-              for row in (ResewnShape(*values) for values in zip(*columns))]
+    field, cells, table = sewn.GetFieldData(), sewn.GetCellData(), filter_.GetShapes()
+    threads = table.GetColumnByName("StrainWarpRms") is not None
+    shapes = [ResewnShape(**row) for row in rows_of(table, {**_COLUMNS, **(_THREADS if threads else {})})]
 
     def copy(data: Any, name: str) -> NDArray[Any]:
         return np.array(vtk_to_numpy(data.GetArray(name)))

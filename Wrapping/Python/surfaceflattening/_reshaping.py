@@ -14,7 +14,7 @@ from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curves_on, demand_polydata,
 from ._flatten import _update
 from ._options import make_filter, with_options
 from ._report import values_of
-from ._result import Flattening, make_result
+from ._result import Flattening, result_of
 from .vtkFiltersFlattening import vtkMakeFlattenable
 
 
@@ -120,8 +120,7 @@ def _make_flattenable(
     if body is not None:
         filter_.SetBodyData(body)
     _update(filter_, options.get("progress"))
-    flattening = make_result(
-        filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
+    flattening = result_of(filter_, type(surface))
     moved = filter_.GetOutput(5)
     measures, arrays = filter_.GetOutputDataObject(9).GetRowData(), moved.GetPointData()
 

@@ -123,7 +123,7 @@ class Flattening(ComparedByValue):
     _mesh_class: type = field(default=vtkPolyData, repr=False, compare=False)
 
     def __reduce__(self) -> Any:
-        return _unpickled, (*map(_bytes_of, self._parts), self._mesh_class), {"report": self.report}
+        return _unpickled, (*map(_bytes_of, self._parts), self.report, self._mesh_class)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Flattening):
@@ -334,10 +334,14 @@ def _wires(output: vtkPolyData) -> List[Wire]:
     return result
 
 
-def make_result(
-    flat: vtkPolyData, wires: vtkPolyData, cut: vtkPolyData, mesh_class: type = vtkPolyData
-) -> Flattening:
-    """The three outputs of vtkWireWarpingFilter, seen as arrays."""
+def result_of(filter_: Any, mesh_class: type) -> Flattening:
+    """The outputs of a filter that has flattened."""
+    parts = Parts(*(filter_.GetOutput(port) for port in range(3)))
+    return _make_result(parts, make_report(filter_), mesh_class)
+
+
+def _make_result(parts: Parts, report: Report, mesh_class: type) -> Flattening:
+    flat, wires, cut = parts
     corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray())
     return Flattening(
         positions=np.asarray(vtk_to_numpy(flat.GetPoints().GetData()), np.float64)[:, :2],
@@ -349,8 +353,8 @@ def make_result(
         seam_pairs=_rows(flat.GetFieldData(), "SeamPairs", 5),
         seam_closed=np.array(values_of(flat.GetFieldData(), "SeamClosed"), np.bool_),
         overlap_edges=_rows(flat.GetFieldData(), "OverlapEdges", 5),
-        report=make_report(flat, wires),
-        _parts=Parts(flat, wires, cut),
+        report=report,
+        _parts=parts,
         _mesh_class=mesh_class,
     )
 
@@ -367,7 +371,7 @@ def _bytes_of(mesh: vtkPolyData) -> bytes:
     return bytes(vtk_to_numpy(buffer))
 
 
-def _unpickled(flat: bytes, wires: bytes, cut: bytes, mesh_class: type) -> Flattening:
+def _unpickled(flat: bytes, wires: bytes, cut: bytes, report: Report, mesh_class: type) -> Flattening:
     from vtkmodules.vtkParallelCore import vtkCommunicator
     meshes = []
     for content in (flat, wires, cut):
@@ -375,4 +379,4 @@ def _unpickled(flat: bytes, wires: bytes, cut: bytes, mesh_class: type) -> Flatt
         vtkCommunicator.UnMarshalDataObject(
             numpy_to_vtk(np.frombuffer(content, np.int8), array_type=VTK_CHAR), meshes[-1])
     meshes[1].SetPoints(meshes[0].GetPoints())  # as the filter gives them
-    return make_result(meshes[0], meshes[1], meshes[2], mesh_class)
+    return _make_result(Parts(*meshes), report, mesh_class)

@@ -13,8 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from ._curves import CURVE_TYPES, Curve, add_weights, curves_on, demand_polydata, make_curves, make_surface
 from ._flatten import _update
 from ._options import make_filter, with_options
-from ._report import values_of
-from ._result import Flattening, make_result
+from ._report import rows_of, values_of
+from ._result import Flattening, result_of
 from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
 
 
@@ -107,8 +107,8 @@ class Suggestion(NamedTuple):
         return suggestion_to_html(self)
 
 
-def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
-    """The output 5 of vtkFeatureCurveSuggestion."""
+def _make_suggestion(filter_: Any, flattening: Flattening) -> Suggestion:
+    curves = filter_.GetOutput(5)
     cells = curves.GetCellData()
     kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
     shapes = values_of(cells, "KeyShape")
@@ -130,17 +130,15 @@ def make_suggestion(curves: vtkPolyData, flattening: Flattening) -> Suggestion:
                   key_shape="straight" if shapes[cell] == 1 else "surface"), length, predicted, gain, opening,
             before, after, mirrors[cell] - 1 if mirrors[cell] > 0 else -1, *area))
     field = curves.GetFieldData()
-    met = values_of(field, "BoundMet")
-    columns = [values_of(field, f"LeftOut{name}") for name in (
-        "CurveName", "CurveType", "Length", "Gain", "AreaErrorBefore", "AreaErrorAfter", "StrainBefore",
-        "StrainAfter", "Sound")]
-    left_out = [
-        LeftOutLine(name, CURVE_TYPES[kind], length, gain, area, area_after, strain, strain_after, bool(sound))
-        for name, kind, length, gain, area, area_after, strain, strain_after, sound in zip(*columns)]
+    met = values_of(filter_.GetOutputDataObject(6).GetRowData(), "BoundMet")
+    left_out = [LeftOutLine(**row) for row in rows_of(filter_.GetLeftOutLines(), {
+        "name": "Name", "type": "Type", "length": "Length", "gain": "Gain", "E_area_before": "AreaErrorBefore",
+        "E_area_after": "AreaErrorAfter", "strain_before": "StrainBefore", "strain_after": "StrainAfter",
+        "sound": "Sound"})]
     plane, axis = values_of(field, "MirrorPlane"), values_of(field, "MirrorAxis")
     mirror = (MirrorPlane(np.array(plane[:3]), plane[3]) if plane
               else MirrorAxis(np.reshape(axis, (2, 3))) if axis else None)
-    return Suggestion(cuts, bool(met and met[0]), flattening, left_out, mirror)
+    return Suggestion(cuts, bool(met[0]), flattening, left_out, mirror)
 
 
 @with_options(vtkFeatureCurveSuggestion)
@@ -199,6 +197,4 @@ def _suggest(surface: vtkPolyData, curves: Optional[vtkPolyData], **options: Any
     if curves is not None:
         filter_.SetCurvesData(curves)
     _update(filter_, options.get("progress"), finishes=filter_.GetSuggestedCuts() != filter_.LINES)
-    flattening = make_result(
-        filter_.GetOutput(0), filter_.GetOutput(1), filter_.GetOutput(2), type(surface))
-    return make_suggestion(filter_.GetOutput(5), flattening)
+    return _make_suggestion(filter_, result_of(filter_, type(surface)))

@@ -152,6 +152,7 @@ class PieceReport(TypedDict):
         E_area: sum of abs(flat area - area) / sum of area; 0 is ideal.
         strain_p95: the strain, max abs(ln sigma), that is not exceeded on 95 % of the area.
         energy_rigid: mean squared distance of the triangles' maps from a rotation.
+        energy_sheet, energy_angles: the two terms of the energy of scheme "isometric", in mean triangle areas.
         cut_length: length of the darts and seams that bound or slit it.
         flipped: triangles that are turned over.
         overlaps: pairs of boundary edges that cross; overlaps_complete: whether all were looked at.
@@ -194,6 +195,8 @@ class PieceReport(TypedDict):
     E_area: float
     strain_p95: float
     energy_rigid: float
+    energy_sheet: float
+    energy_angles: float
     cut_length: float
     flipped: int
     overlaps: int
