@@ -148,7 +148,7 @@ int vtkFeatureCurveSuggestion::RequestData(
     this->LeftOutLines = flattening::bridge::leftOutLines(suggestions);
     const std::string shortfall = this->SuggestedCuts == LINES
       ? std::string()
-      : flattening::bridge::describeShortfall(suggestions, this->Bound);
+      : flattening::bridge::describeShortfall(suggestions, this->Bound, source->curves.polylines);
     if (!shortfall.empty())
     {
       this->Warn({ shortfall });

@@ -150,7 +150,8 @@ void writeSuggestions(
   }
 }
 
-std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
+std::string describeShortfall(
+  const CurveSuggestions& suggestions, double bound, const std::vector<Polyline>& curves)
 {
   const std::string byWork =
     "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
@@ -167,10 +168,21 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound)
   {
     return interrupted + ", before any cut was found";
   }
+  if (std::isnan(suggestions.strainAfter) && worked)
+  {
+    return byWork +
+      ", before the surface could be flattened with any cuts; allow more work, or draw "
+      "seams that open the surface";
+  }
   if (std::isnan(suggestions.strainAfter))
   {
-    return "nothing could be tried: the seams that open the surface meet a key curve, or cannot be "
-           "made; make it an accessory curve, or draw seams that open the surface";
+    const bool keys = std::any_of(curves.begin(), curves.end(),
+      [](const Polyline& curve) { return curve.type == CurveType::Key; });
+    return keys
+      ? "nothing could be tried: the seams that open the surface meet a key curve, or cannot be "
+        "made; make it an accessory curve, or draw seams that open the surface"
+      : "nothing could be tried: seams that open the surface are not found, or it cannot be "
+        "flattened with them; draw seams that open the surface";
   }
   if (suggestions.boundMet || bound == 0.0)
   {

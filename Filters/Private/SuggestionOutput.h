@@ -25,6 +25,8 @@ void writeSearch(const CurveSuggestions& suggestions, vtkTable* table);
 
 /// For a warning: how far the strain stays above the bound and where, and what ended the search.
 /// Empty where the bound is met, or there is none and no limit of work ended the search.
-std::string describeShortfall(const CurveSuggestions& suggestions, double bound);
+/// \param curves of the input
+std::string describeShortfall(
+  const CurveSuggestions& suggestions, double bound, const std::vector<Polyline>& curves);
 }
 }

@@ -97,6 +97,22 @@ double missOf(const Polyline& line, const CurveSuggestions& suggestions)
 }
 }
 
+TEST(SuggestedSets, AClosedBodyThatIsNotOpenedWithinTheWorkMeetsNoBound)
+{
+  for (const double bound : { 0.02, 0.2 })
+  {
+    for (const double work : { 0.001, 0.005, 0.02 })
+    {
+      SuggestionOptions options = optionsOf(bound, 9);
+      options.search.maximumWork = work;
+      const CurveSuggestions suggestions = suggestCurves(pear(), {}, options);
+      ASSERT_TRUE(std::isnan(suggestions.strainAfter)) << work;
+      EXPECT_EQ(suggestions.end, SearchEnd::WorkUsedUp) << work;
+      EXPECT_FALSE(suggestions.boundMet);
+    }
+  }
+}
+
 TEST(SuggestedSets, HalvesOfAClosedBodyAreCutAlike)
 {
   SuggestionOptions options = optionsOf(0.1, 9);

@@ -330,8 +330,8 @@ private:
           this->Run.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count)));
       this->Budget.add(budget);
       const CutSet& set = found.back();
-      const bool met =
-        this->withinBound(std::min_element(found.begin(), found.end(), better)->outcome.strainP95);
+      const TrialOutcome& least = std::min_element(found.begin(), found.end(), better)->outcome;
+      const bool met = least.valid && this->withinBound(least.strainP95);
       if ((met && (set.cuts.size() == first.size() || k > 0)) ||
         found.front().end == SearchEnd::GivenUp || this->Budget.left() <= this->MostMeasuring)
       {

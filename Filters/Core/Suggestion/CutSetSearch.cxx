@@ -95,11 +95,11 @@ public:
   CutSet run()
   {
     this->addCuts();
-    if (!this->withinBound(this->now().strainP95) && this->Result.end != SearchEnd::GivenUp)
+    if (!this->met() && this->Result.end != SearchEnd::GivenUp)
     {
       this->refit();
     }
-    if (this->withinBound(this->now().strainP95))
+    if (this->met())
     {
       this->Result.end = SearchEnd::BoundMet;
       this->thin();
@@ -119,6 +119,8 @@ private:
   {
     return this->Search.bound > 0.0 && strain <= this->Search.bound;
   }
+  /// No strain is known of a surface that has no flattening yet.
+  bool met() const { return this->now().valid && this->withinBound(this->now().strainP95); }
 
   bool finished()
   {
@@ -127,7 +129,7 @@ private:
       this->Result.end = SearchEnd::CutsUsedUp;
       return true;
     }
-    return this->withinBound(this->now().strainP95) || this->Budget.spent() ||
+    return this->met() || this->Budget.spent() ||
       this->Run.cancelled() || this->hopeless();
   }
 
@@ -180,7 +182,7 @@ private:
       bool better = false;
       for (std::size_t k = this->FirstCount; k < this->Result.cuts.size(); ++k)
       {
-        if (this->withinBound(this->now().strainP95) || this->Budget.spent() ||
+        if (this->met() || this->Budget.spent() ||
           this->Run.cancelled())
         {
           return;
