@@ -67,7 +67,7 @@ def show_figure():
             setattr(display, moved, [0.0, 0.0, 0.3])
             color_wires(display, "CurveType")
         else:
-            flat = pv.WireWarping(
+            flat = pv.FlattenSurfaceWireWarping(
                 registrationName=scheme, Input=surface, Curves=curves, Scheme=scheme)
             show_flat(flat, view, preset="Flattening: homogeneity as in Fig. 9e of the paper")
         view.InteractionMode = "2D"
@@ -84,7 +84,7 @@ def main():
     options, _ = parser.parse_known_args()  # in the window the arguments are ParaView's own
     if options.plugin:
         pv.LoadPlugin(options.plugin, remote=False)
-    if not hasattr(pv, "WireWarping"):
+    if not hasattr(pv, "FlattenSurfaceWireWarping"):
         raise RuntimeError(
             "ParaView has not loaded the plugin SurfaceFlattening: start by build-paraview/bin/paraview or pvpython or "
             "by `surfaceflattening-paraview`, or name the plugin's file with --plugin")

@@ -90,7 +90,7 @@ def show_legend(display, view):
 
 def show_beside(flattening):
     """Splits the active view: the cut surface stays, the flat pieces get the right half."""
-    if not hasattr(pv, "WireWarping"):
+    if not hasattr(pv, "FlattenSurfaceWireWarping"):
         raise RuntimeError("ParaView has not loaded the plugin SurfaceFlattening: start it by "
                            "build-paraview/bin/paraview or surfaceflattening-paraview, or Tools > Manage Plugins")
     if flattening is None or flattening.GetXMLName() not in ("WireWarping", "LeastSquaresConformalMap"):

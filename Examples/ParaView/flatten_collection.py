@@ -90,7 +90,7 @@ class Collection:
         self.folder = os.path.splitext(options.flat)[0]
         os.makedirs(self.folder, exist_ok=True)
         self.reader = pv.XMLMultiBlockDataReader(FileName=[options.collection])
-        self.flattening = pv.WireWarping(Input=self.reader, Scheme=options.scheme, BesideSurface=0)
+        self.flattening = pv.FlattenSurfaceWireWarping(Input=self.reader, Scheme=options.scheme, BesideSurface=0)
 
     def file(self, first, last, ending):
         return os.path.join(self.folder, f"{first:06}-{last:06}{ending}")
@@ -188,7 +188,7 @@ def main():
     options = parser.parse_args()
     if options.plugin:
         pv.LoadPlugin(options.plugin, remote=True)
-    if not hasattr(pv, "WireWarping"):
+    if not hasattr(pv, "FlattenSurfaceWireWarping"):
         parser.error("ParaView has not loaded the plugin SurfaceFlattening: start by build-paraview/bin/pvbatch or "
                      "`surfaceflattening-paraview pvbatch`, or name the plugin's file with --plugin")
     if not os.path.isfile(options.collection):

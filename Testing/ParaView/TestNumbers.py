@@ -24,7 +24,7 @@ COLUMNS = {"E_len": "EdgeLengthError", "E_ang": "AngleErrorMean", "E_h": "Global
 
 class Numbers(unittest.TestCase):
     def test_numbers_are_those_of_table_1(self):
-        filter_ = pv.WireWarping(Input=read("quarter_sphere"), Curves=read("quarter_sphere_curves"))
+        filter_ = pv.FlattenSurfaceWireWarping(Input=read("quarter_sphere"), Curves=read("quarter_sphere_curves"))
         filter_.Interior = "Laplacian"
         for scheme, angle_error, homogeneity in (
             ("Progressive", 0.1591, 0.394),
@@ -60,7 +60,7 @@ class Numbers(unittest.TestCase):
                 written = fetch(pv.XMLPolyDataReader(FileName=[path]))
                 self.assertEqual(written.GetNumberOfCells(),
                                  sum(piece["triangles"] for piece in report["pieces"]))
-                filter_ = pv.WireWarping(
+                filter_ = pv.FlattenSurfaceWireWarping(
                     Input=read(name), Curves=read(name + "_curves"), Scheme=SCHEMES[scheme],
                     **({"Interior": INTERIORS[interior]} if interior else {}))
                 flat, pieces = fetch(filter_), fetch(filter_, 3)

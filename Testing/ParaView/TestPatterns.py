@@ -26,7 +26,7 @@ class Patterns(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.flattening = pv.WireWarping(Input=read("pants_front"), Curves=read("pants_front_curves"))
+        self.flattening = pv.FlattenSurfaceWireWarping(Input=read("pants_front"), Curves=read("pants_front_curves"))
 
     def save(self, name, **options):
         path = os.path.join(self.folder, name)
@@ -75,6 +75,7 @@ class Patterns(unittest.TestCase):
     def test_measures_are_tables(self):
         given = read("pants_front_curves")
         given.UpdatePipeline()
+        self.flattening.UpdatePipeline()
         count = given.GetDataInformation().GetNumberOfCells()
         for port, rows, first in ((3, 1, ["Piece", "Status", "Name"]), (4, count, ["Curve", "Name", "Type"])):
             table = pv.OutputPort(self.flattening, port).GetDataInformation()

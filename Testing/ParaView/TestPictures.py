@@ -54,7 +54,7 @@ class Pictures(unittest.TestCase):
         return path
 
     def screenshot(self, name, scheme):
-        flattening = pv.WireWarping(
+        flattening = pv.FlattenSurfaceWireWarping(
             Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme=scheme)
         view = pv.CreateView("RenderView")
         view.ViewSize = [500, 600]
@@ -98,7 +98,7 @@ class Pictures(unittest.TestCase):
         sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
         from flat_beside import show_beside
 
-        flattening = pv.WireWarping(
+        flattening = pv.FlattenSurfaceWireWarping(
             Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme="Global")
         pv.SetActiveView(pv.CreateView("RenderView"))
         pv.Show(flattening.Input)
@@ -118,7 +118,7 @@ class Pictures(unittest.TestCase):
         from flat_beside import show_beside
 
         curves = read("shirt_front_curves")
-        flattening = pv.WireWarping(Input=read("shirt_front"), Curves=curves)
+        flattening = pv.FlattenSurfaceWireWarping(Input=read("shirt_front"), Curves=curves)
         view = pv.CreateView("RenderView")
         pv.SetActiveView(view)
         drawn = pv.Show(curves, view)
@@ -138,10 +138,10 @@ class Pictures(unittest.TestCase):
         from flat_beside import show_beside
 
         surface = read("shirt_front")
-        cut = fetch(pv.WireWarping(Input=surface), 2)
+        cut = fetch(pv.FlattenSurfaceWireWarping(Input=surface), 2)
         ends = [cut.GetPoint(cut.GetCell(700).GetPointId(k)) for k in range(2)]
         loose = pv.Line(Point1=ends[0], Point2=ends[1])  # a wire far from the others
-        flattening = pv.WireWarping(Input=surface, Curves=loose)
+        flattening = pv.FlattenSurfaceWireWarping(Input=surface, Curves=loose)
         pv.SetActiveView(pv.CreateView("RenderView"))
         _, plane = show_beside(flattening)
         widths = {}
@@ -153,7 +153,7 @@ class Pictures(unittest.TestCase):
         self.assertGreaterEqual(widths[-1], 3 * widths[-2])
 
     def test_the_macro_shows_the_pieces_of_the_active_source(self):
-        flattening = pv.WireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))
+        flattening = pv.FlattenSurfaceWireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))
         pv.SetActiveView(pv.CreateView("RenderView"))
         pv.SetActiveSource(flattening)
         before = len(pv.GetViews())

@@ -4,6 +4,7 @@
 import json
 import math
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -27,7 +28,7 @@ class Plugin(unittest.TestCase):
         self.assertGreaterEqual(len(proxies), 6)
         for group, proxy in proxies:
             inputs = {"Input": read("quarter_sphere")} if group == "filters" else {}
-            made = getattr(pv, proxy.get("name"))(**inputs)
+            made = getattr(pv, re.sub(r"\W", "", proxy.get("label")))(**inputs)
             for name in ("StatusName", "Distributed") if proxy.get("base_proxyname") else ():
                 self.assertIsNotNone(made.SMProxy.GetProperty(name), proxy.get("name"))
             for element in proxy:
@@ -58,7 +59,7 @@ class Plugin(unittest.TestCase):
 
     def test_curves_are_optional_and_may_be_several(self):
         surface = read("pants_front")
-        filter_ = pv.WireWarping(Input=surface)
+        filter_ = pv.FlattenSurfaceWireWarping(Input=surface)
         self.assertEqual(values(fetch(filter_, 3), "WirePatches"), [1])
         filter_.Curves = read("pants_front_curves")
         patches = values(fetch(filter_, 3), "WirePatches")[0]
@@ -79,7 +80,7 @@ class Plugin(unittest.TestCase):
         self.assertEqual(values(fetch(filter_, 3), "WirePatches"), [1])
 
     def test_properties_reach_the_filter(self):
-        filter_ = pv.WireWarping(
+        filter_ = pv.FlattenSurfaceWireWarping(
             Input=read("pants_front"), Curves=read("pants_front_curves"), Scheme="Global")
         objective = values(fetch(filter_, 3), "Objective")[0]
         filter_.ReleaseKeys = 1
@@ -96,7 +97,7 @@ class Plugin(unittest.TestCase):
         self.assertLess(values(fetch(filter_, 3), "MaxEdgeLengthError")[0], 1e-9)
 
     def test_outputs_have_names(self):
-        filter_ = pv.WireWarping(Input=read("quarter_sphere"))
+        filter_ = pv.FlattenSurfaceWireWarping(Input=read("quarter_sphere"))
         for port, name in enumerate(("Flat Pieces", "Wires", "Cut Surface")):
             self.assertEqual(pv.OutputPort(filter_, name).Port, port)
         bounds = fetch(filter_, 0).GetBounds()
@@ -105,7 +106,7 @@ class Plugin(unittest.TestCase):
         self.assertNotEqual(fetch(filter_, 2).GetBounds()[4:], (0.0, 0.0))
 
     def test_what_is_refused_is_named(self):
-        filter_ = pv.WireWarping(Input=pv.Sphere())
+        filter_ = pv.FlattenSurfaceWireWarping(Input=pv.Sphere())
         filter_.UpdatePipeline()
         filter_.UpdatePropertyInformation()
         self.assertEqual(filter_.Status, "ClosedSurface")
@@ -117,7 +118,7 @@ class Plugin(unittest.TestCase):
 
     def test_filters_form_a_pipeline(self):
         surface, curves = read("shirt_front"), read("shirt_front_curves")
-        flattening = pv.WireWarping(Input=surface, Curves=curves)
+        flattening = pv.FlattenSurfaceWireWarping(Input=surface, Curves=curves)
         quality = pv.FlatteningQuality(
             Input=pv.OutputPort(flattening, 2), FlatSurface=pv.OutputPort(flattening, 0),
             Edges=pv.OutputPort(flattening, 1))
@@ -142,7 +143,7 @@ class Plugin(unittest.TestCase):
         pv.RenameSource("shirt", surface)
         curve = pv.SurfaceCurve(Input=surface, Points=picks, Name="bust line", Type="Key")
         pv.RenameSource("bust", curve)
-        flattening = pv.WireWarping(Input=surface, Curves=curve)
+        flattening = pv.FlattenSurfaceWireWarping(Input=surface, Curves=curve)
         pv.RenameSource("flat", flattening)
         before = fetch(flattening)
         file = os.path.join(OUTPUT, "picked.pvsm")
@@ -177,7 +178,7 @@ class Plugin(unittest.TestCase):
     def test_a_collection_is_flattened_block_by_block(self):
         names = ("quarter_sphere", "shirt_shoulder", "cone")
         collection = pv.GroupDatasets(Input=[read(name) for name in names])
-        flattening = pv.WireWarping(Input=collection)
+        flattening = pv.FlattenSurfaceWireWarping(Input=collection)
         beside = fetch(flattening)
         boxes = [beside.GetBlock(block).GetBounds() for block in range(len(names))]
         space = flattening.Input.GetDataInformation().GetBounds()
@@ -190,7 +191,7 @@ class Plugin(unittest.TestCase):
         flat = fetch(flattening)
         self.assertEqual(flat.GetNumberOfBlocks(), len(names))
         for block, name in enumerate(names):
-            alone = fetch(pv.WireWarping(Input=read(name), BesideSurface=0))
+            alone = fetch(pv.FlattenSurfaceWireWarping(Input=read(name), BesideSurface=0))
             self.assertEqual(flat.GetBlock(block).GetBounds(), alone.GetBounds())
             self.assertEqual(values(flat.GetBlock(block), "RunStatus"), ["Ok"])
 

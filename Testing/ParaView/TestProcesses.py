@@ -109,7 +109,7 @@ class Processes(unittest.TestCase):
 
     def test_a_plain_file_is_flattened_by_the_process_that_has_it(self):
         program = """
-            flat = pv.WireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))
+            flat = pv.FlattenSurfaceWireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))
             print(told(flat))
         """
         one, two = self.run_script(1, program), self.run_script(2, program)
@@ -123,12 +123,12 @@ class Processes(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 pv.SaveData(folder + "/pair.vtm", proxy=pair, DataMode="Binary")
                 blocks = pv.XMLMultiBlockDataReader(FileName=[folder + "/pair.vtm"])
-                flat = pv.WireWarping(Input=blocks, Curves=read("shirt_front_curves"))
+                flat = pv.FlattenSurfaceWireWarping(Input=blocks, Curves=read("shirt_front_curves"))
                 print(told(flat))
         """
         one, two = self.run_script(1, program), self.run_script(2, program)
         alone = self.run_script(1, """
-            print(told(pv.WireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))))
+            print(told(pv.FlattenSurfaceWireWarping(Input=read("shirt_front"), Curves=read("shirt_front_curves"))))
         """)
         self.assertEqual(one[1], 2 * alone[1])
         # Cells, and the place of each block beside the others: that of both together.
@@ -141,12 +141,12 @@ class Processes(unittest.TestCase):
                 with tempfile.TemporaryFile() as file:
                     kept = os.dup(2)
                     os.dup2(file.fileno(), 2)  # the refusal is said there
-                    flat = told(pv.WireWarping(Input=spread))
+                    flat = told(pv.FlattenSurfaceWireWarping(Input=spread))
                     os.dup2(kept, 2)
                     file.seek(0)
                     errors = file.read().decode().count("is spread over 2 processes")
                 whole = pv.AggregateDataset(Input=spread, NumberOfTargetProcesses=1)
-                gathered = told(pv.WireWarping(Input=whole, CoincidentPoints="Join"))
+                gathered = told(pv.FlattenSurfaceWireWarping(Input=whole, CoincidentPoints="Join"))
                 print((*flat[:2], *gathered[:2], errors))
             """)
         self.assertEqual((status, cells), ("InvalidOption", 0))

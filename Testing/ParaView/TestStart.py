@@ -11,7 +11,7 @@ import unittest
 BIN = os.path.join(os.environ["FLATTENING_BINARY"], "bin")
 PROGRAM = """
 import paraview.simple as pv
-print("made", pv.WireWarping().GetXMLName())
+print("made", pv.FlattenSurfaceWireWarping().GetXMLName())
 """
 
 

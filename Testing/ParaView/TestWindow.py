@@ -22,7 +22,7 @@ import paraview.simple as pv
 from paraview import servermanager
 pv.LoadState(sys.argv[1])
 sources = {name: proxy for (name, _), proxy in pv.GetSources().items()}
-curve, flattening = sources["SurfaceCurve1"], sources["WireWarping1"]
+curve, flattening = sources["SurfaceCurve1"], sources["FlattenSurface(WireWarping)1"]
 flattening.UpdatePipeline()
 flattening.UpdatePropertyInformation()
 curves = servermanager.Fetch(flattening, idx=4)
@@ -166,7 +166,7 @@ class Window(unittest.TestCase):
 
         window.do("click", "#pipelineBrowser", x=0.5, y=0.95)
         window.do("press", keys="Up")  # from the curve to its surface
-        window.menu("Filters", "Surface Flattening", "Wire Warping")
+        window.menu("Filters", "Surface Flattening", "first: Flatten Surface (Wire Warping)")
         window.choose("#Curves QComboBox", "SurfaceCurve1")
         window.apply()
         window.ask("picture", file=os.path.join(OUTPUT, "window_flat.png"))

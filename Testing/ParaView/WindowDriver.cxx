@@ -172,14 +172,21 @@ QPoint placeIn(QWidget& widget, const QJsonObject& wish)
     int(wish["x"].toDouble(0.5) * widget.width()), int(wish["y"].toDouble(0.5) * widget.height())));
 }
 
+/// \param text of an entry; "first: TEXT" where it must be the first of the menu
 template <typename Menu>
-QString clickAction(Menu* menu, const QString& text)
+QString clickAction(Menu* menu, QString text)
 {
+  const bool first = text.startsWith("first: ");
+  text.remove("first: ");
   for (QAction* action : menu->actions())
   {
     if (action->isVisible() && action->text().remove('&') == text)
     {
       return clickAt(menu->mapToGlobal(menu->actionGeometry(action).center()), false);
+    }
+    if (first && action->isVisible())
+    {
+      return "the first entry of the menu is " + action->text();
     }
   }
   return "no such entry in the menu: " + text;

@@ -47,7 +47,7 @@ except ImportError as _error:
     import sys as _sys
     _paraview = (
         ". ParaView's Python has a VTK of its own: there its plugin's filters are those of paraview.simple, such as "
-        "WireWarping, where it was started by build-paraview/bin/pvpython or `surfaceflattening-paraview pvpython`"
+        "FlattenSurfaceWireWarping, where it was started by build-paraview/bin/pvpython or `surfaceflattening-paraview pvpython`"
         if _import.find_spec("paraview") else "")
     raise ImportError(
         f"surfaceflattening cannot load its filters ({_error}). They are built for {BUILT_FOR} and need both: "
