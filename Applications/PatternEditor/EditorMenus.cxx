@@ -89,7 +89,9 @@ void EditorWindow::makeFileMenu()
   QMenu* const seams = menu->addMenu("Seams from faces");
   for (const auto& [words, source] : seamSources)
   {
-    QObject::connect(seams->addAction(words), &QAction::triggered, [this, source = source] {
+    QAction* const action = seams->addAction(words);
+    action->setShortcut(QKeySequence("Ctrl+" + QString::number(seams->actions().size())));
+    QObject::connect(action, &QAction::triggered, [this, source = source] {
       if (this->mayForgetCurves())
       {
         this->takeSeams(source);
