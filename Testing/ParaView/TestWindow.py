@@ -22,7 +22,7 @@ import paraview.simple as pv
 from paraview import servermanager
 pv.LoadState(sys.argv[1])
 sources = {name: proxy for (name, _), proxy in pv.GetSources().items()}
-curve, flattening = sources["SurfaceCurve1"], sources["FlattenSurface(WireWarping)1"]
+curve, flattening = sources["SurfaceCurve1"], sources["FlattenSurfaceWireWarping1"]
 flattening.UpdatePipeline()
 flattening.UpdatePropertyInformation()
 curves = servermanager.Fetch(flattening, idx=4)
