@@ -3,7 +3,6 @@
 
 #include "BoundaryLoops.h"
 #include "InputError.h"
-#include "InputFiles.h"
 #include "Options.h"
 #include "OutputFiles.h"
 #include "PlainText.h"

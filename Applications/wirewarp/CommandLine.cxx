@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 
-#include "Cutting.h"
 #include "FaceSeams.h"
-#include "FormerOptions.h"
 #include "IdleOptions.h"
 #include "InputError.h"
 #include "MethodOptions.h"
-#include "NearestOption.h"
-#include "NumberOptions.h"
+#include "OptionHints.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
+#include "TableOptions.h"
 #include "TextFile.h"
 #include "Units.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Flattening.h"
-#include "InputFiles.h"
 #include "Options.h"
+#include "OutputFiles.h"
 
 #include <string>
 #include <vector>

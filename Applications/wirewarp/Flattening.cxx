@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
-#include "CurveDistance.h"
 #include "InputError.h"
 #include "MethodOptions.h"
 #include "MovedCurves.h"
-#include "NumberNames.h"
 #include "Patterns.h"
 #include "Progress.h"
 #include "ReadCurves.h"

@@ -74,14 +74,14 @@ struct Flattening
   std::string sizeWarning;
   std::array<double, 4> seconds{}; ///< of wires, interior and quality, and in total
 
-  /// With --suggest: all curves, as vtkFeatureCurveSuggestion has them, and what else it found.
+  /// Of `wirewarp cut`: all curves, as vtkFeatureCurveSuggestion has them, and what else it found.
   vtkSmartPointer<vtkPolyData> curves;
   vtkSmartPointer<vtkTable> search = noTable();
   vtkSmartPointer<vtkTable> leftOutLines = noTable();
-  /// With --price-keys: the prices of vtkKeyCurvePrices.
+  /// Of `wirewarp prices`: the prices of vtkKeyCurvePrices.
   vtkSmartPointer<vtkTable> keyPrices = noTable();
 
-  /// With --flattenable: outputs 5 to 9 of vtkMakeFlattenable.
+  /// Of `wirewarp reshape`: outputs 5 to 9 of vtkMakeFlattenable.
   vtkSmartPointer<vtkPolyData> flattenable;
   vtkSmartPointer<vtkPolyData> flattenableCurves;
   vtkSmartPointer<vtkPolyData> flatBefore;
@@ -89,11 +89,11 @@ struct Flattening
   vtkSmartPointer<vtkTable> shiftMeasures = noTable();
   vtkIdType shiftTrials = 0;
 
-  /// With --resew: output 0 of vtkSewnShape.
+  /// Of `wirewarp sew`: output 0 of vtkSewnShape.
   vtkSmartPointer<vtkPolyData> sewn;
   vtkSmartPointer<vtkTable> sewnShapes = noTable();
 
-  /// With --grade: the output of vtkPatternGrading.
+  /// Of `wirewarp grade`: the output of vtkPatternGrading.
   vtkSmartPointer<vtkPolyData> grading;
 
   std::string unit = "cm"; ///< of the surface, as in Units.h

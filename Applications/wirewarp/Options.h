@@ -3,11 +3,11 @@
 
 #include "FaceSeams.h"
 #include "Options/OptionTable.h"
-#include "PatternOptions.h"
+#include "Patterns.h"
 #include "Picture.h"
 #include "Resewing.h"
 #include "Reshaping.h"
-#include "SizeOptions.h"
+#include "Sizes.h"
 
 #include <string>
 #include <vector>

@@ -6,6 +6,10 @@
 
 #include <vtkXMLPolyDataWriter.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <random>
@@ -171,5 +175,45 @@ void OutputFiles::publish()
     }
   }
   this->Entries.clear();
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+  : Folder(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+  , Held(flock(this->Folder, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+{
+}
+
+FolderLock::~FolderLock()
+{
+  if (this->Folder >= 0)
+  {
+    close(this->Folder);
+  }
+}
+
+//------------------------------------------------------------------------------
+void InputFiles::add(const std::string& path)
+{
+  std::error_code error; // whoever reads the file tells of it
+  std::filesystem::path file = std::filesystem::canonical(path, error);
+  if (!error)
+  {
+    this->Files.insert(std::move(file));
+  }
+}
+
+//------------------------------------------------------------------------------
+void InputFiles::refuseToReplace(const std::filesystem::path& file, const std::string& option) const
+{
+  // A link in place of the file itself would be replaced, not what it leads to.
+  std::error_code error;
+  const std::filesystem::path parent = file.parent_path();
+  const std::filesystem::path folder =
+    std::filesystem::canonical(parent.empty() ? "." : parent, error);
+  if (!error && this->Files.count(folder / file.filename()) > 0)
+  {
+    throw InputError(
+      file.string(), "is an input, which the result would replace; name another with " + option);
+  }
 }
 }

@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FolderLock.h"
-
 #include <vtkPolyData.h>
 
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace wirewarp
 {
+/// Keeps other runs out of a folder while it lives. Its end, whatever the cause, frees the folder,
+/// and no file is left in it. On a file system without locks it keeps nobody out.
+class FolderLock
+{
+public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  /// False where another run has the folder.
+  bool held() const { return this->Held; }
+
+private:
+  int Folder;
+  bool Held;
+};
+
 /// Files that appear all together or not at all: each is written aside, and publish() renames them.
 /// What was not published is removed again. The file that is added last stands for the whole set:
 /// it is there only where the others are.
@@ -56,5 +73,18 @@ private:
   std::optional<FolderLock> Lock;
   std::vector<Entry> Entries;
   std::vector<std::filesystem::path> Outdated;
+};
+
+/// The files that a run reads, so that it replaces or removes none of them.
+class InputFiles
+{
+public:
+  void add(const std::string& path);
+  /// Throws InputError where the file is an input.
+  /// \param option the option of the command that names it
+  void refuseToReplace(const std::filesystem::path& file, const std::string& option) const;
+
+private:
+  std::set<std::filesystem::path> Files;
 };
 }

@@ -4,9 +4,10 @@
 #include "FlagWords.h"
 #include "Flattening.h"
 #include "InputError.h"
-#include "NumberOptions.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
+#include "TableOptions.h"
+#include "TextFile.h"
 #include "VtkMessages.h"
 
 #include <vtkFeatureCurveAlgorithm.h>
@@ -14,11 +15,15 @@
 #include <vtkPatternWriter.h>
 #include <vtkStringArray.h>
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <new>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace wirewarp
@@ -249,5 +254,190 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
               << " is taken as cm; state it with --unit mm, cm, m or inch\n";
   }
   return names;
+}
+
+namespace
+{
+constexpr double largestLength = 1e6;
+
+/// Lengths of all curves, or NAME=MM of one.
+void addLengths(CLI::App& app, const std::string& name, double& length,
+  std::vector<std::string>& ofCurves, const std::string& text)
+{
+  std::ostringstream value;
+  value << length;
+  app
+    .add_option_function<std::vector<std::string>>(
+      name,
+      [name, &length, &ofCurves](const std::vector<std::string>& entries) {
+        ofCurves.clear();
+        for (const std::string& entry : entries)
+        {
+          std::string curve;
+          double given = 0.0;
+          const bool named = splitNameAndNumber(entry, curve, given);
+          if ((!named && !parseNumber(entry, given)) || !(given >= 0.0 && given <= largestLength))
+          {
+            throw CLI::ValidationError(name,
+              inQuotes(entry) + " is neither a length in mm from 0 to 1e6 nor NAME=MM of a curve");
+          }
+          length = named ? length : given;
+          if (named)
+          {
+            ofCurves.push_back(entry);
+          }
+        }
+      },
+      text)
+    ->type_name("MM|NAME=MM")
+    ->default_str(value.str())
+    ->allow_extra_args(false);
+}
+
+/// NAME, NAME:QUANTITY or :QUANTITY of the pieces in their order.
+void addPieces(CLI::App& app, PatternRequest& request)
+{
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--piece",
+      [&request](const std::vector<std::string>& entries) {
+        request.pieceNames.clear();
+        request.pieceQuantities.clear();
+        for (const std::string& entry : entries)
+        {
+          const std::size_t colon = entry.rfind(':');
+          long long quantity = 0;
+          const bool counted =
+            colon != std::string::npos && parseInteger(entry.substr(colon + 1), quantity);
+          if (counted && (quantity < 1 || quantity > 1000000))
+          {
+            throw CLI::ValidationError(
+              "--piece", inQuotes(entry) + " is not NAME:QUANTITY with 1 to 1000000 copies");
+          }
+          request.pieceNames.push_back(counted ? entry.substr(0, colon) : entry);
+          request.pieceQuantities.push_back(static_cast<int>(quantity));
+        }
+      },
+      "Name of a piece and how many are cut, from piece 1 on; repeat it for the next")
+    ->type_name("NAME[:COPIES]")
+    ->allow_extra_args(false);
+}
+}
+
+//------------------------------------------------------------------------------
+void addDrawing(CLI::App& app, PatternRequest& request)
+{
+  addLengths(app, "--allowance", request.allowance, request.curveAllowances,
+    "Seam allowance; NAME=MM: along one curve, or along 'boundary'; repeat it for the next");
+  app
+    .add_option("--notch-spacing", request.notchSpacing,
+      "Distance of notches along seams and darts. From their start, on the surface; the middle "
+      "where they are shorter. 0: none but at the mouths of darts")
+    ->check(number(0.0, largestLength, "[0, 1e6]"))
+    ->type_name("MM")
+    ->capture_default_str();
+  app
+    .add_option("--notch", request.curveNotches,
+      "A notch at this distance from the start of a curve. It replaces those by --notch-spacing "
+      "on a seam, a dart or an edge; repeat it for the next")
+    ->allow_extra_args(false)
+    ->check(nameAndMillimetres())
+    ->type_name("NAME=MM");
+  app
+    .add_option("--double-notch", request.doubleNotches,
+      "A curve whose notches are double, as at the back. Two marks 6.35 mm apart; repeat it for "
+      "the next")
+    ->type_name("NAME")
+    ->allow_extra_args(false);
+  app.add_flag("--notch-corners", request.notchCorners,
+    "Notch the cut line at corners, where the sew lines, drawn on, meet it");
+  app.add_flag("--notch-curve-ends", request.notchCurveEnds,
+    "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
+    "it");
+  addLengths(app, "--smooth", request.fairTolerance, request.curveFairs,
+    "Draw borders as smooth splines at most this far from the mesh. They keep their lengths and "
+    "are straight where nearly so; 0: raw, as the mesh has them; NAME=MM: along one curve, or "
+    "along 'boundary'");
+  app.get_option("--smooth")->each([&request](const std::string&) { request.fairGiven = true; });
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--fold",
+      [&request](const std::vector<std::string>& names) {
+        request.folds.clear();
+        for (const std::string& name : names)
+        {
+          if (name == "symmetric")
+          {
+            request.cutOnFold = true;
+            continue;
+          }
+          request.folds.push_back(name);
+        }
+      },
+      "Cut on the fold of the cloth along this curve, or every symmetric piece. A half of a piece "
+      "that is symmetric about the curve, or a piece that is a half and has it on its border; "
+      "repeat it for the next")
+    ->type_name("NAME|symmetric")
+    ->allow_extra_args(false);
+  app.add_flag("--pairs", request.cutPairs,
+    "Of two pieces that are mirror images draw the first. It is cut in pairs of which one is "
+    "turned over");
+  addLengths(app, "--dart-tip", request.dartTip, request.curveDartTips,
+    "How far tips of folded darts are drawn back. Their legs with them, which are shorter then; "
+    "NAME=MM: of one dart");
+  app.add_flag("--cut-darts-out", request.cutDartsOut,
+    "Cut darts out along their seam allowance instead of folding them");
+  addPieces(app, request);
+  app.add_option("--quantity", request.quantity, "How many of each piece are cut")
+    ->check(CLI::Range(1, 1000000).description(""))
+    ->type_name("N")
+    ->capture_default_str();
+  app.add_option("--name", request.name, "Name of the pattern (default: that of the surface)")
+    ->type_name("NAME");
+  app.add_option("--size", request.size, "Size that the pattern is for")->type_name("NAME");
+  app
+    .add_option("--paper", request.paper, "Paper of the PDF: A4, letter, A3, A0, sheet (one page)")
+    ->transform(
+      CLI::IsMember({ "A4", "letter", "A3", "A0", "sheet" }, CLI::ignore_case).description(""))
+    ->type_name("PAPER")
+    ->capture_default_str();
+  app
+    .add_option_function<std::string>(
+      "--style", [&request](const std::string& style) { request.laserColours = style == "laser"; },
+      "Lines of the SVG: sewing, or laser (thin lines, a color for each role)")
+    ->transform(CLI::IsMember({ "sewing", "laser" }, CLI::ignore_case).description(""))
+    ->type_name("STYLE");
+  app.add_flag(
+    "--seam-table", request.seamTable, "Append the lengths of both sides of seams to the PDF");
+  app.add_option("--mitre-limit", request.mitreLimit, "Longest miter of a corner, in allowances")
+    ->check(number(1.0, 100.0, "[1, 100]"))
+    ->capture_default_str();
+  app.add_flag("--symmetrize", request.symmetrize,
+    "Draw the outline of each piece that is symmetric to 0.5 mm, and the curves and holes in it "
+    "that are, as exactly its own mirror image; sides whose lengths differ by up to 0.1 mm get "
+    "their mean");
+  app.add_option("--page-overlap", request.overlap, "How far pages overlap, in mm")
+    ->check(number(0.0, 50.0, "[0, 50]"))
+    ->capture_default_str();
+  app
+    .add_option("--max-pages", request.maximumPages,
+      "Most pages of a PDF; with more the unit is likely wrong")
+    ->check(CLI::Range(1, 100000))
+    ->capture_default_str();
+}
+
+//------------------------------------------------------------------------------
+void addNesting(CLI::App& app, PatternRequest& request)
+{
+  app
+    .add_option("--roll-width", request.fabricWidth, "Width of the cloth, with the grain along it")
+    ->check(number(std::numeric_limits<double>::min(), 1e5, "(0, 1e5]"))
+    ->type_name("MM")
+    ->required();
+  app.add_flag("--nap", request.nap, "The cloth has an up and a down: no piece is turned round");
+  app.add_option("--gap", request.fabricGap, "Least distance of pieces on the cloth")
+    ->check(number(0.0, 1000.0, "[0, 1000]"))
+    ->type_name("MM")
+    ->capture_default_str();
 }
 }

@@ -49,8 +49,14 @@ void Progress::show()
   const double percent = 100.0 * std::clamp(this->Filter->GetProgress(), 0.0, 1.0);
   const char* const phase = this->Filter->GetProgressText();
   const double seconds = std::chrono::duration<double>(now - this->Begin).count();
-  std::fprintf(stderr, this->Terminal ? "\r\033[K%3.0f %% %s, %.0f s" : "%3.0f %% %s, %.0f s\n",
-    percent, phase ? phase : "", seconds);
+  constexpr double fewPercent = 5.0; // from which the rest is estimated
+  char left[48] = "";
+  if (percent >= fewPercent && percent < 100.0)
+  {
+    std::snprintf(left, sizeof left, ", about %.0f s left", seconds * (100.0 - percent) / percent);
+  }
+  std::fprintf(stderr, this->Terminal ? "\r\033[K%3.0f %% %s, %.0f s%s" : "%3.0f %% %s, %.0f s%s\n",
+    percent, phase ? phase : "", seconds, left);
   std::fflush(stderr);
 }
 }

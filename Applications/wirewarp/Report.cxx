@@ -2,18 +2,24 @@
 #include "Report.h"
 
 #include "FlagWords.h"
-#include "KeyPriceTable.h"
-#include "SeamReport.h"
-#include "SuggestionReport.h"
+#include "Table.h"
 #include "Units.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkAbstractArray.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkMath.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -132,6 +138,140 @@ Json rowOf(vtkTable* table, vtkIdType row, const Columns& columns)
     object[column.key] = valueOf(table, row, column);
   }
   return object;
+}
+
+/// The two banks of a dart or seam that are sewn together, where both pieces stay the same.
+struct SewnBanks
+{
+  std::string curve;
+  std::array<long long, 2> pieces{ 0, 0 };
+  long long edges = 0;
+  std::array<double, 2> lengths{ 0.0, 0.0 };
+  /// Largest difference of two edges that are sewn together, as a fraction of their length.
+  double difference = 0.0;
+};
+
+/// Per point the piece of one of its triangles; pieces share no points.
+std::vector<long long> pieceOfPoint(vtkPolyData* flat)
+{
+  std::vector<long long> pieces(flat->GetNumberOfPoints(), 0);
+  vtkDataArray* const pieceOfCell = flat->GetCellData()->GetArray("PieceId");
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  for (vtkIdType cell = 0; pieceOfCell && cell < flat->GetNumberOfCells(); ++cell)
+  {
+    flat->GetCellPoints(cell, count, ids);
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      pieces[ids[k]] = static_cast<long long>(pieceOfCell->GetTuple1(cell));
+    }
+  }
+  return pieces;
+}
+
+double distance(vtkPolyData* flat, vtkIdType a, vtkIdType b)
+{
+  std::array<double, 3> p{};
+  std::array<double, 3> q{};
+  flat->GetPoint(a, p.data());
+  flat->GetPoint(b, q.data());
+  return std::sqrt(vtkMath::Distance2BetweenPoints(p.data(), q.data()));
+}
+
+/// One entry a curve and pair of pieces, in the order of the curves.
+std::vector<SewnBanks> sewnBanks(const Flattening& result)
+{
+  vtkDataArray* const pairs =
+    result.flat ? result.flat->GetFieldData()->GetArray("SeamPairs") : nullptr;
+  if (!pairs || pairs->GetNumberOfComponents() != 5)
+  {
+    return {};
+  }
+  const std::vector<long long> pieces = pieceOfPoint(result.flat);
+  std::map<std::array<long long, 3>, SewnBanks> found;
+  for (vtkIdType row = 0; row < pairs->GetNumberOfTuples(); ++row)
+  {
+    std::array<double, 5> ids{};
+    pairs->GetTuple(row, ids.data());
+    const auto point = [&ids](int k) { return static_cast<vtkIdType>(ids[k]); };
+    std::array<long long, 2> sides{ pieces[point(0)], pieces[point(2)] };
+    std::array<double, 2> lengths{ distance(result.flat, point(0), point(1)),
+      distance(result.flat, point(2), point(3)) };
+    if (sides[1] < sides[0])
+    {
+      std::swap(sides[0], sides[1]);
+      std::swap(lengths[0], lengths[1]);
+    }
+    SewnBanks& banks = found[{ point(4), sides[0], sides[1] }];
+    banks.curve = textIn(result.curveTable, point(4), "Name");
+    banks.pieces = sides;
+    ++banks.edges;
+    banks.lengths[0] += lengths[0];
+    banks.lengths[1] += lengths[1];
+    const double larger = std::max(lengths[0], lengths[1]);
+    banks.difference =
+      std::max(banks.difference, larger > 0.0 ? std::abs(lengths[0] - lengths[1]) / larger : 0.0);
+  }
+  std::vector<SewnBanks> list;
+  for (auto& entry : found)
+  {
+    list.push_back(std::move(entry.second));
+  }
+  return list;
+}
+
+Json suggestionReport(const SuggestedCut& cut)
+{
+  return { { "type", cut.type }, { "name", cut.name }, { "length", cut.length },
+    { "gain", cut.gain }, { "E_area_before", cut.areaErrorBefore },
+    { "E_area_after", cut.areaErrorAfter }, { "strain_p95_before", cut.strainBefore },
+    { "strain_p95_after", cut.strainAfter } };
+}
+
+Json suggestionReports(const Flattening& result)
+{
+  Json suggestions = Json::array();
+  for (const SuggestedCut& cut : suggestedCuts(result))
+  {
+    Json row = suggestionReport(cut);
+    row["gain_predicted"] = cut.predictedGain;
+    row["opening"] = cut.opening;
+    row["mirror_of"] = cut.mirrorOf;
+    suggestions.push_back(std::move(row));
+  }
+  return suggestions;
+}
+
+Json leftOutLineReports(const Flattening& result)
+{
+  Json lines = Json::array();
+  for (const LeftOutLine& line : leftOutLines(result))
+  {
+    Json row = suggestionReport(line);
+    row["sound"] = line.sound;
+    lines.push_back(std::move(row));
+  }
+  return lines;
+}
+
+/// What proposals keep to: a plane by its normal and offset, or an axis by its ends; null without.
+Json mirrorReport(const Flattening& result)
+{
+  const std::vector<double> plane = mirrorNumbers(result, "MirrorPlane");
+  const std::vector<double> axis = mirrorNumbers(result, "MirrorAxis");
+  if (!plane.empty())
+  {
+    return { { "type", "plane" }, { "normal", Json::array({ plane[0], plane[1], plane[2] }) },
+      { "offset", plane[3] } };
+  }
+  if (!axis.empty())
+  {
+    return { { "type", "axis" },
+      { "ends",
+        Json::array({ Json::array({ axis[0], axis[1], axis[2] }),
+          Json::array({ axis[3], axis[4], axis[5] }) }) } };
+  }
+  return nullptr;
 }
 
 Json rowsOf(vtkTable* table, const Columns& columns)
@@ -284,7 +424,7 @@ Json sizeReports(const Flattening& result)
   return sizes;
 }
 
-/// How the surface was moved, and its pieces before; null without --flattenable.
+/// How the surface was moved, and its pieces before; null where it was not.
 Json flattenableReport(const Options& options, const Flattening& result)
 {
   vtkTable* const measures = result.shiftMeasures;
@@ -319,7 +459,7 @@ Json keyPriceReports(const Flattening& result)
   return trials;
 }
 
-/// One row per piece, or all that is sewn together; none without --resew.
+/// One row per piece, or all that is sewn together; none where nothing was sewn.
 Json resewnReports(const Options& options, vtkTable* table)
 {
   const bool cloth = table->GetColumnByName("StrainWarpRms") != nullptr;

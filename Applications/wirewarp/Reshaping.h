@@ -38,6 +38,6 @@ void setBody(const std::string& body, vtkWireWarpingFilter* filter);
 /// Takes over what the filter has beside the flattening, where it is one that moves the surface.
 void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result);
 
-/// How far the surface was moved for what; empty without --flattenable.
+/// How far the surface was moved for what; empty where it was not.
 std::string reshapingTable(const Flattening& result);
 }

@@ -1,11 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Flattening.h"
-#include "Options.h"
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
 
 namespace wirewarp
 {
+struct Flattening;
+struct Options;
+
+/// A size of the pattern; that of SURFACE itself names no surface.
+struct SizeSurface
+{
+  std::string name;
+  std::string surface;
+};
+
+/// The sizes to grade a pattern by, beside SURFACE, whose size the pattern's options name.
+struct SizeRequest
+{
+  std::vector<std::string> texts; ///< NAME=SURFACE, or NAME
+  std::string alignment;          ///< a curve; empty: the first key curve of each piece
+
+  bool any() const { return !this->texts.empty(); }
+  /// All sizes in their order, that of SURFACE among them.
+  /// \param base its name
+  std::vector<SizeSurface> all(const std::string& base) const;
+  /// What is wrong with the sizes; empty where nothing is.
+  std::string fault(const std::string& base) const;
+};
+
+/// \param words SIZE=SURFACE and files of curves
+void addSizes(
+  CLI::App& app, std::vector<std::string>& words, SizeRequest& request, std::string& base);
+
 /// Flattens the other sizes and lays them on the base, whose flattening this is. Where one is
 /// refused, so is the result, with the size in its message.
 void gradeSizes(const Options& options, Flattening& result);

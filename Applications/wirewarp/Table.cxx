@@ -5,8 +5,17 @@
 #include "PlainText.h"
 #include "Units.h"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <iomanip>
+#include <sstream>
 #include <vector>
 
 namespace wirewarp
@@ -62,6 +71,12 @@ std::string sizeInMillimetres(const Flattening& result, vtkIdType piece)
   const double millimetres = millimetresOf(result.unit);
   return format("%.0f", millimetres * numberIn(table, piece, "FlatWidth")) + "x" +
     format("%.0f", millimetres * numberIn(table, piece, "FlatHeight"));
+}
+
+std::string curveTypeName(double type)
+{
+  static constexpr std::array<const char*, 4> names{ "accessory", "key", "dart", "seam" };
+  return names.at(static_cast<std::size_t>(type));
 }
 
 /// The row of the first curve to release in a piece; past the last where there is none.
@@ -273,5 +288,247 @@ std::string pieceWarnings(const Flattening& result, const std::string& where)
     }
   }
   return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
+{
+  std::vector<SuggestedCut> cuts;
+  if (!result.curves || result.curves->GetNumberOfCells() == 0)
+  {
+    return cuts;
+  }
+  vtkCellData* const cells = result.curves->GetCellData();
+  auto* const names = vtkStringArray::SafeDownCast(cells->GetAbstractArray("CurveName"));
+  const auto at = [cells](const char* array, vtkIdType row) {
+    return cells->GetArray(array)->GetComponent(row, 0);
+  };
+  const vtkIdType count = result.curves->GetNumberOfCells();
+  vtkIdType first = 0;
+  while (first < count && at("Rank", first) < 0.0)
+  {
+    ++first;
+  }
+  for (vtkIdType row = first; row < count; ++row)
+  {
+    SuggestedCut cut;
+    cut.type = curveTypeName(at("CurveType", row));
+    cut.name = names->GetValue(row);
+    cut.length = at("Length", row);
+    cut.predictedGain = at("PredictedGain", row);
+    cut.gain = at("Gain", row);
+    cut.opening = at("Opening", row);
+    cut.areaErrorBefore = at("AreaErrorBefore", row);
+    cut.areaErrorAfter = at("AreaErrorAfter", row);
+    cut.strainBefore = at("StrainBefore", row);
+    cut.strainAfter = at("StrainAfter", row);
+    const auto mirrorOf = static_cast<vtkIdType>(at("MirrorOf", row));
+    cut.mirrorOf = mirrorOf > 0 ? std::string(names->GetValue(first + mirrorOf - 1)) : "";
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+//------------------------------------------------------------------------------
+std::vector<LeftOutLine> leftOutLines(const Flattening& result)
+{
+  std::vector<LeftOutLine> lines;
+  vtkTable* const table = result.leftOutLines;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto at = [table, row](const char* name) { return numberIn(table, row, name); };
+    LeftOutLine line;
+    line.type = textIn(table, row, "Type");
+    line.name = textIn(table, row, "Name");
+    line.length = at("Length");
+    line.gain = at("Gain");
+    line.areaErrorBefore = at("AreaErrorBefore");
+    line.areaErrorAfter = at("AreaErrorAfter");
+    line.strainBefore = at("StrainBefore");
+    line.strainAfter = at("StrainAfter");
+    line.sound = at("Sound") != 0.0;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> mirrorNumbers(const Flattening& result, const char* array)
+{
+  std::vector<double> numbers;
+  vtkDataArray* const values =
+    result.curves ? result.curves->GetFieldData()->GetArray(array) : nullptr;
+  for (vtkIdType k = 0; values && k < values->GetNumberOfTuples(); ++k)
+  {
+    numbers.push_back(values->GetComponent(k, 0));
+  }
+  return numbers;
+}
+
+namespace
+{
+void writeHead(const char* what, std::ostream& text)
+{
+  text << "\n"
+       << std::left << std::setw(14) << what << std::right << std::setw(12) << "length"
+       << std::setw(12) << "gain" << std::setw(22) << "E_area" << std::setw(22) << "strain_p95"
+       << '\n';
+}
+
+/// What the proposals keep to; empty where that is nothing.
+std::string mirrorLine(const Flattening& result)
+{
+  const std::vector<double> plane = mirrorNumbers(result, "MirrorPlane");
+  const std::vector<double> axis = mirrorNumbers(result, "MirrorAxis");
+  const auto triple = [](const double* numbers) {
+    std::ostringstream words;
+    words << std::setprecision(4) << '(' << numbers[0] << ", " << numbers[1] << ", " << numbers[2]
+          << ')';
+    return words.str();
+  };
+  std::ostringstream line;
+  if (!plane.empty())
+  {
+    line << "mirrored across the plane with normal " << triple(plane.data()) << " and offset "
+         << std::setprecision(4) << plane[3] << '\n';
+  }
+  else if (!axis.empty())
+  {
+    line << "mirrored, by lengths and angles, across the axis from " << triple(axis.data())
+         << " to " << triple(axis.data() + 3) << '\n';
+  }
+  return line.str();
+}
+
+/// Nothing is known of a surface that cannot be flattened, as a closed one until it is cut.
+std::string known(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return std::isnan(value) ? "-" : text.str();
+}
+
+void writeRow(const SuggestedCut& cut, std::ostream& text)
+{
+  text << std::left << std::setw(14) << plainText(cut.name) << std::right << std::setw(12)
+       << known(cut.length) << std::setw(12) << known(cut.gain) << std::setw(11)
+       << known(cut.areaErrorBefore) << " -> " << std::left << std::setw(7)
+       << known(cut.areaErrorAfter) << std::right << std::setw(11) << known(cut.strainBefore)
+       << " -> " << std::left << known(cut.strainAfter);
+}
+
+std::string percent(double strain)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << 100.0 * strain << " %";
+  return std::isnan(strain) ? "unknown" : text.str();
+}
+
+/// What was proposed, for people.
+std::string shortList(const Flattening& result)
+{
+  std::ostringstream text;
+  for (const SuggestedCut& cut : suggestedCuts(result))
+  {
+    text << plainText(cut.name) << ": " << known(cut.length) << ' '
+         << (result.unitStated ? result.unit : "units") << " long, strain "
+         << percent(cut.strainBefore) << " -> " << percent(cut.strainAfter) << '\n';
+  }
+  std::string names;
+  for (const LeftOutLine& line : leftOutLines(result))
+  {
+    names += (names.empty() ? "" : ", ") + plainText(line.name);
+  }
+  text << (names.empty() ? "" : "left out, since they cost more than they give: " + names + '\n');
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+std::string suggestionTable(const Flattening& result, bool numbers)
+{
+  if (!result.curves)
+  {
+    return "";
+  }
+  const std::vector<SuggestedCut> cuts = suggestedCuts(result);
+  const std::string nothing = cuts.empty() ? "nothing is proposed\n" : "";
+  const std::string mirror = cuts.empty() ? "" : mirrorLine(result);
+  if (!numbers)
+  {
+    return nothing + shortList(result) + mirror;
+  }
+  std::ostringstream text;
+  text << nothing;
+  if (!cuts.empty())
+  {
+    writeHead("proposed", text);
+  }
+  for (const SuggestedCut& cut : cuts)
+  {
+    writeRow(cut, text);
+    text << '\n';
+  }
+  text << mirror;
+  const std::vector<LeftOutLine> lines = leftOutLines(result);
+  if (!lines.empty())
+  {
+    writeHead("left out", text);
+  }
+  for (const LeftOutLine& line : lines)
+  {
+    writeRow(line, text);
+    text << (line.sound ? "" : "  breaks what holds without it") << '\n';
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::vector<KeyTrialRow> keyTrials(const Flattening& result)
+{
+  std::vector<KeyTrialRow> rows;
+  vtkTable* const table = result.keyPrices;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    rows.push_back({ textIn(table, row, "Trial"), numberIn(table, row, "Price"),
+      numberIn(table, row, "AreaError"), numberIn(table, row, "StrainP95"),
+      textIn(table, row, "Status"), textIn(table, row, "Released") });
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+std::string keyPriceTable(const Flattening& result)
+{
+  const std::vector<KeyTrialRow> rows = keyTrials(result);
+  if (rows.empty())
+  {
+    return "";
+  }
+  std::size_t width = 0;
+  for (const KeyTrialRow& row : rows)
+  {
+    width = std::max(width, plainText(row.what).size());
+  }
+  std::ostringstream text;
+  text << '\n'
+       << std::left << std::setw(static_cast<int>(width)) << "trial" << std::right << std::setw(12)
+       << "price" << std::setw(12) << "E_area" << std::setw(12) << "strain_p95"
+       << "  status\n";
+  text << std::fixed << std::setprecision(5);
+  const auto number = [&text](double value) {
+    text << std::setw(12);
+    std::isnan(value) ? text << "" : text << value;
+  };
+  for (const KeyTrialRow& row : rows)
+  {
+    text << std::left << std::setw(static_cast<int>(width)) << plainText(row.what) << std::right;
+    number(row.price);
+    number(row.areaError);
+    number(row.strainP95);
+    text << "  " << row.status
+         << (row.released.empty() ? "" : ", gave up " + plainText(row.released)) << '\n';
+  }
+  return text.str();
 }
 }

@@ -2,15 +2,12 @@
 #include "Batch.h"
 #include "Check.h"
 #include "CommandLine.h"
-#include "FileFormats.h"
 #include "FlattenToFiles.h"
 #include "InputError.h"
-#include "KeyPriceTable.h"
-#include "Materials.h"
+#include "Listings.h"
 #include "Options.h"
 #include "PlainText.h"
 #include "Reshaping.h"
-#include "SuggestedCuts.h"
 #include "Table.h"
 
 #include <vtkSMPTools.h>
@@ -83,7 +80,7 @@ void say(const Options& options, const FilesOfFlattening& written)
   }
   std::cout << verdicts(written.result, unitAsked) << curveDistance(written.result)
             << fallbacks(written.result) << releaseAdvice(written.result)
-            << suggestionTable(written.result) << reshapingTable(written.result)
+            << suggestionTable(written.result, options.table) << reshapingTable(written.result)
             << resewingTable(options.resewing, written.result) << keyPriceTable(written.result)
             << writtenFiles(written.files);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""wirewarp --batch: many surfaces in one call."""
+"""wirewarp batch: many surfaces in one call."""
 
 import json
 import os

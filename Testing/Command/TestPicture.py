@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""wirewarp --picture: what it shows, and what happens where nothing can be drawn."""
+"""wirewarp picture: what it shows, and what happens where nothing can be drawn."""
 
 import os
 import shutil

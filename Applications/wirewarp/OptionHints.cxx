@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FormerOptions.h"
+#include "OptionHints.h"
 
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
 #include <map>
+#include <numeric>
 
 namespace wirewarp
 {
@@ -52,5 +57,74 @@ std::string successorOf(const std::string& option)
   };
   const auto found = successors.find(option);
   return found == successors.end() ? std::string() : found->second;
+}
+
+namespace
+{
+/// Insertions, removals and exchanges of letters between two words.
+std::size_t lettersApart(const std::string& one, const std::string& other)
+{
+  std::vector<std::size_t> row(other.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{ 0 });
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t k = 0; k < other.size(); ++k)
+    {
+      const std::size_t above = row[k + 1];
+      row[k + 1] = std::min({ above + 1, row[k] + 1, diagonal + (one[i] == other[k] ? 0 : 1) });
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+/// What follows the dashes of an argument, in small letters; empty where it is none of an option.
+std::string optionWord(const std::string& argument)
+{
+  const std::size_t start = argument.find_first_not_of('-');
+  if (start == 0 || start == std::string::npos)
+  {
+    return {};
+  }
+  std::string word = argument.substr(start, argument.find('=') - start);
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string nearestOption(const CLI::App& app, const std::vector<std::string>& unknown)
+{
+  for (const std::string& argument : unknown)
+  {
+    const std::string word = optionWord(argument);
+    if (word.size() < 2)
+    {
+      continue;
+    }
+    std::string nearest;
+    // A third of the letters may be wrong.
+    std::size_t fewest = word.size() / 3 + 1;
+    for (const CLI::Option* const option : app.get_options())
+    {
+      for (const std::string& name : option->get_lnames())
+      {
+        const std::size_t apart = lettersApart(word, name);
+        if (apart < fewest)
+        {
+          fewest = apart;
+          nearest = name;
+        }
+      }
+    }
+    if (!nearest.empty())
+    {
+      return "; is --" + nearest + " meant?";
+    }
+  }
+  return {};
 }
 }
