@@ -129,8 +129,7 @@ private:
       this->Result.end = SearchEnd::CutsUsedUp;
       return true;
     }
-    return this->met() || this->Budget.spent() ||
-      this->Run.cancelled() || this->hopeless();
+    return this->met() || this->Budget.spent() || this->Run.cancelled() || this->hopeless();
   }
 
   /// By what the cuts so far did; each of several pieces may need as many.
@@ -182,8 +181,7 @@ private:
       bool better = false;
       for (std::size_t k = this->FirstCount; k < this->Result.cuts.size(); ++k)
       {
-        if (this->met() || this->Budget.spent() ||
-          this->Run.cancelled())
+        if (this->met() || this->Budget.spent() || this->Run.cancelled())
         {
           return;
         }
