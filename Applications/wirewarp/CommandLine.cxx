@@ -38,7 +38,7 @@ constexpr const char* commonGroup = "Options";
 constexpr const char* globalGroup = "Options of every command";
 constexpr const char* expertGroup = "Options for experts";
 
-/// Puts millimetres in place of a length that may have a unit; without a length 0.
+/// Converts a length that may have a unit to millimetres; without a length to 0.
 std::string weldLength(std::string& text)
 {
   const std::size_t end = text.find_first_not_of("+-.0123456789eE");
@@ -102,7 +102,7 @@ void addMending(CLI::App& app, Options& options)
     ->group(group);
   app
     .add_option("--fill-holes", options.fillHoles,
-      "Close openings up to so many millimetres across, where triangles are missing")
+      "Close openings of up to MM across, where triangles are missing")
     ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
     ->type_name("MM")
     ->group(group);
@@ -538,7 +538,7 @@ void selectTask(const std::string& command, Options& options)
   options.priceKeys = options.priceKeys || command == "prices";
 }
 
-/// Takes the folder of a result in the place of a surface.
+/// Accepts the folder of a result instead of a surface.
 void takeSource(const CLI::App& app, Options& options)
 {
   std::error_code ignored;

@@ -13,7 +13,7 @@
 namespace wirewarp
 {
 /// Keeps other runs out of a folder while it lives. Its end, whatever the cause, frees the folder,
-/// and no file is left in it. On a file system without locks it keeps nobody out.
+/// and no file is left in it. A file system without locks gives no protection.
 class FolderLock
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// write-options TEMPLATE FILE: copies a text, with what the table of options says in the place of
-// each line @KIND:CLASS@. write-options [--check] PAGE: the same between the lines
+// write-options TEMPLATE FILE: copies a text and replaces each line
+// @KIND:CLASS@ by what the table of options says. write-options [--check] PAGE: the same between the lines
 // <!-- options:CLASS --> and <!-- end --> of a page; with --check it only says whether they differ.
 #include "Options/OptionTable.h"
 
