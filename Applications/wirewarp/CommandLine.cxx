@@ -561,7 +561,8 @@ void takeSource(const CLI::App& app, Options& options)
     const std::string name = option->get_name();
     if (name != "--help" && name != "--material" && isGiven(app, name))
     {
-      throw CLI::ValidationError(lead + "leave out " + name + ", or name the surface");
+      throw CLI::ValidationError(
+        std::string(lead).append("leave out ").append(name).append(", or name the surface"));
     }
   }
 }
@@ -674,7 +675,7 @@ std::string meantBy(const CLI::App& app, const std::vector<std::string>& unknown
     const std::string option = argument.substr(0, argument.find('='));
     if (const std::string successor = successorOf(option); !successor.empty())
     {
-      return "; " + option + " is now " + successor;
+      return std::string("; ").append(option).append(" is now ").append(successor);
     }
     if (option.rfind("--", 0) == 0)
     {

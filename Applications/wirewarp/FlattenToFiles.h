@@ -23,5 +23,5 @@ void refuseToReplaceInputs(const InputFiles& inputs, const Options& options);
 /// Reads one surface, flattens it and writes all files that the options ask for. A refusal is in
 /// the result, and in report.json where the folder exists already or was asked for. Throws
 /// InputError where files cannot be written; earlier ones are left as they are then.
-FilesOfFlattening flattenToFiles(const Options& options);
+FilesOfFlattening flattenToFiles(const Options& given);
 }

@@ -19,7 +19,7 @@ bool drawsPdf(const PatternRequest& request)
 //------------------------------------------------------------------------------
 std::string idleOption(const Options& options, const IsGiven& isGiven)
 {
-  const std::string idle = describeIdleOption(options.values, flattening::OptionSpelling::Command);
+  std::string idle = describeIdleOption(options.values, flattening::OptionSpelling::Command);
   if (!idle.empty())
   {
     return idle;

@@ -33,7 +33,7 @@ class SystemLimit : public std::bad_alloc
 public:
   /// \param reason as the system has it
   explicit SystemLimit(const char* reason)
-    : Reason(reason)
+    : Reason(reason) // NOLINT(bugprone-throw-keyword-missing): a member, for its text
   {
   }
   const char* what() const noexcept override { return this->Reason.what(); }
