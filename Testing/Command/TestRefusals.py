@@ -338,22 +338,27 @@ class Refusals(command.CommandTest):
         os.chmod(self.folder, 0o777)
         self.write("wave.obj", command.obj(
             [(x, y, 0.01 * x * y) for y in range(61) for x in range(61)], command.sheet(60, 60)[1]))
+
+        def run_limited(most):
+            return self.run_command("wave.obj", "--unit", "mm", "--output", f"out{most}",
+                                    env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                                    preexec_fn=lambda: limit_processes(most))
+
+        try:
+            run = run_limited(64)
+        except PermissionError:
+            self.skipTest("the other user cannot read the program")
+        if run.returncode == 127:
+            self.skipTest("the other user cannot read the libraries")
+        self.assertEqual(run.returncode, 0, run.stderr)
         refused = 0
-        for most in (1, 2, 3, 4):
+        for most in (1, 2, 3):
             with self.subTest(most=most):
-                try:
-                    run = self.run_command("wave.obj", "--unit", "mm", "--output", f"out{most}",
-                                           env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-                                           preexec_fn=lambda most=most: limit_processes(most))
-                except PermissionError:
-                    self.skipTest("the other user cannot read the program")
-                if run.returncode == 127:
-                    self.skipTest("the other user cannot read the libraries")
+                run = run_limited(most)
                 if run.returncode != 0:
                     refused += 1
                     self.assertIn("the limit of threads was met (pthread_create has failed", run.stderr)
                     self.assertIn("ulimit -u", run.stderr)
-        self.assertEqual(run.returncode, 0, run.stderr)
         self.assertGreater(refused, 0 if (os.cpu_count() or 1) > 1 else -1)
 
     def test_a_full_disk_leaves_no_part_of_a_file(self):
