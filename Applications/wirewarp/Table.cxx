@@ -434,12 +434,23 @@ std::string shortList(const Flattening& result)
          << (result.unitStated ? result.unit : "units") << " long, strain "
          << percent(cut.strainBefore) << " -> " << percent(cut.strainAfter) << '\n';
   }
-  std::string names;
-  for (const LeftOutLine& line : leftOutLines(result))
+  for (const bool sound : { true, false })
   {
-    names += (names.empty() ? "" : ", ") + plainText(line.name);
+    std::string names;
+    for (const LeftOutLine& line : leftOutLines(result))
+    {
+      if (line.sound == sound)
+      {
+        names.append(names.empty() ? "" : ", ").append(plainText(line.name));
+      }
+    }
+    if (!names.empty())
+    {
+      text << "left out, since they "
+           << (sound ? "cost more than they give: " : "break what holds without them: ") << names
+           << '\n';
+    }
   }
-  text << (names.empty() ? "" : "left out, since they cost more than they give: " + names + '\n');
   return text.str();
 }
 }
