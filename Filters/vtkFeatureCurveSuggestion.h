@@ -121,7 +121,7 @@ public:
   ///@{
   /**
    * The strain, on 95 % of each piece's area, that is good enough; 0: cut until MaximumCuts or
-   * MaximumCutLength are used up. Default: 0.02. Range: [0, 0.99].
+   * MaximumCutLength are used up. Default: 0.05. Range: [0, 0.99].
    */
   vtkSetClampMacro(Bound, double, 0.0, 0.99);
   vtkGetMacro(Bound, double);

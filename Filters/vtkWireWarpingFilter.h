@@ -9,7 +9,7 @@
  *
  * Inputs: see vtkFeatureCurveAlgorithm. Outputs: see vtkFlatPieceAlgorithm.
  *
- * Warnings about a result, which are told and in `Status`: the solver did not converge, key curves
+ * A result has a warning, and its name in `Status`, where the solver did not converge, key curves
  * contradict each other, a wire edge is off by more than MaximumLengthError, a triangle is flipped,
  * a piece overlaps itself, strains are beyond the limits of the Material.
  *

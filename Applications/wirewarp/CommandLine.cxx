@@ -2,16 +2,18 @@
 #include "CommandLine.h"
 
 #include "FaceSeams.h"
-#include "IdleOptions.h"
 #include "InputError.h"
 #include "MethodOptions.h"
 #include "OptionHints.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
+#include "Resewing.h"
+#include "Reshaping.h"
 #include "TableOptions.h"
 #include "TextFile.h"
 #include "Units.h"
 
+#include <vtkPatternWriter.h>
 #include <vtkVersion.h>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +27,7 @@
 #include <memory>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <variant>
 #include <vector>
@@ -149,7 +152,7 @@ void addOutput(CLI::App& app, Options& options, const char* type, const char* te
   app.add_option("-o,--output", options.outputs, text)->type_name(type)->allow_extra_args(false);
 }
 
-void addSurface(CLI::App& app, Options& options, const char* name = "SURFACE")
+void addSurface(CLI::App& app, Options& options, const char* name)
 {
   app
     .add_option(name, options.surface,
@@ -181,165 +184,126 @@ void addBody(CLI::App& app, Options& options)
     ->type_name("FILE");
 }
 
-void declareCheck(CLI::App& app, Options& options)
-{
-  addSurface(app, options);
-  addOutput(app, options, "FILE", "Write the mended surface: .vtp");
-  addMending(app, options);
-}
-
-void declareCut(CLI::App& app, Options& options)
-{
-  addSurface(app, options);
-  addCurves(app, options);
-  addOutput(app, options, "FILE|DIR",
-    "File for the curves, .vtp (default: <name of SURFACE>_cuts.vtp); or a folder, which keeps the "
-    "flat pieces as well");
-  addFlattening(app, options);
-  options.values.set("Bound", 0.05); // cloth gives as much
-  addCutting(app, options);
-}
-
-void declareFlatten(CLI::App& app, Options& options)
-{
-  addSurface(app, options);
-  addCurves(app, options);
-  addOutput(app, options, "DIR", "The folder of the result (default: <name of SURFACE>_flat)");
-  addFlattening(app, options);
-}
-
-void declarePattern(CLI::App& app, Options& options)
-{
-  addSurface(app, options, "SOURCE");
-  addCurves(app, options);
-  addOutput(app, options, "FILE|DIR",
-    "File of the pattern: .pdf .svg .dxf .plt .json (GarmentCode) .csv (both sides of seams); "
-    "repeat it for the next. A folder keeps the result (default: pattern.pdf)");
-  addDrawing(app, options.pattern);
-  addFlattening(app, options);
-}
-
-void declareNest(CLI::App& app, Options& options)
-{
-  addSurface(app, options, "SOURCE");
-  addCurves(app, options);
-  addOutput(app, options, "FILE|DIR",
-    "File of the lay: .svg or .plt (HPGL) (default: lay.svg); repeat it for the next. A folder "
-    "keeps the result");
-  addNesting(app, options.pattern);
-  addDrawing(app, options.pattern);
-  addFlattening(app, options);
-}
-
-void declareGrade(CLI::App& app, Options& options)
-{
-  addSizes(app, options.curves, options.sizes, options.pattern.size);
-  addOutput(app, options, "FILE|DIR",
-    "File of the sizes: .svg (all on each other) .csv (how far points go) .dxf .rul (rule table); "
-    "repeat it for the next. A folder keeps the result of the base (default: nest.svg and "
-    "rules.csv)");
-  addDrawing(app, options.pattern);
-  addFlattening(app, options);
-}
-
-void declareSew(CLI::App& app, Options& options)
-{
-  addSurface(app, options, "SOURCE");
-  addCurves(app, options);
-  addOutput(app, options, "FILE|DIR",
-    "File for the sewn shape, .vtp (default: sewn.vtp); or a folder, which keeps the result as "
-    "well. The default is in SOURCE where that is a folder, or in <name of SURFACE>_sewn");
-  addResewing(app, options.resewing);
-  addBody(app, options);
-  addFlattening(app, options);
-}
-
-void declareReshape(CLI::App& app, Options& options)
-{
-  addSurface(app, options);
-  addCurves(app, options);
-  addOutput(app, options, "FILE|DIR",
-    "File for the moved surface, .vtp; or a folder, which keeps curves and flat pieces as well "
-    "(default: <name of SURFACE>_reshaped)");
-  addReshaping(app, options.reshaping);
-  addBody(app, options);
-  addFlattening(app, options);
-}
-
-void declarePicture(CLI::App& app, Options& options)
-{
-  addSurface(app, options, "SOURCE");
-  addCurves(app, options);
-  addOutput(app, options, "FILE.png|DIR", "File for the picture (default: <name of SOURCE>.png)");
-  addPicture(app, options.picture);
-  addFlattening(app, options);
-}
-
-void declarePrices(CLI::App& app, Options& options)
-{
-  addSurface(app, options);
-  addCurves(app, options);
-  addOutput(app, options, "DIR", "A folder that keeps the result with report.json");
-  addFlattening(app, options);
-}
-
-void declareBatch(CLI::App& app, Options& options)
+void addList(CLI::App& app, Options& options)
 {
   app
     .add_option("LIST", options.batch,
       "A file with SURFACE [CURVES...] on each line, names with blanks in double quotes")
     ->required()
     ->type_name("");
-  addOutput(app, options, "DIR",
-    "A folder with one of the surface's name for each (default: <name of LIST>_flat)");
-  addFlattening(app, options);
 }
-
-void declareNothing(CLI::App&, Options&) {}
 
 struct Command
 {
   const char* name;
   const char* text;
-  void (*declare)(CLI::App&, Options&);
+  const char* operand;    ///< SURFACE, or SOURCE: a surface or a result; null: none
+  const char* outputType; ///< null: it writes nothing
+  const char* outputText;
+  void (*addOwn)(CLI::App&, Options&);
   std::vector<const char*> shown; ///< options in its help; the others are in --help-all
+
+  bool flattens() const { return this->outputType && std::string_view(this->name) != "check"; }
 };
+
+void declare(const Command& command, CLI::App& app, Options& options)
+{
+  if (command.operand)
+  {
+    addSurface(app, options, command.operand);
+  }
+  if (command.operand && command.flattens())
+  {
+    addCurves(app, options);
+  }
+  if (command.outputType)
+  {
+    addOutput(app, options, command.outputType, command.outputText);
+  }
+  command.addOwn(app, options);
+  if (command.flattens())
+  {
+    addFlattening(app, options);
+  }
+}
 
 const std::vector<Command>& commands()
 {
+  constexpr auto nothing = [](CLI::App&, Options&) {};
   static const std::vector<Command> all{
-    { "check", "Print size, likely unit, openings and defects of a surface; mend it", declareCheck,
+    { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
+      "FILE", "Write the mended surface: .vtp", addMending,
       { "--weld", "--fill-holes", "--outer-side" } },
-    { "cut", "Propose darts and seams with which a surface lies flat, or lines on it", declareCut,
+    { "cut", "Propose darts and seams with which a surface lies flat, or lines on it", "SURFACE",
+      "FILE|DIR",
+      "File for the curves, .vtp (default: <name of SURFACE>_cuts.vtp); or a folder, which keeps "
+      "the flat pieces as well",
+      addCutting,
       { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--no-symmetric",
         "--prefer", "--weights", "--material", "--grain", "--seams-from" } },
-    { "flatten", "Flatten a surface so that boundary and curves keep their length", declareFlatten,
+    { "flatten", "Flatten a surface so that boundary and curves keep their length", "SURFACE",
+      "DIR", "The folder of the result (default: <name of SURFACE>_flat)", nothing,
       { "--material", "--grain", "--tolerance", "--ease", "--dart-legs", "--close-cuts",
         "--release-keys", "--skip-closed", "--seams-from", "--weld", "--scheme",
         "--paper-method" } },
-    { "pattern", "Draw flat pieces as a pattern to cut: PDF, SVG, DXF, HPGL, GarmentCode",
-      declarePattern,
+    { "pattern", "Draw flat pieces as a pattern to cut: PDF, SVG, DXF, HPGL, GarmentCode", "SOURCE",
+      "FILE|DIR",
+      "File of the pattern: .pdf .svg .dxf .plt .json (GarmentCode) .csv (both sides of seams); "
+      "repeat it for the next. A folder keeps the result (default: pattern.pdf)",
+      [](CLI::App& app, Options& options) { addDrawing(app, options.pattern); },
       { "--allowance", "--notch-spacing", "--notch", "--double-notch", "--smooth", "--fold",
         "--pairs", "--dart-tip", "--piece", "--quantity", "--name", "--size", "--paper", "--style",
         "--seam-table" } },
-    { "nest", "Lay all pieces on cloth of a width, as short as a search finds", declareNest,
+    { "nest", "Lay all pieces on cloth of a width, as short as a search finds", "SOURCE",
+      "FILE|DIR",
+      "File of the lay: .svg or .plt (HPGL) (default: lay.svg); repeat it for the next. A folder "
+      "keeps the result",
+      [](CLI::App& app, Options& options) {
+        addNesting(app, options.pattern);
+        addDrawing(app, options.pattern);
+      },
       { "--roll-width", "--nap", "--gap", "--quantity", "--piece", "--pairs", "--fold",
         "--allowance" } },
-    { "grade", "Flatten a surface in several sizes and lay them on each other", declareGrade,
+    { "grade", "Flatten a surface in several sizes and lay them on each other", nullptr, "FILE|DIR",
+      "File of the sizes: .svg (all on each other) .csv (how far points go) .dxf .rul (rule "
+      "table); repeat it for the next. A folder keeps the result of the base (default: nest.svg "
+      "and rules.csv)",
+      [](CLI::App& app, Options& options) {
+        addSizes(app, options.curves, options.sizes, options.pattern.size);
+        addDrawing(app, options.pattern);
+      },
       { "--base", "--at", "--material", "--grain", "--scheme" } },
-    { "sew", "Sew flat pieces together again: how far is that from the surface?", declareSew,
+    { "sew", "Sew flat pieces together again: how far is that from the surface?", "SOURCE",
+      "FILE|DIR",
+      "File for the sewn shape, .vtp (default: sewn.vtp); or a folder, which keeps the result as "
+      "well. The default is in SOURCE where that is a folder, or in <name of SURFACE>_sewn",
+      [](CLI::App& app, Options& options) {
+        addResewing(app, options.resewing);
+        addBody(app, options);
+      },
       { "--mode", "--body", "--gravity", "--pressure", "--thickness", "--once", "--material" } },
-    { "reshape", "Move a surface as little as it takes to lie flat within a strain", declareReshape,
+    { "reshape", "Move a surface as little as it takes to lie flat within a strain", "SURFACE",
+      "FILE|DIR",
+      "File for the moved surface, .vtp; or a folder, which keeps curves and flat pieces as well "
+      "(default: <name of SURFACE>_reshaped)",
+      [](CLI::App& app, Options& options) {
+        addReshaping(app, options.reshaping);
+        addBody(app, options);
+      },
       { "--max-strain", "--keep", "--free-boundary", "--outward", "--body", "--material" } },
-    { "picture", "Draw surface and flat pieces into a PNG file", declarePicture,
+    { "picture", "Draw surface and flat pieces into a PNG file", "SOURCE", "FILE.png|DIR",
+      "File for the picture (default: <name of SOURCE>.png)",
+      [](CLI::App& app, Options& options) { addPicture(app, options.picture); },
       { "--color", "--material" } },
-    { "prices", "Print what the planar shape of each key curve costs", declarePrices,
-      { "--material", "--scheme" } },
-    { "batch", "Flatten the surfaces of a list, or run another command on each", declareBatch,
+    { "prices", "Print what the planar shape of each key curve costs", "SURFACE", "DIR",
+      "A folder that keeps the result with report.json", nothing, { "--material", "--scheme" } },
+    { "batch", "Flatten the surfaces of a list, or run another command on each", nullptr, "DIR",
+      "A folder with one of the surface's name for each (default: <name of LIST>_flat)", addList,
       { "--material", "--grain", "--scheme", "--close-cuts", "--skip-closed", "--seams-from" } },
-    { "materials", "Print the materials known by name with the sources of their numbers",
-      declareNothing, {} },
-    { "formats", "Explain files of surfaces and curves, units and exit codes", declareNothing, {} },
+    { "materials", "Print the materials known by name with the sources of their numbers", nullptr,
+      nullptr, nullptr, nothing, {} },
+    { "formats", "Explain files of surfaces and curves, units and exit codes", nullptr, nullptr,
+      nullptr, nothing, {} },
   };
   return all;
 }
@@ -456,7 +420,7 @@ void sortOptions(CLI::App& app, const std::vector<const char*>& shown)
 void addCommand(CLI::App& app, const Command& command, Options& options)
 {
   app.set_help_flag("-h,--help", "Print these options; --help-all: those for experts as well");
-  command.declare(app, options);
+  declare(command, app, options);
   sortOptions(app, command.shown);
   app.fallthrough();
   app.final_callback([&app, &options, &command]() {
@@ -519,25 +483,6 @@ void sortSizes(Options& options)
   }
 }
 
-/// What the command does beside flattening.
-void selectTask(const std::string& command, Options& options)
-{
-  if (command == "cut")
-  {
-    options.suggest = options.values.text("SuggestedCuts");
-  }
-  if (command == "grade")
-  {
-    sortSizes(options);
-  }
-  if (command == "sew")
-  {
-    options.resewing.test = options.resewing.values.text("Test");
-  }
-  options.reshaping.wanted = options.reshaping.wanted || command == "reshape";
-  options.priceKeys = options.priceKeys || command == "prices";
-}
-
 /// Accepts the folder of a result instead of a surface.
 void takeSource(const CLI::App& app, Options& options)
 {
@@ -567,11 +512,32 @@ void takeSource(const CLI::App& app, Options& options)
   }
 }
 
+/// What is wrong with the first option that is given although it has no effect with the others;
+/// empty: nothing. \param task with its output resolved
+std::string idleOption(const CLI::App& app, const Options& task)
+{
+  const std::vector<PatternFile>& files = task.pattern.files;
+  const bool drawsPdf = std::any_of(files.begin(), files.end(),
+    [](const PatternFile& file) { return file.format == vtkPatternWriter::PDF; });
+  for (const char* const option : { "--paper", "--page-overlap", "--max-pages", "--seam-table" })
+  {
+    if (isGiven(app, option) && !drawsPdf)
+    {
+      return std::string(option) +
+        " is for a pattern in PDF (-o FILE.pdf); give that as well, or leave it out";
+    }
+  }
+  return describeIdleOption(task.values, flattening::OptionSpelling::Command);
+}
+
 /// Throws CLI::ParseError or InputError where what was given does not go together.
 void checkOptions(const CLI::App& app, Options& options)
 {
   const bool nested = app.get_parent()->get_name() == "batch";
-  selectTask(nested ? app.get_name() : options.command, options);
+  if (options.command == "grade")
+  {
+    sortSizes(options);
+  }
   if (nested)
   {
     options.outputs = app.get_parent()->get_option("--output")->results();
@@ -618,8 +584,7 @@ void checkOptions(const CLI::App& app, Options& options)
     task.batch.clear();
     resolveOutputs(task);
   }
-  const std::string idle =
-    idleOption(task, [&app](const std::string& option) { return isGiven(app, option); });
+  const std::string idle = idleOption(app, task);
   if (!idle.empty())
   {
     throw CLI::ValidationError(idle);
@@ -657,7 +622,7 @@ std::string commandsWith(const std::string& option)
   {
     CLI::App app;
     Options unused;
-    command.declare(app, unused);
+    declare(command, app, unused);
     const CLI::Option* const found = app.get_option_no_throw(option);
     names += found && !found->get_lnames().empty()
       ? (names.empty() ? "wirewarp " : ", wirewarp ") + std::string(command.name)

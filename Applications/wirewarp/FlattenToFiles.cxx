@@ -91,7 +91,7 @@ std::vector<std::filesystem::path> formerPatterns(const Options& options)
 /// The report, where one is kept: a result that is sewn later has it beside it.
 std::filesystem::path reportFile(const Options& options)
 {
-  const bool sewn = !options.source.empty() && options.outputs.empty() && options.resewing.any();
+  const bool sewn = !options.source.empty() && options.outputs.empty() && options.command == "sew";
   const std::string& folder = sewn ? options.source : options.output;
   return folder.empty() ? std::filesystem::path() : std::filesystem::path(folder) / reportName;
 }

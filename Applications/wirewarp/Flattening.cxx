@@ -8,6 +8,8 @@
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "Resewing.h"
+#include "Reshaping.h"
 #include "ResultFolder.h"
 #include "Seconds.h"
 #include "SurfaceMending.h"
@@ -389,8 +391,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     if (!options.source.empty())
     {
       result = readResult(options);
-      sewAgain(
-        options.resewing, options.body, options.values.text("Material"), options.quiet, result);
+      sewAgain(options, result);
       return result;
     }
     const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
@@ -409,8 +410,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     checkBound(options, result);
     const int curves = filter->GetStatusConnection();
     const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
-    sewAgain(
-      options.resewing, options.body, options.values.text("Material"), options.quiet, result);
+    sewAgain(options, result);
     if (result.refused())
     {
       result.message = file + ": " + result.message;

@@ -2,6 +2,7 @@
 #include "MethodOptions.h"
 
 #include "Options.h"
+#include "Reshaping.h"
 #include "TableOptions.h"
 #include "TextFile.h"
 
@@ -48,15 +49,15 @@ void addMethods(CLI::App& app, Options& options)
 vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
 {
   vtkSmartPointer<vtkWireWarpingFilter> filter;
-  if (options.reshaping.any())
+  if (options.command == "reshape")
   {
     filter = makeReshapingFilter(options.reshaping);
   }
-  else if (options.priceKeys)
+  else if (options.command == "prices")
   {
     filter = vtkSmartPointer<vtkKeyCurvePrices>::New();
   }
-  else if (!options.suggest.empty())
+  else if (options.command == "cut")
   {
     const auto suggestion = vtkSmartPointer<vtkFeatureCurveSuggestion>::New();
     const flattening::Option& prefer =
@@ -95,22 +96,23 @@ void setOptions(const Options& options, vtkWireWarpingFilter* filter)
 
 namespace
 {
-/// Millions of steps on one triangle, each about a third of a second of one processor.
-const std::map<std::string, double> workOfEffort{ { "quick", 25.0 }, { "normal", 100.0 },
-  { "long", 400.0 } };
+/// Of the default of MaximumWork, which takes some 15 s of one processor.
+const std::map<std::string, double> shareOfEffort{ { "quick", 0.25 }, { "normal", 1.0 },
+  { "long", 4.0 } };
 }
 
 //------------------------------------------------------------------------------
 void addCutting(CLI::App& app, Options& options)
 {
-  options.values.set("MaximumWork", workOfEffort.at("normal"));
+  const double work = options.values.number("MaximumWork");
   addOptions(app, { "Suggestions" }, options.values);
   app
     .add_option_function<std::string>(
       "--effort",
-      [&options](
-        const std::string& effort) { options.values.set("MaximumWork", workOfEffort.at(effort)); },
-      "Length of the search: quick (up to some 10 s), normal (40 s), long (3 min). The best cuts "
+      [&options, work](const std::string& effort) {
+        options.values.set("MaximumWork", work * shareOfEffort.at(effort));
+      },
+      "Length of the search: quick (up to some 5 s), normal (15 s), long (1 min). The best cuts "
       "that are found by then are proposed, as after Ctrl+C")
     ->transform(CLI::IsMember({ "quick", "normal", "long" }, CLI::ignore_case).description(""))
     ->type_name("EFFORT")

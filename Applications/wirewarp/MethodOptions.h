@@ -21,8 +21,6 @@ vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options);
 
 void setOptions(const Options& options, vtkWireWarpingFilter* filter);
 
-struct Options;
-
 /// Adds the options of how cuts are proposed.
 void addCutting(CLI::App& app, Options& options);
 }

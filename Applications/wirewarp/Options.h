@@ -5,8 +5,6 @@
 #include "Options/OptionTable.h"
 #include "Patterns.h"
 #include "Picture.h"
-#include "Resewing.h"
-#include "Reshaping.h"
 #include "Sizes.h"
 
 #include <string>
@@ -44,12 +42,9 @@ struct Options
   bool outerSide = false;
   SeamSource seamsFrom = SeamSource::None; ///< of SURFACE's faces
 
-  bool priceKeys = false;
-  std::string suggest; ///< which cuts to propose; empty: none
-
   std::string body; ///< a file; empty: none
-  ReshapingRequest reshaping;
-  ResewingRequest resewing;
+  flattening::OptionValues reshaping{ flattening::OptionOwner::Reshaping };
+  flattening::OptionValues resewing{ flattening::OptionOwner::Sewing };
   PatternRequest pattern;
   SizeRequest sizes;
   PictureRequest picture;

@@ -207,15 +207,15 @@ void resolveOutputs(Options& options)
       file = (folder / name).string();
     }
   };
-  if (!options.suggest.empty() || options.reshaping.any())
+  if (options.command == "cut" || options.command == "reshape")
   {
     within(options.curvesFile, "curves.vtp");
   }
-  if (options.reshaping.any())
+  if (options.command == "reshape")
   {
     within(options.surfaceFile, "flattenable.vtp");
   }
-  if (options.resewing.any())
+  if (options.command == "sew")
   {
     within(options.sewnFile, "sewn.vtp");
   }

@@ -433,11 +433,10 @@ Json flattenableReport(const Options& options, const Flattening& result)
     return nullptr;
   }
   const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
-  return { { "bound", options.reshaping.values.number("Bound") },
-    { "bound_met", number("BoundMet") != 0 },
-    { "keep", options.reshaping.values.list("KeptCurves") },
-    { "keep_boundary", options.reshaping.values.flag("KeepBoundary") },
-    { "outside_bias", options.reshaping.values.number("OutsideBias") },
+  return { { "bound", options.reshaping.number("Bound") }, { "bound_met", number("BoundMet") != 0 },
+    { "keep", options.reshaping.list("KeptCurves") },
+    { "keep_boundary", options.reshaping.flag("KeepBoundary") },
+    { "outside_bias", options.reshaping.number("OutsideBias") },
     { "strain_p95_before", number("StrainBefore") }, { "strain_p95_after", number("StrainAfter") },
     { "size", number("Size") }, { "shift_mean", number("ShiftMean") },
     { "shift_p95", number("ShiftP95") }, { "shift_max", number("ShiftMax") },
@@ -467,9 +466,9 @@ Json resewnReports(const Options& options, vtkTable* table)
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     Json& shape = rows[static_cast<std::size_t>(row)];
-    shape["test"] = options.resewing.test;
+    shape["test"] = options.resewing.text("Test");
     shape["cloth"] = cloth ? rowOf(table, row, sewnThreadColumns) : Json();
-    if (!options.resewing.values.flag("SecondStart"))
+    if (!options.resewing.flag("SecondStart"))
     {
       shape["second_distance_mean"] = shape["several_shapes"] = nullptr;
     }

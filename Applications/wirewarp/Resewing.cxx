@@ -2,6 +2,7 @@
 #include "Resewing.h"
 
 #include "Flattening.h"
+#include "Options.h"
 #include "Progress.h"
 #include "ReadSurface.h"
 #include "TableOptions.h"
@@ -17,31 +18,30 @@
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
-void addResewing(CLI::App& app, ResewingRequest& request)
+void addResewing(CLI::App& app, flattening::OptionValues& values)
 {
-  addOptions(app, { "Sewing Simulation", { "AreaBias", "Material" } }, request.values);
+  addOptions(app, { "Sewing Simulation", { "AreaBias", "Material" } }, values);
 }
 
 //------------------------------------------------------------------------------
-void sewAgain(const ResewingRequest& request, const std::string& body, const std::string& material,
-  bool quiet, Flattening& result)
+void sewAgain(const Options& options, Flattening& result)
 {
-  if (!request.any() || result.refused())
+  if (options.command != "sew" || result.refused())
   {
     return;
   }
   const vtkNew<vtkSewnShape> sewn;
   sewn->SetInputData(result.flat);
   sewn->SetDesignData(result.cut);
-  sewn->SetOptions(request.values);
-  sewn->SetMaterial(material.c_str());
-  if (!body.empty())
+  sewn->SetOptions(options.resewing);
+  sewn->SetMaterial(options.values.text("Material").c_str());
+  if (!options.body.empty())
   {
-    sewn->SetBodyData(readSurface(body).surface);
+    sewn->SetBodyData(readSurface(options.body).surface);
   }
   {
     const VtkMessages messages;
-    const Progress progress(sewn, quiet);
+    const Progress progress(sewn, options.quiet);
     sewn->Update();
   }
   if (sewn->IsRefused() || (sewn->GetStatusCode() != vtkSewnShape::OK && result.exitCode == Done))
@@ -70,7 +70,7 @@ void sewAgain(const ResewingRequest& request, const std::string& body, const std
 }
 
 //------------------------------------------------------------------------------
-std::string resewingTable(const ResewingRequest& request, const Flattening& result)
+std::string resewingTable(bool product, const Flattening& result)
 {
   if (!result.sewn)
   {
@@ -83,7 +83,6 @@ std::string resewingTable(const ResewingRequest& request, const Flattening& resu
   {
     const auto number = [&](const char* name) { return numberIn(result.sewnShapes, row, name); };
     const auto percent = [&](const char* name) { return 100.0 * number(name); };
-    const bool product = request.test == "product";
     text << (product ? "product" : "piece");
     if (!product || shapes > 1)
     {

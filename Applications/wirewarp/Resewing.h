@@ -13,25 +13,16 @@ class App;
 namespace wirewarp
 {
 struct Flattening;
+struct Options;
 
-/// Whether and how flat pieces are sewn together again.
-struct ResewingRequest
-{
-  std::string test; ///< "panel" or "product"; empty: none
-  flattening::OptionValues values{ flattening::OptionOwner::Sewing };
+/// Adds the options of how flat pieces are sewn together again.
+void addResewing(CLI::App& app, flattening::OptionValues& values);
 
-  bool any() const { return !this->test.empty(); }
-};
-
-void addResewing(CLI::App& app, ResewingRequest& request);
-
-/// Sews the flat pieces together again where that is asked for. What the cloth cannot do ends in
+/// Sews the flat pieces together again where the command is `sew`. What the cloth cannot do ends in
 /// the result's status: a refusal leaves nothing of the flattening.
-/// \param body file of it; empty: none. \param material of which the cloth is; empty: none
-void sewAgain(const ResewingRequest& request, const std::string& body, const std::string& material,
-  bool quiet, Flattening& result);
+void sewAgain(const Options& options, Flattening& result);
 
 /// A line a piece, or a line of all that is sewn together: how far it is from the surface; empty
 /// where nothing was sewn.
-std::string resewingTable(const ResewingRequest& request, const Flattening& result);
+std::string resewingTable(bool product, const Flattening& result);
 }

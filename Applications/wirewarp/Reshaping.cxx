@@ -13,17 +13,17 @@
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
-void addReshaping(CLI::App& app, ReshapingRequest& request)
+void addReshaping(CLI::App& app, flattening::OptionValues& values)
 {
-  addOptions(app, { "Moving the Surface", { "Thickness" } }, request.values);
+  addOptions(app, { "Moving the Surface", { "Thickness" } }, values);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request)
+vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const flattening::OptionValues& values)
 {
   const auto filter = vtkSmartPointer<vtkMakeFlattenable>::New();
-  filter->SetOptions(request.values);
-  for (const std::string& curve : request.values.list("KeptCurves"))
+  filter->SetOptions(values);
+  for (const std::string& curve : values.list("KeptCurves"))
   {
     filter->AddKeptCurve(curve);
   }

@@ -18,19 +18,11 @@ namespace wirewarp
 {
 struct Flattening;
 
-/// Whether and how the surface is moved.
-struct ReshapingRequest
-{
-  bool wanted = false;
-  flattening::OptionValues values{ flattening::OptionOwner::Reshaping };
-
-  bool any() const { return this->wanted; }
-};
-
-void addReshaping(CLI::App& app, ReshapingRequest& request);
+/// Adds the options of how the surface is moved.
+void addReshaping(CLI::App& app, flattening::OptionValues& values);
 
 /// The filter that moves the surface before it flattens it.
-vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const ReshapingRequest& request);
+vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const flattening::OptionValues& values);
 
 /// Gives it the body of this file, where it is one that moves the surface. Throws InputError.
 void setBody(const std::string& body, vtkWireWarpingFilter* filter);

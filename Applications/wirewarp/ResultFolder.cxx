@@ -105,7 +105,7 @@ Flattening readResult(const Options& options)
   result.cut = readVtk(within(options, "cut.vtp"));
   const std::string sewn = within(options, "sewn.vtp");
   std::error_code ignored;
-  if (!options.resewing.any() && std::filesystem::exists(sewn, ignored))
+  if (options.command != "sew" && std::filesystem::exists(sewn, ignored))
   {
     result.sewn = readVtk(sewn);
   }

@@ -26,7 +26,6 @@ Options optionsOf(const Options& options, const std::string& surface)
   Options one = options;
   one.surface = surface;
   one.picture = {};
-  one.resewing = {};
   one.pattern = {};
   one.quiet = true;
   return one;

@@ -10,12 +10,6 @@
 #include <utility>
 #include <vector>
 
-namespace CLI
-{
-class App;
-class Option;
-}
-
 namespace wirewarp
 {
 /// Some of the table's options, as a command has them.

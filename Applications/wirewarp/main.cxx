@@ -7,6 +7,7 @@
 #include "Listings.h"
 #include "Options.h"
 #include "PlainText.h"
+#include "Resewing.h"
 #include "Reshaping.h"
 #include "Table.h"
 
@@ -81,8 +82,8 @@ void say(const Options& options, const FilesOfFlattening& written)
   std::cout << verdicts(written.result, unitAsked) << curveDistance(written.result)
             << fallbacks(written.result) << releaseAdvice(written.result)
             << suggestionTable(written.result, options.table) << reshapingTable(written.result)
-            << resewingTable(options.resewing, written.result) << keyPriceTable(written.result)
-            << writtenFiles(written.files);
+            << resewingTable(options.resewing.text("Test") == "product", written.result)
+            << keyPriceTable(written.result) << writtenFiles(written.files);
 }
 
 int run(const Options& options)

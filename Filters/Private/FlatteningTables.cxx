@@ -37,7 +37,7 @@ std::string wholePercent(double share)
   return std::to_string(std::lround(100.0 * share)) + " %";
 }
 
-/// Such as "from point 3 to point 7"; empty where an end is no point of the input.
+/// Such as "from point 3 to point 7"; empty where an end is not a point of the input.
 std::string wayOf(const std::array<vtkIdType, 2>& ends)
 {
   return ends[0] < 0 || ends[1] < 0

@@ -181,7 +181,7 @@ void whatCannotBeSewnIsRefused(Checks& check)
   sewn->Update();
   check.equal(sewn->GetStatusCode(), static_cast<int>(vtkSewnShape::INVALID_OPTION), "lone panel");
   check.contains(sewn->GetStatusMessage(), "sewn to nothing", "its reason");
-  check.contains(sewn->GetStatusMessage(), "use Test = PANEL", "its way out");
+  check.contains(sewn->GetStatusMessage(), "use Test = PANEL", "its remedy");
   check.that(isEmpty(sewn->GetOutput()) && isEmpty(sewn->GetDesignOutput()), "no output");
   check.equal(text(sewn->GetOutput(), "RunStatus"), std::string("InvalidOption"), "RunStatus");
 

@@ -72,8 +72,8 @@ void theIsometricSchemeKeepsLengths(Checks& check)
       check.equal(std::string(filter->GetStatusName()), "Ok", "status");
       check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-12, "E_len_max");
       check.equal(number(filter, "FlippedTriangles"), 0.0, "FlippedTriangles");
-      check.that(number(filter, "DistortionEnergy") > 0.0, "DistortionEnergy is told");
-      check.that(number(filter, "AngleEnergy") > 0.0, "AngleEnergy is told");
+      check.that(number(filter, "DistortionEnergy") > 0.0, "DistortionEnergy is given");
+      check.that(number(filter, "AngleEnergy") > 0.0, "AngleEnergy is given");
       angleChange[weight > 5.0] = number(filter, "AngleEnergy") / weight;
     }
   }

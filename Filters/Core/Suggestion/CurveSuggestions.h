@@ -29,7 +29,7 @@ struct SearchOptions
   SuggestedCuts cuts = SuggestedCuts::All;
   /// The strain, on 95 % of each piece's area, that is good enough; 0: go on until cuts or length
   /// are used up, or no cut is worth its price.
-  double bound = 0.02;
+  double bound = 0.05; // cloth gives as much
   Index maximumCuts = 8;
   /// Of all proposed cuts together, in the surface's unit; 0: no limit.
   double maximumCutLength = 0.0;
