@@ -91,16 +91,17 @@ ConnectedCurves leavesOf(vtkInformationVector* connected)
 vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
-  flattening::bridge::OptionVisitor visit =
-    flattening::bridge::defaultsOf(flattening::OptionOwner::Curves);
-  this->VisitOwnOptions(visit);
+  this->SetDefaultOptions();
 }
 
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visit)
 {
   this->Superclass::VisitOptions(visit);
-  this->VisitOwnOptions(visit);
+  visit("CoincidentPoints", this->CoincidentPoints);
+  visit("SplitTriangles", this->SplitTriangles);
+  visit("ImprintTolerance", this->ImprintTolerance);
+  visit("SnapTolerance", this->SnapTolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -146,13 +147,6 @@ void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
   {
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFeatureCurveAlgorithm::GetCoincidentPointsAsString() const
-{
-  return flattening::bridge::nameOf(
-    flattening::OptionOwner::Curves, "CoincidentPoints", this->CoincidentPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -273,9 +267,6 @@ flattening::FlatteningCache* vtkFeatureCurveAlgorithm::KeptPieces() const
 void vtkFeatureCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(flattening::OptionOwner::Curves, os, indent);
-  this->VisitOwnOptions(print);
   for (const auto& entry : this->CurveTolerances)
   {
     os << indent << "CurveTolerance " << entry.first << ": " << entry.second << "\n";

@@ -120,7 +120,10 @@ public:
   void SetCoincidentPointsToAutomatic() { this->SetCoincidentPoints(AUTOMATIC); }
   void SetCoincidentPointsToJoin() { this->SetCoincidentPoints(JOIN); }
   void SetCoincidentPointsToKeep() { this->SetCoincidentPoints(KEEP); }
-  const char* GetCoincidentPointsAsString() const;
+  const char* GetCoincidentPointsAsString() const
+  {
+    return this->GetOptionWord("CoincidentPoints", this->CoincidentPoints);
+  }
   ///@}
 
   ///@{
@@ -231,15 +234,6 @@ protected:
 private:
   vtkFeatureCurveAlgorithm(const vtkFeatureCurveAlgorithm&) = delete;
   void operator=(const vtkFeatureCurveAlgorithm&) = delete;
-
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("CoincidentPoints", this->CoincidentPoints);
-    visit("SplitTriangles", this->SplitTriangles);
-    visit("ImprintTolerance", this->ImprintTolerance);
-    visit("SnapTolerance", this->SnapTolerance);
-  }
 
   std::unique_ptr<flattening::bridge::KeptRun> Kept;
   std::unique_ptr<flattening::bridge::ConnectedCurves> Gathered; // in a run

@@ -13,6 +13,7 @@
 #include "SuggestionOutput.h"
 #include "WeightInput.h"
 
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -33,27 +34,29 @@ vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 {
   this->SetTablePort(6);
   this->LeftOutLines = vtkSmartPointer<vtkTable>::New();
-  flattening::bridge::OptionVisitor visit =
-    flattening::bridge::defaultsOf(flattening::OptionOwner::Suggestion);
-  this->VisitOwnOptions(visit);
+  this->SetDefaultOptions();
 }
 
 //------------------------------------------------------------------------------
 void vtkFeatureCurveSuggestion::VisitOptions(flattening::bridge::OptionVisitor& visit)
 {
   this->Superclass::VisitOptions(visit);
-  this->VisitOwnOptions(visit);
+  visit("SuggestedCuts", this->SuggestedCuts);
+  visit("Bound", this->Bound);
+  visit("MaximumCuts", this->MaximumCuts);
+  visit("MaximumCutLength", this->MaximumCutLength);
+  visit("MaximumWork", this->MaximumWork);
+  visit("Symmetric", this->Symmetric);
+  std::string weights = this->GetWeightArray();
+  visit("WeightArray", weights);
+  if (weights != this->GetWeightArray())
+  {
+    this->SetWeightArray(weights.c_str());
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkFeatureCurveSuggestion::~vtkFeatureCurveSuggestion() = default;
-
-//------------------------------------------------------------------------------
-const char* vtkFeatureCurveSuggestion::GetSuggestedCutsAsString() const
-{
-  return flattening::bridge::nameOf(
-    flattening::OptionOwner::Suggestion, "SuggestedCuts", this->SuggestedCuts);
-}
 
 //------------------------------------------------------------------------------
 vtkTable* vtkFeatureCurveSuggestion::GetLeftOutLines() const
@@ -62,12 +65,16 @@ vtkTable* vtkFeatureCurveSuggestion::GetLeftOutLines() const
 }
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveSuggestion::SetWeightArray(const char* text)
+void vtkFeatureCurveSuggestion::SetWeightArray(const char* name)
 {
-  if (flattening::bridge::change(this->WeightArray, std::string(text ? text : "")))
-  {
-    this->Modified();
-  }
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFeatureCurveSuggestion::GetWeightArray()
+{
+  vtkInformation* const array = this->GetInputArrayInformation(0);
+  return array->Has(vtkDataObject::FIELD_NAME()) ? array->Get(vtkDataObject::FIELD_NAME()) : "";
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +108,8 @@ int vtkFeatureCurveSuggestion::RequestData(
   bool done = false;
   flattening::SuggestionOptions options;
   if (source &&
-    this->Conclude(flattening::bridge::readWeights(*source, this->WeightArray, options.weights)))
+    this->Conclude(
+      flattening::bridge::readWeights(*source, this->GetWeightArray(), options.weights)))
   {
     const flattening::OptionStructures all = this->OptionsForCore();
     options.search = all.search;
@@ -162,9 +170,6 @@ int vtkFeatureCurveSuggestion::RequestData(
 void vtkFeatureCurveSuggestion::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(flattening::OptionOwner::Suggestion, os, indent);
-  this->VisitOwnOptions(print);
   for (const auto& entry : this->Preferences)
   {
     os << indent << "Preference " << entry.first << ": " << entry.second << "\n";

@@ -112,7 +112,10 @@ public:
   void SetSuggestedCutsToSeams() { this->SetSuggestedCuts(SEAMS); }
   void SetSuggestedCutsToDartsAndSeams() { this->SetSuggestedCuts(DARTS_AND_SEAMS); }
   void SetSuggestedCutsToLines() { this->SetSuggestedCuts(LINES); }
-  const char* GetSuggestedCutsAsString() const;
+  const char* GetSuggestedCutsAsString() const
+  {
+    return this->GetOptionWord("SuggestedCuts", this->SuggestedCuts);
+  }
   ///@}
 
   /// Whether a proposed cut or line may have this name, such as "dart 3".
@@ -179,10 +182,12 @@ public:
   /**
    * Name of a cell array of the surface, one number a cell, that says how much distortion matters
    * there: 0 where it does not at all. Only ratios count. Where the weights are not mirrored
-   * neither are the cuts. Of no effect with LINES. Default: empty, everywhere alike.
+   * neither are the cuts. Of no effect with LINES. It is input array 0: SetInputArrayToProcess(0,
+   * 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, NAME) is the same. Default: empty, everywhere
+   * alike.
    */
-  void SetWeightArray(const char* text);
-  vtkGetCharFromStdStringMacro(WeightArray);
+  void SetWeightArray(const char* name);
+  const char* GetWeightArray();
   ///@}
 
   /**
@@ -208,23 +213,10 @@ protected:
   double MaximumWork = 0.0;
   bool Symmetric = false;
   std::map<std::string, double> Preferences;
-  std::string WeightArray;
 
 private:
   vtkFeatureCurveSuggestion(const vtkFeatureCurveSuggestion&) = delete;
   void operator=(const vtkFeatureCurveSuggestion&) = delete;
-
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("SuggestedCuts", this->SuggestedCuts);
-    visit("Bound", this->Bound);
-    visit("MaximumCuts", this->MaximumCuts);
-    visit("MaximumCutLength", this->MaximumCutLength);
-    visit("MaximumWork", this->MaximumWork);
-    visit("Symmetric", this->Symmetric);
-    visit("WeightArray", this->WeightArray);
-  }
 
   vtkSmartPointer<vtkTable> LeftOutLines; // of the last run
 };

@@ -2,6 +2,7 @@
 #include "vtkFlatPieceAlgorithm.h"
 
 #include "BlockLayout.h"
+#include "ClothInput.h"
 #include "CurvedSurface.h"
 #include "CutEndWords.h"
 #include "Distribution.h"
@@ -34,16 +35,19 @@ vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
   this->SetTablePort(piecePort);
   this->SetTablePort(curvePort);
   this->Reports = std::make_unique<flattening::bridge::ReportTables>();
-  flattening::bridge::OptionVisitor visit =
-    flattening::bridge::defaultsOf(flattening::OptionOwner::Pieces);
-  this->VisitOwnOptions(visit);
+  this->SetDefaultOptions();
 }
 
 //------------------------------------------------------------------------------
 void vtkFlatPieceAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visit)
 {
   this->Superclass::VisitOptions(visit);
-  this->VisitOwnOptions(visit);
+  visit("SkipClosed", this->SkipClosed);
+  visit("CloseCuts", this->CloseCuts);
+  visit("Material", this->Material);
+  visit("Grain", this->Grain);
+  visit("Arrange", this->Arrange);
+  visit("Spacing", this->Spacing);
 }
 
 //------------------------------------------------------------------------------
@@ -116,13 +120,33 @@ void vtkFlatPieceAlgorithm::EndRun(vtkDataObject* input, vtkDataObject* output)
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatPieceAlgorithm::Flatten(vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, flattening::FlatteningOptions options,
-  const vtkIdType pins[2])
+flattening::FlatteningOptions vtkFlatPieceAlgorithm::Settings()
+{
+  flattening::FlatteningOptions options = this->OptionsForCore().flattening;
+  if (!this->Material.empty())
+  {
+    options.cloth = flattening::bridge::readCloth(this->Material, this->Grain);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::ListMaterials(vtkTable* materials)
+{
+  if (materials)
+  {
+    flattening::bridge::writeMaterials(materials);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Begin(outputVector);
+  flattening::FlatteningOptions options = this->Settings();
   const auto source = this->LoadInput(inputVector);
-  if (source && this->Conclude(source->pinVertices(pins, options.conformal.pins)))
+  if (source && this->Conclude(source->pinVertices(this->Pins, options.conformal.pins)))
   {
     this->Warn(flattening::bridge::describeShortEnds(*source));
     const flattening::FlatteningResult result = flattening::flattenSurface(source->imprinted.mesh,
@@ -144,6 +168,7 @@ void vtkFlatPieceAlgorithm::Flatten(vtkInformationVector** inputVector,
     }
   }
   this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -168,9 +193,6 @@ void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedSurf
 void vtkFlatPieceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(flattening::OptionOwner::Pieces, os, indent);
-  this->VisitOwnOptions(print);
   os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
   os << indent << "Seconds: " << this->Seconds[3] << "\n";
   os << indent << "SizeWarning: " << this->SizeWarning << "\n";

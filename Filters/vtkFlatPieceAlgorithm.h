@@ -57,6 +57,9 @@
 #include "vtkFeatureCurveAlgorithm.h"
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 
+#include <memory> // for the reports
+#include <string> // for the texts
+
 class vtkTable;
 
 namespace flattening
@@ -139,6 +142,56 @@ public:
 
   ///@{
   /**
+   * Close darts and other cuts as far as their banks would lie over each other, which they do where
+   * the surface is saddle-like: the closed parts of the two banks then lie on each other, at the
+   * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they
+   * overlap, and the status is OVERLAP. Default: off.
+   */
+  vtkSetMacro(CloseCuts, bool);
+  vtkGetMacro(CloseCuts, bool);
+  vtkBooleanMacro(CloseCuts, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the pieces are cut from: the name of a material that ListMaterials() knows, or a JSON file
+   * with its numbers (see Documentation/materials.md). ISOMETRIC then minimizes the energy of its
+   * threads, in the place of DistortionEnergy, and keeps their strains within its limits as far as
+   * lengths allow; other schemes, the conformal map, and the
+   * material "isotropic" only measure what the threads would
+   * have to do. A material that is unknown or without meaning is refused (INVALID_OPTION); strains
+   * that stay beyond the limits on more than 5 % of a piece's area mark it BEYOND_LIMITS. Default:
+   * empty, no material.
+   */
+  void SetMaterial(const char* text) { this->SetText(this->Material, text); }
+  vtkGetCharFromStdStringMacro(Material);
+  ///@}
+
+  ///@{
+  /**
+   * How pieces lie on the material: an angle in degrees from the upright of the piece to the warp,
+   * counter-clockwise in the plane (upright is its first key curve from start to end, else the long
+   * side of the smallest rectangle around the piece as it lies without the material); the name of a
+   * curve, along which the warp runs from its start to its end, or NAME:DEGREES at an angle from
+   * it; several of these separated by semicolons, of which each piece takes the first that lies in
+   * it; or "free", the angle at which the material is strained least. A piece without any of the
+   * curves is laid by its upright and marked MISSING_GRAIN. Default: empty, upright.
+   */
+  void SetGrain(const char* text) { this->SetText(this->Grain, text); }
+  vtkGetCharFromStdStringMacro(Grain);
+  ///@}
+
+  /**
+   * The materials that are known by name, a row each: `Name`, `Description` (string), `Warp`,
+   * `Weft`, `Shear` (stiffness in N/m), `Compression` (over that in tension), `WarpLeast`,
+   * `WarpGreatest`, `WeftLeast`, `WeftGreatest` (limits of strains, in percent), `ShearLimit`
+   * (degrees) (double; -1 or infinite where there is none), `OneWay` (int), `Source` (string; of
+   * the numbers).
+   */
+  static void ListMaterials(vtkTable* materials);
+
+  ///@{
+  /**
    * Turn the pieces upright (the grainline, which is the first key curve from its start to its end,
    * along y, else the long side of the smallest rectangle around the piece) and lay them in rows
    * beside each other without overlap of their bounding boxes. Off: each stays where its first wire
@@ -179,11 +232,14 @@ protected:
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
 
   /**
-   * Flattens surface and curves into the five outputs. The pins are two points of the surface, or
-   * -1, for the conformal map.
+   * What the properties say, for Core.
    */
-  void Flatten(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
-    flattening::FlatteningOptions options, const vtkIdType pins[2]);
+  virtual flattening::FlatteningOptions Settings();
+
+  /**
+   * Flattens surface and curves into the five outputs.
+   */
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
    * Writes a result to the five outputs and keeps it for the methods.
@@ -192,23 +248,20 @@ protected:
     const flattening::FlatteningResult& result, const std::string& unit,
     vtkInformationVector* outputVector);
 
+  vtkIdType Pins[2] = { -1, -1 }; ///< of the conformal map
+
 private:
   vtkFlatPieceAlgorithm(const vtkFlatPieceAlgorithm&) = delete;
   void operator=(const vtkFlatPieceAlgorithm&) = delete;
-
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("SkipClosed", this->SkipClosed);
-    visit("Arrange", this->Arrange);
-    visit("Spacing", this->Spacing);
-  }
 
   std::unique_ptr<flattening::bridge::ReportTables> Reports; // of the last run
   std::string SizeWarning;
   double Seconds[4] = { 0.0, 0.0, 0.0, 0.0 };
   // Options have the defaults of the algorithms.
   bool SkipClosed = false;
+  bool CloseCuts = false;
+  std::string Material;
+  std::string Grain;
   bool Arrange = false;
   double Spacing = 0.0;
   bool BesideSurface = false;

@@ -5,6 +5,7 @@
 #include "Base/Memory.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
+#include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
@@ -41,8 +42,9 @@ namespace
 using flattening::StatusCode;
 
 /// Of the most derived class that has options.
-flattening::OptionOwner ownerOf(vtkObject* filter)
+flattening::OptionOwner ownerOf(const vtkObject* object)
 {
+  auto* const filter = const_cast<vtkObject*>(object); // IsA() is not const
   auto owner = flattening::OptionOwner::Curves;
   for (const flattening::Option& option : flattening::optionTable())
   {
@@ -185,7 +187,14 @@ void vtkFlatteningAlgorithm::SetOptions(const flattening::OptionValues& values)
 //------------------------------------------------------------------------------
 std::string vtkFlatteningAlgorithm::DescribeIdleOption(const std::string& given, int spelling)
 {
-  flattening::OptionValues values(ownerOf(this));
+  // The conformal map is a scheme among others for a program that has one call for all of them.
+  const bool conformal = ownerOf(this) == flattening::OptionOwner::Conformal;
+  flattening::OptionValues values(conformal ? flattening::OptionOwner::Warping : ownerOf(this));
+  if (conformal)
+  {
+    values.setWord("Scheme", "lscm");
+    values.markGiven("Scheme");
+  }
   flattening::bridge::OptionVisitor visit(
     [&values](const std::string& property, flattening::OptionValue& value) {
       values.set(property, value);
@@ -197,6 +206,29 @@ std::string vtkFlatteningAlgorithm::DescribeIdleOption(const std::string& given,
     values.markGiven(name);
   }
   return flattening::describeIdleOption(values, static_cast<flattening::OptionSpelling>(spelling));
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetDefaultOptions()
+{
+  // Within a constructor these are the options of its class and of those that it derives from.
+  flattening::bridge::OptionVisitor visit = flattening::bridge::defaultsOf(ownerOf(this));
+  this->VisitOptions(visit);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFlatteningAlgorithm::GetOptionWord(const char* property, int value) const
+{
+  return findOption(ownerOf(this), property)->words[static_cast<std::size_t>(value)].name.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetText(std::string& kept, const char* text)
+{
+  if (flattening::bridge::change(kept, std::string(text ? text : "")))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -547,6 +579,9 @@ void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
 void vtkFlatteningAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  flattening::bridge::OptionVisitor print =
+    flattening::bridge::printerOf(ownerOf(this), os, indent);
+  this->VisitOptions(print);
   os << indent << "Status: " << this->GetStatusName() << "\n";
   os << indent << "StatusMessage: " << this->StatusMessage << "\n";
   os << indent << "StatusIds: " << this->StatusIds->GetNumberOfValues() << " ids\n";

@@ -241,9 +241,24 @@ protected:
   void SetTablePort(int port);
 
   /**
-   * Visits the members that are options.
+   * Visits the members that are options, each by the name of its property.
    */
   virtual void VisitOptions(flattening::bridge::OptionVisitor& visit);
+
+  /**
+   * Gives all options their defaults; the constructor of each class that has some calls it.
+   */
+  void SetDefaultOptions();
+
+  /**
+   * The name of a value of an enumeration.
+   */
+  const char* GetOptionWord(const char* property, int value) const;
+
+  /**
+   * Sets a text, null for an empty one; modified by a change alone.
+   */
+  void SetText(std::string& kept, const char* text);
 
   /**
    * The values of all options, for Core.

@@ -6,46 +6,37 @@
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkLeastSquaresConformalFilter);
 
 //------------------------------------------------------------------------------
 vtkLeastSquaresConformalFilter::vtkLeastSquaresConformalFilter()
 {
-  flattening::bridge::OptionVisitor visit =
-    flattening::bridge::defaultsOf(flattening::OptionOwner::Conformal);
-  this->VisitOwnOptions(visit);
+  this->SetDefaultOptions();
 }
 
 //------------------------------------------------------------------------------
 void vtkLeastSquaresConformalFilter::VisitOptions(flattening::bridge::OptionVisitor& visit)
 {
   this->Superclass::VisitOptions(visit);
-  this->VisitOwnOptions(visit);
+  visit("AreaNormalized", this->AreaNormalized);
+  visit("Pins", this->Pins);
 }
 
 //------------------------------------------------------------------------------
 vtkLeastSquaresConformalFilter::~vtkLeastSquaresConformalFilter() = default;
 
 //------------------------------------------------------------------------------
-int vtkLeastSquaresConformalFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+flattening::FlatteningOptions vtkLeastSquaresConformalFilter::Settings()
 {
-  flattening::FlatteningOptions options = this->OptionsForCore().flattening;
+  flattening::FlatteningOptions options = this->Superclass::Settings();
   options.scheme = flattening::Scheme::LeastSquaresConformal;
-  this->Flatten(inputVector, outputVector, options, this->Pins);
-  return 1;
+  return options;
 }
 
 //------------------------------------------------------------------------------
 void vtkLeastSquaresConformalFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(flattening::OptionOwner::Conformal, os, indent);
-  this->VisitOwnOptions(print);
 }

@@ -63,21 +63,13 @@ protected:
   ~vtkLeastSquaresConformalFilter() override;
 
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  flattening::FlatteningOptions Settings() override;
 
 private:
   vtkLeastSquaresConformalFilter(const vtkLeastSquaresConformalFilter&) = delete;
   void operator=(const vtkLeastSquaresConformalFilter&) = delete;
 
-  vtkIdType Pins[2] = { -1, -1 };
   bool AreaNormalized = false; ///< its default is the algorithm's
-
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("AreaNormalized", this->AreaNormalized);
-    visit("Pins", this->Pins);
-  }
 };
 
 #endif

@@ -36,16 +36,17 @@ vtkMakeFlattenable::vtkMakeFlattenable()
   this->SetTablePort(piecesBeforePort);
   this->SetTablePort(measurePort);
   this->Trials = vtkSmartPointer<vtkTable>::New();
-  flattening::bridge::OptionVisitor visit =
-    flattening::bridge::defaultsOf(flattening::OptionOwner::Reshaping);
-  this->VisitOwnOptions(visit);
+  this->SetDefaultOptions();
 }
 
 //------------------------------------------------------------------------------
 void vtkMakeFlattenable::VisitOptions(flattening::bridge::OptionVisitor& visit)
 {
   this->Superclass::VisitOptions(visit);
-  this->VisitOwnOptions(visit);
+  visit("Bound", this->Bound);
+  visit("KeepBoundary", this->KeepBoundary);
+  visit("OutsideBias", this->OutsideBias);
+  visit("Thickness", this->Thickness);
 }
 
 //------------------------------------------------------------------------------
@@ -113,8 +114,6 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   options.body = body.get();
   const auto source = this->LoadInput(inputVector);
   if (source && this->Conclude(body.outcome) &&
-    this->Conclude(
-      source->pinVertices(this->GetConformalPins(), options.flattening.conformal.pins)) &&
     this->Conclude(bridge::findCurves(this->KeptCurves, *source, options.kept)))
   {
     this->Warn(bridge::describeShortEnds(*source));
@@ -157,9 +156,6 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkMakeFlattenable::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(flattening::OptionOwner::Reshaping, os, indent);
-  this->VisitOwnOptions(print);
   for (const std::string& curve : this->KeptCurves)
   {
     os << indent << "KeptCurve: " << curve << "\n";

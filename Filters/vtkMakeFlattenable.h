@@ -155,15 +155,6 @@ private:
   vtkMakeFlattenable(const vtkMakeFlattenable&) = delete;
   void operator=(const vtkMakeFlattenable&) = delete;
 
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("Bound", this->Bound);
-    visit("KeepBoundary", this->KeepBoundary);
-    visit("OutsideBias", this->OutsideBias);
-    visit("Thickness", this->Thickness);
-  }
-
   vtkSmartPointer<vtkTable> Trials; // of the last run
 };
 

@@ -29,16 +29,21 @@ vtkSewnShape::vtkSewnShape()
   this->SetNumberOfInputPorts(3);
   this->SetTablePort(2);
   this->Iterations = vtkSmartPointer<vtkTable>::New();
-  flattening::bridge::OptionVisitor visit =
-    flattening::bridge::defaultsOf(flattening::OptionOwner::Sewing);
-  this->VisitOwnOptions(visit);
+  this->SetDefaultOptions();
 }
 
 //------------------------------------------------------------------------------
 void vtkSewnShape::VisitOptions(flattening::bridge::OptionVisitor& visit)
 {
   this->Superclass::VisitOptions(visit);
-  this->VisitOwnOptions(visit);
+  visit("Test", this->Test);
+  visit("Thickness", this->Thickness);
+  visit("AreaBias", this->AreaBias);
+  visit("MaximumIterations", this->MaximumIterations);
+  visit("Pressure", this->Pressure);
+  visit("Gravity", this->Gravity);
+  visit("Material", this->Material);
+  visit("SecondStart", this->SecondStart);
 }
 
 //------------------------------------------------------------------------------
@@ -84,21 +89,6 @@ vtkTable* vtkSewnShape::GetShapes()
 vtkTable* vtkSewnShape::GetIterations() const
 {
   return this->Iterations;
-}
-
-//------------------------------------------------------------------------------
-void vtkSewnShape::SetMaterial(const char* text)
-{
-  if (flattening::bridge::change(this->Material, std::string(text ? text : "")))
-  {
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkSewnShape::GetTestAsString() const
-{
-  return flattening::bridge::nameOf(flattening::OptionOwner::Sewing, "Test", this->Test);
 }
 
 //------------------------------------------------------------------------------
@@ -152,7 +142,4 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkSewnShape::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(flattening::OptionOwner::Sewing, os, indent);
-  this->VisitOwnOptions(print);
 }

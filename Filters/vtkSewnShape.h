@@ -152,7 +152,7 @@ public:
   vtkGetMacro(Test, int);
   void SetTestToPanel() { this->SetTest(PANEL); }
   void SetTestToProduct() { this->SetTest(PRODUCT); }
-  const char* GetTestAsString() const;
+  const char* GetTestAsString() const { return this->GetOptionWord("Test", this->Test); }
   ///@}
 
   ///@{
@@ -209,7 +209,7 @@ public:
    * What the cloth is made of, as Material of vtkWireWarpingFilter: a name, or a JSON file. The
    * modulus is that of its stiffer thread. Default: empty, the isotropic sheet.
    */
-  void SetMaterial(const char* text);
+  void SetMaterial(const char* text) { this->SetText(this->Material, text); }
   vtkGetCharFromStdStringMacro(Material);
   ///@}
 
@@ -236,19 +236,6 @@ protected:
 private:
   vtkSewnShape(const vtkSewnShape&) = delete;
   void operator=(const vtkSewnShape&) = delete;
-
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("Test", this->Test);
-    visit("Thickness", this->Thickness);
-    visit("AreaBias", this->AreaBias);
-    visit("MaximumIterations", this->MaximumIterations);
-    visit("Pressure", this->Pressure);
-    visit("Gravity", this->Gravity);
-    visit("Material", this->Material);
-    visit("SecondStart", this->SecondStart);
-  }
 
   // Options have the defaults of the algorithms.
   int Test = 0;

@@ -46,18 +46,9 @@
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkFlatPieceAlgorithm.h"
 
-#include <string> // for the names
-#include <vector> // for the eases
-
-class vtkTable;
-
-namespace flattening
-{
-namespace bridge
-{
-struct CurveFraction;
-}
-}
+#include <map>     // for the eases
+#include <string>  // for the names
+#include <utility> // for the eases
 
 class VTKFILTERSFLATTENING_EXPORT vtkWireWarpingFilter : public vtkFlatPieceAlgorithm
 {
@@ -73,23 +64,21 @@ public:
   {
     PROGRESSIVE = 0,
     GLOBAL = 1,
-    ISOMETRIC = 2,
-    LEAST_SQUARES_CONFORMAL = 3
+    ISOMETRIC = 2
   };
 
   ///@{
   /**
    * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
-   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least;
-   * LEAST_SQUARES_CONFORMAL, for comparison: keeps no length. Default: ISOMETRIC.
+   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least. The
+   * conformal map is vtkLeastSquaresConformalFilter. Default: ISOMETRIC.
    */
-  vtkSetClampMacro(Scheme, int, PROGRESSIVE, LEAST_SQUARES_CONFORMAL);
+  vtkSetClampMacro(Scheme, int, PROGRESSIVE, ISOMETRIC);
   vtkGetMacro(Scheme, int);
   void SetSchemeToProgressive() { this->SetScheme(PROGRESSIVE); }
   void SetSchemeToGlobal() { this->SetScheme(GLOBAL); }
   void SetSchemeToIsometric() { this->SetScheme(ISOMETRIC); }
-  void SetSchemeToLeastSquaresConformal() { this->SetScheme(LEAST_SQUARES_CONFORMAL); }
-  const char* GetSchemeAsString() const;
+  const char* GetSchemeAsString() const { return this->GetOptionWord("Scheme", this->Scheme); }
   ///@}
 
   /**
@@ -111,14 +100,14 @@ public:
   /**
    * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the
    * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
-   * programming (Eq. 15). The ISOMETRIC scheme starts from its solution; LEAST_SQUARES_CONFORMAL
-   * solves for no angles. Default: NEWTON.
+   * programming (Eq. 15). The ISOMETRIC scheme starts from its solution. Default:
+   * NEWTON.
    */
   vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
   vtkGetMacro(Solver, int);
   void SetSolverToNewton() { this->SetSolver(NEWTON); }
   void SetSolverToSequential() { this->SetSolver(SEQUENTIAL); }
-  const char* GetSolverAsString() const;
+  const char* GetSolverAsString() const { return this->GetOptionWord("Solver", this->Solver); }
   ///@}
 
   /**
@@ -136,14 +125,17 @@ public:
    * How the points between the wires are placed: LAPLACIAN, Eq. 11 solved directly; RELAXATION, the
    * paper's iteration for it (Eq. 12), NOT_CONVERGED where its iterations run out;
    * AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires pinned. Scheme ISOMETRIC only
-   * starts there, LEAST_SQUARES_CONFORMAL has no use for it. Default: AS_RIGID_AS_POSSIBLE.
+   * starts there. Default: AS_RIGID_AS_POSSIBLE.
    */
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);
   void SetInteriorToLaplacian() { this->SetInterior(LAPLACIAN); }
   void SetInteriorToRelaxation() { this->SetInterior(RELAXATION); }
   void SetInteriorToAsRigidAsPossible() { this->SetInterior(AS_RIGID_AS_POSSIBLE); }
-  const char* GetInteriorAsString() const;
+  const char* GetInteriorAsString() const
+  {
+    return this->GetOptionWord("Interior", this->Interior);
+  }
   ///@}
 
   ///@{
@@ -167,18 +159,6 @@ public:
   vtkBooleanMacro(ReleaseTrials, bool);
   ///@}
 
-  ///@{
-  /**
-   * Close darts and other cuts as far as their banks would lie over each other, which they do where
-   * the surface is saddle-like: the closed parts of the two banks then lie on each other, at the
-   * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they
-   * overlap, and the status is OVERLAP. Default: off.
-   */
-  vtkSetMacro(CloseCuts, bool);
-  vtkGetMacro(CloseCuts, bool);
-  vtkBooleanMacro(CloseCuts, bool);
-  ///@}
-
   /**
    * How the legs of a dart lie.
    */
@@ -196,14 +176,17 @@ public:
    * curves that free legs are. Legs that are not free are exact mirror images and fold on each
    * other, at the price of more distortion; a dart with two tips is MIRRORED, since straight legs
    * would close it. Darts whose legs cannot be so keep free ones, which `Fallbacks` says.
-   * LEAST_SQUARES_CONFORMAL has no use for it. Default: FREE.
+   * Default: FREE.
    */
   vtkSetClampMacro(DartLegs, int, FREE, MIRRORED);
   vtkGetMacro(DartLegs, int);
   void SetDartLegsToFree() { this->SetDartLegs(FREE); }
   void SetDartLegsToStraight() { this->SetDartLegs(STRAIGHT); }
   void SetDartLegsToMirrored() { this->SetDartLegs(MIRRORED); }
-  const char* GetDartLegsAsString() const;
+  const char* GetDartLegsAsString() const
+  {
+    return this->GetOptionWord("DartLegs", this->DartLegs);
+  }
   ///@}
 
   ///@{
@@ -219,29 +202,6 @@ public:
    */
   void AddCurveEase(const std::string& curve, int piece, double fraction);
   void RemoveAllCurveEases();
-  ///@}
-
-  ///@{
-  /**
-   * The same as a line of text, for programs whose panels hold texts: NAME:PIECE=PERCENT%, or
-   * NAME=PERCENT% where a curve lies in one piece alone, several separated by semicolons, as
-   * "side:1=+3%; cap:2=5%". Pieces are numbered from 1 here, as in patterns. It takes the place of
-   * all eases; text of another form is an error and changes nothing. Get gives all eases in this
-   * form, however they were set. Default: empty.
-   */
-  void SetCurveEases(const char* text);
-  const char* GetCurveEases() const;
-  ///@}
-
-  ///@{
-  /**
-   * All length tolerances of curves (AddCurveTolerance()) as a line of text: NAME=PERCENT%, several
-   * separated by semicolons, each from 0 and below 100 %. Text of another form is an error and
-   * changes nothing. Get gives all tolerances in this form by name, however they were set. Default:
-   * empty.
-   */
-  void SetCurveTolerances(const char* text);
-  const char* GetCurveTolerances() const;
   ///@}
 
   ///@{
@@ -335,7 +295,10 @@ public:
   vtkGetMacro(DistortionEnergy, int);
   void SetDistortionEnergyToRigid() { this->SetDistortionEnergy(RIGID); }
   void SetDistortionEnergyToSymmetricDirichlet() { this->SetDistortionEnergy(SYMMETRIC_DIRICHLET); }
-  const char* GetDistortionEnergyAsString() const;
+  const char* GetDistortionEnergyAsString() const
+  {
+    return this->GetOptionWord("DistortionEnergy", this->DistortionEnergy);
+  }
   ///@}
 
   ///@{
@@ -374,52 +337,6 @@ public:
 
   ///@{
   /**
-   * What the pieces are cut from: the name of a material that ListMaterials() knows, or a JSON file
-   * with its numbers (see Documentation/materials.md). ISOMETRIC then minimizes the energy of its
-   * threads, in the place of DistortionEnergy, and keeps their strains within its limits as far as
-   * lengths allow; other schemes, and the material "isotropic", only measure what the threads would
-   * have to do. A material that is unknown or without meaning is refused (INVALID_OPTION); strains
-   * that stay beyond the limits on more than 5 % of a piece's area mark it BEYOND_LIMITS. Default:
-   * empty, no material.
-   */
-  void SetMaterial(const char* text);
-  vtkGetCharFromStdStringMacro(Material);
-  ///@}
-
-  ///@{
-  /**
-   * How pieces lie on the material: an angle in degrees from the upright of the piece to the warp,
-   * counter-clockwise in the plane (upright is its first key curve from start to end, else the long
-   * side of the smallest rectangle around the piece as it lies without the material); the name of a
-   * curve, along which the warp runs from its start to its end, or NAME:DEGREES at an angle from
-   * it; several of these separated by semicolons, of which each piece takes the first that lies in
-   * it; or "free", the angle at which the material is strained least. A piece without any of the
-   * curves is laid by its upright and marked MISSING_GRAIN. Default: empty, upright.
-   */
-  void SetGrain(const char* text);
-  vtkGetCharFromStdStringMacro(Grain);
-  ///@}
-
-  /**
-   * The materials that are known by name, a row each: `Name`, `Description` (string), `Warp`,
-   * `Weft`, `Shear` (stiffness in N/m), `Compression` (over that in tension), `WarpLeast`,
-   * `WarpGreatest`, `WeftLeast`, `WeftGreatest` (limits of strains, in percent), `ShearLimit`
-   * (degrees) (double; -1 or infinite where there is none), `OneWay` (int), `Source` (string; of
-   * the numbers).
-   */
-  static void ListMaterials(vtkTable* materials);
-
-  ///@{
-  /**
-   * LEAST_SQUARES_CONFORMAL: the two points of the surface that are pinned; -1: the two boundary
-   * points that are farthest apart. Default: -1, -1.
-   */
-  vtkSetVector2Macro(ConformalPins, vtkIdType);
-  vtkGetVector2Macro(ConformalPins, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
    * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default:
    * 1e-9. Range: from 0.
    */
@@ -431,47 +348,12 @@ protected:
   vtkWireWarpingFilter();
   ~vtkWireWarpingFilter() override;
 
-  /**
-   * What the properties say, for Core.
-   */
-  flattening::FlatteningOptions Settings();
-
+  flattening::FlatteningOptions Settings() override;
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
   void operator=(const vtkWireWarpingFilter&) = delete;
-
-  template <class Visitor>
-  void VisitOwnOptions(Visitor& visit)
-  {
-    visit("Scheme", this->Scheme);
-    visit("Interior", this->Interior);
-    visit("ReleaseKeys", this->ReleaseKeys);
-    visit("CloseCuts", this->CloseCuts);
-    visit("DartLegs", this->DartLegs);
-    visit("Solver", this->Solver);
-    visit("ReleaseTrials", this->ReleaseTrials);
-    visit("DistortionEnergy", this->DistortionEnergy);
-    visit("AreaBias", this->AreaBias);
-    visit("AngleWeight", this->AngleWeight);
-    visit("Material", this->Material);
-    visit("Grain", this->Grain);
-    visit("MaximumIterations", this->MaximumIterations);
-    visit("ClosureTolerance", this->ClosureTolerance);
-    visit("OptimalityTolerance", this->OptimalityTolerance);
-    visit("IsometricMaximumIterations", this->IsometricMaximumIterations);
-    visit("IsometricTolerance", this->IsometricTolerance);
-    visit("RigidEnergyTolerance", this->RigidEnergyTolerance);
-    visit("RigidMaximumIterations", this->RigidMaximumIterations);
-    visit("RelaxationFactor", this->RelaxationFactor);
-    visit("RelaxationMovement", this->RelaxationMovement);
-    visit("RelaxationMinimumIterations", this->RelaxationMinimumIterations);
-    visit("RelaxationMaximumIterations", this->RelaxationMaximumIterations);
-    visit("MaximumLengthError", this->MaximumLengthError);
-    visit("ConformalPins", this->ConformalPins);
-  }
 
   // Options have the defaults of the algorithms.
   int Scheme = 0;
@@ -479,7 +361,6 @@ private:
   int Interior = 0;
   bool ReleaseKeys = false;
   bool ReleaseTrials = false;
-  bool CloseCuts = false;
   int DartLegs = 0;
   int MaximumIterations = 0;
   double ClosureTolerance = 0.0;
@@ -495,12 +376,7 @@ private:
   double AngleWeight = 0.0;
   int IsometricMaximumIterations = 0;
   double IsometricTolerance = 0.0;
-  std::vector<flattening::bridge::CurveFraction> Eases;
-  mutable std::string CurveEasesText;      ///< that Get gave last
-  mutable std::string CurveTolerancesText; ///< that Get gave last
-  std::string Material;
-  std::string Grain;
-  vtkIdType ConformalPins[2] = { -1, -1 };
+  std::map<std::pair<std::string, int>, double> Eases; ///< by curve and piece
   double MaximumLengthError = 0.0;
 };
 

@@ -568,7 +568,7 @@ void checkOptions(const CLI::App& app, Options& options)
   {
     throw CLI::ValidationError(fault);
   }
-  const auto& pins = std::get<std::vector<double>>(options.values["ConformalPins"]);
+  const auto& pins = std::get<std::vector<double>>(options.values["Pins"]);
   if (pins[0] >= 0.0 && pins[0] == pins[1])
   {
     throw CLI::ValidationError("--pins", "the two vertices must differ");
@@ -583,6 +583,12 @@ void checkOptions(const CLI::App& app, Options& options)
     task.output.clear();
     task.batch.clear();
     resolveOutputs(task);
+  }
+  static const std::set<std::string> keepLengths{ "cut", "prices", "reshape" };
+  if (options.values.text("Scheme") == "lscm" && keepLengths.count(task.command) > 0)
+  {
+    throw CLI::ValidationError(
+      "--scheme", "lscm keeps no length; wirewarp " + task.command + " needs another scheme");
   }
   const std::string idle = idleOption(app, task);
   if (!idle.empty())

@@ -20,11 +20,11 @@
 #include <cmath>
 #include <vtkCommand.h>
 #include <vtkFeatureCurveSuggestion.h>
+#include <vtkFlatPieceAlgorithm.h>
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkIdTypeArray.h>
 #include <vtkStringArray.h>
 #include <vtkTrivialProducer.h>
-#include <vtkWireWarpingFilter.h>
 
 #include <algorithm>
 #include <chrono>
@@ -198,8 +198,8 @@ vtkSmartPointer<vtkPolyData> readSeams(const std::string& path, const SurfaceCon
 
 /// Returns the file of each connection of curves.
 /// \param base as flattenOne() has it
-std::vector<std::string> readInput(
-  const Options& options, const std::string& base, vtkWireWarpingFilter* filter, Flattening& result)
+std::vector<std::string> readInput(const Options& options, const std::string& base,
+  vtkFlatPieceAlgorithm* filter, Flattening& result)
 {
   SurfaceContents contents = readSurface(options.surface);
   vtkSmartPointer<vtkPolyData> seams = readSeams(options.surface, contents, options, result);
@@ -272,7 +272,7 @@ void warnOfSizes(Flattening& result)
   }
 }
 
-void takeTables(vtkWireWarpingFilter* filter, Flattening& result)
+void takeTables(vtkFlatPieceAlgorithm* filter, Flattening& result)
 {
   result.tables = PieceTables{ filter->GetPieces(), filter->GetAngleIterations(),
     filter->GetIsometricIterations(), filter->GetReleases(), filter->GetPieceRemedies() };
@@ -282,7 +282,7 @@ void takeTables(vtkWireWarpingFilter* filter, Flattening& result)
   std::copy_n(filter->GetSeconds(), 4, result.seconds.begin());
 }
 
-void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
+void run(vtkFlatPieceAlgorithm* filter, bool quiet, Flattening& result)
 {
   const VtkMessages messages;
   {
@@ -330,7 +330,7 @@ void run(vtkWireWarpingFilter* filter, bool quiet, Flattening& result)
   {
     result.exitCode = InputRefused;
   }
-  else if (filter->GetStatusCode() != vtkWireWarpingFilter::OK)
+  else if (filter->GetStatusCode() != vtkFlatteningAlgorithm::OK)
   {
     result.exitCode = Flawed;
   }
@@ -394,7 +394,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
       sewAgain(options, result);
       return result;
     }
-    const vtkSmartPointer<vtkWireWarpingFilter> filter = makeFilter(options);
+    const vtkSmartPointer<vtkFlatPieceAlgorithm> filter = makeFilter(options);
     filter->CachingOff(); // it runs once
     setOptions(options, filter);
     setBody(options.body, filter);

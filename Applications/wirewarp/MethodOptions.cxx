@@ -8,7 +8,9 @@
 
 #include <vtkFeatureCurveSuggestion.h>
 #include <vtkKeyCurvePrices.h>
+#include <vtkLeastSquaresConformalFilter.h>
 #include <vtkNew.h>
+#include <vtkWireWarpingFilter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -46,9 +48,9 @@ void addMethods(CLI::App& app, Options& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options)
 {
-  vtkSmartPointer<vtkWireWarpingFilter> filter;
+  vtkSmartPointer<vtkFlatPieceAlgorithm> filter;
   if (options.command == "reshape")
   {
     filter = makeReshapingFilter(options.reshaping);
@@ -69,6 +71,10 @@ vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
     }
     filter = suggestion;
   }
+  else if (options.values.text("Scheme") == "lscm")
+  {
+    filter = vtkSmartPointer<vtkLeastSquaresConformalFilter>::New();
+  }
   else
   {
     filter = vtkSmartPointer<vtkWireWarpingFilter>::New();
@@ -77,7 +83,7 @@ vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void setOptions(const Options& options, vtkWireWarpingFilter* filter)
+void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter)
 {
   filter->SetOptions(options.values);
   const flattening::Option& tolerances =
@@ -90,7 +96,7 @@ void setOptions(const Options& options, vtkWireWarpingFilter* filter)
   for (const std::string& entry : options.values.list("CurveEases"))
   {
     const EaseRequest ease = easeRequest(entry);
-    filter->AddCurveEase(ease.curve, ease.piece, ease.fraction);
+    vtkWireWarpingFilter::SafeDownCast(filter)->AddCurveEase(ease.curve, ease.piece, ease.fraction);
   }
 }
 

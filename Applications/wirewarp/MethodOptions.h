@@ -3,8 +3,8 @@
 
 #include "Options.h"
 
+#include <vtkFlatPieceAlgorithm.h>
 #include <vtkSmartPointer.h>
-#include <vtkWireWarpingFilter.h>
 
 namespace CLI
 {
@@ -17,9 +17,9 @@ namespace wirewarp
 void addMethods(CLI::App& app, Options& options);
 
 /// The filter that does what the options say, without their values.
-vtkSmartPointer<vtkWireWarpingFilter> makeFilter(const Options& options);
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options);
 
-void setOptions(const Options& options, vtkWireWarpingFilter* filter);
+void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter);
 
 /// Adds the options of how cuts are proposed.
 void addCutting(CLI::App& app, Options& options);

@@ -19,7 +19,7 @@ void addReshaping(CLI::App& app, flattening::OptionValues& values)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const flattening::OptionValues& values)
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeReshapingFilter(const flattening::OptionValues& values)
 {
   const auto filter = vtkSmartPointer<vtkMakeFlattenable>::New();
   filter->SetOptions(values);
@@ -31,7 +31,7 @@ vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const flattening::Opti
 }
 
 //------------------------------------------------------------------------------
-void setBody(const std::string& body, vtkWireWarpingFilter* filter)
+void setBody(const std::string& body, vtkFlatPieceAlgorithm* filter)
 {
   auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter);
   if (reshaping && !body.empty())
@@ -41,7 +41,7 @@ void setBody(const std::string& body, vtkWireWarpingFilter* filter)
 }
 
 //------------------------------------------------------------------------------
-void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result)
+void takeReshaped(vtkFlatPieceAlgorithm* filter, Flattening& result)
 {
   if (auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter))
   {

@@ -7,7 +7,7 @@
 
 #include <string>
 
-class vtkWireWarpingFilter;
+class vtkFlatPieceAlgorithm;
 
 namespace CLI
 {
@@ -22,13 +22,13 @@ struct Flattening;
 void addReshaping(CLI::App& app, flattening::OptionValues& values);
 
 /// The filter that moves the surface before it flattens it.
-vtkSmartPointer<vtkWireWarpingFilter> makeReshapingFilter(const flattening::OptionValues& values);
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeReshapingFilter(const flattening::OptionValues& values);
 
 /// Gives it the body of this file, where it is one that moves the surface. Throws InputError.
-void setBody(const std::string& body, vtkWireWarpingFilter* filter);
+void setBody(const std::string& body, vtkFlatPieceAlgorithm* filter);
 
 /// Takes over what the filter has beside the flattening, where it is one that moves the surface.
-void takeReshaped(vtkWireWarpingFilter* filter, Flattening& result);
+void takeReshaped(vtkFlatPieceAlgorithm* filter, Flattening& result);
 
 /// How far the surface was moved for what; empty where it was not.
 std::string reshapingTable(const Flattening& result);

@@ -26,15 +26,15 @@ def main() -> None:
     surface.SetFileName(options.surface)
     curves.SetFileName(options.curves)
     panels = []
-    for title, scheme in (
-        ("angles (global)", sf.vtkWireWarpingFilter.GLOBAL),
-        ("whole piece (isometric)", sf.vtkWireWarpingFilter.ISOMETRIC),
-        ("conformal (no length kept)", sf.vtkWireWarpingFilter.LEAST_SQUARES_CONFORMAL),
+    angles, whole = sf.vtkWireWarpingFilter(), sf.vtkWireWarpingFilter()
+    angles.SetSchemeToGlobal()
+    for title, filter_ in (
+        ("angles (global)", angles),
+        ("whole piece (isometric)", whole),
+        ("conformal (no length kept)", sf.vtkLeastSquaresConformalFilter()),
     ):
-        filter_ = sf.vtkWireWarpingFilter()
         filter_.SetInputConnection(surface.GetOutputPort())
         filter_.SetCurvesConnection(curves.GetOutputPort())
-        filter_.SetScheme(scheme)
         filter_.Update()
         if filter_.IsRefused():
             sys.exit(1)  # the filter has said why

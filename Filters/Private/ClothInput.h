@@ -11,11 +11,11 @@ namespace flattening
 {
 namespace bridge
 {
-/// What vtkWireWarpingFilter's Material and Grain say. A material that cannot be read has a status
+/// What vtkFlatPieceAlgorithm's Material and Grain say. A material that cannot be read has a status
 /// that says why.
 ClothOptions readCloth(const std::string& material, const std::string& grain);
 
-/// The presets, as vtkWireWarpingFilter::ListMaterials() documents them.
+/// The presets, as vtkFlatPieceAlgorithm::ListMaterials() documents them.
 void writeMaterials(vtkTable* table);
 }
 }

@@ -48,11 +48,5 @@ OptionVisitor copierTo(OptionOwner owner, OptionStructures& structures)
     }
   });
 }
-
-//------------------------------------------------------------------------------
-const char* nameOf(OptionOwner owner, const char* property, int value)
-{
-  return findOption(owner, property)->words[static_cast<std::size_t>(value)].name.c_str();
-}
 }
 }

@@ -39,16 +39,13 @@ private:
   Action Act;
 };
 
-/// Sets the defaults of the options of this class.
+/// Sets the defaults of the options of this class and of those that it derives from.
 OptionVisitor defaultsOf(OptionOwner owner);
 
-/// Prints the options of this class, one per line.
+/// Prints these options, one per line.
 OptionVisitor printerOf(OptionOwner owner, std::ostream& os, vtkIndent indent);
 
 /// Copies the options into the structures of Core.
 OptionVisitor copierTo(OptionOwner owner, OptionStructures& structures);
-
-/// What Get...AsString() returns of an enumeration.
-const char* nameOf(OptionOwner owner, const char* property, int value);
 }
 }

@@ -4,8 +4,8 @@
 #include "InputError.h"
 #include "ReadCurves.h"
 #include "TextFile.h"
+#include "VtkMessages.h"
 
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -62,14 +62,11 @@ int vtkFeatureCurveReader::RequestData(vtkInformation* vtkNotUsed(request),
     this->Note = contents.note;
     vtkPolyData::GetData(outputVector, 0)->ShallowCopy(contents.curves);
   });
+  this->SetErrorCode(codeOf(path, this->ErrorMessage, this));
   if (!this->ErrorMessage.empty())
   {
-    this->SetErrorCode(
-      path.empty() ? vtkErrorCode::NoFileNameError : vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< this->ErrorMessage);
     return 0; // the pipeline empties the outputs
   }
-  this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->Note.empty())
   {
     vtkWarningMacro(<< path << ": " << this->Note);

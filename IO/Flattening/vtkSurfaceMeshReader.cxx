@@ -5,9 +5,9 @@
 #include "InputError.h"
 #include "ReadSurface.h"
 #include "TextFile.h"
+#include "VtkMessages.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkErrorCode.h"
 #include "vtkFlatteningAlgorithm.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -96,15 +96,8 @@ int vtkSurfaceMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     }
     vtkFlatteningAlgorithm::SetLengthUnitOf(curves, contents.unit);
   });
-  if (!this->ErrorMessage.empty())
-  {
-    this->SetErrorCode(
-      path.empty() ? vtkErrorCode::NoFileNameError : vtkErrorCode::FileFormatError);
-    vtkErrorMacro(<< this->ErrorMessage);
-    return 0; // the pipeline empties the outputs
-  }
-  this->SetErrorCode(vtkErrorCode::NoError);
-  return 1;
+  this->SetErrorCode(codeOf(path, this->ErrorMessage, this));
+  return this->ErrorMessage.empty() ? 1 : 0; // the pipeline empties the outputs then
 }
 
 //------------------------------------------------------------------------------

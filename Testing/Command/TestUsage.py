@@ -100,6 +100,8 @@ class Usage(command.CommandTest):
             (("--scheme", "lscm", "--tolerance", "a=0.1"), "--tolerance"),
             (("--scheme", "lscm", "--max-length-error", "1"), "--max-length-error"),
             (("--scheme", "lscm", "--rigid-iterations", "9"), "--rigid-iterations"),
+            (("--scheme", "lscm", "--release-keys"), "--release-keys"),
+            (("--no-area-normalized",), "--no-area-normalized"),
             (("--scheme", "global", "--energy", "rigid"), "--energy"),
             (("--scheme", "progressive", "--angle-weight", "5"), "--angle-weight"),
             (("--paper-method", "--isometric-iterations", "9"), "--isometric-iterations"),

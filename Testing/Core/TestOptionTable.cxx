@@ -76,7 +76,9 @@ TEST(OptionTable, ConditionsNameOptionsAndTheirWords)
     {
       for (const OptionCondition& condition : option->conditions)
       {
-        const Option* const other = findOption(owner, condition.property);
+        const bool conformal = owner == OptionOwner::Conformal; // a scheme of programs
+        const Option* const other =
+          findOption(conformal ? OptionOwner::Warping : owner, condition.property);
         ASSERT_NE(other, nullptr) << condition.property;
         for (const std::string& word : condition.words)
         {
@@ -124,7 +126,7 @@ TEST(OptionTable, RangesAndValuesAsText)
   const OptionValues values(OptionOwner::Warping);
   EXPECT_EQ(values.text("Scheme"), "isometric");
   EXPECT_EQ(values.text("ClosureTolerance"), "1e-12");
-  EXPECT_EQ(values.text("ConformalPins"), "-1 -1");
+  EXPECT_EQ(values.text("Pins"), "-1 -1");
 }
 
 TEST(OptionTable, AnOptionWithoutEffectIsNamedWithWhatItIsFor)
@@ -145,6 +147,6 @@ TEST(OptionTable, AnOptionWithoutEffectIsNamedWithWhatItIsFor)
   EXPECT_EQ(idle({ { "RigidEnergyTolerance", 0.0 }, { "Interior", 0.0 } }, OptionSpelling::Python),
     "rigid_tolerance is for interior='arap', not for interior='laplacian'; leave one of them out");
   EXPECT_EQ(idle({ { "ReleaseTrials", 0.0 }, { "Scheme", 3.0 } }, OptionSpelling::Property),
-    "ReleaseTrials is for Scheme Global or Isometric, not for Scheme LeastSquaresConformal; leave "
-    "one of them out");
+    "ReleaseTrials is for Scheme Global or Isometric, not for Scheme lscm; leave one of them "
+    "out");
 }

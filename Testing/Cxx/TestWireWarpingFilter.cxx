@@ -282,8 +282,8 @@ void propertiesAreClampedAndPrinted(Checks& check)
   filter->SetMaximumIterations(0);
   filter->SetImprintTolerance(-1.0);
   filter->SetSpacing(-2.0);
-  check.equal(filter->GetScheme(), static_cast<int>(vtkWireWarpingFilter::LEAST_SQUARES_CONFORMAL),
-    "clamped scheme");
+  check.equal(
+    filter->GetScheme(), static_cast<int>(vtkWireWarpingFilter::ISOMETRIC), "clamped scheme");
   check.equal(
     filter->GetSolver(), static_cast<int>(vtkWireWarpingFilter::NEWTON), "clamped solver");
   check.equal(filter->GetMaximumIterations(), 1, "clamped iterations");
@@ -299,9 +299,9 @@ void propertiesAreClampedAndPrinted(Checks& check)
          "MaximumIterations: 1", "ClosureTolerance: 1e-12", "OptimalityTolerance: 1e-10",
          "RelaxationFactor: 1.5", "RelaxationMovement: 1e-05", "RelaxationMinimumIterations: 10",
          "RelaxationMaximumIterations: 100", "RigidEnergyTolerance: 1e-09",
-         "RigidMaximumIterations: 200", "ConformalPins: -1 -1", "Arrange: On", "Spacing: 0",
-         "MaximumLengthError: 1e-09", "CoincidentPoints: Automatic", "SplitTriangles: On",
-         "ImprintTolerance: 0", "SnapTolerance: 0.001", "Status: NotRun" })
+         "RigidMaximumIterations: 200", "Arrange: On", "Spacing: 0", "MaximumLengthError: 1e-09",
+         "CoincidentPoints: Automatic", "SplitTriangles: On", "ImprintTolerance: 0",
+         "SnapTolerance: 0.001", "Status: NotRun" })
   {
     check.contains(print.str(), line, "PrintSelf");
   }

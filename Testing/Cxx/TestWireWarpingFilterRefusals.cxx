@@ -234,11 +234,6 @@ void curvesAreRefused(Refusals& refusals)
 
 void optionsAreRefused(Refusals& refusals)
 {
-  refusals.expect("one pin alone", makeGrid(2, 2), nullptr, "InvalidOption", { 3, -1 }, "pins 3",
-    [](vtkWireWarpingFilter* filter) {
-      filter->SetSchemeToLeastSquaresConformal();
-      filter->SetConformalPins(3, -1);
-    });
   refusals.expect("a relaxation factor of 2.5", makeGrid(3, 3), nullptr, "InvalidOption", {},
     "between 0 and 2", [](vtkWireWarpingFilter* filter) {
       filter->SetInteriorToRelaxation();

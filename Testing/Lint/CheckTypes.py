@@ -43,7 +43,7 @@ WRONG = (
     ('options: sf.Options = {"scheem": "global"}', "scheem"),
     ('sf.vtkWireWarpingFilter().SetScheme("global")', "SetScheme"),
     ("sf.vtkWireWarpingFilter().GetSchemeAsString() + 1", "operand"),
-    ('sf.vtkWireWarpingFilter().SetConformalPins("ab", 1)', "SetConformalPins"),
+    ('sf.vtkLeastSquaresConformalFilter().SetPins("ab", 1)', "SetPins"),
 )
 RIGHT = """
 options: sf.Options = {"scheme": "global", "close_cuts": True}
@@ -57,8 +57,9 @@ wire: sf.Wire = result.wires[0]
 kind: sf.WireType = wire.type
 filter_ = sf.vtkWireWarpingFilter()
 filter_.SetScheme(filter_.ISOMETRIC)
-filter_.SetConformalPins(0, 1)
-filter_.SetConformalPins((0, 1))
+conformal = sf.vtkLeastSquaresConformalFilter()
+conformal.SetPins(0, 1)
+conformal.SetPins((0, 1))
 name: str = filter_.GetSchemeAsString()
 """
 HEAD = "import surfaceflattening as sf\npoints = [[0.0, 0.0, 0.0]]\ntriangles = [[0, 0, 0]]\n"

@@ -14,7 +14,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import surfaceflattening as sf
@@ -108,43 +108,36 @@ class Filters(unittest.TestCase):
         self.assertEqual(sf.vtkFeatureCurveAlgorithm.SEAM, 3)
         self.assertEqual(sf.vtkFlatteningAlgorithm.OK, 0)
 
-    def test_eases_come_back_as_text_whether_they_were_set_as_one_or_added(self):
+    def test_lists_of_curves_are_printed_and_forgotten(self):
         filter_ = sf.vtkWireWarpingFilter()
-        filter_.SetCurveEases("side:1=+3%;  cap = 5 %")
-        self.assertEqual(filter_.GetCurveEases(), "side:1=+3%; cap=+5%")
         filter_.AddCurveEase("a=b:c", 1, -0.02)
+        filter_.AddCurveEase("hem", -7, 0.5)
         filter_.AddCurveEase("hem", -1, 0.015)
-        text = filter_.GetCurveEases()
-        self.assertEqual(text, "side:1=+3%; cap=+5%; a=b:c:2=-2%; hem=+1.5%")
-        again = sf.vtkWireWarpingFilter()
-        again.SetCurveEases(text)
+        filter_.AddCurveTolerance("hem", 0.125)
 
-        def eases(one):
-            return [line.strip() for line in str(one).splitlines() if "CurveEase " in line]
-        self.assertEqual(len(eases(filter_)), 4)
-        self.assertEqual(eases(again), eases(filter_))
+        def listed():
+            return [line.strip() for line in str(filter_).splitlines() if line.strip().startswith("Curve")]
+        self.assertEqual(listed(), ["CurveTolerance hem: 0.125", "CurveEase a=b:c in piece 1: -0.02",
+                                    "CurveEase hem in piece -1: 0.015"])
         filter_.RemoveAllCurveEases()
-        self.assertEqual(filter_.GetCurveEases(), "")
+        filter_.RemoveAllCurveTolerances()
+        self.assertEqual(listed(), [])
 
-    def test_tolerances_come_back_as_text_and_are_forgotten_with_the_list(self):
-        filter_ = sf.vtkWireWarpingFilter()
-        for text in ("a=3%", " b = 4 % ;a=0.5%", "a:1=2.5%"):
-            filter_.SetCurveTolerances(text)
-            again = sf.vtkWireWarpingFilter()
-            again.SetCurveTolerances(filter_.GetCurveTolerances())
-            self.assertEqual(again.GetCurveTolerances(), filter_.GetCurveTolerances())
-            filter_.AddCurveTolerance("z", 0.125)
-            self.assertIn("z=12.5%", filter_.GetCurveTolerances())
-            filter_.RemoveAllCurveTolerances()
-            self.assertEqual(filter_.GetCurveTolerances(), "")
+    def test_weights_are_an_input_array(self):
+        filter_ = sf.vtkFeatureCurveSuggestion()
+        self.assertEqual(filter_.GetWeightArray(), "")
+        filter_.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "care")
+        self.assertEqual(filter_.GetWeightArray(), "care")
+        time = filter_.GetMTime()
+        filter_.SetWeightArray("care")
+        self.assertEqual(filter_.GetMTime(), time)
 
     def test_the_same_value_set_twice_changes_nothing(self):
         entries = {
             "AddCurveTolerance": ("a", 0.25), "AddCurveEase": ("a", 0, 0.25), "AddPreference": ("a", 2.0),
             "AddKeptCurve": ("a",), "AddDoubleNotches": ("a",), "AddFold": ("a",), "SetCurveAllowance": ("a", 3.0),
             "SetCurveDartTip": ("a", 3.0), "SetCurveFairTolerance": ("a", 3.0), "SetPieceName": (1, "a"),
-            "SetPieceQuantity": (1, 3), "SetSizeName": (1, "a"), "SetCurveTolerances": ("a=3%",),
-            "SetCurveEases": ("a:1=+3%",), "SetMaterial": ("twill",), "SetGrain": ("a:45",)}
+            "SetPieceQuantity": (1, 3), "SetSizeName": (1, "a"), "SetMaterial": ("twill",), "SetGrain": ("a:45",)}
         seen = set()
         for name, class_ in vars(sf).items():
             if not (isinstance(class_, type) and issubclass(class_, vtkAlgorithm)):

@@ -30,10 +30,11 @@ class Words(unittest.TestCase):
                 property_, _, value = option.rpartition(".")[2].partition("=")
                 class_ = (sf.vtkSewnShape if option.startswith("Sewing.") else
                           sf.vtkPatternWriter if hasattr(sf.vtkPatternWriter, "Set" + property_) else
+                          sf.vtkLeastSquaresConformalFilter if property_ == "Pins" else
                           sf.vtkWireWarpingFilter)
                 with self.subTest(name, option=option):
                     self.assertTrue(property_ in arrays or hasattr(class_, "Set" + property_) or
-                                    hasattr(sf, property_))
+                                    hasattr(class_, "Add" + property_[:-1]) or hasattr(sf, property_))
                     self.assertTrue(value in ("", "on", "0") or hasattr(class_, value))
         self.assertGreater(named, 20)
 

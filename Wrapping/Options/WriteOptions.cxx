@@ -230,17 +230,25 @@ void writeDecorators(const Option& option, std::ostream& out)
   std::ostringstream hints;
   for (const OptionCondition& condition : option.conditions)
   {
-    const Option& other = *findOption(option.owner, condition.property);
+    const Option* const found = findOption(option.owner, condition.property);
+    if (!found)
+    {
+      continue; // of the conformal map, which has no scheme
+    }
+    const Option& other = *found;
     std::string values = other.type == OptionType::Flag ? "1" : "";
+    bool always = other.type == OptionType::Word;
     for (std::size_t k = 0; k < other.words.size(); ++k)
     {
       const auto& words = condition.words;
-      if (std::find(words.begin(), words.end(), other.words[k].word) != words.end())
+      const bool listed = std::find(words.begin(), words.end(), other.words[k].word) != words.end();
+      always = always && (listed || other.words[k].name.empty());
+      if (listed)
       {
         values += (values.empty() ? "" : " ") + std::to_string(k);
       }
     }
-    if (!values.empty())
+    if (!values.empty() && !always)
     {
       hints << "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" "
                "property=\""
@@ -280,10 +288,13 @@ void writeProperty(const Option& option, std::ostream& out)
   }
   for (std::size_t k = 0; k < option.words.size(); ++k)
   {
-    out << (k == 0 ? "        <EnumerationDomain name=\"enum\">\n" : "")
-        << "          <Entry value=\"" << k << "\" text=\"" << phrase(option.words[k].name)
-        << "\" />\n"
-        << (k + 1 == option.words.size() ? "        </EnumerationDomain>\n" : "");
+    out << (k == 0 ? "        <EnumerationDomain name=\"enum\">\n" : "");
+    if (!option.words[k].name.empty())
+    {
+      out << "          <Entry value=\"" << k << "\" text=\"" << phrase(option.words[k].name)
+          << "\" />\n";
+    }
+    out << (k + 1 == option.words.size() ? "        </EnumerationDomain>\n" : "");
   }
   if (option.minimum != option.maximum)
   {

@@ -92,7 +92,7 @@ constexpr std::array<RemedyRow, remedyCount> remedies{ {
   { Remedy::NameCurve, "NameCurve", "name one of the curves for {CurveTolerances}" },
   { Remedy::TakeEdges, "TakeEdges", "take the edges from the surface itself" },
   { Remedy::Give, "Give", "give %" },
-  { Remedy::NamePins, "NamePins", "name two points of the surface in {ConformalPins}, or none" },
+  { Remedy::NamePins, "NamePins", "name two points of the surface in {Pins}, or none" },
   { Remedy::OrderRelaxation, "OrderRelaxation",
     "give 0 <= {RelaxationMinimumIterations} <= {RelaxationMaximumIterations}, at least 1, and "
     "{RelaxationMovement} from 0" },

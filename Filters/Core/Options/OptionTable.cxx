@@ -184,7 +184,7 @@ void addMethod(Table& table)
   table.group(OptionOwner::Warping, "Method");
   table.add("Scheme", [](All& all) { return &all.flattening.scheme; })
     .words({ { "progressive", "Progressive" }, { "global", "Global" }, { "isometric", "Isometric" },
-      { "lscm", "LeastSquaresConformal" } })
+      { "lscm", "" } })
     .help("How the wires get their shape: isometric (wires and interior together, which distorts "
           "least), global (all angles together, Eq. 13 of the paper), progressive (wire-patch by "
           "wire-patch, Algorithm 2), lscm (least squares conformal, for comparison: keeps no "
@@ -197,10 +197,8 @@ void addMethod(Table& table)
           "relaxation (the paper's iteration for it, Eq. 12). The isometric scheme only starts "
           "there.");
   table.add("ReleaseKeys", [](All& all) { return &all.flattening.releaseKeys; })
+    .where(keepsLengths)
     .help("Treat key curves as accessory curves: their length is kept, their shape is free.");
-  table.add("CloseCuts", [](All& all) { return &all.flattening.closeCuts; })
-    .help("Close darts and other cuts where their sides would overlap, which costs distortion; "
-          "off: they overlap, with a warning.");
   table.add("DartLegs", [](All& all) { return &all.flattening.dartLegs; })
     .words({ { "free", "Free" }, { "straight", "Straight" }, { "mirrored", "Mirrored" } })
     .where(keepsLengths)
@@ -247,23 +245,9 @@ void addMethod(Table& table)
           "to those on the surface; 0 lets wires buckle.");
 }
 
-void addMaterial(Table& table)
+void addEase(Table& table)
 {
   const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
-  table.group(OptionOwner::Warping, "Material");
-  table.text("Material")
-    .form("NAME|FILE")
-    .help("What the pieces are cut from: the name of a known material, or a JSON file with its "
-          "numbers. The isometric scheme keeps the strain of its threads small and within its "
-          "limits; other schemes only measure it.");
-  table.text("Grain")
-    .form("CURVE|DEGREES|free")
-    .repeats()
-    .where({ "Material", {} })
-    .help("How pieces lie on the material: along a curve, or NAME:DEGREES at an angle from it "
-          "(each piece by the first that it has); by an angle from the upright of the piece (its "
-          "first key curve, else its long side) to the warp, counter-clockwise; or free, where the "
-          "material is strained least.");
   table.group(OptionOwner::Warping, "Ease");
   table.text("CurveTolerances", OptionType::List)
     .spelled("tolerance")
@@ -293,6 +277,23 @@ void addPieces(Table& table)
     .slider(0.0, 1.0)
     .where({ "Arrange", {} })
     .help("Space between the bounding boxes of pieces, as a fraction of the largest side of one.");
+  table.add("CloseCuts", [](All& all) { return &all.flattening.closeCuts; })
+    .help("Close darts and other cuts where their sides would overlap, which costs distortion; "
+          "off: they overlap, with a warning.");
+  table.group(OptionOwner::Pieces, "Material");
+  table.text("Material")
+    .form("NAME|FILE")
+    .help("What the pieces are cut from: the name of a known material, or a JSON file with its "
+          "numbers. The isometric scheme keeps the strain of its threads small and within its "
+          "limits; other schemes only measure it.");
+  table.text("Grain")
+    .form("CURVE|DEGREES|free")
+    .repeats()
+    .where({ "Material", {} })
+    .help("How pieces lie on the material: along a curve, or NAME:DEGREES at an angle from it "
+          "(each piece by the first that it has); by an angle from the upright of the piece (its "
+          "first key curve, else its long side) to the warp, counter-clockwise; or free, where the "
+          "material is strained least.");
 }
 
 void addSolver(Table& table)
@@ -372,14 +373,6 @@ void addSolver(Table& table)
     .slider(0.0, 1.0)
     .where(keepsLengths)
     .help("A relative error of a wire edge above this is a warning.");
-  table.add("ConformalPins", [](All& all) { return &all.flattening.conformal.pins; })
-    .byFilter()
-    .spelled("pins")
-    .form("V0 V1")
-    .where({ "Scheme", { "lscm" } })
-    .expert()
-    .help("The two vertices that lscm pins, ids counted from 0; -1: the boundary vertices farthest "
-          "apart.");
 }
 
 void addSuggestion(Table& table)
@@ -501,14 +494,19 @@ void addOthers(Table& table)
       "once")
     .help("Come to rest from a second start as well, to find other shapes, in twice the time.");
 
+  const OptionCondition conformal{ "Scheme", { "lscm" } };
   table.group(OptionOwner::Conformal, "Method");
   table.add("AreaNormalized", [](All& all) { return &all.flattening.conformal.areaNormalized; })
-    .off("Let large triangles count more.")
-    .help("Let every triangle count by its area; off: large triangles count more.");
+    .where(conformal)
+    .expert()
+    .off("Scheme lscm: let large triangles count more.")
+    .help("Scheme lscm: let every triangle count by its area; off: large triangles count more.");
   table.add("Pins", [](All& all) { return &all.flattening.conformal.pins; })
     .byFilter()
+    .form("V0 V1")
+    .where(conformal)
     .expert()
-    .help("The two points that are pinned, ids counted from 0; -1: the boundary points farthest "
+    .help("The two vertices that lscm pins, ids counted from 0; -1: the boundary vertices farthest "
           "apart.");
 }
 
@@ -565,7 +563,8 @@ std::string setting(
   {
     const auto known = std::find_if(option.words.begin(), option.words.end(),
       [&word](const OptionWord& one) { return one.word == word; });
-    const bool named = spelling == OptionSpelling::Property && known != option.words.end();
+    const bool named =
+      spelling == OptionSpelling::Property && known != option.words.end() && !known->name.empty();
     shown.push_back(spelling == OptionSpelling::Python ? "'" + word + "'"
         : named                                        ? known->name
                                                        : word);
@@ -604,7 +603,7 @@ const std::vector<Option>& optionTable()
     addCurves(table);
     addPieces(table);
     addMethod(table);
-    addMaterial(table);
+    addEase(table);
     addSolver(table);
     addSuggestion(table);
     addOthers(table);
@@ -629,6 +628,10 @@ std::vector<const Option*> optionsOf(OptionOwner owner)
   if (owner == OptionOwner::Suggestion || owner == OptionOwner::Reshaping)
   {
     owners.insert(OptionOwner::Warping);
+  }
+  if (owners.count(OptionOwner::Warping) > 0)
+  {
+    owners.insert(OptionOwner::Conformal); // what programs have as a scheme
   }
   if (owner != OptionOwner::Sewing && owner != OptionOwner::Curves)
   {

@@ -45,7 +45,7 @@ using OptionValue =
 struct OptionWord
 {
   std::string word; ///< of command and Python
-  std::string name; ///< that the filter's Get...AsString() returns
+  std::string name; ///< that the filter's Get...AsString() returns; empty: a class of its own
 };
 
 /// Another option has one of these words, or without words is on or not empty.
@@ -86,7 +86,8 @@ const std::vector<Option>& optionTable();
 /// Name of the VTK class.
 const char* className(OptionOwner owner);
 
-/// The options of a filter: those of the classes that it derives from, then its own.
+/// The options of a filter: those of the classes that it derives from, and its own; with those of
+/// Warping also those of Conformal, which programs have as a scheme.
 std::vector<const Option*> optionsOf(OptionOwner owner);
 
 /// \return the option of this filter, or null.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkMessages.h"
 
+#include <vtkErrorCode.h>
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkSetGet.h>
 
 #include <algorithm>
 #include <mutex>
@@ -129,5 +131,16 @@ void VtkMessages::add(std::vector<std::string>& list, const char* text)
   {
     list.push_back(line);
   }
+}
+
+//------------------------------------------------------------------------------
+unsigned long codeOf(const std::string& path, const std::string& failure, vtkObject* reader)
+{
+  if (failure.empty())
+  {
+    return vtkErrorCode::NoError;
+  }
+  vtkErrorWithObjectMacro(reader, << failure);
+  return path.empty() ? vtkErrorCode::NoFileNameError : vtkErrorCode::FileFormatError;
 }
 }

@@ -32,4 +32,8 @@ private:
   int Verbosity = 0;             ///< of VTK's log before
   VtkMessages* Before = nullptr; ///< what took them, and will again
 };
+
+/// The ErrorCode of a reader that failed for this reason, empty after success; reports the failure
+/// as the reader's error.
+unsigned long codeOf(const std::string& path, const std::string& failure, vtkObject* reader);
 }

@@ -9,13 +9,13 @@ import os
 import sys
 import textwrap
 from numbers import Real
-from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Set, TypeVar, get_type_hints
+from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Set, TypeVar, get_args, get_type_hints
 
 import numpy as np
 
 from ._materials import materials
-from ._option_table import TABLE, Option, Options
-from .vtkFiltersFlattening import vtkWireWarpingFilter
+from ._option_table import TABLE, Option, Options, Scheme
+from .vtkFiltersFlattening import vtkLeastSquaresConformalFilter, vtkWireWarpingFilter
 
 Word = TypeVar("Word", bound=str)
 
@@ -24,8 +24,10 @@ _OTHERS: Dict[str, Any] = {"paper_method": False, "progress": None}
 
 
 def options_of(filter_class: Any) -> Dict[str, Option]:
-    """The options of a filter by their names in Python, those that others have as well first."""
+    """The options of a filter by their names in Python, and those of the conformal map, a scheme here."""
     names = {cls.__name__ for cls in filter_class.__mro__}
+    if issubclass(filter_class, vtkWireWarpingFilter):
+        names.add(vtkLeastSquaresConformalFilter.__name__)
     return {option.name: option for option in TABLE if option.cls in names}
 
 
@@ -226,10 +228,16 @@ def make_filter(
                                  f"{name}={chosen!r}, exclude each other; leave one of them out")
             values[name] = chosen
             given.add(name)
+    if word_of(values["scheme"], get_args(Scheme), "scheme") == "lscm":
+        if filter_class is not vtkWireWarpingFilter:
+            raise ValueError(f"scheme is 'lscm', which keeps no length; {function}() needs another")
+        filter_class = vtkLeastSquaresConformalFilter
     filter_ = filter_class()
     filter_.CachingOff()  # it runs once
+    classes = {cls.__name__ for cls in filter_class.__mro__}
     for name, option in table.items():
-        set_option(filter_, option, values[name])
+        if option.cls in classes:
+            set_option(filter_, option, values[name])
     idle = filter_.DescribeIdleOption(
         " ".join(option.property for name, option in table.items() if name in given), filter_.PYTHON)
     if idle:
