@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveAlgorithm.h"
 
-#include "CurveTolerances.h"
 #include "CurvedSurface.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
-#include "KeptRun.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
@@ -26,6 +25,20 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+
+namespace flattening
+{
+namespace bridge
+{
+/// What a filter keeps from one run to the next.
+struct KeptRun
+{
+  std::shared_ptr<CurvedSurface> source;
+  FlatteningCache pieces;
+};
+}
+}
 
 namespace
 {

@@ -9,7 +9,6 @@
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "StatusInInput.h"
 #include "StatusOutput.h"
 #include "Surface/SurfacePreparation.h"
 #include "SurfaceInput.h"

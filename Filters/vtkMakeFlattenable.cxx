@@ -3,23 +3,140 @@
 
 #include "BodyInput.h"
 #include "CurvedSurface.h"
-#include "CutEndWords.h"
+#include "FieldArrays.h"
 #include "FilterExecution.h"
-#include "FlattenableOutput.h"
+#include "FlatteningOutput.h"
 #include "FlatteningTables.h"
+#include "ImprintOutput.h"
 #include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
+#include "Reshaping/FlattenableSurface.h"
+#include "TableColumns.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <set>
 
 vtkStandardNewMacro(vtkMakeFlattenable);
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+void writeShift(const TriangleMesh& design, const FlattenableSurface& result, vtkPolyData* surface)
+{
+  vtkPointData* const points = surface->GetPointData();
+  vtkNew<vtkDoubleArray> shift;
+  shift->SetName("Shift");
+  shift->SetNumberOfComponents(3);
+  shift->SetNumberOfTuples(design.vertexCount());
+  for (Index v = 0; v < design.vertexCount(); ++v)
+  {
+    const Point3 moved = result.mesh.point(v) - design.point(v);
+    shift->SetTypedTuple(v, moved.data());
+  }
+  points->AddArray(shift);
+  addRows<vtkDoubleArray>(points, "ShiftDistance", result.shift.ofVertex.size(),
+    [&](std::size_t v) { return result.shift.ofVertex[v]; });
+  addRows<vtkDoubleArray>(points, "ShiftOutwards", result.shift.outwardsOfVertex.size(),
+    [&](std::size_t v) { return result.shift.outwardsOfVertex[v]; });
+  addRows<vtkUnsignedCharArray>(points, "Kept", result.kept.size(),
+    [&](std::size_t v) { return static_cast<unsigned char>(result.kept[v]); });
+  points->SetActiveScalars("ShiftDistance");
+}
+
+/// Writes the one row of the measures, and one row per flattening of the search.
+void writeShiftMeasures(const FlattenableSurface& result, vtkTable* table)
+{
+  const std::vector<SurfaceShift> rows{ result.shift };
+  const TableColumns<SurfaceShift> columns(table, rows);
+  using Shift = const SurfaceShift&;
+  columns.add("BoundMet", [&result](Shift) { return result.boundMet; });
+  columns.add("StrainBefore", [&result](Shift) { return result.strainBefore; });
+  columns.add("StrainAfter", [&result](Shift) { return result.strainAfter; });
+  columns.add("Size", &SurfaceShift::size);
+  columns.add("ShiftMean", &SurfaceShift::mean);
+  columns.add("ShiftP95", &SurfaceShift::p95);
+  columns.add("ShiftMax", &SurfaceShift::max);
+  columns.add("ShiftOutwardsMean", &SurfaceShift::outwardsMean);
+  columns.add("ShiftInwardsMax", &SurfaceShift::inwardsMax);
+  columns.add("RelativeShiftMean", [](Shift shift) { return shift.mean / shift.size; });
+  columns.add("RelativeShiftP95", [](Shift shift) { return shift.p95 / shift.size; });
+  columns.add("RelativeShiftMax", [](Shift shift) { return shift.max / shift.size; });
+}
+
+void writeShiftTrials(const std::vector<FlattenableTrial>& trials, vtkTable* table)
+{
+  const TableColumns<FlattenableTrial> columns(table, trials);
+  columns.add("Anchor", &FlattenableTrial::anchor);
+  columns.add("Share", &FlattenableTrial::share);
+  columns.add("Strain", &FlattenableTrial::strain);
+  columns.add("Shift", &FlattenableTrial::shift);
+}
+
+/// Finds the curves of these names; refuses a name that no curve has.
+Status findCurves(const std::set<std::string>& names, const CurvedSurface& source, Indices& curves)
+{
+  const std::vector<FeatureCurve>& all = source.imprinted.curves;
+  for (const std::string& name : names)
+  {
+    const std::size_t before = curves.size();
+    for (std::size_t c = 0; c < all.size(); ++c)
+    {
+      if (all[c].name == name)
+      {
+        curves.push_back(static_cast<Index>(c));
+      }
+    }
+    if (curves.size() == before)
+    {
+      Status missing = noCurveNamed(name, source);
+      missing.remedies = { { Remedy::Give, "the name of a curve" } };
+      return missing;
+    }
+  }
+  return {};
+}
+
+/// Writes the moved surface and its curves as vtkMakeFlattenable documents.
+/// \param moved the source with its mesh moved
+/// \param warnings get a sentence for each array of the curves that is left out
+void writeMovedSurface(const CurvedSurface& source, const CurvedSurface& moved,
+  const FlattenableSurface& result, vtkPolyData* surface, vtkPolyData* curves,
+  std::vector<std::string>& warnings)
+{
+  writeImprint(moved, surface, curves, warnings);
+  // Normals are those of the design.
+  surface->GetPointData()->SetNormals(nullptr);
+  curves->GetPointData()->SetNormals(nullptr);
+  writeShift(source.imprinted.mesh, result, surface);
+}
+
+/// A sentence that says how far the bound was missed, and what may help.
+std::string describeShortfall(const FlattenableSurface& result, const FlattenableOptions& options)
+{
+  const bool freed = !options.keepBoundary && options.kept.empty();
+  const std::string bias = options.outsideBias > 0.0 ? "lower the outside bias, " : "";
+  return "the strain on 95 % of a piece is " + shortNumber(result.strainAfter) +
+    ", above the bound of " + shortNumber(options.bound) + ", after moving the surface by " +
+    shortNumber(result.shift.size > 0.0 ? 100.0 * result.shift.mean / result.shift.size : 0.0) +
+    " % of its size in the mean; " + result.hindrance + "; " + bias +
+    (freed ? "add darts" : "add darts, or keep fewer curves and not the boundary");
+}
+}
+}
+}
 
 namespace
 {

@@ -57,8 +57,11 @@ public:
   vtkTypeMacro(vtkWireWarpingFilter, vtkFlatPieceAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * How the wires get their shape.
+   * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
+   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least. The
+   * conformal map is vtkLeastSquaresConformalFilter. Default: ISOMETRIC.
    */
   enum Schemes
   {
@@ -66,13 +69,6 @@ public:
     GLOBAL = 1,
     ISOMETRIC = 2
   };
-
-  ///@{
-  /**
-   * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
-   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least. The
-   * conformal map is vtkLeastSquaresConformalFilter. Default: ISOMETRIC.
-   */
   vtkSetClampMacro(Scheme, int, PROGRESSIVE, ISOMETRIC);
   vtkGetMacro(Scheme, int);
   void SetSchemeToProgressive() { this->SetScheme(PROGRESSIVE); }
@@ -87,38 +83,23 @@ public:
    */
   void UsePaperMethod();
 
+  ///@{
   /**
-   * How the angles' constrained optimization is solved.
+   * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the
+   * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
+   * programming (Eq. 15). The ISOMETRIC scheme starts from its solution. Default: NEWTON.
    */
   enum Solvers
   {
     NEWTON = 0,
     SEQUENTIAL = 1
   };
-
-  ///@{
-  /**
-   * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the
-   * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
-   * programming (Eq. 15). The ISOMETRIC scheme starts from its solution. Default:
-   * NEWTON.
-   */
   vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
   vtkGetMacro(Solver, int);
   void SetSolverToNewton() { this->SetSolver(NEWTON); }
   void SetSolverToSequential() { this->SetSolver(SEQUENTIAL); }
   const char* GetSolverAsString() const { return this->GetOptionWord("Solver", this->Solver); }
   ///@}
-
-  /**
-   * How the points between the wires are placed.
-   */
-  enum Interiors
-  {
-    LAPLACIAN = 0,
-    RELAXATION = 1,
-    AS_RIGID_AS_POSSIBLE = 2
-  };
 
   ///@{
   /**
@@ -127,6 +108,12 @@ public:
    * AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires pinned. Scheme ISOMETRIC only
    * starts there. Default: AS_RIGID_AS_POSSIBLE.
    */
+  enum Interiors
+  {
+    LAPLACIAN = 0,
+    RELAXATION = 1,
+    AS_RIGID_AS_POSSIBLE = 2
+  };
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);
   void SetInteriorToLaplacian() { this->SetInterior(LAPLACIAN); }
@@ -159,16 +146,6 @@ public:
   vtkBooleanMacro(ReleaseTrials, bool);
   ///@}
 
-  /**
-   * How the legs of a dart lie.
-   */
-  enum DartLegsForms
-  {
-    FREE = 0,
-    STRAIGHT = 1,
-    MIRRORED = 2
-  };
-
   ///@{
   /**
    * How the legs of a dart lie: FREE, each as the piece distorts least, so that they fit when sewn
@@ -178,6 +155,12 @@ public:
    * would close it. Darts whose legs cannot be so keep free ones, which `Fallbacks` says.
    * Default: FREE.
    */
+  enum DartLegsForms
+  {
+    FREE = 0,
+    STRAIGHT = 1,
+    MIRRORED = 2
+  };
   vtkSetClampMacro(DartLegs, int, FREE, MIRRORED);
   vtkGetMacro(DartLegs, int);
   void SetDartLegsToFree() { this->SetDartLegs(FREE); }
@@ -196,8 +179,8 @@ public:
    * less than 0 makes them shorter. What they are sewn to keeps the length of the surface, and the
    * ease is spread evenly. The curve needs a length tolerance as large (AddCurveTolerance()). A
    * curve that is not there, lies in other pieces, has both sides in the piece or is to change by
-   * more than its tolerance is refused when the filter runs (INVALID_OPTION). Takes the place of
-   * the eases that curves of the name have of their own (`LengthEase`); 0 takes them away. Default:
+   * more than its tolerance is refused when the filter runs (INVALID_OPTION). Replaces
+   * the eases that curves of the name have of their own (`LengthEase`); 0 removes them. Default:
    * no ease.
    */
   void AddCurveEase(const std::string& curve, int piece, double fraction);
@@ -214,18 +197,12 @@ public:
 
   ///@{
   /**
-   * The solver stops when no loop of wires misses its start by more than this fraction of the
-   * perimeter. Default: 1e-12. Range: from 0.
+   * The solver stops when no loop of wires misses its start by more than a fraction of the
+   * perimeter, and no entry of the gradient of the Lagrangian is larger. Default: 1e-12 and 1e-10.
+   * Range: from 0.
    */
   vtkSetClampMacro(ClosureTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ClosureTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * The solver stops when no entry of the gradient of the Lagrangian is larger. Default: 1e-10.
-   * Range: from 0.
-   */
   vtkSetClampMacro(OptimalityTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OptimalityTolerance, double);
   ///@}
@@ -261,29 +238,14 @@ public:
 
   ///@{
   /**
-   * AS_RIGID_AS_POSSIBLE: stop when the energy falls by less than this fraction of itself. Default:
-   * 1e-9. Range: from 0.
+   * AS_RIGID_AS_POSSIBLE: stop when the energy falls by less than a fraction of itself, and most
+   * iterations. Default: 1e-9 and 200. Range: from 0, and from 1.
    */
   vtkSetClampMacro(RigidEnergyTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RigidEnergyTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * AS_RIGID_AS_POSSIBLE: most iterations. Default: 200. Range: from 1.
-   */
   vtkSetClampMacro(RigidMaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(RigidMaximumIterations, int);
   ///@}
-
-  /**
-   * What deforming the sheet costs in the ISOMETRIC scheme.
-   */
-  enum SheetEnergies
-  {
-    RIGID = 0,
-    SYMMETRIC_DIRICHLET = 1
-  };
 
   ///@{
   /**
@@ -291,6 +253,11 @@ public:
    * the map of each triangle from the nearest rotation; SYMMETRIC_DIRICHLET: grows without bound
    * where a triangle collapses, so that none is flipped. Default: RIGID.
    */
+  enum SheetEnergies
+  {
+    RIGID = 0,
+    SYMMETRIC_DIRICHLET = 1
+  };
   vtkSetClampMacro(DistortionEnergy, int, RIGID, SYMMETRIC_DIRICHLET);
   vtkGetMacro(DistortionEnergy, int);
   void SetDistortionEnergyToRigid() { this->SetDistortionEnergy(RIGID); }
@@ -355,8 +322,7 @@ private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
   void operator=(const vtkWireWarpingFilter&) = delete;
 
-  // Options have the defaults of the algorithms.
-  int Scheme = 0;
+  int Scheme = 0; // as all options at first by SetDefaultOptions()
   int Solver = 0;
   int Interior = 0;
   bool ReleaseKeys = false;

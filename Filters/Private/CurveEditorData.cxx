@@ -3,9 +3,10 @@
 
 #include "Base/Types.h"
 #include "CurveInput.h"
-#include "EaseArrays.h"
-#include "FarthestCurve.h"
+#include "Editing/DrawingSurface.h"
 #include "FieldArrays.h"
+#include "Imprint/ImprintedSurface.h"
+#include "Surface/FeatureCurve.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -25,6 +26,55 @@ namespace bridge
 {
 namespace
 {
+/// Remembers which of several curves lies farthest from a surface.
+class FarthestCurve
+{
+public:
+  /// The surface must outlive it.
+  explicit FarthestCurve(const DrawingSurface& surface);
+
+  /// \pre The points are finite.
+  void offer(const Polyline& line);
+  /// Words on it; empty where it is on the surface as the filters' default has it.
+  std::string note() const;
+
+private:
+  const DrawingSurface& Surface;
+  double Distance = 0.0;
+  std::string Name;
+};
+
+FarthestCurve::FarthestCurve(const DrawingSurface& surface)
+  : Surface(surface)
+{
+}
+
+void FarthestCurve::offer(const Polyline& line)
+{
+  for (const Point3& point : line.points)
+  {
+    const double distance = this->Surface.locator().closest(point).distance;
+    if (distance > this->Distance)
+    {
+      this->Distance = distance;
+      this->Name = line.name;
+    }
+  }
+}
+
+std::string FarthestCurve::note() const
+{
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : this->Surface.mesh().points())
+  {
+    box.extend(point);
+  }
+  return this->Distance > ImprintOptions().tolerance * box.diagonal().norm()
+    ? "the curve \"" + this->Name + "\" was up to " + shortNumber(this->Distance) +
+      " from the surface and is laid onto it; was it drawn on another one, or in another unit?"
+    : "";
+}
+
 const char* const imageOf = "CurveImageOf";
 const char* const controlPoints = "ControlPoints";
 const char* const controlCurve = "ControlPointCurve";

@@ -2,11 +2,15 @@
 #include "CurvedSurface.h"
 
 #include "Base/Types.h"
-#include "StatusInInput.h"
+#include "Cut/CutEnds.h"
+#include "StatusOutput.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
 
 namespace flattening
 {
@@ -93,6 +97,41 @@ bool samePlaces(const std::vector<Polyline>& a, const std::vector<Polyline>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
     [](const Polyline& p, const Polyline& q) { return sameBits(p.points, q.points); });
+}
+
+std::string listed(const std::vector<Polyline>& curves)
+{
+  constexpr std::size_t most = 20;
+  std::set<std::string> names;
+  for (const Polyline& curve : curves)
+  {
+    names.insert(curve.name);
+  }
+  std::string text;
+  std::size_t told = 0;
+  for (const std::string& name : names)
+  {
+    if (told == most)
+    {
+      return text + " and " + std::to_string(names.size() - most) + " more";
+    }
+    text += (told++ ? ", " : "") + name;
+  }
+  return text;
+}
+
+/// The point's id in the input, or where it is if the imprint made it.
+std::string pointWords(const CurvedSurface& source, Index vertex)
+{
+  const vtkIdType point = source.pointOf(vertex);
+  if (point >= 0)
+  {
+    return "point " + std::to_string(point);
+  }
+  const Point3& x = source.imprinted.mesh.point(vertex);
+  char place[120];
+  std::snprintf(place, sizeof(place), "(%.6g, %.6g, %.6g)", x.x(), x.y(), x.z());
+  return place;
 }
 }
 
@@ -223,6 +262,60 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   const Status& status = source.imprinted.status;
   source.outcome = outcomeOfImprint(status, source.curves, source.surface.input);
   source.blamed = status.curve == none ? nullptr : source.curves.dataOfPolyline[status.curve];
+}
+
+Status noCurveNamed(const std::string& name, const CurvedSurface& source)
+{
+  const std::vector<Polyline>& polylines = source.curves.polylines;
+  return { StatusCode::InvalidOption,
+    "no curve is named \"" + name + "\"; " +
+      (polylines.empty() ? "there is no feature curve" : "the curves are " + listed(polylines)),
+    {}, { Remedy::NameCurve } };
+}
+
+Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source)
+{
+  std::vector<Polyline>& polylines = source.curves.polylines;
+  for (const auto& entry : tolerances)
+  {
+    if (!std::isfinite(entry.second) || entry.second < 0.0 || entry.second >= 1.0)
+    {
+      return { StatusCode::InvalidOption,
+        "the length tolerance of \"" + entry.first + "\" lies outside [0, 1)", {},
+        { { Remedy::Give, "a fraction of the length" } } };
+    }
+    bool known = false;
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+    {
+      if (polylines[c].name == entry.first)
+      {
+        known = true;
+        polylines[c].tolerance = entry.second;
+        source.imprinted.curves[c].tolerance = entry.second;
+      }
+    }
+    if (!known)
+    {
+      return noCurveNamed(entry.first, source);
+    }
+  }
+  return {};
+}
+
+std::vector<std::string> describeShortEnds(const CurvedSurface& source)
+{
+  std::vector<std::string> sentences;
+  const std::vector<FeatureCurve>& curves = source.imprinted.curves;
+  for (const ShortEnd& end : endsShortOfBoundary(source.imprinted.mesh, curves))
+  {
+    const FeatureCurve& curve = curves[end.curve];
+    const bool dart = curve.type == CurveType::Dart;
+    sentences.push_back(curveTypeName(curve.type) + (" \"" + curve.name) + "\" ends at " +
+      pointWords(source, end.vertex) + ", one edge inside the boundary, and " +
+      (dart ? "does not open there" : "divides nothing there") + "; begin it at " +
+      pointWords(source, end.boundary));
+  }
+  return sentences;
 }
 }
 }

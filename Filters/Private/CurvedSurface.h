@@ -6,7 +6,6 @@
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
 #include "SurfaceInput.h"
-
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -17,7 +16,9 @@
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
+#include <map>
 #include <optional>
+#include <string>
 
 namespace flattening
 {
@@ -94,5 +95,16 @@ struct CurvedSurface
 void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
   CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
   CurvedSurface& source);
+
+/// The refusal of a name that no curve has.
+Status noCurveNamed(const std::string& name, const CurvedSurface& source);
+
+/// Gives the curves of each name their length tolerance. InvalidOption where no curve has the name,
+/// or the tolerance lies outside [0, 1).
+Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source);
+
+/// A sentence for each dart or seam that stops one edge short of the boundary, with the point of
+/// the input to begin it at.
+std::vector<std::string> describeShortEnds(const CurvedSurface& source);
 }
 }

@@ -3,7 +3,6 @@
 
 #include "Base/LengthUnit.h"
 #include "PieceSizes.h"
-#include "StatusInInput.h"
 #include "StatusOutput.h"
 #include "SurfaceOutput.h"
 #include "TableColumns.h"

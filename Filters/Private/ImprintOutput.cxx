@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImprintOutput.h"
 
-#include "EaseArrays.h"
+#include "FieldArrays.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"

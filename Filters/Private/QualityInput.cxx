@@ -2,7 +2,7 @@
 #include "QualityInput.h"
 
 #include "Base/Types.h"
-#include "CellVisit.h"
+#include "SurfaceInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

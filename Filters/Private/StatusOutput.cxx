@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StatusOutput.h"
 
+#include <algorithm>
+#include <unordered_set>
+
 namespace flattening
 {
 namespace bridge
@@ -37,6 +40,13 @@ std::string remedyWords(const SuggestedRemedy& suggested)
   }
   return words;
 }
+
+const char* nounOf(ElementKind kind)
+{
+  return kind == ElementKind::Curves ? "cells of the curves"
+    : kind == ElementKind::Edges     ? "points"
+                                     : kindName(kind);
+}
 }
 
 std::string inWords(const Status& status)
@@ -49,6 +59,62 @@ std::string inWords(const Status& status)
     join = ", or ";
   }
   return text;
+}
+
+const char* kindName(ElementKind kind)
+{
+  switch (kind)
+  {
+    case ElementKind::Points:
+      return "points";
+    case ElementKind::Cells:
+      return "cells";
+    case ElementKind::Curves:
+      return "curves";
+    case ElementKind::CurvePoints:
+      return "curve points";
+    case ElementKind::Edges:
+      return "edges";
+    default:
+      return "";
+  }
+}
+
+Status inInput(Status status, const std::vector<vtkIdType>& inputId)
+{
+  ElementIds ids;
+  ids.kind = status.ids.kind;
+  bool renumbered = false;
+  std::unordered_set<std::int64_t> told;
+  // Of an edge both ends are told, or neither.
+  const std::size_t stride = ids.kind == ElementKind::Edges ? 2 : 1;
+  for (std::size_t k = 0; k + stride <= status.ids.values.size(); k += stride)
+  {
+    std::vector<std::int64_t> element;
+    for (std::size_t i = k; i < k + stride; ++i)
+    {
+      const std::int64_t id = status.ids.values[i];
+      const bool known = id >= 0 && static_cast<std::size_t>(id) < inputId.size();
+      element.push_back(known ? inputId[static_cast<std::size_t>(id)] : -1);
+      renumbered = renumbered || element.back() != id;
+    }
+    const bool whole = *std::min_element(element.begin(), element.end()) >= 0;
+    if (whole && (stride > 1 || told.insert(element.front()).second))
+    {
+      ids.values.insert(ids.values.end(), element.begin(), element.end());
+    }
+  }
+  if (ids.empty())
+  {
+    ids.kind = ElementKind::None;
+  }
+  else if (renumbered)
+  {
+    status.message +=
+      std::string(" (in the input: ") + nounOf(ids.kind) + " " + listIds(ids.values) + ")";
+  }
+  status.ids = std::move(ids);
+  return status;
 }
 }
 }

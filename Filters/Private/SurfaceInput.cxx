@@ -2,8 +2,7 @@
 #include "SurfaceInput.h"
 
 #include "Base/Types.h"
-#include "CellVisit.h"
-#include "StatusInInput.h"
+#include "StatusOutput.h"
 #include "Surface/PolygonTriangulation.h"
 
 #include "vtkCallbackCommand.h"

@@ -3,7 +3,9 @@
 
 #include "Base/Status.h"
 #include "Surface/SurfacePreparation.h"
-
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstdint>
@@ -63,5 +65,19 @@ LoadedSurface loadSurface(
 
 /// What to warn of where there are loose points.
 std::string leftOut(const LoadedSurface& surface);
+
+/// Calls visit(k, count, ids) for each cell of an array, k counting from 0.
+template <class Visit>
+void forEachCell(vtkCellArray* cells, Visit&& visit)
+{
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
+    visit(cell->GetCurrentCellId(), count, ids);
+  }
+}
 }
 }
