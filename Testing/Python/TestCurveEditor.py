@@ -186,18 +186,6 @@ class Editor(unittest.TestCase):
         self.assertFalse(editor.AddOffset(77, 1.0))
         self.assertIn("77", editor.GetMessage())
 
-    def test_the_distance_is_that_on_the_plane_and_has_a_side(self):
-        editor = sf.vtkFeatureCurveEditor()
-        editor.SetSurface(sf.make_surface([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)],
-                                          [(0, 1, 2), (0, 2, 3)]))
-        self.assertTrue(math.isnan(editor.GetDistance(0, (1, 1, 0))))  # there is no curve
-        nodes = vtkPoints()
-        for point in ((0, 1, 0), (4, 1, 0)):
-            nodes.InsertNextPoint(point)
-        self.assertTrue(editor.AddCurve(nodes))
-        for x, y in ((1.0, 3.0), (2.5, 0.25), (3.3, 1.0)):
-            self.assertAlmostEqual(editor.GetDistance(0, (x, y, 0)), y - 1, 12)  # left is up
-
     def test_a_stroke_becomes_few_nodes_within_its_tolerance(self):
         editor = sf.vtkFeatureCurveEditor()
         editor.SetSurface(sf.make_surface([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)],

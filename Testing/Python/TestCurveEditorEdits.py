@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Long chains of random commands for vtkFeatureCurveEditor, with arguments that make no sense among them."""
+"""Random commands for vtkFeatureCurveEditor, with arguments that make no sense among them."""
 
 import math
 import random
@@ -10,7 +10,6 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import surfaceflattening as sf
-from surfaces import read
 
 NAN, INF = math.nan, math.inf
 
@@ -85,88 +84,62 @@ def curves_of(editor):
     return curves
 
 
-def array_values(attributes):
-    for k in range(attributes.GetNumberOfArrays()):
-        array = attributes.GetAbstractArray(k)
-        yield (array.GetName(), [str(array.GetVariantValue(i)) if array.GetDataType() == 13
-                                 else array.GetTuple(i) for i in range(array.GetNumberOfTuples())])
-
-
-def state(editor):
-    """All that the editor holds, as the curves that it saves, bit for bit."""
-    curves = curves_of(editor)
-    bits = [tuple(float(x).hex() for x in curves.GetPoint(k)) for k in range(curves.GetNumberOfPoints())]
-    cells = [[curves.GetCell(c).GetPointId(k) for k in range(curves.GetCell(c).GetNumberOfPoints())]
-             for c in range(curves.GetNumberOfCells())]
-    return (bits, cells, repr(list(array_values(curves.GetCellData()))), repr(list(array_values(curves.GetPointData()))),
-            repr(list(array_values(curves.GetFieldData()))))
-
-
 class Hand:
-    """Commands drawn at random; senseless ones as well where it is clumsy."""
+    """Commands drawn at random, senseless ones as well."""
 
-    def __init__(self, editor, surface, seed, clumsy):
-        self.editor, self.clumsy = editor, clumsy
+    def __init__(self, editor, surface, seed):
+        self.editor = editor
         self.random = random.Random(seed)
         self.points = [surface.GetPoint(k) for k in range(surface.GetNumberOfPoints())] or [(0.0, 0.0, 0.0)]
-        box = surface.GetBounds()
-        self.size = max(box[1] - box[0], box[3] - box[2], box[5] - box[4])
 
     def point(self):
-        if self.clumsy and self.random.random() < 0.15:
+        if self.random.random() < 0.15:
             return self.random.choice([(NAN, 0, 0), (0, INF, 0), (1e300, 0, 0), (1e9, -1e9, 0), (5, 5, 5)])
         a, b = self.random.choice(self.points), self.random.choice(self.points)
         return a if self.random.random() < 0.5 else tuple(0.5 * (x + y) for x, y in zip(a, b))
 
-    def place(self, few=1):
+    def place(self):
         points = vtkPoints()
         points.SetDataTypeToDouble()
-        for _ in range(self.random.choice([0, 1, 2, 3, 6] if self.clumsy else [few, few + 1, few + 2])):
+        for _ in range(self.random.choice([0, 1, 2, 3, 6])):
             points.InsertNextPoint(self.point())
         return points
 
-    def one_of(self, count):
-        if self.clumsy:
-            return self.random.choice([-2**31, -1, 0, 0, 1, 1, 2, 3, 2**31 - 1])
-        return self.random.randrange(max(count, 1))
+    def id(self):
+        return self.random.choice([-2**31, -1, 0, 0, 1, 1, 2, 3, 2**31 - 1])
 
-    def number(self, good):
-        if self.clumsy:
-            return self.random.choice([0.0, 1e-300, 0.01, 0.1, 1.0, 1e9, 1e300, NAN, INF, -INF, -0.1, -1e9])
-        return good * self.size
+    def number(self):
+        return self.random.choice([0.0, 1e-300, 0.01, 0.1, 1.0, 1e9, 1e300, NAN, INF, -INF, -0.1, -1e9])
 
     def kind(self):
-        return self.random.choice([-5, 0, 1, 2, 3, 99] if self.clumsy else [0, 0, 1, 2, 3])
+        return self.random.choice([-5, 0, 1, 2, 3, 99])
 
     def edit(self):
         """True where a command was carried out."""
         e, pick = self.editor, self.random
-        curve = self.one_of(e.GetNumberOfCurves())
-        node = self.one_of(e.GetNumberOfNodes(curve))
-        if not self.clumsy and e.GetNumberOfCurves() > 6:
-            return e.RemoveCurve(curve)
+        curve, node = self.id(), self.id()
         return pick.choice([
             lambda: e.AddCurve(self.place(), self.kind(), pick.random() < 0.3),
             lambda: e.AddCurve(self.place(), self.kind(), False),
-            lambda: e.InsertNode(curve, self.one_of(e.GetNumberOfNodes(curve) + 1), self.point(), self.kind()),
+            lambda: e.InsertNode(curve, self.id(), self.point(), self.kind()),
             lambda: e.MoveNode(curve, node, self.point()),
             lambda: e.MoveNode(curve, node, self.point()),
             lambda: e.RemoveNode(curve, node),
             lambda: e.RemoveCurve(curve),
             lambda: e.SetCurveClosed(curve, pick.random() < 0.6),
             lambda: e.SplitCurve(curve, node),
-            lambda: e.JoinCurves(curve, self.one_of(e.GetNumberOfCurves())),
-            lambda: e.SetMirrorPlane(self.point(), (1.0, 0.2, 0.0) if not self.clumsy else self.point()),
+            lambda: e.JoinCurves(curve, self.id()),
+            lambda: e.SetMirrorPlane(self.point(), self.point()),
             lambda: e.SetCurveMirrored(curve, pick.random() < 0.6),
             lambda: e.AddMirrorImage(curve),
-            lambda: e.AddOffset(curve, self.number(0.01)),
+            lambda: e.AddOffset(curve, self.number()),
             lambda: e.TightenCurve(curve),
-            lambda: e.AddStroke(self.place(3), self.number(0.01), self.kind()),
+            lambda: e.AddStroke(self.place(), self.number(), self.kind()),
             lambda: e.SetSegmentKind(curve, node, self.kind()),
             lambda: e.SetCurveName(curve, pick.choice(["", "a", "b", "\u00e9" * 40])),
-            lambda: e.SetCurveType(curve, self.one_of(4)),
-            lambda: e.SetCurveKeyShape(curve, self.one_of(3)),
-            lambda: e.SetCurveTolerance(curve, self.number(0.0) if self.clumsy else 0.1 * pick.random()),
+            lambda: e.SetCurveType(curve, self.id()),
+            lambda: e.SetCurveKeyShape(curve, self.id()),
+            lambda: e.SetCurveTolerance(curve, self.number()),
         ])()
 
     def look(self):
@@ -174,9 +147,9 @@ class Hand:
         e, found, line = self.editor, [0, 0], vtkPolyData()
         length = e.PreviewSegment(self.point(), self.point(), self.kind(), line)
         assert length == -1.0 or math.isfinite(length), length
-        e.SnapPoint(self.point(), self.number(0.1), self.one_of(3), [0.0, 0.0, 0.0])
-        e.FindNode(self.point(), self.number(0.1), found)
-        e.FindSegment(self.point(), self.number(0.1), found)
+        e.SnapPoint(self.point(), self.number(), self.id(), [0.0, 0.0, 0.0])
+        e.FindNode(self.point(), self.number(), found)
+        e.FindSegment(self.point(), self.number(), found)
         for curve in (-1, 0, 2**31 - 1):
             e.GetDistance(curve, self.point())
             e.GetNode(curve, curve, [0.0, 0.0, 0.0])
@@ -187,34 +160,6 @@ class Hand:
 
 
 class RandomEdits(unittest.TestCase):
-    def test_a_thousand_edits_undone_give_the_first_state_bit_for_bit(self):
-        surface = read("shirt_shoulder")
-        editor = sf.vtkFeatureCurveEditor()
-        self.assertTrue(editor.SetSurface(surface), editor.GetMessage())
-        self.assertTrue(editor.SetCurves(read("shirt_shoulder_curves")), editor.GetMessage())
-        first = state(editor)
-        hand = Hand(editor, surface, 1, False)
-        carried = 0
-        for _ in range(1000):
-            time = editor.GetMTime()
-            if hand.edit():
-                carried += 1
-            else:
-                self.assertEqual(editor.GetMTime(), time)
-                self.assertTrue(editor.GetMessage())
-        self.assertGreater(carried, 500)
-        last = state(editor)
-        self.assertNotEqual(last, first)
-        undone = 0
-        while editor.CanUndo():
-            editor.Undo()
-            undone += 1
-        self.assertGreater(undone, 400)
-        self.assertEqual(state(editor), first)
-        while editor.CanRedo():
-            editor.Redo()
-        self.assertEqual(state(editor), last)
-
     def test_no_command_on_any_surface_breaks_the_editor(self):
         for name, (points, polygons) in SURFACES.items():
             surface = poly_data(points, polygons)
@@ -229,7 +174,7 @@ class RandomEdits(unittest.TestCase):
         editor.EndGroup()
         usable = editor.SetSurface(surface)
         self.assertTrue(usable or editor.GetMessage())
-        hand = Hand(editor, surface, seed, True)
+        hand = Hand(editor, surface, seed)
         for _ in range(40):
             carried = hand.edit()
             self.assertTrue(carried or editor.GetMessage())

@@ -3,12 +3,10 @@
 
 import csv
 import os
-import re
 import tempfile
 import unittest
 from xml.etree import ElementTree
 
-import ezdxf
 import numpy as np
 import surfaceflattening as sf
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -37,11 +35,6 @@ def flat_plate(width, height):
     return sf.flatten(*plate(width, height))
 
 
-def heights(height):
-    """Of the plate on its own surface, which rises as it goes up."""
-    return height * np.sqrt(1 + 0.2**2)
-
-
 class Grading(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -51,33 +44,6 @@ class Grading(unittest.TestCase):
 
     def path(self, name):
         return os.path.join(self.folder, name)
-
-    def test_corners_of_plates_go_with_their_width_and_height(self):
-        grading = sf.grade(self.sizes, unit="cm")
-        self.assertEqual((grading.sizes, grading.base), (["S", "M", "L"], "M"))
-        rules = {rule.point: rule for rule in grading.rules}
-        corners = [at(0, 0), at(COLUMNS, 0), at(0, ROWS), at(COLUMNS, ROWS)]
-        self.assertLessEqual(set(corners), set(rules))
-        places = grading.positions["M"][corners]
-        self.assertEqual(sorted(map(tuple, np.round(np.abs(places), 6))),
-                         sorted([(150.0, 0.0), (150.0, round(10 * heights(50), 6))] * 2))
-        for point, (x, y) in zip(corners, places):
-            for (dx, dy), (width, height) in zip(rules[point].deltas, ((28, 48), (30, 50), (33, 52))):
-                self.assertAlmostEqual(dx, x * (width / 30 - 1), delta=1e-6)
-                self.assertAlmostEqual(dy, y * (height / 50 - 1), delta=1e-6)
-        self.assertIn("centre", {name for rule in grading.rules for name in rule.name.split(", ")})
-
-    def test_a_surface_that_is_larger_by_a_factor_gives_rules_by_that_factor(self):
-        points, triangles, curves = plate(30.0, 50.0)
-        bulged = points + np.column_stack(
-            [np.zeros((len(points), 2)), 0.2 * np.sin(np.arange(len(points)))])
-        sizes = {name: sf.flatten(factor * bulged, triangles, curves)
-                 for name, factor in (("36", 0.95), ("38", 1.0), ("40", 1.04))}
-        grading = sf.grade(sizes, base="38", unit="mm")
-        for rule in grading.rules:
-            place = grading.positions["38"][rule.point]
-            for delta, factor in zip(rule.deltas, (0.95, 1.0, 1.04)):
-                self.assertLess(np.abs(np.array(delta) - (factor - 1) * place).max(), 1e-6)
 
     def test_the_table_and_the_nest_hold_the_same_numbers(self):
         grading = sf.grade(self.sizes, unit="cm")
@@ -111,26 +77,6 @@ class Grading(unittest.TestCase):
             for rule, wanted in zip(sf.grade(self.sizes).rules, centimetres):
                 self.assertLess(np.abs(np.array(rule.deltas) - factor * np.array(wanted.deltas)).max(), 1e-9 * factor)
             self.assertEqual(sf.grade(self.sizes, unit="cm").rules, centimetres)
-
-    def test_the_rule_table_counts_the_points_of_the_dxf(self):
-        grading = sf.grade(self.sizes, unit="cm")
-        grading.write_rule_table(self.path("plate.rul"), "plate")
-        self.sizes["M"].write_pattern(self.path("plate.dxf"), unit="cm", size="M", sizes=grading)
-        with open(self.path("plate.rul"), encoding="ascii") as file:
-            table = file.read()
-        self.assertIn("SIZE LIST: S M L\nSAMPLE SIZE: M\n", table)
-        rules = re.findall(r"RULE: DELTA (\d+)\n(.*)\n(.*)\n(.*)\n", table)
-        self.assertEqual([int(rule[0]) for rule in rules], list(range(1, len(grading.rules) + 1)))
-        for (_, *lines), rule in zip(rules, grading.rules):
-            for line, delta in zip(lines, rule.deltas):
-                # Along the axes of the drawing, of the same length.
-                self.assertAlmostEqual(np.hypot(*map(float, line.split(","))), np.hypot(*delta), delta=2e-6)
-        block = next(b for b in ezdxf.readfile(self.path("plate.dxf")).blocks if b.name[0] not in "*$")
-        numbers = [text.dxf.text for text in block.query("TEXT") if text.dxf.layer == "2"]
-        self.assertEqual(sorted(numbers), sorted(f"# {rule[0]}" for rule in rules))
-        with self.assertRaisesRegex(ValueError, "points"):
-            flat_plate(3.0, 4.0).write_pattern(self.path("none.dxf"), unit="cm", sizes=sf.grade(self.coarse()))
-        self.assertFalse(os.path.exists(self.path("none.dxf")))
 
     def test_sizes_with_broken_arrays_are_refused(self):
         grading = sf.grade(self.sizes, unit="cm")

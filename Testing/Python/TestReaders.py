@@ -2,7 +2,6 @@
 """Surfaces and curves from files: coordinates to the last bit, lengths of drawn shapes by their formulas, and what is
 wrong by file and line."""
 
-import math
 import os
 import struct
 import tempfile
@@ -118,22 +117,6 @@ class Surfaces(Files):
 
 
 class Curves(Files):
-    def test_shapes_of_a_drawing_have_their_lengths(self):
-        def entity(kind, layer, *groups):
-            return f"0\n{kind}\n8\n{layer}\n" + "".join(f"{code}\n{value}\n" for code, value in groups)
-        drawing = "0\nSECTION\n2\nENTITIES\n" + "".join((
-            entity("LINE", "dart one", (10, 0), (20, 0), (30, 0), (11, 3), (21, 4), (31, 12)),
-            entity("ARC", "hem", (10, 1), (20, 2), (30, 3), (40, 5), (50, 30), (51, 120)),
-            entity("LWPOLYLINE", "key arc", (90, 2), (70, 0), (10, 0), (20, 0), (42, 1), (10, 2), (20, 0)),
-            entity("TEXT", "0", (1, "words")),
-            entity("HATCH", "0"))) + "0\nENDSEC\n0\nEOF\n"
-        with self.assertWarnsRegex(sf.FlatteningWarning, "HATCH"):
-            curves = sf.read_curves(self.write("a.dxf", drawing))
-        self.assertEqual(names(curves), ["one", "hem", "arc"])
-        self.assertEqual(types(curves), [2, 0, 1])
-        # Chords of an arc leave it by at most 1e-4 of its size: 8/3 (h/c)^2 of its length.
-        np.testing.assert_allclose(lengths(curves), [13.0, 2.5 * math.pi, math.pi], rtol=1e-4)
-
     def test_tables_texts_and_lines_are_the_same_curve(self):
         points, triangles, _ = quarter_sphere()
         surface = sf.make_surface(points, triangles)

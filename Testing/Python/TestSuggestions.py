@@ -24,14 +24,6 @@ def dome(columns=14, rows=14, height=0.5):
     return np.column_stack([x, y, height * (1 - x * x) * (1 - y * y)]), triangles
 
 
-def bumps():
-    """Two of them, each the mirror image of the other."""
-    points, triangles = dome(16, 12)
-    x, y = points[:, 0], points[:, 1]
-    return np.column_stack([
-        x, y, 0.25 * np.exp(-9 * (abs(x) - 0.5) ** 2 - 6 * (y - 0.3) ** 2)]), triangles
-
-
 class Suggestions(unittest.TestCase):
     def test_flatten_takes_what_is_proposed(self):
         points, triangles = dome()
@@ -90,16 +82,6 @@ class Suggestions(unittest.TestCase):
                          "<Curve: key, straight, length_tolerance 0.1, 2 points>")
         for odd in (None, 3, np.array(3), [[0, 1], [2]]):
             self.assertTrue(repr(sf.Curve(odd, odd, key_shape=odd, length_tolerance=odd, planar_shape=odd)))
-
-    def test_mirror_images_are_named_and_exact(self):
-        points, triangles = bumps()
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
-            cuts = sf.suggest(points, triangles, cuts="darts", bound=0, max_cuts=2).cuts
-        self.assertEqual([cut.mirror_of for cut in cuts], [-1, 0])
-        self.assertLess(abs(cuts[0].length - cuts[1].length), 1e-12)
-        np.testing.assert_allclose(
-            cuts[1].curve.points, cuts[0].curve.points * (-1, 1, 1), rtol=0, atol=1e-9)
 
     def test_what_mirrors_the_surface_is_named(self):
         points, triangles = dome(20, 14)
