@@ -153,6 +153,49 @@ void normalsDoNotFollowIntoThePlane(Checks& check)
   check.that(!filter->GetOutput()->GetCellData()->GetNormals(), "no normals of cells in the plane");
   check.that(filter->GetOutput(2)->GetPointData()->GetNormals(), "normals stay on the surface");
 }
+
+void aRunThatDoesNotConvergeIsMarked(Checks& check)
+{
+  const auto surface = makeQuarterSphere();
+  vtkNew<vtkWireWarpingFilter> filter;
+  const Messages messages(filter);
+  filter->SetInputData(surface);
+  filter->SetCurvesData(makeQuarterSphereArc(surface));
+  filter->SetSolverToSequential();
+  filter->SetMaximumIterations(2);
+  filter->Update();
+  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::NOT_CONVERGED),
+    "status after two iterations");
+  check.that(!filter->IsRefused(), "it is no refusal");
+  check.equal(messages.errors.size(), std::size_t{ 0 }, "errors");
+  check.equal(messages.warnings.size(), std::size_t{ 1 }, "warnings");
+  check.equal(filter->GetOutput(0)->GetNumberOfPolys(), 56, "flat triangles");
+  check.equal(filter->GetOutput(2)->GetNumberOfPolys(), 56, "triangles in space");
+  check.that(filter->GetOutput(1)->GetNumberOfLines() > 0, "there are wires");
+  check.equal(text(filter->GetPieces(), "Status"), "NotConverged", "Status of the piece");
+  check.equal(text(filter->GetOutput(), "RunStatus"), "NotConverged", "RunStatus");
+  check.contains(text(filter->GetPieces(), "StatusMessage"), "2 iterations", "StatusMessage");
+}
+
+/// A value per point beside those of the input, which stays as it is.
+void developabilityIsAnArrayOfPoints(Checks& check)
+{
+  const vtkSmartPointer<vtkPolyData> surface = makeQuarterSphere();
+  vtkNew<vtkDoubleArray> carried;
+  carried->SetName("Carried");
+  carried->SetNumberOfTuples(surface->GetNumberOfPoints());
+  carried->FillValue(7.0);
+  surface->GetPointData()->AddArray(carried);
+  vtkNew<vtkSurfaceDevelopability> filter;
+  filter->SetInputData(surface);
+  filter->Update();
+  vtkPointData* const points = filter->GetOutput()->GetPointData();
+  check.that(points->GetArray("Carried") == carried, "point data of the input is carried along");
+  check.equal(points->GetArray("Developability")->GetNumberOfTuples(), surface->GetNumberOfPoints(),
+    "values");
+  check.that(points->GetArray("Developability")->GetRange()[1] > 0.0, "a sphere is curved");
+  check.that(!surface->GetPointData()->HasArray("Developability"), "the input stays as it is");
+}
 }
 
 int TestFilterManners(int, char*[])
@@ -164,5 +207,7 @@ int TestFilterManners(int, char*[])
   sameValuesChangeNothing(check);
   anAbortedRunIsDoneAgain(check);
   normalsDoNotFollowIntoThePlane(check);
+  aRunThatDoesNotConvergeIsMarked(check);
+  developabilityIsAnArrayOfPoints(check);
   return check.result();
 }

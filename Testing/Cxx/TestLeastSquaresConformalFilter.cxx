@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The comparison method: Table 1's row of the quarter-sphere, an exact unrolling, darts.
+// The comparison method: Table 1's row of the quarter-sphere, darts, pins.
 #include "FlatteningTesting.h"
 
 #include "vtkIdTypeArray.h"
@@ -25,46 +25,6 @@ void tableOneIsReproduced(Checks& check)
   check.near(number(filter, "EdgeLengthError"), 0.06433, 5e-6, "E_len");
   check.near(number(filter, "AngleErrorMean"), 0.04216, 5e-6, "E_ang");
   check.near(number(filter, "GlobalHomogeneity"), 0.58187, 5e-6, "E_h");
-}
-
-// The boundary keeps its length on the whole: the map is scaled so.
-void thePerimeterIsThatOfTheSurface(Checks& check)
-{
-  vtkNew<vtkLeastSquaresConformalFilter> filter;
-  filter->SetInputData(makeQuarterSphere());
-  filter->Update();
-  vtkPolyData* wires = filter->GetOutput(1);
-  double rest = 0.0;
-  double flat = 0.0;
-  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
-  {
-    rest += wires->GetCellData()->GetArray("RestLength")->GetComponent(w, 0);
-    flat += wires->GetCellData()->GetArray("FlatLength")->GetComponent(w, 0);
-  }
-  check.near(flat, rest, 1e-12 * rest, "perimeter in the plane");
-}
-
-// A cylinder sheet has a conformal map without any error: its unrolling, whatever the pins.
-void aCylinderUnrolls(Checks& check)
-{
-  const auto sheet = makeGrid(12, 6);
-  for (vtkIdType p = 0; p < sheet->GetNumberOfPoints(); ++p)
-  {
-    double point[3];
-    sheet->GetPoint(p, point);
-    // Every second row of a chordal cylinder would bend its diagonals; u runs around, v along.
-    sheet->GetPoints()->SetPoint(p, std::sin(2.0 * point[0]), std::cos(2.0 * point[0]), point[1]);
-  }
-  for (const int pin : { -1, 0 })
-  {
-    vtkNew<vtkLeastSquaresConformalFilter> filter;
-    filter->SetInputData(sheet);
-    filter->SetPins(pin, pin < 0 ? -1 : 17);
-    filter->Update();
-    check.near(number(filter, "AngleErrorMean"), 0.0, 1e-10, "E_ang");
-    check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
-    check.near(number(filter, "AreaError"), 0.0, 1e-10, "E_area");
-  }
 }
 
 void dartsAreOpenedFirst(Checks& check)
@@ -113,8 +73,6 @@ int TestLeastSquaresConformalFilter(int, char*[])
 {
   Checks check;
   tableOneIsReproduced(check);
-  thePerimeterIsThatOfTheSurface(check);
-  aCylinderUnrolls(check);
   dartsAreOpenedFirst(check);
   propertiesArePrintedAndPinsChecked(check);
   return check.result();
