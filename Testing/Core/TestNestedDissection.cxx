@@ -33,8 +33,8 @@ TEST(NestedDissection, PutsASmallSeparatorThatDividesTheMeshLast)
   const Surface surface = flatPatch(40, 30);
   const Triangles& triangles = surface.mesh.triangles();
   const Index count = surface.mesh.vertexCount();
-  for (const Dissection& dissection : { dissect(triangles, surface.mesh.points()),
-         dissect(triangles, surface.mesh.points(), Separators::Fewest), dissect(triangles, count) })
+  for (const Dissection& dissection :
+    { dissect(triangles, surface.mesh.points()), dissect(triangles, count) })
   {
     expectOrderInRanges(dissection, count);
     const Index begin = dissection.end[dissection.end.size() - 2];
@@ -97,10 +97,7 @@ TEST(NestedDissection, EndsWithEachVertexOnceForGraphsOfEveryShape)
     Points3 positions(graph.count);
     std::generate(positions.begin(), positions.end(),
       [&] { return Point3(place(generator), place(generator), 0.0); });
-    for (const Separators separators : { Separators::Quick, Separators::Fewest })
-    {
-      expectOrderInRanges(dissect(graph.cliques, positions, separators), graph.count);
-    }
+    expectOrderInRanges(dissect(graph.cliques, positions), graph.count);
   }
 }
 
@@ -113,8 +110,8 @@ TEST(NestedDissection, PutsTheHubOfAWideFanLastAndNoneOfItsRing)
     const double angle = 2.0 * pi * v / (fan.count - 1);
     positions[v] = Point3(std::cos(angle), std::sin(angle), 0.0);
   }
-  for (const Dissection& dissection : { dissect(fan.cliques, fan.count),
-         dissect(fan.cliques, positions), dissect(fan.cliques, positions, Separators::Fewest) })
+  for (const Dissection& dissection :
+    { dissect(fan.cliques, fan.count), dissect(fan.cliques, positions) })
   {
     EXPECT_EQ(dissection.order.back(), 0);
     Index begin = 0;
@@ -177,7 +174,7 @@ TEST(NestedDissection, FindsTheWaistOfASheetBesideTheMiddle)
     }
   }
   const auto count = static_cast<Index>(positions.size());
-  const Dissection dissection = dissect(triangles, positions, Separators::Fewest);
+  const Dissection dissection = dissect(triangles, positions);
   expectOrderInRanges(dissection, count);
   EXPECT_EQ(count - dissection.end[dissection.end.size() - 2], 5);
 }

@@ -224,7 +224,7 @@ private:
   /// Of the unknowns, by where the free vertices lie on the surface.
   Dissection eliminationOrder() const
   {
-    const Dissection vertices = dissect(this->Patch.triangles, this->Space, Separators::Fewest);
+    const Dissection vertices = dissect(this->Patch.triangles, this->Space);
     return vertices.replaced([&](Index k, Indices& order) {
       if (vertices.order[k] < this->Patch.freeCount)
       {

@@ -380,7 +380,7 @@ Dissection dissectVertices(
   {
     places.emplace_back(p.x(), p.y(), 0.0);
   }
-  return dissect(cliques, places, Separators::Fewest);
+  return dissect(cliques, places);
 }
 
 Dissection IsometricModel::eliminationOrder(const Dissection& dissection) const

@@ -3,189 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace flattening
 {
-namespace
-{
-/// In the place of a vertex: where ways begin and end.
-constexpr Index atLeft = -2;
-constexpr Index atRight = -3;
-/// No state, but there may be others.
-constexpr Index closed = -4;
-
-constexpr Index entering(Index place)
-{
-  return 2 * place;
-}
-constexpr Index leaving(Index place)
-{
-  return 2 * place + 1;
-}
-}
-
-VertexSeparator::VertexSeparator(const Indices& begin, const Indices& neighbours)
-  : Begin(begin)
-  , Neighbours(neighbours)
-  , Sides(begin.size() - 1, Side::Outside)
-  , Place(begin.size() - 1, none)
-{
-}
-
-void VertexSeparator::build(const Indices& between)
-{
-  const auto count = static_cast<Index>(between.size());
-  for (Index k = 0; k < count; ++k)
-  {
-    this->Place[between[k]] = k;
-  }
-  this->AtLeft.clear();
-  this->AtRight.assign(count, 0);
-  this->FirstBeside.assign(count + 1, 0);
-  for (Index k = 0; k < count; ++k)
-  {
-    bool left = false;
-    Index beside = 0;
-    for (Index a = this->Begin[between[k]]; a < this->Begin[between[k] + 1]; ++a)
-    {
-      const Side side = this->Sides[this->Neighbours[a]];
-      left = left || side == Side::Left;
-      this->AtRight[k] = this->AtRight[k] || side == Side::Right ? 1 : 0;
-      beside += side == Side::Between ? 1 : 0;
-    }
-    if (left)
-    {
-      this->AtLeft.push_back(k);
-    }
-    this->FirstBeside[k + 1] = this->FirstBeside[k] + beside;
-  }
-  this->Beside.resize(this->FirstBeside.back());
-  this->Arc.assign(this->FirstBeside.begin(), this->FirstBeside.end());
-  for (Index k = count; k-- > 0;)
-  {
-    for (Index a = this->Begin[between[k]]; a < this->Begin[between[k] + 1]; ++a)
-    {
-      if (this->Sides[this->Neighbours[a]] == Side::Between)
-      {
-        this->Beside[this->Arc[this->Place[this->Neighbours[a]]]++] = k;
-      }
-    }
-  }
-  this->Previous.assign(count, none);
-  this->Next.assign(count, none);
-}
-
-/// The a-th state that may follow one; none after the last.
-Index VertexSeparator::following(Index state, Index a) const
-{
-  const Index k = state / 2;
-  if (state == entering(k))
-  {
-    // Through the vertex, or, where a way goes there, back along that.
-    const Index back = this->Previous[k] == atLeft ? closed : leaving(this->Previous[k]);
-    return a > 0 ? none : this->Next[k] == none ? leaving(k) : back;
-  }
-  if (a == 0)
-  {
-    return this->AtRight[k] ? atRight : closed;
-  }
-  if (a == 1)
-  {
-    return this->Next[k] == none ? closed : entering(k);
-  }
-  const Index at = this->FirstBeside[k] + a - 2;
-  if (at >= this->FirstBeside[k + 1])
-  {
-    return none;
-  }
-  return this->Next[k] == this->Beside[at] ? closed : entering(this->Beside[at]);
-}
-
-/// Looks for a way among states that no earlier one has tried.
-bool VertexSeparator::addWay(Index start)
-{
-  const auto enter = [this](Index state) {
-    this->Tried[state] = 1;
-    this->Way.push_back(state);
-  };
-  this->Way.clear();
-  enter(entering(start));
-  while (!this->Way.empty())
-  {
-    const Index state = this->Way.back();
-    const Index next = this->following(state, this->Arc[state]);
-    if (next == none)
-    {
-      this->Way.pop_back();
-      continue;
-    }
-    ++this->Arc[state];
-    if (next == atRight)
-    {
-      this->takeWay();
-      return true;
-    }
-    if (next != closed && !this->Tried[next])
-    {
-      enter(next);
-    }
-  }
-  return false;
-}
-
-/// Where it runs back along another way, the two change their ends.
-void VertexSeparator::takeWay()
-{
-  this->Previous[this->Way.front() / 2] = atLeft;
-  for (std::size_t at = 0; at + 1 < this->Way.size(); ++at)
-  {
-    const Index from = this->Way[at] / 2;
-    const Index to = this->Way[at + 1] / 2;
-    if (this->Way[at] == leaving(from))
-    {
-      this->Next[from] = from == to ? none : to;
-      this->Previous[to] = from == to ? none : from;
-    }
-  }
-  this->Next[this->Way.back() / 2] = atRight;
-}
-
-bool VertexSeparator::separate(const Indices& between, Index most)
-{
-  this->build(between);
-  Index ways = 0;
-  for (bool found = true; found && ways <= most;)
-  {
-    found = false;
-    this->Tried.assign(2 * between.size(), 0);
-    this->Arc.assign(2 * between.size(), 0);
-    for (Index k : this->AtLeft)
-    {
-      if (this->Previous[k] == atLeft)
-      {
-        this->Tried[entering(k)] = 1;
-      }
-      else if (!this->Tried[entering(k)] && this->addWay(k))
-      {
-        found = true;
-        ++ways;
-      }
-    }
-  }
-  for (std::size_t k = 0; k < between.size() && ways <= most; ++k)
-  {
-    const auto place = static_cast<Index>(k);
-    this->Sides[between[k]] = this->Tried[leaving(place)] ? Side::Left
-      : this->Tried[entering(place)]                      ? Side::Between
-                                                          : Side::Right;
-  }
-  return ways <= most;
-}
-
 namespace
 {
 /// What both ways of halving have in common.
@@ -469,27 +292,44 @@ private:
 class PlaneDissector : LevelDissector
 {
 public:
-  PlaneDissector(const Triangles& cliques, const Points3& positions, Separators separators)
+  PlaneDissector(const Triangles& cliques, const Points3& positions)
     : LevelDissector(cliques, static_cast<Index>(positions.size()))
     , Positions(positions)
-    , Fewest(separators == Separators::Fewest)
+    , Rank(positions.size(), none)
   {
   }
 
   Dissection run() { return this->divideAll(none); }
 
 private:
-  /// Where the vertices right of the separator begin, and where it does.
-  struct Halves
-  {
-    Iterator right;
-    Iterator separator;
-  };
-
   void divide(const Step& part) override
   {
     const Iterator begin = this->Result.order.begin() + part.begin;
     const Iterator end = this->Result.order.begin() + part.end;
+    const Iterator middle = this->sortAcross(begin, end);
+    this->assign(begin, middle);
+    const Index right = this->assign(middle, end);
+    const Iterator separator =
+      this->separate(begin, middle, [&](Index n) { return this->Part[n] == right; });
+    const Iterator separatorEnd = std::rotate(separator, middle, end);
+    // A plane across many long triangles has more next to it than levels, which count edges.
+    const auto cost = static_cast<Index>(end - separatorEnd);
+    if (cost > manyInSeparator * std::sqrt(static_cast<double>(end - begin)) &&
+      this->divideByLevels(part, cost))
+    {
+      return;
+    }
+    const auto leftEnd = part.begin + static_cast<Index>(separator - begin);
+    const auto rightEnd = part.begin + static_cast<Index>(separatorEnd - begin);
+    this->pushEnd(part.end);
+    this->pushPart(leftEnd, rightEnd, none);
+    this->pushPart(part.begin, leftEnd, none);
+  }
+
+  /// Sorts a part along its longest extent. \return where the plane is, among places near the
+  /// middle, that has the fewest vertices next to it on its left: those are the separator
+  Iterator sortAcross(Iterator begin, Iterator end)
+  {
     Eigen::AlignedBox3d box;
     std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
     Eigen::Index axis = 0;
@@ -497,97 +337,67 @@ private:
     this->Along.clear();
     std::for_each(
       begin, end, [&](Index v) { this->Along.emplace_back(this->Positions[v][axis], v); });
-    const bool flow = this->Fewest && end - begin >= worthFlow;
-    const Halves halves = flow ? this->halveByFlow(begin, end) : this->halveByPlane(begin, end);
-    // A plane across many long triangles has more next to it than levels, which count edges.
-    const auto cost = static_cast<Index>(end - halves.separator);
-    if (cost > manyInSeparator * std::sqrt(static_cast<double>(end - begin)) &&
-      this->divideByLevels(part, cost))
+    const auto count = static_cast<Index>(end - begin);
+    const auto reach = static_cast<Index>(nearMiddle * count);
+    const Index first = count / 2 - reach;
+    const Index last = count / 2 + reach + 1;
+    const auto along = this->Along.begin();
+    std::nth_element(along, along + first, this->Along.end());
+    std::nth_element(along + first, along + last, this->Along.end());
+    std::sort(along + first, along + last);
+    const Index part = this->assign(begin, end);
+    for (Index k = 0; k < count; ++k)
     {
-      return;
+      *(begin + k) = this->Along[k].second;
+      this->Rank[this->Along[k].second] = std::min(k, last);
     }
-    const auto leftEnd = part.begin + static_cast<Index>(halves.right - begin);
-    const auto rightEnd = part.begin + static_cast<Index>(halves.separator - begin);
-    this->pushEnd(part.end);
-    this->pushPart(leftEnd, rightEnd, none);
-    this->pushPart(part.begin, leftEnd, none);
+    // How many more there are next to a plane than next to the one before.
+    this->More.assign(last - first + 2, 0);
+    for (Index k = 0; k < last; ++k)
+    {
+      const Index v = *(begin + k);
+      Index farthest = k;
+      for (Index a = this->Begin[v]; a < this->Begin[v + 1]; ++a)
+      {
+        const Index n = this->Neighbours[a];
+        farthest = this->Part[n] == part ? std::max(farthest, this->Rank[n]) : farthest;
+      }
+      if (farthest >= first && farthest > k)
+      {
+        ++this->More[std::max(k + 1 - first, 0)];
+        --this->More[farthest + 1 - first];
+      }
+    }
+    Index fewest = count;
+    Index plane = first;
+    Index beside = 0;
+    for (Index k = first; k < last; ++k)
+    {
+      beside += this->More[k - first];
+      if (k > 0 && (beside < fewest || (beside == fewest && k <= count / 2)))
+      {
+        fewest = beside;
+        plane = k;
+      }
+    }
+    return begin + plane;
   }
 
-  /// The separator are the vertices of the left half that are next to the plane.
-  Halves halveByPlane(Iterator begin, Iterator end)
-  {
-    const Iterator middle = begin + (end - begin) / 2;
-    std::nth_element(
-      this->Along.begin(), this->Along.begin() + (middle - begin), this->Along.end());
-    std::transform(this->Along.begin(), this->Along.end(), begin,
-      [](const std::pair<double, Index>& item) { return item.second; });
-    this->assign(begin, middle);
-    const Index right = this->assign(middle, end);
-    const Iterator separator =
-      this->separate(begin, middle, [&](Index n) { return this->Part[n] == right; });
-    return { separator, std::rotate(separator, middle, end) };
-  }
-
-  /// The separator are as few vertices as any near the plane ("inertial flow": A. Schild, C.
-  /// Sommer, "On balanced separators in road networks", 2015).
-  Halves halveByFlow(Iterator begin, Iterator end)
-  {
-    using Side = VertexSeparator::Side;
-    const auto count = static_cast<double>(end - begin);
-    const double reach = std::min(nearPlane * count, rowsNearPlane * std::sqrt(count));
-    const auto first = this->Along.begin() + static_cast<std::ptrdiff_t>(0.5 * count - reach);
-    const auto last = this->Along.begin() + static_cast<std::ptrdiff_t>(0.5 * count + reach);
-    std::nth_element(this->Along.begin(), first, this->Along.end());
-    std::nth_element(first, last, this->Along.end());
-    const auto setSides = [this](auto from, auto to, Side side) {
-      std::for_each(from, to, [&](const auto& item) { this->Flow.setSide(item.second, side); });
-    };
-    setSides(this->Along.begin(), first, Side::Left);
-    setSides(first, last, Side::Between);
-    setSides(last, this->Along.end(), Side::Right);
-    // A long edge may lead from one side to the other.
-    const auto outer = std::partition(this->Along.begin(), first, [&](const auto& item) {
-      return std::none_of(this->Neighbours.begin() + this->Begin[item.second],
-        this->Neighbours.begin() + this->Begin[item.second + 1],
-        [&](Index n) { return this->Flow.side(n) == Side::Right; });
-    });
-    setSides(outer, first, Side::Between);
-    std::sort(outer, last);
-    this->Between.clear();
-    std::transform(
-      outer, last, std::back_inserter(this->Between), [](const auto& item) { return item.second; });
-    const bool few =
-      this->Flow.separate(this->Between, static_cast<Index>(manyInSeparator * std::sqrt(count)));
-    const auto is = [this](Side side) {
-      return [this, side](Index v) { return this->Flow.side(v) == side; };
-    };
-    const Iterator right = std::stable_partition(begin, end, is(Side::Left));
-    const Iterator separator = std::stable_partition(right, end, is(Side::Right));
-    setSides(this->Along.begin(), this->Along.end(), Side::Outside);
-    const bool halved = few && right != begin && separator != right;
-    return halved ? Halves{ right, separator } : this->halveByPlane(begin, end);
-  }
-
-  /// In parts of at least this many vertices the fewest that separate are looked for, among those
-  /// that are nearest to the plane: on each side of it this share of the part, and no more than
-  /// some rows, since the time that the search takes grows faster than what it gains.
-  static constexpr Index worthFlow = 100;
-  static constexpr double nearPlane = 0.1;
-  static constexpr double rowsNearPlane = 4.0;
+  /// How far planes are looked for from the middle, as a share of the part.
+  static constexpr double nearMiddle = 0.1;
   /// A separator of more vertices than this multiple of the root of the part's is a bad one.
   static constexpr double manyInSeparator = 2.0;
 
   const Points3& Positions;
-  bool Fewest;
   std::vector<std::pair<double, Index>> Along; ///< coordinate across the plane, vertex
-  VertexSeparator Flow{ this->Begin, this->Neighbours };
-  Indices Between;
+  Indices Rank;                                ///< of each vertex across the planes
+  Indices More;
 };
 }
 
-Dissection dissect(const Triangles& cliques, const Points3& positions, Separators separators)
+Dissection dissect(const Triangles& cliques, const Points3& positions)
 {
-  return PlaneDissector(cliques, positions, separators).run();
+  return PlaneDissector(cliques, positions).run();
 }
 
 Dissection dissect(const Triangles& cliques, Index count)
