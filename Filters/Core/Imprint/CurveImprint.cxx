@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 
 namespace flattening
 {
@@ -52,133 +52,47 @@ private:
   std::optional<SurfaceLocator> Locator;
 };
 
-using Cell = std::array<std::int64_t, 3>;
-
-struct CellHash
+double diagonal(const TriangleMesh& mesh)
 {
-  std::size_t operator()(const Cell& cell) const
-  {
-    std::uint64_t hash = 0;
-    for (std::int64_t k : cell)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15ull;
-      hash ^= hash >> 29;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
-
-class QueryGrid
-{
-public:
-  QueryGrid(const Eigen::AlignedBox3d& bounds, double radius, std::size_t queryCount)
-    : Origin(bounds.min())
-    // Balls of one radius touch eight cells at most; the floor keeps cell numbers in range.
-    , Size(std::max(2.0 * radius, 1e-9 * bounds.diagonal().norm()))
-  {
-    std::size_t places = 1024;
-    while (places < 32 * queryCount)
-    {
-      places *= 2;
-    }
-    this->Occupied.assign(places, 0);
-  }
-
-  void insert(Index query, const Point3& point, double radius)
-  {
-    const Cell low = this->cell(point - Point3::Constant(radius));
-    const Cell high = this->cell(point + Point3::Constant(radius));
-    for (std::int64_t i = low[0]; i <= high[0]; ++i)
-    {
-      for (std::int64_t j = low[1]; j <= high[1]; ++j)
-      {
-        for (std::int64_t k = low[2]; k <= high[2]; ++k)
-        {
-          const Cell cell{ i, j, k };
-          this->Occupied[this->placeOf(cell)] = 1;
-          this->Queries[cell].push_back(query);
-        }
-      }
-    }
-  }
-
-  const Indices* near(const Point3& point) const
-  {
-    const Cell cell = this->cell(point);
-    if (!this->Occupied[this->placeOf(cell)])
-    {
-      return nullptr;
-    }
-    const auto found = this->Queries.find(cell);
-    return found == this->Queries.end() ? nullptr : &found->second;
-  }
-
-private:
-  Cell cell(const Point3& point) const
-  {
-    const Point3 c = (point - this->Origin) / this->Size;
-    return { roundDown(c.x()), roundDown(c.y()), roundDown(c.z()) };
-  }
-
-  static std::int64_t roundDown(double x)
-  {
-    const auto towardsZero = static_cast<std::int64_t>(x);
-    return x < static_cast<double>(towardsZero) ? towardsZero - 1 : towardsZero;
-  }
-
-  std::size_t placeOf(const Cell& cell) const
-  {
-    return CellHash()(cell) & (this->Occupied.size() - 1);
-  }
-
-  Point3 Origin;
-  double Size;
-  std::unordered_map<Cell, Indices, CellHash> Queries;
-  std::vector<char> Occupied; ///< by hash of a cell: most vertices are near no query
-};
-
-/// Per query the nearest vertex within the radius, with all others at the same place; ascending
-/// ids.
-///
-/// One pass over the vertices against a hashed grid of the queries: a few curves on a large mesh
-/// cost no search structure over the mesh. Vertices that no triangle uses are left out.
-std::vector<Indices> matchVertices(const TriangleMesh& mesh, const Points3& queries, double radius)
-{
-  std::vector<Indices> nearest(queries.size());
   Eigen::AlignedBox3d bounds;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  for (const Triangle& t : mesh.triangles())
   {
-    if (mesh.outgoing(v) != none)
+    for (Index v : t)
     {
       bounds.extend(mesh.point(v));
     }
   }
-  if (bounds.isEmpty() || queries.empty())
-  {
-    return nearest;
-  }
-  QueryGrid grid(bounds, radius, queries.size());
+  return bounds.isEmpty() ? 0.0 : bounds.diagonal().norm();
+}
+
+/// Per query the nearest vertex within the radius, with all others at the same place; ascending
+/// ids. One pass over the vertices against the queries sorted along a line: a few curves on a large
+/// mesh cost no search structure over the mesh. Vertices that no triangle uses are left out.
+std::vector<Indices> matchVertices(const TriangleMesh& mesh, const Points3& queries, double radius)
+{
+  // Along a direction to which no row of a mesh is likely to be at right angles.
+  const auto height = [](const Point3& p) { return p.dot(Point3(0.48, 0.6, 0.64)); };
+  std::vector<std::pair<double, Index>> byHeight;
   for (std::size_t i = 0; i < queries.size(); ++i)
   {
-    if (bounds.exteriorDistance(queries[i]) <= radius)
-    {
-      grid.insert(static_cast<Index>(i), queries[i], radius);
-    }
+    byHeight.emplace_back(height(queries[i]), static_cast<Index>(i));
   }
+  std::sort(byHeight.begin(), byHeight.end());
   // Points that differ by rounding alone are one place.
-  const double same = 1e-12 * bounds.diagonal().norm();
+  const double same = 1e-12 * diagonal(mesh);
+  const double reach = radius + same;
+  std::vector<Indices> nearest(queries.size());
   std::vector<double> distance(queries.size(), std::numeric_limits<double>::infinity());
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
-    const Indices* candidates = mesh.outgoing(v) == none ? nullptr : grid.near(mesh.point(v));
-    if (!candidates)
+    const double place = height(mesh.point(v));
+    auto query =
+      std::lower_bound(byHeight.begin(), byHeight.end(), std::make_pair(place - reach, Index{ 0 }));
+    for (; query != byHeight.end() && query->first <= place + reach; ++query)
     {
-      continue;
-    }
-    for (Index i : *candidates)
-    {
+      const Index i = query->second;
       const double d = (mesh.point(v) - queries[i]).norm();
-      if (d > radius || d > distance[i] + same)
+      if (mesh.outgoing(v) == none || d > radius || d > distance[i] + same)
       {
         continue;
       }
@@ -242,19 +156,6 @@ Indices chooseVertices(const TriangleMesh& mesh, const std::vector<Indices>& can
 
 /// Of the surface's diagonal: a curve that is farther off was not drawn on this surface as it is.
 constexpr double nearby = 0.1;
-
-double diagonal(const TriangleMesh& mesh)
-{
-  Eigen::AlignedBox3d bounds;
-  for (const Triangle& t : mesh.triangles())
-  {
-    for (Index v : t)
-    {
-      bounds.extend(mesh.point(v));
-    }
-  }
-  return bounds.isEmpty() ? 0.0 : bounds.diagonal().norm();
-}
 
 /// The next larger number of two digits.
 double roundedUp(double value)
