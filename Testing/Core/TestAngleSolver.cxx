@@ -65,18 +65,6 @@ std::vector<Surface> curvedSurfaces()
 }
 }
 
-TEST(AngleSolver, TheQuarterSphereHasThePapersOptimum)
-{
-  const WiredSurface wired(quarterSphere());
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    const AngleSolution solution = wired.solve(method);
-    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
-    EXPECT_NEAR(solution.objective, 0.197157, 5e-7);
-    EXPECT_LT(solution.closure, 1e-12 * perimeter(wired.problem()));
-  }
-}
-
 TEST(AngleSolver, NewtonAndSequentialAgree)
 {
   for (const Surface& surface : curvedSurfaces())
@@ -128,58 +116,6 @@ TEST(AngleSolver, NewtonConvergesQuadraticallyInAFewSteps)
       }
     }
     EXPECT_GE(squared, 1);
-  }
-}
-
-TEST(AngleSolver, DevelopablesKeepAllTheirAngles)
-{
-  Surface tube = cylinder(9, 5);
-  tube.curves = { rowCurve(9, 2), columnCurve(9, 5, 4), accessory("dangling", { 7, 17 }) };
-  Surface horn = cone(9, 6);
-  horn.curves = { columnCurve(9, 6, 3), curveOf(CurveType::Key, "key", rowCurve(9, 3).vertices),
-    curveOf(CurveType::Dart, "eye", { 15, 25, 35 }) };
-  for (const Surface& surface : { tube, horn })
-  {
-    const WiredSurface wired(surface);
-    for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-    {
-      const AngleSolution solution = wired.solve(method);
-      ASSERT_TRUE(solution.status.ok()) << solution.status.message;
-      EXPECT_LT(solution.objective, 1e-20);
-      EXPECT_LT(largestDifference(solution.theta, wired.network.alpha), 1e-10);
-    }
-  }
-}
-
-TEST(AngleSolver, EveryLoopClosesAroundAHole)
-{
-  // A dart with open banks leaves a hole; its loop has no patch but must close as well.
-  Surface surface = cushion(8, 8, 0.5);
-  surface.curves = { curveOf(CurveType::Dart, "eye", { 31, 40, 49 }), rowCurve(8, 4) };
-  const WiredSurface wired(surface);
-  ASSERT_TRUE(wired.network.isHole(wired.network.loopCount() - 1));
-  const AngleProblem problem = wired.problem();
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    const AngleSolution solution = solve(problem, method);
-    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
-    EXPECT_GT(solution.objective, 1e-6);
-    EXPECT_LT(worstConstraint(problem, solution.theta), 1e-11);
-    EXPECT_LT(unexplainedGradient(problem, solution.theta), 1e-9);
-  }
-}
-
-TEST(AngleSolver, TheTipOfADanglingWireTurnsWholly)
-{
-  Surface surface = cushion(8, 8, 0.5);
-  surface.curves = { accessory("dangling", { 4, 13, 22, 31 }) };
-  const WiredSurface wired(surface);
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    const AngleSolution solution = wired.solve(method);
-    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
-    ASSERT_EQ(wired.nodes(31).size(), 1U);
-    EXPECT_NEAR(solution.theta[wired.nodes(31).front()], 2.0 * pi, 1e-12);
   }
 }
 
@@ -242,57 +178,6 @@ TEST(AngleSolver, SensitivityIsTheDerivativeOfTheOptimumByEachLength)
   }
 }
 
-TEST(AngleSolver, AnglesDoNotDependOnTheUnitOfLength)
-{
-  const WiredSurface wired(curvedSurfaces().front());
-  AngleProblem problem = wired.problem();
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    const AngleSolution unit = solve(problem, method);
-    for (const double scale : { 1e-6, 1e6 })
-    {
-      AngleProblem scaled = problem;
-      for (double& length : scaled.length)
-      {
-        length *= scale;
-      }
-      const AngleSolution solution = solve(scaled, method);
-      ASSERT_TRUE(solution.status.ok());
-      EXPECT_LT(largestDifference(solution.theta, unit.theta), 1e-11);
-    }
-  }
-}
-
-TEST(AngleSolver, AnElasticCurveStaysInItsBandAndLowersTheObjective)
-{
-  const WiredSurface wired(quarterSphere());
-  const double rigid = wired.solve().objective;
-  double previous = rigid;
-  for (const double tolerance : { 0.01, 0.05, 0.2 })
-  {
-    AngleProblem problem = wired.problem();
-    problem.groups = { { tolerance, 1e-6 } };
-    for (Index e = 0; e < wired.network.edgeCount(); ++e)
-    {
-      problem.stretchGroup[e] = wired.network.edges[e].curve == 0 ? 0 : none;
-    }
-    const AngleSolution solution = solve(problem, AngleMethod::Newton);
-    ASSERT_TRUE(solution.status.ok()) << solution.status.message;
-    ASSERT_EQ(solution.stretch.size(), 1U);
-    EXPECT_LE(std::abs(solution.stretch[0]), tolerance);
-    EXPECT_LT(solution.objective, previous);
-    previous = solution.objective;
-    for (Index e = 0; e < wired.network.edgeCount(); ++e)
-    {
-      const double expected =
-        problem.length[e] * (problem.stretchGroup[e] == none ? 1.0 : 1.0 + solution.stretch[0]);
-      EXPECT_DOUBLE_EQ(solution.length[e], expected);
-    }
-    EXPECT_LT(
-      closureResidual(wired.network, solution.theta, solution.length), 1e-12 * perimeter(problem));
-  }
-}
-
 TEST(AngleSolver, AWideBandFindsTheLengthWhoseSensitivityIsItsCost)
 {
   // Free to choose, the stretch h ends where dF/dh + w h = 0; sensitivity is dF/dl.
@@ -337,34 +222,4 @@ TEST(AngleSolver, SaysWhenItRanOutOfIterations)
       EXPECT_EQ(solution.theta.size(), 24U);
     }
   }
-}
-
-TEST(AngleSolver, StopsWhenItIsToldTo)
-{
-  const WiredSurface wired(quarterSphere());
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    for (const int after : { 0, 2 })
-    {
-      AngleSolverOptions options;
-      options.method = method;
-      Execution execution;
-      int asked = 0;
-      execution.cancel = [&asked, after] { return asked++ >= after; };
-      const AngleSolution solution = solveAngles(wired.problem(), options, execution);
-      EXPECT_STREQ(statusName(solution.status.code), "Cancelled");
-      EXPECT_TRUE(solution.status.refused());
-      EXPECT_EQ(asked, after + 1) << "nothing is asked after a yes";
-    }
-  }
-}
-
-TEST(AngleSolver, NamesTheNodesWhereKeysContradictEachOther)
-{
-  Surface surface = cushion(6, 6, 0.6);
-  surface.curves = { curveOf(CurveType::Key, "ring", { 16, 17, 18, 25, 32, 31, 30, 23, 16 }) };
-  const WiredSurface wired(surface);
-  const AngleSolution solution = wired.solve();
-  EXPECT_STREQ(statusName(solution.status.code), "IncompatibleKeys");
-  EXPECT_FALSE(solution.status.ids.empty());
 }

@@ -52,10 +52,3 @@ TEST(AreaForecast, CutsFromTheBoundaryToThePoleOfACapAndLosesLessThen)
   EXPECT_LT(forecast.lossAfterCut, 0.75 * forecast.loss);
   EXPECT_GT(forecast.lossAfterCut, 0.0);
 }
-
-TEST(AreaForecast, IsNotKnownWhereTheRunIsCancelled)
-{
-  Execution execution;
-  execution.cancel = [] { return true; };
-  EXPECT_FALSE(forecastArea(sphereCap(2.0, 8, 0).mesh, execution).known);
-}

@@ -265,18 +265,3 @@ TEST(BoundaryOverlap, PiecesSideBySideAreFreeAndOnTopOfEachOtherAreNot)
   EXPECT_FALSE(besides(Point2(0, 0)).empty());
   EXPECT_FALSE(besides(Point2(2, 1)).empty()) << "boundaries that cross in vertices only";
 }
-
-TEST(BoundaryOverlap, DoesNotDependOnScale)
-{
-  const Surface strip = cone(40, 2);
-  const Pairs reference = findBoundaryOverlaps(strip.mesh, arc(40, 6.6), 1000);
-  for (double scale : { std::ldexp(1.0, -30), std::ldexp(1.0, 30) })
-  {
-    Points2 positions = arc(40, 6.6);
-    for (Point2& p : positions)
-    {
-      p *= scale;
-    }
-    EXPECT_EQ(findBoundaryOverlaps(strip.mesh, positions, 1000), reference);
-  }
-}

@@ -3,7 +3,6 @@
 #include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "StatusTesting.h"
-#include "TestThreads.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -207,19 +206,6 @@ TEST(ClothFlattening, AFreeGrainIsNoWorseThanAnyThatIsGiven)
   }
 }
 
-TEST(ClothFlattening, AnyNumberOfThreadsGivesTheSameBits)
-{
-  const Surface surface = shell();
-  const FlatteningOptions options = on("twill", 30.0);
-  const FlatteningResult one = flatten(surface, options);
-  const FlatteningResult many =
-    flattenSurface(surface.mesh, surface.curves, options, withThreads(3));
-  for (std::size_t v = 0; v < one.positions.size(); ++v)
-  {
-    EXPECT_EQ(one.positions[v], many.positions[v]);
-  }
-}
-
 TEST(ClothFlattening, LimitsTakeBackWhatIsBeyondThem)
 {
   const Surface surface = shell();
@@ -373,22 +359,6 @@ TEST(ClothFlattening, OtherSchemesAreMeasured)
     EXPECT_FALSE(result.pieces.front().cloth->solved);
     EXPECT_GT(threadRms(result), 0.0);
     EXPECT_NEAR(result.pieces.front().cloth->grain.angle, 10.0 * pi / 180.0, 1e-9);
-  }
-}
-
-TEST(ClothFlattening, AMaterialWithoutMeaningIsRefused)
-{
-  const Surface surface = shell();
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  for (const double stiffness : { -1.0, 0.0, 1e300, nothing })
-  {
-    FlatteningOptions options = on("twill", 20.0);
-    options.cloth->material.shear = stiffness;
-    const FlatteningResult result = flatten(surface, options);
-    EXPECT_EQ(result.status.code, StatusCode::InvalidOption);
-    EXPECT_NE(result.status.message.find("shear stiffness"), std::string::npos);
-    EXPECT_TRUE(has(result.status, Remedy::Give));
-    EXPECT_TRUE(result.pieces.empty());
   }
 }
 

@@ -40,13 +40,6 @@ TEST(ConvexEmbedding, FoldsNothingAroundHoles)
   EXPECT_EQ(countFlipped(mesh, flat), 0);
 }
 
-TEST(ConvexEmbedding, IsEmptyWhereItIsCancelled)
-{
-  Execution execution;
-  execution.cancel = [] { return true; };
-  EXPECT_TRUE(embedConvexly(sphereCap(1.0, 4, 0).mesh, execution).empty());
-}
-
 namespace
 {
 void expectExactWithoutAFold(double degrees, Index rings, int wires)

@@ -79,15 +79,6 @@ TEST(DirectionsForm, EveryPointMeetsTheTurningAndWholeTurnConstraints)
   }
 }
 
-TEST(DirectionsForm, UnknownsAndAnglesAreInverseToEachOther)
-{
-  const Everything all;
-  const DirectionsForm form(all.problem);
-  const Eigen::VectorXd x = all.point(form);
-  const Eigen::VectorXd back = form.unknowns(form.angles(x));
-  EXPECT_LT((back - x).head(form.rotationCount()).cwiseAbs().maxCoeff(), 1e-12);
-}
-
 TEST(DirectionsForm, ProjectedAnglesAreTheNearestThatMeetTheLinearConstraints)
 {
   const WiredSurface wired(quarterSphere());
@@ -98,42 +89,6 @@ TEST(DirectionsForm, ProjectedAnglesAreTheNearestThatMeetTheLinearConstraints)
   const Eigen::VectorXd x = form.unknowns(projected);
   EXPECT_LT(largestDifference(form.angles(x), projected), 1e-12);
   EXPECT_LT(form.gradient(x).cwiseAbs().maxCoeff(), 1e-12);
-}
-
-TEST(DirectionsForm, ClosureAgreesWithTheAnglesForm)
-{
-  const Everything all;
-  const DirectionsForm form(all.problem);
-  const Eigen::VectorXd x = all.point(form);
-  const Eigen::VectorXd closure = form.closure(x);
-  double worst = 0.0;
-  for (Index loop = 0; loop < all.wired.network.loopCount(); ++loop)
-  {
-    worst = std::max(worst, closure.segment<2>(2 * loop).norm());
-  }
-  EXPECT_NEAR(worst * form.unit(),
-    closureResidual(all.wired.network, form.angles(x), form.lengths(x)), 1e-12);
-}
-
-TEST(DirectionsForm, LockedAnglesKeepTheirValues)
-{
-  const Everything all;
-  const DirectionsForm form(all.problem);
-  ASSERT_TRUE(form.contradictions().empty());
-  const std::vector<double> theta = form.angles(all.point(form));
-  for (std::size_t i = 0; i < theta.size(); ++i)
-  {
-    if (all.problem.locks.locked[i])
-    {
-      EXPECT_DOUBLE_EQ(theta[i], all.problem.locks.angle[i]);
-    }
-  }
-  const AngleConstraints constraints(all.problem);
-  const Eigen::VectorXd residual = constraints.residual(theta);
-  for (Index loop = 0; loop < all.wired.network.loopCount(); ++loop)
-  {
-    EXPECT_NEAR(residual[3 * loop], 0.0, 1e-11);
-  }
 }
 
 TEST(DirectionsForm, TheGradientIsTheDerivativeOfTheObjective)
@@ -179,23 +134,6 @@ TEST(DirectionsForm, TheKktMatrixHoldsTheDerivativesOfClosureAndLagrangian)
   EXPECT_EQ(corner, -0.25 * Eigen::MatrixXd::Identity(multipliers.size(), multipliers.size()));
   const Eigen::VectorXd product = matrix.topRightCorner(unknowns, multipliers.size()) * multipliers;
   EXPECT_LT((product - jacobianProduct).cwiseAbs().maxCoeff(), 1e-12);
-}
-
-TEST(DirectionsForm, ShiftAndStiffnessAddToTheDiagonalOfTheUnknownsTheyAreFor)
-{
-  const Everything all;
-  const DirectionsForm form(all.problem);
-  ASSERT_GT(form.groupCount(), 0);
-  DirectionsKkt kkt(form);
-  kkt.linearize(all.point(form), randomVector(form.constraintCount(), 1.0), Curvature::Exact, 0.0);
-  const Eigen::MatrixXd before(kkt.kkt());
-  kkt.shift(2.0);
-  kkt.stiffen(0, 5.0);
-  const Eigen::MatrixXd added = Eigen::MatrixXd(kkt.kkt()) - before;
-  Eigen::VectorXd expected = Eigen::VectorXd::Zero(before.rows());
-  expected.head(form.unknownCount()).setConstant(2.0);
-  expected[form.rotationCount()] += 5.0;
-  EXPECT_LT((added - Eigen::MatrixXd(expected.asDiagonal())).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(DirectionsForm, KeysThatEncloseACurvedRegionContradictEachOther)

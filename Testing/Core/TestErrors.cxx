@@ -19,30 +19,13 @@ using namespace flattening;
 using namespace statustesting;
 using namespace testmeshes;
 
-/// Makes every status of Documentation/errors.md happen that flattening ends with, but OutOfMemory
-/// (TestOutOfMemory).
+/// Makes statuses of Documentation/errors.md happen with which flattening ends; those of surfaces
+/// are made in TestSurfacePreparation, those of curves in TestImprintRefusals.
 namespace
 {
-const Points3 square{ Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0) };
-const Triangles squareTriangles{ { 0, 1, 2 }, { 0, 2, 3 } };
-
-StatusCode prepare(const Points3& points, const Triangles& triangles)
-{
-  return codeOf(prepareSurface(points, triangles).status);
-}
-
 StatusCode flatten(const Surface& surface, const FlatteningOptions& options = {})
 {
   return codeOf(flattenSurface(surface.mesh, surface.curves, options, {}).status);
-}
-
-StatusCode imprint(const Points3& points, bool split = true)
-{
-  Polyline polyline;
-  polyline.points = points;
-  ImprintOptions options;
-  options.split = split;
-  return codeOf(imprintCurves(TriangleMesh(square, squareTriangles), { polyline }, options).status);
 }
 
 /// Height over the longest edge.
@@ -128,11 +111,6 @@ struct ThinSheet
     return imprintCurves(prepareSurface(at, this->triangles).mesh, { line }, options).status;
   }
 };
-
-TriangleMesh withoutFirstTriangle(const TriangleMesh& mesh)
-{
-  return { mesh.points(), Triangles(mesh.triangles().begin() + 1, mesh.triangles().end()) };
-}
 }
 
 TEST(Errors, EveryStatusIsDocumented)
@@ -146,62 +124,6 @@ TEST(Errors, EveryStatusIsDocumented)
     const std::string name = statusName(static_cast<StatusCode>(code));
     EXPECT_NE(text.str().find("| `" + name + "` |"), std::string::npos) << name;
   }
-}
-
-TEST(Errors, OfTheSurface)
-{
-  EXPECT_EQ(prepare({}, {}), StatusCode::EmptySurface);
-  Points3 points = square;
-  points[2].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(prepare(points, squareTriangles), StatusCode::NonFinitePoint);
-  EXPECT_EQ(prepare(square, { { 0, 1, 9 } }), StatusCode::InvalidPointId);
-  EXPECT_EQ(prepare(square, { { 0, 1, 1 } }), StatusCode::DegenerateTriangle);
-  points = square;
-  points.push_back(Point3(0.5, 0.5, 1.0));
-  EXPECT_EQ(
-    prepare(points, { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 2, 4 } }), StatusCode::NonManifoldEdge);
-  points = square;
-  points.push_back(Point3(-1, 0, 0));
-  points.push_back(Point3(0, -1, 0));
-  EXPECT_EQ(prepare(points, { { 0, 1, 2 }, { 0, 4, 5 } }), StatusCode::NonManifoldVertex);
-  // A band of three quads with a half twist.
-  const Points3 band{ Point3(1, 0, -1), Point3(1, 0, 1), Point3(-1, 2, -1), Point3(-1, 2, 1),
-    Point3(-1, -2, -1), Point3(-1, -2, 1) };
-  EXPECT_EQ(
-    prepare(band, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 }, { 4, 1, 5 }, { 5, 1, 0 } }),
-    StatusCode::NotOrientable);
-  Surface closed;
-  closed.mesh = torus(8, 2.0);
-  EXPECT_EQ(flatten(closed), StatusCode::ClosedSurface);
-  closed.mesh = withoutFirstTriangle(closed.mesh);
-  EXPECT_EQ(flatten(closed), StatusCode::Handle);
-}
-
-TEST(Errors, OfTheCurves)
-{
-  EXPECT_EQ(imprint({ Point3(0, 0, 0) }), StatusCode::CurveTooShort);
-  EXPECT_EQ(imprint({ Point3(0, 0, 0), Point3(1, 1, 3) }), StatusCode::CurvePointOffSurface);
-  EXPECT_EQ(imprint({ Point3(1, 0, 0), Point3(0, 1, 0) }, false), StatusCode::CurveNotOnEdges);
-  Surface notched = patch(4, 4, [](double i, double j) { return Point3(i, j, 0.0); });
-  Triangles triangles;
-  for (const Triangle& t : notched.mesh.triangles())
-  {
-    const Point3 middle =
-      (notched.mesh.point(t[0]) + notched.mesh.point(t[1]) + notched.mesh.point(t[2])) / 3.0;
-    if (!(middle.x() > 1.0 && middle.x() < 3.0 && middle.y() > 1.0))
-    {
-      triangles.push_back(t);
-    }
-  }
-  const PreparedSurface prepared = prepareSurface(notched.mesh.points(), triangles);
-  Polyline across;
-  across.points = { Point3(0, 3, 0), Point3(4, 3, 0) };
-  EXPECT_EQ(
-    codeOf(imprintCurves(prepared.mesh, { across }, {}).status), StatusCode::CurveLeavesSurface);
-  across.points = { Point3(0, 0, 0), Point3(4, 0, 0) };
-  across.keyShape = KeyShape::Planar;
-  across.planarShape = { Point2(0, 0) };
-  EXPECT_EQ(codeOf(imprintCurves(prepared.mesh, { across }, {}).status), StatusCode::InvalidCurve);
 }
 
 TEST(Errors, OfTrianglesTooThinToBeSplit)

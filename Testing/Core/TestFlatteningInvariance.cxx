@@ -7,7 +7,6 @@
 
 #include <numeric>
 #include <random>
-#include <thread>
 #include <vector>
 
 using namespace flattening;
@@ -204,40 +203,5 @@ TEST(FlatteningInvariance, TheOrderAndDirectionOfCurvesChangeNothing)
   {
     expectSame(flatten(surface, options), flatten(other, options),
       identity(surface.mesh.triangleCount()), 1.0, 1e-9);
-  }
-}
-
-TEST(FlatteningInvariance, TheNumberOfThreadsChangesNotOneBit)
-{
-  const Surface surface = garment();
-  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
-  {
-    for (const InteriorMethod method :
-      { InteriorMethod::Laplacian, InteriorMethod::Relaxation, InteriorMethod::AsRigidAsPossible })
-    {
-      FlatteningOptions options;
-      options.scheme = scheme;
-      options.interior.method = method;
-      const FlatteningResult serial = flattenSurface(surface.mesh, surface.curves, options, {});
-      for (const Index threads : { 2, 7 })
-      {
-        Execution execution;
-        execution.parallel = [threads](Index count, const std::function<void(Index, Index)>& body) {
-          std::vector<std::thread> running;
-          for (Index k = threads; k-- > 0;)
-          {
-            running.emplace_back(
-              [&body, count, k, threads] { body(count * k / threads, count * (k + 1) / threads); });
-          }
-          for (std::thread& thread : running)
-          {
-            thread.join();
-          }
-        };
-        const FlatteningResult parallel =
-          flattenSurface(surface.mesh, surface.curves, options, execution);
-        EXPECT_EQ(serial.positions, parallel.positions);
-      }
-    }
   }
 }

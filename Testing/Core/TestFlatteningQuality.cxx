@@ -168,31 +168,6 @@ TEST(FlatteningQuality, ATriangleCollapsedInThePlaneGivesZeroAndNoNaN)
   }
 }
 
-TEST(FlatteningQuality, DoesNotDependOnTheThreads)
-{
-  const Surface surface = cone(12, 9);
-  const Points2 positions = bent(surface.unrolled);
-  Execution threads;
-  threads.parallel = [](Index count, const std::function<void(Index, Index)>& body) {
-    std::vector<std::thread> workers;
-    for (Index k = 0; k < 4; ++k)
-    {
-      workers.emplace_back([=, &body] { body(count * k / 4, count * (k + 1) / 4); });
-    }
-    for (std::thread& worker : workers)
-    {
-      worker.join();
-    }
-  };
-  const Indices edges = allHalfedges(surface.mesh);
-  const auto one = measureFlattening(surface.mesh, positions, edges, {});
-  const auto four = measureFlattening(surface.mesh, positions, edges, threads);
-  EXPECT_EQ(one.summary.angleError, four.summary.angleError);
-  EXPECT_EQ(one.summary.edgeLengthError, four.summary.edgeLengthError);
-  EXPECT_EQ(one.summary.areaError, four.summary.areaError);
-  EXPECT_EQ(one.summary.globalHomogeneity, four.summary.globalHomogeneity);
-}
-
 TEST(FlatteningQuality, TheDistortionAloneIsThatOfAllMeasures)
 {
   const Surface surface = cushion(8, 6, 0.3);

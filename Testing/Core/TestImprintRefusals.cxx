@@ -19,14 +19,6 @@ TEST(CurveImprintRefusal, ASegmentThatIsNoEdgeIsRefusedWithItsPointsWhereSplitti
   EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 100, 101 } }));
 }
 
-TEST(CurveImprintRefusal, PointsOffTheSurfaceAreRefusedWithTheirIds)
-{
-  const auto result = imprintCurves(
-    grid(4), { polyline({ Point3(0, 0, 0), Point3(1, 1, 0.5), Point3(9, 9, 0) }) }, {});
-  EXPECT_EQ(result.status.code, StatusCode::CurvePointOffSurface);
-  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101, 102 } }));
-}
-
 TEST(CurveImprintRefusal, APointTooFarToMeasureIsRefusedLikeOneThatIsNoNumber)
 {
   const auto result =

@@ -4,12 +4,9 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Quality/FlatteningQuality.h"
 #include "Reference/InteriorRelaxation.h"
-#include "TestThreads.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
-
-#include <numeric>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -118,29 +115,6 @@ TEST(InteriorEmbedding, RelaxationStaysWithinItsIterationLimits)
   EXPECT_EQ(placeInterior(wired.piece, wired.network, options, {}, positions).iterations, 10);
 }
 
-TEST(InteriorEmbedding, AsRigidAsPossibleUnrollsDevelopablesExactly)
-{
-  for (Surface surface : { flatPatch(12, 9), cone(12, 9), cylinder(12, 9) })
-  {
-    surface.curves = { rowCurve(12, 4), columnCurve(12, 9, 5) };
-    const WiredSurface wired(surface);
-    Points2 exact(wired.piece.mesh.vertexCount());
-    Points2 positions(wired.piece.mesh.vertexCount(), Point2::Zero());
-    for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
-    {
-      exact[v] = surface.unrolled[wired.original(v)];
-      if (wired.network.hostOfVertex[v] != none)
-      {
-        positions[v] = exact[v];
-      }
-    }
-    const auto result = placeInterior(
-      wired.piece, wired.network, with(InteriorMethod::AsRigidAsPossible), {}, positions);
-    ASSERT_TRUE(result.status.ok());
-    EXPECT_LT(largestDistance(positions, exact), 1e-11);
-  }
-}
-
 TEST(InteriorEmbedding, AsRigidAsPossibleReachesTheKnownQuarterSphere)
 {
   const Surface surface = quarterSphere();
@@ -177,104 +151,6 @@ TEST(InteriorEmbedding, WiresStayWhereTheyAre)
     for (Index v : wired.network.hostVertices)
     {
       EXPECT_EQ(positions[v], before[v]);
-    }
-  }
-}
-
-TEST(InteriorEmbedding, IsBitwiseTheSameForAnyNumberOfThreads)
-{
-  const WiredSurface wired(wiredCushion());
-  for (InteriorMethod method : allMethods)
-  {
-    Points2 reference = pinnedBy(wired, shadow);
-    const auto alone = placeInterior(wired.piece, wired.network, with(method), {}, reference);
-    for (Index count : { 2, 3, 8 })
-    {
-      Points2 positions = pinnedBy(wired, shadow);
-      const auto result =
-        placeInterior(wired.piece, wired.network, with(method), withThreads(count), positions);
-      EXPECT_EQ(positions, reference);
-      EXPECT_EQ(result.iterations, alone.iterations);
-    }
-  }
-}
-
-TEST(InteriorEmbedding, ScalesAndTurnsWithTheSurfaceAndItsWires)
-{
-  const Surface surface = wiredCushion();
-  const WiredSurface wired(surface);
-  const Eigen::Matrix3d turn =
-    Eigen::AngleAxisd(0.9, Point3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  for (InteriorMethod method : allMethods)
-  {
-    Points2 reference = pinnedBy(wired, shadow);
-    placeInterior(wired.piece, wired.network, with(method), {}, reference);
-    for (double scale : { 1e-9, 1.0, 1e9 })
-    {
-      Points3 points;
-      for (const Point3& p : surface.mesh.points())
-      {
-        points.push_back(scale * (turn * p + Point3(1.0, 2.0, -3.0)));
-      }
-      const WiredSurface other(TriangleMesh(points, surface.mesh.triangles()), surface.curves);
-      const auto moved = [&](const Point2& p) -> Point2 {
-        return scale * (Eigen::Rotation2Dd(2.1) * p + Point2(-4.0, 0.5));
-      };
-      Points2 positions(reference.size(), Point2::Zero());
-      for (Index v : other.network.hostVertices)
-      {
-        positions[v] = moved(reference[v]);
-      }
-      const auto result = placeInterior(other.piece, other.network, with(method), {}, positions);
-      EXPECT_TRUE(result.status.ok());
-      for (std::size_t v = 0; v < positions.size(); ++v)
-      {
-        EXPECT_LT((positions[v] - moved(reference[v])).norm() / scale, 1e-9);
-      }
-    }
-  }
-}
-
-TEST(InteriorEmbedding, DoesNotDependOnTheNumberingOfVerticesAndTriangles)
-{
-  const Surface surface = wiredCushion();
-  const WiredSurface wired(surface);
-  const Index n = surface.mesh.vertexCount();
-  // i -> (37 i + 11) mod n is a permutation, n = 130 being prime to 37
-  const auto renumbered = [n](Index v) { return (37 * v + 11) % n; };
-  Points3 points(n);
-  for (Index v = 0; v < n; ++v)
-  {
-    points[renumbered(v)] = surface.mesh.point(v);
-  }
-  Triangles triangles;
-  for (auto c = surface.mesh.triangles().rbegin(); c != surface.mesh.triangles().rend(); ++c)
-  {
-    triangles.push_back({ renumbered((*c)[1]), renumbered((*c)[2]), renumbered((*c)[0]) });
-  }
-  std::vector<FeatureCurve> curves = surface.curves;
-  for (FeatureCurve& curve : curves)
-  {
-    for (Index& v : curve.vertices)
-    {
-      v = renumbered(v);
-    }
-  }
-  const WiredSurface other(TriangleMesh(points, triangles), curves);
-  for (InteriorMethod method : { InteriorMethod::Laplacian, InteriorMethod::AsRigidAsPossible })
-  {
-    Points2 reference = pinnedBy(wired, shadow);
-    placeInterior(wired.piece, wired.network, with(method), {}, reference);
-    Points2 positions = pinnedBy(other, shadow);
-    placeInterior(other.piece, other.network, with(method), {}, positions);
-    Points2 byOriginal(n);
-    for (Index v = 0; v < n; ++v)
-    {
-      byOriginal[other.original(v)] = positions[v];
-    }
-    for (Index v = 0; v < n; ++v)
-    {
-      EXPECT_LT((byOriginal[renumbered(wired.original(v))] - reference[v]).norm(), 1e-10);
     }
   }
 }
@@ -322,22 +198,6 @@ TEST(InteriorEmbedding, SliversDoNotSpoilTheirNeighbours)
     {
       EXPECT_LT((positions[v] - wired.piece.mesh.point(v).head<2>()).norm(), 1e-5) << hair;
     }
-  }
-}
-
-TEST(InteriorEmbedding, EndsWhenCancelledAndLeavesThePositionsAlone)
-{
-  const WiredSurface wired(wiredCushion());
-  const Points2 before = pinnedBy(wired, shadow);
-  for (InteriorMethod method : allMethods)
-  {
-    Execution execution;
-    execution.cancel = [] { return true; };
-    Points2 positions = before;
-    const auto result =
-      placeInterior(wired.piece, wired.network, with(method), execution, positions);
-    EXPECT_EQ(result.status.code, StatusCode::Cancelled);
-    EXPECT_EQ(positions, before);
   }
 }
 

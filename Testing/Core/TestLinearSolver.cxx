@@ -2,7 +2,6 @@
 #include "Sparse/LinearSolver.h"
 #include "TestGraphs.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -78,41 +77,6 @@ Eigen::MatrixXd someRightHandSide(Eigen::Index rows)
   }
   return rhs;
 }
-}
-
-TEST(LinearSolver, AllMethodsAgreeOnAPositiveDefiniteSystem)
-{
-  const SparseMatrix matrix = gridLaplacian(20);
-  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (Method method : allMethods)
-  {
-    LinearSolver solver = make(method, matrix.rows());
-    ASSERT_TRUE(solver.analyze(matrix));
-    ASSERT_TRUE(solver.factorize(matrix));
-    const Eigen::MatrixXd x = solver.solve(rhs);
-    ASSERT_EQ(x.rows(), matrix.rows());
-    EXPECT_LT((matrix * x - rhs).norm(), 1e-12 * rhs.norm()) << static_cast<int>(method);
-  }
-}
-
-TEST(LinearSolver, InertiaIsThatOfTheEigenvalues)
-{
-  const SparseMatrix matrix = saddlePoint(6, 9, 1e-9, 3);
-  LinearSolver solver;
-  ASSERT_TRUE(solver.factorize(matrix));
-  const Eigen::VectorXd values =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(matrix)).eigenvalues();
-  EXPECT_EQ(solver.positive(), (values.array() > 0.0).count());
-  EXPECT_EQ(solver.negative(), (values.array() < 0.0).count());
-  EXPECT_EQ(solver.negative(), 9);
-  EXPECT_EQ(solver.zero(), 0);
-
-  // An indefinite first block shows as more than nine.
-  SparseMatrix indefinite = matrix;
-  indefinite.coeffRef(0, 0) = -3.0;
-  indefinite.coeffRef(20, 20) = -3.0;
-  ASSERT_TRUE(solver.factorize(indefinite));
-  EXPECT_EQ(solver.negative(), 11);
 }
 
 TEST(LinearSolver, OneAnalysisServesManyFactorizations)

@@ -62,21 +62,6 @@ KktSystem kktSystem(Index side)
 }
 }
 
-TEST(MultifrontalFactorization, SolvesAKktSystemAsDenseEliminationDoes)
-{
-  const KktSystem system = kktSystem(9);
-  MultifrontalFactorization factorization;
-  factorization.analyze(system.matrix, system.order);
-  ASSERT_TRUE(factorization.factorize(system.matrix, {}));
-  const Eigen::MatrixXd dense = Eigen::MatrixXd(system.matrix).selfadjointView<Eigen::Lower>();
-  const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(dense.rows(), 3);
-  const Eigen::MatrixXd expected = dense.fullPivLu().solve(rhs);
-  EXPECT_LT((factorization.solve(rhs) - expected).norm(), 1e-9 * expected.norm());
-  // Sylvester: as many negative pivots as constraints.
-  const Index constraints = system.matrix.rows() - 2 * 100;
-  EXPECT_EQ((factorization.diagonal().array() < 0.0).count(), constraints);
-}
-
 TEST(MultifrontalFactorization, IsTheSameToTheLastBitForAnyNumberOfThreads)
 {
   const KktSystem system = kktSystem(60);
@@ -151,42 +136,4 @@ TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)
   EXPECT_EQ(sorted, given.order) << "an order names each column once";
   EXPECT_LT(SupernodalStructure(system.matrix, system.order).factorSize(),
     SupernodalStructure(system.matrix, given).factorSize() / 2);
-}
-
-TEST(MultifrontalFactorization, StopsWhenItIsCancelled)
-{
-  const KktSystem system = kktSystem(20);
-  MultifrontalFactorization factorization;
-  factorization.analyze(system.matrix, system.order);
-  Execution execution;
-  execution.cancel = [] { return true; };
-  EXPECT_FALSE(factorization.factorize(system.matrix, execution));
-}
-
-TEST(BlockedLowerTriangle, HasAPlaceForEachEntryOfTheLowerTriangleAndFewAbove)
-{
-  for (const Index rows : { 0, 1, 63, 64, 65, 200, 640 })
-  {
-    BlockedLowerTriangle triangle(rows);
-    std::vector<char> taken(triangle.size(), 0);
-    for (Index column = 0; column < rows; ++column)
-    {
-      for (Index below = 0; below < rows - column; ++below)
-      {
-        const auto place =
-          static_cast<std::size_t>(triangle.diagonal(column) + below - triangle.diagonal(0));
-        ASSERT_LT(place, taken.size());
-        EXPECT_EQ(taken[place], 0);
-        EXPECT_EQ(triangle.diagonal(column)[below], 0.0);
-        taken[place] = 1;
-      }
-      if (column + 1 < rows && (column + 1) % BlockedLowerTriangle::stepWidth != 0)
-      {
-        EXPECT_EQ(
-          triangle.diagonal(column + 1) - triangle.diagonal(column), triangle.stride(column) + 1);
-      }
-    }
-    const auto unused = static_cast<std::size_t>(std::count(taken.begin(), taken.end(), char(0)));
-    EXPECT_LE(unused, std::size_t(rows) * BlockedLowerTriangle::stepWidth / 2);
-  }
 }

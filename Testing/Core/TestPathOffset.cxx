@@ -330,49 +330,6 @@ TEST(PathOffset, IsExactOnPlanesConesAndCylinders)
   expectExact(cylinder(30, 15), 3);
 }
 
-// Some hundred loops are taken out of these.
-TEST(PathOffset, OfCurvesThatCrossThemselvesManyTimesIsNowhereNearerNorFurther)
-{
-  const std::vector<Surface> surfaces{ flatPatch(30, 25), flatPatch(60, 10) };
-  std::mt19937 random(4);
-  for (const Surface& surface : surfaces)
-  {
-    const TriangleMesh& mesh = surface.mesh;
-    const PathGraph graph(mesh);
-    const double size = std::sqrt(mesh.area(0) * mesh.triangleCount());
-    for (const double fraction : { 0.01, -0.03, 0.06 })
-    {
-      std::vector<SurfacePoint> nodes;
-      for (int n = 0; n < 54; ++n)
-      {
-        nodes.push_back(randomPoint(mesh, random));
-      }
-      if (fraction < 0.0)
-      {
-        nodes.push_back(nodes.front());
-      }
-      const SurfacePath path = through(graph, nodes);
-      const Points2 line = unrolled(surface, path);
-      const double reach = std::abs(fraction) * size;
-      const PathOffset offset = offsetPath(graph, path, fraction * size);
-      ASSERT_TRUE(offset.status.ok()) << offset.status.message;
-      std::size_t points = 0;
-      for (const SurfacePath& part : offset.parts)
-      {
-        ASSERT_TRUE(liesOn(mesh, part));
-        for (const Point2& place : unrolled(surface, part))
-        {
-          const Foot foot = footOn(line, place);
-          EXPECT_GE(foot.distance, reach * (1.0 - exactly)) << fraction;
-          EXPECT_LE(foot.distance, reach * tangent) << fraction; // arcs round corners are polygons
-          ++points;
-        }
-      }
-      EXPECT_GT(points, 100u) << fraction;
-    }
-  }
-}
-
 TEST(PathOffset, OfWildCurvesIsTheWholeParallelSet)
 {
   std::mt19937 random(11);
@@ -399,28 +356,6 @@ TEST(PathOffset, OfWildCurvesIsTheWholeParallelSet)
     }
   }
   EXPECT_GT(places, 5000U);
-}
-
-TEST(PathOffset, OfALineFromSideToSideIsTheParallelLine)
-{
-  const Surface surface = square(10, 10.0);
-  const PathGraph graph(surface.mesh);
-  for (const double height : { 4.0, 4.3 })
-  {
-    const SurfacePath line = through(graph, Points3{ { 0.0, height, 0.0 }, { 10.0, height, 0.0 } });
-    for (const double distance : { 1.0, -1.0, 2.37, 0.01 })
-    {
-      const PathOffset offset = offsetPath(graph, line, distance);
-      ASSERT_TRUE(offset.status.ok()) << offset.status.message;
-      ASSERT_EQ(offset.parts.size(), 1U);
-      EXPECT_NEAR(lengthOf(offset.parts[0]), 10.0, 1e-12);
-      EXPECT_NEAR(offset.parts[0].points.front().position.x(), 0.0, 1e-12);
-      for (const SurfacePoint& point : offset.parts[0].points)
-      {
-        EXPECT_NEAR(point.position.y(), height + distance, 1e-12);
-      }
-    }
-  }
 }
 
 TEST(PathOffset, ReachesFarOverAFineSurface)
@@ -559,25 +494,6 @@ TEST(PathOffset, IsInterruptedByAHole)
   for (const SurfacePath& part : offset.parts)
   {
     EXPECT_NEAR(lengthOf(part), 4.0, 1e-8);
-  }
-}
-
-TEST(PathOffset, DoesNotDependOnTheUnit)
-{
-  for (const double scale : { 1e-3, 1.0, 1e3 })
-  {
-    const Surface surface = patch(20, 20, [=](double i, double j) -> Point3 {
-      return scale * Point3(i, j, 2.0 * std::sin(0.3 * i) * std::cos(0.2 * j));
-    });
-    const PathGraph graph(surface.mesh);
-    const SurfacePath line = through(graph,
-      Points3{ scale * Point3(2.2, 3.1, 1.0), scale * Point3(9.4, 12.2, 0.0),
-        scale * Point3(15.0, 8.0, 0.0) });
-    const PathOffset offset = offsetPath(graph, line, 2.0 * scale);
-    ASSERT_EQ(offset.parts.size(), 1U);
-    static double length = 0.0;
-    length = length > 0.0 ? length : lengthOf(offset.parts[0]) / scale;
-    EXPECT_NEAR(lengthOf(offset.parts[0]), length * scale, 1e-9 * scale * length);
   }
 }
 

@@ -148,25 +148,3 @@ TEST(ProgressiveWarping, WiresMeetAroundAHole)
   ASSERT_TRUE(solution.angles.status.ok()) << solution.angles.status.message;
   EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
 }
-
-TEST(ProgressiveWarping, DevelopablesKeepAllTheirAngles)
-{
-  Surface surface = cylinder(9, 6);
-  surface.curves = { rowCurve(9, 2), rowCurve(9, 4), columnCurve(9, 6, 4),
-    accessory("dangling", { 7, 17 }) };
-  const WiredSurface wired(surface);
-  const ProgressiveSolution solution = warp(wired);
-  ASSERT_TRUE(solution.angles.status.ok());
-  EXPECT_LT(largestDifference(solution.angles.theta, wired.network.alpha), 1e-10);
-}
-
-TEST(ProgressiveWarping, StopsWhenItIsToldTo)
-{
-  const WiredSurface wired(fourBands());
-  Execution execution;
-  int asked = 0;
-  execution.cancel = [&asked] { return asked++ >= 3; };
-  const ProgressiveSolution solution = warpProgressively(wired.problem(), {}, execution);
-  EXPECT_STREQ(statusName(solution.angles.status.code), "Cancelled");
-  EXPECT_EQ(asked, 4) << "nothing is asked after a yes";
-}

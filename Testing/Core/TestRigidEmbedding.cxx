@@ -3,7 +3,6 @@
 
 #include "WiredSurface.h"
 
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -41,92 +40,12 @@ struct Problem
   }
 
   const TriangleMesh& mesh() const { return this->wired.piece.mesh; }
-  RigidEmbedding embedding() { return { this->system, nullptr, this->positions }; }
   /// Ready to iterate.
   RigidEmbedding prepared()
   {
     return { this->system, this->system.factor(InteriorWeights::Cotangent, {}), this->positions };
   }
 };
-
-/// 1/2 sum A |J - R|^2 with R from a singular value decomposition of J.
-double energyByDecomposition(const Problem& problem)
-{
-  double sum = 0.0;
-  for (const Triangle& c : problem.patch.triangles)
-  {
-    const Point3& a = problem.mesh().point(problem.patch.vertices[c[0]]);
-    const Point3 u = problem.mesh().point(problem.patch.vertices[c[1]]) - a;
-    const Point3 v = problem.mesh().point(problem.patch.vertices[c[2]]) - a;
-    const Point3 x = u.normalized();
-    const Point3 y = u.cross(v).cross(u).normalized();
-    Eigen::Matrix2d rest;
-    rest << u.dot(x), v.dot(x), u.dot(y), v.dot(y);
-    Eigen::Matrix2d flat;
-    flat.col(0) = (problem.positions.row(c[1]) - problem.positions.row(c[0])).transpose();
-    flat.col(1) = (problem.positions.row(c[2]) - problem.positions.row(c[0])).transpose();
-    const Eigen::Matrix2d jacobian = flat * rest.inverse();
-    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(
-      jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Matrix2d flip = Eigen::Matrix2d::Identity();
-    flip(1, 1) = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-    const Eigen::Matrix2d rotation = svd.matrixU() * flip * svd.matrixV().transpose();
-    sum += 0.25 * std::abs(rest.determinant()) * (jacobian - rotation).squaredNorm();
-  }
-  return sum;
-}
-}
-
-TEST(RigidEmbedding, ItsEnergyIsTheDistanceToTheNearestRotationsAlsoWhereTrianglesAreFlipped)
-{
-  for (double noise : { 0.0, 0.05, 0.3 })
-  {
-    Problem problem(noise);
-    EXPECT_NEAR(
-      problem.embedding().energy(problem.positions) / energyByDecomposition(problem), 1.0, 1e-13);
-  }
-}
-
-TEST(RigidEmbedding, GradientAgreesWithFiniteDifferencesOfTheEnergy)
-{
-  Problem problem(0.03);
-  const RigidEmbedding embedding = problem.embedding();
-  const Eigen::MatrixXd gradient = embedding.gradient(problem.positions);
-  const double step = 1e-6;
-  for (Index v = 0; v < problem.patch.freeCount; ++v)
-  {
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      Eigen::MatrixXd above = problem.positions;
-      Eigen::MatrixXd below = problem.positions;
-      above(v, axis) += step;
-      below(v, axis) -= step;
-      const double difference = (embedding.energy(above) - embedding.energy(below)) / (2.0 * step);
-      EXPECT_NEAR(gradient(v, axis), difference, 1e-8 * gradient.cwiseAbs().maxCoeff());
-    }
-  }
-}
-
-TEST(RigidEmbedding, CurvatureAgreesWithFiniteDifferencesOfTheGradient)
-{
-  Problem problem(0.03);
-  const RigidEmbedding embedding = problem.embedding();
-  const double step = 1e-6;
-  std::mt19937 random(9);
-  std::uniform_real_distribution<double> place(-1.0, 1.0);
-  for (int k = 0; k < 5; ++k)
-  {
-    const Eigen::MatrixXd direction =
-      Eigen::MatrixXd::NullaryExpr(problem.patch.freeCount, 2, [&] { return place(random); });
-    Eigen::MatrixXd above = problem.positions;
-    Eigen::MatrixXd below = problem.positions;
-    above.topRows(problem.patch.freeCount) += step * direction;
-    below.topRows(problem.patch.freeCount) -= step * direction;
-    const Eigen::MatrixXd difference =
-      (embedding.gradient(above) - embedding.gradient(below)) / (2.0 * step);
-    const Eigen::MatrixXd curvature = embedding.curvature(problem.positions, direction);
-    EXPECT_LT((curvature - difference).norm(), 1e-7 * curvature.norm());
-  }
 }
 
 TEST(RigidEmbedding, DescendsToAStationaryPointInFewSteps)

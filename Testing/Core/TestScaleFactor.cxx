@@ -3,7 +3,6 @@
 
 #include "Quality/IntrinsicDelaunay.h"
 #include "TestMeshes.h"
-#include "TestThreads.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -348,17 +347,6 @@ TEST(ScaleFactor, RanksCutsThroughFewClustersAsThroughAllVertices)
     many = std::max(many, std::abs(gains[1][k] / gains[2][k] - 1.0));
   }
   EXPECT_LT(many, 0.7 * few);
-}
-
-TEST(ScaleFactor, IsTheSameForAnyNumberOfThreads)
-{
-  const TriangleMesh mesh = cushion(30, 20, 0.2).mesh;
-  const Indices cut = column(30, 11, 9);
-  const ScaleFactor alone(mesh, {}, {});
-  const ScaleFactor many(mesh, {}, withThreads(4));
-  EXPECT_EQ(alone.values(), many.values());
-  EXPECT_EQ(alone.forecast(cut).gain, many.forecast(cut).gain);
-  EXPECT_EQ(alone.forecast(cut).swallowed, many.forecast(cut).swallowed);
 }
 
 TEST(ScaleFactor, WeighsWhatMattersMore)

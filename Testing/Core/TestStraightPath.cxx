@@ -294,61 +294,6 @@ TEST(StraightPath, NearItselfIsItself)
   }
 }
 
-TEST(GeodesicStraightening, EndsWhereItsTurnsAreUsedUpAndSaysWhereTheCourseIsSharp)
-{
-  const Surface surface = cushion(25, 25, 0.6);
-  const TriangleMesh& mesh = surface.mesh;
-  const PathGraph graph(mesh);
-  const SurfacePoint from = vertexPoint(mesh, 30);
-  const SurfacePoint to = vertexPoint(mesh, mesh.vertexCount() - 90);
-  const GeodesicPath byEdges = PathSearch(graph, from, PathArcs::Edges).geodesicTo(to);
-  double length = lengthOf(pathAlong(mesh, byEdges));
-  std::size_t bentBefore = mesh.vertexCount();
-  for (const std::size_t turns : { 0, 2, 5, 1000000 })
-  {
-    GeodesicPath course = byEdges;
-    const Indices bent = straighten(mesh, course, turns);
-    const SurfacePath path = pathAlong(mesh, course);
-    EXPECT_TRUE(liesOn(mesh, path));
-    EXPECT_LE(lengthOf(path), length * (1.0 + 1e-12));
-    length = lengthOf(path);
-    Indices sharp;
-    for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
-    {
-      if (sharperAngle(mesh, path, i) < pi - exactly)
-      {
-        sharp.push_back(path.points[i].id);
-      }
-    }
-    EXPECT_EQ(bent, sharp) << turns;
-    EXPECT_LT(bent.size(), bentBefore) << turns;
-    bentBefore = bent.size();
-  }
-  EXPECT_EQ(bentBefore, 0U);
-}
-
-TEST(StraightPath, ByEdgesIsTheShortestWayByEdges)
-{
-  const Surface surface = cushion(20, 20, 0.5);
-  const PathGraph graph(surface.mesh);
-  std::mt19937 random(9);
-  for (int k = 0; k < 50; ++k)
-  {
-    const SurfacePoint from = randomPoint(surface.mesh, random);
-    const SurfacePoint to = randomPoint(surface.mesh, random);
-    const StraightPath path = pathByEdges(graph, from, to);
-    EXPECT_TRUE(liesOn(surface.mesh, path.path));
-    if (commonTriangle(surface.mesh, from, to) == none)
-    {
-      EXPECT_NEAR(path.length, lengthByEdges(surface.mesh, from, to), 1e-12);
-    }
-    for (std::size_t i = 1; i + 1 < path.path.points.size(); ++i)
-    {
-      EXPECT_EQ(path.path.points[i].type, SurfacePointType::Vertex);
-    }
-  }
-}
-
 TEST(StraightPath, RefusesWhatItCannotJoin)
 {
   const TriangleMesh two({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(3, 0, 0),

@@ -128,29 +128,6 @@ TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
   }
 }
 
-TEST(SurfaceFlattening, WiresKeepTheirLengthsInEveryScheme)
-{
-  Surface surface = cushion(10, 8, 0.25);
-  surface.curves = { rowCurve(10, 4), columnCurve(10, 8, 5),
-    curveOf(CurveType::Dart, "dart", { 2, 13, 24 }) };
-  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
-  {
-    const FlatteningResult result =
-      flatten(surface, optionsOf(scheme, InteriorMethod::AsRigidAsPossible));
-    ASSERT_FALSE(result.status.refused()) << result.status.message;
-    EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);
-    for (const Wire& wire : result.wires)
-    {
-      EXPECT_LT(wire.maximumEdgeError, 1e-12);
-      EXPECT_NEAR(wire.flatLength, wire.restLength, 1e-12);
-    }
-    for (const CurveReport& curve : result.curves)
-    {
-      EXPECT_LT(curve.error, 1e-12) << curve.name;
-    }
-  }
-}
-
 TEST(SurfaceFlattening, EdgesToBeSewnHaveOneLengthInThePlane)
 {
   Surface surface = cushion(10, 8, 0.25);

@@ -164,28 +164,11 @@ TEST(SurfacePreparation, TurnsTheMinorityOfTrianglesOver)
 
 TEST(SurfacePreparation, RefusesAMoebiusBand)
 {
-  const Index count = 8;
-  Points3 points;
-  Triangles triangles;
-  for (Index i = 0; i < count; ++i)
-  {
-    const double u = 2.0 * pi * i / count;
-    for (const double w : { -0.3, 0.3 })
-    {
-      const double radius = 1.0 + w * std::cos(0.5 * u);
-      points.emplace_back(radius * std::cos(u), radius * std::sin(u), w * std::sin(0.5 * u));
-    }
-  }
-  for (Index i = 0; i < count; ++i)
-  {
-    const bool last = i + 1 == count;
-    const Index a = 2 * i;
-    const Index b = a + 1;
-    const Index c = last ? 1 : a + 2;
-    const Index d = last ? 0 : a + 3;
-    triangles.push_back({ a, b, d });
-    triangles.push_back({ a, d, c });
-  }
+  // Three quads with a half twist.
+  const Points3 points{ Point3(1, 0, -1), Point3(1, 0, 1), Point3(-1, 2, -1), Point3(-1, 2, 1),
+    Point3(-1, -2, -1), Point3(-1, -2, 1) };
+  const Triangles triangles{ { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 }, { 4, 1, 5 },
+    { 5, 1, 0 } };
   const PreparedSurface prepared = prepareSurface(points, triangles);
   EXPECT_STREQ(statusName(prepared.status.code), "NotOrientable");
   ASSERT_EQ(prepared.status.ids.values.size(), 2U);

@@ -116,31 +116,6 @@ TEST(SurfaceSpline, HasNoCorners)
   EXPECT_LT(sharpestTurn(surface.mesh, spline, 256), 0.6 * sharpestTurn(surface.mesh, spline, 64));
 }
 
-TEST(SurfaceSpline, IsTheSameInEveryUnit)
-{
-  const Surface surface = cushion(30, 30, 0.5);
-  Points3 scaled;
-  for (const Point3& point : surface.mesh.points())
-  {
-    scaled.push_back(1e3 * point);
-  }
-  const TriangleMesh large(scaled, surface.mesh.triangles());
-  std::vector<SurfacePoint> points;
-  std::vector<SurfacePoint> largePoints;
-  for (const Index v : { 100, 500, 470, 900 })
-  {
-    points.push_back(vertexPoint(surface.mesh, v));
-    largePoints.push_back(vertexPoint(large, v));
-  }
-  const double length =
-    surfaceSpline(PathGraph(surface.mesh), SurfaceLocator(surface.mesh), points, false).length;
-  EXPECT_NEAR(surfaceSpline(PathGraph(large), SurfaceLocator(large), largePoints, false).length,
-    1e3 * length, 1e-6 * length);
-  EXPECT_EQ(
-    surfaceSpline(PathGraph(large), SurfaceLocator(large), { points[0] }, false).status.code,
-    StatusCode::CurveTooShort);
-}
-
 TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNear)
 {
   // A spline leaves a prism in the plane that halves the angle of an edge.

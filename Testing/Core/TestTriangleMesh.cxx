@@ -55,29 +55,6 @@ TEST(TriangleMesh, TwinsRunBackAlongTheSameEdge)
   EXPECT_EQ(boundary, 2 * (5 + 4));
 }
 
-TEST(TriangleMesh, AFanHoldsEveryTriangleOfItsVertexOnce)
-{
-  const TriangleMesh mesh = cushion(4, 4, 0.3).mesh;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-  {
-    std::set<Index> expected;
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-    {
-      if (mesh.from(h) == v)
-      {
-        expected.insert(h);
-      }
-    }
-    std::set<Index> visited;
-    const Index first = mesh.outgoing(v);
-    for (Index h = first; h != none && visited.insert(h).second;)
-    {
-      h = mesh.counterClockwise(h);
-    }
-    EXPECT_EQ(visited, expected) << "vertex " << v;
-  }
-}
-
 TEST(TriangleMesh, FindsAnEdgeOnlyInTheDirectionThatItHas)
 {
   const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0) }, { { 0, 1, 2 } });

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/Untangling.h"
-#include "TestThreads.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
-
-#include <numeric>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -121,18 +118,4 @@ TEST(Untangling, MovesWhatLiesAroundFoldsAloneWhereThatIsAskedFor)
       EXPECT_EQ(positions[v], before[v]);
     }
   }
-}
-
-TEST(Untangling, IsTheSameForAnyNumberOfThreads)
-{
-  // A curve across makes two patches, both scattered.
-  const Surface surface = flatPatch(10, 10);
-  Indices across(11);
-  std::iota(across.begin(), across.end(), 55);
-  const WiredSurface wired(surface.mesh, { accessory("across", across) });
-  Points2 alone = tangledPositions(wired, surface.unrolled, 0.0);
-  Points2 together = alone;
-  ASSERT_EQ(untangleInterior(wired.piece, wired.network, {}, alone).patches.size(), 2U);
-  untangleInterior(wired.piece, wired.network, withThreads(3), together);
-  EXPECT_EQ(alone, together);
 }

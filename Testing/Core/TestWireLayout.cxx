@@ -57,16 +57,6 @@ TEST(WireLayout, DrawsAFlatNetworkAsItIs)
   EXPECT_LT(rigidDistance(both[0], both[1]), 1e-13 * perimeter(problem));
 }
 
-TEST(WireLayout, UnrollsTheWiresOfACone)
-{
-  Surface surface = cone(12, 8);
-  surface.curves = { rowCurve(12, 3), columnCurve(12, 8, 5) };
-  const WiredSurface wired(surface);
-  const WireLayout layout = layOutWires(wired.network, wired.network.alpha, wired.problem().length);
-  const auto both = placedAndUnrolled(wired, surface.unrolled, layout);
-  EXPECT_LT(rigidDistance(both[0], both[1]), 1e-12);
-}
-
 TEST(WireLayout, KeepsEveryLength)
 {
   const WiredSurface wired(wiredCushion());
@@ -105,26 +95,4 @@ TEST(WireLayout, AnglesWithNoiseStillGiveExactLengths)
   const WireLayout noisy = layOutWires(wired.network, solution.theta, solution.length);
   EXPECT_LT(worstLength(wired.network, noisy.positions), 1e-13);
   EXPECT_LT(rigidDistance(noisy.positions, exact.positions), 1e-7);
-}
-
-TEST(WireLayout, DoesNotDependOnTheUnit)
-{
-  const WiredSurface wired(wiredCushion());
-  const AngleSolution solution = wired.solve();
-  const WireLayout unit = layOutWires(wired.network, solution.theta, solution.length);
-  for (const double scale : { 1e-6, 1e6 })
-  {
-    std::vector<double> length = solution.length;
-    for (double& l : length)
-    {
-      l *= scale;
-    }
-    WireLayout scaled = layOutWires(wired.network, solution.theta, length);
-    EXPECT_LT(scaled.maximumLengthError, 1e-13);
-    for (Point2& p : scaled.positions)
-    {
-      p /= scale;
-    }
-    EXPECT_LT(rigidDistance(scaled.positions, unit.positions), 1e-12);
-  }
 }
