@@ -98,6 +98,14 @@ public:
   void RemoveAllCurves();
   ///@}
 
+  /// Whether points of the surface with equal coordinates are one.
+  enum CoincidentPointsModes
+  {
+    AUTOMATIC = 0,
+    JOIN = 1,
+    KEEP = 2
+  };
+
   ///@{
   /**
    * Whether points of the surface with equal coordinates are one: JOIN, as wanted where a file has
@@ -105,12 +113,6 @@ public:
    * AUTOMATIC, joined only where hardly any two triangles share a point, as in files of separate
    * triangles. Default: AUTOMATIC.
    */
-  enum CoincidentPointsModes
-  {
-    AUTOMATIC = 0,
-    JOIN = 1,
-    KEEP = 2
-  };
   vtkSetClampMacro(CoincidentPoints, int, AUTOMATIC, KEEP);
   vtkGetMacro(CoincidentPoints, int);
   void SetCoincidentPointsToAutomatic() { this->SetCoincidentPoints(AUTOMATIC); }

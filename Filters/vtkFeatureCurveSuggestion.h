@@ -89,12 +89,7 @@ public:
   vtkTypeMacro(vtkFeatureCurveSuggestion, vtkWireWarpingFilter)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /**
-   * Which cuts are proposed: DARTS, SEAMS, or DARTS_AND_SEAMS. What opens a closed surface, a tube
-   * or a handle is proposed with each of these. LINES: no cuts, but centre and grain lines, girths
-   * and style lines; Bound and the limits of cuts do not matter then. Default: DARTS_AND_SEAMS.
-   */
+  /// Which cuts are proposed.
   enum SuggestedCutsModes
   {
     DARTS = 0,
@@ -102,6 +97,13 @@ public:
     DARTS_AND_SEAMS = 2,
     LINES = 3
   };
+
+  ///@{
+  /**
+   * Which cuts are proposed: DARTS, SEAMS, or DARTS_AND_SEAMS. What opens a closed surface, a tube
+   * or a handle is proposed with each of these. LINES: no cuts, but centre and grain lines, girths
+   * and style lines; Bound and the limits of cuts do not matter then. Default: DARTS_AND_SEAMS.
+   */
   vtkSetClampMacro(SuggestedCuts, int, DARTS, LINES);
   vtkGetMacro(SuggestedCuts, int);
   void SetSuggestedCutsToDarts() { this->SetSuggestedCuts(DARTS); }

@@ -254,7 +254,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     this->Conclude(status);
     this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
     this->FinishData(outputVector);
-    return 1;
+    return this->HasFailed() ? 0 : 1;
   };
   try
   {
@@ -266,7 +266,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
     if (run && !this->HasSurface(outputVector))
     {
       this->FinishData(outputVector);
-      return 1;
+      return this->HasFailed() ? 0 : 1;
     }
     const vtkTypeBool done = this->Superclass::ProcessRequest(request, inputVector, outputVector);
     if (run)
@@ -278,7 +278,7 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
       }
       this->FinishData(outputVector);
     }
-    return done;
+    return run && this->HasFailed() ? 0 : done;
   }
   catch (const flattening::SystemLimit& error)
   {
@@ -498,6 +498,14 @@ void vtkFlatteningAlgorithm::Triangulate(vtkPolyData* surface, vtkPolyData* tria
 bool vtkFlatteningAlgorithm::IsRefused() const
 {
   return this->StatusCode != OK && this->StatusCode <= NUMERICAL_FAILURE;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlatteningAlgorithm::HasFailed() const
+{
+  // The executive would give up the other blocks as well.
+  return this->IsRefused() && this->StatusCode != NOT_RUN && this->StatusCode != CANCELLED &&
+    !this->AmongBlocks;
 }
 
 //------------------------------------------------------------------------------

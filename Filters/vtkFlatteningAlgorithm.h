@@ -7,8 +7,10 @@
  * is silently wrong.
  *
  * - **Refused** (codes up to NumericalFailure): one vtkErrorMacro names the defect, the first
- *   offending ids and the way out. The outputs have neither points nor cells. A run that was
- * aborted (CANCELLED) is treated so too, but without the error.
+ *   offending ids and the remedy. The outputs have neither points nor cells, ErrorCode is
+ *   vtkErrorCode::UserError, and the request fails, so that filters behind this one do not run; of
+ * a composite data set only the output of the block is empty. A run that was aborted (CANCELLED)
+ *   has empty outputs as well, but no error.
  * - **Broken promise** (codes from NOT_CONVERGED on): the outputs are complete, and a
  *   vtkWarningMacro says what is not as it should be.
  *
@@ -315,6 +317,7 @@ private:
   void EnterRun(vtkInformationVector** inputVector);
   void LeaveRun();
   bool HasSurface(vtkInformationVector* outputVector);
+  bool HasFailed() const;
   void Keep(const flattening::Status& outcome);
 
   vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;

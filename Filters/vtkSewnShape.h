@@ -133,17 +133,19 @@ public:
    */
   vtkTable* GetIterations() const;
 
+  /// What is held while the cloth comes to rest.
+  enum Tests
+  {
+    PANEL = 0,
+    PRODUCT = 1
+  };
+
   ///@{
   /**
    * What is held while the cloth comes to rest: PANEL, of each piece its boundary where the design
    * has it; PRODUCT, nothing: seams are shared, hems are free, and the whole is laid over the
    * design by the rigid motion that brings their points nearest to each other. Default: PANEL.
    */
-  enum Tests
-  {
-    PANEL = 0,
-    PRODUCT = 1
-  };
   vtkSetClampMacro(Test, int, PANEL, PRODUCT);
   vtkGetMacro(Test, int);
   void SetTestToPanel() { this->SetTest(PANEL); }

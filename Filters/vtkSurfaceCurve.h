@@ -80,13 +80,7 @@ public:
   void GetControlPoint(int id, double point[3]) const;
   ///@}
 
-  ///@{
-  /**
-   * GEODESIC, by the straight path over the surface, the shortest there is nearby; SECTION, in the
-   * plane through both and the surface's normal, and round the surface as a measuring tape where a
-   * closed curve has two or three control points; EDGES, by the shortest way along edges of the
-   * mesh; SPLINE, smoothly through all of them. Default: GEODESIC.
-   */
+  /// How the curve gets from one control point to the next.
   enum SegmentKinds
   {
     GEODESIC = 0,
@@ -94,6 +88,14 @@ public:
     EDGES = 2,
     SPLINE = 3
   };
+
+  ///@{
+  /**
+   * GEODESIC, by the straight path over the surface, the shortest there is nearby; SECTION, in the
+   * plane through both and the surface's normal, and round the surface as a measuring tape where a
+   * closed curve has two or three control points; EDGES, by the shortest way along edges of the
+   * mesh; SPLINE, smoothly through all of them. Default: GEODESIC.
+   */
   vtkSetClampMacro(SegmentKind, int, GEODESIC, SPLINE);
   vtkGetMacro(SegmentKind, int);
   const char* GetSegmentKindAsString() const;

@@ -57,18 +57,20 @@ public:
   vtkTypeMacro(vtkWireWarpingFilter, vtkFlatPieceAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /**
-   * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
-   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least. The
-   * conformal map is vtkLeastSquaresConformalFilter. Default: ISOMETRIC.
-   */
+  /// How the wires get their shape.
   enum Schemes
   {
     PROGRESSIVE = 0,
     GLOBAL = 1,
     ISOMETRIC = 2
   };
+
+  ///@{
+  /**
+   * How the wires get their shape: PROGRESSIVE, wire-patch by wire-patch (Algorithm 2); GLOBAL, all
+   * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least. The
+   * conformal map is vtkLeastSquaresConformalFilter. Default: ISOMETRIC.
+   */
   vtkSetClampMacro(Scheme, int, PROGRESSIVE, ISOMETRIC);
   vtkGetMacro(Scheme, int);
   void SetSchemeToProgressive() { this->SetScheme(PROGRESSIVE); }
@@ -83,23 +85,33 @@ public:
    */
   void UsePaperMethod();
 
+  /// How the angles' constrained optimization is solved.
+  enum Solvers
+  {
+    NEWTON = 0,
+    SEQUENTIAL = 1
+  };
+
   ///@{
   /**
    * How the angles' constrained optimization is solved: NEWTON, exact Newton steps in the
    * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
    * programming (Eq. 15). The ISOMETRIC scheme starts from its solution. Default: NEWTON.
    */
-  enum Solvers
-  {
-    NEWTON = 0,
-    SEQUENTIAL = 1
-  };
   vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
   vtkGetMacro(Solver, int);
   void SetSolverToNewton() { this->SetSolver(NEWTON); }
   void SetSolverToSequential() { this->SetSolver(SEQUENTIAL); }
   const char* GetSolverAsString() const { return this->GetOptionWord("Solver", this->Solver); }
   ///@}
+
+  /// How the points between the wires are placed.
+  enum Interiors
+  {
+    LAPLACIAN = 0,
+    RELAXATION = 1,
+    AS_RIGID_AS_POSSIBLE = 2
+  };
 
   ///@{
   /**
@@ -108,12 +120,6 @@ public:
    * AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires pinned. Scheme ISOMETRIC only
    * starts there. Default: AS_RIGID_AS_POSSIBLE.
    */
-  enum Interiors
-  {
-    LAPLACIAN = 0,
-    RELAXATION = 1,
-    AS_RIGID_AS_POSSIBLE = 2
-  };
   vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
   vtkGetMacro(Interior, int);
   void SetInteriorToLaplacian() { this->SetInterior(LAPLACIAN); }
@@ -136,31 +142,31 @@ public:
 
   ///@{
   /**
-   * GLOBAL and ISOMETRIC: try what a release would bring where a piece lies poorly, which takes the
-   * time of up to six flattenings of the piece, by ISOMETRIC for not much more than two
-   * seconds (counted by the work, not by the clock; see `ReleaseTried`). Off: the curves are ranked
-   * by their sensitivity alone. Default: on.
+   * GLOBAL and ISOMETRIC: try what a release improves where a piece lies poorly: up to six more
+   * flattenings of the piece, by ISOMETRIC of about two seconds (counted by the work, not by the
+   * clock). Off: the curves are ranked by their sensitivity alone. Default: on.
    */
   vtkSetMacro(ReleaseTrials, bool);
   vtkGetMacro(ReleaseTrials, bool);
   vtkBooleanMacro(ReleaseTrials, bool);
   ///@}
 
-  ///@{
-  /**
-   * How the legs of a dart lie: FREE, each as the piece distorts least, so that they fit when sewn
-   * but may miss each other when folded; STRAIGHT, both straight; MIRRORED, both the mean of the
-   * curves that free legs are. Legs that are not free are exact mirror images and fold on each
-   * other, at the price of more distortion; a dart with two tips is MIRRORED, since straight legs
-   * would close it. Darts whose legs cannot be so keep free ones, which `Fallbacks` says.
-   * Default: FREE.
-   */
+  /// How the legs of a dart lie.
   enum DartLegsForms
   {
     FREE = 0,
     STRAIGHT = 1,
     MIRRORED = 2
   };
+
+  ///@{
+  /**
+   * How the legs of a dart lie: FREE, each as the piece distorts least, so that they fit when sewn
+   * but may miss each other when folded; STRAIGHT, both straight; MIRRORED, both the mean of the
+   * curves that free legs are. Legs that are not free are exact mirror images and fold on each
+   * other, which costs distortion; a dart with two tips is MIRRORED, since straight legs would
+   * close it. Darts whose legs cannot be so keep free ones (`Fallbacks`). Default: FREE.
+   */
   vtkSetClampMacro(DartLegs, int, FREE, MIRRORED);
   vtkGetMacro(DartLegs, int);
   void SetDartLegsToFree() { this->SetDartLegs(FREE); }
@@ -179,9 +185,8 @@ public:
    * less than 0 makes them shorter. What they are sewn to keeps the length of the surface, and the
    * ease is spread evenly. The curve needs a length tolerance as large (AddCurveTolerance()). A
    * curve that is not there, lies in other pieces, has both sides in the piece or is to change by
-   * more than its tolerance is refused when the filter runs (INVALID_OPTION). Replaces
-   * the eases that curves of the name have of their own (`LengthEase`); 0 removes them. Default:
-   * no ease.
+   * more than its tolerance is an error of the run (INVALID_OPTION). Replaces the eases that curves
+   * have of their own (`LengthEase`); 0 removes them. Default: none.
    */
   void AddCurveEase(const std::string& curve, int piece, double fraction);
   void RemoveAllCurveEases();
@@ -209,18 +214,12 @@ public:
 
   ///@{
   /**
-   * RELAXATION: factor tau of Eq. 12. Default: 1.5. Range: (0, 2); a value outside is refused
-   * (INVALID_OPTION).
+   * RELAXATION: factor tau of Eq. 12; a value outside its range is an error (INVALID_OPTION). Stop
+   * when no point moves farther than a fraction of the mean wire edge. Default: 1.5 and 1e-5.
+   * Range: (0, 2), and from 0.
    */
   vtkSetMacro(RelaxationFactor, double);
   vtkGetMacro(RelaxationFactor, double);
-  ///@}
-
-  ///@{
-  /**
-   * RELAXATION: stop when no point moves farther than this fraction of the mean wire edge. Default:
-   * 1e-5. Range: from 0.
-   */
   vtkSetClampMacro(RelaxationMovement, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RelaxationMovement, double);
   ///@}
@@ -247,17 +246,19 @@ public:
   vtkGetMacro(RigidMaximumIterations, int);
   ///@}
 
+  /// What deforming the sheet costs in the ISOMETRIC scheme.
+  enum SheetEnergies
+  {
+    RIGID = 0,
+    SYMMETRIC_DIRICHLET = 1
+  };
+
   ///@{
   /**
    * ISOMETRIC: what deforming the sheet costs. RIGID, as rigid as possible: the squared distance of
    * the map of each triangle from the nearest rotation; SYMMETRIC_DIRICHLET: grows without bound
    * where a triangle collapses, so that none is flipped. Default: RIGID.
    */
-  enum SheetEnergies
-  {
-    RIGID = 0,
-    SYMMETRIC_DIRICHLET = 1
-  };
   vtkSetClampMacro(DistortionEnergy, int, RIGID, SYMMETRIC_DIRICHLET);
   vtkGetMacro(DistortionEnergy, int);
   void SetDistortionEnergyToRigid() { this->SetDistortionEnergy(RIGID); }

@@ -133,11 +133,8 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  ///@{
   /**
-   * What to write; AUTOMATIC: what the extension of FileName says (.svg, .pdf, .dxf, .plt for
-   * HPGL, .json for GarmentCode, .csv for the walk, .rul for the rule table, in either case); any
-   * other extension is an error. Default: AUTOMATIC.
+   * What to write.
    */
   enum FileFormats
   {
@@ -152,6 +149,13 @@ public:
     GRADE_LIST = 8,
     RULE_TABLE = 9
   };
+
+  ///@{
+  /**
+   * What to write; AUTOMATIC: what the extension of FileName says (.svg, .pdf, .dxf, .plt for
+   * HPGL, .json for GarmentCode, .csv for the walk, .rul for the rule table, in either case); any
+   * other extension is an error. Default: AUTOMATIC.
+   */
   vtkSetClampMacro(FileFormat, int, AUTOMATIC, RULE_TABLE);
   vtkGetMacro(FileFormat, int);
   void SetFileFormatToAutomatic() { this->SetFileFormat(AUTOMATIC); }
@@ -180,9 +184,8 @@ public:
   vtkBooleanMacro(LaserColors, bool);
   ///@}
 
-  ///@{
   /**
-   * Paper of a PDF. SHEET: one page as large as the pattern, up to 5080 mm. Default: A4.
+   * Paper of a PDF.
    */
   enum Papers
   {
@@ -192,6 +195,11 @@ public:
     A0 = 3,
     SHEET = 4
   };
+
+  ///@{
+  /**
+   * Paper of a PDF. SHEET: one page as large as the pattern, up to 5080 mm. Default: A4.
+   */
   vtkSetClampMacro(Paper, int, A4, SHEET);
   vtkGetMacro(Paper, int);
   void SetPaperToA4() { this->SetPaper(A4); }
@@ -249,11 +257,8 @@ public:
   vtkStringArray* GetStatusRemedySubjects() const;
   ///@}
 
-  ///@{
   /**
-   * Unit of length of the input. UNSPECIFIED: the one that the flat pieces state
-   * (vtkFlatteningAlgorithm::GetLengthUnitOf()); where they state none, CENTIMETRE, with a warning.
-   * Default: UNSPECIFIED.
+   * Unit of length of the input.
    */
   enum Units
   {
@@ -263,6 +268,13 @@ public:
     METRE = 3,
     INCH = 4
   };
+
+  ///@{
+  /**
+   * Unit of length of the input. UNSPECIFIED: the one that the flat pieces state
+   * (vtkFlatteningAlgorithm::GetLengthUnitOf()); where they state none, CENTIMETRE, with a warning.
+   * Default: UNSPECIFIED.
+   */
   vtkSetClampMacro(Unit, int, UNSPECIFIED, INCH);
   vtkGetMacro(Unit, int);
   void SetUnitToMillimetre() { this->SetUnit(MILLIMETRE); }

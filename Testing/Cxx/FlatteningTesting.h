@@ -4,11 +4,13 @@
 #define FlatteningTesting_h
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFlatPieceAlgorithm.h"
 #include "vtkIntArray.h"
@@ -86,6 +88,13 @@ public:
   {
     object->AddObserver(vtkCommand::ErrorEvent, this, &Messages::onError);
     object->AddObserver(vtkCommand::WarningEvent, this, &Messages::onWarning);
+    if (auto* const algorithm = vtkAlgorithm::SafeDownCast(object))
+    {
+      // It repeats that the request failed.
+      vtkNew<vtkCallbackCommand> nothing;
+      nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+      algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, nothing);
+    }
   }
   std::vector<std::string> errors;
   std::vector<std::string> warnings;

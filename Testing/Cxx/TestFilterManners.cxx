@@ -5,6 +5,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSurfaceDevelopability.h"
@@ -51,13 +52,24 @@ void refusalsSetTheErrorCode(Checks& check)
   vtkNew<vtkWireWarpingFilter> filter;
   const Messages messages(filter);
   filter->SetInputData(vtkNew<vtkPolyData>());
-  filter->Update();
+  vtkNew<vtkSurfaceDevelopability> behind;
+  behind->SetInputConnection(filter->GetOutputPort());
+  vtkObject::GlobalWarningDisplayOff(); // the executive tells of the request
+  check.equal(filter->GetExecutive()->Update(), 0, "the request fails");
+  filter->Modified();
+  behind->Update();
+  vtkObject::GlobalWarningDisplayOn();
+  check.equal(behind->GetStatusCode(), static_cast<int>(vtkFlatteningAlgorithm::NOT_RUN),
+    "status of a filter behind a refusal");
   check.equal(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError),
     "error code of a refusal");
   filter->SetInputData(makeGrid(3, 2));
   filter->Update();
   check.equal(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError),
     "error code of the good run after it");
+  behind->Update();
+  check.equal(behind->GetStatusCode(), static_cast<int>(vtkFlatteningAlgorithm::OK),
+    "status of the filter behind it then");
 }
 
 /// An exception that is not bad_alloc, such as a thread that cannot be started, is in the message.

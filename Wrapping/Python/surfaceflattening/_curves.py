@@ -9,13 +9,13 @@ from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Uni
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
 from ._equality import ComparedByValue
 from ._options import index_of
 from ._types import CurveType, KeyShape
+from ._vtk import make_cells, make_points, make_triangles, named, strings, text_of, to_vtk
 
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
 CURVE_TYPES: Tuple[CurveType, ...] = get_args(CurveType)
@@ -67,42 +67,6 @@ class Curve(ComparedByValue):
         if hasattr(points, "__len__") and getattr(points, "shape", None) != ():
             words.append(f"{len(points)} points")
         return f"<Curve{f' {self.name!r}' if self.name else ''}: {', '.join(words)}>"
-
-
-def demand_memory(size: int) -> None:
-    """MemoryError where VTK, which ends the process for it, would find no memory for so many bytes."""
-    np.empty(3 * size + (1 << 20), np.uint8)
-
-
-def to_vtk(values: NDArray[Any]) -> Any:
-    """A copy."""
-    demand_memory(values.nbytes)
-    return numpy_to_vtk(values, deep=True)
-
-
-def to_vtk_ids(values: NDArray[np.int64]) -> Any:
-    """A copy."""
-    demand_memory(values.nbytes)
-    return numpy_to_vtkIdTypeArray(values, deep=True)
-
-
-def make_points(coordinates: NDArray[np.float64]) -> vtkPoints:
-    """A copy."""
-    points = vtkPoints()
-    points.SetData(to_vtk(np.ascontiguousarray(coordinates)))
-    return points
-
-
-def make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
-    """Cells of any number of points."""
-    offsets = np.cumsum([0] + [len(cell) for cell in cells], dtype=np.int64)
-    connectivity = np.concatenate(cells) if cells else np.empty(0, np.int64)
-    result = vtkCellArray()
-    result.SetData(
-        to_vtk_ids(offsets),
-        to_vtk_ids(connectivity.astype(np.int64)),
-    )
-    return result
 
 
 def _is_masked(values: Any) -> bool:
@@ -161,29 +125,11 @@ def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
 
 
 def _name_of(curve: "Curve", place: int) -> str:
-    """The name as VTK can take it: it ends the interpreter on a lone surrogate, files end at NUL."""
-    name = curve.name
-    if not isinstance(name, str):
-        raise TypeError(f"the name of curve {place} is {name!r}; it must be a string")
-    try:
-        name.encode()
-    except UnicodeEncodeError as error:
-        raise ValueError(
-            f"the name of curve {place}, {name!r}, is no text that UTF-8 can hold: {error.reason} "
-            f"at {error.start}") from None
+    """The name as VTK can take it; files end at NUL."""
+    name = text_of(f"the name of curve {place}", curve.name)
     if "\0" in name:
         raise ValueError(f"the name of curve {place}, {name!r}, holds the character NUL")
     return name
-
-
-def make_triangles(corners: NDArray[np.int64]) -> vtkCellArray:
-    """Cells of three corners each."""
-    cells = vtkCellArray()
-    cells.SetData(
-        to_vtk_ids(np.arange(0, corners.size + 1, 3, dtype=np.int64)),
-        to_vtk_ids(np.ascontiguousarray(corners).ravel()),
-    )
-    return cells
 
 
 def _polygons(faces: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
@@ -279,12 +225,6 @@ def _tolerance_of(curve: Curve, what: str) -> float:
         ) from None
 
 
-def named(name: str, array: Any) -> Any:
-    """The array, with a name."""
-    array.SetName(name)
-    return array
-
-
 def add_weights(surface: vtkPolyData, weights: ArrayLike) -> str:
     """Adds a number a cell to the surface; the name of the array."""
     numbers = _as_numbers(weights, "weights")
@@ -294,15 +234,6 @@ def add_weights(surface: vtkPolyData, weights: ArrayLike) -> str:
             f"not {numbers.shape}")
     surface.GetCellData().AddArray(named("Weight", to_vtk(np.ascontiguousarray(numbers))))
     return "Weight"
-
-
-def strings(name: str, values: Sequence[str]) -> vtkStringArray:
-    """An array of texts."""
-    array = vtkStringArray()
-    array.SetName(name)
-    for value in values:
-        array.InsertNextValue(value)
-    return array
 
 
 def _demand_list(curves: Any) -> None:

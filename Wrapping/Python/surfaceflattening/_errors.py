@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run that does not give a sound result is told with."""
+"""What a run that does not give a sound result is told with; all errors are a FlatteningError."""
 
 from typing import List, Sequence, Tuple
 
 
 class FlatteningError(ValueError):
-    """The input was refused; there is no result.
+    """The input was rejected, or a file; there is no result.
 
     Attributes:
-        code: one of vtkFlatteningAlgorithm's status codes, such as NON_MANIFOLD_EDGE.
-        name: the code's fixed name, such as "NonManifoldEdge".
+        code: one of vtkFlatteningAlgorithm's status codes, such as NON_MANIFOLD_EDGE; -1 for files.
+        name: its fixed name, such as "NonManifoldEdge".
         ids: the offending elements in the numbering of the input: triangles or points of the
             surface, or curves. Empty where no element is to blame.
-        message: the defect, the first offending ids and the ways out.
+        message: the defect, the first offending ids and the remedies.
         kind: what ids are: "points", "cells" (triangles), "edges" (pairs of points), "curves",
             "curve points", or empty.
-        remedies: the ways out as pairs of a fixed name, such as "CutOpen", and what it is to be
-            applied to, which may be empty.
+        remedies: pairs of a fixed name, such as "CutOpen", and what it is to be applied to, which
+            may be empty.
     """
 
     def __init__(self, code: int, name: str, ids: List[int], message: str, kind: str = "",
@@ -31,11 +31,21 @@ class FlatteningError(ValueError):
         self.remedies = list(remedies)
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.message}"
+        return f"{self.name}: {self.message}" if self.code >= 0 else self.message
+
+
+class FileError(FlatteningError, OSError):
+    """A file cannot be written."""
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """There is no such file."""
+
+
+class OutOfMemoryError(FlatteningError, MemoryError):
+    """There is not enough memory."""
 
 
 class FlatteningWarning(UserWarning):
-    """There is a result, but a promise is broken: not converged, keys that contradict each other, a
-    length error, a flipped triangle or an overlap (the report's "status" says which); or a part of
-    the input was left out, no plane can hold a piece, or another energy was used than the one asked
-    for (the report's "warnings")."""
+    """There is a result, but not a sound one (the report's "status" says why); or a part of the input was
+    left out, no plane can hold a piece, or another energy was used (the report's "warnings")."""

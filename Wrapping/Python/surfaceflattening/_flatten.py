@@ -3,60 +3,16 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-import warnings
-from typing import Any, Callable, List, Mapping, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 from numpy.typing import ArrayLike
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import Curve, curves_on, demand_polydata, make_curves, make_surface
-from ._errors import FlatteningError, FlatteningWarning
 from ._options import make_filter, with_options
-from ._remedies import make_message
-from ._report import as_text, remedies_of, texts_of
 from ._result import Flattening, result_of
+from ._vtk import update
 from .vtkFiltersFlattening import vtkWireWarpingFilter
-
-
-def _update(filter_: Any, progress: Optional[Callable[[float], Any]], finishes: bool = False) -> None:
-    """Updates the filter; its messages become exceptions and warnings instead of lines on stderr.
-
-    finishes: after KeyboardInterrupt the filter may end with what it has found so far.
-    """
-    raised: List[BaseException] = []
-
-    def tell(*_: Any) -> None:
-        # VTK would print what escapes from here and go on.
-        try:
-            if progress is not None and not raised:
-                progress(filter_.GetProgress())
-        except BaseException as error:  # also KeyboardInterrupt
-            raised.append(error)
-            filter_.AbortExecuteOn()
-
-    tags = [filter_.AddObserver(event, lambda *_: None) for event in ("ErrorEvent", "WarningEvent")]
-    tags.append(filter_.AddObserver("ProgressEvent", tell))
-    try:
-        filter_.Update()
-    finally:
-        for tag in tags:
-            filter_.RemoveObserver(tag)  # they refer to the filter
-    found = finishes and raised and isinstance(raised[0], KeyboardInterrupt) and not filter_.IsRefused()
-    if raised and not found:
-        raise raised[0]
-
-    name = filter_.GetStatusName()
-    remedies = remedies_of(filter_)
-    message = make_message(as_text(filter_.GetStatusDefect()), remedies)
-    if filter_.IsRefused():
-        ids = vtk_to_numpy(filter_.GetStatusIds()).tolist()
-        raise FlatteningError(
-            filter_.GetStatusCode(), name, ids, message, filter_.GetStatusIdKind(), remedies)
-    for warning in texts_of(filter_.GetStatusWarnings()):
-        warnings.warn(warning, FlatteningWarning, stacklevel=4)
-    if filter_.GetStatusCode() != vtkWireWarpingFilter.OK:
-        warnings.warn(f"{name}: {message}", FlatteningWarning, stacklevel=4)
 
 
 def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[str, Any],
@@ -65,7 +21,7 @@ def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[s
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)
-    _update(filter_, options.get("progress"))
+    update(filter_, options.get("progress"))
     return result_of(filter_, type(surface))
 
 

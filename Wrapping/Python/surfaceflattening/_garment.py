@@ -5,24 +5,26 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 from dataclasses import dataclass
-from typing import Any, List, Literal, NamedTuple, Tuple, Union
+from typing import Any, List, Literal, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._pattern import text_of, write_parts
-from ._report import values_of
-from ._result import Parts, Wire, _rows, _wires
+from ._equality import ComparedByValue
+from ._pattern import write_parts
+from ._result import Wire, _wires
 from ._types import Part
+from ._vtk import Parts, id_rows, read_file, values_of
 
 EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
 _SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
 _PARAMETERS = (0, 2, 4, 3)
 
 
-class PanelEdge(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class PanelEdge(ComparedByValue):
     """An edge of a panel."""
 
     #: Rows of the panel's vertices at which it begins and ends.
@@ -35,7 +37,8 @@ class PanelEdge(NamedTuple):
     label: str
 
 
-class Panel(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Panel(ComparedByValue):
     """A panel of a pattern."""
 
     name: str
@@ -49,7 +52,8 @@ class Panel(NamedTuple):
     rotation: Tuple[float, float, float]
 
 
-class Stitch(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Stitch(ComparedByValue):
     """Two edges that are sewn together, each a panel and an edge of it, from 0."""
 
     first: Tuple[int, int]
@@ -160,13 +164,7 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
     from .vtkIOPattern import vtkGarmentCodeReader  # a build without patterns has none
 
     reader = vtkGarmentCodeReader()
-    reader.SetFileName(text_of("path", os.fspath(path)))
-    reader.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
-    reader.Update()
-    if reader.GetStatusName() != "Ok":
-        kind = (MemoryError if reader.GetStatusName() == "OutOfMemory"
-                else ValueError if os.path.exists(path) else FileNotFoundError)
-        raise kind(reader.GetErrorMessage())
+    read_file(reader, path)
     flat, wires, cut = (reader.GetOutput(port) for port in range(3))
     positions = np.array(vtk_to_numpy(flat.GetPoints().GetData())[:, :2], np.float64)
     panels, numbers = _panels(wires, positions)
@@ -177,4 +175,4 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         np.array(vtk_to_numpy(flat.GetPolys().GetConnectivityArray()), np.int64).reshape(-1, 3),
         np.array(vtk_to_numpy(flat.GetCellData().GetArray("PieceId")), np.int64),
         np.array(vtk_to_numpy(cut.GetPoints().GetData()), np.float64), _wires(wires),
-        _rows(flat.GetFieldData(), "SeamPairs", 5), Parts(flat, wires, cut))
+        id_rows(flat.GetFieldData(), "SeamPairs", 5), Parts(flat, wires, cut))

@@ -5,22 +5,23 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union, get_args
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from ._equality import ComparedByValue
 from ._options import index_of
-from ._pattern import text_of, write_sizes
-from ._remedies import make_message
-from ._report import as_text, remedies_of, values_of
+from ._pattern import write_sizes
 from ._result import Flattening
 from ._types import Unit
+from ._vtk import text_of, update, values_of
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 
-class GradeRule(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class GradeRule(ComparedByValue):
     """How one point of a piece goes from the base size to the others."""
 
     #: Row of the report's "pieces".
@@ -115,7 +116,6 @@ def grade(
     from .vtkIOPattern import vtkPatternGrading  # a build without patterns has none
 
     filter_ = vtkPatternGrading()
-    filter_.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
     stated = (vtkFlatteningAlgorithm.GetLengthUnitOf(result._parts.flat) for result in sizes.values())
     of_surfaces: Any = next((word for word in stated if word), "cm")
     length_unit: Unit = of_surfaces if unit is None else unit
@@ -127,10 +127,7 @@ def grade(
         raise ValueError(f"there are {len(sizes)} sizes; grading needs two")
     for size, result in sizes.items():
         filter_.AddSize(text_of("a size", size), result._parts.flat, result._parts.wires)
-    filter_.Update()
-    if filter_.IsRefused():
-        message = make_message(as_text(filter_.GetStatusDefect()), remedies_of(filter_))
-        raise MemoryError(message) if filter_.GetStatusName() == "OutOfMemory" else ValueError(message)
+    update(filter_)
     nest = filter_.GetOutput()
     field = nest.GetFieldData()
     names = [str(name) for name in values_of(field, "SizeName")]

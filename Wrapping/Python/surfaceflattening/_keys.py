@@ -3,21 +3,22 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-import dataclasses
 import warnings
-from typing import Any, List, NamedTuple, Sequence, Union
+from dataclasses import dataclass, replace
+from typing import Any, List, Sequence, Union
 
 from numpy.typing import ArrayLike
 
 from ._curves import Curve, make_curves, make_surface
+from ._equality import ComparedByValue
 from ._errors import FlatteningWarning
-from ._flatten import _update
 from ._options import make_filter, with_options
-from ._report import values_of
+from ._vtk import update, values_of
 from .vtkFiltersFlattening import vtkKeyCurvePrices
 
 
-class KeyTrial(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class KeyTrial(ComparedByValue):
     """A flattening with some of the keys; measures are of the piece where they are largest."""
 
     #: "Ok", or the name of what is broken.
@@ -30,7 +31,8 @@ class KeyTrial(NamedTuple):
     released: List[str]
 
 
-class KeyPrice(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class KeyPrice(ComparedByValue):
     """What the planar shape of one key curve costs."""
 
     name: str
@@ -42,7 +44,8 @@ class KeyPrice(NamedTuple):
     alone: KeyTrial
 
 
-class KeyPrices(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class KeyPrices(ComparedByValue):
     """A table of keys, the dearest first; str() prints it."""
 
     all: KeyTrial
@@ -93,14 +96,14 @@ def price_keys(
     warns.
     """
     given = [curve if isinstance(curve, Curve) else Curve(curve) for curve in curves]
-    given = [curve if curve.name else dataclasses.replace(curve, name=f"curve {k}")
+    given = [curve if curve.name else replace(curve, name=f"curve {k}")
              for k, curve in enumerate(given)]
     filter_ = make_filter(options, "price_keys", vtkKeyCurvePrices)
     filter_.SetInputData(make_surface(points, triangles))
     filter_.SetCurvesData(make_curves(given, points))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", FlatteningWarning)
-        _update(filter_, options.get("progress"))
+        update(filter_, options.get("progress"))
     table = filter_.GetOutputDataObject(5).GetRowData()
     curve_of, price_of = values_of(table, "Curve"), values_of(table, "Price")
     trials = [KeyTrial(status, area, strain, released.split(", ") if released else [])

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence, get_args
 
 from ._errors import FlatteningWarning
 from ._options import flag, index_of
-from ._remedies import make_message
-from ._report import as_text, remedies_of
 from ._types import Paper, Unit
+from ._vtk import error_of, silence, text_of
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 if TYPE_CHECKING:
@@ -30,6 +29,10 @@ _NUMBERS = {
     "page_overlap": ("PageOverlap", 0.0, 50.0),
     "max_pages": ("MaximumPages", 1, 100_000),
 }
+_FLAGS = {
+    "cut_darts_out": "CutDartsOut", "symmetrize": "Symmetrize", "cut_on_fold": "CutOnFold",
+    "notch_corners": "NotchCorners", "notch_curve_ends": "NotchCurveEnds", "walk_table": "WalkTable",
+    "cut_pairs": "CutPairs", "laser_colors": "LaserColors", "nap": "FabricNap"}
 
 
 def _in_range(what: str, value: Any, least: float, most: float) -> Any:
@@ -52,19 +55,13 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     if options["unit"] is not None:
         writer.SetUnit(1 + index_of(options["unit"], get_args(Unit), "unit"))
     writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
-    writer.SetCutDartsOut(flag(options["cut_darts_out"], "cut_darts_out"))
-    writer.SetSymmetrize(flag(options["symmetrize"], "symmetrize"))
-    writer.SetCutOnFold(flag(options["cut_on_fold"], "cut_on_fold"))
-    writer.SetNotchCorners(flag(options["notch_corners"], "notch_corners"))
-    writer.SetNotchCurveEnds(flag(options["notch_curve_ends"], "notch_curve_ends"))
-    writer.SetWalkTable(flag(options["walk_table"], "walk_table"))
-    writer.SetCutPairs(flag(options["cut_pairs"], "cut_pairs"))
-    writer.SetLaserColors(flag(options["laser_colors"], "laser_colors"))
-    writer.SetFabricNap(flag(options["nap"], "nap"))
+    for option, property_ in _FLAGS.items():
+        getattr(writer, "Set" + property_)(flag(options[option], option))
     for option, set_text in (("name", writer.SetPatternName), ("size", writer.SetPatternSize)):
         set_text(text_of(option, options[option]))
-    if isinstance(options["piece_names"], str):
-        raise TypeError(f"piece_names = {options['piece_names']!r} must be a list of names")
+    for option in ("piece_names", "double_notches", "folds"):
+        if isinstance(options[option], str):
+            raise TypeError(f"{option} = {options[option]!r} must be a list of names")
     for piece, quantity in enumerate(options["piece_quantities"]):
         what = f"piece_quantities[{piece}]"
         try:
@@ -78,35 +75,13 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     for curve, distances in (options["curve_notches"] or {}).items():
         for distance in distances:
             writer.AddCurveNotch(curve, _in_range(f"notch of {curve!r}", distance, 0.0, 1e6))
-    if isinstance(options["double_notches"], str):
-        raise TypeError(f"double_notches = {options['double_notches']!r} must be a list of names")
-    for curve in options["double_notches"]:
-        writer.AddDoubleNotches(text_of("double_notches", curve))
-    if isinstance(options["folds"], str):
-        raise TypeError(f"folds = {options['folds']!r} must be a list of names")
-    for curve in options["folds"]:
-        writer.AddFold(text_of("folds", curve))
+    for option, add in (("double_notches", writer.AddDoubleNotches), ("folds", writer.AddFold)):
+        for curve in options[option]:
+            add(text_of(option, curve))
     for curve, distance in (options["curve_dart_tips"] or {}).items():
         writer.SetCurveDartTip(curve, _in_range(f"dart tip of {curve!r}", distance, 0.0, 1e6))
     for curve, tolerance in (options["curve_fairs"] or {}).items():
         writer.SetCurveFairTolerance(curve, _in_range(f"fair of {curve!r}", tolerance, 0.0, 100.0))
-
-
-def text_of(what: str, value: Any) -> str:
-    """A string that VTK can hold, or an error that names what it is."""
-    if not isinstance(value, str):
-        raise TypeError(f"{what} = {value!r} must be a string")
-    try:
-        value.encode()  # VTK ends the interpreter on a lone surrogate
-    except UnicodeEncodeError as error:
-        raise ValueError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
-    return value
-
-
-def _refusal(writer: vtkPatternWriter) -> Exception:
-    message = make_message(as_text(writer.GetStatusDefect()), remedies_of(writer))
-    kinds = {"FileNotWritten": OSError, "OutOfMemory": MemoryError}
-    return kinds.get(writer.GetStatusName(), ValueError)(message)
 
 
 def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> None:
@@ -120,10 +95,9 @@ def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> 
         writer.SetInputData(port, part)
     if options["sizes"] is not None:
         writer.SetInputData(3, options["sizes"].nest)
-    for event in ("ErrorEvent", "WarningEvent"):
-        writer.AddObserver(event, lambda *_: None)  # instead of lines on stderr
+    silence(writer)
     if not writer.Write():
-        raise _refusal(writer)
+        raise error_of(writer)
     for warning in range(writer.GetNumberOfWarnings()):
         warnings.warn(writer.GetWarning(warning) + "; give it key_shape=\"straight\"",
                       FlatteningWarning, stacklevel=3)
@@ -143,6 +117,6 @@ def write_sizes(flat: Any, nest: Any, path: str, format_: str, name: str, unit: 
     writer.SetUnit(1 + index_of(unit, get_args(Unit), "unit"))
     writer.SetInputData(0, flat)
     writer.SetInputData(3, nest)
-    writer.AddObserver("ErrorEvent", lambda *_: None)  # instead of lines on stderr
+    silence(writer)
     if not writer.Write():
-        raise _refusal(writer)
+        raise error_of(writer)

@@ -5,26 +5,16 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 import warnings
-from typing import Any, Optional, Tuple, Union, get_args
+from typing import Optional, Tuple, Union, get_args
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import demand_polydata
 from ._errors import FlatteningWarning
 from ._options import index_of
-from ._pattern import text_of
 from ._types import SeamSource
+from ._vtk import read_file
 from .vtkIOFlattening import vtkFeatureCurveReader, vtkSurfaceMeshReader
-
-
-def _read(reader: Any, path: Union[str, os.PathLike[str]]) -> None:
-    reader.SetFileName(text_of("path", os.fspath(path)))
-    for event in ("ErrorEvent", "WarningEvent"):
-        reader.AddObserver(event, lambda *_: None)  # instead of lines on stderr
-    reader.Update()
-    message = reader.GetErrorMessage()
-    if message:
-        raise (ValueError if os.path.exists(path) else FileNotFoundError)(message)
 
 
 def read_surface(path: Union[str, os.PathLike[str]], seams: SeamSource = "none") -> Tuple[vtkPolyData, vtkPolyData]:
@@ -46,7 +36,7 @@ def read_surface(path: Union[str, os.PathLike[str]], seams: SeamSource = "none")
     """
     reader = vtkSurfaceMeshReader()
     reader.SetSeamSource(index_of(seams, get_args(SeamSource), "seams"))
-    _read(reader, path)
+    read_file(reader, path)
     return reader.GetOutput(0), reader.GetOutput(1)
 
 
@@ -72,7 +62,7 @@ def read_curves(path: Union[str, os.PathLike[str]], surface: Optional[vtkPolyDat
     if surface is not None:
         demand_polydata(surface, "surface")
         reader.SetInputData(surface)
-    _read(reader, path)
+    read_file(reader, path)
     if reader.GetNote():
         warnings.warn(f"{os.fspath(path)}: {reader.GetNote()}", FlatteningWarning, stacklevel=2)
     curves: vtkPolyData = reader.GetOutput()

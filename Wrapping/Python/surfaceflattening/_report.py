@@ -2,156 +2,66 @@
 """The report of a run, read from the tables of the filter."""
 
 import math
-from typing import Any, Dict, List, Optional, Tuple, cast
+from typing import Any, Dict, List, Optional, cast
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
 
 from ._remedies import make_message
 from ._types import Report
-
-_Row = Dict[str, Any]
+from ._vtk import Row, as_text, remedies_of, rows_of, texts_of, values_of
 
 # Keys of the report and columns of the filter's tables.
 _PIECE = {
-    "piece": "Piece",
-    "status": "Status",
-    "name": "Name",
-    "message": "StatusDefect",
-    "id_kind": "StatusIdKind",
-    "ids": "StatusIds",
-    "size": "SizeInWords",
-    "ease": "EaseInWords",
-    "triangles": "Triangles",
-    "vertices": "Vertices",
-    "wire_patches": "WirePatches",
-    "wire_nodes": "WireNodes",
-    "free_wire_nodes": "FreeWireNodes",
-    "constraints": "Constraints",
-    "iterations": "Iterations",
-    "flipped": "FlippedTriangles",
-    "overlaps": "Overlaps",
-    "overlaps_complete": "OverlapsComplete",
-    "objective": "Objective",
-    "closure_residual": "ClosureResidual",
-    "E_len": "EdgeLengthError",
-    "E_len_max": "MaxEdgeLengthError",
-    "E_ang": "AngleErrorMean",
-    "E_h": "GlobalHomogeneity",
-    "E_r": "GlobalAspectRatio",
-    "E_area": "AreaError",
-    "strain_p95": "StrainP95",
-    "energy_rigid": "RigidEnergy",
-    "energy_sheet": "DistortionEnergy",
-    "energy_angles": "AngleEnergy",
-    "cut_length": "CutLength",
-    "solver_used": "SolverUsed",
-    "energy_used": "EnergyUsed",
-    "repaired": "Repaired",
-    "fallbacks": "Fallbacks",
-    "verdict": "Verdict",
-    "forecast_area_loss": "ForecastAreaLoss",
-    "forecast_area_loss_after_cut": "ForecastAreaLossAfterCut",
-    "forecast_cut_from": "ForecastCutFrom",
-    "forecast_cut_to": "ForecastCutTo",
-}
+    "piece": "Piece", "status": "Status", "name": "Name", "message": "StatusDefect",
+    "id_kind": "StatusIdKind", "ids": "StatusIds", "size": "SizeInWords", "ease": "EaseInWords",
+    "triangles": "Triangles", "vertices": "Vertices", "wire_patches": "WirePatches",
+    "wire_nodes": "WireNodes", "free_wire_nodes": "FreeWireNodes", "constraints": "Constraints",
+    "iterations": "Iterations", "flipped": "FlippedTriangles", "overlaps": "Overlaps",
+    "overlaps_complete": "OverlapsComplete", "objective": "Objective", "closure_residual": "ClosureResidual",
+    "E_len": "EdgeLengthError", "E_len_max": "MaxEdgeLengthError", "E_ang": "AngleErrorMean",
+    "E_h": "GlobalHomogeneity", "E_r": "GlobalAspectRatio", "E_area": "AreaError", "strain_p95": "StrainP95",
+    "energy_rigid": "RigidEnergy", "energy_sheet": "DistortionEnergy", "energy_angles": "AngleEnergy",
+    "cut_length": "CutLength", "solver_used": "SolverUsed", "energy_used": "EnergyUsed",
+    "repaired": "Repaired", "fallbacks": "Fallbacks", "verdict": "Verdict",
+    "forecast_area_loss": "ForecastAreaLoss", "forecast_area_loss_after_cut": "ForecastAreaLossAfterCut",
+    "forecast_cut_from": "ForecastCutFrom", "forecast_cut_to": "ForecastCutTo"}
 _CURVE = {
-    "name": "Name",
-    "type": "Type",
-    "length_3d": "RestLength",
-    "length_2d": "FlatLength",
-    "error": "LengthError",
-    "tolerance": "Tolerance",
-    "closed_length": "ClosedLength",
-    "sensitivity": "Sensitivity",
-    "released": "Released",
-}
+    "name": "Name", "type": "Type", "length_3d": "RestLength", "length_2d": "FlatLength",
+    "error": "LengthError", "tolerance": "Tolerance", "closed_length": "ClosedLength",
+    "sensitivity": "Sensitivity", "released": "Released"}
 _ANGLE_STEP = {
-    "phase": "Phase",
-    "objective": "Objective",
-    "closure": "Closure",
-    "optimality": "Optimality",
-    "step": "Step",
-}
+    "phase": "Phase", "objective": "Objective", "closure": "Closure", "optimality": "Optimality",
+    "step": "Step"}
 _ISOMETRIC_STEP = {
-    "exact": "Exact",
-    "energy": "Energy",
-    "length_error": "LengthError",
-    "optimality": "Optimality",
-    "move": "Move",
-}
+    "exact": "Exact", "energy": "Energy", "length_error": "LengthError", "optimality": "Optimality",
+    "move": "Move"}
 # With a material.
 _CLOTH = {
-    "strain_warp_rms": "StrainWarpRms",
-    "strain_weft_rms": "StrainWeftRms",
-    "shear_rms": "ShearRms",
-    "share_out_of_limit": "ShareOutOfLimit",
-    "share_over_5_percent": "ShareOver5Percent",
-    "share_locked": "ShareLocked",
-    "shear_limit": "ShearLimit",
-    "grain_angle": "GrainAngle",
-    "grain_curve": "GrainCurve",
-    "one_way": "OneWay",
-}
-_TRUTH_VALUES = (
-    "overlaps_complete", "repaired", "released", "exact", "one_way", "sound", "converged", "several_shapes")
+    "strain_warp_rms": "StrainWarpRms", "strain_weft_rms": "StrainWeftRms", "shear_rms": "ShearRms",
+    "share_out_of_limit": "ShareOutOfLimit", "share_over_5_percent": "ShareOver5Percent",
+    "share_locked": "ShareLocked", "shear_limit": "ShearLimit", "grain_angle": "GrainAngle",
+    "grain_curve": "GrainCurve", "one_way": "OneWay"}
 
 
-def as_text(value: Any) -> str:
-    """A text of VTK, which gives bytes where they are no UTF-8."""
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
-
-def remedies_of(source: Any) -> List[Tuple[str, str]]:
-    """The ways out that a filter or writer found for its last run."""
-    names, subjects = source.GetStatusRemedies(), source.GetStatusRemedySubjects()
-    return [(names.GetValue(k), as_text(subjects.GetValue(k)))
-            for k in range(names.GetNumberOfValues())]
-
-
-def texts_of(array: vtkStringArray) -> List[str]:
-    """A string array as Python values."""
-    return [as_text(array.GetValue(row)) for row in range(array.GetNumberOfValues())]
-
-
-def values_of(field: Any, name: str) -> List[Any]:
-    """An array of one component as Python values; empty where there is none."""
-    array = field.GetAbstractArray(name)
-    if array is None:
-        return []
-    if isinstance(array, vtkStringArray):
-        return texts_of(array)
-    values: List[Any] = vtk_to_numpy(array).tolist()
-    return values
-
-
-def rows_of(table: Any, columns: Dict[str, str]) -> List[_Row]:
-    """The rows of a vtkTable, with some of its columns by other names; none where one is not there."""
-    values = [values_of(table.GetRowData(), name) for name in columns.values()]
-    rows = [dict(zip(columns, row)) for row in zip(*values)]
-    for row in rows:
-        row.update((key, bool(row[key])) for key in _TRUTH_VALUES if key in row)
-    return rows
-
-
-def _lists_of(table: Any, columns: Dict[str, str], pieces: int) -> List[List[_Row]]:
+def _lists_of(table: Any, columns: Dict[str, str], pieces: int) -> List[List[Row]]:
     """The rows of each piece of a table with the column Piece."""
-    lists: List[List[_Row]] = [[] for _ in range(pieces)]
+    lists: List[List[Row]] = [[] for _ in range(pieces)]
     for piece, row in zip(values_of(table.GetRowData(), "Piece"), rows_of(table, columns)):
         lists[piece].append(row)
     return lists
 
 
-def _message(defect: str, remedies: List[_Row]) -> str:
+def _message(defect: str, remedies: List[Row]) -> str:
     return make_message(defect, [(remedy["name"], remedy["subject"]) for remedy in remedies])
 
 
-def _releases(filter_: Any, pieces: List[_Row]) -> List[Optional[_Row]]:
+def _releases(filter_: Any, pieces: List[Row]) -> List[Optional[Row]]:
     """What to release of each piece, None where nothing can be."""
     ranking = _lists_of(filter_.GetReleases(), {
         "curve": "Name", "release": "Shape", "tried": "Tried", "objective_without": "Objective",
         "E_area_without": "AreaError", "E_h_without": "Homogeneity"}, len(pieces))
-    result: List[Optional[_Row]] = []
+    result: List[Optional[Row]] = []
     for trials, first in zip(ranking, rows_of(filter_.GetPieces(), {
             "first": "ReleaseFirst", "objective_without_first": "ObjectiveWithoutFirst"})):
         for trial in trials:
@@ -164,7 +74,7 @@ def _releases(filter_: Any, pieces: List[_Row]) -> List[Optional[_Row]]:
     return result
 
 
-def _pieces(filter_: Any) -> List[_Row]:
+def _pieces(filter_: Any) -> List[Row]:
     pieces = rows_of(filter_.GetPieces(), _PIECE)
     cloths = rows_of(filter_.GetPieces(), _CLOTH) or [{}] * len(pieces)
     remedies = _lists_of(filter_.GetPieceRemedies(), {"name": "Remedy", "subject": "Subject"}, len(pieces))

@@ -5,22 +5,24 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import math
 import os
-from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
+from dataclasses import dataclass
+from typing import Any, Callable, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._flatten import _update
+from ._equality import ComparedByValue
 from ._options import material_text, options_of, set_option
-from ._report import rows_of
 from ._result import Flattening
 from ._types import SewingTest
+from ._vtk import rows_of, update
 from .vtkFiltersFlattening import vtkSewnShape
 
 
-class ResewnShape(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class ResewnShape(ComparedByValue):
     """A piece, or all that is sewn together; the keys of "resewn" in wirewarp's report.json."""
 
     #: How many pieces and triangles.
@@ -74,7 +76,8 @@ _COLUMNS = {
 _THREADS = {"strain_warp_rms": "StrainWarpRms", "strain_weft_rms": "StrainWeftRms", "shear_rms": "ShearRms"}
 
 
-class Resewn(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Resewn(ComparedByValue):
     """Flat pieces, sewn together again and at rest; point for point and triangle for triangle the
     flattening."""
 
@@ -179,7 +182,7 @@ def resew(
         filter_.SetBodyData(body)
     filter_.SetInputData(flattening._parts.flat)
     filter_.SetDesignData(flattening._parts.cut)
-    _update(filter_, progress)
+    update(filter_, progress)
     sewn, design = filter_.GetOutput(0), filter_.GetOutput(1)
     field, cells, table = sewn.GetFieldData(), sewn.GetCellData(), filter_.GetShapes()
     threads = table.GetColumnByName("StrainWarpRms") is not None

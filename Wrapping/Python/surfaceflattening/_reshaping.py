@@ -3,7 +3,8 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-from typing import Any, List, NamedTuple, Optional, Sequence, Union
+from dataclasses import dataclass
+from typing import Any, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,14 +12,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curves_on, demand_polydata, make_curves, make_surface
-from ._flatten import _update
+from ._equality import ComparedByValue
 from ._options import make_filter, with_options
-from ._report import values_of
 from ._result import Flattening, result_of
+from ._vtk import update, values_of
 from .vtkFiltersFlattening import vtkMakeFlattenable
 
 
-class Flattenable(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Flattenable(ComparedByValue):
     """A surface that was moved until it lies flat with little strain, and its flat pieces."""
 
     #: Where the points lie; those of the surface given, behind them those at which curves cross
@@ -119,7 +121,7 @@ def _make_flattenable(
         filter_.SetCurvesData(curves)
     if body is not None:
         filter_.SetBodyData(body)
-    _update(filter_, options.get("progress"))
+    update(filter_, options.get("progress"))
     flattening = result_of(filter_, type(surface))
     moved = filter_.GetOutput(5)
     measures, arrays = filter_.GetOutputDataObject(9).GetRowData(), moved.GetPointData()

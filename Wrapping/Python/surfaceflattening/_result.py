@@ -6,47 +6,24 @@ from __future__ import annotations  # help() prints hints as they are written he
 import os
 from dataclasses import dataclass, field
 from typing import (
-    TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Type, Union, cast, get_args)
+    TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union, cast)
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_CHAR, vtkBitArray, vtkCharArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import VTK_CHAR
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, demand_memory
+from ._curves import CURVE_TYPES
 from ._equality import ComparedByValue, same
-from ._options import word_of
-from ._report import make_report, values_of
+from ._report import make_report
 from ._types import Coloring, Paper, Part, Report, Unit, WireType
+from ._vtk import Parts, arrays_of, bytes_of, id_rows, values_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._grading import Grading
-
-
-class Parts(NamedTuple):
-    """The outputs of vtkWireWarpingFilter, with all of their arrays."""
-
-    flat: vtkPolyData
-    wires: vtkPolyData
-    cut: vtkPolyData
-
-    def copy(self, part: Part, mesh_class: Type[Any] = vtkPolyData) -> Any:
-        """A deep copy of one, as a vtkPolyData or as an object of a class that derives from it."""
-        mesh: vtkPolyData = getattr(self, word_of(part, get_args(Part), "part"))
-        demand_memory(1024 * mesh.GetActualMemorySize())
-        copy = vtkPolyData()
-        copy.DeepCopy(mesh)
-        if isinstance(copy, mesh_class):
-            return copy
-        try:
-            return mesh_class(copy)
-        except TypeError:  # it takes no data set to begin with
-            other = mesh_class()
-            other.ShallowCopy(copy)
-            return other
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +100,7 @@ class Flattening(ComparedByValue):
     _mesh_class: type = field(default=vtkPolyData, repr=False, compare=False)
 
     def __reduce__(self) -> Any:
-        return _unpickled, (*map(_bytes_of, self._parts), self.report, self._mesh_class)
+        return _unpickled, (*map(bytes_of, self._parts), self.report, self._mesh_class)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Flattening):
@@ -283,31 +260,6 @@ class Flattening(ComparedByValue):
         return plot(self, color_by, ax, measures)
 
 
-def _as_numpy(array: Any) -> NDArray[Any]:
-    """A view; of bits a copy."""
-    if isinstance(array, vtkBitArray):
-        bytes_ = vtkUnsignedCharArray()
-        bytes_.DeepCopy(array)
-        return np.array(vtk_to_numpy(bytes_), np.bool_)
-    return np.asarray(vtk_to_numpy(array))
-
-
-def _arrays(attributes: Any) -> Dict[str, NDArray[Any]]:
-    result = {}
-    for index in range(attributes.GetNumberOfArrays()):
-        array = attributes.GetArray(index)  # None for strings
-        if array is not None and array.GetName():
-            result[array.GetName()] = _as_numpy(array)
-    return result
-
-
-def _rows(field_data: Any, name: str, components: int) -> NDArray[np.int64]:
-    array = field_data.GetAbstractArray(name)
-    if array is None:
-        return np.empty((0, components), np.int64)
-    return np.asarray(vtk_to_numpy(array), np.int64).reshape(-1, components)
-
-
 def _wires(output: vtkPolyData) -> List[Wire]:
     cells = output.GetCellData()
     columns = {
@@ -347,28 +299,16 @@ def _make_result(parts: Parts, report: Report, mesh_class: type) -> Flattening:
         positions=np.asarray(vtk_to_numpy(flat.GetPoints().GetData()), np.float64)[:, :2],
         triangles=np.asarray(corners, np.int64).reshape(-1, 3),
         points=np.asarray(vtk_to_numpy(cut.GetPoints().GetData()), np.float64),
-        point_arrays=_arrays(flat.GetPointData()),
-        cell_arrays=_arrays(flat.GetCellData()),
+        point_arrays=arrays_of(flat.GetPointData()),
+        cell_arrays=arrays_of(flat.GetCellData()),
         wires=_wires(wires),
-        seam_pairs=_rows(flat.GetFieldData(), "SeamPairs", 5),
+        seam_pairs=id_rows(flat.GetFieldData(), "SeamPairs", 5),
         seam_closed=np.array(values_of(flat.GetFieldData(), "SeamClosed"), np.bool_),
-        overlap_edges=_rows(flat.GetFieldData(), "OverlapEdges", 5),
+        overlap_edges=id_rows(flat.GetFieldData(), "OverlapEdges", 5),
         report=report,
         _parts=parts,
         _mesh_class=mesh_class,
     )
-
-
-def _bytes_of(mesh: vtkPolyData) -> bytes:
-    from vtkmodules.vtkParallelCore import vtkCommunicator
-    named, buffer = vtkPolyData(), vtkCharArray()
-    named.ShallowCopy(mesh)
-    for data in (named.GetPointData(), named.GetCellData()):
-        for k in reversed(range(data.GetNumberOfArrays())):
-            if not data.GetArrayName(k):
-                data.RemoveArray(k)  # it would get a name
-    vtkCommunicator.MarshalDataObject(named, buffer)
-    return bytes(vtk_to_numpy(buffer))
 
 
 def _unpickled(flat: bytes, wires: bytes, cut: bytes, report: Report, mesh_class: type) -> Flattening:

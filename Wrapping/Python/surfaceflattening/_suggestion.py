@@ -3,7 +3,8 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-from typing import Any, List, NamedTuple, Optional, Sequence, Union
+from dataclasses import dataclass
+from typing import Any, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,14 +12,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, Curve, add_weights, curves_on, demand_polydata, make_curves, make_surface
-from ._flatten import _update
+from ._equality import ComparedByValue
 from ._options import make_filter, with_options
-from ._report import rows_of, values_of
 from ._result import Flattening, result_of
+from ._vtk import rows_of, update, values_of
 from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
 
 
-class SuggestedCut(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class SuggestedCut(ComparedByValue):
     """A proposed cut or line."""
 
     #: As flatten() takes it.
@@ -43,7 +45,8 @@ class SuggestedCut(NamedTuple):
     E_area_after: float
 
 
-class LeftOutLine(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class LeftOutLine(ComparedByValue):
     """A line that was tried and is not proposed."""
 
     name: str
@@ -60,7 +63,8 @@ class LeftOutLine(NamedTuple):
     sound: bool
 
 
-class MirrorPlane(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class MirrorPlane(ComparedByValue):
     """The plane across which a surface is its own mirror image: where normal . x = offset."""
 
     #: Of length 1, shape (3,).
@@ -69,7 +73,8 @@ class MirrorPlane(NamedTuple):
     offset: float
 
 
-class MirrorAxis(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class MirrorAxis(ComparedByValue):
     """The line on a surface across which it is its own mirror image by lengths and angles alone.
 
     Such a surface is bent to one side, and its cloth is its own image all the same.
@@ -79,7 +84,8 @@ class MirrorAxis(NamedTuple):
     ends: NDArray[np.float64]
 
 
-class Suggestion(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Suggestion(ComparedByValue):
     """Proposed cuts or lines, and the surface flattened with them. A notebook shows the flat pieces with a
     table of what is proposed."""
 
@@ -196,5 +202,5 @@ def _suggest(surface: vtkPolyData, curves: Optional[vtkPolyData], **options: Any
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)
-    _update(filter_, options.get("progress"), finishes=filter_.GetSuggestedCuts() != filter_.LINES)
+    update(filter_, options.get("progress"), finishes=filter_.GetSuggestedCuts() != filter_.LINES)
     return _make_suggestion(filter_, result_of(filter_, type(surface)))
