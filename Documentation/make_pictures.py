@@ -183,7 +183,7 @@ def draw_cloths(folder, images):
         for material in ("plain", "twill", "jersey"):
             path = os.path.join(folder, f"{name}_{material}.png")
             run = subprocess.run(
-                [COMMAND, "picture", f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--release-keys",
+                [COMMAND, "picture", f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--no-keys",
                  "--material", material, "--color", "stretch", "--quiet", "-o", path],
                 capture_output=True, check=False)
             if run.returncode not in (0, 4):

@@ -3,14 +3,17 @@
 
 #include "Panels.h"
 
+#include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace figures
 {
@@ -66,6 +69,7 @@ vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, d
 }
 
 constexpr double rightAngle = 90.0;
+constexpr double turnedOver = 100.0; ///< strain of such a triangle, and the largest, in percent
 
 /// By how many degrees the threads' angle may change, of the pieces' material.
 double lockingAngle(const FlatPiece& piece)
@@ -73,53 +77,34 @@ double lockingAngle(const FlatPiece& piece)
   const double limit = piece.number("ShearLimit");
   return std::isnan(limit) ? rightAngle : limit;
 }
-}
 
-//------------------------------------------------------------------------------
-const char* nameOf(Coloring coloring)
+/// The value that 99 % of an array do not exceed.
+double nearlyLargest(vtkDataArray* values)
 {
-  switch (coloring)
+  std::vector<double> sorted;
+  for (vtkIdType k = 0; values && k < values->GetNumberOfTuples(); ++k)
   {
-    case Coloring::Developability:
-      return "developability";
-    case Coloring::AspectRatio:
-      return "aspect-ratio";
-    case Coloring::Area:
-      return "area";
-    case Coloring::Stretch:
-      return "stretch";
-    case Coloring::Warp:
-      return "warp";
-    case Coloring::Weft:
-      return "weft";
-    case Coloring::Shear:
-      return "shear";
-    case Coloring::Distance:
-      return "distance";
-    default:
-      return "homogeneity";
+    sorted.push_back(values->GetComponent(k, 0));
   }
+  std::sort(sorted.begin(), sorted.end());
+  return sorted.empty() ? 0.0 : sorted[(sorted.size() - 1) * 99 / 100];
 }
 
-//------------------------------------------------------------------------------
-std::optional<Coloring> coloringOf(const std::string& name)
+/// 1, 2, 5, 10, ... and what lies between by tens: at least the value, and an end of a scale.
+double roundedUp(double value)
 {
-  if (name == nameOf(Coloring::Distance))
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : { 1.0, 2.0, 5.0 })
   {
-    return Coloring::Distance;
+    if (value <= step * power * (1.0 + 1e-9))
+    {
+      return step * power;
+    }
   }
-  const auto isCalled = [&name](Coloring coloring) { return name == nameOf(coloring); };
-  const auto* found = std::find_if(colorings.begin(), colorings.end(), isCalled);
-  if (found != colorings.end())
-  {
-    return *found;
-  }
-  found = std::find_if(threadColorings.begin(), threadColorings.end(), isCalled);
-  return found == threadColorings.end() ? std::nullopt : std::optional<Coloring>(*found);
+  return 10.0 * power;
 }
 
-//------------------------------------------------------------------------------
-ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece)
+ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
 {
   switch (coloring)
   {
@@ -137,6 +122,13 @@ ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece)
     case Coloring::Area:
       return { "AreaRatio", false, "area in the plane / on the surface",
         makeDivergingColors(0.8, 1.0, 1.2), 5 };
+    case Coloring::Strain:
+    {
+      const char* const name = "Strain";
+      const double largest = nearlyLargest(piece.flat->GetCellData()->GetArray(name));
+      return { name, false, "strain (%)",
+        makeSequentialColors({ 0.0, roundedUp(std::max(largest, 0.1)) }), 6 };
+    }
     case Coloring::Stretch:
     {
       // In steps, as pattern makers know it.
@@ -171,5 +163,104 @@ ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece)
       return { "HomogeneityOfDistortion", false, "homogeneity (1 is ideal)",
         makeSequentialColors(indexRange), 6 };
   }
+}
+}
+
+//------------------------------------------------------------------------------
+const char* nameOf(Coloring coloring)
+{
+  switch (coloring)
+  {
+    case Coloring::Developability:
+      return "developability";
+    case Coloring::AspectRatio:
+      return "aspect-ratio";
+    case Coloring::Area:
+      return "area";
+    case Coloring::Strain:
+      return "strain";
+    case Coloring::Stretch:
+      return "stretch";
+    case Coloring::Warp:
+      return "warp";
+    case Coloring::Weft:
+      return "weft";
+    case Coloring::Shear:
+      return "shear";
+    case Coloring::Distance:
+      return "distance";
+    default:
+      return "homogeneity";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<Coloring> coloringOf(const std::string& name)
+{
+  for (const Coloring coloring : { Coloring::Strain, Coloring::Distance })
+  {
+    if (name == nameOf(coloring))
+    {
+      return coloring;
+    }
+  }
+  const auto isCalled = [&name](Coloring coloring) { return name == nameOf(coloring); };
+  const auto* found = std::find_if(colorings.begin(), colorings.end(), isCalled);
+  if (found != colorings.end())
+  {
+    return *found;
+  }
+  found = std::find_if(threadColorings.begin(), threadColorings.end(), isCalled);
+  return found == threadColorings.end() ? std::nullopt : std::optional<Coloring>(*found);
+}
+
+//------------------------------------------------------------------------------
+ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece, ColorRange range)
+{
+  ColorMap map = colorMapOf(coloring, piece);
+  if (range.low != range.high)
+  {
+    const bool diverges = map.colors->GetTableRange()[0] < 0.0 || coloring == Coloring::Area;
+    map.colors = diverges
+      ? makeDivergingColors(range.low, 0.5 * (range.low + range.high), range.high)
+      : makeSequentialColors(coloring == Coloring::Homogeneity || coloring == Coloring::AspectRatio
+            ? ColorRange{ range.high, range.low } // large is good
+            : range,
+          map.colors->GetNumberOfTableValues());
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+FlatPiece withStrain(const FlatPiece& piece)
+{
+  vtkCellData* const cells = piece.flat->GetCellData();
+  vtkDataArray* const areas = cells->GetArray("AreaRatio");
+  vtkDataArray* const aspects = cells->GetArray("AspectRatio");
+  FlatPiece strained = piece;
+  if (!areas || !aspects)
+  {
+    return strained;
+  }
+  const vtkNew<vtkDoubleArray> strains;
+  strains->SetName("Strain");
+  for (vtkIdType cell = 0; cell < areas->GetNumberOfTuples(); ++cell)
+  {
+    const double area = areas->GetComponent(cell, 0);
+    const double aspect = aspects->GetComponent(cell, 0);
+    // a = S s, the aspect ratio is s / S.
+    const double strain = area > 0.0 && aspect > 0.0
+      ? 50.0 * (std::abs(std::log(area)) - std::log(aspect))
+      : turnedOver;
+    strains->InsertNextValue(std::min(strain, turnedOver));
+  }
+  for (PolyData* const data : { &strained.flat, &strained.cut })
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->ShallowCopy(*data);
+    copy->GetCellData()->AddArray(strains);
+    *data = copy;
+  }
+  return strained;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Drawing.h"
 #include "Pieces.h"
 
 #include <vtkLookupTable.h>
@@ -18,6 +19,7 @@ enum class Coloring
   Homogeneity,
   AspectRatio,
   Area,
+  Strain, ///< of withStrain()
   Stretch,
   Warp,
   Weft,
@@ -32,8 +34,8 @@ constexpr std::array<Coloring, 4> colorings{ Coloring::Developability, Coloring:
 constexpr std::array<Coloring, 4> threadColorings{ Coloring::Stretch, Coloring::Warp,
   Coloring::Weft, Coloring::Shear };
 
-/// "developability", "homogeneity", "aspect-ratio", "area", "stretch", "warp", "weft", "shear",
-/// "distance".
+/// "developability", "homogeneity", "aspect-ratio", "area", "strain", "stretch", "warp", "weft",
+/// "shear", "distance".
 const char* nameOf(Coloring coloring);
 std::optional<Coloring> coloringOf(const std::string& name);
 
@@ -52,6 +54,13 @@ struct ColorMap
 /// stretch has steps of 2.5 % from 100 to 120 %; of warp and weft, blue is compressed and red
 /// drawn; of the shear, blue and red are its two senses, up to the material's limit, where threads
 /// lock, or 15 degrees where it has none.
-/// @param flat what is coloured: the ranges of developability and distance follow its largest value
-ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece);
+/// @param piece what is colored: the ranges of developability and distance follow its largest value,
+///              that of the strain what 99 % of the triangles have
+/// @param range of the colors in place of these; its ends are equal where it is none
+ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece, ColorRange range = { 0.0, 0.0 });
+
+/// The piece with the cell array `Strain` on the flat piece and the cut surface: the larger of
+/// abs(ln S) and abs(ln s) of each triangle in percent, S and s the singular values of its map into
+/// the plane.
+FlatPiece withStrain(const FlatPiece& piece);
 }

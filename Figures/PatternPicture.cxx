@@ -135,9 +135,14 @@ PatternPicture::PatternPicture(int width, int height, int samples)
 }
 
 //------------------------------------------------------------------------------
-void PatternPicture::show(const PatternScene& scene)
+void PatternPicture::show(const PatternScene& shown)
 {
-  const ColorMap map = makeColorMap(scene.coloring, scene.piece);
+  PatternScene scene = shown;
+  if (scene.coloring == Coloring::Strain)
+  {
+    scene.piece = withStrain(scene.piece);
+  }
+  const ColorMap map = makeColorMap(scene.coloring, scene.piece, scene.range);
   this->drawPanels(scene, map);
   this->Overlay->RemoveAllViewProps();
   this->drawTexts(scene);

@@ -17,6 +17,7 @@ struct PatternScene
   FlatPiece piece;
   PolyData sewn; ///< Coloring::Distance: output 0 of vtkSewnShape
   Coloring coloring = Coloring::Homogeneity;
+  ColorRange range{ 0.0, 0.0 }; ///< of the colors; equal ends: by what is shown
   /// Curves that are no wires, as lines in space and in the plane, or null.
   PolyData releasedInSpace;
   PolyData releasedInPlane;

@@ -164,6 +164,7 @@ void EditorWindow::makeViewMenu()
   std::vector<figures::Coloring> colorings(figures::colorings.begin(), figures::colorings.end());
   colorings.insert(
     colorings.end(), figures::threadColorings.begin(), figures::threadColorings.end());
+  colorings.push_back(figures::Coloring::Strain);
   for (std::size_t k = 0; k < colorings.size(); ++k)
   {
     const figures::Coloring coloring = colorings[k];

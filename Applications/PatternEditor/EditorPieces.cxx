@@ -160,8 +160,12 @@ void EditorWindow::showResult()
   {
     return;
   }
-  this->SpaceScene.color(this->Live->result(), this->shownColoring());
-  this->PlaneScene.show(this->Live->result(), this->shownColoring());
+  const figures::Coloring coloring = this->shownColoring();
+  const figures::FlatPiece piece = coloring == figures::Coloring::Strain
+    ? figures::withStrain(this->Live->result())
+    : this->Live->result();
+  this->SpaceScene.color(piece, coloring);
+  this->PlaneScene.show(piece, coloring);
   this->PlaneScene.dim(this->Behind);
   this->Reader.setPiece(this->PlaneScene.shown());
   this->SpaceWidget->renderWindow()->Render();

@@ -130,6 +130,7 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
                { "seconds",
                  { { "read", result.secondsRead }, { "core", core }, { "filter", filter },
                    { "write", write }, { "total", total } } } } },
+    { "note", result.refused() ? "" : unitNote(result, entry.folder + ": ") },
     { "complaint", complaint } };
 }
 
@@ -145,7 +146,7 @@ Json crashedEntry(const BatchEntry& entry)
                { "seconds",
                  { { "read", 0.0 }, { "core", 0.0 }, { "filter", 0.0 }, { "write", 0.0 },
                    { "total", 0.0 } } } } },
-    { "complaint", "wirewarp: error: " + plainText(message) + '\n' } };
+    { "note", "" }, { "complaint", "wirewarp: error: " + plainText(message) + '\n' } };
 }
 
 void say(const Json& row)
@@ -228,7 +229,8 @@ int runBatch(const Options& options)
   const auto done = [&](std::size_t k, const std::optional<std::string>& text) {
     const Json outcome = text ? Json::parse(*text) : crashedEntry(entries[k]);
     rows[k] = outcome["row"];
-    std::cerr << outcome["complaint"].get<std::string>();
+    std::cerr << (options.quiet ? std::string() : outcome["note"].get<std::string>())
+              << outcome["complaint"].get<std::string>();
     if (!options.quiet)
     {
       say(rows[k]);

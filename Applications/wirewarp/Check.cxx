@@ -15,6 +15,9 @@
 #include <vtkBoundingBox.h>
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <array>
@@ -120,24 +123,6 @@ double lengthOf(const BoundaryLoop& loop, vtkPoints* points)
   return length;
 }
 
-/// The unit in which a thing of this size is nearest to what people wear and sit on.
-std::string likelyUnit(double size)
-{
-  constexpr double usual = 800.0; // mm
-  std::string likely;
-  double least = 0.0;
-  for (const char* const unit : { "cm", "m", "mm" })
-  {
-    const double off = std::abs(std::log(size * millimetresOf(unit) / usual));
-    if (likely.empty() || off < least)
-    {
-      likely = unit;
-      least = off;
-    }
-  }
-  return likely;
-}
-
 std::string inShort(double value)
 {
   char text[40];
@@ -145,18 +130,57 @@ std::string inShort(double value)
   return text;
 }
 
-void sayUnit(const Options& options, const std::string& stated, double size)
+void sayUnit(const Options& options, const std::string& stated, const LikelyUnit& likely)
 {
-  const std::string likely = likelyUnit(size);
-  if (!stated.empty())
+  if (stated.empty())
   {
-    std::cout << "unit: " << stated
-              << (options.unit.empty() ? ", as the file states" : ", by --unit") << '\n';
+    std::cout << "unit: not stated, " << inShort(likely.size) << ' ' << likely.unit
+              << " is likely and taken; state it with --unit " << likely.unit << '\n';
     return;
   }
-  std::cout << "unit: not stated, " << inShort(size) << ' ' << likely << " is likely"
-            << (likely == "cm" ? "" : "; cm is taken unless you state") << ": --unit " << likely
+  std::cout << "unit: " << stated
+            << (!options.unit.empty()     ? ", by --unit"
+                   : options.height > 0.0 ? ", by --height"
+                                          : ", as the file states")
             << '\n';
+}
+
+/// The factor that --scale and --height say.
+double scaleOf(const Options& options, const vtkBoundingBox& box, const std::string& unit)
+{
+  const double height = std::max(box.GetLength(1), box.GetLength(2));
+  if (options.height > 0.0 && !(height > 0.0))
+  {
+    throw InputError(options.surface, "has no extent in y or z that could have the --height");
+  }
+  return options.height > 0.0 ? options.height / millimetresOf(unit) / height : options.scale;
+}
+
+void scaleBy(double factor, vtkPolyData* surface)
+{
+  const vtkNew<vtkPoints> points; // the others may be those of the file as it was read
+  points->SetDataTypeToDouble();
+  points->DeepCopy(surface->GetPoints());
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+  {
+    std::array<double, 3> x{};
+    points->GetPoint(k, x.data());
+    points->SetPoint(k, factor * x[0], factor * x[1], factor * x[2]);
+  }
+  surface->SetPoints(points);
+}
+
+vtkBoundingBox boxOf(const TriangleList& list)
+{
+  vtkBoundingBox box;
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    for (const vtkIdType corner : triangle.corners)
+    {
+      box.AddPoint(list.points->GetPoint(corner));
+    }
+  }
+  return box;
 }
 
 /// \return whether the surface can be flattened without a cut
@@ -211,8 +235,13 @@ int runCheck(const Options& options)
     inputs.refuseToReplace(options.surfaceFile, "--output");
   }
   const SurfaceContents contents = readSurface(options.surface);
-  const std::string stated = options.unit.empty() ? contents.unit : options.unit;
-  const std::string unit = stated.empty() ? "cm" : stated;
+  std::string stated = options.unit.empty() ? contents.unit : options.unit;
+  if (stated.empty() && options.height > 0.0)
+  {
+    stated = "mm"; // in which the surface is once it is scaled
+  }
+  const LikelyUnit likely = likelyUnit(contents.surface);
+  const std::string unit = stated.empty() ? likely.unit : stated;
   MendingRequest request;
   if (double distance = 0.0; parseNumber(options.weld, distance))
   {
@@ -223,19 +252,17 @@ int runCheck(const Options& options)
   request.millimetres = millimetresOf(unit);
   request.outerSide = options.outerSide;
   const MendedSurface mend = mendSurface(contents.surface, request);
-  const TriangleList list = listTriangles(mend.surface);
+  TriangleList list = listTriangles(mend.surface);
   if (list.triangles.empty())
   {
     throw InputError(options.surface, "holds no triangles with finite points");
   }
-  vtkBoundingBox box;
-  for (const ListedTriangle& triangle : list.triangles)
+  if (options.scale != 1.0 || options.height > 0.0)
   {
-    for (const vtkIdType corner : triangle.corners)
-    {
-      box.AddPoint(list.points->GetPoint(corner));
-    }
+    scaleBy(scaleOf(options, boxOf(list), unit), mend.surface);
+    list = listTriangles(mend.surface);
   }
+  const vtkBoundingBox box = boxOf(list);
   const Shape shape = shapeOf(list, boundaryLoops(list));
   bool flattens = shape.crowded.empty();
   if (!options.quiet)
@@ -244,10 +271,9 @@ int runCheck(const Options& options)
     box.GetLengths(sides.data());
     std::cout << plainText(options.surface) << ": " << list.triangles.size() << " triangles, "
               << shape.points << " points\nsize: " << inShort(sides[0]) << " x "
-              << inShort(sides[1]) << " x " << inShort(sides[2]) << ' '
-              << (stated.empty() ? "units" : stated) << '\n';
-    sayUnit(options, stated, box.GetMaxLength());
-    flattens = saySurface(list, shape, stated.empty() ? "units" : stated);
+              << inShort(sides[1]) << " x " << inShort(sides[2]) << ' ' << unit << '\n';
+    sayUnit(options, stated, likelyUnit(mend.surface));
+    flattens = saySurface(list, shape, unit);
   }
   for (const std::string& note : mend.notes)
   {

@@ -42,7 +42,7 @@ constexpr const char* globalGroup = "Options of every command";
 constexpr const char* expertGroup = "Options for experts";
 
 /// Converts a length that may have a unit to millimetres; without a length to 0.
-std::string weldLength(std::string& text)
+std::string lengthInMillimetres(std::string& text)
 {
   const std::size_t end = text.find_first_not_of("+-.0123456789eE");
   const std::string_view unit =
@@ -68,7 +68,7 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
   {
     std::string next(argv[k]);
     const bool joins = !arguments.empty() && arguments.back() == "--weld" && next != "true" &&
-      weldLength(next).empty();
+      lengthInMillimetres(next).empty();
     if (joins)
     {
       arguments.back() += '=' + next;
@@ -101,7 +101,7 @@ void addMending(CLI::App& app, Options& options)
       "Join points of the boundary that lie on each other, as texture seams leave them, within a "
       "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to that "
       "distance apart")
-    ->transform(CLI::Validator(weldLength, ""))
+    ->transform(CLI::Validator(lengthInMillimetres, ""))
     ->group(group);
   app
     .add_option("--fill-holes", options.fillHoles,
@@ -113,6 +113,21 @@ void addMending(CLI::App& app, Options& options)
     .add_flag("--outer-side", options.outerSide,
       "Of a closed sheet with thickness take the outer side alone: the larger one within its rim")
     ->group(group);
+}
+
+void addScaling(CLI::App& app, Options& options)
+{
+  app.add_option("--scale", options.scale, "Multiply the coordinates of SURFACE")
+    ->check(number(1e-9, 1e9, "[1e-9, 1e9]"))
+    ->type_name("FACTOR");
+  app
+    .add_option("--height", options.height,
+      "Scale SURFACE to this height, such as 300mm, 1.7m or 12in. The height is the larger of its "
+      "sides in y and z; where no unit is stated the result is in mm")
+    ->transform(CLI::Validator(lengthInMillimetres, ""))
+    ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
+    ->type_name("LENGTH")
+    ->excludes("--scale");
 }
 
 void addSeams(CLI::App& app, Options& options)
@@ -133,7 +148,7 @@ void addGlobals(CLI::App& app, Options& options)
   const std::string group = globalGroup;
   app
     .add_option("--unit", options.unit,
-      "Unit of SURFACE: mm, cm, m, inch (default: what the files state, or cm)")
+      "Unit of SURFACE: mm, cm, m, inch (default: what the files state, or the likely one)")
     ->transform(CLI::Validator(unitWord, ""))
     ->type_name("mm|cm|m|inch")
     ->group(group);
@@ -232,8 +247,12 @@ const std::vector<Command>& commands()
   constexpr auto nothing = [](CLI::App&, Options&) {};
   static const std::vector<Command> all{
     { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
-      "FILE", "Write the mended surface: .vtp", addMending,
-      { "--weld", "--fill-holes", "--outer-side" } },
+      "FILE", "Write the mended and scaled surface: .vtp",
+      [](CLI::App& app, Options& options) {
+        addMending(app, options);
+        addScaling(app, options);
+      },
+      { "--weld", "--fill-holes", "--outer-side", "--scale", "--height" } },
     { "cut", "Propose darts and seams with which a surface lies flat, or lines on it", "SURFACE",
       "FILE|DIR",
       "File for the curves, .vtp (default: <name of SURFACE>_cuts.vtp); or a folder, which keeps "
@@ -244,8 +263,7 @@ const std::vector<Command>& commands()
     { "flatten", "Flatten a surface so that boundary and curves keep their length", "SURFACE",
       "DIR", "The folder of the result (default: <name of SURFACE>_flat)", nothing,
       { "--material", "--grain", "--tolerance", "--ease", "--dart-legs", "--close-cuts",
-        "--release-keys", "--skip-closed", "--seams-from", "--weld", "--scheme",
-        "--paper-method" } },
+        "--no-keys", "--skip-closed", "--seams-from", "--weld", "--scheme", "--paper-method" } },
     { "pattern", "Draw flat pieces as a pattern to cut: PDF, SVG, DXF, HPGL, GarmentCode", "SOURCE",
       "FILE|DIR",
       "File of the pattern: .pdf .svg .dxf .plt .json (GarmentCode) .csv (both sides of seams); "
@@ -294,7 +312,7 @@ const std::vector<Command>& commands()
     { "picture", "Draw surface and flat pieces into a PNG file", "SOURCE", "FILE.png|DIR",
       "File for the picture (default: <name of SOURCE>.png)",
       [](CLI::App& app, Options& options) { addPicture(app, options.picture); },
-      { "--color", "--material" } },
+      { "--color", "--range", "--material" } },
     { "prices", "Print what the planar shape of each key curve costs", "SURFACE", "DIR",
       "A folder that keeps the result with report.json", nothing, { "--material", "--scheme" } },
     { "batch", "Flatten the surfaces of a list, or run another command on each", nullptr, "DIR",

@@ -88,11 +88,12 @@ std::vector<std::filesystem::path> formerPatterns(const Options& options)
   return kept(options, { allPatternNames.begin(), allPatternNames.end() });
 }
 
-/// The report, where one is kept: a result that is sewn later has it beside it.
+/// The report, where one is kept: a result that is sewn or laid on cloth later has it beside it.
 std::filesystem::path reportFile(const Options& options)
 {
-  const bool sewn = !options.source.empty() && options.outputs.empty() && options.command == "sew";
-  const std::string& folder = sewn ? options.source : options.output;
+  const bool adds =
+    (options.command == "sew" && options.outputs.empty()) || options.command == "nest";
+  const std::string& folder = adds && !options.source.empty() ? options.source : options.output;
   return folder.empty() ? std::filesystem::path() : std::filesystem::path(folder) / reportName;
 }
 
@@ -138,8 +139,7 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
   {
     result.unwritten.emplace_back(error.what());
   }
-  const std::vector<std::string> patterns =
-    addPatterns(options.pattern, options.surface, options.quiet, result, files);
+  const std::vector<std::string> patterns = addPatterns(options, result, files);
   written.files.insert(written.files.end(), patterns.begin(), patterns.end());
   add(options.curvesFile, result.flattenable ? result.flattenableCurves : result.curves);
   add(options.surfaceFile, result.flattenable);

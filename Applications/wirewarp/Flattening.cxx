@@ -152,7 +152,18 @@ void setUnit(const Options& options, const CurveFiles& curves, const SurfaceCont
     }
   }
   result.unitStated = !stated.empty();
-  result.unit = result.unitStated ? stated : result.unit;
+  if (result.unitStated)
+  {
+    result.unit = stated;
+    return;
+  }
+  LikelyUnit taken = likelyUnit(contents.surface);
+  if (!options.unitOtherwise.empty())
+  {
+    taken.unit = options.unitOtherwise;
+  }
+  result.unit = taken.unit;
+  result.unitNote = unitTaken(options.surface, taken);
 }
 
 vtkSmartPointer<vtkPolyData> mended(
@@ -206,10 +217,7 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
   const CurveFiles saved = readSavedCurves(options);
   setUnit(options, saved, contents, result);
   contents.surface = mended(options, contents, result);
-  if (result.unitStated)
-  {
-    vtkFlatteningAlgorithm::SetLengthUnitOf(contents.surface, result.unit);
-  }
+  vtkFlatteningAlgorithm::SetLengthUnitOf(contents.surface, result.unit);
   vtkSmartPointer<vtkPolyData> owner = contents.surface; // of the curves
   if (!base.empty())
   {
@@ -263,13 +271,21 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
   return files;
 }
 
-/// Where the unit is stated the filter itself warns of sizes that are hardly cut.
-void warnOfSizes(Flattening& result)
+/// A unit that is taken is none that the files state, and a note says of it what the filter warns
+/// of.
+void forgetUnit(vtkWireWarpingFilter* filter, Flattening& result)
 {
-  if (!result.unitStated && !result.sizeWarning.empty())
+  if (result.unitStated)
   {
-    result.notes.push_back(result.sizeWarning + "; state it with --unit mm, cm, m or inch");
+    return;
   }
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkFlatteningAlgorithm::SetLengthUnitOf(filter->GetOutputDataObject(port), "");
+  }
+  const std::string warning = filter->GetSizeWarning();
+  result.warnings.erase(
+    std::remove(result.warnings.begin(), result.warnings.end(), warning), result.warnings.end());
 }
 
 void takeTables(vtkFlatPieceAlgorithm* filter, Flattening& result)
@@ -278,7 +294,6 @@ void takeTables(vtkFlatPieceAlgorithm* filter, Flattening& result)
     filter->GetIsometricIterations(), filter->GetReleases(), filter->GetPieceRemedies() };
   result.leftOutPieces = filter->GetLeftOutPieces();
   result.curveTable = filter->GetCurves();
-  result.sizeWarning = filter->GetSizeWarning();
   std::copy_n(filter->GetSeconds(), 4, result.seconds.begin());
 }
 
@@ -302,6 +317,7 @@ void run(vtkFlatPieceAlgorithm* filter, bool quiet, Flattening& result)
     takeTables(filter, result);
   }
   result.warnings = textsOf(filter->GetStatusWarnings());
+  forgetUnit(filter, result);
   takeReshaped(filter, result);
   if (filter->IsA("vtkKeyCurvePrices"))
   {
@@ -368,6 +384,19 @@ std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece)
 }
 
 //------------------------------------------------------------------------------
+std::string unitTaken(const std::string& surface, const LikelyUnit& taken)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << surface << " states no unit: " << taken.unit << " is taken";
+  if (taken.size > 0.0)
+  {
+    text << ", in which it is " << taken.size << ' ' << taken.unit << " large";
+  }
+  text << "; state it with --unit mm, cm, m or inch";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
 Flattening outOfMemory(const std::string& surface, const std::string& limit)
 {
   Flattening result;
@@ -414,10 +443,6 @@ Flattening flattenOne(const Options& options, const std::string& base)
     if (result.refused())
     {
       result.message = file + ": " + result.message;
-    }
-    else
-    {
-      warnOfSizes(result);
     }
   }
   catch (const InputError& error)

@@ -3,6 +3,7 @@
 
 #include "FlagWords.h"
 #include "Options.h"
+#include "Units.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -71,7 +72,6 @@ struct Flattening
   PieceTables tables; ///< without rows after an error
   vtkSmartPointer<vtkTable> leftOutPieces = noTable();
   vtkSmartPointer<vtkTable> curveTable = noTable();
-  std::string sizeWarning;
   std::array<double, 4> seconds{}; ///< of wires, interior and quality, and in total
 
   /// Of `wirewarp cut`: all curves, as vtkFeatureCurveSuggestion has them, and what else it found.
@@ -97,13 +97,18 @@ struct Flattening
   vtkSmartPointer<vtkPolyData> grading;
 
   std::string unit = "cm"; ///< of the surface, as in Units.h
-  bool unitStated = false; ///< by --unit or by the file; else it is taken for granted
+  bool unitStated = false; ///< by --unit or by a file; else it is the likely one
+  std::string unitNote;    ///< says which is taken; empty where it is stated
 
   double curveDistance = 0.0;        ///< of the curves' points from the surface, at most
   std::vector<std::string> warnings; ///< of the filter
   std::vector<std::string> notes;    ///< what the command itself warns of
   /// What was done to the pieces of a pattern.
   std::vector<std::string> patternNotes;
+  /// What the pieces take of the cloth of --roll-width: lengths in mm; 0: not laid.
+  double layWidth = 0.0;
+  double layLength = 0.0;
+  double layEfficiency = 0.0;
   /// Files that were asked for and cannot be written, with the reasons; the others are.
   std::vector<std::string> unwritten;
 
@@ -117,6 +122,9 @@ struct Flattening
   /// The exit code of a run that has written what it can.
   int outcome() const { return this->unwritten.empty() ? this->exitCode : InputRefused; }
 };
+
+/// What is said of a unit that is taken since none is stated.
+std::string unitTaken(const std::string& surface, const LikelyUnit& taken);
 
 /// A refusal for want of memory.
 Flattening outOfMemory(const std::string& surface, const std::string& limit = {});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Listings.h"
 
+#include "Cloth/ClothMaterial.h"
+
 #include <vtkNew.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
@@ -8,6 +10,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -34,7 +37,7 @@ Curves
   accessory curve along the boundary, the shorter way from each vertex to the next: by its name a hem
   or neckline has its own allowance and notches, and it stays a sew line of the pattern; v0 v1 ... are
   vertex ids of SURFACE, counted from 0. Polylines in SURFACE itself are curves too. Points of curves
-  need not be vertices: they are laid on SURFACE if no farther from it than --imprint-tolerance.
+  need not be vertices: they are laid on SURFACE if no farther from it than --curve-distance.
   Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a
   name, options that take a NAME mean all of them.
 
@@ -49,8 +52,9 @@ Results
 Units
   Lengths are in the unit of SURFACE, angles in radians, times in seconds; sizes are printed in mm and
   cm, by --unit, or by what SURFACE or CURVES state (the field data LengthUnit of .vtp and .vtk, a
-  comment of OBJ such as "# units: mm"), or as if SURFACE were in cm. Files that are written keep a
-  unit that is stated. Lengths of patterns are in mm.
+  comment of OBJ such as "# units: mm"). Without one of these mm, cm or m is taken, in which SURFACE
+  is nearest to what people wear and sit on, and a note says so. Files that are written keep a unit
+  that is stated. Lengths of patterns are in mm.
 
 Exit codes
   0 done; 2 bad usage; 3 input rejected, no result, or files or the table cannot be written;
@@ -106,10 +110,11 @@ void printMaterials(std::ostream& out)
         range(number(row, "WeftLeast"), number(row, "WeftGreatest")).c_str(),
         number(row, "ShearLimit"));
     }
-    out << line << text(row, "Description") << '\n';
+    const std::optional<flattening::ClothMaterial> preset = flattening::findPreset(name);
+    out << line << text(row, "Description") << (preset && preset->sheet ? " (sheet)" : "") << '\n';
   }
   out << "\nStiffness of warp, weft and shear; compr.: in compression over that in tension; then "
-         "the limits.\nSources:\n";
+         "the limits.\nSheets have no seam allowance by default.\nSources:\n";
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     out << "  " << text(row, "Name") << ": " << text(row, "Source") << '\n';

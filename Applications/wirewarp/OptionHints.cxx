@@ -18,6 +18,8 @@ std::string successorOf(const std::string& option)
     { "--bound", "wirewarp cut SURFACE --max-strain STRAIN" },
     { "--max-cut-length", "wirewarp cut SURFACE --max-length LENGTH" },
     { "--symmetric", "wirewarp cut SURFACE --no-symmetric" },
+    { "--release-keys", "--no-keys" },
+    { "--imprint-tolerance", "--curve-distance" },
     { "--no-split", "--no-split-triangles" },
     { "--price-keys", "wirewarp prices SURFACE CURVES" },
     { "--flattenable", "wirewarp reshape SURFACE --max-strain STRAIN" },

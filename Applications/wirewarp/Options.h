@@ -32,7 +32,8 @@ struct Options
   std::vector<std::string> curves;
   std::string batch; ///< a list of surfaces in their place; empty: none
 
-  std::string unit; ///< empty: not stated, cm is taken
+  std::string unit;          ///< empty: not stated
+  std::string unitOtherwise; ///< where files state none either; empty: the likely one
 
   /// The options of the table, with the defaults of the algorithms.
   flattening::OptionValues values{ flattening::OptionOwner::Suggestion };
@@ -40,6 +41,8 @@ struct Options
   std::string weld;       ///< millimetres, "0": points that lie on each other; empty: not given
   double fillHoles = 0.0; ///< mm; 0: none
   bool outerSide = false;
+  double scale = 1.0;                      ///< of SURFACE
+  double height = 0.0;                     ///< to which it is scaled, mm; 0: not
   SeamSource seamsFrom = SeamSource::None; ///< of SURFACE's faces
 
   std::string body; ///< a file; empty: none

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns.h"
 
+#include "Cloth/ClothMaterial.h"
 #include "FlagWords.h"
 #include "Flattening.h"
 #include "InputError.h"
+#include "Options.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
 #include "TableOptions.h"
 #include "TextFile.h"
+#include "Units.h"
 #include "VtkMessages.h"
 
 #include <vtkFeatureCurveAlgorithm.h>
@@ -16,14 +19,18 @@
 #include <vtkStringArray.h>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <vtkTable.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <new>
+#include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace wirewarp
@@ -117,6 +124,60 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
   writer->SetMaximumPages(request.maximumPages);
 }
 
+/// Whether the material is known, or said by its file, not to fray.
+bool isSheet(const std::string& material)
+{
+  if (const std::optional<flattening::ClothMaterial> preset = flattening::findPreset(material))
+  {
+    return preset->sheet;
+  }
+  if (material.empty())
+  {
+    return false;
+  }
+  const auto file = nlohmann::json::parse(readWholeFile(material), nullptr, false, true);
+  return file.is_object() && file.contains("sheet") && file["sheet"] == true;
+}
+
+/// About a sixth of the largest piece, as 1, 2 or 5 times a power of ten, in mm.
+double notchSpacingOf(const Flattening& result)
+{
+  double largest = 0.0;
+  vtkTable* const pieces = result.tables.pieces;
+  for (vtkIdType piece = 0; piece < pieces->GetNumberOfRows(); ++piece)
+  {
+    largest = std::max(
+      { largest, numberIn(pieces, piece, "FlatWidth"), numberIn(pieces, piece, "FlatHeight") });
+  }
+  const double wanted = largest * millimetresOf(result.unit) / 6.0;
+  if (!(wanted > 0.0) || !std::isfinite(wanted))
+  {
+    return 100.0;
+  }
+  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double first = wanted / power;
+  return power *
+    (first < std::sqrt(2.0)       ? 1.0
+        : first < std::sqrt(10.0) ? 2.0
+        : first < std::sqrt(50.0) ? 5.0
+                                  : 10.0);
+}
+
+/// The request with what it leaves to material and pieces.
+PatternRequest completed(const Options& options, const Flattening& result)
+{
+  PatternRequest request = options.pattern;
+  if (request.allowance < 0.0)
+  {
+    request.allowance = isSheet(options.values.text("Material")) ? 0.0 : 10.0;
+  }
+  if (request.notchSpacing < 0.0)
+  {
+    request.notchSpacing = notchSpacingOf(result);
+  }
+  return request;
+}
+
 bool isNews(int kind, const PatternRequest& request, bool quiet)
 {
   const bool asked = request.fairGiven || !request.curveFairs.empty();
@@ -192,15 +253,15 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
-  bool quiet, Flattening& result, OutputFiles& files)
+std::vector<std::string> addPatterns(const Options& options, Flattening& result, OutputFiles& files)
 {
+  const PatternRequest request = completed(options, result);
   std::vector<std::string> names;
   std::set<std::string> warnings;              // of all formats alike
   std::map<std::string, int> notes;            // with their kinds
   std::map<std::string, std::string> failures; // files by what is wrong with them
   vtkNew<vtkPatternWriter> writer;
-  configure(writer, request, surface, result.unit);
+  configure(writer, request, options.surface, result.unit);
   writer->SetInputData(0, result.flat);
   writer->SetInputData(1, result.wires);
   writer->SetInputData(2, result.cut);
@@ -228,6 +289,12 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
       notes.emplace(writer->GetNote(k), writer->GetNoteKind(k));
     }
     names.push_back(file.path);
+    if (file.onCloth)
+    {
+      result.layWidth = request.fabricWidth;
+      result.layLength = writer->GetFabricLength();
+      result.layEfficiency = writer->GetFabricEfficiency();
+    }
   }
   for (const auto& [problem, failed] : failures)
   {
@@ -242,16 +309,11 @@ std::vector<std::string> addPatterns(const PatternRequest& request, const std::s
   for (const auto& [note, kind] : notes)
   {
     result.patternNotes.push_back(note);
-    if (!isNews(kind, request, quiet))
+    if (!isNews(kind, request, options.quiet))
     {
       continue;
     }
     std::cerr << "wirewarp: note: " << plainText(note) << "\n";
-  }
-  if (!names.empty() && !result.unitStated && result.sizeWarning.empty()) // which tells of it
-  {
-    std::cerr << "wirewarp: warning: the unit of " << plainText(surface)
-              << " is taken as cm; state it with --unit mm, cm, m or inch\n";
   }
   return names;
 }
@@ -262,10 +324,8 @@ constexpr double largestLength = 1e6;
 
 /// Lengths of all curves, or NAME=MM of one.
 void addLengths(CLI::App& app, const std::string& name, double& length,
-  std::vector<std::string>& ofCurves, const std::string& text)
+  std::vector<std::string>& ofCurves, const std::string& text, const std::string& byDefault)
 {
-  std::ostringstream value;
-  value << length;
   app
     .add_option_function<std::vector<std::string>>(
       name,
@@ -290,7 +350,7 @@ void addLengths(CLI::App& app, const std::string& name, double& length,
       },
       text)
     ->type_name("MM|NAME=MM")
-    ->default_str(value.str())
+    ->default_str(byDefault)
     ->allow_extra_args(false);
 }
 
@@ -328,14 +388,15 @@ void addPieces(CLI::App& app, PatternRequest& request)
 void addDrawing(CLI::App& app, PatternRequest& request)
 {
   addLengths(app, "--allowance", request.allowance, request.curveAllowances,
-    "Seam allowance; NAME=MM: along one curve, or along 'boundary'; repeat it for the next");
+    "Seam allowance; NAME=MM: along one curve, or along 'boundary'; repeat it for the next",
+    "10, sheets 0");
   app
     .add_option("--notch-spacing", request.notchSpacing,
-      "Distance of notches along seams and darts. From their start, on the surface; the middle "
-      "where they are shorter. 0: none but at the mouths of darts")
+      "Distance of notches along seams and darts (default: about a sixth of the largest piece). "
+      "From their start, on the surface; the middle where they are shorter. 0: none but at the "
+      "mouths of darts")
     ->check(number(0.0, largestLength, "[0, 1e6]"))
-    ->type_name("MM")
-    ->capture_default_str();
+    ->type_name("MM");
   app
     .add_option("--notch", request.curveNotches,
       "A notch at this distance from the start of a curve. It replaces those by --notch-spacing "
@@ -357,7 +418,8 @@ void addDrawing(CLI::App& app, PatternRequest& request)
   addLengths(app, "--smooth", request.fairTolerance, request.curveFairs,
     "Draw borders as smooth splines at most this far from the mesh. They keep their lengths and "
     "are straight where nearly so; 0: raw, as the mesh has them; NAME=MM: along one curve, or "
-    "along 'boundary'");
+    "along 'boundary'",
+    "0.2");
   app.get_option("--smooth")->each([&request](const std::string&) { request.fairGiven = true; });
   app
     .add_option_function<std::vector<std::string>>(
@@ -384,7 +446,8 @@ void addDrawing(CLI::App& app, PatternRequest& request)
     "turned over");
   addLengths(app, "--dart-tip", request.dartTip, request.curveDartTips,
     "How far tips of folded darts are drawn back. Their legs with them, which are shorter then; "
-    "NAME=MM: of one dart");
+    "NAME=MM: of one dart",
+    "0");
   app.add_flag("--cut-darts-out", request.cutDartsOut,
     "Cut darts out along their seam allowance instead of folding them");
   addPieces(app, request);

@@ -14,6 +14,7 @@ class App;
 namespace wirewarp
 {
 struct Flattening;
+struct Options;
 class OutputFiles;
 
 /// A file of a pattern.
@@ -35,10 +36,10 @@ struct PatternRequest
   int quantity = 1;
   std::vector<int> pieceQuantities; ///< 0: that of all
   std::vector<std::string> pieceNames;
-  double allowance = 10.0;
+  double allowance = -1.0;                  ///< below 0: by the material
   std::vector<std::string> curveAllowances; ///< NAME=MM
   double mitreLimit = 2.0;
-  double notchSpacing = 100.0;
+  double notchSpacing = -1.0; ///< below 0: by the size of the pieces
   bool cutDartsOut = false;
   std::vector<std::string> curveNotches; ///< NAME=MM
   std::vector<std::string> doubleNotches;
@@ -78,6 +79,6 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
 /// into the result, and is printed where it is news: not what was done unasked, and if quiet only
 /// what was asked for in vain.
 /// \return those that are written
-std::vector<std::string> addPatterns(const PatternRequest& request, const std::string& surface,
-  bool quiet, Flattening& result, OutputFiles& files);
+std::vector<std::string> addPatterns(
+  const Options& options, Flattening& result, OutputFiles& files);
 }

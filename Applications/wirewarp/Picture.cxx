@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "OutputFiles.h"
 #include "PatternPicture.h"
+#include "TableOptions.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 namespace wirewarp
 {
@@ -27,7 +29,7 @@ constexpr int samples = 8;
 
 std::vector<std::string> coloringNames()
 {
-  std::vector<std::string> names;
+  std::vector<std::string> names{ figures::nameOf(figures::Coloring::Strain) };
   for (const figures::Coloring coloring : figures::colorings)
   {
     names.emplace_back(figures::nameOf(coloring));
@@ -55,12 +57,26 @@ void addPicture(CLI::App& app, PictureRequest& request)
 {
   app
     .add_option("--color", request.coloring,
-      "What the colors show: developability (angle defects of the surface), homogeneity, area, "
-      "aspect-ratio (what flattening does to triangles); with a material stretch, warp, weft, "
-      "shear; with sewn pieces distance (from the surface)")
+      "What the colors show: strain (in %), homogeneity, area, aspect-ratio (what flattening does "
+      "to triangles), developability (angle defects of the surface); with a material stretch, "
+      "warp, weft, shear; with sewn pieces distance (from the surface)")
     ->transform(CLI::IsMember(coloringNames(), CLI::ignore_case).description(""))
     ->type_name("MEASURE")
     ->capture_default_str();
+  app
+    .add_option_function<std::vector<double>>(
+      "--range",
+      [&request](const std::vector<double>& ends) {
+        if (!(ends[0] < ends[1]))
+        {
+          throw CLI::ValidationError("--range", "the first number must be below the second");
+        }
+        request.range = { ends[0], ends[1] };
+      },
+      "Range of the colors, in the unit of their scale (default: by what is shown)")
+    ->expected(2)
+    ->check(number(-1e9, 1e9, "[-1e9, 1e9]"))
+    ->type_name("LOW HIGH");
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +115,7 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   figures::PatternScene scene;
   scene.piece = { result.flat, result.wires, result.cut, result.tables.pieces, result.curveTable };
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
+  scene.range = { options.picture.range[0], options.picture.range[1] };
   demand(scene.coloring != figures::Coloring::Distance || result.sewn,
     "sewn pieces: run wirewarp sew on the result first");
   demand(std::find(threads.begin(), threads.end(), scene.coloring) == threads.end() ||

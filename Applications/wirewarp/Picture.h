@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace CLI
@@ -18,7 +19,8 @@ class OutputFiles;
 struct PictureRequest
 {
   std::string path; ///< empty: none is asked for
-  std::string coloring = "homogeneity";
+  std::string coloring = "strain";
+  std::array<double, 2> range{}; ///< of the colors; equal: by what is shown
 
   bool any() const { return !this->path.empty(); }
 };

@@ -458,6 +458,17 @@ Json keyPriceReports(const Flattening& result)
   return trials;
 }
 
+/// What the pieces take of a cloth; null where they were not laid.
+Json layReport(const Flattening& result)
+{
+  if (!(result.layLength > 0.0))
+  {
+    return nullptr;
+  }
+  return { { "width_mm", result.layWidth }, { "length_mm", result.layLength },
+    { "used", result.layEfficiency } };
+}
+
 /// One row per piece, or all that is sewn together; none where nothing was sewn.
 Json resewnReports(const Options& options, vtkTable* table)
 {
@@ -525,7 +536,14 @@ std::string makeReport(const Options& options, const Flattening& result)
   if (!result.savedReport.empty())
   {
     Json saved = Json::parse(result.savedReport);
-    saved["resewn"] = resewnReports(options, result.sewnShapes);
+    if (options.command == "nest")
+    {
+      saved["lay"] = layReport(result);
+    }
+    else
+    {
+      saved["resewn"] = resewnReports(options, result.sewnShapes);
+    }
     return saved.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   }
   const bool conformal = options.values.text("Scheme") == "lscm"; // it has neither
@@ -541,8 +559,9 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "exit_code", result.outcome() }, { "status", result.status }, { "message", result.message },
     { "ids", result.ids }, { "id_kind", result.idKind },
     { "remedies", remedyReports(result.remedies) }, { "warnings", warningReports(result) },
-    { "pattern_notes", result.patternNotes }, { "unwritten", result.unwritten },
-    { "unit", result.unit }, { "unit_stated", result.unitStated },
+    { "pattern_notes", result.patternNotes }, { "lay", layReport(result) },
+    { "unwritten", result.unwritten }, { "unit", result.unit },
+    { "unit_stated", result.unitStated },
     { "curve_distance_mm", result.curveDistance * millimetresOf(result.unit) },
     { "pieces", pieceReports(result.tables) }, { "sizes", sizeReports(result) },
     { "left_out", rowsOf(result.leftOutPieces, leftOutColumns) },

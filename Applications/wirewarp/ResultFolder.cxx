@@ -100,6 +100,10 @@ Flattening readResult(const Options& options)
     result.unit = options.unit;
     result.unitStated = true;
   }
+  if (!result.unitStated)
+  {
+    result.unitNote = unitTaken(options.surface, { result.unit });
+  }
   result.flat = readVtk(within(options, "flat.vtp"));
   result.wires = readVtk(within(options, "wires.vtp"));
   result.cut = readVtk(within(options, "cut.vtp"));

@@ -21,9 +21,10 @@ namespace wirewarp
 namespace
 {
 /// The options for another surface, of which flat pieces and wires are asked for alone.
-Options optionsOf(const Options& options, const std::string& surface)
+Options optionsOf(const Options& options, const std::string& surface, const Flattening& base)
 {
   Options one = options;
+  one.unitOtherwise = base.unit;
   one.surface = surface;
   one.picture = {};
   one.pattern = {};
@@ -65,7 +66,7 @@ void gradeSizes(const Options& options, Flattening& result)
       grading->AddSize(size.name, result.flat, result.wires);
       continue;
     }
-    const Flattening other = flattenOne(optionsOf(options, size.surface), options.surface);
+    const Flattening other = flattenOne(optionsOf(options, size.surface, result), options.surface);
     if (other.refused())
     {
       refuse(result, other.status, "size " + inQuotes(size.name) + ": " + other.message);

@@ -158,7 +158,7 @@ std::string pieceTable(const Flattening& result)
 }
 
 //------------------------------------------------------------------------------
-std::string verdicts(const Flattening& result, bool unitAsked)
+std::string verdicts(const Flattening& result)
 {
   vtkTable* const table = result.tables.pieces;
   std::string text;
@@ -166,9 +166,8 @@ std::string verdicts(const Flattening& result, bool unitAsked)
   {
     const std::string name = plainText(textIn(table, piece, "Name"));
     text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
-      textIn(table, piece, "SizeInWords") +
-      (result.unitStated || unitAsked || piece > 0 ? "" : " (lengths taken as cm: --unit)") + "; " +
-      plainText(textIn(table, piece, "EaseInWords")) + '\n';
+      textIn(table, piece, "SizeInWords") + "; " + plainText(textIn(table, piece, "EaseInWords")) +
+      '\n';
   }
   return text;
 }
@@ -224,11 +223,18 @@ std::string releaseAdvice(const Flattening& result)
       text += "piece " + nameOf(piece) + " has no good exact solution: without " +
         (key ? "the shape of the key curve " : "the curve ") +
         plainText(textIn(trials, row, "Name")) + ' ' + better +
-        (key ? "; make it an accessory curve, or release all keys with --release-keys\n"
+        (key ? "; make it an accessory curve, or free all keys with --no-keys\n"
              : "; remove it, or make it elastic with --tolerance\n");
     }
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+std::string unitNote(const Flattening& result, const std::string& where)
+{
+  return result.unitNote.empty() ? ""
+                                 : "wirewarp: note: " + plainText(where + result.unitNote) + '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -430,9 +436,9 @@ std::string shortList(const Flattening& result)
   std::ostringstream text;
   for (const SuggestedCut& cut : suggestedCuts(result))
   {
-    text << plainText(cut.name) << ": " << known(cut.length) << ' '
-         << (result.unitStated ? result.unit : "units") << " long, strain "
-         << percent(cut.strainBefore) << " -> " << percent(cut.strainAfter) << '\n';
+    text << plainText(cut.name) << ": " << known(cut.length) << ' ' << result.unit
+         << " long, strain " << percent(cut.strainBefore) << " -> " << percent(cut.strainAfter)
+         << '\n';
   }
   for (const bool sound : { true, false })
   {

@@ -13,8 +13,7 @@ namespace wirewarp
 std::string pieceTable(const Flattening& result);
 
 /// A line a piece in words: size, what has to be eased in and where most.
-/// \param unitAsked a warning says that the unit is not stated
-std::string verdicts(const Flattening& result, bool unitAsked);
+std::string verdicts(const Flattening& result);
 
 /// A row a feature curve: its length on the surface and in the plane.
 std::string curveTable(const Flattening& result);
@@ -26,6 +25,9 @@ std::string curveDistance(const Flattening& result);
 std::string releaseAdvice(const Flattening& result);
 /// A line a piece in which something else was done than was asked for; empty if all is as asked.
 std::string fallbacks(const Flattening& result);
+
+/// Which unit is taken since none is stated; empty where one is.
+std::string unitNote(const Flattening& result, const std::string& where = {});
 
 /// What was left out of an input that could be used, a line each. \param where stands before each
 std::string warnings(const Flattening& result, const std::string& where = "");

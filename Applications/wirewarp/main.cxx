@@ -74,12 +74,11 @@ std::string writtenFiles(const std::vector<std::string>& files)
 
 void say(const Options& options, const FilesOfFlattening& written)
 {
-  const bool unitAsked = options.pattern.any() || !written.result.sizeWarning.empty();
   if (options.table)
   {
     std::cout << pieceTable(written.result) << '\n' << curveTable(written.result) << '\n';
   }
-  std::cout << verdicts(written.result, unitAsked) << curveDistance(written.result)
+  std::cout << verdicts(written.result) << curveDistance(written.result)
             << fallbacks(written.result) << releaseAdvice(written.result)
             << suggestionTable(written.result, options.table) << reshapingTable(written.result)
             << resewingTable(options.resewing.text("Test") == "product", written.result)
@@ -122,7 +121,9 @@ int run(const Options& options)
     say(options, written);
   }
   std::cout.flush();
-  std::cerr << writeErrors(written.result) << warnings(written.result);
+  // Lengths in millimetres depend on it, whoever reads the output.
+  std::cerr << (options.quiet && !options.pattern.any() ? "" : unitNote(written.result))
+            << writeErrors(written.result) << warnings(written.result);
   if (written.result.exitCode == Flawed)
   {
     std::cerr << pieceWarnings(written.result);

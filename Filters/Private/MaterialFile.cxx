@@ -66,7 +66,7 @@ public:
     material.name = this->Path;
     this->onlyMembers(this->Object,
       { "name", "description", "source", "warp", "weft", "shear", "cross", "compression", "limits",
-        "one_way" });
+        "one_way", "sheet" });
     this->text("name", material.name);
     this->text("description", material.description);
     this->text("source", material.source);
@@ -76,6 +76,7 @@ public:
     this->number(this->Object, "cross", material.cross, false);
     this->number(this->Object, "compression", material.compression, false);
     this->flag("one_way", material.oneWay);
+    this->flag("sheet", material.sheet);
     this->limits(material);
     material.status = this->Wrong;
     return material;

@@ -38,7 +38,7 @@ def flatten(command, piece, folder, *options):
     """(report of the first piece, seconds of the processor)."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run(
-        [command, *piece, "--release-keys", "--no-release-trials",
+        [command, *piece, "--no-keys", "--no-release-trials",
          "--quiet", "--threads", "1", "--output", folder, *options],
         capture_output=True, check=False, timeout=300)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

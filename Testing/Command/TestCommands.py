@@ -50,8 +50,49 @@ class Commands(command.CommandTest):
     def test_a_result_is_laid_on_cloth(self):
         self.run_well("a.obj", "--unit", "cm", "-o", "out")
         self.run_well("nest", "out", "--roll-width", "1400", "-o", "lay.svg", "-o", "lay.plt")
-        self.run_well("nest", "a.obj", "--unit", "cm", "--roll-width", "1400", "-o", "two.svg")
+        self.run_well("nest", "a.obj", "--unit", "cm", "--roll-width", "1400", "-o", "two.svg", "-o", "two")
         self.assertEqual(self.read("lay.svg"), self.read("two.svg"))
+        for folder in ("out", "two"):
+            lay = self.report(folder)["lay"]
+            self.assertEqual(lay["width_mm"], 1400)
+            self.assertAlmostEqual(lay["length_mm"], 407.26, delta=0.5)
+            self.assertTrue(0.2 < lay["used"] < 1)
+
+    def made(self, *arguments):
+        """The pattern of a surface, which may be strained beyond the limits of its material."""
+        run = self.run_command("pattern", *arguments, "-o", "made.svg", "--smooth", "0")
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        return self.read("made.svg").decode()
+
+    def test_sheets_have_no_allowance_by_default_and_cloth_has_one_of_10_mm(self):
+        self.write("card.json", '{"warp": 2000, "weft": 2000, "shear": 800, "sheet": true}')
+        self.write("cloth.json", '{"warp": 2000, "weft": 2000, "shear": 800}')
+        surface = ("a.obj", "--unit", "cm", "--scheme", "global")
+        stated = {mm: self.made(*surface, "--allowance", mm) for mm in ("0", "10")}
+        self.assertNotEqual(*stated.values())
+        self.assertEqual(self.made(*surface), stated["10"])
+        for material, mm in (("leather", "0"), ("isotropic", "0"), ("card.json", "0"), ("plain", "10"), ("cloth.json", "10")):
+            with self.subTest(material):
+                made = (*surface, "--material", material)
+                self.assertEqual(self.made(*made), self.made(*made, "--allowance", mm))
+
+    def test_notches_lie_at_a_sixth_of_the_largest_piece(self):
+        points, triangles, arc = command.quarter_sphere()
+        self.write("seam.txt", "seam arc %s\n" % " ".join(map(str, arc)))
+        for scale, spacing in ((2, "5"), (20, "50"), (45, "100"), (200, "500")):
+            self.write("b.obj", command.obj([tuple(scale * x for x in p) for p in points], triangles))
+            surface = ("b.obj", "seam.txt", "--unit", "cm", "--scheme", "global")
+            self.assertEqual(self.made(*surface), self.made(*surface, "--notch-spacing", spacing), scale)
+
+    def test_legs_of_darts_are_mirror_images_by_default(self):
+        self.write("dart.txt", "dart front 22 23 24\n")
+        reports = {}
+        for legs in ((), ("--dart-legs", "mirrored"), ("--dart-legs", "free")):
+            self.run_well("a.obj", "dart.txt", "--unit", "cm", "-o", "out", *legs)
+            reports[legs] = self.array("out/flat.vtp", "Points")
+        default, mirrored, free = reports.values()
+        self.assertEqual(default, mirrored)
+        self.assertNotEqual(default, free)
 
     def test_a_result_is_sewn_into_its_folder(self):
         self.run_well("a.obj", "--unit", "cm", "-o", "out")
@@ -103,6 +144,24 @@ class Commands(command.CommandTest):
         self.assertIn("wirewarp cut --kind seams", run.stdout)
         self.run_well("check", "a.obj", "--unit", "cm", "-o", "mended.vtp")
         self.assertEqual(self.flatten("mended.vtp")["unit_stated"], True)
+
+    def test_check_scales_a_surface(self):
+        for words, sides, unit in (
+            (("--height", "300mm"), (150, 150, 300), "mm"), (("--height", "1.7m", "--unit", "cm"), (85, 85, 170), "cm"),
+            (("--scale", "2.54", "--unit", "mm"), (50.8, 50.8, 101.6), "mm"),
+        ):
+            with self.subTest(words):
+                run = self.run_well("check", "a.obj", *words, "-o", "b.vtp")
+                self.assertIn(" x ".join("%.4g" % side for side in sides) + " " + unit, run.stdout)
+                points = self.array("b.vtp", "Points")
+                for k, side in enumerate(sides):
+                    self.assertAlmostEqual(max(points[k::3]) - min(points[k::3]), side, delta=1e-9 * side)
+                self.assertEqual(self.report_of("b.vtp")["unit"], unit)
+        self.assert_usage_error("--scale", "check", "a.obj", "--scale", "2", "--height", "3mm")
+        self.assert_usage_error("not a length", "check", "a.obj", "--height", "tall")
+
+    def report_of(self, surface):
+        return self.flatten(surface, "--scheme", "global")
 
     def assert_usage_error(self, words, *arguments):
         run = self.run_command(*arguments)

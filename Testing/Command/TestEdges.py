@@ -122,7 +122,7 @@ class Edges(command.CommandTest):
 
     def test_the_walk_of_an_eased_seam_tells_the_ease_of_every_interval(self):
         seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
-        words = ("--unit", "mm", "-o", "out/walk.csv", "--tolerance", "side=0.05")
+        words = ("--unit", "mm", "-o", "out/walk.csv", "--notch-spacing", "100", "--tolerance", "side=0.05")
         self.flatten("pattern", "bulged.obj", seam, *words, "--ease", "side:1=+3%")
         with open(self.path("out/walk.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -149,7 +149,7 @@ class Edges(command.CommandTest):
                 file.write("\n".join(lines).format(fraction, piece) + "\n")
             return self.path("eased.vtk")
 
-        words = ("--unit", "mm", "-o", "out/walk.csv")
+        words = ("--unit", "mm", "-o", "out/walk.csv", "--notch-spacing", "100")
         self.flatten("pattern", "bulged.obj", ease(0.03, 0), *words)
         with open(self.path("out/walk.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

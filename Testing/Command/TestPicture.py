@@ -33,7 +33,7 @@ def count(pixels, color):
 
 class Picture(CommandTest):
     def draw(self, name, *arguments, source=(SURFACE, CURVES)):
-        run = self.run_command("picture", *source, "-o", name, *arguments)
+        run = self.run_command("picture", *source, "--unit", "cm", "-o", name, *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr, "")
         return read_picture(self.path(name))
@@ -46,11 +46,22 @@ class Picture(CommandTest):
                 self.assertGreater(count(side, color), 200, name)
 
     def test_each_colouring_gives_another_picture(self):
-        names = ("developability", "homogeneity", "aspect-ratio", "area")
+        names = ("strain", "developability", "homogeneity", "aspect-ratio", "area")
         pictures = [self.draw(name + ".png", "--color", name) for name in names]
         for k, picture in enumerate(pictures):
             for other in pictures[:k]:
                 self.assertGreater((picture != other).any(axis=2).mean(), 0.1)
+
+    def test_the_strain_is_shown_by_default_and_the_range_may_be_chosen(self):
+        default, strain, same, wide = (
+            self.draw(f"{k}.png", *words) for k, words in enumerate((
+                (), ("--color", "strain"), ("--range", "0", "50", "--color", "strain"), ("--range", "0", "1e3"))))
+        self.assertTrue((default == strain).all())
+        for other in (same, wide):
+            self.assertGreater((other != strain).any(axis=2).mean(), 0.1)
+        run = self.run_command("picture", SURFACE, "-o", "a.png", "--range", "2", "1")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--range", run.stderr)
 
     def test_its_folder_is_made_and_nothing_else_is_left_there(self):
         self.draw(os.path.join("a folder", "shirt.PNG"))

@@ -87,13 +87,13 @@ class Pieces(command.CommandTest):
     def test_isometric_scheme_keeps_every_length_and_flips_nothing(self):
         self.check("--scheme", "isometric", flips_nothing=True)
         self.check(
-            "--scheme", "isometric", "--energy", "dirichlet", "--release-keys", flips_nothing=True)
+            "--scheme", "isometric", "--energy", "dirichlet", "--no-keys", flips_nothing=True)
 
     def test_progressive_scheme_keeps_every_length(self):
         self.check("--scheme", "progressive")
 
     def test_global_scheme_keeps_every_length_with_keys_released(self):
-        self.check("--scheme", "global", "--release-keys")
+        self.check("--scheme", "global", "--no-keys")
 
 
 if __name__ == "__main__":

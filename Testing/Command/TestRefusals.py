@@ -231,7 +231,7 @@ class Refusals(command.CommandTest):
         self.write("loose.vtk", command.legacy_curves(loose, [(0, "loose", [11, 12, 13])]))
         self.write("across.txt", "accessory far 5 12\n")
         for arguments, option in (
-            (("loose.vtk",), "raise --imprint-tolerance to 0."),
+            (("loose.vtk",), "raise --curve-distance to 0."),
             (("across.txt", "--no-split-triangles"), "leave out --no-split-triangles"),
             (("--scheme", "lscm", "--pins", "3", "77"), "--pins"),
             (("--tolerance", "belt=0.1"), "for --tolerance"),

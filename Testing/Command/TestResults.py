@@ -82,7 +82,7 @@ class Results(command.CommandTest):
 
     def test_no_option_but_those_that_name_a_scheme_changes_it(self):
         for options in (
-            (), ("--release-keys",), ("--interior", "arap"), ("--interior", "laplacian"),
+            (), ("--no-keys",), ("--interior", "arap"), ("--interior", "laplacian"),
             ("--solver", "newton"), ("--solver", "sequential"),
             ("--solver", "sequential", "--scheme", "isometric"),
         ):
@@ -348,7 +348,7 @@ class Results(command.CommandTest):
     def test_released_keys_are_free(self):
         self.write("key.txt", "key arc " + " ".join(map(str, self.arc)) + "\n")
         kept = self.flatten("lune.obj", "key.txt")["pieces"][0]
-        released = self.flatten("lune.obj", "key.txt", "--release-keys")["pieces"][0]
+        released = self.flatten("lune.obj", "key.txt", "--no-keys")["pieces"][0]
         self.assertLess(kept["free_wire_nodes"], released["free_wire_nodes"])
         self.assertEqual(released["free_wire_nodes"], 24)
         self.assertLessEqual(released["objective"], kept["objective"] + 1e-9)

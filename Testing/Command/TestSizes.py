@@ -76,17 +76,21 @@ class Sizes(command.CommandTest):
             else:
                 self.assertEqual((run.stderr, self.report("out")["warnings"]), ("", []))
 
-    def test_the_unit_is_asked_for_once_and_not_where_it_is_stated(self):
+    def test_the_likely_unit_is_taken_and_said_once_and_not_where_one_is_stated(self):
         points, triangles = plate(6, 10)
-        for scale, size in ((0.1, "small"), (5.0, "usual"), (100.0, "large")):
+        for scale, likely in ((0.1, "m"), (0.04, "m"), (5.0, "cm"), (40.0, "mm"), (100.0, "mm")):
             self.write("plate.obj", command.obj([tuple(scale * x for x in point) for point in points], triangles))
+            self.assertIn(f"{likely} is likely and taken", self.run_command("check", "plate.obj").stdout)
+            self.run_command("cut", "plate.obj", "--kind", "darts", "--output", "cut")
+            self.assertEqual(self.report("cut")["unit"], likely)
             for formats in ((), (".svg",), (".svg", ".dxf", ".plt")):
-                with self.subTest(size=size, formats=formats):
+                with self.subTest(likely=likely, formats=formats):
                     files = [word for ending in formats for word in ("-o", "out/pattern" + ending)]
                     run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--output", "out")
-                    warned = run.stderr.count("--unit")
-                    self.assertEqual(warned, 1 if formats or size != "usual" else 0, run.stderr)
-                    self.assertEqual(warned + run.stdout.count("--unit"), 1, run.stdout)
+                    self.assertIn(f"note: plate.obj states no unit: {likely} is taken", run.stderr)
+                    self.assertEqual((run.stderr + run.stdout).count("--unit"), 1, run.stderr)
+                    report = self.report("out")
+                    self.assertEqual((report["unit"], report["unit_stated"]), (likely, False))
                     for unit in ("mm", "cm", "m", "inch"):
                         run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--unit", unit,
                                                "--output", "out")

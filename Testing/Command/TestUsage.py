@@ -67,7 +67,7 @@ class Usage(command.CommandTest):
             ("--closure-tolerance", "inf"),
             ("--relaxation-factor", "2"),
             ("--relaxation-factor", "0"),
-            ("--imprint-tolerance", "1.5"),
+            ("--curve-distance", "1.5"),
             ("--rigid-iterations", "0"),
             ("--relaxation-max-iterations", "0"),
         ):
@@ -127,6 +127,7 @@ class Usage(command.CommandTest):
         for words, successor in (
             (("--suggest", "darts"), "wirewarp cut SURFACE --kind darts"), (("--svg",), "wirewarp pattern DIR -o pattern.svg"),
             (("--fair", "0.2"), "wirewarp pattern DIR --smooth MM"), (("--resew=panel",), "wirewarp sew DIR --mode panel"),
+            (("--release-keys",), "--no-keys"), (("--imprint-tolerance", "0.1"), "--curve-distance"),
             (("--batch", "list.txt"), "wirewarp batch LIST"), (("--grade", "S=s.obj"), "wirewarp grade SIZE=SURFACE"),
         ):
             with self.subTest(words):

@@ -23,7 +23,7 @@ CASES = (
     ("pants_front+_set3",),  # keys that contradict each other
     ("shirt_front", "--paper-method", "--solver", "sequential"),
     ("shoe_upper", "--scheme", "progressive", "--interior", "laplacian"),
-    ("tshirt", "--scheme", "global", "--release-keys"),
+    ("tshirt", "--scheme", "global", "--no-keys"),
     ("tshirt", "--tolerance", "shoulder_seam_left=0.03"),
     ("wetsuit_upper_front",),
     ("wetsuit_upper_front", "--close-cuts"),

@@ -58,12 +58,12 @@ class Refusals(pattern.PatternTest):
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.assert_refused(2, "-o", "out/pattern.pdf", option, value))
 
-    def test_a_missing_unit_is_told_and_cm_taken(self):
+    def test_a_missing_unit_is_told_and_the_likely_one_taken(self):
         run = self.run_command(*self.arguments("-o", "out/pattern.svg"))
         self.assertEqual(run.returncode, 0)
-        self.assertRegex(run.stderr, "^wirewarp: warning: .* taken as cm; .*--unit.*\n$")
+        self.assertRegex(run.stderr, "^wirewarp: note: .* states no unit: m is taken, .*--unit.*\n$")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
-        wires = pattern.wires_in_space(self.path("out"), "cm")
+        wires = pattern.wires_in_space(self.path("out"), "m")
         boundary = max(sum(wire.edges) for wire in wires)
         lengths = [sum(map(pattern.bezier_length, pattern.curves_of(element)))
                    for _, element in pattern.svg_elements(root, "sew-line")]

@@ -327,7 +327,8 @@ class Patterns(unittest.TestCase):
                  "--notch-spacing", "70", "--cut-darts-out", "--paper", "letter", "--page-overlap", "5",
                  "--max-pages", "900", "--style", "laser", "--fold", "symmetric", "--notch", "boundary=30",
                  "--double-notch", "boundary", "--notch-corners", "--notch-curve-ends", "--dart-tip", "9",
-                "--dart-tip", "waist_dart=11", "--smooth", "boundary=0.4", "--symmetrize"]
+                "--dart-tip", "waist_dart=11", "--smooth", "boundary=0.4", "--symmetrize",
+                 "--dart-legs", "free"]
         files = [word for kind in ("svg", "dxf", "pdf", "plt") for word in ("-o", self.path(f"out/pattern.{kind}"))]
         subprocess.run([os.environ["WIREWARP"], "pattern", os.path.join(root, "Data", "pants_front.vtp"),
                         os.path.join(root, "Data", "pants_front_curves.vtp"), "--quiet", *files, *words], check=True)
@@ -355,7 +356,9 @@ class Patterns(unittest.TestCase):
                 ("tshirt", "centre_back", "denim", "0", None, "cm", {"fabric_width": 1500}),
                 ("quarter_sphere", "cross_arc", "neoprene", "free", None, "m", {}),
                 ("shoe_upper", "front_centre", "leather", 90, 90, "m", {"allowance": 3})):
-            words = ["--unit", unit, "--name", "pattern"]
+            # Defaults of the command are others.
+            words = ["--unit", unit, "--name", "pattern", "--notch-spacing", "100",
+                     *(() if "allowance" in options else ("--allowance", "10"))]
             laying = []
             for option, value in options.items():
                 (words if option == "allowance" else laying).extend(
@@ -363,7 +366,8 @@ class Patterns(unittest.TestCase):
             folder = self.path(f"{name} {material}")
             run = {"check": False, "capture_output": True}
             subprocess.run([os.environ["WIREWARP"], *(os.path.join(DATA, name + end + ".vtp") for end in ("", "_curves")),
-                            "--quiet", "--output", folder, "--material", material, f"--grain={grain}", "--unit", unit], **run)
+                            "--quiet", "--output", folder, "--material", material, f"--grain={grain}", "--unit", unit,
+                            "--dart-legs", "free"], **run)
             subprocess.run([os.environ["WIREWARP"], "pattern", folder, "-o", folder + "/pattern.svg", "-o",
                             folder + "/pattern.dxf", *words], **run)
             subprocess.run([os.environ["WIREWARP"], "nest", folder, *words, *laying], **run)

@@ -104,6 +104,7 @@ ClothMaterial isotropic()
   sheet.description = "alike in all directions, as without a material";
   sheet.source = "none: it has no numbers";
   sheet.isotropic = true;
+  sheet.sheet = true;
   return sheet;
 }
 
@@ -132,6 +133,12 @@ ClothMaterial threads(const char* name, const char* description, const Stiffness
   return cloth;
 }
 
+ClothMaterial unfrayed(ClothMaterial sheet)
+{
+  sheet.sheet = true;
+  return sheet;
+}
+
 std::vector<ClothMaterial> makePresets()
 {
   const std::string wang =
@@ -157,18 +164,19 @@ std::vector<ClothMaterial> makePresets()
     wang + "gray interlock; its soft direction is taken for the courses (weft)"));
   all.push_back(threads("rib", "rib knit, 276 g/m2", { 65, 43, 21 }, 0.5, { -0.05, 0.25 },
     { -0.05, 0.35 }, 25, wang + "ivory rib knit; its soft direction is taken for the courses"));
-  all.push_back(threads("neoprene", "foamed rubber for wetsuits, 3 mm", { 2000, 2000, 800 }, 1.0,
-    { -0.1, 0.1 }, { -0.1, 0.1 }, 20,
+  all.push_back(unfrayed(threads("neoprene", "foamed rubber for wetsuits, 3 mm",
+    { 2000, 2000, 800 }, 1.0, { -0.1, 0.1 }, { -0.1, 0.1 }, 20,
     "assumed: alike in all directions, Poisson's ratio 0.25, so that shear is 0.4 of the "
-    "threads'"));
-  all.push_back(threads("leather", "upper leather, 1.5 mm", { 30000, 30000, 12000 }, 1.0,
-    { -0.01, 0.01 }, { -0.01, 0.01 }, 5, "assumed: alike in all directions, Poisson's ratio 0.25"));
-  all.push_back(threads("laminate", "film laminate for sails", { 500000, 500000, 100000 }, 1.0,
-    { -0.002, 0.002 }, { -0.002, 0.002 }, 1,
-    "assumed: balanced scrims between films, shear 0.2 of the threads'"));
-  all.push_back(threads("woven-carbon", "dry woven carbon for moulding", { 1000000, 1000000, 100 },
-    1.0, { -0.002, 0.002 }, { -0.002, 0.002 }, 50,
-    "assumed: threads that do not give, shear 1e-4 of theirs, locked at 50 degrees of 40 to 60"));
+    "threads'")));
+  all.push_back(unfrayed(
+    threads("leather", "upper leather, 1.5 mm", { 30000, 30000, 12000 }, 1.0, { -0.01, 0.01 },
+      { -0.01, 0.01 }, 5, "assumed: alike in all directions, Poisson's ratio 0.25")));
+  all.push_back(unfrayed(threads("laminate", "film laminate for sails", { 500000, 500000, 100000 },
+    1.0, { -0.002, 0.002 }, { -0.002, 0.002 }, 1,
+    "assumed: balanced scrims between films, shear 0.2 of the threads'")));
+  all.push_back(unfrayed(threads("woven-carbon", "dry woven carbon for moulding",
+    { 1000000, 1000000, 100 }, 1.0, { -0.002, 0.002 }, { -0.002, 0.002 }, 50,
+    "assumed: threads that do not give, shear 1e-4 of theirs, locked at 50 degrees of 40 to 60")));
   return all;
 }
 }

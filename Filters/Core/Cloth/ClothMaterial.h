@@ -44,6 +44,7 @@ struct ClothMaterial
   /// Of a material that could not be read; then it has no numbers.
   Status status;
   bool oneWay = false; ///< nap, pile or print: the pieces may not be turned by half a turn
+  bool sheet = false;  ///< its edges do not fray: patterns have no seam allowance by default
 
   bool limited() const;
 };

@@ -8,6 +8,7 @@
 #include "Flattening/PieceReports.h"
 #include "Flattening/PieceScheme.h"
 #include "Flattening/PieceWires.h"
+#include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 #include "Wires/KeyCurveLocks.h"
 
@@ -97,7 +98,9 @@ bool foldDarts(const PieceContext& context, const Indices& darts,
   PieceSolution folded = flattenByScheme(context, rules);
   const bool good = !folded.status.refused() && !folded.positions.empty() &&
     folded.rules.released.size() <= piece.rules.released.size() &&
-    isAsGood(context, folded, countFlipped(context.piece.mesh, piece.positions), piece.status);
+    isAsGood(context, folded, countFlipped(context.piece.mesh, piece.positions), piece.status) &&
+    countBoundaryOverlaps(context.piece.mesh, folded.positions, 0).count <=
+      countBoundaryOverlaps(context.piece.mesh, piece.positions, 0).count;
   folded.secondsWires += piece.secondsWires;
   folded.secondsInterior += piece.secondsInterior;
   folded.freeDarts = piece.freeDarts;
@@ -110,7 +113,7 @@ bool foldDarts(const PieceContext& context, const Indices& darts,
 
 /// By the scheme of the options, first with free legs of darts, then with those that the options
 /// want. A dart whose legs cannot be so (it branches, keys would have to be released, triangles
-/// would fold over, there is no solution) keeps free ones.
+/// would fold over, the piece would overlap itself, there is no solution) keeps free ones.
 PieceSolution flattenWithDarts(const PieceContext& context, const CurveRules& rules)
 {
   PieceSolution piece = flattenByScheme(context, rules);

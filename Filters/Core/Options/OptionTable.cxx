@@ -166,6 +166,7 @@ void addCurves(Table& table)
     .help("Split triangles where a curve does not run along mesh edges; off: such a curve is an "
           "error.");
   table.add("ImprintTolerance", [](All& all) { return &all.imprint.tolerance; })
+    .spelled("curve-distance", "imprint_tolerance")
     .range(0.0, 1.0)
     .expert()
     .help("Greatest distance of a curve from the surface, as a fraction of the diagonal of the "
@@ -197,6 +198,7 @@ void addMethod(Table& table)
           "relaxation (the paper's iteration for it, Eq. 12). The isometric scheme only starts "
           "there.");
   table.add("ReleaseKeys", [](All& all) { return &all.flattening.releaseKeys; })
+    .spelled("no-keys", "release_keys")
     .where(keepsLengths)
     .help("Treat key curves as accessory curves: their length is kept, their shape is free.");
   table.add("DartLegs", [](All& all) { return &all.flattening.dartLegs; })

@@ -221,6 +221,7 @@ CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
   this->Imprint.split = true;
   this->Flattening.arrange = false;
   this->Flattening.tryReleases = false;
+  this->Flattening.dartLegs = DartLegs::Free; // others take twice the work
 }
 
 /// The surface with its curves and the cuts; refused where a cut cannot be made.

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Units.h"
 
+#include "TriangleList.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkPoints.h>
+#include <vtkType.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 namespace wirewarp
 {
@@ -86,5 +93,37 @@ std::string unitInComment(std::string_view comment)
 double millimetresOf(const std::string& unit)
 {
   return unit == "mm" ? 1.0 : unit == "m" ? 1000.0 : unit == "inch" ? 25.4 : 10.0;
+}
+
+//------------------------------------------------------------------------------
+LikelyUnit likelyUnit(vtkPolyData* surface)
+{
+  constexpr double usual = 800.0; // mm
+  const TriangleList list = listTriangles(surface);
+  vtkBoundingBox box;
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    for (const vtkIdType corner : triangle.corners)
+    {
+      box.AddPoint(list.points->GetPoint(corner));
+    }
+  }
+  LikelyUnit likely;
+  if (!box.IsValid() || !(box.GetMaxLength() > 0.0))
+  {
+    return likely;
+  }
+  likely.size = box.GetMaxLength();
+  const auto offBy = [&likely](const char* unit) {
+    return std::abs(std::log(likely.size * millimetresOf(unit) / usual));
+  };
+  for (const char* const unit : { "m", "mm" })
+  {
+    if (offBy(unit) < offBy(likely.unit.c_str()))
+    {
+      likely.unit = unit;
+    }
+  }
+  return likely;
 }
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+class vtkPolyData;
+
 namespace wirewarp
 {
 /// The unit that a word names in a file, as it is called here: "mm", "cm", "m" or "inch". Empty
@@ -16,4 +18,14 @@ std::string unitInComment(std::string_view comment);
 
 /// Of one of the units that are named above.
 double millimetresOf(const std::string& unit);
+
+/// The unit that is taken where none is stated.
+struct LikelyUnit
+{
+  std::string unit = "cm";
+  double size = 0.0; ///< largest side of the triangles' bounding box, in this unit
+};
+
+/// The unit in which a surface is nearest to the size of what people wear and sit on: mm, cm or m.
+LikelyUnit likelyUnit(vtkPolyData* surface);
 }
