@@ -6,7 +6,7 @@
 #include "OutputFiles.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
-#include "Seconds.h"
+#include "Progress.h"
 #include "Table.h"
 #include "TextFile.h"
 #include "WorkerProcesses.h"
@@ -164,7 +164,6 @@ std::string textOf(const Json& json, int indent)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BatchEntry> readBatch(const std::string& path)
 {
   const std::string text = readWholeFile(path);
@@ -206,7 +205,6 @@ std::vector<BatchEntry> readBatch(const std::string& path)
   return entries;
 }
 
-//------------------------------------------------------------------------------
 int runBatch(const Options& options)
 {
   const Clock::time_point start = Clock::now();

@@ -225,7 +225,6 @@ bool saySurface(const TriangleList& list, const Shape& shape, const std::string&
 }
 }
 
-//------------------------------------------------------------------------------
 int runCheck(const Options& options)
 {
   InputFiles inputs;

@@ -3,12 +3,10 @@
 
 #include "FaceSeams.h"
 #include "InputError.h"
-#include "MethodOptions.h"
 #include "OptionHints.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
 #include "Resewing.h"
-#include "Reshaping.h"
 #include "TableOptions.h"
 #include "TextFile.h"
 #include "Units.h"
@@ -679,7 +677,6 @@ std::string meantBy(const CLI::App& app, const std::vector<std::string>& unknown
 }
 }
 
-//------------------------------------------------------------------------------
 std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
 {
   Options options;

@@ -39,13 +39,11 @@ std::string flagOf(const std::string& property, const std::string& value)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string remedyWords(const std::string& name)
 {
   return remedyWords(name, flagOf);
 }
 
-//------------------------------------------------------------------------------
 std::string messageOf(const std::string& defect, const std::vector<Remedy>& remedies)
 {
   return describe(defect, remedies, flagOf);

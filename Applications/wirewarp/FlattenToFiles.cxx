@@ -6,7 +6,6 @@
 #include "Patterns.h"
 #include "PlainText.h"
 #include "Report.h"
-#include "ResultFolder.h"
 #include "Sizes.h"
 
 #include <array>
@@ -221,7 +220,6 @@ void demandPlaces(const Options& options, OutputFiles& files)
 
 }
 
-//------------------------------------------------------------------------------
 void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
 {
   for (const auto& files : { dataFiles(options), formerPatterns(options), furtherFiles(options),
@@ -234,7 +232,6 @@ void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)
   }
 }
 
-//------------------------------------------------------------------------------
 FilesOfFlattening flattenToFiles(const Options& given)
 {
   Options options = given;

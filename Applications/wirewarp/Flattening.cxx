@@ -2,17 +2,15 @@
 #include "Flattening.h"
 
 #include "InputError.h"
-#include "MethodOptions.h"
-#include "MovedCurves.h"
 #include "Patterns.h"
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "Report.h"
 #include "Resewing.h"
-#include "Reshaping.h"
-#include "ResultFolder.h"
-#include "Seconds.h"
+#include "Sizes.h"
 #include "SurfaceMending.h"
+#include "TableOptions.h"
 #include "TextFile.h"
 #include "Units.h"
 #include "VtkMessages.h"
@@ -357,7 +355,6 @@ void run(vtkFlatPieceAlgorithm* filter, bool quiet, Flattening& result)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> textsOf(vtkStringArray* array)
 {
   std::vector<std::string> texts;
@@ -368,7 +365,6 @@ std::vector<std::string> textsOf(vtkStringArray* array)
   return texts;
 }
 
-//------------------------------------------------------------------------------
 std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece)
 {
   std::vector<Remedy> remedies;
@@ -383,7 +379,6 @@ std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece)
   return remedies;
 }
 
-//------------------------------------------------------------------------------
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)
 {
   std::ostringstream text;
@@ -396,7 +391,6 @@ std::string unitTaken(const std::string& surface, const LikelyUnit& taken)
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 Flattening outOfMemory(const std::string& surface, const std::string& limit)
 {
   Flattening result;
@@ -410,7 +404,6 @@ Flattening outOfMemory(const std::string& surface, const std::string& limit)
   return result;
 }
 
-//------------------------------------------------------------------------------
 Flattening flattenOne(const Options& options, const std::string& base)
 {
   Flattening result;

@@ -16,7 +16,6 @@
 
 namespace wirewarp
 {
-//------------------------------------------------------------------------------
 void printFormats(std::ostream& out)
 {
   out << R"(Surfaces
@@ -78,7 +77,6 @@ std::string range(double least, double greatest)
 }
 }
 
-//------------------------------------------------------------------------------
 void printMaterials(std::ostream& out)
 {
   const vtkNew<vtkTable> table;

@@ -10,7 +10,6 @@
 
 namespace wirewarp
 {
-//------------------------------------------------------------------------------
 std::string successorOf(const std::string& option)
 {
   static const std::map<std::string, std::string> successors{
@@ -97,7 +96,6 @@ std::string optionWord(const std::string& argument)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string nearestOption(const CLI::App& app, const std::vector<std::string>& unknown)
 {
   for (const std::string& argument : unknown)

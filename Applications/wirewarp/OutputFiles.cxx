@@ -28,7 +28,6 @@ constexpr const char* otherPlace = "; name another with --output";
 }
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::demandFolder(const std::filesystem::path& folder)
 {
   const std::filesystem::path place = folder.empty() ? "." : folder;
@@ -56,7 +55,6 @@ OutputFiles::~OutputFiles()
   this->abandon();
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::abandon()
 {
   std::error_code ignored;
@@ -67,7 +65,6 @@ void OutputFiles::abandon()
   this->Entries.clear();
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::claim(const std::filesystem::path& folder)
 {
   this->Lock.emplace(folder);
@@ -78,7 +75,6 @@ void OutputFiles::claim(const std::filesystem::path& folder)
   }
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::demandPlace(const std::filesystem::path& file) const
 {
   std::error_code ignored;
@@ -88,7 +84,6 @@ void OutputFiles::demandPlace(const std::filesystem::path& file) const
   }
 }
 
-//------------------------------------------------------------------------------
 std::filesystem::path OutputFiles::addEntry(const std::filesystem::path& file)
 {
   std::random_device random; // where folders cannot be claimed two runs may write to one
@@ -98,7 +93,6 @@ std::filesystem::path OutputFiles::addEntry(const std::filesystem::path& file)
   return this->Entries.back().aside;
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::add(const std::filesystem::path& file, vtkPolyData* data)
 {
   // By way of memory: on a full disk VTK's writer of files crashes.
@@ -121,7 +115,6 @@ void OutputFiles::add(const std::filesystem::path& file, vtkPolyData* data)
   this->add(file, text);
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::add(const std::filesystem::path& file, const std::string& text)
 {
   errno = 0;
@@ -134,7 +127,6 @@ void OutputFiles::add(const std::filesystem::path& file, const std::string& text
   }
 }
 
-//------------------------------------------------------------------------------
 std::string OutputFiles::add(
   const std::filesystem::path& file, const std::function<std::string(const std::string&)>& write)
 {
@@ -148,7 +140,6 @@ std::string OutputFiles::add(
   return problem;
 }
 
-//------------------------------------------------------------------------------
 void OutputFiles::publish()
 {
   for (const Entry& entry : this->Entries)
@@ -191,7 +182,6 @@ FolderLock::~FolderLock()
   }
 }
 
-//------------------------------------------------------------------------------
 void InputFiles::add(const std::string& path)
 {
   std::error_code error; // whoever reads the file tells of it
@@ -202,7 +192,6 @@ void InputFiles::add(const std::string& path)
   }
 }
 
-//------------------------------------------------------------------------------
 void InputFiles::refuseToReplace(const std::filesystem::path& file, const std::string& option) const
 {
   // A link in place of the file itself would be replaced, not what it leads to.

@@ -162,7 +162,6 @@ void takeDefaults(Options& options)
 }
 }
 
-//------------------------------------------------------------------------------
 void resolveOutputs(Options& options)
 {
   for (const std::string& path : options.outputs)

@@ -220,7 +220,6 @@ std::string write(vtkPatternWriter* writer, const PatternFile& file, OutputFiles
 }
 }
 
-//------------------------------------------------------------------------------
 void checkCurveNames(const PatternRequest& request, const std::string& surface,
   vtkFeatureCurveAlgorithm* filter, Flattening& result)
 {
@@ -252,7 +251,6 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> addPatterns(const Options& options, Flattening& result, OutputFiles& files)
 {
   const PatternRequest request = completed(options, result);
@@ -384,7 +382,6 @@ void addPieces(CLI::App& app, PatternRequest& request)
 }
 }
 
-//------------------------------------------------------------------------------
 void addDrawing(CLI::App& app, PatternRequest& request)
 {
   addLengths(app, "--allowance", request.allowance, request.curveAllowances,
@@ -489,7 +486,6 @@ void addDrawing(CLI::App& app, PatternRequest& request)
     ->capture_default_str();
 }
 
-//------------------------------------------------------------------------------
 void addNesting(CLI::App& app, PatternRequest& request)
 {
   app

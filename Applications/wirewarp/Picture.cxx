@@ -52,7 +52,6 @@ figures::PolyData withDistance(const figures::PolyData& flat, const figures::Pol
 }
 }
 
-//------------------------------------------------------------------------------
 void addPicture(CLI::App& app, PictureRequest& request)
 {
   app
@@ -79,7 +78,6 @@ void addPicture(CLI::App& app, PictureRequest& request)
     ->type_name("LOW HIGH");
 }
 
-//------------------------------------------------------------------------------
 void checkPicture(const PictureRequest& request)
 {
   if (!request.any())
@@ -101,7 +99,6 @@ void checkPicture(const PictureRequest& request)
   }
 }
 
-//------------------------------------------------------------------------------
 void addPicture(const Options& options, const Flattening& result, OutputFiles& files)
 {
   const auto demand = [&](bool isThere, const char* what) {

@@ -14,7 +14,6 @@ constexpr std::chrono::milliseconds terminalPeriod(200);
 constexpr std::chrono::seconds logPeriod(10);
 }
 
-//------------------------------------------------------------------------------
 Progress::Progress(vtkAlgorithm* filter, bool quiet)
   : Filter(filter)
   , Terminal(isatty(STDERR_FILENO) == 1)
@@ -35,7 +34,6 @@ Progress::~Progress()
   }
 }
 
-//------------------------------------------------------------------------------
 void Progress::show()
 {
   const Clock::time_point now = Clock::now();

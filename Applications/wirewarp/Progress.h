@@ -29,4 +29,10 @@ private:
   Clock::time_point Begin = Clock::now();
   Clock::time_point Next;
 };
+
+/// Of the wall clock.
+inline double secondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 }

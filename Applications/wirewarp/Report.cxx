@@ -2,10 +2,12 @@
 #include "Report.h"
 
 #include "FlagWords.h"
+#include "InputError.h"
+#include "ReadVtk.h"
 #include "Table.h"
+#include "TextFile.h"
 #include "Units.h"
 
-#include <nlohmann/json.hpp>
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -14,11 +16,16 @@
 #include <vtkMath.h>
 #include <vtkSmartPointer.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <sstream>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -488,49 +495,6 @@ Json resewnReports(const Options& options, vtkTable* table)
 }
 }
 
-//------------------------------------------------------------------------------
-void takeReport(const std::string& text, Flattening& result)
-{
-  const Json report = Json::parse(text);
-  const Json& pieces = report.at("pieces");
-  vtkTable* const table = result.tables.pieces;
-  for (const Column& column : pieceColumns)
-  {
-    addColumn(pieces, column, table);
-  }
-  addColumn(pieces, { "message", "StatusDefect", Kind::Text }, table);
-  Json sizes = report.at("sizes");
-  Json cloths = Json::array();
-  const double millimetres = millimetresOf(report.at("unit").get<std::string>());
-  for (std::size_t k = 0; k < sizes.size(); ++k)
-  {
-    for (const char* const side : { "width_mm", "height_mm" })
-    {
-      sizes[k][side] = sizes[k][side].get<double>() / millimetres;
-    }
-    cloths.push_back(pieces.at(k).at("cloth"));
-  }
-  addColumn(sizes, { "width_mm", "FlatWidth", Kind::Number }, table);
-  addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number }, table);
-  if (!cloths.empty() && cloths.front().is_object())
-  {
-    for (const Column& column : clothColumns)
-    {
-      addColumn(cloths, column, table);
-    }
-  }
-  for (const Column& column : curveColumns)
-  {
-    addColumn(report.at("curves"), column, result.curveTable);
-  }
-  const std::array<const char*, 4> stages{ "wires", "interior", "quality", "core" };
-  for (std::size_t k = 0; k < stages.size(); ++k)
-  {
-    result.seconds[k] = report.at("seconds").at(stages[k]).get<double>();
-  }
-}
-
-//------------------------------------------------------------------------------
 std::string makeReport(const Options& options, const Flattening& result)
 {
   if (!result.savedReport.empty())
@@ -578,5 +542,146 @@ std::string makeReport(const Options& options, const Flattening& result)
         { "total", result.secondsTotal } } } };
   // File names may hold any bytes; those that are no UTF-8 become replacement characters.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+namespace
+{
+std::string within(const Options& options, const char* name)
+{
+  return (std::filesystem::path(options.source) / name).string();
+}
+
+/// Fills the tables of pieces and curves, and the times, without lists of iterations and releases.
+/// Throws an exception of nlohmann::json where the text is another one.
+void takeReport(const std::string& text, Flattening& result)
+{
+  const Json report = Json::parse(text);
+  const Json& pieces = report.at("pieces");
+  vtkTable* const table = result.tables.pieces;
+  for (const Column& column : pieceColumns)
+  {
+    addColumn(pieces, column, table);
+  }
+  addColumn(pieces, { "message", "StatusDefect", Kind::Text }, table);
+  Json sizes = report.at("sizes");
+  Json cloths = Json::array();
+  const double millimetres = millimetresOf(report.at("unit").get<std::string>());
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+  {
+    for (const char* const side : { "width_mm", "height_mm" })
+    {
+      sizes[k][side] = sizes[k][side].get<double>() / millimetres;
+    }
+    cloths.push_back(pieces.at(k).at("cloth"));
+  }
+  addColumn(sizes, { "width_mm", "FlatWidth", Kind::Number }, table);
+  addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number }, table);
+  if (!cloths.empty() && cloths.front().is_object())
+  {
+    for (const Column& column : clothColumns)
+    {
+      addColumn(cloths, column, table);
+    }
+  }
+  for (const Column& column : curveColumns)
+  {
+    addColumn(report.at("curves"), column, result.curveTable);
+  }
+  const std::array<const char*, 4> stages{ "wires", "interior", "quality", "core" };
+  for (std::size_t k = 0; k < stages.size(); ++k)
+  {
+    result.seconds[k] = report.at("seconds").at(stages[k]).get<double>();
+  }
+}
+
+[[noreturn]] void refuseReport(const std::string& path)
+{
+  throw InputError(path, "is not a report of wirewarp; run wirewarp flatten again");
+}
+
+Json readReport(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+  {
+    throw InputError(std::filesystem::path(path).parent_path().string(),
+      "holds no result: report.json is missing; name a folder that wirewarp flatten has written");
+  }
+  Json report = Json::parse(readWholeFile(path), nullptr, false);
+  if (!report.is_object())
+  {
+    refuseReport(path);
+  }
+  return report;
+}
+}
+
+void adoptReport(Options& options)
+{
+  const std::string path = within(options, "report.json");
+  const Json report = readReport(path);
+  try
+  {
+    if (report.at("exit_code").get<int>() == InputRefused && report.at("pieces").empty())
+    {
+      throw InputError(
+        options.source, "holds no result: " + report.at("message").get<std::string>());
+    }
+    options.surface = report.at("surface").get<std::string>();
+    options.values.setWord("Scheme", report.at("scheme").get<std::string>());
+    if (options.values.text("Material").empty() && report.at("material").is_string())
+    {
+      options.values.set("Material", report.at("material").get<std::string>());
+    }
+    if (report.at("grain").is_string())
+    {
+      options.values.set("Grain", report.at("grain").get<std::string>());
+    }
+  }
+  catch (const Json::exception&)
+  {
+    refuseReport(path);
+  }
+}
+
+Flattening readResult(const Options& options)
+{
+  const std::string path = within(options, "report.json");
+  const Json report = readReport(path);
+  Flattening result;
+  try
+  {
+    const int exitCode = report.at("exit_code").get<int>();
+    result.exitCode = exitCode == Flawed ? Flawed : Done;
+    result.status = report.at("status").get<std::string>();
+    result.message = report.at("message").get<std::string>();
+    result.unit = report.at("unit").get<std::string>();
+    result.unitStated = report.at("unit_stated").get<bool>();
+    result.savedReport = report.dump();
+    takeReport(result.savedReport, result);
+  }
+  catch (const Json::exception&)
+  {
+    refuseReport(path);
+  }
+  if (!options.unit.empty())
+  {
+    result.unit = options.unit;
+    result.unitStated = true;
+  }
+  if (!result.unitStated)
+  {
+    result.unitNote = unitTaken(options.surface, { result.unit });
+  }
+  result.flat = readVtk(within(options, "flat.vtp"));
+  result.wires = readVtk(within(options, "wires.vtp"));
+  result.cut = readVtk(within(options, "cut.vtp"));
+  const std::string sewn = within(options, "sewn.vtp");
+  std::error_code ignored;
+  if (options.command != "sew" && std::filesystem::exists(sewn, ignored))
+  {
+    result.sewn = readVtk(sewn);
+  }
+  return result;
 }
 }

@@ -11,8 +11,11 @@ namespace wirewarp
 /// The text of report.json. After a refusal `pieces` and `curves` are empty.
 std::string makeReport(const Options& options, const Flattening& result);
 
-/// Fills the tables of pieces and curves, and the times, from the text of report.json, without
-/// lists of iterations and releases. Throws an exception of nlohmann::json where it is another
-/// text.
-void takeReport(const std::string& text, Flattening& result);
+/// Takes from report.json in the folder what the result was made of: surface, scheme, material and
+/// grain where they are not given anew. Throws InputError where the folder holds no result.
+void adoptReport(Options& options);
+
+/// Reads flat pieces, wires, cut surface and, if there is one, sewn shape of a folder that
+/// flattenToFiles() has written. Throws InputError.
+Flattening readResult(const Options& options);
 }

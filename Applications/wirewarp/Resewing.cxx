@@ -9,6 +9,7 @@
 #include "VtkMessages.h"
 
 #include <vtkIdTypeArray.h>
+#include <vtkMakeFlattenable.h>
 #include <vtkNew.h>
 #include <vtkSewnShape.h>
 
@@ -17,13 +18,11 @@
 
 namespace wirewarp
 {
-//------------------------------------------------------------------------------
 void addResewing(CLI::App& app, flattening::OptionValues& values)
 {
   addOptions(app, { "Sewing Simulation", { "AreaBias", "Material" } }, values);
 }
 
-//------------------------------------------------------------------------------
 void sewAgain(const Options& options, Flattening& result)
 {
   if (options.command != "sew" || result.refused())
@@ -69,7 +68,6 @@ void sewAgain(const Options& options, Flattening& result)
   result.notes.insert(result.notes.end(), warnings.begin(), warnings.end());
 }
 
-//------------------------------------------------------------------------------
 std::string resewingTable(bool product, const Flattening& result)
 {
   if (!result.sewn)
@@ -94,6 +92,60 @@ std::string resewingTable(bool product, const Flattening& result)
          << " at most; strained by " << percent("StrainP95") << " % on 95 %, "
          << percent("CompressedArea") << " % of it compressed\n";
   }
+  return text.str();
+}
+
+void addReshaping(CLI::App& app, flattening::OptionValues& values)
+{
+  addOptions(app, { "Moving the Surface", { "Thickness" } }, values);
+}
+
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeReshapingFilter(const flattening::OptionValues& values)
+{
+  const auto filter = vtkSmartPointer<vtkMakeFlattenable>::New();
+  filter->SetOptions(values);
+  for (const std::string& curve : values.list("KeptCurves"))
+  {
+    filter->AddKeptCurve(curve);
+  }
+  return filter;
+}
+
+void setBody(const std::string& body, vtkFlatPieceAlgorithm* filter)
+{
+  auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter);
+  if (reshaping && !body.empty())
+  {
+    reshaping->SetBodyData(readSurface(body).surface);
+  }
+}
+
+void takeReshaped(vtkFlatPieceAlgorithm* filter, Flattening& result)
+{
+  if (auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter))
+  {
+    result.flattenable = filter->GetOutput(5);
+    result.flattenableCurves = filter->GetOutput(6);
+    result.flatBefore = filter->GetOutput(7);
+    result.tablesBefore.pieces = vtkTable::SafeDownCast(filter->GetOutputDataObject(8));
+    result.shiftMeasures = vtkTable::SafeDownCast(filter->GetOutputDataObject(9));
+    result.shiftTrials = reshaping->GetTrials()->GetNumberOfRows();
+  }
+}
+
+std::string reshapingTable(const Flattening& result)
+{
+  vtkTable* const measures = result.shiftMeasures;
+  if (measures->GetNumberOfRows() == 0)
+  {
+    return "";
+  }
+  const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
+  std::ostringstream text;
+  text << std::setprecision(3) << "\nsurface moved by " << number("ShiftMean") << ' ' << result.unit
+       << " in the mean (" << 100.0 * number("RelativeShiftMean") << " % of its size), "
+       << number("ShiftMax") << " at most: strain_p95 " << number("StrainBefore") << " -> "
+       << number("StrainAfter") << '\n';
   return text.str();
 }
 }

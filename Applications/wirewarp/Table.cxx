@@ -110,7 +110,6 @@ std::string gain(const PieceTables& tables, vtkIdType piece, vtkIdType row)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string pieceTable(const Flattening& result)
 {
   vtkTable* const table = result.tables.pieces;
@@ -157,7 +156,6 @@ std::string pieceTable(const Flattening& result)
   return layOut(rows, 1);
 }
 
-//------------------------------------------------------------------------------
 std::string verdicts(const Flattening& result)
 {
   vtkTable* const table = result.tables.pieces;
@@ -172,7 +170,6 @@ std::string verdicts(const Flattening& result)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string curveTable(const Flattening& result)
 {
   vtkTable* const table = result.curveTable;
@@ -191,7 +188,6 @@ std::string curveTable(const Flattening& result)
   return layOut(rows, 1);
 }
 
-//------------------------------------------------------------------------------
 std::string curveDistance(const Flattening& result)
 {
   // Coordinates as files have them, with seven figures, are on the surface.
@@ -204,7 +200,6 @@ std::string curveDistance(const Flattening& result)
     " mm off the surface, and laid on it\n";
 }
 
-//------------------------------------------------------------------------------
 std::string releaseAdvice(const Flattening& result)
 {
   vtkTable* const trials = result.tables.releaseTrials;
@@ -230,14 +225,12 @@ std::string releaseAdvice(const Flattening& result)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string unitNote(const Flattening& result, const std::string& where)
 {
   return result.unitNote.empty() ? ""
                                  : "wirewarp: note: " + plainText(where + result.unitNote) + '\n';
 }
 
-//------------------------------------------------------------------------------
 std::string warnings(const Flattening& result, const std::string& where)
 {
   std::string text;
@@ -252,7 +245,6 @@ std::string warnings(const Flattening& result, const std::string& where)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string writeErrors(const Flattening& result)
 {
   std::string text;
@@ -263,7 +255,6 @@ std::string writeErrors(const Flattening& result)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string fallbacks(const Flattening& result)
 {
   vtkTable* const table = result.tables.pieces;
@@ -278,7 +269,6 @@ std::string fallbacks(const Flattening& result)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string pieceWarnings(const Flattening& result, const std::string& where)
 {
   vtkTable* const table = result.tables.pieces;
@@ -296,7 +286,6 @@ std::string pieceWarnings(const Flattening& result, const std::string& where)
   return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;
 }
 
-//------------------------------------------------------------------------------
 std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
 {
   std::vector<SuggestedCut> cuts;
@@ -335,7 +324,6 @@ std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
   return cuts;
 }
 
-//------------------------------------------------------------------------------
 std::vector<LeftOutLine> leftOutLines(const Flattening& result)
 {
   std::vector<LeftOutLine> lines;
@@ -358,7 +346,6 @@ std::vector<LeftOutLine> leftOutLines(const Flattening& result)
   return lines;
 }
 
-//------------------------------------------------------------------------------
 std::vector<double> mirrorNumbers(const Flattening& result, const char* array)
 {
   std::vector<double> numbers;
@@ -461,7 +448,6 @@ std::string shortList(const Flattening& result)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string suggestionTable(const Flattening& result, bool numbers)
 {
   if (!result.curves)
@@ -500,7 +486,6 @@ std::string suggestionTable(const Flattening& result, bool numbers)
   return text.str();
 }
 
-//------------------------------------------------------------------------------
 std::vector<KeyTrialRow> keyTrials(const Flattening& result)
 {
   std::vector<KeyTrialRow> rows;
@@ -514,7 +499,6 @@ std::vector<KeyTrialRow> keyTrials(const Flattening& result)
   return rows;
 }
 
-//------------------------------------------------------------------------------
 std::string keyPriceTable(const Flattening& result)
 {
   const std::vector<KeyTrialRow> rows = keyTrials(result);

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableOptions.h"
 
+#include "Options.h"
 #include "PlainText.h"
+#include "Resewing.h"
 #include "TextFile.h"
+
+#include <vtkFeatureCurveSuggestion.h>
+#include <vtkKeyCurvePrices.h>
+#include <vtkLeastSquaresConformalFilter.h>
+#include <vtkNew.h>
+#include <vtkWireWarpingFilter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -12,7 +20,9 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <sstream>
+#include <string>
 #include <variant>
 
 namespace wirewarp
@@ -179,7 +189,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 std::vector<CLI::Option*> addOptions(
   CLI::App& app, const TableSubset& subset, flattening::OptionValues& values)
 {
@@ -194,7 +203,6 @@ std::vector<CLI::Option*> addOptions(
   return added;
 }
 
-//------------------------------------------------------------------------------
 std::pair<std::string, double> namedNumber(
   const std::string& entry, const flattening::Option& option)
 {
@@ -210,7 +218,6 @@ std::pair<std::string, double> namedNumber(
   return named;
 }
 
-//------------------------------------------------------------------------------
 EaseRequest easeRequest(const std::string& entry)
 {
   EaseRequest ease;
@@ -241,7 +248,6 @@ EaseRequest easeRequest(const std::string& entry)
   return ease;
 }
 
-//------------------------------------------------------------------------------
 CLI::Validator number(double least, double most, const std::string& range)
 {
   return CLI::Validator(
@@ -253,7 +259,6 @@ CLI::Validator number(double least, double most, const std::string& range)
     "in " + range);
 }
 
-//------------------------------------------------------------------------------
 CLI::Validator percentage(double least, double most, const std::string& range)
 {
   return CLI::Validator(
@@ -277,7 +282,6 @@ CLI::Validator percentage(double least, double most, const std::string& range)
     "");
 }
 
-//------------------------------------------------------------------------------
 CLI::Validator wholeNumber(long long least, long long most, const std::string& range)
 {
   return CLI::Validator(
@@ -289,7 +293,6 @@ CLI::Validator wholeNumber(long long least, long long most, const std::string& r
     range);
 }
 
-//------------------------------------------------------------------------------
 bool splitNameAndNumber(const std::string& text, std::string& name, double& value)
 {
   const std::size_t sign = text.rfind('=');
@@ -301,7 +304,6 @@ bool splitNameAndNumber(const std::string& text, std::string& name, double& valu
   return parseNumber(text.substr(sign + 1), value);
 }
 
-//------------------------------------------------------------------------------
 CLI::Validator nameAndMillimetres()
 {
   return CLI::Validator(
@@ -313,5 +315,109 @@ CLI::Validator nameAndMillimetres()
                    : inQuotes(text) + " is not the name of a curve, '=', and a number in [0, 1e6]";
     },
     "NAME=MM");
+}
+
+void addMethods(CLI::App& app, Options& options)
+{
+  options.values.setWord("DartLegs", "mirrored"); // as darts are sewn, leg on leg
+  for (const char* const group :
+    { "Method", "Material", "Ease", "Pieces", "Solver", "Surface and Curves" })
+  {
+    for (CLI::Option* const option : addOptions(app, { group }, options.values))
+    {
+      option->group(group);
+    }
+  }
+  app
+    .add_flag_callback(
+      "--paper-method",
+      [&options]() {
+        const auto choose = [&options](const char* property, double word) {
+          options.values.set(property, word);
+          options.values.markGiven(property);
+        };
+        choose("Scheme", vtkWireWarpingFilter::GLOBAL);
+        choose("Interior", vtkWireWarpingFilter::LAPLACIAN);
+      },
+      "The paper's method: --scheme global --interior laplacian. newton finds the minimum that the "
+      "paper defines; --solver sequential approaches it by the paper's steps, where they converge")
+    ->excludes("--scheme", "--interior")
+    ->group("Method");
+}
+
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options)
+{
+  vtkSmartPointer<vtkFlatPieceAlgorithm> filter;
+  if (options.command == "reshape")
+  {
+    filter = makeReshapingFilter(options.reshaping);
+  }
+  else if (options.command == "prices")
+  {
+    filter = vtkSmartPointer<vtkKeyCurvePrices>::New();
+  }
+  else if (options.command == "cut")
+  {
+    const auto suggestion = vtkSmartPointer<vtkFeatureCurveSuggestion>::New();
+    const flattening::Option& prefer =
+      *findOption(flattening::OptionOwner::Suggestion, "Preferences");
+    for (const std::string& entry : options.values.list(prefer.property))
+    {
+      const auto [curve, weight] = namedNumber(entry, prefer);
+      suggestion->AddPreference(curve, weight);
+    }
+    filter = suggestion;
+  }
+  else if (options.values.text("Scheme") == "lscm")
+  {
+    filter = vtkSmartPointer<vtkLeastSquaresConformalFilter>::New();
+  }
+  else
+  {
+    filter = vtkSmartPointer<vtkWireWarpingFilter>::New();
+  }
+  return filter;
+}
+
+void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter)
+{
+  filter->SetOptions(options.values);
+  const flattening::Option& tolerances =
+    *findOption(flattening::OptionOwner::Warping, "CurveTolerances");
+  for (const std::string& entry : options.values.list(tolerances.property))
+  {
+    const auto [curve, tolerance] = namedNumber(entry, tolerances);
+    filter->AddCurveTolerance(curve, tolerance);
+  }
+  for (const std::string& entry : options.values.list("CurveEases"))
+  {
+    const EaseRequest ease = easeRequest(entry);
+    vtkWireWarpingFilter::SafeDownCast(filter)->AddCurveEase(ease.curve, ease.piece, ease.fraction);
+  }
+}
+
+namespace
+{
+/// Of the default of MaximumWork, which takes some 15 s of one processor.
+const std::map<std::string, double> shareOfEffort{ { "quick", 0.25 }, { "normal", 1.0 },
+  { "long", 4.0 } };
+}
+
+void addCutting(CLI::App& app, Options& options)
+{
+  const double work = options.values.number("MaximumWork");
+  addOptions(app, { "Suggestions" }, options.values);
+  app
+    .add_option_function<std::string>(
+      "--effort",
+      [&options, work](const std::string& effort) {
+        options.values.set("MaximumWork", work * shareOfEffort.at(effort));
+      },
+      "Length of the search: quick (up to some 5 s), normal (15 s), long (1 min). The best cuts "
+      "that are found by then are proposed, as after Ctrl+C")
+    ->transform(CLI::IsMember({ "quick", "normal", "long" }, CLI::ignore_case).description(""))
+    ->type_name("EFFORT")
+    ->default_str("normal")
+    ->excludes("--max-work");
 }
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options.h"
 #include "Options/OptionTable.h"
+
+#include <vtkFlatPieceAlgorithm.h>
+#include <vtkSmartPointer.h>
 
 #include <CLI/CLI.hpp>
 
@@ -54,4 +58,15 @@ bool splitNameAndNumber(const std::string& text, std::string& name, double& valu
 
 /// Checks that an option is the name of a curve, '=', and a number of millimetres in [0, 1e6].
 CLI::Validator nameAndMillimetres();
+
+/// Adds the options of how surfaces are flattened.
+void addMethods(CLI::App& app, Options& options);
+
+/// The filter that does what the options say, without their values.
+vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options);
+
+void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter);
+
+/// Adds the options of how cuts are proposed.
+void addCutting(CLI::App& app, Options& options);
 }

@@ -231,7 +231,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 void runInProcesses(std::size_t count, std::size_t workers,
   const std::function<std::string(std::size_t)>& job,
   const std::function<void(std::size_t, const std::optional<std::string>&)>& done)

@@ -8,7 +8,6 @@
 #include "Options.h"
 #include "PlainText.h"
 #include "Resewing.h"
-#include "Reshaping.h"
 #include "Table.h"
 
 #include <vtkSMPTools.h>
