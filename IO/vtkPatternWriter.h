@@ -533,8 +533,8 @@ public:
   /**
    * Draw the outline of each piece that is symmetric within 0.5 mm as its own mirror image: both of
    * its sides follow the same curves, still within the FairTolerance of the mesh's points and of
-   * the surface's lengths; and with it the curves and borders of holes in it that are symmetric as
-   * well. Sides whose lengths differ by up to 0.1 mm get their mean, as does what is sewn to them.
+   * the surface's lengths. Sides whose lengths differ by up to 0.1 mm get their mean, as does what
+   * is sewn to them.
    * Notes (MIRRORED) say how far sides were and are from each other, and why a
    * piece is not drawn so (NOT_MIRRORED): it is not symmetric, its sides differ by more, its points
    * are farther from such curves, or 95 % of its area would be strained by over 0.3 % more. It is

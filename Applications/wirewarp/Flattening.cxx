@@ -271,7 +271,7 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
 
 /// A unit that is taken is none that the files state, and a note says of it what the filter warns
 /// of.
-void forgetUnit(vtkWireWarpingFilter* filter, Flattening& result)
+void forgetUnit(vtkFlatPieceAlgorithm* filter, Flattening& result)
 {
   if (result.unitStated)
   {

@@ -473,8 +473,8 @@ void addDrawing(CLI::App& app, PatternRequest& request)
     ->check(number(1.0, 100.0, "[1, 100]"))
     ->capture_default_str();
   app.add_flag("--symmetrize", request.symmetrize,
-    "Draw the outline of each piece that is symmetric to 0.5 mm, and the curves and holes in it "
-    "that are, as exactly its own mirror image; sides whose lengths differ by up to 0.1 mm get "
+    "Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror image; "
+    "sides whose lengths differ by up to 0.1 mm get "
     "their mean");
   app.add_option("--page-overlap", request.overlap, "How far pages overlap, in mm")
     ->check(number(0.0, 50.0, "[0, 50]"))

@@ -100,7 +100,7 @@ class Usage(command.CommandTest):
             (("--scheme", "lscm", "--tolerance", "a=0.1"), "--tolerance"),
             (("--scheme", "lscm", "--max-length-error", "1"), "--max-length-error"),
             (("--scheme", "lscm", "--rigid-iterations", "9"), "--rigid-iterations"),
-            (("--scheme", "lscm", "--release-keys"), "--release-keys"),
+            (("--scheme", "lscm", "--no-keys"), "--no-keys"),
             (("--no-area-normalized",), "--no-area-normalized"),
             (("--scheme", "global", "--energy", "rigid"), "--energy"),
             (("--scheme", "progressive", "--angle-weight", "5"), "--angle-weight"),

@@ -98,48 +98,6 @@ double missOf(const Smoothed& smoothed, std::size_t wire = 0, std::size_t other 
   return miss;
 }
 
-double edgesOf(const PatternSource& source, std::size_t wire)
-{
-  double length = 0.0;
-  const Indices& points = source.wires[wire].points;
-  for (std::size_t k = 0; k + 1 < points.size(); ++k)
-  {
-    length += (source.positions[static_cast<std::size_t>(points[k + 1])] -
-      source.positions[static_cast<std::size_t>(points[k])])
-                .norm();
-  }
-  return length;
-}
-
-/// A shirt with a curve from either side inwards.
-/// \param backwards the left one runs outwards
-/// \param beside how far from the image of the right one's end the left one's is, along the side
-PatternSource shirtWithCurves(bool backwards, double beside)
-{
-  PatternSource source = shirt(2);
-  constexpr Index start = 5;
-  constexpr Index image = 77;
-  const Point2 from = source.positions[start];
-  const Point2 way = source.positions[image + 1] - source.positions[image];
-  source.positions[image] += beside / way.norm() * way;
-  Indices right{ start };
-  Indices left{ image };
-  for (int k = 1; k <= 6; ++k)
-  {
-    const Point2 at = from + Point2(-12.0 * k, 3.0 * std::sin(0.5 * k));
-    right.push_back(static_cast<Index>(source.positions.size()));
-    source.positions.push_back(at);
-    left.push_back(static_cast<Index>(source.positions.size()));
-    source.positions.emplace_back(-at.x(), at.y());
-  }
-  if (backwards)
-  {
-    std::reverse(left.begin(), left.end());
-  }
-  source.wires.push_back({ right, WireType::Accessory, 10, 0, "right" });
-  source.wires.push_back({ left, WireType::Accessory, 11, 0, "left" });
-  return source;
-}
 }
 
 TEST(OutlineMirror, BothSidesFollowTheSameCurvesThoughTheirPointsDiffer)
@@ -274,41 +232,6 @@ TEST(OutlineMirror, CurvesWithinEndOnTheSymmetricBorderAtTheirLengths)
     const Point2 last = smoothed.borders->alongEdge(end, end + 1).front().control[0];
     EXPECT_NEAR((curve.front().control[0] - first).norm(), 0.0, 1e-6) << end;
     EXPECT_NEAR((curve.back().control[3] - last).norm(), 0.0, 1e-6) << end;
-  }
-}
-
-TEST(OutlineMirror, CurvesWithinAreMirroredWhicheverWayTheyRun)
-{
-  for (const bool backwards : { false, true })
-  {
-    const Smoothed smoothed(shirtWithCurves(backwards, 0.0), 0.5, 0.0, symmetrized());
-    const FairPieceReport& report = smoothed.borders->reports()[0];
-    ASSERT_TRUE(report.mirror);
-    EXPECT_EQ(report.inner.curves, 2U);
-    EXPECT_LT(report.inner.miss, 1e-3);
-    EXPECT_LT(missOf(smoothed, 3, 4), 2e-5) << backwards;
-    const double right = lengthOf(smoothed.borders->curveOf(smoothed.source.wires[3]));
-    const double left = lengthOf(smoothed.borders->curveOf(smoothed.source.wires[4]));
-    EXPECT_NEAR(right, left, 1e-9);
-    EXPECT_NEAR(right, edgesOf(smoothed.source, 3), 0.05);
-  }
-}
-
-TEST(OutlineMirror, CurvesThatStartBesideEachOthersImagesKeepTheirPlacesAndAreMeasured)
-{
-  const Smoothed smoothed(shirtWithCurves(false, 0.3), 0.5, 0.0, symmetrized());
-  const FairPieceReport& report = smoothed.borders->reports()[0];
-  ASSERT_TRUE(report.mirror);
-  EXPECT_LT(missOf(smoothed), 2e-5);
-  EXPECT_EQ(report.inner.curves, 2U);
-  EXPECT_NEAR(report.inner.miss, 0.3, 0.1);
-  for (const std::size_t wire : { 3U, 4U })
-  {
-    const auto curve = smoothed.borders->curveOf(smoothed.source.wires[wire]);
-    EXPECT_NEAR(lengthOf(curve), edgesOf(smoothed.source, wire), 1e-8);
-    const Index start = smoothed.source.wires[wire].points.front();
-    const Point2 place = smoothed.borders->alongEdge(start, start + 1).front().control[0];
-    EXPECT_LT((curve.front().control[0] - place).norm(), 2e-3); // lengths so near follow each other
   }
 }
 

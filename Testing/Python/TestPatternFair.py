@@ -164,50 +164,6 @@ class Fair(pattern.PatternTest):
         self.make("wetsuit_pants_back", "-o", "out/pattern.svg")
         self.assertGreater(max(self.misses()), 0.1)
 
-    def test_curves_within_symmetric_pieces_are_mirror_images_in_the_file(self):
-        for piece in ("shirt_front", "shirt_back", "wetsuit_pants_back", "wetsuit_upper_front"):
-            with self.subTest(piece):
-                self.make(piece, "-o", "out/pattern.svg", "--symmetrize")
-                self.assertLess(max(self.misses("internal", "key-curve")), 1e-3)
-                self.assert_lengths_are_kept(1e-6)
-                self.assertTrue(any("within it are drawn as mirror images as well, to 0.001 mm" in note
-                                    for note in self.notes()), self.notes())
-        self.make("shirt_front", "-o", "out/pattern.svg")
-        self.assertGreater(max(self.misses("internal", "key-curve")), 0.1)
-
-    def sheet_with_two_holes(self):
-        """Bulged and symmetric, but for the diagonals of its squares; with curves across, aside and along it."""
-        across, up = 12, 8
-        points = [(40.0 * (i - across / 2), 40.0 * j,
-                   30 * math.cos(math.pi * (i / across - 0.5)) * math.sin(math.pi * j / up))
-                  for j in range(up + 1) for i in range(across + 1)]
-
-        def at(i, j):
-            return j * (across + 1) + i
-        squares = [(i, j) for j in range(up) for i in range(across) if j not in (3, 4) or i not in (2, 3, 8, 9)]
-        triangles = [corners for i, j in squares for corners in
-                     ((at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1)))]
-        with open(self.path("sheet.obj"), "w", encoding="ascii") as file:
-            file.writelines("v {!r} {!r} {!r}\n".format(*p) for p in points)
-            file.writelines("f {} {} {}\n".format(*(v + 1 for v in t)) for t in triangles)
-        aside = ((0, 1), (1, 1), (2, 2), (3, 2))
-        lines = {"key middle": [at(6, j) for j in range(up + 1)],
-                 "accessory girth": [at(i, 6) for i in range(across + 1)],
-                 "accessory left": [at(i, j) for i, j in aside],
-                 "accessory right": [at(across - i, j) for i, j in reversed(aside)]}
-        with open(self.path("curves.txt"), "w", encoding="ascii") as file:
-            file.writelines(f"{name} {' '.join(map(str, line))}\n" for name, line in lines.items())
-
-    def test_holes_and_curves_are_mirrored_though_the_mesh_is_not(self):
-        self.sheet_with_two_holes()
-        for options, exact in (((), False), (("--symmetrize",), True)):
-            run = self.run_command("pattern", "sheet.obj", "curves.txt", "--unit", "mm", "-o", "out/pattern.svg", "--output", "out", "-q", *options)
-            self.assertEqual(run.returncode, 0, run.stderr)
-            for miss in self.misses() + self.misses("internal", "key-curve"):
-                self.assertEqual(miss < 1e-3, exact, miss)
-        told = re.search(r"up to ([\d.]+) mm longer or shorter", "\n".join(self.notes()))
-        self.assertLess(float(told[1]), 0.05)
-
     def test_a_symmetric_piece_strained_by_too_much_is_nearer_to_its_points_and_stays_symmetric(self):
         self.make("shirt_shoulder", "-o", "out/pattern.svg", "--smooth", "0.5", "--symmetrize")
         self.assertLess(max(self.misses()), 1e-3)

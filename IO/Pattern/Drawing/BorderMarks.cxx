@@ -9,9 +9,7 @@
 #include <map>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -199,6 +197,5 @@ void NotchMarks::add(const BorderMark& mark)
       this->add(foot, onwards, arcLength, mark.name);
     }
   }
-}
 }
 }

@@ -3,9 +3,7 @@
 
 #include "Outlines/DrawingSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A place of a border that wants a notch whether or not it is sewn.
 struct BorderMark
@@ -53,5 +51,4 @@ private:
   const Segments& CutLine;
   PatternPiece& Drawing;
 };
-}
 }

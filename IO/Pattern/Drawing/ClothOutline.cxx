@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 DartPlacement::DartPlacement(const DrawingSource& all, const Indices& loop, const Dart& dart)
   : TwoTips(dart.otherTip != none)
@@ -189,6 +187,5 @@ bool ClothOutline::roof(std::size_t d, Point2& corner) const
   const std::size_t end = dart.firstEdge + dart.edges;
   return dartRoof(this->Placements[d].at(this->All.at(dart.tip)), { at(dart.firstEdge), at(end) },
     { at(dart.firstEdge + count - 1), at(end + 1) }, corner);
-}
 }
 }

@@ -6,9 +6,7 @@
 
 #include <unordered_map>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Where a folded dart is drawn: as it lies, or with its tips drawn back, where a sewn dart is to
 /// end before the cut does. Its legs go with them by the affine map that leaves the mouth where it
@@ -70,5 +68,4 @@ private:
   std::vector<DartPlacement> Placements;
   std::unordered_map<std::uint64_t, std::size_t> Folded; ///< edges of the loops, with their darts
 };
-}
 }

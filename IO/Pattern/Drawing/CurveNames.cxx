@@ -8,9 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -282,6 +280,5 @@ void placeCurveNames(const Segments& boundary, PatternPiece& piece)
   {
     placer.place(grain.known ? "grain" : "upright", { grain.from, grain.to }, 0.15);
   }
-}
 }
 }

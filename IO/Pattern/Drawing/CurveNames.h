@@ -4,9 +4,7 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PlaneGeometry.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Adds the texts of a piece whose lines, notches and grainline are there: name, size, quantity and
 /// count (PatternPiece::texts comes with these lines, unplaced) at the widest free place, the names
@@ -19,5 +17,4 @@ void placeTexts(const Segments& boundary, PatternPiece& piece);
 /// already.
 /// \param boundary the sew lines as segments
 void placeCurveNames(const Segments& boundary, PatternPiece& piece);
-}
 }

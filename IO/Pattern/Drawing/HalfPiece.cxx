@@ -7,9 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -290,6 +288,5 @@ void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
     std::remove_if(piece.drillHoles.begin(), piece.drillHoles.end(),
       [&axis](const Point2& p) { return rightOf(axis, p) < -mirrorTolerance; }),
     piece.drillHoles.end());
-}
 }
 }

@@ -4,9 +4,7 @@
 #include "Outlines/MirrorPairs.h"
 #include "Outlines/Pattern.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// The part of a closed polygon on the right of an axis; what runs across is closed along the axis.
 Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis);
@@ -17,5 +15,4 @@ PatternLine foldLine(const std::vector<PatternLine>& lines, const MirrorAxis& ax
 /// Leaves of a symmetric piece what lies on the right of its axis, and draws the fold there. Lines
 /// that lie along the axis are drawn on it.
 void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece);
-}
 }

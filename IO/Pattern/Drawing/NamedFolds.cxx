@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -113,6 +111,5 @@ Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::str
         formatNumber(fold->axis.miss, 1) + limit);
   }
   return {};
-}
 }
 }

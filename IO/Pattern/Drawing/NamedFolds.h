@@ -6,9 +6,7 @@
 
 #include <optional>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// How a piece lies on the fold of the cloth.
 struct NamedFold
@@ -23,5 +21,4 @@ struct NamedFold
 /// is no line of symmetry of the piece, with both names
 Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::string& pieceName,
   const PieceShape& shape, std::optional<NamedFold>& fold);
-}
 }

@@ -7,7 +7,6 @@
 #include "Drawing/NamedFolds.h"
 #include "Drawing/PieceDrawing.h"
 #include "Fairing/FairBorders.h"
-#include "Fairing/FairNotes.h"
 #include "Outlines/ClosedCuts.h"
 #include "Outlines/PatternSource.h"
 #include "Outlines/PatternText.h"
@@ -16,9 +15,7 @@
 #include <cmath>
 #include <optional>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -427,6 +424,5 @@ Status buildPattern(
     }
   }
   return status;
-}
 }
 }

@@ -5,9 +5,7 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 class FairCache;
 
@@ -19,5 +17,4 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
 /// \param cache of smooth borders, for other files of the same flattening; null: none
 Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern,
   FairCache* cache = nullptr);
-}
 }

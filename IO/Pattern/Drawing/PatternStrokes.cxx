@@ -5,10 +5,9 @@
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
+#include <array>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -16,6 +15,28 @@ constexpr Colour black{ 0.0, 0.0, 0.0 };
 constexpr Colour red{ 0.8, 0.0, 0.0 };
 constexpr Colour green{ 0.0, 0.5, 0.1 };
 constexpr Colour blue{ 0.0, 0.2, 0.8 };
+
+struct Look
+{
+  StrokeStyle onPaper;
+  Colour laser;
+};
+
+/// In the order of StrokeRole.
+const std::array<Look, 12> looks{ {
+  { { "cut-line", black, 0.5, {} }, { 1.0, 0.0, 0.0 } },
+  { { "cut-out", black, 0.5, {} }, { 1.0, 0.5, 0.0 } },
+  { { "sew-line", black, 0.25, { 4.0, 2.0 } }, { 0.0, 0.0, 1.0 } },
+  { { "dart-leg", blue, 0.3, { 4.0, 2.0 } }, { 0.0, 0.5, 1.0 } },
+  { { "dart-fold", blue, 0.25, { 1.0, 1.5 } }, { 0.5, 0.0, 1.0 } },
+  { { "fold", black, 0.35, { 12.0, 2.0, 2.0, 2.0 } }, { 0.5, 0.5, 0.5 } },
+  { { "key-curve", red, 0.25, { 8.0, 1.5, 1.0, 1.5 } }, { 1.0, 0.0, 1.0 } },
+  { { "internal", green, 0.25, {} }, { 0.5, 0.5, 0.0 } },
+  { { "notch", black, 0.4, {} }, { 0.0, 1.0, 0.0 } },
+  { { "dart-mark", black, 0.4, {} }, { 0.0, 0.5, 0.0 } },
+  { { "drill-hole", black, 0.25, {} }, { 0.0, 1.0, 1.0 } },
+  { { "grain", black, 0.35, {} }, { 0.0, 0.0, 0.0 } },
+} };
 
 StrokeRole roleOf(LineKind kind)
 {
@@ -67,64 +88,12 @@ bool isCut(StrokeRole role)
 
 StrokeStyle styleOf(StrokeRole role)
 {
-  switch (role)
-  {
-    case StrokeRole::CutLine:
-      return { "cut-line", black, 0.5, {} };
-    case StrokeRole::CutOut:
-      return { "cut-out", black, 0.5, {} };
-    case StrokeRole::SewLine:
-      return { "sew-line", black, 0.25, { 4.0, 2.0 } };
-    case StrokeRole::DartLeg:
-      return { "dart-leg", blue, 0.3, { 4.0, 2.0 } };
-    case StrokeRole::DartFold:
-      return { "dart-fold", blue, 0.25, { 1.0, 1.5 } };
-    case StrokeRole::Fold:
-      return { "fold", black, 0.35, { 12.0, 2.0, 2.0, 2.0 } };
-    case StrokeRole::KeyCurve:
-      return { "key-curve", red, 0.25, { 8.0, 1.5, 1.0, 1.5 } };
-    case StrokeRole::Notch:
-      return { "notch", black, 0.4, {} };
-    case StrokeRole::DartMark:
-      return { "dart-mark", black, 0.4, {} };
-    case StrokeRole::DrillHole:
-      return { "drill-hole", black, 0.25, {} };
-    case StrokeRole::Grain:
-      return { "grain", black, 0.35, {} };
-    default:
-      return { "internal", green, 0.25, {} };
-  }
+  return looks.at(static_cast<std::size_t>(role)).onPaper;
 }
 
 Colour laserColour(StrokeRole role)
 {
-  switch (role)
-  {
-    case StrokeRole::CutLine:
-      return { 1.0, 0.0, 0.0 };
-    case StrokeRole::CutOut:
-      return { 1.0, 0.5, 0.0 };
-    case StrokeRole::SewLine:
-      return { 0.0, 0.0, 1.0 };
-    case StrokeRole::DartLeg:
-      return { 0.0, 0.5, 1.0 };
-    case StrokeRole::DartFold:
-      return { 0.5, 0.0, 1.0 };
-    case StrokeRole::Fold:
-      return { 0.5, 0.5, 0.5 };
-    case StrokeRole::KeyCurve:
-      return { 1.0, 0.0, 1.0 };
-    case StrokeRole::Notch:
-      return { 0.0, 1.0, 0.0 };
-    case StrokeRole::DartMark:
-      return { 0.0, 0.5, 0.0 };
-    case StrokeRole::DrillHole:
-      return { 0.0, 1.0, 1.0 };
-    case StrokeRole::Grain:
-      return { 0.0, 0.0, 0.0 };
-    default:
-      return { 0.5, 0.5, 0.0 };
-  }
+  return looks.at(static_cast<std::size_t>(role)).laser;
 }
 
 std::vector<Stroke> strokesOf(const PatternPiece& piece)
@@ -187,6 +156,5 @@ std::string fitText(const std::string& text, double height, double width)
     } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
   }
   return text.substr(0, end) + dots;
-}
 }
 }

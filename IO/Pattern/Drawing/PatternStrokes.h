@@ -5,9 +5,7 @@
 
 #include <array>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// What a stroke is for.
 enum class StrokeRole
@@ -66,5 +64,4 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece);
 
 /// As many of the first characters of a text as fit a width, with an ellipsis where it was cut.
 std::string fitText(const std::string& text, double height, double width);
-}
 }

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -486,6 +484,5 @@ Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<
   const std::optional<NamedFold>& fold, PatternPiece& drawing)
 {
   return PieceDrawer(all, piece, drawing).draw(marks, fold);
-}
 }
 }

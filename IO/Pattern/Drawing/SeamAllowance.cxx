@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -207,6 +205,5 @@ Status addAllowance(
   }
   std::iter_swap(widened.begin(), largest);
   return {};
-}
 }
 }

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A closed polygon with the cloth on its left. The allowance of edge k, from point k to the next,
 /// lies on its right.
@@ -36,5 +34,4 @@ inline bool hasAllowance(const std::vector<AllowancePolygon>& polygons)
 /// first; exact to a 10,000th of a millimetre
 Status addAllowance(
   const std::vector<AllowancePolygon>& polygons, double mitreLimit, std::vector<Points2>& widened);
-}
 }

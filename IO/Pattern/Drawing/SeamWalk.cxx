@@ -13,9 +13,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -311,6 +309,5 @@ std::vector<std::vector<std::string>> walkRows(
       formatNumber(row.angleSum[0], 0) + " / " + formatNumber(row.angleSum[1], 0) });
   }
   return rows;
-}
 }
 }

@@ -5,9 +5,7 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 class FairCache;
 
@@ -45,5 +43,4 @@ std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& 
 /// The same for people to read: a head and a row an interval.
 std::vector<std::vector<std::string>> walkRows(
   const std::vector<WalkInterval>& walk, const Pattern& pattern);
-}
 }

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -192,6 +190,5 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
   {
     chain.corner.front() = chain.corner.back() = true;
   }
-}
 }
 }

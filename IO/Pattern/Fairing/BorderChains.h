@@ -3,9 +3,7 @@
 
 #include "Outlines/DrawingSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A border of a piece, closed, the cloth on the left; or a part of a feature curve within it.
 struct BorderChain
@@ -55,5 +53,4 @@ private:
   std::unordered_map<std::uint64_t, std::array<std::size_t, 2>> Edges;
   std::unordered_map<Index, std::size_t> Count;
 };
-}
 }

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -191,6 +189,5 @@ private:
 std::vector<std::vector<BorderEdge>> borderEdges(const DrawingSource& all, const FairBorders& fair)
 {
   return EdgeDivision(all, fair).divide();
-}
 }
 }

@@ -3,9 +3,7 @@
 
 #include "Fairing/FairBorders.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// One of the curves and straight lines that the outer border of a piece is made of.
 struct BorderEdge
@@ -20,5 +18,4 @@ struct BorderEdge
 /// The outer borders of all pieces, counter-clockwise. What is sewn is divided alike on both sides,
 /// so that edges are sewn to edges.
 std::vector<std::vector<BorderEdge>> borderEdges(const DrawingSource& all, const FairBorders& fair);
-}
 }

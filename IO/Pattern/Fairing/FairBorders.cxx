@@ -11,9 +11,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -257,13 +255,13 @@ FairBorders::FairBorders(const DrawingSource& all)
   const std::size_t pieces = all.loops.size();
   std::vector<double> work(pieces, mostWork);
   FairLimits limits{ std::vector<double>(pieces, 1.0),
-    std::vector<bool>(pieces, all.options.symmetrize), std::vector<bool>(pieces, true), &work };
+    std::vector<bool>(pieces, all.options.symmetrize), &work };
   this->WhyNotMirrored.resize(pieces);
   for (bool lowered = true; lowered;)
   {
-    const FairFit fit(all, this->Chains, limits);
-    this->Plan = fit.plan();
-    this->Spans = fit.spans();
+    const FairFit fit = fitFairBorders(all, this->Chains, limits);
+    this->Plan = fit.plan;
+    this->Spans = fit.spans;
     this->place(all);
     this->report(all, fit);
     for (std::size_t p = 0; p < pieces; ++p)
@@ -271,13 +269,6 @@ FairBorders::FairBorders(const DrawingSource& all)
       this->Reports[p].share = limits.shares[p];
     }
     lowered = this->lower(all, fit, limits);
-    for (std::size_t p = 0; p < pieces && !lowered; ++p)
-    {
-      FairPieceReport& report = this->Reports[p];
-      report.inner = report.mirror
-        ? measureInnerMirror(all, this->Chains, this->Spans, fit.mirror(p).chain, *report.mirror)
-        : InnerMirror();
-    }
   }
 }
 
@@ -298,23 +289,19 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
     {
       const double length = stretch.breaks.back() - stretch.breaks.front();
       rough = rough ||
-        (stretch.form == StretchForm::Raw && !fit.unmirrored(this->Chains.chains()[c].piece) &&
+        (stretch.form == StretchForm::Raw && !fit.unmirrored[this->Chains.chains()[c].piece] &&
           lengthChange(this->plan()[c], stretch) > sameLength * length);
     }
   }
   for (std::size_t p = 0; p < limits.shares.size(); ++p)
   {
     const FairPieceReport& report = this->Reports[p];
-    const std::optional<LeftStretch>& left = fit.unmirrored(p);
+    const std::optional<LeftStretch>& left = fit.unmirrored[p];
     const bool strained = report.strain - report.strainBefore > maximumIncrease;
     // As its own mirror image it is strained by less the nearer it is to its points.
     const bool nearer = limits.mirrored[p] && limits.shares[p] < 1.0;
     const bool far = strained && limits.shares[p] * lessShare < leastMirrored;
-    if (left && fit.mirror(p).goesWithin())
-    {
-      limits.mirroredWithin[p] = false; // the outline alone may be drawn so
-    }
-    else if (nearer && (left || !report.mirror || far))
+    if (nearer && (left || !report.mirror || far))
     {
       this->dropMirror(p, "it would strain the piece by over 0.3 % more", limits);
     }
@@ -432,7 +419,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   {
     before.emplace_back(all.scale() * p);
   }
-  for (const LeftStretch& left : fit.left())
+  for (const LeftStretch& left : fit.left)
   {
     FairPieceReport& report = this->Reports[this->Chains.chains()[left.chain].piece];
     report.wantedOfWorst = left.needed > report.worstLeft ? left.tolerance : report.wantedOfWorst;
@@ -442,9 +429,9 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   for (std::size_t p = 0; p < this->Reports.size(); ++p)
   {
     FairPieceReport& report = this->Reports[p];
-    report.solved = fit.solved(p);
+    report.solved = fit.solved[p];
     this->reportMirror(fit, p);
-    report.deviation = fit.largestDeviation(p);
+    report.deviation = fit.deviation[p];
     report.strainBefore = strainQuantile(all, p, before);
     report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
     std::sort(report.left.begin(), report.left.end());
@@ -464,7 +451,7 @@ void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
       report.lengthChange = isOwn ? std::max(report.lengthChange, change) : report.lengthChange;
     }
   }
-  const OutlineMirror& mirror = fit.mirror(piece);
+  const OutlineMirror& mirror = fit.mirrors[piece];
   report.whyNotMirrored = mirror.why.empty() ? this->WhyNotMirrored[piece] : mirror.why;
   if (mirror.found())
   {
@@ -568,5 +555,88 @@ Point2 pointOnDrawnEdge(
   outward = Point2(along.y(), -along.x()).normalized();
   return place;
 }
+
+namespace
+{
+void addMirrorNotes(const FairPieceReport& report, PatternPiece& piece)
+{
+  const std::string of = "piece " + piece.name + ": ";
+  if (!report.whyNotMirrored.empty())
+  {
+    piece.notes.push_back(
+      { of + "its outline is not drawn as its own mirror image: " + report.whyNotMirrored,
+        NoteKind::NotMirrored });
+  }
+  if (report.mirror)
+  {
+    const double below = std::max(report.mirrorMiss, 1e-6);
+    std::string note = of + "its outline is drawn as its own mirror image, to " +
+      formatNumber(below, 6) + " mm; its flat points miss that by " +
+      formatNumber(report.mirror->miss, 3) + " mm";
+    if (report.lengthDifference > noticedLength)
+    {
+      note +=
+        ", and its sides differ by " + formatNumber(report.lengthDifference, 4) + " mm in length";
+    }
+    piece.notes.push_back({ note, NoteKind::Mirrored });
+  }
+  if (report.lengthChange > noticedLength)
+  {
+    piece.notes.push_back({ of + "stretches of its borders and curves are up to " +
+        formatNumber(report.lengthChange, 4) +
+        " mm longer or shorter than on the surface, so that those that are mirror images, and what "
+        "is sewn to them, are equally long",
+      NoteKind::Mirrored });
+  }
+}
+}
+
+void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
+{
+  const std::string of = "piece " + piece.name + ": ";
+  addMirrorNotes(report, piece);
+  if (!report.solved)
+  {
+    piece.notes.push_back(
+      { of + "no smooth borders of these lengths were found; they are drawn as the mesh has them",
+        NoteKind::NotSmoothed });
+    return;
+  }
+  std::string note = of + std::to_string(report.splines) + " curves and " +
+    std::to_string(report.segments) + " straight lines in place of " +
+    std::to_string(report.edges) + " edges, at most " + formatNumber(report.deviation, 3) +
+    " mm from their points";
+  if (report.strainBefore > 0.0)
+  {
+    note += ", with 95 % of the area strained by no more than " +
+      formatNumber(100.0 * report.strain, 2) + " % (" +
+      formatNumber(100.0 * report.strainBefore, 2) + " % before)";
+  }
+  if (report.share == 0.0)
+  {
+    note += ": drawn as the mesh has them, since smooth ones would strain it by over 0.3 % more";
+  }
+  else if (report.share < 1.0)
+  {
+    note += "; kept within " + formatNumber(100.0 * report.share, 1) +
+      " % of the tolerance, since more would strain it by over 0.3 % more";
+  }
+  if (report.straightened > 0)
+  {
+    note += "; " + std::to_string(report.straightened) + " nearly straight stretches made straight";
+  }
+  piece.notes.push_back({ note, report.share == 0.0 ? NoteKind::NotSmoothed : NoteKind::Smoothed });
+  if (!report.left.empty())
+  {
+    std::string names;
+    for (const std::string& name : report.left)
+    {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    piece.notes.push_back({ of + "not smooth within " + formatNumber(report.wantedOfWorst, 3) +
+        " mm, but " + formatNumber(report.worstLeft, 2) +
+        " mm off, and so left as the mesh has them, are corners or stretches of " + names,
+      NoteKind::LeftRough });
+  }
 }
 }

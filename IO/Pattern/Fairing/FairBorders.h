@@ -4,12 +4,11 @@
 #include "Fairing/FairFit.h"
 #include "Fairing/OutlineMirror.h"
 #include "Outlines/DrawingSource.h"
+#include "Outlines/Pattern.h"
 
 #include <memory>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// The smooth borders of one flattening, which are found once for all of its files.
 class FairCache
@@ -55,7 +54,6 @@ struct FairPieceReport
   bool solved = true;               ///< false: nothing was drawn otherwise
   std::optional<MirrorAxis> mirror; ///< of its outline, which is drawn as its own mirror image
   double mirrorMiss = 0.0;          ///< of the outline that is drawn, millimetres
-  InnerMirror inner;                ///< where it is: curves and holes within it
   double lengthDifference = 0.0; ///< of sides of it that are mirror images, on the surface, at most
   double lengthChange = 0.0;     ///< of a stretch between two corners, from the surface, at most
   std::string whyNotMirrored;    ///< empty: it is, or was not to be
@@ -108,6 +106,10 @@ private:
   std::vector<std::string> WhyNotMirrored; ///< by piece
 };
 
+/// Says on a piece what was drawn smoothly, what was made straight or its own mirror image, and
+/// what was left as it was and why.
+void addFairNotes(const FairPieceReport& report, PatternPiece& piece);
+
 /// Adds the points of an edge of a border as it is drawn, all but its second end.
 void addDrawnEdge(const DrawingSource& all, Index from, Index to, Points2& points);
 
@@ -115,5 +117,4 @@ void addDrawnEdge(const DrawingSource& all, Index from, Index to, Points2& point
 /// \param outward to the right of the way from the first point to the second, of length 1
 Point2 pointOnDrawnEdge(
   const DrawingSource& all, Index from, Index to, double fraction, Point2& outward);
-}
 }

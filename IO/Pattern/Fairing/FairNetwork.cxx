@@ -8,9 +8,7 @@
 #include <cmath>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 CubicBasis::CubicBasis(const std::vector<double>& breaks)
   : Breaks(breaks)
@@ -346,10 +344,7 @@ void LinearRows::addMirror(const FairNetwork& network, const std::vector<Stretch
   {
     const std::vector<Eigen::Index> points = curves[pair.one].unknowns();
     std::vector<Eigen::Index> images = curves[pair.other].unknowns();
-    if (pair.backwards)
-    {
-      std::reverse(images.begin(), images.end());
-    }
+    std::reverse(images.begin(), images.end());
     for (std::size_t k = 0; k < points.size(); ++k)
     {
       const Eigen::Index a = std::min(points[k], images[k]);
@@ -388,6 +383,5 @@ void LinearRows::add(const Eigen::VectorXd& x, std::vector<Eigen::Triplet<double
       missing[r] -= factor * x[coordinate];
     }
   }
-}
 }
 }

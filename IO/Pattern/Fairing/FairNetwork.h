@@ -8,9 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Cubic B-splines over ascending breaks, continuously differentiable at those within, which are
 /// double knots, with as many knots at both ends as make the curve end in its first and last
@@ -74,13 +72,12 @@ struct FairStretch
   double length() const { return this->intervals.back().end; }
 };
 
-/// Two stretches whose curves are to be mirror images of each other; or one, twice, that is to be
-/// its own.
+/// Two stretches whose curves are to be mirror images of each other, so that one runs the other
+/// way; or one, twice, that is to be its own.
 struct FairImages
 {
   std::size_t one = 0;
   std::size_t other = 0;
-  bool backwards = true; ///< one runs the other way than the image of the other
 };
 
 /// An axis and stretches that are mirrored at it.
@@ -200,5 +197,4 @@ private:
 
   std::vector<Row> Rows;
 };
-}
 }

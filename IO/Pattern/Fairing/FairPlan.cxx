@@ -9,9 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -374,6 +372,5 @@ double IntervalCurve::placeAt(double share) const
     left -= length;
   }
   return this->End;
-}
 }
 }

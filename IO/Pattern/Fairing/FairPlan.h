@@ -6,9 +6,7 @@
 
 #include <limits>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A part of a chain between two stops: notches, corners of either side of a seam, ends of curves.
 struct PlannedInterval
@@ -77,7 +75,6 @@ struct FairLimits
 {
   std::vector<double> shares; ///< of its tolerances that it may use
   std::vector<bool> mirrored; ///< its outline is to be its own mirror image, where it nearly is
-  std::vector<bool> mirroredWithin;    ///< and so are curves and holes within it
   std::vector<double>* work = nullptr; ///< see FairNetwork, for all that is tried; never null
 };
 
@@ -107,5 +104,4 @@ private:
   double Length = 0.0;
   std::vector<FairSpan> Parts;
 };
-}
 }

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -378,6 +376,5 @@ private:
 FairCurves solveFairNetwork(const FairNetwork& network, double wave)
 {
   return FairSolver(network, wave).solve();
-}
 }
 }

@@ -5,9 +5,7 @@
 
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 struct FairCurves
 {
@@ -25,5 +23,4 @@ struct FairCurves
 /// of the constraints.
 /// \param wave the longest wave that is smoothed away, in the unit of the points
 FairCurves solveFairNetwork(const FairNetwork& network, double wave);
-}
 }

@@ -8,9 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -92,7 +90,7 @@ FairTrial::FairTrial(
   {
     if (pair.one == parts.front().stretch)
     {
-      this->Network.mirror.stretches.push_back({ 0, parts.size() - 1, pair.backwards });
+      this->Network.mirror.stretches.push_back({ 0, parts.size() - 1 });
     }
   }
 }
@@ -100,11 +98,6 @@ FairTrial::FairTrial(
 bool FairTrial::isOwnImage() const
 {
   return !this->Network.mirror.stretches.empty() && this->Network.stretches.size() == 1;
-}
-
-bool FairTrial::runsBackwards() const
-{
-  return this->Network.mirror.stretches.empty() || this->Network.mirror.stretches.front().backwards;
 }
 
 std::vector<double> FairTrial::freeOf(std::vector<double> breaks) const
@@ -138,7 +131,7 @@ void FairTrial::setBreaks(const std::vector<double>& freeBreaks)
   for (std::size_t s = 1; s < this->Network.stretches.size(); ++s)
   {
     std::vector<double>& image = this->Network.stretches[s].breaks;
-    image = mirroredBreaks(all, image.front(), image.back(), this->runsBackwards());
+    image = mirroredBreaks(all, image.front(), image.back());
   }
 }
 
@@ -204,8 +197,7 @@ double FairTrial::mostBetween(double start, double end) const
     const FairStretch& stretch = this->Network.stretches[s];
     for (std::size_t p = 0; p < stretch.arc.size(); ++p)
     {
-      const double share = stretch.arc[p] / stretch.length();
-      const double image = (this->runsBackwards() ? 1.0 - share : share) * whole;
+      const double image = (1.0 - stretch.arc[p] / stretch.length()) * whole;
       const bool within = s == 0 && stretch.arc[p] >= start && stretch.arc[p] <= end;
       const bool imageWithin = (s > 0 || this->isOwnImage()) && image >= start && image <= end;
       most = within || imageWithin ? std::max(most, this->Shares[s][p + 1]) : most;
@@ -373,6 +365,5 @@ void FairTrial::smooth()
     }
     this->Found = std::move(curves);
   }
-}
 }
 }

@@ -5,9 +5,7 @@
 
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Weights of points for the next curve of least squares, which become those of the curve whose
 /// farthest point is nearest. C. L. Lawson, Contributions to the theory of linear least maximum
@@ -53,8 +51,6 @@ private:
   const std::vector<double>& breaks() const { return this->Network.stretches.front().breaks; }
   /// Whether the stretch is to be its own mirror image.
   bool isOwnImage() const;
-  /// Whether the image of the stretch runs the other way.
-  bool runsBackwards() const;
   /// Breaks without those that follow, since they are images of others.
   std::vector<double> freeOf(std::vector<double> breaks) const;
   void setBreaks(const std::vector<double>& freeBreaks);
@@ -85,5 +81,4 @@ private:
   Lists Shares;     ///< of the points of the last solution: deviation over tolerance
   int Left;         ///< solutions that may still be tried
 };
-}
 }

@@ -7,9 +7,7 @@
 
 #include <string>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// By how much sides of an outline that are mirror images may differ in length, in millimetres:
 /// their mean is then as near to both as lengths in files are.
@@ -17,18 +15,17 @@ inline constexpr double mirroredLengthTolerance = 0.1;
 /// By how much they differ if they are said to, millimetres.
 inline constexpr double noticedLength = 1e-4;
 
-/// Two stretches that are mirror images of each other; or one that is its own, twice.
+/// Two stretches of an outline that are mirror images of each other, so that one runs the other
+/// way; or one that is its own, twice.
 struct MirroredStretches
 {
-  StretchPlace one;
-  StretchPlace other;
-  bool backwards = true; ///< one runs the other way than the image of the other
+  std::size_t one = 0;
+  std::size_t other = 0;
 
   bool own() const { return this->one == this->other; }
-  bool has(const StretchPlace& place) const { return this->one == place || this->other == place; }
 };
 
-/// How an outline is its own mirror image, and what is within it.
+/// How an outline is its own mirror image.
 struct OutlineMirror
 {
   std::size_t chain = 0;
@@ -38,11 +35,6 @@ struct OutlineMirror
   double difference = 0.0; ///< of the lengths of two such stretches of it, at most, millimetres
 
   bool found() const { return !this->stretches.empty(); }
-  /// Whether there are stretches within the outline.
-  bool goesWithin() const
-  {
-    return this->found() && this->stretches.back().one.chain != this->chain;
-  }
 };
 
 /// The stretches of the outline of a piece that are mirror images of each other, from corner to
@@ -54,8 +46,7 @@ OutlineMirror findOutlineMirror(const DrawingSource& all, const BorderChains& ch
 void mirrorPlan(const OutlineMirror& mirror, std::vector<PlannedChain>& plan);
 
 /// The breaks of a stretch as its mirror image has them, from start to end.
-std::vector<double> mirroredBreaks(
-  const std::vector<double>& breaks, double start, double end, bool backwards);
+std::vector<double> mirroredBreaks(const std::vector<double>& breaks, double start, double end);
 
 /// Gives intervals of mirrored stretches lengths that differ little from their own and make the
 /// stretches equally long; those that are sewn to them change alike.
@@ -67,26 +58,4 @@ void equalizeMirroredLengths(
 /// of their control points, millimetres.
 double missOfCurves(
   const OutlineMirror& mirror, const PlannedChain& chain, const std::vector<FairSpan>& spans);
-
-/// Adds the stretches within a piece that are mirror images of each other, or of themselves, to a
-/// mirror that was found for its outline: those of holes and curves whose points are so to
-/// mirrorTolerance, and their lengths to mirroredLengthTolerance.
-void findInnerMirror(const DrawingSource& all, const BorderChains& chains,
-  const std::vector<PlannedChain>& plan, OutlineMirror& mirror);
-
-/// How curves within a symmetric piece, and the borders of its holes, are drawn: those whose points
-/// are mirror images of other such points, to mirrorTolerance, or of their own.
-struct InnerMirror
-{
-  std::size_t curves = 0; ///< that have an image
-  double miss = 0.0;      ///< of what is drawn from the mirror image of what is drawn, millimetres
-  std::string worst;      ///< the curve that misses most
-};
-
-/// Measures them along what is drawn.
-/// \param spans of each chain, along it
-/// \param outline the chain that is the outline of the piece
-InnerMirror measureInnerMirror(const DrawingSource& all, const BorderChains& chains,
-  const std::vector<std::vector<FairSpan>>& spans, std::size_t outline, const MirrorAxis& axis);
-}
 }

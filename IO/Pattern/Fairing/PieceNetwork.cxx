@@ -5,63 +5,16 @@
 #include <cmath>
 #include <utility>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
-constexpr double sameStop = 1.0; ///< of a stop and the image of another, millimetres
-/// What hangs on a curve moves by so much at most, millimetres.
-constexpr double sameHook = mirroredLengthTolerance;
+constexpr double sameStop = 1.0;   ///< of a stop and the image of another, millimetres
 constexpr double leastPart = 1e-6; ///< of an interval
-
-/// Where along another stretch the image of a place is.
-double imageAt(double place, const FairStretch& one, const FairStretch& other, bool backwards)
-{
-  const double share = place / one.length();
-  return (backwards ? 1.0 - share : share) * other.length();
-}
-
-/// Moves a hook along its stretch, with the point that is hooked on.
-void moveHook(FairStretch& stretch, FairHook& hook, double at)
-{
-  std::replace(stretch.arc.begin(), stretch.arc.end(), hook.at, at);
-  hook.at = at;
-}
-
-/// Lets nodes hang on a stretch at the images of those that hang on its image.
-void mirrorHooks(FairStretch& one, FairStretch& other, bool backwards, NodeImages& images)
-{
-  const bool own = &one == &other;
-  for (FairHook& hook : one.hooks)
-  {
-    if (own && !backwards)
-    {
-      images.join(hook.node, hook.node); // on the axis
-      continue;
-    }
-    const double image = imageAt(hook.at, one, other, backwards);
-    FairHook* nearest = nullptr;
-    for (FairHook& candidate : other.hooks)
-    {
-      const double distance = std::abs(candidate.at - image);
-      if (distance < sameHook && (!nearest || distance < std::abs(nearest->at - image)))
-      {
-        nearest = &candidate;
-      }
-    }
-    if (nearest && images.areUnknown(hook.node, nearest->node))
-    {
-      moveHook(other, *nearest, nearest == &hook ? one.length() / 2.0 : image);
-      images.join(hook.node, nearest->node);
-    }
-  }
-}
 
 /// Takes the ends of intervals away whose place follows from others, since the curve is the mirror
 /// image of another, or of itself.
-void leaveWhatFollows(FairStretch& one, FairStretch& other, bool backwards)
+void leaveWhatFollows(const FairStretch& one, FairStretch& other)
 {
   const bool own = &one == &other;
   std::vector<double> images; // of ends of intervals
@@ -75,7 +28,7 @@ void leaveWhatFollows(FairStretch& one, FairStretch& other, bool backwards)
   };
   for (std::size_t k = 0; !own && k + 1 < one.intervals.size(); ++k)
   {
-    images.push_back(imageAt(one.intervals[k].end, one, other, backwards));
+    images.push_back((1.0 - one.intervals[k].end / one.length()) * other.length());
   }
   double length = 0.0;
   for (std::size_t k = 0; k + 1 < other.intervals.size(); ++k)
@@ -149,54 +102,14 @@ void PieceNetwork::addMirror(const OutlineMirror& mirror)
 {
   this->Network.mirror.at = mirror.axis.at;
   this->Network.mirror.along = mirror.axis.along;
-  NodeImages images(this->Network);
-  std::vector<MirroredStretches> waiting = mirror.stretches;
-  for (bool added = true; added;)
+  for (const MirroredStretches& pair : mirror.stretches)
   {
-    added = false;
-    for (std::size_t k = 0; k < waiting.size();)
-    {
-      if (this->addImages(waiting[k], waiting[k].one.chain == mirror.chain, images))
-      {
-        waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(k));
-        added = true;
-      }
-      else
-      {
-        ++k;
-      }
-    }
+    const std::vector<PlannedStretch>& stretches = this->Plan[mirror.chain].stretches;
+    const std::size_t one = this->indexOf(mirror.chain, stretches[pair.one].firstPoint);
+    const std::size_t other = this->indexOf(mirror.chain, stretches[pair.other].firstPoint);
+    leaveWhatFollows(this->Network.stretches[one], this->Network.stretches[other]);
+    this->Network.mirror.stretches.push_back({ one, other });
   }
-  this->Unlike = std::move(waiting);
-}
-
-bool PieceNetwork::addImages(const MirroredStretches& pair, bool outline, NodeImages& images)
-{
-  const PlannedStretch& planned = this->Plan[pair.one.chain].stretches[pair.one.stretch];
-  const PlannedStretch& image = this->Plan[pair.other.chain].stretches[pair.other.stretch];
-  const std::size_t first = this->indexOf(pair.one.chain, planned.firstPoint);
-  const std::size_t second = this->indexOf(pair.other.chain, image.firstPoint);
-  FairStretch& one = this->Network.stretches[first];
-  FairStretch& other = this->Network.stretches[second];
-  const std::size_t from = pair.backwards ? other.to : other.from;
-  const std::size_t to = pair.backwards ? other.from : other.to;
-  const bool onAxis = pair.own() && !pair.backwards;
-  // What is on the axis is straight, and else not on it.
-  const bool fits = outline ||
-    (images.mayBe(one.from, from) && images.mayBe(one.to, to) && (!onAxis || one.straight));
-  if (!fits)
-  {
-    return false;
-  }
-  images.join(one.from, from);
-  images.join(one.to, to);
-  mirrorHooks(one, other, pair.backwards, images);
-  if (!onAxis)
-  {
-    leaveWhatFollows(one, other, pair.backwards);
-  }
-  this->Network.mirror.stretches.push_back({ first, second, pair.backwards });
-  return true;
 }
 
 std::size_t PieceNetwork::nodeAt(Index point)
@@ -289,6 +202,5 @@ void PieceNetwork::take(const FairCurves& curves, std::vector<std::vector<FairSp
       off = std::max(off, curves.deviation[s][k]);
     }
   }
-}
 }
 }

@@ -14,9 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -545,6 +543,5 @@ private:
 std::string makeDxf(const Pattern& pattern)
 {
   return DxfDrawing(pattern).make();
-}
 }
 }

@@ -3,9 +3,7 @@
 
 #include "Outlines/Pattern.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A pattern as DXF R12 ASCII after ASTM D6673 / AAMA: one block and one insert a piece, numbered
 /// layers (1 boundary and system texts, 2 turn points and numbers of grade rules, 3 curve points, 4
@@ -15,5 +13,4 @@ namespace pattern
 /// entities have handles. Coordinates are millimetres with the text "Units: METRIC", or, where the
 /// surface was in inches, inches with "Units: ENGLISH".
 std::string makeDxf(const Pattern& pattern);
-}
 }

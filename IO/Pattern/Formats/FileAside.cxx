@@ -8,9 +8,7 @@
 #include <random>
 #include <system_error>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 FileAside::FileAside(const std::string& path)
   : Path(path)
@@ -53,6 +51,5 @@ Status FileAside::failure(const std::string& reason) const
   return { StatusCode::FileNotWritten,
     this->Path + " cannot be written" + (reason.empty() ? "" : " (" + reason + ")"), {},
     { Remedy::NameAnotherFile } };
-}
 }
 }

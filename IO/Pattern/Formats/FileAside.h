@@ -5,9 +5,7 @@
 
 #include <string>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A file that appears whole or not at all: it is written under another name in the same folder,
 /// and publish() renames it. What was not published is removed.
@@ -31,5 +29,4 @@ private:
   std::string Path;
   std::string Aside;
 };
-}
 }

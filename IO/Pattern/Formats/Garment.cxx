@@ -9,9 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -344,6 +342,5 @@ std::string writeGarment(const Garment& garment)
     "]\n  },\n  \"parameters\": {},\n  \"parameter_order\": [],\n  \"properties\": {\n"
     "    \"curvature_coords\": \"relative\",\n    \"normalize_panel_translation\": false,\n"
     "    \"normalized_edge_loops\": true,\n    \"units_in_meter\": 100\n  }\n}\n";
-}
 }
 }

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 enum class EdgeShape
 {
@@ -84,5 +82,4 @@ std::string edgeName(const GarmentPanel& panel, std::size_t edge);
 
 /// The file's text. Numbers are written such that reading them gives the same bits.
 std::string writeGarment(const Garment& garment);
-}
 }

@@ -13,9 +13,7 @@
 #include <iterator>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -210,6 +208,5 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
   }
   json = writeGarment(garment);
   return status;
-}
 }
 }

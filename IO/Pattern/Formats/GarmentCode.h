@@ -5,9 +5,7 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 class FairCache;
 
@@ -22,5 +20,4 @@ class FairCache;
 /// \return InvalidPattern for a piece with a hole, which the format cannot hold
 Status makeGarmentCode(const PatternSource& source, const PatternOptions& options,
   const Pattern& drawing, std::string& json, FairCache* cache = nullptr);
-}
 }

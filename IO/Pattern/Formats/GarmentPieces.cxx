@@ -10,9 +10,7 @@
 #include <map>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -443,6 +441,5 @@ Status makePieces(const Garment& garment, PatternSource& source)
   source = PatternSource();
   Status status = checkGarment(garment);
   return status.ok() ? PieceMaking(garment, source).make() : status;
-}
 }
 }

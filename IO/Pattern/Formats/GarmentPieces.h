@@ -4,9 +4,7 @@
 #include "Formats/Garment.h"
 #include "Outlines/PatternSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// The panels as flat pieces, triangles on the points of their borders, in centimetres: curved
 /// edges as chords within sampleDistance of them, the same number on both edges of a stitch. What
@@ -15,5 +13,4 @@ namespace pattern
 /// counter-clockwise.
 /// \return InvalidPattern where checkGarment() does, and where a border crosses itself
 Status makePieces(const Garment& garment, PatternSource& source);
-}
 }

@@ -7,9 +7,7 @@
 
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -110,6 +108,5 @@ private:
 std::string makeHpgl(const Pattern& pattern)
 {
   return HpglDrawing(pattern).make();
-}
 }
 }

@@ -13,9 +13,7 @@
 
 #include <algorithm>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -175,6 +173,5 @@ Status makePatternFile(
       content = makeSvg(drawing, options.laserColours);
       return {};
   }
-}
 }
 }

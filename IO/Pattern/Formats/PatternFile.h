@@ -8,9 +8,7 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 class FairCache;
 
@@ -55,5 +53,4 @@ struct FileOptions
 /// \param drawing what was drawn; its date and time are kept, its warnings are for the user
 Status makePatternFile(
   const PatternSource& source, const FileOptions& options, Pattern& drawing, std::string& content);
-}
 }

@@ -10,9 +10,7 @@
 #include <memory>
 #include <new>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -124,6 +122,5 @@ Status joinPdfLayers(const std::vector<PdfLayer>& layers, std::size_t pages, std
       std::string("the layers of the PDF cannot be joined: ") + error.what(), {},
       { Remedy::WriteOtherFormat } };
   }
-}
 }
 }

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// What a layer of a PDF shows, as a PDF of its own.
 struct PdfLayer
@@ -25,5 +23,4 @@ bool hasPdfLayers();
 /// \param pages how many are laid on each other
 /// \return InvalidPattern where a drawing cannot be read
 Status joinPdfLayers(const std::vector<PdfLayer>& layers, std::size_t pages, std::string& pdf);
-}
 }

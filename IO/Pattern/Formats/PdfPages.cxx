@@ -9,9 +9,7 @@
 #include <functional>
 #include <numeric>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -439,6 +437,5 @@ void saveByShifts(const Pattern& pattern, PagePlan& plan)
   {
     Shifts(pattern, plan).run();
   }
-}
 }
 }

@@ -6,9 +6,7 @@
 
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 enum class PaperSize
 {
@@ -85,5 +83,4 @@ PageMarks pagesOfLegend(const PagePlan& plan);
 /// Moves pieces within the free space around them, as far apart as they were laid at least, where
 /// fewer pages then show something. Neither pieces laid on cloth nor the sheet change.
 void saveByShifts(const Pattern& pattern, PagePlan& plan);
-}
 }

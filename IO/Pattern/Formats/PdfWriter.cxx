@@ -16,9 +16,7 @@
 #include <new>
 #include <set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -540,6 +538,5 @@ Status makePdf(const Pattern& pattern, const PageOptions& options, std::string& 
   }
   add("text", { false, true, {} });
   return status.ok() ? joinPdfLayers(layers, plan.pages.size(), pdf) : status;
-}
 }
 }

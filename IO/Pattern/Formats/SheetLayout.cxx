@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 SheetLayout layOut(const Pattern& pattern, double width, double top, double gap)
 {
@@ -47,6 +45,5 @@ double squareWidth(const Pattern& pattern)
     widest = std::max(widest, piece.extent.x());
   }
   return std::max(widest, 1.3 * std::sqrt(area));
-}
 }
 }

@@ -3,9 +3,7 @@
 
 #include "Outlines/Pattern.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Where the pieces lie on a sheet whose origin is its upper left corner, y down.
 struct SheetLayout
@@ -30,5 +28,4 @@ SheetLayout layOut(const Pattern& pattern, double width, double top, double gap 
 
 /// A width that makes the sheet about as wide as high.
 double squareWidth(const Pattern& pattern);
-}
 }

@@ -9,9 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -270,6 +268,5 @@ private:
 std::string makeSvg(const Pattern& pattern, bool laserColours)
 {
   return SvgDrawing(pattern, laserColours).make();
-}
 }
 }

@@ -7,9 +7,7 @@
 #include <new>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 std::string visualOrder(const std::string& text)
 {
@@ -39,6 +37,5 @@ std::string visualOrder(const std::string& text)
   result.resize(static_cast<std::size_t>(
     fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, drawn.data(), left, result.data())));
   return result;
-}
 }
 }

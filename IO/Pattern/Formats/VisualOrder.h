@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// The characters of a line in the order in which they stand on paper from the left, for libraries
 /// that draw one after the other, by the Unicode bidirectional algorithm (Unicode Standard Annex
@@ -17,5 +15,4 @@ namespace pattern
 /// \param text valid UTF-8
 /// \throws std::bad_alloc
 std::string visualOrder(const std::string& text);
-}
 }

@@ -2,15 +2,12 @@
 // In the place of PdfWriter.cxx in a build without cairo or FriBidi.
 #include "Formats/PdfWriter.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 Status makePdf(const Pattern&, const PageOptions&, std::string&)
 {
   return { StatusCode::InvalidOption,
     "this build cannot write PDF, because it was made without cairo or FriBidi", {},
     { Remedy::WriteOtherFormat } };
-}
 }
 }

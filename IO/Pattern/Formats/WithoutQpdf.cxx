@@ -2,9 +2,7 @@
 // In the place of PdfLayers.cxx in a build without qpdf.
 #include "Formats/PdfLayers.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 bool hasPdfLayers()
 {
@@ -16,6 +14,5 @@ Status joinPdfLayers(const std::vector<PdfLayer>&, std::size_t, std::string&)
   return { StatusCode::InvalidOption,
     "this build cannot write layers in PDF, because it was made without qpdf", {},
     { Remedy::WriteOtherFormat } };
-}
 }
 }

@@ -8,9 +8,7 @@
 #include <array>
 #include <map>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -180,6 +178,5 @@ std::string makeRuleTable(const Grading& grading, const std::string& name, Unit 
     }
   }
   return table + "END\n";
-}
 }
 }

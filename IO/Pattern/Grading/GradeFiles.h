@@ -3,9 +3,7 @@
 
 #include "Grading/SizeGrading.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// An SVG at true scale with the sew lines of all sizes on each other, a layer and a colour a size.
 std::string makeNest(const Grading& grading, const std::string& name);
@@ -20,5 +18,4 @@ std::string makeRuleList(const Grading& grading);
 /// \param date year-month-day
 std::string makeRuleTable(const Grading& grading, const std::string& name, Unit unit,
   const std::string& date, const std::string& time);
-}
 }

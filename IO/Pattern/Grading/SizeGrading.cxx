@@ -11,9 +11,7 @@
 #include <set>
 #include <unordered_set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -431,6 +429,5 @@ Status gradeSizes(
     }
   }
   return status;
-}
 }
 }

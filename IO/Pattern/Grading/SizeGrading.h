@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// One size of a pattern.
 struct PatternSize
@@ -55,5 +53,4 @@ struct Grading
 /// InvalidPattern where a size is broken
 Status gradeSizes(
   const std::vector<PatternSize>& sizes, const GradingOptions& options, Grading& grading);
-}
 }

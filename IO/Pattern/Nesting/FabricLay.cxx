@@ -11,9 +11,7 @@
 #include <numeric>
 #include <random>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -362,6 +360,5 @@ Status layOnFabric(const FabricOptions& options, Pattern& pattern)
   pattern.pieces = std::move(laid);
   pattern.fabric = std::move(fabric);
   return {};
-}
 }
 }

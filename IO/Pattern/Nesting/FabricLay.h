@@ -4,9 +4,7 @@
 #include "Base/Status.h"
 #include "Outlines/Pattern.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Cloth to cut from.
 struct FabricOptions
@@ -24,5 +22,4 @@ struct FabricOptions
 /// Needs Clipper.
 /// \return PatternTooLarge where a piece is wider than the cloth; InvalidOption for no width
 Status layOnFabric(const FabricOptions& options, Pattern& pattern);
-}
 }

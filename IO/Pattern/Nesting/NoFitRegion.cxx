@@ -9,9 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -169,6 +167,5 @@ Point2 NoFitRegion::lowest(const std::vector<Placed>& there, std::size_t shape, 
   return Point2(static_cast<double>(std::clamp<cInt>(best.X, 0, high.X - 1)),
            static_cast<double>(std::max<cInt>(best.Y, 0))) /
     stepsPerMillimetre;
-}
 }
 }

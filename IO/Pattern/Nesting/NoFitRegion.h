@@ -5,9 +5,7 @@
 
 #include <memory>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Finds free places between shapes on a strip of cloth, x across it and y along it, on a grid of a
 /// hundredth of a millimetre.
@@ -40,5 +38,4 @@ private:
   struct Shapes;
   std::unique_ptr<Shapes> Known;
 };
-}
 }

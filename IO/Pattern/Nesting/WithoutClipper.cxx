@@ -3,9 +3,7 @@
 #include "Drawing/SeamAllowance.h"
 #include "Nesting/NoFitRegion.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 struct NoFitRegion::Shapes
 {
@@ -44,6 +42,5 @@ Status addAllowance(
     widened.push_back(polygon.points);
   }
   return {};
-}
 }
 }

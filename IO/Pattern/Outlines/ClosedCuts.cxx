@@ -7,9 +7,7 @@
 #include <numeric>
 #include <unordered_set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -111,6 +109,5 @@ PatternSource withoutClosedCuts(const PatternSource& source)
     }
   }
   return whole;
-}
 }
 }

@@ -3,13 +3,10 @@
 
 #include "Outlines/PatternSource.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// The same flattening with cuts that were closed (SewnEdges::closed) taken for whole cloth: the
 /// points of their two banks become one, they are sewn nowhere, and of their wires what is still
 /// open is left.
 PatternSource withoutClosedCuts(const PatternSource& source);
-}
 }

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -203,6 +201,5 @@ double foldMiss(const Points2& legs)
     most = std::max(most, (folded - legs[legs.size() - 1 - k]).norm());
   }
   return most;
-}
 }
 }

@@ -3,9 +3,7 @@
 
 #include "Outlines/Outline.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// A dart whose two legs lie on one boundary loop, mirror images of each other in the order of the
 /// sewing.
@@ -43,5 +41,4 @@ bool dartRoof(const Point2& tip, const std::array<Point2, 2>& mouth,
 /// How far the legs of a dart miss each other when it is folded: the largest distance of a point
 /// from the mirror image of its partner. \param legs from mouth to tip and back to the mouth
 double foldMiss(const Points2& legs);
-}
 }

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 std::string DrawingSource::nameAlong(Index from, Index to) const
 {
@@ -61,6 +59,5 @@ Status findBorders(DrawingSource& all)
   all.partners = sewnPartners(all.source);
   all.wires = wiresOfEdges(all.source);
   return placeNotches(all.source, all.loops, all.partners, all.options, all.notches);
-}
 }
 }

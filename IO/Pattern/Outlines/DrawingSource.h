@@ -6,9 +6,7 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PlaneGeometry.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 class FairBorders;
 
@@ -43,5 +41,4 @@ struct DrawingSource
 
 /// Finds loops, partners, wires and notches of a source.
 Status findBorders(DrawingSource& all);
-}
 }

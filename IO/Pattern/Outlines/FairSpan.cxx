@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -79,6 +77,5 @@ const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc)
   const auto found = std::partition_point(
     spans.begin(), spans.end() - 1, [arc](const FairSpan& span) { return span.to < arc; });
   return *found;
-}
 }
 }

@@ -5,9 +5,7 @@
 
 #include <array>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// One cubic Bezier curve of a stretch, over a part of its length.
 struct FairSpan
@@ -57,6 +55,5 @@ void integrate(double from, double to, const Function& f)
       }
     }
   }
-}
 }
 }

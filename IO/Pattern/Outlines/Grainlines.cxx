@@ -8,9 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -114,6 +112,5 @@ std::vector<std::array<Point2, 3>> arrowHeads(const Grainline& grain)
     add(grain.from, -1.0);
   }
   return heads;
-}
 }
 }

@@ -7,9 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// How far a line may leave its chord, as a fraction of the chord, and still be straight to whoever
 /// lays cloth: 1.5 mm on 30 cm.
@@ -24,5 +22,4 @@ void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece);
 /// The heads of its arrow, as triangles: one where the grain is known, else one at either end; none
 /// where it has no length.
 std::vector<std::array<Point2, 3>> arrowHeads(const Grainline& grain);
-}
 }

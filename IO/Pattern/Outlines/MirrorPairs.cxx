@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -276,6 +274,5 @@ std::vector<std::size_t> findMirrorPairs(const std::vector<PieceShape>& shapes, 
     }
   }
   return first;
-}
 }
 }

@@ -5,9 +5,7 @@
 
 #include <optional>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// What of a flat piece must agree with its mirror image.
 struct PieceShape
@@ -45,5 +43,4 @@ Point2 imageOf(const Point2& p, const MirrorAxis& axis);
 double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis);
 
 inline constexpr std::size_t noPair = static_cast<std::size_t>(-1);
-}
 }

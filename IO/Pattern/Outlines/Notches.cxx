@@ -8,9 +8,7 @@
 #include <map>
 #include <unordered_set>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 double lengthOnSurface(const PatternSource& source, Index a, Index b)
 {
@@ -191,6 +189,5 @@ Status placeNotches(const PatternSource& source, const PieceLoops& loops,
     }
   }
   return {};
-}
 }
 }

@@ -4,9 +4,7 @@
 #include "Base/Status.h"
 #include "Outlines/Outline.h"
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Where a notch lies: on the boundary edge from one point to the next, the cloth on the left.
 struct NotchPlace
@@ -46,5 +44,4 @@ Status stationsOf(const SourceWire& wire, double length, const PatternOptions& o
 /// is long.
 Status placeNotches(const PatternSource& source, const PieceLoops& loops,
   const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places);
-}
 }

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -112,6 +110,5 @@ SewnPartners sewnPartners(const PatternSource& source)
     partners[edgeKey(pair.b[1], pair.b[0])] = { pair.a[1], pair.a[0] };
   }
   return partners;
-}
 }
 }

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Directed edges as keys of a hash map.
 inline std::uint64_t edgeKey(Index from, Index to)
@@ -37,5 +35,4 @@ SewnPartners sewnPartners(const PatternSource& source);
 
 /// Twice the signed area of a closed polygon.
 double doubleArea(const Points2& polygon);
-}
 }

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// What a line of a pattern piece tells the one who cuts and sews.
 enum class LineKind
@@ -140,5 +138,4 @@ struct Pattern
   std::vector<std::vector<std::string>> walk;
   std::vector<std::string> names; ///< of all flat pieces, those that are not drawn among them
 };
-}
 }

@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 enum class WireType
 {
@@ -140,5 +138,4 @@ struct PatternOptions
         [](const auto& ofCurve) { return ofCurve.second > 0.0; });
   }
 };
-}
 }

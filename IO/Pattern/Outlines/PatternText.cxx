@@ -7,9 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 namespace
 {
@@ -206,6 +204,5 @@ double textWidth(const std::string& text, double height)
     nextCodePoint(text, at);
   }
   return 0.62 * height * static_cast<double>(characters);
-}
 }
 }

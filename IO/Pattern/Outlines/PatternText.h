@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 /// Valid UTF-8 on one line: control characters become spaces, broken bytes U+FFFD, as do the code
 /// points that XML forbids.
@@ -30,5 +28,4 @@ std::string csvField(const std::string& text);
 
 /// How wide a text is to be taken in a sans-serif face of the given height.
 double textWidth(const std::string& text, double height);
-}
 }

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 void addSegments(const Points2& points, bool closed, Segments& segments)
 {
@@ -204,6 +202,5 @@ Points2 simplified(const Points2& polygon, double distance)
     k = next;
   }
   return result.size() < 3 ? polygon : result;
-}
 }
 }

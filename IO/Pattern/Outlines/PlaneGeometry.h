@@ -5,9 +5,7 @@
 
 #include <utility>
 
-namespace flattening
-{
-namespace pattern
+namespace flattening::pattern
 {
 struct Segment
 {
@@ -55,5 +53,4 @@ struct Box
   }
   Point2 extent() const { return this->high - this->low; }
 };
-}
 }
