@@ -280,9 +280,10 @@ void vtkFlatPieceAlgorithm::EndRun(vtkDataObject* input, vtkDataObject* output)
 flattening::FlatteningOptions vtkFlatPieceAlgorithm::Settings()
 {
   flattening::FlatteningOptions options = this->OptionsForCore().flattening;
-  if (!this->Material.empty())
+  const std::string& material = this->MaterialFile.empty() ? this->Material : this->MaterialFile;
+  if (!material.empty())
   {
-    options.cloth = flattening::bridge::readCloth(this->Material, this->Grain);
+    options.cloth = flattening::bridge::readCloth(material, this->Grain);
   }
   return options;
 }
@@ -353,4 +354,5 @@ void vtkFlatPieceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BesideSurface: " << (this->BesideSurface ? "On" : "Off") << "\n";
   os << indent << "Seconds: " << this->Seconds[3] << "\n";
   os << indent << "SizeWarning: " << this->SizeWarning << "\n";
+  os << indent << "MaterialFile: " << this->MaterialFile << "\n";
 }

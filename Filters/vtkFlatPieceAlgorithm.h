@@ -169,6 +169,15 @@ public:
 
   ///@{
   /**
+   * A JSON file of a material, which then counts instead of Material: for panels that list the
+   * materials known by name. Default: empty.
+   */
+  void SetMaterialFile(const char* path) { this->SetText(this->MaterialFile, path); }
+  vtkGetCharFromStdStringMacro(MaterialFile);
+  ///@}
+
+  ///@{
+  /**
    * How pieces lie on the material: an angle in degrees from the upright of the piece to the warp,
    * counter-clockwise in the plane (upright is its first key curve from start to end, else the long
    * side of the smallest rectangle around the piece as it lies without the material); the name of a
@@ -185,8 +194,8 @@ public:
    * The materials that are known by name, a row each: `Name`, `Description` (string), `Warp`,
    * `Weft`, `Shear` (stiffness in N/m), `Compression` (over that in tension), `WarpLeast`,
    * `WarpGreatest`, `WeftLeast`, `WeftGreatest` (limits of strains, in percent), `ShearLimit`
-   * (degrees) (double; -1 or infinite where there is none), `OneWay` (int), `Source` (string; of
-   * the numbers).
+   * (degrees) (double; -1 or infinite where there is none), `OneWay`, `Sheet` (int; its edges
+   * do not fray), `Source` (string; of the numbers).
    */
   static void ListMaterials(vtkTable* materials);
 
@@ -261,6 +270,7 @@ private:
   bool SkipClosed = false;
   bool CloseCuts = false;
   std::string Material;
+  std::string MaterialFile;
   std::string Grain;
   bool Arrange = false;
   double Spacing = 0.0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Listings.h"
 
-#include "Cloth/ClothMaterial.h"
-
 #include <vtkNew.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
@@ -10,7 +8,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -108,8 +105,8 @@ void printMaterials(std::ostream& out)
         range(number(row, "WeftLeast"), number(row, "WeftGreatest")).c_str(),
         number(row, "ShearLimit"));
     }
-    const std::optional<flattening::ClothMaterial> preset = flattening::findPreset(name);
-    out << line << text(row, "Description") << (preset && preset->sheet ? " (sheet)" : "") << '\n';
+    out << line << text(row, "Description") << (number(row, "Sheet") != 0.0 ? " (sheet)" : "")
+        << '\n';
   }
   out << "\nStiffness of warp, weft and shear; compr.: in compression over that in tension; then "
          "the limits.\nSheets have no seam allowance by default.\nSources:\n";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns.h"
 
-#include "Cloth/ClothMaterial.h"
 #include "FlagWords.h"
 #include "Flattening.h"
 #include "InputError.h"
@@ -15,6 +14,8 @@
 
 #include <vtkFeatureCurveAlgorithm.h>
 #include <vtkFeatureCurveImprinter.h>
+#include <vtkFlatPieceAlgorithm.h>
+#include <vtkNew.h>
 #include <vtkPatternWriter.h>
 #include <vtkStringArray.h>
 
@@ -23,14 +24,15 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <new>
-#include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace wirewarp
@@ -127,16 +129,25 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
 /// Whether the material is known, or said by its file, not to fray.
 bool isSheet(const std::string& material)
 {
-  if (const std::optional<flattening::ClothMaterial> preset = flattening::findPreset(material))
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(material, ignored))
   {
-    return preset->sheet;
+    const auto file = nlohmann::json::parse(readWholeFile(material), nullptr, false, true);
+    return file.is_object() && file.contains("sheet") && file["sheet"] == true;
   }
-  if (material.empty())
+  const vtkNew<vtkTable> known;
+  vtkFlatPieceAlgorithm::ListMaterials(known);
+  for (vtkIdType row = 0; row < known->GetNumberOfRows(); ++row)
   {
-    return false;
+    const std::string name = textIn(known, row, "Name");
+    const bool same = std::equal(name.begin(), name.end(), material.begin(), material.end(),
+      [](char one, char given) { return one == std::tolower(static_cast<unsigned char>(given)); });
+    if (same)
+    {
+      return integerIn(known, row, "Sheet") != 0;
+    }
   }
-  const auto file = nlohmann::json::parse(readWholeFile(material), nullptr, false, true);
-  return file.is_object() && file.contains("sheet") && file["sheet"] == true;
+  return false;
 }
 
 /// About a sixth of the largest piece, as 1, 2 or 5 times a power of ten, in mm.

@@ -121,6 +121,8 @@ void writeMaterials(vtkTable* table)
   addNumber("ShearLimit", [](Material m) { return m.shearLimit / degree; });
   addRows<vtkIntArray>(
     rows, "OneWay", presets.size(), [&](std::size_t row) { return presets[row].oneWay ? 1 : 0; });
+  addRows<vtkIntArray>(
+    rows, "Sheet", presets.size(), [&](std::size_t row) { return presets[row].sheet ? 1 : 0; });
   addText("Source", &ClothMaterial::source);
 }
 }

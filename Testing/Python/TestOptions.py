@@ -14,7 +14,8 @@ from surfaceflattening._option_table import TABLE
 from surfaces import SOURCE
 
 # Set methods that are no option: inputs, and how a filter runs.
-OTHERS = {"Caching", "OutputPointsPrecision", "BesideSurface", "Distributed", "Options", "LengthUnitOf"}
+OTHERS = {"Caching", "OutputPointsPrecision", "BesideSurface", "Distributed", "Options", "LengthUnitOf",
+          "MaterialFile"}
 ADDERS = {"CurveTolerances": "AddCurveTolerance", "CurveEases": "AddCurveEase", "Preferences": "AddPreference",
           "KeptCurves": "AddKeptCurve"}
 # A class that can be made, with all that is derived from.
