@@ -246,11 +246,6 @@ class Suggestions(command.CommandTest):
             self.assertEqual(run.returncode, 2, run.stdout)
             self.assertIn(f"{option[0]} is for --kind darts, seams or all, not for --kind lines", run.stderr)
 
-    def test_the_same_for_any_number_of_threads(self):
-        cuts = [self.flatten("cut", "dome.obj", "--kind", "all", "--max-strain", "0", "--max-cuts", "2",
-                             "--threads", threads)["suggestions"] for threads in ("1", "3")]
-        self.assertEqual(cuts[0], cuts[1])
-
     def test_a_preference_names_a_curve(self):
         run = self.run_command("cut", "dome.obj", "--kind", "all", "--prefer", "waist=2")
         self.assertEqual(run.returncode, 3)
