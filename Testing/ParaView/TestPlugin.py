@@ -90,11 +90,13 @@ class Plugin(unittest.TestCase):
         flat = fetch(filter_)
         order = flat.GetCellData().GetArray("WarpingOrder")
         self.assertEqual(order.GetRange(), (0.0, values(fetch(filter_, 3), "WirePatches")[0] - 1.0))
-        filter_.CurveTolerances = ["waist_dart", "0.1"]
-        filter_.UpdatePipeline()
-        self.assertEqual(filter_.StatusName, "Ok")
-        self.assertIn(0.1, values(fetch(filter_, 4), "LengthTolerance"))
-        filter_.CurveTolerances = []
+        name = values(fetch(filter_, 4), "Name")[0]
+        filter_.Tolerances = [name, "0.1"]
+        filter_.Ease = [name, "-1", "0.05"]
+        curves = fetch(filter_, 4)
+        self.assertEqual(values(curves, "Tolerance")[0], 0.1)
+        self.assertGreater(values(curves, "FlatLength")[0], values(curves, "RestLength")[0])
+        filter_.Tolerances = filter_.Ease = []
         filter_.Scheme = "Isometric"
         self.assertGreater(values(fetch(filter_, 3), "DistortionEnergy")[0], 0.0)
         self.assertLess(values(fetch(filter_, 3), "MaxEdgeLengthError")[0], 1e-9)
