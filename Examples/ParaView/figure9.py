@@ -67,8 +67,9 @@ def show_figure():
             setattr(display, moved, [0.0, 0.0, 0.3])
             color_wires(display, "CurveType")
         else:
-            flat = pv.FlattenSurfaceWireWarping(
-                registrationName=scheme, Input=surface, Curves=curves, Scheme=scheme)
+            inputs = {"registrationName": scheme, "Input": surface, "Curves": curves}
+            flat = (pv.LeastSquaresConformalMap(**inputs) if scheme == "Least squares conformal"
+                    else pv.FlattenSurfaceWireWarping(**inputs, Scheme=scheme))
             show_flat(flat, view, preset="Flattening: homogeneity as in Fig. 9e of the paper")
         view.InteractionMode = "2D"
         pv.ResetCamera(view)

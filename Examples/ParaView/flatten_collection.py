@@ -182,8 +182,7 @@ def main():
     parser.add_argument("collection", help="a .vtm file")
     parser.add_argument("flat", help="the .vtm file to write; beside it a .csv file and a folder")
     parser.add_argument("--plugin", help="the plugin, where ParaView does not load it by itself")
-    parser.add_argument("--scheme", default="Isometric",
-                        choices=("Progressive", "Global", "Isometric", "Least squares conformal"))
+    parser.add_argument("--scheme", default="Isometric", choices=("Progressive", "Global", "Isometric"))
     parser.add_argument("--portion", type=int, default=500, help="pieces that are taken at a time")
     options = parser.parse_args()
     if options.plugin:
