@@ -121,30 +121,6 @@ void vtkFeatureCurveAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& v
 vtkFeatureCurveAlgorithm::~vtkFeatureCurveAlgorithm() = default;
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::SetCurvesConnection(vtkAlgorithmOutput* curves)
-{
-  this->SetInputConnection(1, curves);
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::AddCurvesConnection(vtkAlgorithmOutput* curves)
-{
-  this->AddInputConnection(1, curves);
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::RemoveAllCurves()
-{
-  this->RemoveAllInputConnections(1);
-}
-
-//------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::AddCurveTolerance(const std::string& curve, double tolerance)
 {
   if (flattening::bridge::changeEntry(this->CurveTolerances, curve, tolerance))

@@ -92,10 +92,10 @@ public:
   /**
    * The feature curves, port 1. Each connection may hold several curves.
    */
-  void SetCurvesConnection(vtkAlgorithmOutput* curves);
-  void AddCurvesConnection(vtkAlgorithmOutput* curves);
-  void SetCurvesData(vtkPolyData* curves);
-  void RemoveAllCurves();
+  void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
+  void AddCurvesConnection(vtkAlgorithmOutput* curves) { this->AddInputConnection(1, curves); }
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(1, curves); }
+  void RemoveAllCurves() { this->RemoveAllInputConnections(1); }
   ///@}
 
   /// Whether points of the surface with equal coordinates are one.

@@ -19,9 +19,6 @@ vtkFeatureCurveCutter::vtkFeatureCurveCutter()
 }
 
 //------------------------------------------------------------------------------
-vtkFeatureCurveCutter::~vtkFeatureCurveCutter() = default;
-
-//------------------------------------------------------------------------------
 int vtkFeatureCurveCutter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -44,10 +41,4 @@ int vtkFeatureCurveCutter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->WriteRunStatus(surface);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveCutter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

@@ -49,11 +49,10 @@ class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveCutter : public vtkFeatureCurve
 public:
   static vtkFeatureCurveCutter* New();
   vtkTypeMacro(vtkFeatureCurveCutter, vtkFeatureCurveAlgorithm)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkFeatureCurveCutter();
-  ~vtkFeatureCurveCutter() override;
+  ~vtkFeatureCurveCutter() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

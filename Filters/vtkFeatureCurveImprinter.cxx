@@ -17,9 +17,6 @@ vtkFeatureCurveImprinter::vtkFeatureCurveImprinter()
 }
 
 //------------------------------------------------------------------------------
-vtkFeatureCurveImprinter::~vtkFeatureCurveImprinter() = default;
-
-//------------------------------------------------------------------------------
 int vtkFeatureCurveImprinter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -34,10 +31,4 @@ int vtkFeatureCurveImprinter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->WriteRunStatus(surface);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveImprinter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

@@ -57,11 +57,10 @@ class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveImprinter : public vtkFeatureCu
 public:
   static vtkFeatureCurveImprinter* New();
   vtkTypeMacro(vtkFeatureCurveImprinter, vtkFeatureCurveAlgorithm)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkFeatureCurveImprinter();
-  ~vtkFeatureCurveImprinter() override;
+  ~vtkFeatureCurveImprinter() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -316,9 +316,6 @@ void vtkFeatureCurveSuggestion::VisitOptions(flattening::bridge::OptionVisitor& 
 }
 
 //------------------------------------------------------------------------------
-vtkFeatureCurveSuggestion::~vtkFeatureCurveSuggestion() = default;
-
-//------------------------------------------------------------------------------
 vtkTable* vtkFeatureCurveSuggestion::GetLeftOutLines() const
 {
   return this->LeftOutLines;

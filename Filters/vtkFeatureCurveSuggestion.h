@@ -197,7 +197,7 @@ public:
 
 protected:
   vtkFeatureCurveSuggestion();
-  ~vtkFeatureCurveSuggestion() override;
+  ~vtkFeatureCurveSuggestion() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -503,9 +503,10 @@ bool vtkFlatteningAlgorithm::IsRefused() const
 //------------------------------------------------------------------------------
 bool vtkFlatteningAlgorithm::HasFailed() const
 {
-  // The executive would give up the other blocks as well.
+  // The executive would give up the other blocks as well, and another process would wait for this
+  // one in the filters behind.
   return this->IsRefused() && this->StatusCode != NOT_RUN && this->StatusCode != CANCELLED &&
-    !this->AmongBlocks;
+    !this->AmongBlocks && !flattening::bridge::processesOf(this->Distributed);
 }
 
 //------------------------------------------------------------------------------

@@ -9,8 +9,8 @@
  * - **Refused** (codes up to NumericalFailure): one vtkErrorMacro names the defect, the first
  *   offending ids and the remedy. The outputs have neither points nor cells, ErrorCode is
  *   vtkErrorCode::UserError, and the request fails, so that filters behind this one do not run; of
- * a composite data set only the output of the block is empty. A run that was aborted (CANCELLED)
- *   has empty outputs as well, but no error.
+ *   a composite data set, and among several processes, only the output is empty. A run that was
+ *   aborted (CANCELLED) has empty outputs as well, but no error.
  * - **Broken promise** (codes from NOT_CONVERGED on): the outputs are complete, and a
  *   vtkWarningMacro says what is not as it should be.
  *

@@ -90,33 +90,6 @@ vtkFlatteningQuality::vtkFlatteningQuality()
 }
 
 //------------------------------------------------------------------------------
-vtkFlatteningQuality::~vtkFlatteningQuality() = default;
-
-//------------------------------------------------------------------------------
-void vtkFlatteningQuality::SetFlatConnection(vtkAlgorithmOutput* flat)
-{
-  this->SetInputConnection(1, flat);
-}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningQuality::SetFlatData(vtkPolyData* flat)
-{
-  this->SetInputData(1, flat);
-}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningQuality::SetEdgesConnection(vtkAlgorithmOutput* edges)
-{
-  this->SetInputConnection(2, edges);
-}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningQuality::SetEdgesData(vtkPolyData* edges)
-{
-  this->SetInputData(2, edges);
-}
-
-//------------------------------------------------------------------------------
 vtkTable* vtkFlatteningQuality::GetMeasures()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));

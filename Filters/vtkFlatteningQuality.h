@@ -59,16 +59,16 @@ public:
   /**
    * The flat surface, port 1.
    */
-  void SetFlatConnection(vtkAlgorithmOutput* flat);
-  void SetFlatData(vtkPolyData* flat);
+  void SetFlatConnection(vtkAlgorithmOutput* flat) { this->SetInputConnection(1, flat); }
+  void SetFlatData(vtkPolyData* flat) { this->SetInputData(1, flat); }
   ///@}
 
   ///@{
   /**
    * The edges whose length counts, port 2.
    */
-  void SetEdgesConnection(vtkAlgorithmOutput* edges);
-  void SetEdgesData(vtkPolyData* edges);
+  void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(2, edges); }
+  void SetEdgesData(vtkPolyData* edges) { this->SetInputData(2, edges); }
   ///@}
 
   ///@{
@@ -87,7 +87,7 @@ public:
 
 protected:
   vtkFlatteningQuality();
-  ~vtkFlatteningQuality() override;
+  ~vtkFlatteningQuality() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

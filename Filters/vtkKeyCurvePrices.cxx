@@ -81,9 +81,6 @@ vtkKeyCurvePrices::vtkKeyCurvePrices()
 }
 
 //------------------------------------------------------------------------------
-vtkKeyCurvePrices::~vtkKeyCurvePrices() = default;
-
-//------------------------------------------------------------------------------
 int vtkKeyCurvePrices::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -109,10 +106,4 @@ int vtkKeyCurvePrices::RequestData(
       source->imprinted.curves, prices, vtkTable::GetData(outputVector, pricePort));
   }
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkKeyCurvePrices::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

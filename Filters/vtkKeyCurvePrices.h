@@ -47,11 +47,10 @@ class VTKFILTERSFLATTENING_EXPORT vtkKeyCurvePrices : public vtkWireWarpingFilte
 public:
   static vtkKeyCurvePrices* New();
   vtkTypeMacro(vtkKeyCurvePrices, vtkWireWarpingFilter)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkKeyCurvePrices();
-  ~vtkKeyCurvePrices() override;
+  ~vtkKeyCurvePrices() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

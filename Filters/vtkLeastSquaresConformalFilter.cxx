@@ -25,18 +25,9 @@ void vtkLeastSquaresConformalFilter::VisitOptions(flattening::bridge::OptionVisi
 }
 
 //------------------------------------------------------------------------------
-vtkLeastSquaresConformalFilter::~vtkLeastSquaresConformalFilter() = default;
-
-//------------------------------------------------------------------------------
 flattening::FlatteningOptions vtkLeastSquaresConformalFilter::Settings()
 {
   flattening::FlatteningOptions options = this->Superclass::Settings();
   options.scheme = flattening::Scheme::LeastSquaresConformal;
   return options;
-}
-
-//------------------------------------------------------------------------------
-void vtkLeastSquaresConformalFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

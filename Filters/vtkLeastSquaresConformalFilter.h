@@ -37,7 +37,6 @@ class VTKFILTERSFLATTENING_EXPORT vtkLeastSquaresConformalFilter : public vtkFla
 public:
   static vtkLeastSquaresConformalFilter* New();
   vtkTypeMacro(vtkLeastSquaresConformalFilter, vtkFlatPieceAlgorithm)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -60,7 +59,7 @@ public:
 
 protected:
   vtkLeastSquaresConformalFilter();
-  ~vtkLeastSquaresConformalFilter() override;
+  ~vtkLeastSquaresConformalFilter() override = default;
 
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
   flattening::FlatteningOptions Settings() override;

@@ -167,9 +167,6 @@ void vtkMakeFlattenable::VisitOptions(flattening::bridge::OptionVisitor& visit)
 }
 
 //------------------------------------------------------------------------------
-vtkMakeFlattenable::~vtkMakeFlattenable() = default;
-
-//------------------------------------------------------------------------------
 void vtkMakeFlattenable::AddKeptCurve(const std::string& curve)
 {
   if (this->KeptCurves.insert(curve).second)
@@ -185,18 +182,6 @@ void vtkMakeFlattenable::RemoveAllKeptCurves()
   {
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkMakeFlattenable::SetBodyConnection(vtkAlgorithmOutput* body)
-{
-  this->SetInputConnection(2, body);
-}
-
-//------------------------------------------------------------------------------
-void vtkMakeFlattenable::SetBodyData(vtkPolyData* body)
-{
-  this->SetInputData(2, body);
 }
 
 //------------------------------------------------------------------------------

@@ -125,8 +125,8 @@ public:
    * core. Its normals point outwards; one that is closed is turned so. What of the design lies
    * inside goes no deeper; triangles between points may cut its bulges.
    */
-  void SetBodyConnection(vtkAlgorithmOutput* body);
-  void SetBodyData(vtkPolyData* body);
+  void SetBodyConnection(vtkAlgorithmOutput* body) { this->SetInputConnection(2, body); }
+  void SetBodyData(vtkPolyData* body) { this->SetInputData(2, body); }
   ///@}
 
   /**
@@ -137,7 +137,7 @@ public:
 
 protected:
   vtkMakeFlattenable();
-  ~vtkMakeFlattenable() override;
+  ~vtkMakeFlattenable() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

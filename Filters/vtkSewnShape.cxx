@@ -354,33 +354,6 @@ void vtkSewnShape::VisitOptions(flattening::bridge::OptionVisitor& visit)
 }
 
 //------------------------------------------------------------------------------
-vtkSewnShape::~vtkSewnShape() = default;
-
-//------------------------------------------------------------------------------
-void vtkSewnShape::SetDesignConnection(vtkAlgorithmOutput* design)
-{
-  this->SetInputConnection(1, design);
-}
-
-//------------------------------------------------------------------------------
-void vtkSewnShape::SetDesignData(vtkPolyData* design)
-{
-  this->SetInputData(1, design);
-}
-
-//------------------------------------------------------------------------------
-void vtkSewnShape::SetBodyConnection(vtkAlgorithmOutput* body)
-{
-  this->SetInputConnection(2, body);
-}
-
-//------------------------------------------------------------------------------
-void vtkSewnShape::SetBodyData(vtkPolyData* body)
-{
-  this->SetInputData(2, body);
-}
-
-//------------------------------------------------------------------------------
 vtkPolyData* vtkSewnShape::GetDesignOutput()
 {
   return this->GetOutput(1);
@@ -443,10 +416,4 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->WriteRunStatus(output);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkSewnShape::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

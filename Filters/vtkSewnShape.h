@@ -96,14 +96,13 @@ class VTKFILTERSFLATTENING_EXPORT vtkSewnShape : public vtkFlatteningAlgorithm
 public:
   static vtkSewnShape* New();
   vtkTypeMacro(vtkSewnShape, vtkFlatteningAlgorithm)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
    * The cut surface in space, port 1.
    */
-  void SetDesignConnection(vtkAlgorithmOutput* design);
-  void SetDesignData(vtkPolyData* design);
+  void SetDesignConnection(vtkAlgorithmOutput* design) { this->SetInputConnection(1, design); }
+  void SetDesignData(vtkPolyData* design) { this->SetInputData(1, design); }
   ///@}
 
   ///@{
@@ -112,8 +111,8 @@ public:
    * normals point outwards; one that is closed is turned so. Points of the cloth keep a thousandth
    * of its size from it, triangles between them may cut its bulges.
    */
-  void SetBodyConnection(vtkAlgorithmOutput* body);
-  void SetBodyData(vtkPolyData* body);
+  void SetBodyConnection(vtkAlgorithmOutput* body) { this->SetInputConnection(2, body); }
+  void SetBodyData(vtkPolyData* body) { this->SetInputData(2, body); }
   ///@}
 
   /**
@@ -225,7 +224,7 @@ public:
 
 protected:
   vtkSewnShape();
-  ~vtkSewnShape() override;
+  ~vtkSewnShape() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;

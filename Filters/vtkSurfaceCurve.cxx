@@ -150,18 +150,6 @@ vtkSurfaceCurve::vtkSurfaceCurve()
 vtkSurfaceCurve::~vtkSurfaceCurve() = default;
 
 //------------------------------------------------------------------------------
-void vtkSurfaceCurve::SetControlPointsConnection(vtkAlgorithmOutput* points)
-{
-  this->SetInputConnection(1, points);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceCurve::SetControlPointsData(vtkPolyData* points)
-{
-  this->SetInputData(1, points);
-}
-
-//------------------------------------------------------------------------------
 void vtkSurfaceCurve::SetNumberOfControlPoints(int number)
 {
   const auto count = static_cast<std::size_t>(std::max(number, 0));

@@ -66,8 +66,11 @@ public:
   /**
    * The control points, port 1.
    */
-  void SetControlPointsConnection(vtkAlgorithmOutput* points);
-  void SetControlPointsData(vtkPolyData* points);
+  void SetControlPointsConnection(vtkAlgorithmOutput* points)
+  {
+    this->SetInputConnection(1, points);
+  }
+  void SetControlPointsData(vtkPolyData* points) { this->SetInputData(1, points); }
   ///@}
 
   ///@{

@@ -18,12 +18,6 @@
 vtkStandardNewMacro(vtkSurfaceDevelopability);
 
 //------------------------------------------------------------------------------
-vtkSurfaceDevelopability::vtkSurfaceDevelopability() = default;
-
-//------------------------------------------------------------------------------
-vtkSurfaceDevelopability::~vtkSurfaceDevelopability() = default;
-
-//------------------------------------------------------------------------------
 int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -62,10 +56,4 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
 bool vtkSurfaceDevelopability::TakesParts() const
 {
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceDevelopability::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

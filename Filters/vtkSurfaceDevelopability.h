@@ -38,11 +38,10 @@ class VTKFILTERSFLATTENING_EXPORT vtkSurfaceDevelopability : public vtkFlattenin
 public:
   static vtkSurfaceDevelopability* New();
   vtkTypeMacro(vtkSurfaceDevelopability, vtkFlatteningAlgorithm)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkSurfaceDevelopability();
-  ~vtkSurfaceDevelopability() override;
+  vtkSurfaceDevelopability() = default;
+  ~vtkSurfaceDevelopability() override = default;
 
   bool TakesParts() const override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

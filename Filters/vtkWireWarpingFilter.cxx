@@ -47,9 +47,6 @@ void vtkWireWarpingFilter::VisitOptions(flattening::bridge::OptionVisitor& visit
 }
 
 //------------------------------------------------------------------------------
-vtkWireWarpingFilter::~vtkWireWarpingFilter() = default;
-
-//------------------------------------------------------------------------------
 void vtkWireWarpingFilter::UsePaperMethod()
 {
   this->SetScheme(GLOBAL);

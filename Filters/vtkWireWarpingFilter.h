@@ -314,7 +314,7 @@ public:
 
 protected:
   vtkWireWarpingFilter();
-  ~vtkWireWarpingFilter() override;
+  ~vtkWireWarpingFilter() override = default;
 
   flattening::FlatteningOptions Settings() override;
   void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
