@@ -122,6 +122,25 @@ const Columns sewnColumns{ { "pieces", "Pieces", Kind::Integer },
   { "several_shapes", "SeveralShapes", Kind::Truth }, { "iterations", "Iterations", Kind::Integer },
   { "converged", "Converged", Kind::Truth } };
 
+const Columns suggestionColumns{ { "type", "Type", Kind::Text }, { "name", "Name", Kind::Text },
+  { "length", "Length", Kind::Number }, { "gain", "Gain", Kind::Number },
+  { "E_area_before", "AreaErrorBefore", Kind::Number },
+  { "E_area_after", "AreaErrorAfter", Kind::Number },
+  { "strain_p95_before", "StrainBefore", Kind::Number },
+  { "strain_p95_after", "StrainAfter", Kind::Number },
+  { "gain_predicted", "PredictedGain", Kind::Number }, { "opening", "Opening", Kind::Number },
+  { "mirror_of", "MirrorOf", Kind::Text } };
+
+const Columns leftOutLineColumns = []() {
+  Columns columns(suggestionColumns.begin(), suggestionColumns.begin() + 8);
+  columns.push_back({ "sound", "Sound", Kind::Truth });
+  return columns;
+}();
+
+const Columns keyPriceColumns{ { "trial", "Trial", Kind::Text }, { "price", "Price", Kind::Number },
+  { "E_area", "AreaError", Kind::Number }, { "strain_p95", "StrainP95", Kind::Number },
+  { "status", "Status", Kind::Text }, { "released", "Released", Kind::Text } };
+
 Json valueOf(vtkTable* table, vtkIdType row, const Column& column)
 {
   switch (column.kind)
@@ -225,40 +244,6 @@ std::vector<SewnBanks> sewnBanks(const Flattening& result)
     list.push_back(std::move(entry.second));
   }
   return list;
-}
-
-Json suggestionReport(const SuggestedCut& cut)
-{
-  return { { "type", cut.type }, { "name", cut.name }, { "length", cut.length },
-    { "gain", cut.gain }, { "E_area_before", cut.areaErrorBefore },
-    { "E_area_after", cut.areaErrorAfter }, { "strain_p95_before", cut.strainBefore },
-    { "strain_p95_after", cut.strainAfter } };
-}
-
-Json suggestionReports(const Flattening& result)
-{
-  Json suggestions = Json::array();
-  for (const SuggestedCut& cut : suggestedCuts(result))
-  {
-    Json row = suggestionReport(cut);
-    row["gain_predicted"] = cut.predictedGain;
-    row["opening"] = cut.opening;
-    row["mirror_of"] = cut.mirrorOf;
-    suggestions.push_back(std::move(row));
-  }
-  return suggestions;
-}
-
-Json leftOutLineReports(const Flattening& result)
-{
-  Json lines = Json::array();
-  for (const LeftOutLine& line : leftOutLines(result))
-  {
-    Json row = suggestionReport(line);
-    row["sound"] = line.sound;
-    lines.push_back(std::move(row));
-  }
-  return lines;
 }
 
 /// What proposals keep to: a plane by its normal and offset, or an axis by its ends; null without.
@@ -454,17 +439,6 @@ Json flattenableReport(const Options& options, const Flattening& result)
     { "pieces_before", pieceReports(result.tablesBefore) } };
 }
 
-Json keyPriceReports(const Flattening& result)
-{
-  Json trials = Json::array();
-  for (const KeyTrialRow& row : keyTrials(result))
-  {
-    trials.push_back({ { "trial", row.what }, { "price", row.price }, { "E_area", row.areaError },
-      { "strain_p95", row.strainP95 }, { "status", row.status }, { "released", row.released } });
-  }
-  return trials;
-}
-
 /// What the pieces take of a cloth; null where they were not laid.
 Json layReport(const Flattening& result)
 {
@@ -530,10 +504,11 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "pieces", pieceReports(result.tables) }, { "sizes", sizeReports(result) },
     { "left_out", rowsOf(result.leftOutPieces, leftOutColumns) },
     { "curves", rowsOf(result.curveTable, curveColumns) }, { "seams", seamReports(result) },
-    { "suggestions", suggestionReports(result) },
+    { "suggestions", rowsOf(suggestedCuts(result), suggestionColumns) },
     { "flattenable", flattenableReport(options, result) },
-    { "suggestions_left_out", leftOutLineReports(result) },
-    { "suggestions_mirror", mirrorReport(result) }, { "key_prices", keyPriceReports(result) },
+    { "suggestions_left_out", rowsOf(result.leftOutLines, leftOutLineColumns) },
+    { "suggestions_mirror", mirrorReport(result) },
+    { "key_prices", rowsOf(result.keyPrices, keyPriceColumns) },
     { "resewn", resewnReports(options, result.sewnShapes) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", result.seconds[3] },

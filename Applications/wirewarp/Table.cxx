@@ -7,7 +7,9 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
@@ -286,64 +288,53 @@ std::string pieceWarnings(const Flattening& result, const std::string& where)
   return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;
 }
 
-std::vector<SuggestedCut> suggestedCuts(const Flattening& result)
+vtkSmartPointer<vtkTable> suggestedCuts(const Flattening& result)
 {
-  std::vector<SuggestedCut> cuts;
-  if (!result.curves || result.curves->GetNumberOfCells() == 0)
-  {
-    return cuts;
-  }
-  vtkCellData* const cells = result.curves->GetCellData();
-  auto* const names = vtkStringArray::SafeDownCast(cells->GetAbstractArray("CurveName"));
+  auto table = noTable();
+  const vtkIdType count = result.curves ? result.curves->GetNumberOfCells() : 0;
+  vtkCellData* const cells = count > 0 ? result.curves->GetCellData() : nullptr;
   const auto at = [cells](const char* array, vtkIdType row) {
     return cells->GetArray(array)->GetComponent(row, 0);
   };
-  const vtkIdType count = result.curves->GetNumberOfCells();
   vtkIdType first = 0;
   while (first < count && at("Rank", first) < 0.0)
   {
     ++first;
   }
+  if (first == count)
+  {
+    return table;
+  }
+  auto* const curves = vtkStringArray::SafeDownCast(cells->GetAbstractArray("CurveName"));
+  const vtkNew<vtkStringArray> types;
+  const vtkNew<vtkStringArray> names;
+  const vtkNew<vtkStringArray> images;
+  types->SetName("Type");
+  names->SetName("Name");
+  images->SetName("MirrorOf");
   for (vtkIdType row = first; row < count; ++row)
   {
-    SuggestedCut cut;
-    cut.type = curveTypeName(at("CurveType", row));
-    cut.name = names->GetValue(row);
-    cut.length = at("Length", row);
-    cut.predictedGain = at("PredictedGain", row);
-    cut.gain = at("Gain", row);
-    cut.opening = at("Opening", row);
-    cut.areaErrorBefore = at("AreaErrorBefore", row);
-    cut.areaErrorAfter = at("AreaErrorAfter", row);
-    cut.strainBefore = at("StrainBefore", row);
-    cut.strainAfter = at("StrainAfter", row);
     const auto mirrorOf = static_cast<vtkIdType>(at("MirrorOf", row));
-    cut.mirrorOf = mirrorOf > 0 ? std::string(names->GetValue(first + mirrorOf - 1)) : "";
-    cuts.push_back(cut);
+    types->InsertNextValue(curveTypeName(at("CurveType", row)));
+    names->InsertNextValue(curves->GetValue(row));
+    images->InsertNextValue(mirrorOf > 0 ? curves->GetValue(first + mirrorOf - 1) : "");
   }
-  return cuts;
-}
-
-std::vector<LeftOutLine> leftOutLines(const Flattening& result)
-{
-  std::vector<LeftOutLine> lines;
-  vtkTable* const table = result.leftOutLines;
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (vtkStringArray* const column : { types.Get(), names.Get(), images.Get() })
   {
-    const auto at = [table, row](const char* name) { return numberIn(table, row, name); };
-    LeftOutLine line;
-    line.type = textIn(table, row, "Type");
-    line.name = textIn(table, row, "Name");
-    line.length = at("Length");
-    line.gain = at("Gain");
-    line.areaErrorBefore = at("AreaErrorBefore");
-    line.areaErrorAfter = at("AreaErrorAfter");
-    line.strainBefore = at("StrainBefore");
-    line.strainAfter = at("StrainAfter");
-    line.sound = at("Sound") != 0.0;
-    lines.push_back(line);
+    table->AddColumn(column);
   }
-  return lines;
+  for (const char* const name : { "Length", "PredictedGain", "Gain", "Opening", "AreaErrorBefore",
+         "AreaErrorAfter", "StrainBefore", "StrainAfter" })
+  {
+    const vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (vtkIdType row = first; row < count; ++row)
+    {
+      column->InsertNextValue(at(name, row));
+    }
+    table->AddColumn(column);
+  }
+  return table;
 }
 
 std::vector<double> mirrorNumbers(const Flattening& result, const char* array)
@@ -360,14 +351,6 @@ std::vector<double> mirrorNumbers(const Flattening& result, const char* array)
 
 namespace
 {
-void writeHead(const char* what, std::ostream& text)
-{
-  text << "\n"
-       << std::left << std::setw(14) << what << std::right << std::setw(12) << "length"
-       << std::setw(12) << "gain" << std::setw(22) << "E_area" << std::setw(22) << "strain_p95"
-       << '\n';
-}
-
 /// What the proposals keep to; empty where that is nothing.
 std::string mirrorLine(const Flattening& result)
 {
@@ -401,13 +384,20 @@ std::string known(double value)
   return std::isnan(value) ? "-" : text.str();
 }
 
-void writeRow(const SuggestedCut& cut, std::ostream& text)
+/// Rows of proposals, or of lines that were left out, under a head.
+std::string tableOf(const char* head, vtkTable* lines)
 {
-  text << std::left << std::setw(14) << plainText(cut.name) << std::right << std::setw(12)
-       << known(cut.length) << std::setw(12) << known(cut.gain) << std::setw(11)
-       << known(cut.areaErrorBefore) << " -> " << std::left << std::setw(7)
-       << known(cut.areaErrorAfter) << std::right << std::setw(11) << known(cut.strainBefore)
-       << " -> " << std::left << known(cut.strainAfter);
+  std::vector<Row> rows{ { head, "length", "gain", "E_area", "strain_p95", "" } };
+  for (vtkIdType row = 0; row < lines->GetNumberOfRows(); ++row)
+  {
+    const auto at = [lines, row](const char* name) { return known(numberIn(lines, row, name)); };
+    const bool breaks = lines->GetColumnByName("Sound") && integerIn(lines, row, "Sound") == 0;
+    rows.push_back({ plainText(textIn(lines, row, "Name")), at("Length"), at("Gain"),
+      at("AreaErrorBefore") + " -> " + at("AreaErrorAfter"),
+      at("StrainBefore") + " -> " + at("StrainAfter"),
+      breaks ? "breaks what holds without it" : "" });
+  }
+  return rows.size() == 1 ? "" : '\n' + layOut(rows, 1);
 }
 
 std::string percent(double strain)
@@ -418,33 +408,32 @@ std::string percent(double strain)
 }
 
 /// What was proposed, for people.
-std::string shortList(const Flattening& result)
+std::string shortList(vtkTable* cuts, vtkTable* leftOut, const std::string& unit)
 {
-  std::ostringstream text;
-  for (const SuggestedCut& cut : suggestedCuts(result))
+  std::string text;
+  for (vtkIdType row = 0; row < cuts->GetNumberOfRows(); ++row)
   {
-    text << plainText(cut.name) << ": " << known(cut.length) << ' ' << result.unit
-         << " long, strain " << percent(cut.strainBefore) << " -> " << percent(cut.strainAfter)
-         << '\n';
+    text += plainText(textIn(cuts, row, "Name")) + ": " + known(numberIn(cuts, row, "Length")) +
+      ' ' + unit + " long, strain " + percent(numberIn(cuts, row, "StrainBefore")) + " -> " +
+      percent(numberIn(cuts, row, "StrainAfter")) + '\n';
   }
   for (const bool sound : { true, false })
   {
     std::string names;
-    for (const LeftOutLine& line : leftOutLines(result))
+    for (vtkIdType row = 0; row < leftOut->GetNumberOfRows(); ++row)
     {
-      if (line.sound == sound)
+      if ((integerIn(leftOut, row, "Sound") != 0) == sound)
       {
-        names.append(names.empty() ? "" : ", ").append(plainText(line.name));
+        names += (names.empty() ? "" : ", ") + plainText(textIn(leftOut, row, "Name"));
       }
     }
     if (!names.empty())
     {
-      text << "left out, since they "
-           << (sound ? "cost more than they give: " : "break what holds without them: ") << names
-           << '\n';
+      text += std::string("left out, since they ") +
+        (sound ? "cost more than they give: " : "break what holds without them: ") + names + '\n';
     }
   }
-  return text.str();
+  return text;
 }
 }
 
@@ -454,82 +443,29 @@ std::string suggestionTable(const Flattening& result, bool numbers)
   {
     return "";
   }
-  const std::vector<SuggestedCut> cuts = suggestedCuts(result);
-  const std::string nothing = cuts.empty() ? "nothing is proposed\n" : "";
-  const std::string mirror = cuts.empty() ? "" : mirrorLine(result);
-  if (!numbers)
-  {
-    return nothing + shortList(result) + mirror;
-  }
-  std::ostringstream text;
-  text << nothing;
-  if (!cuts.empty())
-  {
-    writeHead("proposed", text);
-  }
-  for (const SuggestedCut& cut : cuts)
-  {
-    writeRow(cut, text);
-    text << '\n';
-  }
-  text << mirror;
-  const std::vector<LeftOutLine> lines = leftOutLines(result);
-  if (!lines.empty())
-  {
-    writeHead("left out", text);
-  }
-  for (const LeftOutLine& line : lines)
-  {
-    writeRow(line, text);
-    text << (line.sound ? "" : "  breaks what holds without it") << '\n';
-  }
-  return text.str();
-}
-
-std::vector<KeyTrialRow> keyTrials(const Flattening& result)
-{
-  std::vector<KeyTrialRow> rows;
-  vtkTable* const table = result.keyPrices;
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    rows.push_back({ textIn(table, row, "Trial"), numberIn(table, row, "Price"),
-      numberIn(table, row, "AreaError"), numberIn(table, row, "StrainP95"),
-      textIn(table, row, "Status"), textIn(table, row, "Released") });
-  }
-  return rows;
+  const vtkSmartPointer<vtkTable> cuts = suggestedCuts(result);
+  const bool none = cuts->GetNumberOfRows() == 0;
+  const std::string mirror = none ? "" : mirrorLine(result);
+  return (none ? "nothing is proposed\n" : "") +
+    (numbers ? tableOf("proposed", cuts) + mirror + tableOf("left out", result.leftOutLines)
+             : shortList(cuts, result.leftOutLines, result.unit) + mirror);
 }
 
 std::string keyPriceTable(const Flattening& result)
 {
-  const std::vector<KeyTrialRow> rows = keyTrials(result);
-  if (rows.empty())
+  vtkTable* const table = result.keyPrices;
+  std::vector<Row> rows{ { "trial", "price", "E_area", "strain_p95", "status" } };
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    return "";
+    const auto at = [table, row](const char* name) {
+      const double value = numberIn(table, row, name);
+      return std::isnan(value) ? std::string() : format("%.5f", value);
+    };
+    const std::string released = plainText(textIn(table, row, "Released"));
+    rows.push_back(
+      { plainText(textIn(table, row, "Trial")), at("Price"), at("AreaError"), at("StrainP95"),
+        textIn(table, row, "Status") + (released.empty() ? "" : ", gave up " + released) });
   }
-  std::size_t width = 0;
-  for (const KeyTrialRow& row : rows)
-  {
-    width = std::max(width, plainText(row.what).size());
-  }
-  std::ostringstream text;
-  text << '\n'
-       << std::left << std::setw(static_cast<int>(width)) << "trial" << std::right << std::setw(12)
-       << "price" << std::setw(12) << "E_area" << std::setw(12) << "strain_p95"
-       << "  status\n";
-  text << std::fixed << std::setprecision(5);
-  const auto number = [&text](double value) {
-    text << std::setw(12);
-    std::isnan(value) ? text << "" : text << value;
-  };
-  for (const KeyTrialRow& row : rows)
-  {
-    text << std::left << std::setw(static_cast<int>(width)) << plainText(row.what) << std::right;
-    number(row.price);
-    number(row.areaError);
-    number(row.strainP95);
-    text << "  " << row.status
-         << (row.released.empty() ? "" : ", gave up " + plainText(row.released)) << '\n';
-  }
-  return text.str();
+  return rows.size() == 1 ? "" : '\n' + layOut(rows, 1);
 }
 }

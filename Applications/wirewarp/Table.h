@@ -3,6 +3,9 @@
 
 #include "Flattening.h"
 
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+
 #include <string>
 #include <vector>
 
@@ -38,31 +41,10 @@ std::string writeErrors(const Flattening& result);
 /// What is wrong with pieces, a line each. \param where stands before each piece
 std::string pieceWarnings(const Flattening& result, const std::string& where = "");
 
-/// A row of vtkFeatureCurveSuggestion's curves.
-struct SuggestedCut
-{
-  std::string type;
-  std::string name;
-  double length = 0.0;
-  double predictedGain = 0.0;
-  double gain = 0.0;
-  double opening = 0.0;
-  double areaErrorBefore = 0.0;
-  double areaErrorAfter = 0.0;
-  double strainBefore = 0.0;
-  double strainAfter = 0.0;
-  std::string mirrorOf; ///< name of the cut that it is the mirror image of
-};
-
-/// A line that was tried and not proposed.
-struct LeftOutLine : SuggestedCut
-{
-  bool sound = true; ///< it only costs too much
-};
-
-/// The proposals of `wirewarp cut`; empty for other commands.
-std::vector<SuggestedCut> suggestedCuts(const Flattening& result);
-std::vector<LeftOutLine> leftOutLines(const Flattening& result);
+/// The proposals of `wirewarp cut`, of vtkFeatureCurveSuggestion's curves: the columns of its lines
+/// that are left out, PredictedGain, Opening and MirrorOf (the name of another); no rows for other
+/// commands.
+vtkSmartPointer<vtkTable> suggestedCuts(const Flattening& result);
 
 /// The numbers of MirrorPlane or MirrorAxis; none where there is no such mirror.
 std::vector<double> mirrorNumbers(const Flattening& result, const char* array);
@@ -71,20 +53,6 @@ std::vector<double> mirrorNumbers(const Flattening& result, const char* array);
 /// ran.
 std::string suggestionTable(const Flattening& result, bool numbers);
 
-/// A row of vtkKeyCurvePrices.
-struct KeyTrialRow
-{
-  std::string what;
-  double price = 0.0; ///< not a number but for "without NAME"
-  double areaError = 0.0;
-  double strainP95 = 0.0;
-  std::string status;
-  std::string released;
-};
-
 /// What `wirewarp prices` found; empty for other commands.
-std::vector<KeyTrialRow> keyTrials(const Flattening& result);
-
-/// The same as a table; empty for other commands.
 std::string keyPriceTable(const Flattening& result);
 }
