@@ -27,8 +27,8 @@ void addPresets()
 void setDefaultColors()
 {
   addPresets();
-  // Wires in the colors of the paper's figures; what is measured by the presets, whatever range the
-  // data has.
+  // Wires in colors that no map of a measure has; what is measured by the presets, whatever range
+  // the data has.
   const std::string tables = R"({
     "array_lookup_tables": {
       "WireKind": {
@@ -37,8 +37,8 @@ void setDefaultColors()
           "AutomaticRescaleRangeMode": -1,
           "Annotations": ["-2", "connector", "-1", "boundary", "0", "accessory", "1", "key",
             "2", "dart", "3", "seam"],
-          "IndexedColors": [0.7, 0.7, 0.7, 0.0, 0.0, 0.0, 0.0, 0.6, 0.1, 0.85, 0.0, 0.0,
-            0.0, 0.2, 0.9, 0.6, 0.0, 0.75]
+          "IndexedColors": [0.7, 0.7, 0.7, 0.0, 0.0, 0.0, 0.35, 0.35, 0.35, 0.85, 0.0, 0.0,
+            0.95, 0.1, 0.7, 0.9, 0.45, 0.1]
         }
       },
       "CurveType": {
@@ -46,7 +46,7 @@ void setDefaultColors()
           "IndexedLookup": 1,
           "AutomaticRescaleRangeMode": -1,
           "Annotations": ["0", "accessory", "1", "key", "2", "dart", "3", "seam"],
-          "IndexedColors": [0.0, 0.6, 0.1, 0.85, 0.0, 0.0, 0.0, 0.2, 0.9, 0.6, 0.0, 0.75]
+          "IndexedColors": [0.35, 0.35, 0.35, 0.85, 0.0, 0.0, 0.95, 0.1, 0.7, 0.9, 0.45, 0.1]
         }
       }
       )" +

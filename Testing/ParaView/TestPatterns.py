@@ -67,6 +67,10 @@ class Patterns(unittest.TestCase):
         self.assertEqual(names, {"-2": "connector", "-1": "boundary", "0": "accessory", "1": "key",
                                  "2": "dart", "3": "seam"})
         self.assertEqual(len(wires.IndexedColors), 18)
+        map_ = [quality.RGBPoints[k + 1:k + 4] for k in range(0, len(quality.RGBPoints), 4)]
+        for k in range(0, 18, 3):  # no wire has a color of the map
+            near = min(max(abs(a - b) for a, b in zip(wires.IndexedColors[k:k + 3], color)) for color in map_)
+            self.assertGreater(near, 0.15, names)
         # Beside the surface, so that one view shows both.
         flat, _, cut = (pv.OutputPort(self.flattening, port).GetDataInformation().GetBounds()
                         for port in range(3))

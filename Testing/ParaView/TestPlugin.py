@@ -21,6 +21,21 @@ class Plugin(unittest.TestCase):
         for proxy in list(pv.GetSources().values()):
             pv.Delete(proxy)
 
+    def test_a_material_is_chosen_from_the_known_ones_or_a_file(self):
+        flattening = pv.FlattenSurfaceWireWarping(Input=read("shirt_front"), Scheme="Global")
+        known = list(flattening.GetProperty("Material").Available)
+        self.assertEqual(known[:2], ["", "isotropic"])
+        self.assertIn("leather", known)
+        flattening.Material = "leather"
+        self.assertEqual(values(fetch(flattening, 3), "ShearLimit"), [5.0])
+        with tempfile.TemporaryDirectory() as folder:
+            flattening.MaterialFile = os.path.join(folder, "cloth.json")
+            with open(flattening.MaterialFile, "w", encoding="utf-8") as file:
+                json.dump({"warp": 2000, "weft": 1000, "shear": 20, "limits": {"shear": 12}}, file)
+            self.assertAlmostEqual(values(fetch(flattening, 3), "ShearLimit")[0], 12.0, 9)
+        flattening.MaterialFile = ""
+        self.assertEqual(values(fetch(flattening, 3), "ShearLimit"), [5.0])
+
     def test_every_proxy_can_be_made(self):
         tree = ElementTree.parse(os.path.join(os.environ["FLATTENING_BINARY"], "Plugin", "SurfaceFlattening.xml"))
         proxies = [(group, proxy) for group in ("sources", "filters")

@@ -35,6 +35,28 @@ print("found", json.dumps({
     "curves": {name: [kind, flat] for name, kind, flat in zip(
         column("Name"), column("Type"), column("FlatLength"))}}))
 """
+CAMERA = """
+import sys
+import paraview.simple as pv
+pv.LoadState(sys.argv[1])
+view = pv.GetActiveViewOrCreate("RenderView")
+sources = {name: proxy for (name, _), proxy in pv.GetSources().items()}
+flattening = sources["FlattenSurfaceWireWarping1"]
+flattening.UpdatePipeline()
+low, high = [1e300] * 3, [-1e300] * 3
+for port in range(3):
+    bounds = pv.OutputPort(flattening, port).GetDataInformation().GetBounds()
+    low = [min(a, b) for a, b in zip(low, bounds[::2])]
+    high = [max(a, b) for a, b in zip(high, bounds[1::2])]
+camera = view.GetActiveCamera()
+matrix = camera.GetCompositeProjectionTransformMatrix(view.ViewSize[0] / view.ViewSize[1], -1, 1)
+def seen(x):
+    p = matrix.MultiplyPoint((*x, 1.0))
+    return max(abs(p[0] / p[3]), abs(p[1] / p[3])) < 1.0
+whole = all(seen((x, y, z)) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2]))
+wires = pv.GetDisplayProperties(pv.OutputPort(flattening, 1), view)
+print("whole", whole, "wide", wires.LineWidth == 3.0)
+"""
 
 
 class ParaViewWindow:
@@ -148,6 +170,15 @@ class Window(unittest.TestCase):
         self.assertTrue(lines, run.stdout + run.stderr)
         return json.loads(lines[0][len("found "):])
 
+    def shows_all(self, state):
+        """Whether the camera of a state sees surface and pieces whole, with wires of 3 pixels."""
+        program = os.path.join(self.folder.name, "camera.py")
+        with open(program, "w", encoding="utf-8") as file:
+            file.write(CAMERA)
+        run = subprocess.run([os.path.join(BINARY, "bin", "pvpython"), program, state],
+                             capture_output=True, text=True, check=False)
+        return "whole True wide True" in run.stdout or run.stdout + run.stderr
+
     def test_a_curve_is_picked_named_made_a_key_applied_saved_and_loaded(self):
         window, first, second, third = self.start("--data=" + SHIRT), *(
             os.path.join(self.folder.name, name + ".pvsm") for name in ("first", "second", "third"))
@@ -171,6 +202,7 @@ class Window(unittest.TestCase):
         window.apply()
         window.ask("picture", file=os.path.join(OUTPUT, "window_flat.png"))
         window.save_state(first)
+        self.assertTrue(self.shows_all(first))
         window.close()
 
         # Another day, and another window.

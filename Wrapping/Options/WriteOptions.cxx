@@ -2,6 +2,7 @@
 // write-options TEMPLATE FILE: copies a text and replaces each line
 // @KIND:CLASS@ by what the table of options says. write-options [--check] PAGE: the same between the lines
 // <!-- options:CLASS --> and <!-- end --> of a page; with --check it only says whether they differ.
+#include "Cloth/ClothMaterial.h"
 #include "Options/OptionTable.h"
 
 #include <algorithm>
@@ -262,6 +263,25 @@ void writeDecorators(const Option& option, std::ostream& out)
   }
 }
 
+/// What a panel shows of a text: the materials to choose from, with a file beside them; examples.
+void writeTextHints(const Option& option, std::ostream& out)
+{
+  if (option.property == "Material" && option.owner == OptionOwner::Pieces)
+  {
+    out << "        <StringListDomain name=\"list\">\n          <String value=\"\" />\n";
+    for (const flattening::ClothMaterial& material : flattening::materialPresets())
+    {
+      out << "          <String value=\"" << material.name << "\" />\n";
+    }
+    out << "        </StringListDomain>\n";
+  }
+  else if (option.property == "Grain")
+  {
+    out << "        <Hints>\n          <PlaceholderText>center; center:45; 30; free"
+           "</PlaceholderText>\n        </Hints>\n";
+  }
+}
+
 void writeProperty(const Option& option, std::ostream& out)
 {
   const bool whole = option.type == OptionType::Flag || option.type == OptionType::Integer ||
@@ -302,9 +322,28 @@ void writeProperty(const Option& option, std::ostream& out)
         << xmlNumbers(option, option.sliderMinimum) << "\" max=\""
         << xmlNumbers(option, option.sliderMaximum) << "\" />\n";
   }
-  out << "        <Documentation>" << escaped(option.help) << "</Documentation>\n";
+  writeTextHints(option, out);
+  out << "        <Documentation>" << escaped(option.help)
+      << (option.property == "Grain" ? " For example center, center:45, 30 or free." : "")
+      << "</Documentation>\n";
   writeDecorators(option, out);
   out << "      </" << tag << ">\n";
+}
+
+constexpr const char* materialFile =
+  R"(      <StringVectorProperty name="MaterialFile" label="Material File" command="SetMaterialFile" number_of_elements="1"
+          default_values="">
+        <FileListDomain name="files" />
+        <Documentation>A JSON file with the numbers of a material, which counts instead of Material. Empty: none.</Documentation>
+        <Hints>
+          <FileChooser extensions="json" file_description="Material" />
+        </Hints>
+      </StringVectorProperty>
+)";
+
+bool hasMaterialFile(OptionOwner owner, const Option& option)
+{
+  return owner == OptionOwner::Pieces && option.property == "Material";
 }
 
 /// Properties and their groups. Lists are written by hand, since their methods are.
@@ -317,6 +356,10 @@ void writeProperties(OptionOwner owner, std::ostream& out)
   for (const Option* const option : options)
   {
     writeProperty(*option, out);
+    if (hasMaterialFile(owner, *option))
+    {
+      out << materialFile;
+    }
   }
   for (std::size_t k = 0; k < options.size(); ++k)
   {
@@ -325,7 +368,9 @@ void writeProperties(OptionOwner owner, std::ostream& out)
     {
       out << "      <PropertyGroup label=\"" << group << "\">\n";
     }
-    out << "        <Property name=\"" << options[k]->property << "\" />\n";
+    out << "        <Property name=\"" << options[k]->property << "\" />\n"
+        << (hasMaterialFile(owner, *options[k]) ? "        <Property name=\"MaterialFile\" />\n"
+                                                : "");
     if (k + 1 == options.size() || options[k + 1]->group != group)
     {
       out << "      </PropertyGroup>\n";
