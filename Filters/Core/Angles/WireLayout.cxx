@@ -14,6 +14,7 @@ namespace flattening
 {
 namespace
 {
+/// Each step doubles the digits: after these nothing but what contradicts itself is left.
 constexpr int mostLengthSteps = 8;
 
 /// Vector from start to end of each edge.

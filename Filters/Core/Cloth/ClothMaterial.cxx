@@ -13,7 +13,9 @@ namespace
 {
 /// A softer sheet than this beside its stiffest thread makes the systems singular.
 constexpr double leastRatio = 1e-6;
+/// The same of a thread that is compressed beside the same thread drawn.
 constexpr double leastCompression = 1e-3;
+/// Far beyond any cloth, in the unit of a material: products of what is outside overflow or vanish.
 constexpr double leastModulus = 1e-9;
 constexpr double largestModulus = 1e15;
 /// Strains and shears (in radians) below it cannot be told from rounding.

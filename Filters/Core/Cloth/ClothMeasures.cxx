@@ -10,6 +10,7 @@ namespace flattening
 {
 namespace
 {
+/// Of shareOver5Percent.
 constexpr double noticeable = 0.05;
 /// A strain that is beyond its limit by less is rounding of one that lies on it.
 constexpr double rounding = 1e-9;

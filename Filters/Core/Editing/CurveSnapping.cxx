@@ -9,7 +9,9 @@ namespace flattening
 {
 namespace
 {
-constexpr double vertexReach = 1.0 / 3.0; // of the longest edge there
+/// Of the longest edge there: half of it would leave no place between two vertices.
+constexpr double vertexReach = 1.0 / 3.0;
+/// Depth is guessed where the side is aimed at, but tells a near sheet from one far behind it.
 constexpr double depthWeight = 0.1;
 
 /// Keeps the nearest of what is offered within reach.

@@ -14,10 +14,13 @@ namespace flattening
 {
 namespace
 {
+/// How far a fitted offset may be off, of the distance: 0.03 mm of a seam allowance of 10 mm, less
+/// than cutting by hand or laser is off.
 constexpr double ofDistance = 3e-3;
 /// Of its length: what is left of a tight curve is rounding.
 constexpr double ofTightCurve = 1e-9;
-constexpr double closingGap = 3.0; // times the tolerance
+/// Times the tolerance: a hand that means to close a loop misses its start by more than that.
+constexpr double closingGap = 3.0;
 
 EditedCurve curveOf(FittedPath fit, SegmentKind kind)
 {

@@ -8,6 +8,7 @@ namespace flattening
 {
 namespace
 {
+/// Half of what a hexagon turns by: boundaries of coarse round holes have no corners.
 constexpr double cornerTurn = pi / 6.0;
 /// Of the mean edge length, as the imprint's own default.
 constexpr double snapFraction = 1e-3;

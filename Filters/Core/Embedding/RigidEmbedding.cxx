@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/RigidEmbedding.h"
 
+#include "Sparse/NewtonKktStep.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -223,11 +225,11 @@ RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
   const Index free = this->Patch->freeCount;
   Eigen::MatrixXd trial = this->Positions;
   double scale = 1.0;
-  for (int halving = 0; halving < 40; ++halving, scale *= 0.5)
+  for (int halving = 0; halving < maximumHalvings; ++halving, scale *= 0.5)
   {
     trial.topRows(free) = this->Positions.topRows(free) + scale * step;
     const double after = this->energy(trial);
-    if (after <= before - 1e-4 * scale * slope)
+    if (after <= before - sufficientDecrease * scale * slope)
     {
       this->Positions.swap(trial);
       const bool small = last || before - after <= energyTolerance * before;

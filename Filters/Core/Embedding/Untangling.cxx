@@ -5,6 +5,7 @@
 #include "Embedding/InteriorSystem.h"
 #include "Quality/FlatteningQuality.h"
 #include "Sparse/LinearSolver.h"
+#include "Sparse/NewtonKktStep.h"
 #include "Sparse/SymmetricAssembler.h"
 #include "Surface/TriangleFrame.h"
 
@@ -16,10 +17,11 @@ namespace flattening
 namespace
 {
 constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shape term
+/// Iterations times triangles, so that time is bounded on every mesh, and between which limits: the
+/// fewest let most patches of any size end without folds.
+constexpr double mostTriangles = 4e6;
 constexpr int mostIterations = 200;
 constexpr int fewestIterations = 20;
-/// Iterations times triangles, so that time is bounded on every mesh.
-constexpr double mostTriangles = 4e6;
 /// From so many interior vertices on a factorization by blocks pays.
 constexpr Index manyVertices = 400;
 /// Around a single flipped triangle.
@@ -267,12 +269,12 @@ private:
     }
     const double slope = gradient.dot(direction.col(0));
     double scale = 1.0;
-    for (int halving = 0; halving < 40; ++halving, scale *= 0.5)
+    for (int halving = 0; halving < maximumHalvings; ++halving, scale *= 0.5)
     {
       Eigen::VectorXd trial = this->X;
       trial.head(unknowns) += scale * direction.col(0);
       after = this->energy(epsilon, trial);
-      if (after < before + 1e-4 * scale * slope)
+      if (after < before + sufficientDecrease * scale * slope)
       {
         this->X = std::move(trial);
         return true;

@@ -13,6 +13,7 @@ namespace flattening
 {
 namespace
 {
+/// Each round adds nodes where the spline is off; one that still is after these never comes near.
 constexpr int mostFittingRounds = 40;
 
 Status checkFit(const TriangleMesh& mesh, const SurfacePath& path, double tolerance)

@@ -276,7 +276,9 @@ StraightPath pathByEdges(PathSearch& search, const SurfacePoint& to)
 
 namespace
 {
+/// Each move shortens the band; one that goes on after these is kept from rest by rounding.
 constexpr int mostMovesOfBase = 1000;
+/// Halving ends before, at the rounding of a fraction.
 constexpr int baseHalvings = 100;
 /// A base so near to an end of its edge, as a fraction, is there.
 constexpr double atEnd = 1e-9;

@@ -38,8 +38,7 @@ constexpr std::size_t maximumTrials = 400;
 constexpr double searchShare = 0.9;
 /// Over the root of the area: what is kept from a body, and what rounding leaves of it.
 constexpr double gapToBody = 1e-3;
-constexpr double roundingAtBody = 1e-9;
-constexpr double roundingAtBias = 1e-9;
+constexpr double rounding = 1e-9; ///< of places beside a body or on the side of a bias
 
 Status checked(const std::vector<FeatureCurve>& curves, const FlattenableOptions& options)
 {
@@ -114,7 +113,7 @@ std::string describeLimits(
       all += third;
       kept += result.kept[v] ? third : 0.0;
       againstBias += !result.kept[v] && options.outsideBias >= 1.0 &&
-          result.shift.outwardsOfVertex[v] <= roundingAtBias * result.shift.size
+          result.shift.outwardsOfVertex[v] <= rounding * result.shift.size
         ? third
         : 0.0;
     }
@@ -152,7 +151,7 @@ public:
     if (body)
     {
       this->Body = std::make_unique<ContactBody>(*body);
-      this->Slack = roundingAtBody * measureShift(design, design.points()).size;
+      this->Slack = rounding * measureShift(design, design.points()).size;
       for (const Point3& p : design.points())
       {
         this->Designed.push_back(std::min(0.0, this->Body->locate(p).distance));

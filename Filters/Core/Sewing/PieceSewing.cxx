@@ -13,6 +13,7 @@ namespace flattening
 {
 namespace
 {
+/// Pressure and weight as large as the stiffness would stretch any cloth to twice its size.
 constexpr double mostPressure = 1.0;
 constexpr double mostGravity = 1.0;
 /// The second start, over the size, and how much of the distance may be chance.

@@ -13,6 +13,7 @@ namespace flattening
 {
 namespace
 {
+/// Sums of a tile fill half of the registers of AVX2 and leave the others for the factors.
 constexpr Index tileRows = 8;
 constexpr Index tileColumns = 4;
 /// Of left and right together what the second cache holds, and of a strip of right what the first

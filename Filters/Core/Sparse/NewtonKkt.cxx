@@ -10,8 +10,6 @@ namespace flattening
 {
 namespace
 {
-/// A step that has to be shorter than 2^-40 of Newton's is lost in rounding.
-constexpr int maxHalvings = 40;
 /// Corrections of one trial step, and what each has to leave of the constraints' violation at most.
 constexpr int maxCorrections = 3;
 constexpr double worthCorrecting = 0.25;
@@ -327,7 +325,7 @@ private:
     const double move = largest(step);
     double scale = move > this->Options.maximumMove ? this->Options.maximumMove / move : 1.0;
     this->Shortened = false;
-    for (int halving = 0; halving < maxHalvings; ++halving, scale *= 0.5)
+    for (int halving = 0; halving < maximumHalvings; ++halving, scale *= 0.5)
     {
       const double bound = before + sufficientDecrease * scale * std::min(slope, 0.0) + noise;
       const Eigen::VectorXd x = this->Newton.clipped(this->State.x + scale * step);

@@ -11,6 +11,8 @@ namespace flattening
 {
 /// Share of the decrease which the slope promises that a step must bring (Armijo's rule).
 inline constexpr double sufficientDecrease = 1e-4;
+/// A step that has to be shorter than 2^-40 of Newton's is lost in rounding.
+inline constexpr int maximumHalvings = 40;
 
 inline double largest(const Eigen::VectorXd& v)
 {

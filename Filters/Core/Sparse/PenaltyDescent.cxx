@@ -16,15 +16,17 @@ namespace
 constexpr double firstPenalty = 1.0;
 constexpr double keepingPenalty = 1e4;
 constexpr double lastPenalty = 1e10;
+/// As of shifts: few descents, and starts that are near the next minimum.
 constexpr double penaltyGrowth = 4.0;
 /// With each weight until a further step promises to lower the whole by no more than this fraction
 /// of it: on the way, and once the model has settled.
 constexpr double roughly = 1e-2;
 constexpr double nearly = 1e-5;
+/// More steps with one weight than these gain less than the next weight does.
 constexpr int maxStepsRoughly = 12;
 constexpr int maxStepsNearly = 40;
 constexpr int maxPenaltySaddles = 1; ///< left, with each weight
-constexpr int maxPenaltyHalvings = 30;
+/// The shortest way off a saddle, as the largest move of an unknown.
 constexpr double shortestPenaltyEscape = 1e-4;
 
 class Descent
@@ -130,7 +132,7 @@ private:
       this->Constraints.dot(this->Newton.multipliers() - this->Penalty * this->Constraints);
     const double before = this->merit(this->X, this->Constraints);
     double scale = 1.0;
-    for (int halving = 0; halving < maxPenaltyHalvings; ++halving, scale *= 0.5)
+    for (int halving = 0; halving < maximumHalvings; ++halving, scale *= 0.5)
     {
       if (this->moveTo(this->Newton.clipped(this->X + scale * step),
             before + sufficientDecrease * scale * slope))

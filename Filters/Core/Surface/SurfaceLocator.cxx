@@ -9,6 +9,7 @@ namespace flattening
 {
 namespace
 {
+/// Triangles a leaf: to measure so few takes no longer than another two boxes.
 constexpr Index leafSize = 4;
 /// Distances that differ by less than this fraction of them are equal: which of two faces is the
 /// closer one to a point over the edge between them is not left to rounding.
