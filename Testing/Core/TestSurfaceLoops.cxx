@@ -184,22 +184,6 @@ TEST(Girth, ThroughTwoPointsIsTheShortest)
   EXPECT_NEAR(two.length, perimeter(24, 1.0), 1e-9);
 }
 
-TEST(StraightLoop, ComesToRestInTheWaist)
-{
-  const Index sides = 20;
-  const TriangleMesh mesh =
-    tube(sides, 20, [](double t) { return 1.0 + 3.0 * (t - 0.5) * (t - 0.5); });
-  const PathGraph graph(mesh);
-  const PlaneSection start = planeSection(mesh,
-    edgePoint(mesh, edgeOf(mesh, mesh.find(14 * sides, 15 * sides)), 0.3), Point3(0.3, 0.1, 1.0));
-  ASSERT_TRUE(start.closed);
-  const StraightPath loop = straightLoop(graph, start.path);
-  ASSERT_TRUE(loop.status.ok()) << loop.status.message;
-  EXPECT_TRUE(liesOn(mesh, loop.path));
-  EXPECT_NEAR(loop.length, perimeter(sides, 1.0), 1e-9);
-  EXPECT_LE(worstBendOfLoop(mesh, loop.path), 1e-9);
-}
-
 TEST(StraightLoop, IsACircleRoundACylinder)
 {
   for (const double twist : { 0.0, 0.05 })
