@@ -6,7 +6,6 @@
 #include "vtkIdTypeArray.h"
 
 #include <map>
-#include <set>
 #include <sstream>
 
 using namespace flatteningTesting;
@@ -88,52 +87,6 @@ void aDartOpens(Checks& check)
   check.near(boundary, 4.0, 1e-12, "length of the square's boundary");
 }
 
-// A seam across divides the grid; an accessory curve that ends on it stays on its own side.
-void aSeamDivides(Checks& check)
-{
-  const auto grid = makeGrid(4, 4);
-  vtkNew<vtkFeatureCurveCutter> cutter;
-  cutter->SetInputData(grid);
-  cutter->SetCurvesData(makeCurves(grid, { { 2, 7, 12, 17, 22 }, { 10, 11, 12 } }, { 3, 0 }));
-  cutter->Update();
-  vtkPolyData* cut = cutter->GetOutput();
-  check.equal(cut->GetNumberOfPoints(), 30, "points of two pieces");
-  check.equal(ids(cut->GetFieldData(), "SeamPairs")->GetNumberOfTuples(), 4, "seam pairs");
-  seamPairsLieOnEachOther(check, cut);
-  vtkIdTypeArray* piece = ids(cut->GetCellData(), "PieceId");
-  vtkIdTypeArray* original = ids(cut->GetCellData(), "vtkOriginalCellIds");
-  std::set<vtkIdType> pointsOfLeft;
-  for (vtkIdType t = 0; t < cut->GetNumberOfCells(); ++t)
-  {
-    check.equal(original->GetValue(t), t, "cells keep their order");
-    const bool left = (t / 2) % 4 < 2;
-    check.equal(piece->GetValue(t), left ? 0 : 1, "piece of cell " + std::to_string(t));
-    vtkNew<vtkIdList> corners;
-    cut->GetCellPoints(t, corners);
-    for (vtkIdType k = 0; left && k < 3; ++k)
-    {
-      pointsOfLeft.insert(corners->GetId(k));
-    }
-  }
-  vtkPolyData* wires = cutter->GetOutput(1);
-  int accessory = 0;
-  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
-  {
-    if (wires->GetCellData()->GetArray("CurveType")->GetComponent(w, 0) == 0.0)
-    {
-      ++accessory;
-      vtkNew<vtkIdList> points;
-      wires->GetLines()->GetCellAtId(w, points);
-      check.equal(points->GetNumberOfIds(), 3, "points of the accessory curve");
-      for (vtkIdType k = 0; k < points->GetNumberOfIds(); ++k)
-      {
-        check.that(pointsOfLeft.count(points->GetId(k)) == 1, "the curve stays on its own side");
-      }
-    }
-  }
-  check.equal(accessory, 1, "number of accessory wires");
-}
-
 // Point data at the points that imprinting makes is a mean: a linear function stays linear.
 void imprintedPointsGetMeans(Checks& check)
 {
@@ -206,7 +159,6 @@ int TestFeatureCurveCutter(int, char*[])
 {
   Checks check;
   aDartOpens(check);
-  aSeamDivides(check);
   imprintedPointsGetMeans(check);
   refusalIsEmpty(check);
   return check.result();

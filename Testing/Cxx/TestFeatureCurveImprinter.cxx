@@ -5,7 +5,6 @@
 
 #include "vtkFeatureCurveImprinter.h"
 #include "vtkIdTypeArray.h"
-#include "vtkTriangle.h"
 #include "vtkWireWarpingFilter.h"
 
 using namespace flatteningTesting;
@@ -33,22 +32,6 @@ vtkSmartPointer<vtkPolyData> makeCrossing()
   return curves;
 }
 
-double area(vtkPolyData* surface)
-{
-  double sum = 0.0;
-  for (vtkIdType t = 0; t < surface->GetNumberOfCells(); ++t)
-  {
-    double p[3][3];
-    vtkIdList* ids = surface->GetCell(t)->GetPointIds();
-    for (int k = 0; k < 3; ++k)
-    {
-      surface->GetPoint(ids->GetId(k), p[k]);
-    }
-    sum += vtkTriangle::TriangleArea(p[0], p[1], p[2]);
-  }
-  return sum;
-}
-
 double length(vtkPolyData* lines, vtkIdType line)
 {
   vtkNew<vtkIdList> ids;
@@ -63,41 +46,6 @@ double length(vtkPolyData* lines, vtkIdType line)
     sum += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
   }
   return sum;
-}
-
-void curvesBecomeEdgesOfTheSameLength(Checks& check)
-{
-  const auto grid = makeGrid(7, 5);
-  const auto curves = makeCrossing();
-  vtkNew<vtkFeatureCurveImprinter> filter;
-  const Messages messages(filter);
-  filter->SetInputData(grid);
-  filter->SetCurvesData(curves);
-  filter->Update();
-  check.equal(std::string(filter->GetStatusName()), "Ok", "status");
-  check.equal(messages.errors.size(), std::size_t{ 0 }, "errors");
-  vtkPolyData* surface = filter->GetOutput(0);
-  vtkPolyData* lines = filter->GetOutput(1);
-  check.near(area(surface), 1.0, 1e-12, "area");
-  check.equal(lines->GetNumberOfLines(), 2, "number of curves");
-  check.near(length(lines, 0), length(curves, 0), 1e-13, "length of the first curve");
-  check.near(length(lines, 1), length(curves, 1), 1e-13, "length of the second curve");
-
-  surface->BuildLinks();
-  vtkNew<vtkIdList> first;
-  vtkNew<vtkIdList> second;
-  lines->GetLines()->GetCellAtId(0, first);
-  lines->GetLines()->GetCellAtId(1, second);
-  for (vtkIdList* chain : { first.Get(), second.Get() })
-  {
-    for (vtkIdType i = 1; i < chain->GetNumberOfIds(); ++i)
-    {
-      check.that(
-        surface->IsEdge(chain->GetId(i - 1), chain->GetId(i)), "a segment is an edge of the mesh");
-    }
-  }
-  first->IntersectWith(second);
-  check.equal(first->GetNumberOfIds(), 1, "points that the crossing curves share");
 }
 
 void dataOfTheInputComeAlong(Checks& check)
@@ -255,7 +203,6 @@ void theOutputsCanBeFlattened(Checks& check)
 int TestFeatureCurveImprinter(int, char*[])
 {
   Checks check;
-  curvesBecomeEdgesOfTheSameLength(check);
   dataOfTheInputComeAlong(check);
   severalDataSetsOfCurvesGiveTheirCommonArrays(check);
   badCurvesAreRefused(check);

@@ -9,13 +9,12 @@ from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Uni
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
 from ._equality import ComparedByValue
 from ._options import index_of
 from ._types import CurveType, KeyShape
-from ._vtk import make_cells, make_points, make_triangles, named, strings, text_of, to_vtk
+from ._vtk import coordinates_of, make_cells, make_points, make_triangles, named, strings, text_of, to_vtk
 
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
 CURVE_TYPES: Tuple[CurveType, ...] = get_args(CurveType)
@@ -326,4 +325,4 @@ def curves_on(
         demand_polydata(curves, "curves", " or a list of curves")
     points = surface.GetPoints()
     return make_curves(
-        curves, np.empty((0, 3)) if points is None else vtk_to_numpy(points.GetData()))
+        curves, np.empty((0, 3)) if points is None else coordinates_of(surface))

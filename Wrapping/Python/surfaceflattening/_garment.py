@@ -9,14 +9,13 @@ from typing import Any, List, Literal, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._equality import ComparedByValue
 from ._pattern import write_parts
 from ._result import Wire, _wires
 from ._types import Part
-from ._vtk import Parts, id_rows, read_file, values_of
+from ._vtk import Parts, coordinates_of, corners_of, id_rows, numbers_of, read_file, values_of
 
 EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
 _SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
@@ -102,7 +101,7 @@ class GarmentPattern:
 
         Raises:
             TypeError: there is no such option.
-            ValueError, OSError, MemoryError: as :meth:`Flattening.write_pattern`.
+            FlatteningError: as :meth:`Flattening.write_pattern`.
         """
         from inspect import signature
 
@@ -157,22 +156,20 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         A :class:`GarmentPattern`, whose write_pattern() draws it as SVG, PDF, DXF, HPGL or JSON.
 
     Raises:
-        FileNotFoundError: there is no such file.
-        ValueError: it cannot be read, or a panel or stitch cannot be; the message names panel and edge.
-        MemoryError: there is not enough memory.
+        MissingFileError: there is no such file.
+        FlatteningError: it cannot be read, or a panel or stitch cannot be; the message names panel and edge.
+        OutOfMemoryError: there is not enough memory.
     """
     from .vtkIOPattern import vtkGarmentCodeReader  # a build without patterns has none
 
     reader = vtkGarmentCodeReader()
     read_file(reader, path)
     flat, wires, cut = (reader.GetOutput(port) for port in range(3))
-    positions = np.array(vtk_to_numpy(flat.GetPoints().GetData())[:, :2], np.float64)
+    positions = coordinates_of(flat)[:, :2]
     panels, numbers = _panels(wires, positions)
     stitches = [Stitch(numbers[a], numbers[b], bool(right_to_wrong))
                 for a, b, right_to_wrong in values_of(wires.GetFieldData(), "PanelStitches")]
     return GarmentPattern(
         panels, stitches, positions,
-        np.array(vtk_to_numpy(flat.GetPolys().GetConnectivityArray()), np.int64).reshape(-1, 3),
-        np.array(vtk_to_numpy(flat.GetCellData().GetArray("PieceId")), np.int64),
-        np.array(vtk_to_numpy(cut.GetPoints().GetData()), np.float64), _wires(wires),
+        corners_of(flat), numbers_of(flat.GetCellData(), "PieceId"), coordinates_of(cut), _wires(wires),
         id_rows(flat.GetFieldData(), "SeamPairs", 5), Parts(flat, wires, cut))

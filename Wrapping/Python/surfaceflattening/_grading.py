@@ -9,14 +9,13 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ._equality import ComparedByValue
 from ._options import index_of
 from ._pattern import write_sizes
 from ._result import Flattening
 from ._types import Unit
-from ._vtk import text_of, update, values_of
+from ._vtk import coordinates_of, numbers_of, text_of, update, values_of
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 
@@ -62,7 +61,7 @@ class Grading:
         """Writes the rules as CSV: piece (from 1), point, name, and dx and dy of each size in mm.
 
         Raises:
-            OSError: the file cannot be written; an earlier one stays.
+            FileError: the file cannot be written; an earlier one stays.
         """
         self._write(path, "GradeList")
 
@@ -71,7 +70,7 @@ class Grading:
         of the base with ``sizes``: its rules go along the axes of that file.
 
         Raises:
-            OSError: the file cannot be written; an earlier one stays.
+            FileError: the file cannot be written; an earlier one stays.
         """
         self._write(path, "RuleTable", name)
 
@@ -79,7 +78,7 @@ class Grading:
         """Writes an SVG at true scale with the sew lines of all sizes on each other, a layer a size.
 
         Raises:
-            OSError: the file cannot be written; an earlier one stays.
+            FileError: the file cannot be written; an earlier one stays.
         """
         self._write(path, "Nest", name)
 
@@ -110,7 +109,8 @@ def grade(
         A :class:`Grading`, which writes a nest and a rule table.
 
     Raises:
-        ValueError: fewer than two sizes, a base, unit or curve that is not there, or sizes that differ in more than
+        ValueError: fewer than two sizes, or another unit.
+        FlatteningError: a base or curve that is not there, or sizes that differ in more than
             where their points are; the message names the size and the curve.
     """
     from .vtkIOPattern import vtkPatternGrading  # a build without patterns has none
@@ -132,9 +132,9 @@ def grade(
     field = nest.GetFieldData()
     names = [str(name) for name in values_of(field, "SizeName")]
     chosen = names[values_of(field, "BaseSize")[0]]
-    positions = np.array(vtk_to_numpy(nest.GetPoints().GetData())[:, :2]).reshape(len(names), -1, 2)
+    positions = coordinates_of(nest)[:, :2].reshape(len(names), -1, 2)
     rule_names = values_of(field, "RuleName")
-    deltas = np.array(vtk_to_numpy(field.GetArray("RuleDelta"))) if rule_names else np.empty((0, 2 * len(names)))
+    deltas = numbers_of(field, "RuleDelta") if rule_names else np.empty((0, 2 * len(names)))
     rules = [
         GradeRule(piece, point, name, tuple((float(dx), float(dy)) for dx, dy in row.reshape(-1, 2)))
         for piece, point, name, row in zip(

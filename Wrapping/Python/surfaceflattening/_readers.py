@@ -31,8 +31,8 @@ def read_surface(path: Union[str, os.PathLike[str]], seams: SeamSource = "none")
         cell where it has none), both for :func:`flatten_polydata`.
 
     Raises:
-        FileNotFoundError: there is no such file.
-        ValueError: it cannot be read, or says nothing of such seams; the message names the line.
+        MissingFileError: there is no such file.
+        FlatteningError: it cannot be read, or says nothing of such seams; the message names the line.
     """
     reader = vtkSurfaceMeshReader()
     reader.SetSeamSource(index_of(seams, get_args(SeamSource), "seams"))
@@ -52,8 +52,8 @@ def read_curves(path: Union[str, os.PathLike[str]], surface: Optional[vtkPolyDat
         Polylines with the cell arrays that the filters read, for :func:`flatten_polydata`.
 
     Raises:
-        FileNotFoundError: there is no such file.
-        ValueError: it cannot be read, or does not fit the surface; the message names the line.
+        MissingFileError: there is no such file.
+        FlatteningError: it cannot be read, or does not fit the surface; the message names the line.
 
     Warns:
         FlatteningWarning: entities of a drawing were left out.

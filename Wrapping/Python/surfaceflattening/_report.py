@@ -4,11 +4,9 @@
 import math
 from typing import Any, Dict, List, Optional, cast
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
 from ._remedies import make_message
 from ._types import Report
-from ._vtk import Row, as_text, remedies_of, rows_of, texts_of, values_of
+from ._vtk import Row, as_text, ids_of, remedies_of, rows_of, texts_of, values_of
 
 # Keys of the report and columns of the filter's tables.
 _PIECE = {
@@ -98,7 +96,7 @@ def make_report(filter_: Any) -> Report:
     return cast(Report, {
         "status": filter_.GetStatusName(),
         "message": _message(as_text(filter_.GetStatusDefect()), remedies),
-        "ids": vtk_to_numpy(filter_.GetStatusIds()).tolist(),
+        "ids": ids_of(filter_),
         "id_kind": filter_.GetStatusIdKind(),
         "remedies": remedies,
         "warnings": texts_of(filter_.GetStatusWarnings()),

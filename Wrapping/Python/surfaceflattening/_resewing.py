@@ -10,14 +10,13 @@ from typing import Any, Callable, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._equality import ComparedByValue
 from ._options import material_text, options_of, set_option
 from ._result import Flattening
 from ._types import SewingTest
-from ._vtk import rows_of, update
+from ._vtk import coordinates_of, numbers_of, rows_of, update
 from .vtkFiltersFlattening import vtkSewnShape
 
 
@@ -188,18 +187,15 @@ def resew(
     threads = table.GetColumnByName("StrainWarpRms") is not None
     shapes = [ResewnShape(**row) for row in rows_of(table, {**_COLUMNS, **(_THREADS if threads else {})})]
 
-    def copy(data: Any, name: str) -> NDArray[Any]:
-        return np.array(vtk_to_numpy(data.GetArray(name)))
-
     pairs = field.GetArray("SeamStrains") is not None
     return Resewn(
-        points=np.array(vtk_to_numpy(sewn.GetPoints().GetData())),
-        distance=copy(sewn.GetPointData(), "Distance"),
-        design_distance=copy(design.GetPointData(), "Distance"),
-        normal_deviation=copy(cells, "NormalDeviation"),
-        principal_strains=copy(cells, "PrincipalStrains"),
-        shape_of_triangle=copy(cells, "ShapeId").astype(np.int64),
-        seam_strains=copy(field, "SeamStrains") if pairs else np.zeros((0, 2)),
+        points=coordinates_of(sewn),
+        distance=numbers_of(sewn.GetPointData(), "Distance"),
+        design_distance=numbers_of(design.GetPointData(), "Distance"),
+        normal_deviation=numbers_of(cells, "NormalDeviation"),
+        principal_strains=numbers_of(cells, "PrincipalStrains"),
+        shape_of_triangle=numbers_of(cells, "ShapeId").astype(np.int64),
+        seam_strains=numbers_of(field, "SeamStrains") if pairs else np.zeros((0, 2)),
         shapes=shapes,
-        thread_strains=np.column_stack([copy(cells, name) for name in (
+        thread_strains=np.column_stack([numbers_of(cells, name) for name in (
             "SewnStrainWarp", "SewnStrainWeft", "SewnShearAngle")]) if threads else None)

@@ -8,14 +8,13 @@ from typing import Any, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curves_on, demand_polydata, make_curves, make_surface
 from ._equality import ComparedByValue
 from ._options import make_filter, with_options
 from ._result import Flattening, result_of
-from ._vtk import update, values_of
+from ._vtk import coordinates_of, corners_of, numbers_of, points_of_cell, update, values_of
 from .vtkFiltersFlattening import vtkMakeFlattenable
 
 
@@ -100,9 +99,8 @@ def _curves_of(data: vtkPolyData) -> List[Curve]:
     planar = data.GetPointData().GetArray("PlanarShape")
     curves = []
     for cell, kind in enumerate(kinds):
-        ids = data.GetCell(cell).GetPointIds()
-        chain = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
-        rows = None if planar is None else np.array(vtk_to_numpy(planar))[chain]
+        chain = points_of_cell(data, cell)
+        rows = None if planar is None else numbers_of(data.GetPointData(), "PlanarShape")[chain]
         planar_shape = rows if rows is not None and np.isfinite(rows).all() else None
         curves.append(Curve(
             chain, CURVE_TYPES[kind], names[cell], KEY_SHAPES[shapes[cell]], tolerances[cell],
@@ -129,12 +127,11 @@ def _make_flattenable(
     def number(name: str) -> float:
         return float(values_of(measures, name)[0])
 
-    corners = vtk_to_numpy(moved.GetPolys().GetConnectivityArray())
     return Flattenable(
-        points=np.array(vtk_to_numpy(moved.GetPoints().GetData()), np.float64),
-        triangles=np.array(corners, np.int64).reshape(-1, 3),
-        shift=np.array(vtk_to_numpy(arrays.GetArray("Shift"))),
-        kept=np.array(vtk_to_numpy(arrays.GetArray("Kept"))) != 0,
+        points=coordinates_of(moved),
+        triangles=corners_of(moved),
+        shift=numbers_of(arrays, "Shift"),
+        kept=numbers_of(arrays, "Kept") != 0,
         curves=_curves_of(filter_.GetOutput(6)),
         bound_met=number("BoundMet") != 0.0,
         strain_before=number("StrainBefore"),

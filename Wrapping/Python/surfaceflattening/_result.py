@@ -10,15 +10,13 @@ from typing import (
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_CHAR
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES
 from ._equality import ComparedByValue, same
 from ._report import make_report
 from ._types import Coloring, Paper, Part, Report, Unit, WireType
-from ._vtk import Parts, arrays_of, bytes_of, id_rows, values_of
+from ._vtk import Parts, arrays_of, bytes_of, coordinates_of, corners_of, id_rows, mesh_of, points_of_cell, values_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -231,10 +229,10 @@ class Flattening(ComparedByValue):
                 :meth:`Grading.write_rule_table` counts them. None: no numbers.
 
         Raises:
-            ValueError: another file's extension, a word or a number out of range, a curve that is not
-                there, or what cannot be drawn.
-            OSError: the file cannot be written.
-            MemoryError: there is not enough memory to draw it.
+            ValueError: a word or a number out of range.
+            FlatteningError: another file's extension, a curve that is not there, or what cannot be drawn.
+            FileError: the file cannot be written.
+            OutOfMemoryError: there is not enough memory to draw it.
         """
         from ._pattern import write_parts
         options = {key: value for key, value in locals().items()
@@ -267,13 +265,11 @@ def _wires(output: vtkPolyData) -> List[Wire]:
         for name in ("CurveType", "CurveId", "CurveName", "PieceId", "Boundary", "Connector",
                      "RestLength", "FlatLength", "LengthError")
     }
-    offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
-    connectivity = vtk_to_numpy(output.GetLines().GetConnectivityArray())
     result = []
     for row, kind in enumerate(columns["CurveType"]):
         other: WireType = "connector" if columns["Connector"][row] else "boundary"
         result.append(Wire(
-            vertices=np.asarray(connectivity[offsets[row]:offsets[row + 1]], np.int64),
+            vertices=np.array(points_of_cell(output, row), np.int64),
             type=other if kind < 0 else CURVE_TYPES[kind],
             curve=columns["CurveId"][row],
             name=columns["CurveName"][row],
@@ -294,11 +290,10 @@ def result_of(filter_: Any, mesh_class: type) -> Flattening:
 
 def _make_result(parts: Parts, report: Report, mesh_class: type) -> Flattening:
     flat, wires, cut = parts
-    corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray())
     return Flattening(
-        positions=np.asarray(vtk_to_numpy(flat.GetPoints().GetData()), np.float64)[:, :2],
-        triangles=np.asarray(corners, np.int64).reshape(-1, 3),
-        points=np.asarray(vtk_to_numpy(cut.GetPoints().GetData()), np.float64),
+        positions=coordinates_of(flat)[:, :2],
+        triangles=corners_of(flat),
+        points=coordinates_of(cut),
         point_arrays=arrays_of(flat.GetPointData()),
         cell_arrays=arrays_of(flat.GetCellData()),
         wires=_wires(wires),
@@ -312,11 +307,6 @@ def _make_result(parts: Parts, report: Report, mesh_class: type) -> Flattening:
 
 
 def _unpickled(flat: bytes, wires: bytes, cut: bytes, report: Report, mesh_class: type) -> Flattening:
-    from vtkmodules.vtkParallelCore import vtkCommunicator
-    meshes = []
-    for content in (flat, wires, cut):
-        meshes.append(vtkPolyData())
-        vtkCommunicator.UnMarshalDataObject(
-            numpy_to_vtk(np.frombuffer(content, np.int8), array_type=VTK_CHAR), meshes[-1])
-    meshes[1].SetPoints(meshes[0].GetPoints())  # as the filter gives them
-    return _make_result(Parts(*meshes), report, mesh_class)
+    parts = Parts(*map(mesh_of, (flat, wires, cut)))
+    parts.wires.SetPoints(parts.flat.GetPoints())  # as the filter gives them
+    return _make_result(parts, report, mesh_class)

@@ -8,14 +8,13 @@ from typing import Any, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES, Curve, add_weights, curves_on, demand_polydata, make_curves, make_surface
 from ._equality import ComparedByValue
 from ._options import make_filter, with_options
 from ._result import Flattening, result_of
-from ._vtk import rows_of, update, values_of
+from ._vtk import coordinates_of, points_of_cell, rows_of, update, values_of
 from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
 
 
@@ -126,9 +125,7 @@ def _make_suggestion(filter_: Any, flattening: Flattening) -> Suggestion:
     for cell, rank in enumerate(ranks):
         if rank < 1:
             continue
-        ids = curves.GetCell(cell).GetPointIds()
-        points = vtk_to_numpy(curves.GetPoints().GetData())[
-            [ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
+        points = coordinates_of(curves)[points_of_cell(curves, cell)]
         length, predicted, gain, opening, before, after, *area = (
             column[cell] for column in numbers)
         cuts.append(SuggestedCut(

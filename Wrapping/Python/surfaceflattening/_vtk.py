@@ -10,7 +10,8 @@ from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tu
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import (
+    VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._errors import FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
@@ -62,6 +63,27 @@ def rows_of(table: Any, columns: Dict[str, str]) -> List[Row]:
     for row in rows:
         row.update((key, bool(row[key])) for key in _TRUTH_VALUES if key in row)
     return rows
+
+
+def coordinates_of(mesh: vtkPolyData) -> NDArray[np.float64]:
+    """A view of the points."""
+    return np.asarray(vtk_to_numpy(mesh.GetPoints().GetData()), np.float64)
+
+
+def corners_of(mesh: vtkPolyData) -> NDArray[np.int64]:
+    """A view of the triangles."""
+    return np.asarray(vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()), np.int64).reshape(-1, 3)
+
+
+def numbers_of(data: Any, name: str) -> NDArray[Any]:
+    """A view of an array that is there."""
+    return np.asarray(vtk_to_numpy(data.GetArray(name)))
+
+
+def points_of_cell(mesh: vtkPolyData, cell: int) -> List[int]:
+    """Ids."""
+    ids = mesh.GetCell(cell).GetPointIds()
+    return [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
 
 
 def demand_memory(size: int) -> None:
@@ -202,9 +224,24 @@ def error_of(source: Any, message: str = "") -> FlatteningError:
     remedies = remedies_of(source) if hasattr(source, "GetStatusRemedies") else []
     is_filter = hasattr(source, "GetStatusIdKind")
     return _KINDS.get(name, FlatteningError)(
-        source.GetStatusCode() if is_filter else -1, name, vtk_to_numpy(source.GetStatusIds()).tolist() if is_filter else [],
+        source.GetStatusCode() if is_filter else -1, name, ids_of(source) if is_filter else [],
         message or make_message(as_text(source.GetStatusDefect()), remedies),
         source.GetStatusIdKind() if is_filter else "", remedies)
+
+
+def mesh_of(content: bytes) -> vtkPolyData:
+    """That of which :func:`bytes_of` are these."""
+    from vtkmodules.vtkParallelCore import vtkCommunicator
+    mesh = vtkPolyData()
+    vtkCommunicator.UnMarshalDataObject(
+        numpy_to_vtk(np.frombuffer(content, np.int8), array_type=VTK_CHAR), mesh)
+    return mesh
+
+
+def ids_of(filter_: Any) -> List[int]:
+    """The offending elements of its last run."""
+    ids: List[int] = vtk_to_numpy(filter_.GetStatusIds()).tolist()
+    return ids
 
 
 def silence(algorithm: Any) -> None:
