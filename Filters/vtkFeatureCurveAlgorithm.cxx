@@ -123,19 +123,13 @@ vtkFeatureCurveAlgorithm::~vtkFeatureCurveAlgorithm() = default;
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::AddCurveTolerance(const std::string& curve, double tolerance)
 {
-  if (flattening::bridge::changeEntry(this->CurveTolerances, curve, tolerance))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeEntry(this, this->CurveTolerances, curve, tolerance);
 }
 
 //------------------------------------------------------------------------------
 void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
 {
-  if (flattening::bridge::changeToNone(this->CurveTolerances))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->CurveTolerances);
 }
 
 //------------------------------------------------------------------------------

@@ -337,19 +337,13 @@ const char* vtkFeatureCurveSuggestion::GetWeightArray()
 //------------------------------------------------------------------------------
 void vtkFeatureCurveSuggestion::AddPreference(const std::string& curve, double weight)
 {
-  if (flattening::bridge::changeEntry(this->Preferences, curve, weight))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeEntry(this, this->Preferences, curve, weight);
 }
 
 //------------------------------------------------------------------------------
 void vtkFeatureCurveSuggestion::RemoveAllPreferences()
 {
-  if (flattening::bridge::changeToNone(this->Preferences))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->Preferences);
 }
 
 //------------------------------------------------------------------------------

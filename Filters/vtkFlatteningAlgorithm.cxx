@@ -224,10 +224,7 @@ const char* vtkFlatteningAlgorithm::GetOptionWord(const char* property, int valu
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::SetText(std::string& kept, const char* text)
 {
-  if (flattening::bridge::change(kept, std::string(text ? text : "")))
-  {
-    this->Modified();
-  }
+  flattening::bridge::change(this, kept, std::string(text ? text : ""));
 }
 
 //------------------------------------------------------------------------------

@@ -178,10 +178,7 @@ void vtkMakeFlattenable::AddKeptCurve(const std::string& curve)
 //------------------------------------------------------------------------------
 void vtkMakeFlattenable::RemoveAllKeptCurves()
 {
-  if (flattening::bridge::changeToNone(this->KeptCurves))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->KeptCurves);
 }
 
 //------------------------------------------------------------------------------

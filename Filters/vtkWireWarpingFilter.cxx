@@ -56,20 +56,14 @@ void vtkWireWarpingFilter::UsePaperMethod()
 //------------------------------------------------------------------------------
 void vtkWireWarpingFilter::AddCurveEase(const std::string& curve, int piece, double fraction)
 {
-  if (flattening::bridge::changeEntry(
-        this->Eases, std::make_pair(curve, std::max(piece, -1)), fraction))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeEntry(
+    this, this->Eases, std::make_pair(curve, std::max(piece, -1)), fraction);
 }
 
 //------------------------------------------------------------------------------
 void vtkWireWarpingFilter::RemoveAllCurveEases()
 {
-  if (flattening::bridge::changeToNone(this->Eases))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->Eases);
 }
 
 //------------------------------------------------------------------------------

@@ -64,10 +64,7 @@ void vtkPatternGrading::SetSizeName(int size, const std::string& name)
     names.push_back(std::to_string(k + 1));
   }
   names[static_cast<std::size_t>(size)] = name;
-  if (flattening::bridge::change(this->SizeNames, std::move(names)))
-  {
-    this->Modified();
-  }
+  flattening::bridge::change(this, this->SizeNames, std::move(names));
 }
 
 //------------------------------------------------------------------------------
@@ -81,10 +78,7 @@ const char* vtkPatternGrading::GetSizeName(int size) const
 //------------------------------------------------------------------------------
 void vtkPatternGrading::RemoveAllSizeNames()
 {
-  if (flattening::bridge::changeToNone(this->SizeNames))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->SizeNames);
 }
 
 //------------------------------------------------------------------------------

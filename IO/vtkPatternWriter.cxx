@@ -387,10 +387,7 @@ void vtkPatternWriter::SetPieceName(int piece, const std::string& name)
   {
     this->PieceNames.resize(index + 1);
   }
-  if (flattening::bridge::change(this->PieceNames[index], name))
-  {
-    this->Modified();
-  }
+  flattening::bridge::change(this, this->PieceNames[index], name);
 }
 
 //------------------------------------------------------------------------------
@@ -407,37 +404,25 @@ void vtkPatternWriter::SetPieceQuantity(int piece, int quantity)
   {
     this->PieceQuantities.resize(index + 1, 0);
   }
-  if (flattening::bridge::change(this->PieceQuantities[index], quantity))
-  {
-    this->Modified();
-  }
+  flattening::bridge::change(this, this->PieceQuantities[index], quantity);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceQuantities()
 {
-  if (flattening::bridge::changeToNone(this->PieceQuantities))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->PieceQuantities);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceNames()
 {
-  if (flattening::bridge::changeToNone(this->PieceNames))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->PieceNames);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowance)
 {
-  if (flattening::bridge::changeEntry(this->CurveAllowances, curve, allowance))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeEntry(this, this->CurveAllowances, curve, allowance);
 }
 
 //------------------------------------------------------------------------------
@@ -455,10 +440,7 @@ bool vtkPatternWriter::HasCurveAllowance(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveAllowances()
 {
-  if (flattening::bridge::changeToNone(this->CurveAllowances))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->CurveAllowances);
 }
 
 //------------------------------------------------------------------------------
@@ -489,10 +471,7 @@ double vtkPatternWriter::GetCurveNotch(const std::string& curve, int notch) cons
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveNotches()
 {
-  if (flattening::bridge::changeToNone(this->CurveNotches))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->CurveNotches);
 }
 
 //------------------------------------------------------------------------------
@@ -513,19 +492,13 @@ bool vtkPatternWriter::HasDoubleNotches(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllDoubleNotches()
 {
-  if (flattening::bridge::changeToNone(this->DoubleNotches))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->DoubleNotches);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
 {
-  if (flattening::bridge::changeEntry(this->CurveFairTolerances, curve, tolerance))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeEntry(this, this->CurveFairTolerances, curve, tolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -543,10 +516,7 @@ bool vtkPatternWriter::HasCurveFairTolerance(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveFairTolerances()
 {
-  if (flattening::bridge::changeToNone(this->CurveFairTolerances))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->CurveFairTolerances);
 }
 
 //------------------------------------------------------------------------------
@@ -561,19 +531,13 @@ void vtkPatternWriter::AddFold(const std::string& curve)
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllFolds()
 {
-  if (flattening::bridge::changeToNone(this->Folds))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->Folds);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance)
 {
-  if (flattening::bridge::changeEntry(this->CurveDartTips, curve, distance))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeEntry(this, this->CurveDartTips, curve, distance);
 }
 
 //------------------------------------------------------------------------------
@@ -591,10 +555,7 @@ bool vtkPatternWriter::HasCurveDartTip(const std::string& curve) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveDartTips()
 {
-  if (flattening::bridge::changeToNone(this->CurveDartTips))
-  {
-    this->Modified();
-  }
+  flattening::bridge::changeToNone(this, this->CurveDartTips);
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vtkObject.h>
+
 #include <map>
 #include <utility>
 
@@ -8,27 +10,30 @@ namespace flattening
 {
 namespace bridge
 {
-/// Sets a value, the value of a key, or no values; whether that changes anything. Setters are
-/// modified by changes alone, so that the same value does not run a filter again.
+/// Sets a value, the value of a key, or no values. The owner is modified by changes alone, so that
+/// the same value does not run a filter again.
 template <class Value>
-bool change(Value& kept, Value value)
+void change(vtkObject* owner, Value& kept, Value value)
 {
-  const bool other = !(kept == value);
-  kept = std::move(value);
-  return other;
+  if (!(kept == value))
+  {
+    kept = std::move(value);
+    owner->Modified();
+  }
 }
 
 template <class Key, class Value>
-bool changeEntry(std::map<Key, Value>& kept, const Key& key, const Value& value)
+void changeEntry(vtkObject* owner, std::map<Key, Value>& kept, const Key& key, const Value& value)
 {
-  const auto [entry, added] = kept.emplace(key, value);
-  return change(entry->second, value) || added;
+  std::map<Key, Value> changed = kept;
+  changed[key] = value;
+  change(owner, kept, std::move(changed));
 }
 
 template <class List>
-bool changeToNone(List& kept)
+void changeToNone(vtkObject* owner, List& kept)
 {
-  return change(kept, List());
+  change(owner, kept, List());
 }
 }
 }
