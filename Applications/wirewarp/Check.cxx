@@ -2,13 +2,13 @@
 #include "Check.h"
 
 #include "BoundaryLoops.h"
+#include "Flattening.h"
 #include "InputError.h"
 #include "Options.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
 #include "ReadSurface.h"
 #include "SurfaceMending.h"
-#include "TextFile.h"
 #include "TriangleList.h"
 #include "Units.h"
 
@@ -241,16 +241,7 @@ int runCheck(const Options& options)
   }
   const LikelyUnit likely = likelyUnit(contents.surface);
   const std::string unit = stated.empty() ? likely.unit : stated;
-  MendingRequest request;
-  if (double distance = 0.0; parseNumber(options.weld, distance))
-  {
-    request.weld = distance;
-  }
-  request.doubled = contents.doubled;
-  request.fillHoles = options.fillHoles;
-  request.millimetres = millimetresOf(unit);
-  request.outerSide = options.outerSide;
-  const MendedSurface mend = mendSurface(contents.surface, request);
+  const MendedSurface mend = mendedSurface(options, contents, unit);
   TriangleList list = listTriangles(mend.surface);
   if (list.triangles.empty())
   {

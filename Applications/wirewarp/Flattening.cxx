@@ -167,16 +167,7 @@ void setUnit(const Options& options, const CurveFiles& curves, const SurfaceCont
 vtkSmartPointer<vtkPolyData> mended(
   const Options& options, const SurfaceContents& contents, Flattening& result)
 {
-  MendingRequest request;
-  if (double distance = 0.0; parseNumber(options.weld, distance))
-  {
-    request.weld = distance;
-  }
-  request.doubled = contents.doubled;
-  request.fillHoles = options.fillHoles;
-  request.millimetres = millimetresOf(result.unit);
-  request.outerSide = options.outerSide;
-  MendedSurface mend = mendSurface(contents.surface, request);
+  MendedSurface mend = mendedSurface(options, contents, result.unit);
   result.notes.insert(result.notes.end(), mend.notes.begin(), mend.notes.end());
   return mend.surface;
 }
@@ -377,6 +368,21 @@ std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece)
     }
   }
   return remedies;
+}
+
+MendedSurface mendedSurface(
+  const Options& options, const SurfaceContents& contents, const std::string& unit)
+{
+  MendingRequest request;
+  if (double distance = 0.0; parseNumber(options.weld, distance))
+  {
+    request.weld = distance;
+  }
+  request.doubled = contents.doubled;
+  request.fillHoles = options.fillHoles;
+  request.millimetres = millimetresOf(unit);
+  request.outerSide = options.outerSide;
+  return mendSurface(contents.surface, request);
 }
 
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)

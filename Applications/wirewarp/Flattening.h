@@ -3,6 +3,8 @@
 
 #include "FlagWords.h"
 #include "Options.h"
+#include "ReadSurface.h"
+#include "SurfaceMending.h"
 #include "Units.h"
 
 #include <vtkPolyData.h>
@@ -122,6 +124,10 @@ struct Flattening
   /// The exit code of a run that has written what it can.
   int outcome() const { return this->unwritten.empty() ? this->exitCode : InputRefused; }
 };
+
+/// The surface of a file, mended as the options say. \param unit of the surface
+MendedSurface mendedSurface(
+  const Options& options, const SurfaceContents& contents, const std::string& unit);
 
 /// What is said of a unit that is taken since none is stated.
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken);

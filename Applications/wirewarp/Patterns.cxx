@@ -48,6 +48,19 @@ int paperValue(const std::string& name)
                           : vtkPatternWriter::A4;
 }
 
+/// Calls with name and number of each NAME=NUMBER.
+template <typename Call>
+void forEach(const std::vector<std::string>& entries, const Call& call)
+{
+  for (const std::string& entry : entries)
+  {
+    std::string name;
+    double number = 0.0;
+    splitNameAndNumber(entry, name, number);
+    call(name, number);
+  }
+}
+
 void configure(vtkPatternWriter* writer, const PatternRequest& request, const std::string& surface,
   const std::string& unit)
 {
@@ -71,33 +84,20 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
     }
   }
   writer->SetAllowance(request.allowance);
-  for (const std::string& text : request.curveAllowances)
-  {
-    std::string name;
-    double allowance = 0.0;
-    splitNameAndNumber(text, name, allowance);
+  forEach(request.curveAllowances, [writer](const std::string& name, double allowance) {
     writer->SetCurveAllowance(name, allowance);
-  }
-  for (const std::string& text : request.curveNotches)
-  {
-    std::string name;
-    double distance = 0.0;
-    splitNameAndNumber(text, name, distance);
-    writer->AddCurveNotch(name, distance);
-  }
+  });
+  forEach(request.curveNotches,
+    [writer](const std::string& name, double distance) { writer->AddCurveNotch(name, distance); });
   for (const std::string& name : request.doubleNotches)
   {
     writer->AddDoubleNotches(name);
   }
   writer->SetNotchCorners(request.notchCorners);
   writer->SetNotchCurveEnds(request.notchCurveEnds);
-  for (const std::string& text : request.curveFairs)
-  {
-    std::string name;
-    double tolerance = 0.0;
-    splitNameAndNumber(text, name, tolerance);
+  forEach(request.curveFairs, [writer](const std::string& name, double tolerance) {
     writer->SetCurveFairTolerance(name, tolerance);
-  }
+  });
   writer->SetMitreLimit(request.mitreLimit);
   writer->SetNotchSpacing(request.notchSpacing);
   writer->SetCutDartsOut(request.cutDartsOut);
@@ -107,13 +107,9 @@ void configure(vtkPatternWriter* writer, const PatternRequest& request, const st
     writer->AddFold(name);
   }
   writer->SetDartTip(request.dartTip);
-  for (const std::string& text : request.curveDartTips)
-  {
-    std::string name;
-    double distance = 0.0;
-    splitNameAndNumber(text, name, distance);
+  forEach(request.curveDartTips, [writer](const std::string& name, double distance) {
     writer->SetCurveDartTip(name, distance);
-  }
+  });
   writer->SetWalkTable(request.seamTable);
   writer->SetCutPairs(request.cutPairs);
   writer->SetFairTolerance(request.fairTolerance);

@@ -291,8 +291,12 @@ std::string pieceWarnings(const Flattening& result, const std::string& where)
 vtkSmartPointer<vtkTable> suggestedCuts(const Flattening& result)
 {
   auto table = noTable();
-  const vtkIdType count = result.curves ? result.curves->GetNumberOfCells() : 0;
-  vtkCellData* const cells = count > 0 ? result.curves->GetCellData() : nullptr;
+  if (!result.curves || result.curves->GetNumberOfCells() == 0)
+  {
+    return table;
+  }
+  const vtkIdType count = result.curves->GetNumberOfCells();
+  vtkCellData* const cells = result.curves->GetCellData();
   const auto at = [cells](const char* array, vtkIdType row) {
     return cells->GetArray(array)->GetComponent(row, 0);
   };
@@ -300,10 +304,6 @@ vtkSmartPointer<vtkTable> suggestedCuts(const Flattening& result)
   while (first < count && at("Rank", first) < 0.0)
   {
     ++first;
-  }
-  if (first == count)
-  {
-    return table;
   }
   auto* const curves = vtkStringArray::SafeDownCast(cells->GetAbstractArray("CurveName"));
   const vtkNew<vtkStringArray> types;

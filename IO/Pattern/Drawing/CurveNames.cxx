@@ -80,29 +80,11 @@ struct TextBox
 
   bool meets(const Segment& segment) const
   {
-    // The part of the segment between the sides, first along, then across the text.
-    double enter = 0.0;
-    double leave = 1.0;
-    const Point2 axes[2] = { this->along, this->across() };
-    const double halves[2] = { this->halfWidth, this->halfHeight };
-    for (int k = 0; k < 2; ++k)
-    {
-      const double from = axes[k].dot(segment.from - this->center);
-      const double step = axes[k].dot(segment.to - segment.from);
-      if (step == 0.0)
-      {
-        if (std::abs(from) > halves[k])
-        {
-          return false;
-        }
-        continue;
-      }
-      const double a = (-halves[k] - from) / step;
-      const double b = (halves[k] - from) / step;
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave;
+    const auto within = [this](const Point2& p) {
+      return Point2(this->along.dot(p - this->center), this->across().dot(p - this->center));
+    };
+    const Point2 half(this->halfWidth, this->halfHeight);
+    return enters(within(segment.from), within(segment.to), -half, half);
   }
 
   void addTo(Segments& segments) const

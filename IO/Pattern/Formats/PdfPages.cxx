@@ -3,6 +3,7 @@
 
 #include "Drawing/PatternStrokes.h"
 #include "Outlines/PatternText.h"
+#include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -231,31 +232,6 @@ PageMarks noMarks(const PagePlan& plan)
 {
   return PageMarks(static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
 }
-
-/// Tiles which a segment enters, by clipping it to the tile's rectangle.
-bool enters(const Point2& from, const Point2& to, const Point2& low, const Point2& high)
-{
-  double first = 0.0;
-  double last = 1.0;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double way = to[axis] - from[axis];
-    if (way == 0.0)
-    {
-      if (from[axis] < low[axis] || from[axis] > high[axis])
-      {
-        return false;
-      }
-      continue;
-    }
-    const double a = (low[axis] - from[axis]) / way;
-    const double b = (high[axis] - from[axis]) / way;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  return first <= last;
-}
-
 }
 
 void markSegment(const PagePlan& plan, const Point2& from, const Point2& to, PageMarks& marks)

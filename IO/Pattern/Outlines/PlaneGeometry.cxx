@@ -67,6 +67,29 @@ double distance(const Point2& point, const Segments& segments)
   return segments.empty() ? 1e150 : (nearestPoint(point, segments) - point).norm();
 }
 
+bool enters(const Point2& from, const Point2& to, const Point2& low, const Point2& high)
+{
+  double first = 0.0;
+  double last = 1.0;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double way = to[axis] - from[axis];
+    if (way == 0.0)
+    {
+      if (from[axis] < low[axis] || from[axis] > high[axis])
+      {
+        return false;
+      }
+      continue;
+    }
+    const double a = (low[axis] - from[axis]) / way;
+    const double b = (high[axis] - from[axis]) / way;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first <= last;
+}
+
 bool inside(const Point2& point, const Segments& borders)
 {
   bool within = false;

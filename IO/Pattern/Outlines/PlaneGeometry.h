@@ -25,6 +25,9 @@ double distance(const Point2& point, const Segments& segments);
 /// The nearest point of the segments, of which there are some.
 Point2 nearestPoint(const Point2& point, const Segments& segments);
 
+/// Whether a segment enters an upright rectangle, its border included.
+bool enters(const Point2& from, const Point2& to, const Point2& low, const Point2& high);
+
 /// Even-odd rule.
 bool inside(const Point2& point, const Segments& borders);
 
