@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/DenseFront.h"
 
-#include "Sparse/InstructionSets.h"
+#include "Sparse/VectorNumbers.h"
 
 #include <algorithm>
 #include <array>
@@ -24,16 +24,7 @@ constexpr Index blockDepth = 96;
 /// Fewer columns do not pay for copying the left factor into strips.
 constexpr Index packedFrom = 24;
 
-#if defined(__GNUC__)
-using TwoNumbers = double __attribute__((vector_size(16)));
-using FourNumbers = double __attribute__((vector_size(32)));
-using EightNumbers = double __attribute__((vector_size(64)));
-#else
-using TwoNumbers = std::array<double, 2>;
-#endif
-
-/// to -= sum over p of left[p][rows] right[p][columns], for the rows of Wide vectors: of plain
-/// loops compilers keep the sums in memory, and make a third more instructions.
+/// to -= sum over p of left[p][rows] right[p][columns], for the rows of Wide vectors.
 template <typename Vector, int Wide>
 FLATTENING_INLINE void subtractTile(const double* left, std::size_t leftStride, const double* right,
   Index depth, double* to, std::size_t stride)
@@ -90,18 +81,18 @@ using Tile = void (*)(const double* left, std::size_t leftStride, const double* 
 void tileOfTwo(const double* left, std::size_t leftStride, const double* right, Index depth,
   double* to, std::size_t stride)
 {
-  subtractTile<TwoNumbers, 2>(left, leftStride, right, depth, to, stride);
-  subtractTile<TwoNumbers, 2>(left + 4, leftStride, right, depth, to + 4, stride);
+  subtractTile<Double2, 2>(left, leftStride, right, depth, to, stride);
+  subtractTile<Double2, 2>(left + 4, leftStride, right, depth, to + 4, stride);
 }
 
 #if FLATTENING_X86
-FLATTENING_FOR_AVX2 void tileOfFour(const double* left, std::size_t leftStride, const double* right,
-  Index depth, double* to, std::size_t stride)
+__attribute__((target("avx2"))) void tileOfFour(const double* left, std::size_t leftStride,
+  const double* right, Index depth, double* to, std::size_t stride)
 {
   subtractTile<FourNumbers, 2>(left, leftStride, right, depth, to, stride);
 }
 
-FLATTENING_FOR_AVX512 void tileOfEight(const double* left, std::size_t leftStride,
+__attribute__((target("avx512f"))) void tileOfEight(const double* left, std::size_t leftStride,
   const double* right, Index depth, double* to, std::size_t stride)
 {
   subtractTile<EightNumbers, 1>(left, leftStride, right, depth, to, stride);
