@@ -39,13 +39,15 @@ PIECES = {  # and what they are
     "tangent_developable": "developable",
 }
 CURVED = [name for name, what in PIECES.items() if what != "developable"]
+# As each method has them: none makes legs of darts alike by itself.
+LEGS = ("--dart-legs", "free")
 METHODS = {  # and the options that ask for them
     "lscm": ("--scheme", "lscm"),
-    "progressive, Laplacian": ("--scheme", "progressive", "--interior", "laplacian"),
-    "progressive, rigid": ("--scheme", "progressive", "--interior", "arap"),
-    "global, Laplacian": ("--scheme", "global", "--interior", "laplacian"),
-    "global, rigid": ("--scheme", "global", "--interior", "arap"),
-    "isometric": ("--scheme", "isometric"),
+    "progressive, Laplacian": ("--scheme", "progressive", "--interior", "laplacian", *LEGS),
+    "progressive, rigid": ("--scheme", "progressive", "--interior", "arap", *LEGS),
+    "global, Laplacian": ("--scheme", "global", "--interior", "laplacian", *LEGS),
+    "global, rigid": ("--scheme", "global", "--interior", "arap", *LEGS),
+    "isometric": ("--scheme", "isometric", *LEGS),
 }
 NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
            "eleven", "twelve")

@@ -48,7 +48,7 @@
  *
  * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
  * left, where, and what ended the search: the most cuts or their length, MaximumWork, an abort, or
- * that cuts do so little that the bound would take several times MaximumCuts (noise is no nearer to
+ * that cuts do so little that the bound would take several times MaximumCuts, or hundreds (noise is no nearer to
  * flat after any number of darts). INVALID_OPTION: a preference for a curve that there is not; a
  * WeightArray that there is not, or with numbers that are no weights.
  *
@@ -130,9 +130,9 @@ public:
 
   ///@{
   /**
-   * The most cuts that are proposed; a mirror image counts. Default: 8.
+   * The most cuts that are proposed; a mirror image counts. 0: as many as the bound takes. Default: 0.
    */
-  vtkSetClampMacro(MaximumCuts, int, 1, VTK_INT_MAX);
+  vtkSetClampMacro(MaximumCuts, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumCuts, int);
   ///@}
 
@@ -150,7 +150,7 @@ public:
    * The most work that the search may take, in millions of steps of an iteration on one triangle;
    * 0: no limit. A million takes about a third of a second of one processor. The best cuts that
    * are found by then are proposed, and a warning names it. Work is counted, not timed: cuts are
-   * the same on every machine. Default: 40.
+   * the same on every machine. Default: 60.
    */
   vtkSetClampMacro(MaximumWork, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumWork, double);

@@ -398,7 +398,7 @@ void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter)
 
 namespace
 {
-/// Of the default of MaximumWork, which takes some 15 s of one processor.
+/// Of the default of MaximumWork, which takes some 30 s of one processor.
 const std::map<std::string, double> shareOfEffort{ { "quick", 0.25 }, { "normal", 1.0 },
   { "long", 4.0 } };
 }
@@ -413,7 +413,7 @@ void addCutting(CLI::App& app, Options& options)
       [&options, work](const std::string& effort) {
         options.values.set("MaximumWork", work * shareOfEffort.at(effort));
       },
-      "Length of the search: quick (up to some 5 s), normal (15 s), long (1 min). The best cuts "
+      "Length of the search: quick (up to some 10 s), normal (30 s), long (2 min). The best cuts "
       "that are found by then are proposed, as after Ctrl+C")
     ->transform(CLI::IsMember({ "quick", "normal", "long" }, CLI::ignore_case).description(""))
     ->type_name("EFFORT")

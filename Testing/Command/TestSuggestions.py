@@ -252,7 +252,7 @@ class Suggestions(command.CommandTest):
         self.assertIn('no curve is named "waist"', run.stderr)
 
     def test_bad_usage_is_refused(self):
-        for arguments in (["--kind", "pleats"], ["--max-strain", "-1"], ["--max-strain", "nan"], ["--max-cuts", "0"],
+        for arguments in (["--kind", "pleats"], ["--max-strain", "-1"], ["--max-strain", "nan"], ["--max-cuts", "-1"],
                           ["--prefer", "waist"], ["--max-cuts", "x"], ["--prefer", "waist=-1"], ["--effort", "huge"],
                           ["--effort", "long", "--max-work", "3"]):
             run = self.run_command("cut", "dome.obj", *arguments)

@@ -225,7 +225,7 @@ TEST(CurveSuggestion, GivesNoiseUpAndSaysHowManyCutsItWouldTake)
   const CurveSuggestions suggestions = suggestCurves(noise(), {}, optionsOf(0.005, 8));
   EXPECT_EQ(suggestions.end, SearchEnd::GivenUp);
   EXPECT_FALSE(suggestions.boundMet);
-  EXPECT_GT(suggestions.cutsNeeded, 32.0);
+  EXPECT_GT(suggestions.cutsNeeded, 16.0);
   EXPECT_LT(suggestions.curves.size(), 8u);
 }
 

@@ -284,7 +284,7 @@ TriangleMesh can(Index sides, double height)
   return { std::move(points), std::move(triangles) };
 }
 
-void expectExact(const TriangleMesh& mesh, SuggestedCuts cuts, std::size_t count)
+void expectExact(const TriangleMesh& mesh, SuggestedCuts cuts, std::size_t most)
 {
   SuggestionOptions options = optionsOf(0.01, 8);
   options.search.cuts = cuts;
@@ -292,7 +292,8 @@ void expectExact(const TriangleMesh& mesh, SuggestedCuts cuts, std::size_t count
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
   ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
   EXPECT_TRUE(suggestions.boundMet);
-  EXPECT_EQ(suggestions.curves.size(), count);
+  EXPECT_FALSE(suggestions.curves.empty());
+  EXPECT_LE(suggestions.curves.size(), most);
   EXPECT_LT(suggestions.strainAfter, 1e-9);
   EXPECT_TRUE(flattened(mesh, {}, suggestions).status.ok());
 }

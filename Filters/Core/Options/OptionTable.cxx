@@ -396,10 +396,11 @@ void addSuggestion(Table& table)
     .help("The strain that is good enough, on 95 % of each piece's area; 0: cut until the number "
           "of cuts or their length is used up.");
   table.add("MaximumCuts", [](All& all) { return &all.search.maximumCuts; })
-    .range(1.0, std::numeric_limits<int>::max())
-    .slider(1.0, 50.0)
+    .range(0.0, std::numeric_limits<int>::max())
+    .slider(0.0, 50.0)
     .where(cuts)
-    .help("Maximum number of cuts to propose; a mirror image counts.");
+    .help(
+      "Maximum number of cuts to propose; a mirror image counts; 0: as many as the bound takes.");
   table.add("MaximumCutLength", [](All& all) { return &all.search.maximumCutLength; })
     .spelled("max-length", "max_cut_length")
     .range(0.0, unlimited)

@@ -4,9 +4,11 @@
 #include "Base/Memory.h"
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
+#include "Suggestion/ChartCuts.h"
 #include "Suggestion/CutSetSearch.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
+#include "Suggestion/SeamDrawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,17 +20,30 @@ namespace flattening
 {
 namespace
 {
-/// Share of the remaining work for a search; nearly all where the surface had to be opened, which
-/// takes many cuts.
+/// Share of the remaining work for a search, and for parting the surface into charts.
 constexpr double shareOfSearch = 0.5;
+constexpr double shareOfCharts = 0.8;
+/// Where the surface had to be opened, which takes many cuts.
 constexpr double shareOpened = 0.9;
-/// Largest share of all work kept for measuring what each cut gains, by this many steps each.
+/// Largest share of all work kept for measuring what each cut gains, by this many steps each; more
+/// cuts than these are not measured one by one.
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
-/// More sharp edges than these are those of a coarse mesh, not of a body.
-constexpr std::size_t mostSharp = 48;
-/// The bound for sharp edges where none is given: such a net is exact but for rounding.
-constexpr double nearlyFlat = 1e-3;
+constexpr Index mostMeasured = 12;
+/// Of cuts that are added one after the other where the number is not limited.
+constexpr Index mostAdded = 8;
+/// A surface with more strain than this many times the bound takes charts rather than single cuts.
+constexpr double chartStrain = 4.0;
+/// Charts are given up that take as many times the most cuts, or as many cuts where the number is
+/// not limited.
+constexpr double farTooManyCuts = 4.0;
+constexpr double mostChartCuts = 250.0;
+/// The bound of charts where none is given.
+constexpr double chartBound = 0.05;
+/// Where charts would take more cuts than may be, they are tried again with the bound times this,
+/// so often.
+constexpr double looserBound = 1.5;
+constexpr int mostLooser = 6;
 /// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
@@ -52,7 +67,8 @@ std::vector<SearchWay> searchWays(const SearchOptions& options)
       all.push_back({ cuts, options.bound > 0.0 ? SearchGoal::Strain : SearchGoal::Area });
     }
   }
-  all.resize(options.maximumCuts <= singleSearch ? 1 : all.size());
+  const bool few = options.maximumCuts > 0 && options.maximumCuts <= singleSearch;
+  all.resize(few ? 1 : all.size());
   return all;
 }
 
@@ -90,7 +106,6 @@ public:
     {
       this->findMirror();
     }
-    const std::vector<SuggestedCurve> first = this->neededCuts(surface, false);
     CutSet uncut;
     uncut.outcome = this->Whole.run({}, this->Budget, this->Run);
     if (this->Run.cancelled())
@@ -98,19 +113,20 @@ public:
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
-      stepsOfMeasuring * this->Mesh.triangleCount() * this->Options.search.maximumCuts);
-    const bool flat = uncut.outcome.valid && this->withinBound(uncut.outcome.strainP95);
-    const std::optional<CutSet> sharp =
-      flat ? std::nullopt : this->sharpSet(surface, !uncut.outcome.valid);
-    const auto seams = static_cast<Index>(first.size());
-    if (seams > this->Options.search.maximumCuts && !uncut.outcome.valid && !sharp)
+      stepsOfMeasuring * this->Mesh.triangleCount() * mostMeasured);
+    const CutSet best = this->bestSet(surface, uncut);
+    const Index most = this->Options.search.maximumCuts;
+    if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
     {
-      return refusal({ StatusCode::InvalidOption,
-        "the greatest number of cuts is " + std::to_string(this->Options.search.maximumCuts) +
-          ", and to open the surface takes " + std::to_string(seams) + " seams",
-        {}, { { Remedy::Give, "a number from " + std::to_string(seams) } } });
+      const auto needed = static_cast<Index>(this->neededCuts(surface).size());
+      if (needed > most)
+      {
+        return refusal({ StatusCode::InvalidOption,
+          "the greatest number of cuts is " + std::to_string(most) +
+            ", and to open the surface takes " + std::to_string(needed) + " seams",
+          {}, { { Remedy::Give, "a number from " + std::to_string(needed) } } });
+      }
     }
-    const CutSet best = this->search(uncut, first, sharp);
     this->Result.curves = best.cuts;
     if (!isPaired(best.cuts))
     {
@@ -146,7 +162,7 @@ private:
       const TrialOutcome& outcome = set.outcome;
       if (!outcome.valid)
       {
-        return std::pair(2, 0.0);
+        return std::pair(2, set.cuts.empty() ? 1.0 : 0.0);
       }
       if (search.bound == 0.0)
       {
@@ -183,8 +199,169 @@ private:
     }
   }
 
-  /// Cuts without which a piece cannot be laid flat at all, or those along its sharp edges.
-  std::vector<SuggestedCurve> neededCuts(const ImprintedSurface& surface, bool sharp) const
+  bool isFlat(const CutSet& set) const
+  {
+    return set.outcome.valid && this->withinBound(set.outcome.strainP95);
+  }
+
+  /// The best set that is found, which is never worse than no cuts.
+  CutSet bestSet(const ImprintedSurface& surface, const CutSet& uncut)
+  {
+    if (this->isFlat(uncut))
+    {
+      this->Result.end = SearchEnd::BoundMet;
+      return uncut;
+    }
+    const SearchOptions& wanted = this->Options.search;
+    const bool keyed = std::any_of(this->Curves.begin(), this->Curves.end(),
+      [](const Polyline& curve) { return curve.type == CurveType::Key; });
+    const bool charts = !keyed &&
+      (!uncut.outcome.valid || (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
+    bool chartsFirst = !uncut.outcome.valid || uncut.outcome.strainP95 > chartStrain * wanted.bound;
+    for (Index h = 0; h < surface.mesh.halfedgeCount() && charts; ++h)
+    {
+      chartsFirst = chartsFirst || isCrease(surface.mesh, h);
+    }
+    std::vector<CutSet> found;
+    if (charts && chartsFirst)
+    {
+      found.push_back(this->chartSet(surface, uncut));
+    }
+    if (found.empty() || !found.front().outcome.valid || !this->isFlat(found.front()))
+    {
+      this->addSets(found, this->neededCuts(surface));
+    }
+    const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
+    if (charts && !chartsFirst && found.front().end != SearchEnd::GivenUp &&
+      std::none_of(
+        found.begin(), found.end(), [this](const CutSet& set) { return this->isFlat(set); }))
+    {
+      found.push_back(this->chartSet(surface, uncut));
+    }
+    if (found.empty())
+    {
+      this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted : SearchEnd::CutsUsedUp;
+      return uncut;
+    }
+    const auto best = std::min_element(found.begin(), found.end(), better);
+    const bool limited = std::any_of(found.begin(), found.end(),
+      [](const CutSet& one) { return one.end == SearchEnd::WorkUsedUp; });
+    const bool givenUp = found.front().end == SearchEnd::GivenUp && !this->isFlat(*best);
+    this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
+      : givenUp                              ? SearchEnd::GivenUp
+      : limited && !this->isFlat(*best)      ? SearchEnd::WorkUsedUp
+                                             : best->end;
+    this->Result.cutsNeeded = givenUp ? found.front().cutsNeeded : best->cutsNeeded;
+    const TrialOutcome& with = best->outcome;
+    const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
+                                          : with.energy > uncut.outcome.energy;
+    return uncut.outcome.valid && (worse || !with.valid) ? uncut : *best;
+  }
+
+  /// Charts in all pieces that do not keep the bound, with what it takes to keep it where the
+  /// surface is only nearly like the version that they were found on.
+  CutSet chartSet(const ImprintedSurface& surface, const CutSet& uncut)
+  {
+    const SearchOptions& wanted = this->Options.search;
+    CutSet set;
+    set.outcome.valid = false;
+    double needed = 0.0;
+    bool spent = false;
+    double bound = wanted.bound > 0.0 ? wanted.bound : chartBound;
+    const double most = wanted.maximumCuts > 0
+      ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
+      : mostChartCuts;
+    for (int k = 0; k < mostLooser; ++k, bound *= looserBound)
+    {
+      TrialBudget budget(shareOfCharts * (this->Budget.left() - this->MostMeasuring));
+      set = {};
+      set.cuts = this->chartsOf(surface, uncut, bound, budget);
+      set.cutsNeeded = static_cast<double>(set.cuts.size());
+      needed = k == 0 ? set.cutsNeeded : needed;
+      if (set.cutsNeeded > most)
+      {
+        set.end = SearchEnd::GivenUp; // noise is no nearer to flat with as many cuts
+        return set;
+      }
+      spent = budget.spent();
+      this->Budget.add(budget);
+      set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
+      if (!set.outcome.valid || this->allowed(set))
+      {
+        break;
+      }
+    }
+    if (uncut.outcome.valid && wanted.bound > 0.0 &&
+      set.outcome.strainP95 > chartStrain * wanted.bound)
+    {
+      set.cutsNeeded = needed;
+      set.end = SearchEnd::GivenUp; // noise is hardly nearer to flat with so few
+      set.outcome.valid = false;
+      return set;
+    }
+    if (!set.outcome.valid || !this->allowed(set))
+    {
+      set.outcome.valid = false;
+      set.end = spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp;
+      set.cuts.clear();
+      return set;
+    }
+    set.end = this->isFlat(set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
+    if (set.end == SearchEnd::BoundMet || wanted.bound == 0.0)
+    {
+      return set;
+    }
+    TrialBudget budget(this->Budget.left() - this->MostMeasuring);
+    SearchOptions options = wanted;
+    const auto count = static_cast<Index>(set.cuts.size());
+    options.maximumCuts =
+      wanted.maximumCuts > 0 ? wanted.maximumCuts : count + std::max(mostAdded, count / 2);
+    set = searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+                       options, this->Result.mirror, this->Weights, SearchGoal::Strain },
+      std::move(set), budget, this->Run);
+    this->Budget.add(budget);
+    return set;
+  }
+
+  bool allowed(const CutSet& set) const
+  {
+    const SearchOptions& wanted = this->Options.search;
+    return (wanted.maximumCuts == 0 || static_cast<Index>(set.cuts.size()) <= wanted.maximumCuts) &&
+      set.outcome.cutLength() <= wanted.cutLengthLimit();
+  }
+
+  std::vector<SuggestedCurve> chartsOf(
+    const ImprintedSurface& surface, const CutSet& uncut, double bound, TrialBudget& budget) const
+  {
+    ChartOptions options;
+    options.bound = bound;
+    options.fixedPrice = this->Options.search.fixedPrice;
+    options.leastDart = this->Options.search.leastLength;
+    options.darts = this->Options.search.cuts == SuggestedCuts::All;
+    options.flattening = this->Options.flattening;
+    const std::vector<Piece> pieces = extractPieces(cutSurface(surface.mesh, surface.curves));
+    const bool known = uncut.outcome.pieceStrains.size() == pieces.size();
+    const bool plane = this->Result.mirror && this->Result.mirror->plane() && pieces.size() == 1;
+    std::vector<SuggestedCurve> cuts;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      const auto before = static_cast<Index>(cuts.size());
+      if (known && this->withinBound(uncut.outcome.pieceStrains[p]))
+      {
+        continue;
+      }
+      for (SuggestedCurve& cut : chartCuts(pieces[p].mesh,
+             plane ? this->Result.mirror->plane() : std::nullopt, options, budget, this->Run))
+      {
+        cut.mirrorOf += cut.mirrorOf == none ? 0 : before;
+        cuts.push_back(std::move(cut));
+      }
+    }
+    return cuts;
+  }
+
+  /// Cuts without which a piece cannot be laid flat at all.
+  std::vector<SuggestedCurve> neededCuts(const ImprintedSurface& surface) const
   {
     std::vector<SuggestedCurve> cuts;
     const CutSurface cutAlready = cutSurface(surface.mesh, surface.curves);
@@ -197,9 +374,8 @@ private:
         barred.push_back(marks.barred[cutAlready.originalVertex[v]]);
       }
       const bool plane = this->Result.mirror && this->Result.mirror->plane();
-      for (Polyline& line : sharp
-          ? sharpEdges(piece.mesh, barred)
-          : openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
+      for (Polyline& line :
+        openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
       {
         SuggestedCurve cut;
         cut.length = lengthOf(line.points);
@@ -210,118 +386,25 @@ private:
     return cuts;
   }
 
-  /// All sharp edges as cuts, with what then opens the pieces, less what the bound does not need.
-  /// None where they do not meet it, or are too many.
-  /// \param opens whether the surface cannot be laid flat without cuts, which may then be of any kind
-  std::optional<CutSet> sharpSet(const ImprintedSurface& surface, bool opens)
+  /// Sets that are found cut by cut.
+  /// \param first without which the surface cannot be laid flat
+  void addSets(std::vector<CutSet>& found, const std::vector<SuggestedCurve>& first)
   {
     const SearchOptions& wanted = this->Options.search;
-    CutSet set;
-    set.cuts = this->neededCuts(surface, true);
-    if (set.cuts.empty() || set.cuts.size() > mostSharp)
-    {
-      return {};
-    }
-    std::vector<Polyline> all = this->Curves;
-    for (const SuggestedCurve& cut : set.cuts)
-    {
-      all.push_back(cut.curve);
-    }
-    const ImprintedSurface parted = imprintCurves(this->Mesh, all, this->Options.imprint);
-    if (!parted.status.ok())
-    {
-      return {};
-    }
-    for (SuggestedCurve& cut : this->neededCuts(parted, false))
-    {
-      set.cuts.push_back(std::move(cut));
-    }
-    const double bound = wanted.bound > 0.0 ? wanted.bound : nearlyFlat;
-    set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
-    if (!set.outcome.valid || set.outcome.strainP95 > bound)
-    {
-      return {};
-    }
-    thinCuts(this->Whole, bound, std::numeric_limits<double>::infinity(), set.cuts, set.outcome,
-      this->Budget, this->Run);
-    this->makeDarts(surface, set);
-    set.end = wanted.bound > 0.0 ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
-    const auto is = [&](CurveType type) {
-      return std::any_of(set.cuts.begin(), set.cuts.end(),
-        [type](const SuggestedCurve& cut) { return cut.curve.type == type; });
-    };
-    const bool kinds = opens ||
-      !is(wanted.cuts == SuggestedCuts::Darts   ? CurveType::Seam
-          : wanted.cuts == SuggestedCuts::Seams ? CurveType::Dart
-                                                : CurveType::Accessory);
-    return kinds && static_cast<Index>(set.cuts.size()) <= wanted.maximumCuts &&
-        set.outcome.cutLength() <= wanted.cutLengthLimit()
-      ? std::optional<CutSet>(set)
-      : std::nullopt;
-  }
-
-  /// Cuts that end inside at one end are darts. Last, since they may begin on the others.
-  void makeDarts(const ImprintedSurface& surface, CutSet& set)
-  {
-    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-    std::vector<SuggestedCurve> cuts;
-    std::vector<SuggestedCurve> darts;
-    for (std::size_t k = 0; k < set.cuts.size(); ++k)
-    {
-      const auto ends = [&](const Point3& point) {
-        for (Index v = 0; v < cut.mesh.vertexCount(); ++v)
-        {
-          if (cut.mesh.onBoundary(v) && cut.mesh.point(v) == point)
-          {
-            return true;
-          }
-        }
-        for (std::size_t j = 0; j < set.cuts.size(); ++j)
-        {
-          const Points3& other = set.cuts[j].curve.points;
-          if (j != k && std::find(other.begin(), other.end(), point) != other.end())
-          {
-            return true;
-          }
-        }
-        return false;
-      };
-      Points3& points = set.cuts[k].curve.points;
-      const bool first = ends(points.front());
-      const bool dart = points.front() != points.back() && first != ends(points.back());
-      if (dart && !first)
-      {
-        std::reverse(points.begin(), points.end());
-      }
-      (dart ? darts : cuts).push_back(set.cuts[k]);
-      (dart ? darts : cuts).back().curve.type = dart ? CurveType::Dart : CurveType::Seam;
-    }
-    cuts.insert(cuts.end(), darts.begin(), darts.end());
-    set.cuts = std::move(cuts);
-    set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
-  }
-
-  /// The best set that is found, which is never worse than no cuts.
-  CutSet search(const CutSet& uncut, const std::vector<SuggestedCurve>& first,
-    const std::optional<CutSet>& sharp)
-  {
-    const SearchOptions& wanted = this->Options.search;
-    std::vector<CutSet> found;
-    if (static_cast<Index>(first.size()) > wanted.maximumCuts)
-    {
-      this->Result.end = SearchEnd::CutsUsedUp;
-      this->Result.cutsNeeded = sharp ? 0.0 : static_cast<double>(first.size());
-      return sharp ? *sharp : uncut;
-    }
     const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
-    std::vector<SearchWay> ways = searchWays(wanted);
-    ways.resize(sharp ? 1 : ways.size());
+    const std::vector<SearchWay> ways = searchWays(wanted);
+    const auto needed = static_cast<Index>(first.size());
+    if (wanted.maximumCuts > 0 && needed > wanted.maximumCuts)
+    {
+      return;
+    }
     for (std::size_t k = 0; k < ways.size() && !this->Run.cancelled(); ++k)
     {
       SearchOptions options = wanted;
       options.cuts = ways[k].cuts;
-      const double left = this->Budget.left() - this->MostMeasuring;
-      TrialBudget budget((first.empty() ? shareOfSearch : shareOpened) * left);
+      options.maximumCuts = wanted.maximumCuts > 0 ? wanted.maximumCuts : needed + mostAdded;
+      TrialBudget budget((first.empty() ? shareOfSearch : shareOpened) *
+        (this->Budget.left() - this->MostMeasuring));
       const auto count = static_cast<double>(ways.size());
       found.push_back(
         searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
@@ -329,35 +412,14 @@ private:
           this->start(first, ways[k].goal, budget), budget,
           this->Run.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count)));
       this->Budget.add(budget);
-      const CutSet& set = found.back();
-      const TrialOutcome& least = std::min_element(found.begin(), found.end(), better)->outcome;
-      const bool met = least.valid && this->withinBound(least.strainP95);
-      if ((met && (set.cuts.size() == first.size() || k > 0)) ||
-        found.front().end == SearchEnd::GivenUp || this->Budget.left() <= this->MostMeasuring)
+      const bool met = this->isFlat(*std::min_element(found.begin(), found.end(), better));
+      if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
+        found.back().end == SearchEnd::GivenUp || found.front().end == SearchEnd::GivenUp ||
+        this->Budget.left() <= this->MostMeasuring)
       {
         break; // others will hardly do better
       }
     }
-    if (found.empty())
-    {
-      this->Result.end = SearchEnd::Interrupted;
-      return uncut;
-    }
-    const auto best = std::min_element(found.begin(), found.end(), better);
-    if (sharp && better(*sharp, *best))
-    {
-      *best = *sharp;
-    }
-    const bool limited = std::any_of(found.begin(), found.end(),
-      [](const CutSet& one) { return one.end == SearchEnd::WorkUsedUp; });
-    this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
-      : limited                              ? SearchEnd::WorkUsedUp
-                                             : best->end;
-    this->Result.cutsNeeded = best->cutsNeeded;
-    const TrialOutcome& with = best->outcome;
-    const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
-                                          : with.energy > uncut.outcome.energy;
-    return uncut.outcome.valid && (worse || !with.valid) ? uncut : *best;
   }
 
   const CutSet& start(
@@ -395,6 +457,10 @@ private:
     if (!lines.empty())
     {
       lines.back().clear();
+    }
+    if (static_cast<Index>(lines.size()) > mostMeasured)
+    {
+      lines.assign(lines.size(), {});
     }
     std::vector<TrialOutcome> after = this->Whole.runAll(lines, this->Budget, this->Run);
     TrialOutcome before = without;

@@ -82,9 +82,9 @@ Status checkSuggestion(
     return refusal("the greatest length of cuts is " + shortNumber(options.maximumCutLength),
       "a length from 0, 0 for no limit");
   }
-  if (options.maximumCuts < 1)
+  if (options.maximumCuts < 0)
   {
-    return refusal("the greatest number of cuts is below 1", "a number from 1");
+    return refusal("the greatest number of cuts is below 0", "a number from 0, 0 for no limit");
   }
   if (!std::isfinite(options.maximumWork) || options.maximumWork < 0.0)
   {

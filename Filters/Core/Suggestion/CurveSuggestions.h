@@ -30,7 +30,8 @@ struct SearchOptions
   /// The strain, on 95 % of each piece's area, that is good enough; 0: go on until cuts or length
   /// are used up, or no cut is worth its price.
   double bound = 0.05; // cloth gives as much
-  Index maximumCuts = 8;
+  /// Of all proposed cuts; 0: as many as the bound takes.
+  Index maximumCuts = 0;
   /// Of all proposed cuts together, in the surface's unit; 0: no limit.
   double maximumCutLength = 0.0;
   double cutLengthLimit() const
@@ -55,7 +56,7 @@ struct SearchOptions
   Index trials = 24;
   /// Of all real flattenings, in millions of steps of an iteration on one triangle, whatever the
   /// size of the surface. The best cuts that are found by then are proposed. 0: no limit.
-  double maximumWork = 40.0;
+  double maximumWork = 60.0;
 };
 
 struct SuggestionOptions

@@ -255,10 +255,14 @@ CutTrials::Trial CutTrials::tried(
   Index asked = 0;
   double mostSteps = most / triangles;
   Execution counting = execution.nestedExecution();
-  counting.cancel = [&asked, &execution, &mostSteps] {
-    return ++asked / askedPerStep > mostSteps || execution.cancelled();
-  };
   trial.surface = this->imprinted(cuts);
+  // A step of one of several pieces is made on its part of the triangles.
+  const double perStep = !trial.surface.status.ok() ? askedPerStep
+                                                    : askedPerStep *
+      std::max<Index>(1, cutSurface(trial.surface.mesh, trial.surface.curves).pieceCount);
+  counting.cancel = [&asked, &execution, &mostSteps, perStep] {
+    return ++asked / perStep > mostSteps || execution.cancelled();
+  };
   const bool starts = !this->Start.empty();
   for (bool fromStart : { true, false })
   {
@@ -270,14 +274,14 @@ CutTrials::Trial CutTrials::tried(
     const double steps = cuts.empty() ? std::numeric_limits<double>::infinity()
       : fromStart                     ? startShare * this->MostSteps
                                       : this->MostSteps;
-    mostSteps = std::min(most / triangles, asked / askedPerStep + steps);
+    mostSteps = std::min(most / triangles, asked / perStep + steps);
     trial.flat = this->flattened(trial.surface, fromStart, counting);
     if (!trial.flat.status.refused())
     {
       trial.outcome = this->measured(trial.surface, trial.flat);
     }
   }
-  trial.work = triangles * (besideSteps + asked / askedPerStep);
+  trial.work = triangles * (besideSteps + asked / perStep);
   return trial;
 }
 
@@ -409,6 +413,8 @@ void CutTrials::measure(
     outcome.strainP95 = std::max(outcome.strainP95, strain.quantile);
     outcome.pieceStrains.push_back(strain.quantile);
     outcome.pieceGoals.push_back(countedAreas[p] * strain.rigidEnergy);
+    outcome.pieceFaults.push_back(
+      !quality.flipped.empty() || flat.pieces[p].overlaps.count > 0 ? 1 : 0);
     outcome.flipped += quality.flipped.size();
     outcome.overlaps += flat.pieces[p].overlaps.count;
   }

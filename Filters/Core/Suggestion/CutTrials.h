@@ -70,6 +70,7 @@ struct TrialOutcome
   /// By piece, in the order of their smallest triangles.
   std::vector<double> pieceStrains;
   std::vector<double> pieceGoals;
+  std::vector<char> pieceFaults; ///< whether it is folded or lies over another part
 
   double leastPiece = 1.0; ///< area of the smallest piece over that of all
   int severity = 0;        ///< of its status

@@ -21,9 +21,6 @@ constexpr double leastJoined = 0.2;
 /// Of a full turn, what the edge of a hole turns by at least, the other way than an outer one.
 constexpr double leastHoleTurn = 0.95;
 
-/// Of the angle by which a sharp edge turns at least.
-constexpr double sharpCosine = 0.866;
-
 Index firstVertex(const TriangleMesh& mesh)
 {
   return mesh.triangle(0)[0];
@@ -210,57 +207,5 @@ std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   }
   return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh))
                     : joinLoops(mesh, barred);
-}
-
-std::vector<Polyline> sharpEdges(const TriangleMesh& mesh, const std::vector<char>& barred)
-{
-  std::vector<Indices> next(mesh.vertexCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    const Index twin = mesh.twin(h);
-    if (twin != none &&
-      triangleNormal(mesh, h / 3).dot(triangleNormal(mesh, twin / 3)) < sharpCosine)
-    {
-      next[mesh.from(h)].push_back(mesh.to(h));
-    }
-  }
-  const auto ends = [&](Index v) { return next[v].size() != 2 || mesh.onBoundary(v); };
-  std::set<Edge> used;
-  std::vector<Polyline> lines;
-  const auto follow = [&](Index start, Index second) {
-    Indices chain{ start };
-    for (Index v = second; v != none;)
-    {
-      used.insert(edgeBetween(chain.back(), v));
-      chain.push_back(v);
-      const bool goesOn = !ends(v) && v != start;
-      v = !goesOn ? none : next[v][0] == chain[chain.size() - 2] ? next[v][1] : next[v][0];
-    }
-    Polyline line;
-    line.type = CurveType::Seam;
-    for (Index v : chain)
-    {
-      line.points.push_back(mesh.point(v));
-    }
-    if (barred.empty() ||
-      std::none_of(chain.begin(), chain.end(), [&](Index v) { return barred[v] != 0; }))
-    {
-      lines.push_back(std::move(line));
-    }
-  };
-  for (bool closed : { false, true })
-  {
-    for (Index v = 0; v < mesh.vertexCount(); ++v)
-    {
-      for (Index w : closed || ends(v) ? next[v] : Indices{})
-      {
-        if (used.count(edgeBetween(v, w)) == 0)
-        {
-          follow(v, w);
-        }
-      }
-    }
-  }
-  return lines;
 }
 }

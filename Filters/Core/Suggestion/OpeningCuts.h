@@ -22,8 +22,4 @@ namespace flattening
 /// meet; loops are left where there is no other way. Empty: none does
 std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& mirror = {}, const std::vector<char>& barred = {});
-
-/// Seams along the edges where the surface turns by more than 30 degrees: from where others end, or
-/// the boundary, to the next such place, or closed. None meets a barred vertex.
-std::vector<Polyline> sharpEdges(const TriangleMesh& mesh, const std::vector<char>& barred = {});
 }

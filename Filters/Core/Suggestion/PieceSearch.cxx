@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/PieceSearch.h"
 
+#include "Cut/PieceTopology.h"
 #include "Suggestion/CutCandidates.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ constexpr double leastRise = 0.005;
 /// The best by score need not be the best once its ends are moved.
 constexpr std::size_t polishedCuts = 2;
 
-/// Null where it is not one piece once its darts are opened.
+/// Null where it is not one piece that can be laid flat once its darts are opened.
 std::unique_ptr<SearchedPiece> searchedPiece(
   const PieceSurface& piece, const VertexMarks& marks, const std::optional<SurfaceMirror>& mirror)
 {
@@ -41,6 +42,10 @@ std::unique_ptr<SearchedPiece> searchedPiece(
     return nullptr;
   }
   Piece opened = std::move(extractPieces(cut).front());
+  if (findDefect(opened))
+  {
+    return nullptr;
+  }
   std::vector<char> barred;
   std::vector<double> worth;
   for (Index v : opened.vertices)

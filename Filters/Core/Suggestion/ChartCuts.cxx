@@ -1,0 +1,654 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/ChartCuts.h"
+
+#include "Cut/SurfaceCut.h"
+#include "Imprint/CurveImprint.h"
+#include "Paths/PlaneSection.h"
+#include "Suggestion/CutThinning.h"
+#include "Suggestion/PieceSurface.h"
+#include "Suggestion/SeamDrawing.h"
+#include "Suggestion/SurfaceCoarsening.h"
+#include "Suggestion/SurfaceMirror.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+/// Of the version that charts are found on.
+constexpr Index chartTriangles = 4000;
+/// Of the bound, the forecast strain of the first charts, which are merged afterwards.
+constexpr double firstShare = 0.4;
+/// Of the bound, what charts of the version with few triangles keep, so that those of the surface
+/// itself keep it with seams that are drawn smooth, or with seams along its edges.
+constexpr double coarseShare = 0.75;
+constexpr double ruggedShare = 0.95;
+/// Where seams are laid into the version with few triangles, see ImprintOptions: slivers are worse
+/// than a seam that is not quite straight.
+constexpr double workingSnap = 0.15;
+/// On the surface itself: more than the default, so that what is far enough apart here is so there.
+constexpr double surfaceSnap = 1e-2;
+/// Of the budget, for charts on few triangles; the rest is for drawing seams on the surface.
+constexpr double mergingShare = 0.6;
+/// Seams are drawn anew this often at most.
+constexpr int mostDrawings = 24;
+/// Pieces with more strain than this many times the bound are parted again; darts do for others.
+constexpr double partedShare = 1.5;
+/// What drawing them takes, in steps of a flattening.
+constexpr double drawingSteps = 5.0;
+/// A flattening of the surface with its seams is given up after these steps.
+constexpr double mostDrawnSteps = 100.0;
+/// Charts are parted again this often at most.
+constexpr int mostPartings = 3;
+/// In snap distances of an imprint, how near points of the mirror plane's section are to it.
+constexpr double inPlaneShare = 2.0;
+
+/// With few triangles; creases stay.
+TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most)
+{
+  std::vector<char> kept(mesh.vertexCount(), 0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    kept[mesh.from(h)] = kept[mesh.from(h)] || isCrease(mesh, h) ? 1 : 0;
+  }
+  if (2 * std::count(kept.begin(), kept.end(), 1) > mesh.vertexCount())
+  {
+    kept.assign(kept.size(), 0); // those of a scan
+  }
+  return coarsened(mesh, std::move(kept), most).mesh;
+}
+
+Indices numbersTo(Index count)
+{
+  Indices numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// A mesh with cut edges.
+struct CutMesh
+{
+  TriangleMesh mesh;
+  std::vector<char> cut; ///< by half-edge
+  Indices images;        ///< by half-edge
+};
+
+/// The cut edges between charts of few triangles each.
+std::vector<char> firstCuts(const TriangleMesh& mesh, double bound)
+{
+  const std::vector<Indices> loops = mesh.boundaryLoops();
+  const Indices chart = clusterTriangles(mesh, loops, findHoles(mesh, loops), bound);
+  std::vector<char> cut(mesh.halfedgeCount(), 0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    const Index twin = mesh.twin(h);
+    cut[h] = twin != none && chart[h / 3] != chart[twin / 3] ? 1 : 0;
+  }
+  return cut;
+}
+
+/// The mesh cut along straight lines from end to end of its arcs, or as straight as they do not
+/// meet.
+CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs)
+{
+  const SeamDrawing drawing(mesh);
+  std::vector<int> levels(arcs.size(), 0);
+  std::vector<int> drawn(arcs.size(), -1);
+  std::vector<Polyline> lines(arcs.size());
+  ImprintedSurface imprinted;
+  for (bool changed = true; changed;)
+  {
+    for (std::size_t k = 0; k < arcs.size(); ++k)
+    {
+      if (drawn[k] != levels[k])
+      {
+        std::vector<SurfacePoint> chain;
+        for (Index v : arcs[k].vertices)
+        {
+          chain.push_back(vertexPoint(mesh, v));
+        }
+        lines[k].type = CurveType::Seam;
+        lines[k].points = drawing.draw(chain, levels[k]);
+        drawn[k] = levels[k];
+      }
+    }
+    ImprintOptions options;
+    options.snap = workingSnap;
+    imprinted = imprintCurves(mesh, lines, options);
+    std::vector<Indices> bad;
+    for (Index k = 0; k < static_cast<Index>(arcs.size()) && !imprinted.status.ok(); ++k)
+    {
+      bad.push_back({ k });
+    }
+    changed = raiseLevels(imprinted.status.ok() ? meetingCurves(imprinted) : bad,
+      numbersTo(static_cast<Index>(arcs.size())), levels);
+  }
+  CutMesh result;
+  if (!imprinted.status.ok())
+  {
+    result.mesh = mesh;
+    result.cut.assign(mesh.halfedgeCount(), 0);
+    for (const Charts::Arc& arc : arcs)
+    {
+      for (Index h : arc.edges)
+      {
+        result.cut[h] = result.cut[mesh.twin(h)] = 1;
+      }
+    }
+    return result;
+  }
+  result.mesh = std::move(imprinted.mesh);
+  result.cut.assign(result.mesh.halfedgeCount(), 0);
+  for (const FeatureCurve& curve : imprinted.curves)
+  {
+    for (std::size_t k = 1; k < curve.vertices.size(); ++k)
+    {
+      const Index h = result.mesh.find(curve.vertices[k - 1], curve.vertices[k]);
+      const Index twin = h == none ? none : result.mesh.twin(h);
+      if (twin != none)
+      {
+        result.cut[h] = result.cut[twin] = 1;
+      }
+    }
+  }
+  return result;
+}
+
+/// Two seams, no others of which meet where they do, are one.
+std::vector<SuggestedCurve> joined(std::vector<SuggestedCurve> cuts)
+{
+  const auto alone = [&](std::size_t k) {
+    return cuts[k].mirrorOf == none &&
+      std::none_of(cuts.begin(), cuts.end(),
+        [&](const SuggestedCurve& cut) { return cut.mirrorOf == static_cast<Index>(k); });
+  };
+  const auto together = [&](std::size_t a, std::size_t b) {
+    return cuts[b].mirrorOf == static_cast<Index>(a) || (alone(a) && alone(b));
+  };
+  const auto meeting = [&](const Point3& point) {
+    std::ptrdiff_t ends = 0;
+    for (const SuggestedCurve& cut : cuts)
+    {
+      ends += (cut.curve.points.front() == point) + (cut.curve.points.back() == point);
+    }
+    return ends;
+  };
+  for (std::size_t a = 0; a < cuts.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < cuts.size(); ++b)
+    {
+      if (cuts[a].curve.type != CurveType::Seam || cuts[b].curve.type != CurveType::Seam ||
+        !together(a, b))
+      {
+        continue;
+      }
+      Points3 first = cuts[a].curve.points;
+      Points3 second = cuts[b].curve.points;
+      const auto meet = [&] {
+        return first.back() == second.front() && meeting(first.back()) == 2;
+      };
+      for (int way = 0; way < 4 && !meet(); ++way)
+      {
+        Points3& turned = way % 2 == 0 ? first : second;
+        std::reverse(turned.begin(), turned.end());
+      }
+      if (!meet())
+      {
+        continue;
+      }
+      first.insert(first.end(), second.begin() + 1, second.end());
+      cuts[a].curve.points = std::move(first);
+      cuts[a].length += cuts[b].length;
+      cuts.erase(cuts.begin() + static_cast<std::ptrdiff_t>(b));
+      for (SuggestedCurve& cut : cuts)
+      {
+        cut.mirrorOf -= cut.mirrorOf > static_cast<Index>(b) ? 1 : 0;
+      }
+      --a; // it may be joined to others
+      break;
+    }
+  }
+  return cuts;
+}
+
+class ChartSearch
+{
+public:
+  /// \param straight whether seams are drawn straight before charts are merged; otherwise charts that
+  /// keep the bound on few triangles keep it on as many
+  ChartSearch(const TriangleMesh& mesh, const std::optional<SymmetryPlane>& plane, bool straight,
+    const ChartOptions& options, TrialBudget& budget, const Execution& execution)
+    : Surface(mesh)
+    , Plane(plane)
+    , Straight(straight)
+    , Options(options)
+    , Bound(options.bound)
+    , Budget(budget)
+    , Run(execution)
+    , Size(std::sqrt(mesh.area() / pi))
+    , InPlane(inPlaneShare * SnapDistance(mesh, ImprintOptions().snap).greatest())
+  {
+    this->Options.bound *= straight ? coarseShare : ruggedShare;
+    this->Options.flattening = roughly(options.flattening);
+  }
+
+  std::vector<SuggestedCurve> run()
+  {
+    const TriangleMesh half =
+      fewTriangles(this->side(), this->Plane ? chartTriangles / 2 : chartTriangles);
+    if (half.triangleCount() == 0 || this->Budget.spent())
+    {
+      return {};
+    }
+    Charts first(half, firstCuts(half, firstShare * this->Options.bound),
+      numbersTo(half.halfedgeCount()), this->Options, this->Size);
+    TrialBudget budget(mergingShare * this->Budget.left());
+    first.divide(budget, this->Run);
+    CutMesh parted{ half, first.cut(), {} };
+    if (this->Straight)
+    {
+      parted = straightened(half, first.arcs());
+      Charts second(
+        parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), this->Options, this->Size);
+      second.divide(budget, this->Run);
+      if (second.arcs().size() > first.arcs().size())
+      {
+        parted = straightened(parted.mesh, second.arcs());
+      }
+    }
+    const CutMesh whole = this->withMirrored(parted);
+    Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size);
+    charts.divide(budget, this->Run);
+    charts.merge(budget, this->Run);
+    if (this->Options.darts)
+    {
+      charts.shorten(budget, this->Run);
+    }
+    this->Budget.add(budget);
+    this->settle(
+      this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Plane.has_value())));
+    return joined(std::move(this->Best));
+  }
+
+  /// How many pieces are folded, or lie over themselves, and the largest strain.
+  double worst() const { return this->Worst; }
+
+private:
+  /// A seam or dart to be drawn, the first of each pair of images.
+  struct Seam
+  {
+    Points3 chain;
+    bool dart = false;
+    bool crosses = false; ///< the mirror plane, in which the chain ends
+    bool paired = false;
+    int level = 0;  ///< of SeamDrawing
+    Points3 points; ///< none: to be drawn
+    Points3 image;
+  };
+
+  /// The surface on one side of the plane, if there is one.
+  TriangleMesh side()
+  {
+    if (!this->Plane)
+    {
+      return this->Surface;
+    }
+    std::vector<Polyline> seams;
+    for (const PlaneSection& section :
+      planeSections(this->Surface, this->Plane->offset * this->Plane->normal, this->Plane->normal))
+    {
+      Polyline seam;
+      seam.type = CurveType::Seam;
+      for (const SurfacePoint& point : section.path.points)
+      {
+        seam.points.push_back(point.position);
+      }
+      seams.push_back(std::move(seam));
+    }
+    ImprintedSurface imprinted = imprintCurves(this->Surface, seams, {});
+    if (seams.empty() || !imprinted.status.ok())
+    {
+      return {};
+    }
+    const CutSurface cut = cutSurface(imprinted.mesh, imprinted.curves);
+    this->Surface = std::move(imprinted.mesh);
+    std::vector<double> side(cut.pieceCount, 0.0);
+    std::vector<char> open(cut.mesh.halfedgeCount(), 0);
+    for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
+    {
+      open[h] = cut.mesh.twin(h) == none ? 1 : 0;
+      side[cut.pieceOfTriangle[h / 3]] +=
+        cut.mesh.area(h / 3) * this->Plane->side(cut.mesh.point(cut.mesh.from(h)));
+    }
+    Indices triangles;
+    for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+    {
+      if (side[cut.pieceOfTriangle[t]] > 0.0)
+      {
+        triangles.push_back(t);
+      }
+    }
+    return openedPart(this->Surface, triangles, open).mesh;
+  }
+
+  bool inPlane(const Point3& point) const
+  {
+    return this->Plane && std::abs(this->Plane->side(point)) < this->InPlane;
+  }
+
+  /// Both sides of the plane together, cut along it as well.
+  CutMesh withMirrored(const CutMesh& half) const
+  {
+    CutMesh whole = half;
+    const Index count = half.mesh.halfedgeCount();
+    whole.images = numbersTo(count);
+    if (!this->Plane)
+    {
+      return whole;
+    }
+    Points3 points = half.mesh.points();
+    Indices image;
+    for (Index v = 0; v < half.mesh.vertexCount(); ++v)
+    {
+      const bool shared = half.mesh.onBoundary(v) && this->inPlane(points[v]);
+      image.push_back(shared ? v : static_cast<Index>(points.size()));
+      if (!shared)
+      {
+        points.push_back(this->Plane->mirrored(points[v]));
+      }
+    }
+    Triangles cells = half.mesh.triangles();
+    for (const auto& [a, b, c] : half.mesh.triangles())
+    {
+      cells.push_back({ image[a], image[c], image[b] });
+    }
+    whole.mesh = TriangleMesh(std::move(points), std::move(cells));
+    whole.cut.resize(2 * count);
+    whole.images.resize(2 * count);
+    for (Index h = 0; h < count; ++h)
+    {
+      const Index other = count + h / 3 * 3 + 2 - h % 3;
+      whole.cut[h] = whole.cut[other] = half.cut[h] || whole.mesh.twin(h) == other ? 1 : 0;
+      whole.images[h] = other;
+      whole.images[other] = h;
+    }
+    return whole;
+  }
+
+  /// \param half how many vertices are on one side of the plane
+  std::vector<Seam> seams(
+    const TriangleMesh& mesh, Index half, const std::vector<Charts::Arc>& arcs) const
+  {
+    std::vector<Seam> seams;
+    for (bool darts : { false, true })
+    {
+      for (const Charts::Arc& arc : arcs)
+      {
+        Seam seam;
+        seam.dart = arc.dart;
+        bool inside = false;
+        for (Index v : arc.vertices)
+        {
+          if (v < half)
+          {
+            seam.chain.push_back(mesh.point(v));
+            inside = inside || !this->inPlane(mesh.point(v));
+          }
+        }
+        seam.crosses = seam.chain.size() < arc.vertices.size();
+        if (arc.dart != darts || (seam.crosses && !inside))
+        {
+          continue; // an image
+        }
+        if (seam.crosses && arc.vertices.front() >= half)
+        {
+          std::reverse(seam.chain.begin(), seam.chain.end());
+        }
+        seam.paired = this->Plane && !seam.crosses && inside;
+        const bool closed = arc.vertices.front() == arc.vertices.back();
+        seam.level = !inside ? SeamDrawing::levels - 1 : closed ? 1 : 0;
+        seams.push_back(std::move(seam));
+      }
+    }
+    return seams;
+  }
+
+  /// As straight as charts that keep the bound and cuts that do not meet allow.
+  void settle(std::vector<Seam> seams)
+  {
+    const SeamDrawing drawing(this->Surface);
+    ImprintOptions imprint;
+    imprint.snap = surfaceSnap;
+    const CutTrials trials(
+      this->Surface, {}, imprint, this->Options.flattening, SearchGoal::Energy, {}, mostDrawnSteps);
+    std::vector<int> levels;
+    for (const Seam& seam : seams)
+    {
+      levels.push_back(seam.level);
+    }
+    bool changed = true;
+    for (int k = 0; k <= mostDrawings && changed && !this->Run.cancelled() && !this->Budget.spent();
+         ++k)
+    {
+      if (k == mostDrawings && this->Best.empty())
+      {
+        levels.assign(levels.size(), SeamDrawing::levels - 1);
+      }
+      this->draw(drawing, levels, seams);
+      this->Budget.pay(drawingSteps * static_cast<double>(this->Surface.triangleCount()));
+      Indices seamOf;
+      const std::vector<SuggestedCurve> cuts = cutsOf(seams, seamOf);
+      const ImprintedSurface imprinted = imprintCurves(this->Surface, linesOf(cuts), imprint);
+      std::vector<Indices> bad{ numbersTo(static_cast<Index>(cuts.size())) };
+      if (imprinted.status.ok())
+      {
+        bad = meetingCurves(imprinted);
+      }
+      if (bad.empty())
+      {
+        const TrialOutcome outcome = trials.run(linesOf(cuts), this->Budget, this->Run);
+        bad = this->aroundBad(imprinted, outcome);
+        const auto faults = std::count(outcome.pieceFaults.begin(), outcome.pieceFaults.end(), 1);
+        const double worst = static_cast<double>(faults) + outcome.strainP95;
+        if (outcome.valid && worst < this->Worst)
+        {
+          this->Best = cuts;
+          this->Worst = worst;
+        }
+      }
+      changed = raiseLevels(bad, seamOf, levels);
+    }
+  }
+
+  void draw(
+    const SeamDrawing& drawing, const std::vector<int>& levels, std::vector<Seam>& seams) const
+  {
+    for (std::size_t s = 0; s < seams.size(); ++s)
+    {
+      Seam& seam = seams[s];
+      if (!seam.points.empty() && seam.level == levels[s])
+      {
+        continue;
+      }
+      seam.level = levels[s];
+      std::vector<SurfacePoint> chain;
+      std::vector<SurfacePoint> image;
+      for (const Point3& point : seam.chain)
+      {
+        chain.push_back(drawing.place(point));
+        if (seam.paired || seam.crosses)
+        {
+          image.push_back(
+            this->inPlane(point) ? chain.back() : drawing.place(this->Plane->mirrored(point)));
+        }
+      }
+      seam.points = drawing.draw(chain, seam.level);
+      seam.image.clear();
+      if (image.empty())
+      {
+        continue;
+      }
+      if (this->Plane->error > SurfaceMirror::exact)
+      {
+        seam.image = drawing.draw(image, seam.level);
+        continue;
+      }
+      for (const Point3& point : seam.points)
+      {
+        seam.image.push_back(this->inPlane(point) ? point : this->Plane->mirrored(point));
+      }
+    }
+  }
+
+  /// The seams and their images.
+  static std::vector<SuggestedCurve> cutsOf(const std::vector<Seam>& seams, Indices& seamOf)
+  {
+    std::vector<SuggestedCurve> cuts;
+    const auto add = [&](Points3 points, std::size_t s, Index mirrorOf) {
+      SuggestedCurve cut;
+      cut.curve.type = seams[s].dart ? CurveType::Dart : CurveType::Seam;
+      cut.length = lengthOf(points);
+      cut.curve.points = std::move(points);
+      cut.mirrorOf = mirrorOf;
+      cuts.push_back(std::move(cut));
+      seamOf.push_back(static_cast<Index>(s));
+    };
+    for (std::size_t s = 0; s < seams.size(); ++s)
+    {
+      Points3 points = seams[s].points;
+      const Points3& image = seams[s].image;
+      if (seams[s].crosses)
+      {
+        points.insert(points.end(), image.rbegin() + 1, image.rend());
+      }
+      add(std::move(points), s, none);
+      if (seams[s].paired)
+      {
+        add(image, s, static_cast<Index>(cuts.size()) - 1);
+      }
+    }
+    return cuts;
+  }
+
+  /// Each curve that bounds a piece which does not keep the bound.
+  std::vector<Indices> aroundBad(const ImprintedSurface& surface, const TrialOutcome& outcome) const
+  {
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    const bool known =
+      outcome.valid && static_cast<std::size_t>(cut.pieceCount) == outcome.pieceStrains.size();
+    std::vector<char> bad(surface.curves.size(), known ? 0 : 1);
+    for (Index h = 0; h < cut.mesh.halfedgeCount() && known; ++h)
+    {
+      const Index curve = cut.curveOfHalfedge[h];
+      const Index piece = cut.pieceOfTriangle[h / 3];
+      if (curve != none &&
+        (outcome.pieceFaults[piece] || outcome.pieceStrains[piece] > this->Bound))
+      {
+        bad[curve] = 1;
+      }
+    }
+    std::vector<Indices> sets;
+    for (std::size_t k = 0; k < bad.size(); ++k)
+    {
+      if (bad[k])
+      {
+        sets.push_back({ static_cast<Index>(k) });
+      }
+    }
+    return sets;
+  }
+
+  TriangleMesh Surface; ///< with the section of the plane
+  std::optional<SymmetryPlane> Plane;
+  bool Straight;
+  ChartOptions Options; ///< on few triangles
+  double Bound;
+  TrialBudget& Budget;
+  const Execution& Run;
+  double Size;    ///< sqrt(area / pi)
+  double InPlane; ///< the distance within which points are
+  std::vector<SuggestedCurve> Best;
+  double Worst = std::numeric_limits<double>::infinity(); ///< of the best
+};
+
+/// Adds cuts in the pieces that do not keep the bound yet. False where there are none.
+bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
+  const ChartOptions& options, std::vector<SuggestedCurve>& cuts, TrialBudget& budget,
+  const Execution& execution)
+{
+  const CutTrials trials(mesh, {}, {}, roughly(options.flattening));
+  const TrialOutcome outcome = trials.run(linesOf(cuts), budget, execution);
+  const ImprintedSurface surface = imprintCurves(mesh, linesOf(cuts), {});
+  if (!outcome.valid || !surface.status.ok())
+  {
+    return false;
+  }
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  const std::vector<Piece> pieces = extractPieces(cut);
+  const Indices images =
+    pieceImages(pieceSurfaces(surface, cut), mirror, std::sqrt(mesh.area() / pi));
+  bool added = false;
+  std::vector<char> done(pieces.size(), 0);
+  for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
+  {
+    if (done[p] ||
+      (!outcome.pieceFaults[p] && outcome.pieceStrains[p] <= partedShare * options.bound))
+    {
+      continue;
+    }
+    std::vector<SuggestedCurve> more = cuts;
+    ChartSearch search(pieces[p].mesh, std::nullopt, straight, options, budget, execution);
+    const std::vector<SuggestedCurve> here = search.run();
+    if (search.worst() >= outcome.pieceFaults[p] + outcome.pieceStrains[p])
+    {
+      continue;
+    }
+    more.insert(more.end(), here.begin(), here.end());
+    const std::size_t last = more.size();
+    for (std::size_t k = cuts.size(); k < last && images[p] != none; ++k)
+    {
+      done[images[p]] = 1;
+      more.push_back(more[k]);
+      more.back().mirrorOf = static_cast<Index>(k);
+      for (Point3& point : more.back().curve.points)
+      {
+        point = mirror->mirrored(point);
+      }
+    }
+    // Beside the others it may come too near to them.
+    if (last > cuts.size() && !trials.paths(linesOf(more)).empty())
+    {
+      cuts = std::move(more);
+      added = true;
+    }
+  }
+  return added;
+}
+}
+
+std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
+  const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,
+  const Execution& execution)
+{
+  std::vector<SuggestedCurve> cuts =
+    ChartSearch(mesh, plane, true, options, budget, execution).run();
+  if (cuts.empty() && plane)
+  {
+    return chartCuts(mesh, std::nullopt, options, budget, execution);
+  }
+  const std::optional<SurfaceMirror> mirror =
+    plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
+  for (int k = 0; k < mostPartings && !cuts.empty() && !budget.spent(); ++k)
+  {
+    if (!addCuts(mesh, mirror, k == 0, options, cuts, budget, execution) && k > 0)
+    {
+      break;
+    }
+  }
+  return cuts;
+}
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Suggestion/ChartClusters.h"
+#include "Suggestion/CutTrials.h"
+
+#include <functional>
+
+namespace flattening
+{
+struct ChartOptions
+{
+  /// The strain, on 95 % of a chart's area, that is good enough; positive.
+  double bound = 0.05;
+  /// What a cut costs beside its length over sqrt(area / pi).
+  double fixedPrice = 0.2;
+  /// In that unit, no dart is shorter.
+  double leastDart = 0.12;
+  bool darts = true; ///< whether seams may end inside
+  FlatteningOptions flattening;
+};
+
+/// By boundary loop, whether a chart may surround it: it is short beside the longest, or turns as
+/// the edge of a hole in a flat piece does.
+std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops);
+
+/// A mesh parted into charts by cut edges, which may be mirror images of each other.
+class Charts
+{
+public:
+  /// A seam or dart, between places where cuts meet, or end, or reach the boundary.
+  struct Arc
+  {
+    Indices edges; ///< half-edges one after the other
+    Indices vertices;
+    bool dart = false; ///< the last vertex is a tip
+  };
+
+  /// All must outlive it. \param cut per half-edge \param images per half-edge that of the mirror
+  /// image; its own id where there is no mirror \param size sqrt(area / pi) of the whole surface
+  Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
+    const ChartOptions& options, double size);
+
+  /// Divides charts that do not keep the bound until all do: the forecast by which they were chosen
+  /// does not know of overlaps.
+  void divide(TrialBudget& budget, const Execution& execution);
+  /// Sews whole seams as long as charts keep the bound. \pre divide()
+  void merge(TrialBudget& budget, const Execution& execution);
+  /// Sews seams from an end on, and darts from their tips. \pre divide()
+  void shorten(TrialBudget& budget, const Execution& execution);
+
+  /// \param opened a closed one is two of half its edges each
+  std::vector<Arc> arcs(bool opened = true) const;
+  /// By half-edge.
+  const std::vector<char>& cut() const { return this->Cut; }
+
+private:
+  /// What is known of a chart from flattening it.
+  struct Trial
+  {
+    bool keeps = false; ///< the bound, without folds and overlaps
+    double work = 0.0;
+  };
+  struct Chart
+  {
+    Indices triangles;
+    bool keeps = false;
+    Index version = 0; ///< another after each change
+  };
+  /// Of cut edges and their images.
+  struct Removal
+  {
+    Indices edges;
+    Indices charts; ///< on their sides, but for those that are images of others
+    double saved = 0.0;
+  };
+  struct Candidate
+  {
+    Removal removal;
+    double cost = 0.0; ///< by the forecast; infinite where the chart cannot keep the bound
+    bool tried = false;
+    Trial trial;
+  };
+
+  void number(TrialBudget& budget, const Execution& execution);
+  bool divideOnce(double bound);
+  void eliminate(const std::function<void(const std::vector<Arc>&, std::vector<Removal>&)>& list,
+    TrialBudget& budget, const Execution& execution);
+  bool removeFirst(
+    const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
+  void remove(const Removal& removal);
+  Trial tried(const TriangleMesh& part, const Execution& execution) const;
+  OpenedPart without(const Removal& removal) const;
+  double forecastCost(const Removal& removal) const;
+  bool isDisk(const OpenedPart& part) const;
+  Removal removalOf(Indices edges, double fixedPrice) const;
+  Indices keyOf(const Removal& removal) const;
+  Indices cutEdges(Index v) const;
+  std::size_t degree(Index v) const;
+  bool isNode(Index v) const;
+  bool ownImage(const Arc& arc) const;
+  double length(const Indices& edges) const;
+  Indices partOf(const Arc& arc, bool front, double share) const;
+  Arc follow(Index first, std::vector<char>& used) const;
+
+  const TriangleMesh& Mesh;
+  std::vector<char> Cut;
+  Indices Images;
+  const ChartOptions& Options;
+  double Size;
+  Indices HoleOf;  ///< by vertex
+  Indices ChartOf; ///< by triangle
+  std::vector<Chart> All;
+  Index Versions = 0;
+};
+}

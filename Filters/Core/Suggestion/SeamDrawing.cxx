@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/SeamDrawing.h"
+
+#include "Paths/PathFitting.h"
+#include "Paths/PathPoints.h"
+#include "Paths/StraightPath.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+
+namespace flattening
+{
+namespace
+{
+constexpr double creaseCosine = 0.866;
+/// Places this near to vertices, in mean edges, are moved onto them.
+constexpr double placeSnap = 0.1;
+/// In mean edges, points of a line are farther apart.
+constexpr double leastStep = 0.02;
+/// By level, how far lines go from their chains, in the longest steps of these.
+constexpr std::array<double, SeamDrawing::levels> farthest{ std::numeric_limits<double>::infinity(),
+  3.0, 1.0, 0.4, 0.0 };
+}
+
+bool isCrease(const TriangleMesh& mesh, Index halfedge)
+{
+  const Index twin = mesh.twin(halfedge);
+  return twin != none &&
+    triangleNormal(mesh, halfedge / 3).dot(triangleNormal(mesh, twin / 3)) < creaseCosine;
+}
+
+SeamDrawing::SeamDrawing(const TriangleMesh& mesh)
+  : Mesh(mesh)
+  , Graph(mesh)
+  , Locator(mesh)
+  , Snap(mesh, placeSnap)
+{
+}
+
+SurfacePoint SeamDrawing::place(const Point3& point) const
+{
+  return snapToMesh(this->Mesh, this->Snap, this->Locator.closest(point));
+}
+
+bool SeamDrawing::exact(const SurfacePoint& from, const SurfacePoint& to) const
+{
+  if (from.type != SurfacePointType::Vertex || to.type != SurfacePointType::Vertex)
+  {
+    return false;
+  }
+  const Index h = this->Mesh.find(from.id, to.id);
+  return h != none && isCrease(this->Mesh, h);
+}
+
+Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) const
+{
+  Points3 points{ chain.front().position };
+  const auto add = [&points](const SurfacePath& path) {
+    for (std::size_t k = 1; k < path.points.size(); ++k)
+    {
+      points.push_back(path.points[k].position);
+    }
+  };
+  for (std::size_t begin = 0; begin + 1 < chain.size();)
+  {
+    std::size_t end = begin;
+    SurfacePath path;
+    double longest = 0.0;
+    while (end + 1 < chain.size() && !this->exact(chain[end], chain[end + 1]))
+    {
+      const SurfacePoint& from = chain[end];
+      const SurfacePoint& to = chain[++end];
+      longest = std::max(longest, (to.position - from.position).norm());
+      const StraightPath way = commonEdge(this->Mesh, from, to) != none
+        ? pathByEdges(this->Graph, from, to)
+        : localStraightPath(this->Graph, from, to);
+      if (path.points.empty())
+      {
+        path = way.path;
+      }
+      else
+      {
+        append(path, way.path);
+      }
+    }
+    if (end == begin)
+    {
+      points.push_back(chain[++begin].position);
+      continue;
+    }
+    begin = end;
+    if (level == 0)
+    {
+      const StraightPath tight =
+        straightPathNear(this->Graph, path, path.points.front(), path.points.back());
+      add(tight.status.refused() ? path : tight.path);
+      continue;
+    }
+    const double tolerance = farthest[level] * longest;
+    const FittedPath fitted =
+      tolerance > 0.0 ? fitSpline(this->Graph, this->Locator, path, tolerance) : FittedPath();
+    if (fitted.segments.empty() || !fitted.status.ok())
+    {
+      add(path);
+      continue;
+    }
+    for (const SurfacePath& segment : fitted.segments)
+    {
+      add(segment);
+    }
+  }
+  // What is shorter than the snap distance of an imprint may turn back on itself there.
+  Points3 thinned{ points.front() };
+  for (const Point3& point : points)
+  {
+    if ((point - thinned.back()).norm() > leastStep * this->Snap.greatest() / placeSnap)
+    {
+      thinned.push_back(point);
+    }
+  }
+  if (thinned.size() > 1)
+  {
+    thinned.pop_back();
+  }
+  thinned.push_back(points.back());
+  return thinned;
+}
+
+std::vector<Indices> meetingCurves(const ImprintedSurface& surface)
+{
+  std::set<Indices> sets;
+  std::vector<Indices> through(surface.mesh.vertexCount());
+  std::vector<char> inside(surface.mesh.vertexCount(), 0);
+  for (std::size_t c = 0; c < surface.curves.size(); ++c)
+  {
+    const Indices& vertices = surface.curves[c].vertices;
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      const bool tip = k + 1 == vertices.size() && surface.curves[c].type == CurveType::Dart;
+      const bool inner = (k > 0 && k + 1 < vertices.size()) || tip;
+      through[vertices[k]].push_back(static_cast<Index>(c));
+      inside[vertices[k]] = inside[vertices[k]] || inner ? 1 : 0;
+      if (inner && surface.mesh.onBoundary(vertices[k]))
+      {
+        sets.insert({ static_cast<Index>(c) });
+      }
+    }
+  }
+  for (std::size_t v = 0; v < through.size(); ++v)
+  {
+    if (inside[v] && through[v].size() > 1)
+    {
+      sets.insert(through[v]);
+    }
+  }
+  return { sets.begin(), sets.end() };
+}
+
+bool raiseLevels(const std::vector<Indices>& sets, const Indices& ownerOf, std::vector<int>& levels)
+{
+  std::set<Index> raised;
+  for (const Indices& set : sets)
+  {
+    Index lowest = none;
+    for (Index member : set)
+    {
+      const Index owner = ownerOf[member];
+      if (lowest == none || levels[owner] <= levels[lowest])
+      {
+        lowest = owner;
+      }
+    }
+    if (levels[lowest] + 1 < SeamDrawing::levels)
+    {
+      raised.insert(lowest);
+    }
+  }
+  for (Index owner : raised)
+  {
+    ++levels[owner];
+  }
+  return !raised.empty();
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Imprint/ImprintedSurface.h"
+#include "Paths/PathGraph.h"
+#include "Surface/SurfaceLocator.h"
+#include "Surface/SurfacePoint.h"
+
+namespace flattening
+{
+/// Whether the surface turns by more than 30 degrees at an edge.
+bool isCrease(const TriangleMesh& mesh, Index halfedge);
+
+/// Draws seams on a surface from chains of places, more or less smooth.
+class SeamDrawing
+{
+public:
+  /// How near to its chain a line stays: drawn tight; within so many steps of the chain; not
+  /// smoothed at all.
+  static constexpr int levels = 5;
+
+  /// The mesh must outlive it.
+  explicit SeamDrawing(const TriangleMesh& mesh);
+
+  /// The place of the surface next to a point; a vertex where one is near.
+  SurfacePoint place(const Point3& point) const;
+  /// From place to place: along creases and boundaries as they are, elsewhere smooth.
+  Points3 draw(const std::vector<SurfacePoint>& chain, int level) const;
+
+private:
+  bool exact(const SurfacePoint& from, const SurfacePoint& to) const;
+
+  const TriangleMesh& Mesh;
+  PathGraph Graph;
+  SurfaceLocator Locator;
+  SnapDistance Snap;
+};
+
+/// Sets of curves that meet elsewhere than at ends of all of them, that run along the boundary, or
+/// of which one is a dart whose tip, its last point, is on others.
+std::vector<Indices> meetingCurves(const ImprintedSurface& surface);
+
+/// Raises the lowest level in each set, of equal ones that of the last. False where all are
+/// highest.
+/// \param ownerOf by member of the sets, whose level it is
+bool raiseLevels(
+  const std::vector<Indices>& sets, const Indices& ownerOf, std::vector<int>& levels);
+}

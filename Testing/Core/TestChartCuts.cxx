@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/ChartCuts.h"
+
+#include "Cut/PieceTopology.h"
+#include "SuggestionTesting.h"
+#include "TestThreads.h"
+
+#include <limits>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+/// Round the z axis, closed at both poles.
+TriangleMesh turned(Index around, Index along, const std::function<Point3(double, double)>& place)
+{
+  Points3 points{ place(0.0, 0.0), place(0.0, pi) };
+  for (Index j = 1; j < along; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      points.push_back(place(2.0 * pi * i / around, pi * j / along));
+    }
+  }
+  const auto at = [&](Index i, Index j) { return 2 + (j - 1) * around + i % around; };
+  Triangles triangles;
+  for (Index i = 0; i < around; ++i)
+  {
+    triangles.push_back({ 0, at(i, 1), at(i + 1, 1) });
+    triangles.push_back({ 1, at(i + 1, along - 1), at(i, along - 1) });
+    for (Index j = 1; j + 1 < along; ++j)
+    {
+      triangles.push_back({ at(i, j), at(i, j + 1), at(i + 1, j + 1) });
+      triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i + 1, j) });
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+TriangleMesh ball(double radius)
+{
+  return turned(24, 14, [radius](double turn, double down) {
+    return Point3(radius * std::sin(down) * std::cos(turn),
+      radius * std::sin(down) * std::sin(turn), radius * std::cos(down));
+  });
+}
+
+/// Without a mirror plane.
+TriangleMesh bean()
+{
+  return turned(24, 16, [](double turn, double down) {
+    const double r = std::sin(down) * (1.0 + 0.25 * std::sin(2.0 * down));
+    return Point3(r * std::cos(turn) + 0.4 * down * down / pi,
+      1.3 * r * std::sin(turn + 0.2 * down), 2.0 * std::cos(down) + 0.1 * r * std::sin(turn));
+  });
+}
+
+std::vector<SuggestedCurve> chartsOf(const TriangleMesh& mesh, double bound,
+  const std::optional<SymmetryPlane>& plane, const Execution& execution = {})
+{
+  ChartOptions options;
+  options.bound = bound;
+  TrialBudget budget(30e6);
+  return chartCuts(mesh, plane, options, budget, execution);
+}
+
+double largestP95(const FlatteningResult& flat)
+{
+  double largest = 0.0;
+  for (const PieceReport& piece : flat.pieces)
+  {
+    largest = std::max(largest, piece.quality.strainP95);
+  }
+  return largest;
+}
+
+FlatteningResult flattenedWith(const TriangleMesh& mesh, const std::vector<SuggestedCurve>& cuts)
+{
+  CurveSuggestions suggestions;
+  suggestions.curves = cuts;
+  return flattened(mesh, {}, suggestions);
+}
+}
+
+TEST(ChartCuts, PartClosedBodiesIntoDisksWithinTheBound)
+{
+  for (double bound : { 0.05, 0.1 })
+  {
+    for (const TriangleMesh& mesh : { ball(1.0), bean(), torus(16, 3.0) })
+    {
+      const std::vector<SuggestedCurve> cuts = chartsOf(mesh, bound, std::nullopt);
+      ASSERT_FALSE(cuts.empty());
+      const FlatteningResult flat = flattenedWith(mesh, cuts);
+      ASSERT_TRUE(flat.status.ok()) << flat.status.message;
+      EXPECT_TRUE(flat.leftOut.empty());
+      EXPECT_LE(largestP95(flat), bound);
+      EXPECT_EQ(eulerCharacteristic(flat.cut->mesh), flat.cut->pieceCount);
+    }
+  }
+}
+
+TEST(ChartCuts, TakeLessSeamForALooserBound)
+{
+  double before = std::numeric_limits<double>::infinity();
+  for (double bound : { 0.025, 0.05, 0.1, 0.2 })
+  {
+    double length = 0.0;
+    for (const SuggestedCurve& cut : chartsOf(bean(), bound, std::nullopt))
+    {
+      length += cut.length;
+    }
+    EXPECT_LT(length, before) << bound;
+    before = length;
+  }
+}
+
+TEST(ChartCuts, AreTheSameInEveryUnitAndForAnyNumberOfThreads)
+{
+  const std::vector<SuggestedCurve> one = chartsOf(ball(1.0), 0.08, std::nullopt);
+  const std::vector<SuggestedCurve> threads =
+    chartsOf(ball(1.0), 0.08, std::nullopt, withThreads(3));
+  const std::vector<SuggestedCurve> large = chartsOf(ball(1024.0), 0.08, std::nullopt);
+  ASSERT_EQ(one.size(), threads.size());
+  ASSERT_EQ(one.size(), large.size());
+  for (std::size_t k = 0; k < one.size(); ++k)
+  {
+    EXPECT_EQ(one[k].curve.points, threads[k].curve.points);
+    EXPECT_NEAR(large[k].length, 1024.0 * one[k].length, 1e-6 * large[k].length);
+  }
+}
+
+TEST(ChartCuts, ComeInPairsOfEqualLengthWhereThereIsAMirror)
+{
+  const TriangleMesh mesh = ball(1.0);
+  SymmetryPlane plane;
+  plane.normal = Point3::UnitY();
+  const std::vector<SuggestedCurve> cuts = chartsOf(mesh, 0.05, plane);
+  std::size_t pairs = 0;
+  for (const SuggestedCurve& cut : cuts)
+  {
+    if (cut.mirrorOf != none)
+    {
+      EXPECT_NEAR(cut.length, cuts[cut.mirrorOf].length, 1e-9);
+      ++pairs;
+    }
+  }
+  EXPECT_GT(pairs, 0u);
+  EXPECT_LE(largestP95(flattenedWith(mesh, cuts)), 0.05);
+}
+
+TEST(ChartCuts, LeaveWhatLiesFlatAsItIs)
+{
+  EXPECT_TRUE(chartsOf(
+    patch(8, 8, [](double i, double j) { return Point3(i, j, 0.0); }).mesh, 0.05, std::nullopt)
+                .empty());
+}
