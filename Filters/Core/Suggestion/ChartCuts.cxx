@@ -34,6 +34,8 @@ constexpr double workingSnap = 0.15;
 constexpr double surfaceSnap = 1e-2;
 /// Of the budget, for charts on few triangles; the rest is for drawing seams on the surface.
 constexpr double mergingShare = 0.6;
+/// Larger surfaces are parted on a version of half as many, to which their cuts are moved.
+constexpr Index settledTriangles = 30000;
 /// Seams are drawn anew this often at most.
 constexpr int mostDrawings = 24;
 /// Pieces with more strain than this many times the bound are parted again; darts do for others.
@@ -575,6 +577,35 @@ private:
   double Worst = std::numeric_limits<double>::infinity(); ///< of the best
 };
 
+/// The cuts of a version with fewer triangles on the surface itself.
+std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
+  const std::optional<SymmetryPlane>& plane, std::vector<SuggestedCurve> cuts)
+{
+  const SeamDrawing drawing(mesh);
+  const bool exact = plane && plane->error <= SurfaceMirror::exact;
+  for (SuggestedCurve& cut : cuts)
+  {
+    Points3& points = cut.curve.points;
+    if (exact && cut.mirrorOf != none)
+    {
+      points = cuts[cut.mirrorOf].curve.points;
+      for (Point3& point : points)
+      {
+        point = plane->mirrored(point);
+      }
+      continue;
+    }
+    std::vector<SurfacePoint> chain;
+    for (const Point3& point : points)
+    {
+      chain.push_back(drawing.place(point));
+    }
+    points = drawing.draw(chain, SeamDrawing::levels - 1);
+    cut.length = lengthOf(points);
+  }
+  return cuts;
+}
+
 /// Adds cuts in the pieces that do not keep the bound yet. False where there are none.
 bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
   const ChartOptions& options, std::vector<SuggestedCurve>& cuts, TrialBudget& budget,
@@ -634,6 +665,11 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,
   const Execution& execution)
 {
+  if (mesh.triangleCount() > settledTriangles)
+  {
+    return drawnOn(mesh, plane,
+      chartCuts(fewTriangles(mesh, settledTriangles / 2), plane, options, budget, execution));
+  }
   std::vector<SuggestedCurve> cuts =
     ChartSearch(mesh, plane, true, options, budget, execution).run();
   if (cuts.empty() && plane)
