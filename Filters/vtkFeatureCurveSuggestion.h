@@ -48,9 +48,9 @@
  *
  * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
  * left, where, and what ended the search: the most cuts or their length, MaximumWork, an abort, or
- * that cuts do so little that the bound would take several times MaximumCuts, or hundreds (noise is no nearer to
- * flat after any number of darts). INVALID_OPTION: a preference for a curve that there is not; a
- * WeightArray that there is not, or with numbers that are no weights.
+ * that cuts do so little that the bound would take several times MaximumCuts, or hundreds (noise is
+ * no nearer to flat after any number of darts). INVALID_OPTION: a preference for a curve that there
+ * is not; a WeightArray that there is not, or with numbers that are no weights.
  *
  * @code
  * vtkNew<vtkFeatureCurveSuggestion> suggestion;
@@ -130,7 +130,8 @@ public:
 
   ///@{
   /**
-   * The most cuts that are proposed; a mirror image counts. 0: as many as the bound takes. Default: 0.
+   * The most cuts that are proposed; a mirror image counts. 0: as many as the bound takes. Default:
+   * 0.
    */
   vtkSetClampMacro(MaximumCuts, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumCuts, int);
