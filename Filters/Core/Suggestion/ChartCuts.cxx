@@ -263,6 +263,10 @@ public:
       }
     }
     const CutMesh whole = this->withMirrored(parted);
+    if (whole.mesh.triangleCount() == 0)
+    {
+      return {};
+    }
     Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size);
     charts.divide(budget, this->Run);
     charts.merge(budget, this->Run);
@@ -342,7 +346,7 @@ private:
     return this->Plane && std::abs(this->Plane->side(point)) < this->InPlane;
   }
 
-  /// Both sides of the plane together, cut along it as well.
+  /// Both sides of the plane together, cut along it as well. Empty where edges inside lie in it.
   CutMesh withMirrored(const CutMesh& half) const
   {
     CutMesh whole = half;
@@ -361,6 +365,14 @@ private:
       if (!shared)
       {
         points.push_back(this->Plane->mirrored(points[v]));
+      }
+    }
+    for (Index h = 0; h < count; ++h)
+    {
+      if (half.mesh.twin(h) != none && image[half.mesh.from(h)] == half.mesh.from(h) &&
+        image[half.mesh.to(h)] == half.mesh.to(h))
+      {
+        return {}; // four triangles would meet at the edge
       }
     }
     Triangles cells = half.mesh.triangles();
